@@ -1,0 +1,31 @@
+// The skeleton: what a growth is before it has a surface. Lengths are in whatever unit the model grows in.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace panicle {
+
+enum class Kind : std::uint8_t { rachis = 0, axis = 1, end = 2, pedicel = 3 };
+enum class State : std::uint8_t { grown = 0, withered = 1 };
+
+struct Internode {
+  std::int32_t parent = -1;  // index of an earlier internode; −1 at the root
+  Kind kind = Kind::rachis;
+  State state = State::grown;
+  std::int32_t axis = -1;  // first-order axis, 0 at the top; −1 for the rachis and what ends it
+  glm::vec3 start{0};
+  glm::vec3 end{0};
+  float radius = 0;      // at the start
+  float radius_end = 0;  // at the end
+};
+
+struct Berry {
+  glm::vec3 centre{0};
+  float radius = 0;
+  glm::vec3 direction{0, -1, 0};  // unit, from the pedicel towards the tip scar
+  std::int32_t parent = -1;       // index of its pedicel
+};
+
+}  // namespace panicle
