@@ -1,0 +1,34 @@
+# Writes OUTPUT, a C++ file that holds the text of every grammar in INPUTS by the number that ends its name. A script of
+# CMake's, so that a build needs no Node.
+set(cases "")
+foreach(input IN LISTS INPUTS)
+  if(NOT input MATCHES "-([0-9]+)\\.lsys$")
+    message(FATAL_ERROR "${input}: the name of a built-in grammar ends in its number, as in grape-bunch-3.lsys")
+  endif()
+  set(number ${CMAKE_MATCH_1})
+  file(READ ${input} text)
+  # Compilers take string literals of any length but MSVC's; pieces of 8 kB keep every one of them content.
+  string(LENGTH "${text}" length)
+  set(literal "")
+  set(from 0)
+  while(from LESS length)
+    string(SUBSTRING "${text}" ${from} 8000 piece)
+    string(APPEND literal "\n        R\"lsys(${piece})lsys\"")
+    math(EXPR from "${from} + 8000")
+  endwhile()
+  if(length EQUAL 0)
+    set(literal " \"\"")
+  endif()
+  string(APPEND cases "    case ${number}:\n      return${literal};\n")
+endforeach()
+file(WRITE ${OUTPUT} "// Made from grammars/*.lsys by tools/embed_grammars.cmake.\n\
+#include \"bunch/builtin_grammars.hpp\"\n\n\
+namespace panicle::bunch {\n\n\
+std::string_view builtin_grammar(int number) {\n\
+  switch (number) {\n\
+${cases}\
+    default:\n\
+      return {};\n\
+  }\n\
+}\n\n\
+}  // namespace panicle::bunch\n")

@@ -1,0 +1,32 @@
+# What runs on the machine itself: the tests, the command and the bench.
+
+find_path(PANICLE_DOCTEST_ROOT doctest/doctest.h)
+if(PANICLE_DOCTEST_ROOT)
+  # core_tests holds everything; <room>_tests only what one room needs, for a quick turn while working on it.
+  add_library(tests_main OBJECT ../tests/core/main.cpp)
+  target_include_directories(tests_main PUBLIC ${PANICLE_DOCTEST_ROOT} ../tests/core)
+  add_executable(core_tests $<TARGET_OBJECTS:tests_main>)
+  target_link_libraries(core_tests PRIVATE panicle_core)
+  foreach(room IN LISTS rooms)
+    file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ../tests/core/${room}/*_test.cpp)
+    if(test_sources)
+      add_library(${room}_tests_objects OBJECT ${test_sources})
+      target_include_directories(${room}_tests_objects PRIVATE ${PANICLE_DOCTEST_ROOT} ../tests/core)
+      target_link_libraries(${room}_tests_objects PRIVATE panicle_${room})
+      target_sources(core_tests PRIVATE $<TARGET_OBJECTS:${room}_tests_objects>)
+      add_executable(${room}_tests EXCLUDE_FROM_ALL $<TARGET_OBJECTS:tests_main> $<TARGET_OBJECTS:${room}_tests_objects>)
+      target_link_libraries(${room}_tests PRIVATE panicle_${room})
+    endif()
+  endforeach()
+endif()
+
+if(EXISTS ${CMAKE_SOURCE_DIR}/tools/native_grow.cpp)
+  add_executable(native_grow tools/native_grow.cpp)
+  target_link_libraries(native_grow PRIVATE panicle_core)
+endif()
+
+file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
+if(bench_sources)
+  add_executable(core_bench_native ${bench_sources})
+  target_link_libraries(core_bench_native PRIVATE panicle_core)
+endif()

@@ -1,0 +1,39 @@
+# panicle.wasm and, where there is a bench, panicle-bench.wasm: standalone modules that export the functions of
+# wasm_api/panicle.h. The caller runs `_initialize` once.
+
+# The header is the one list of exports.
+file(STRINGS src/wasm_api/panicle.h declarations REGEX "^[A-Za-z].* \\*?panicle_[a-z_]+\\(")
+set(exports "")
+foreach(declaration IN LISTS declarations)
+  string(REGEX MATCH "panicle_[a-z_]+" name "${declaration}")
+  list(APPEND exports "_${name}")
+endforeach()
+list(JOIN exports "," exports)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/wasm_api/panicle.h)
+
+# The stack's option changed its name in 3.1.25, its default from 5 MB to 64 kB in 3.1.27.
+if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.27)
+  set(stack_option -sTOTAL_STACK=1048576)
+else()
+  set(stack_option -sSTACK_SIZE=1048576)
+endif()
+
+function(panicle_wasm name exported)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE panicle_core)
+  set_target_properties(${name} PROPERTIES SUFFIX .wasm)
+  target_link_options(${name} PRIVATE
+    --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 ${stack_option}
+    -sEXPORTED_FUNCTIONS=${exported})
+endfunction()
+
+file(WRITE ${CMAKE_BINARY_DIR}/empty.cpp "")
+file(GLOB api_sources CONFIGURE_DEPENDS src/wasm_api/*.cpp)
+if(api_sources)
+  panicle_wasm(panicle "${exports}" ${CMAKE_BINARY_DIR}/empty.cpp)
+endif()
+file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
+if(api_sources AND bench_sources)
+  # Functions of the bench are marked EMSCRIPTEN_KEEPALIVE (or __attribute__((export_name))) where they stand.
+  panicle_wasm(panicle-bench "${exports}" ${bench_sources})
+endif()
