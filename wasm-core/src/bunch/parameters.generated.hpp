@@ -1,0 +1,90 @@
+// Made from wasm-core/parameters/bunch.json by wasm-core/tools/generate.mjs; edit the table, not this.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace panicle::bunch {
+
+// In the order of the request's words.
+enum class Parameter : std::uint32_t {
+  l,
+  p3w,
+  p3r,
+  p4w,
+  p4r,
+  p5w,
+  p5r,
+  p6w,
+  p6r,
+  unit,
+  wing,
+  wing_angle,
+  rmin,
+  rmax,
+  delta,
+  t,
+  sag,
+  yaw,
+  roll,
+  li,
+  lw,
+  wi,
+  rw,
+  rrr,
+  rrf,
+  re,
+  rff,
+  rp,
+  fit,
+  vary,
+};
+
+inline constexpr std::uint32_t parameter_count = 30;
+
+struct ParameterInfo {
+  std::string_view key;
+  std::string_view define;  // the grammar's #define it replaces; empty for none
+  float min, max;
+  float gap_below;  // values strictly between 0 and this are raised to it; 0 for none
+  float standard;
+  bool whole;
+};
+
+// clang-format off
+inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
+    {"l", "", 29.0f, 580.0f, 0.0f, 512.0f, false},
+    {"p3w", "", 0.0f, 290.0f, 0.0f, 150.0f, false},
+    {"p3r", "", 0.0f, 580.0f, 0.0f, 150.0f, false},
+    {"p4w", "", 0.0f, 290.0f, 0.0f, 150.0f, false},
+    {"p4r", "", 0.0f, 580.0f, 0.0f, 102.0f, false},
+    {"p5w", "", 0.0f, 290.0f, 0.0f, 150.0f, false},
+    {"p5r", "", 0.0f, 580.0f, 0.0f, 150.0f, false},
+    {"p6w", "", 0.0f, 290.0f, 0.0f, 150.0f, false},
+    {"p6r", "", 0.0f, 580.0f, 0.0f, 150.0f, false},
+    {"unit", "", 0.05f, 2.0f, 0.0f, 0.25f, false},
+    {"wing", "", 0.0f, 1.0f, 0.3f, 0.0f, false},
+    {"wing_angle", "", 0.0f, 120.0f, 0.0f, 55.0f, false},
+    {"rmin", "r_min", 2.0f, 80.0f, 0.0f, 20.0f, true},
+    {"rmax", "r_max", 2.0f, 80.0f, 0.0f, 30.0f, true},
+    {"delta", "", 0.0f, 90.0f, 0.0f, 15.0f, false},
+    {"t", "", 0.0f, 200.0f, 0.0f, 50.0f, true},
+    {"sag", "", 0.0f, 30.0f, 0.0f, 2.0f, false},
+    {"yaw", "alpha_y", 0.0f, 150.0f, 0.0f, 60.0f, false},
+    {"roll", "alpha_r", -180.0f, 180.0f, 0.0f, 120.0f, false},
+    {"li", "l_i", 10.0f, 120.0f, 0.0f, 50.0f, false},
+    {"lw", "l_w", 1.0f, 60.0f, 0.0f, 10.0f, false},
+    {"wi", "w_i", 2.0f, 40.0f, 0.0f, 15.0f, false},
+    {"rw", "r_w", 0.5f, 1.0f, 0.0f, 0.98f, false},
+    {"rrr", "r_rr", 0.5f, 1.2f, 0.0f, 0.99f, false},
+    {"rrf", "r_rf", 0.3f, 1.5f, 0.0f, 0.89f, false},
+    {"re", "r_e", 0.2f, 1.5f, 0.0f, 0.6f, false},
+    {"rff", "r_ff", 0.5f, 1.2f, 0.0f, 0.99f, false},
+    {"rp", "r_p", 0.3f, 4.0f, 0.0f, 1.5f, false},
+    {"fit", "", 0.0f, 1.0f, 0.0f, 1.0f, false},
+    {"vary", "vary", 0.0f, 1.0f, 0.0f, 0.3f, false},
+}};
+// clang-format on
+
+}  // namespace panicle::bunch
