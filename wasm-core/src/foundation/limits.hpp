@@ -11,8 +11,8 @@ struct Limits {
   std::uint32_t words = 64 * 1024 * 1024;         // 32-bit words of one derived string (256 MiB)
   std::uint32_t evaluations = 50'000'000;         // productions applied in one derivation
   std::uint32_t depth = 100'000;                  // open brackets while interpreting
-  std::uint32_t spheres = 1'000'000;              // spheres in one environment
-  std::uint32_t internodes = 1'000'000;           // internodes in one result
+  std::uint32_t spheres = 100'000;                // spheres in one environment
+  std::uint32_t internodes = 100'000;             // internodes in one result
 };
 
 }  // namespace panicle

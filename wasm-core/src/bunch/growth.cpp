@@ -1,0 +1,141 @@
+#include "bunch/growth.hpp"
+
+#include <string_view>
+
+#include "foundation/random.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+// Where a communication module keeps what it says and hears. Three parameters are L-system 2's (type, θ, l), five are
+// L-system 3's as printed (type, θ, φ, l, w), six carry the berry's radius b as well.
+struct Slots {
+  std::size_t theta = 1, phi = 0, length = 0, width = 0, berry = 0;  // 0: not carried
+};
+
+bool slots_for(std::size_t arity, Slots& slots) {
+  switch (arity) {
+    case 3: slots = {1, 0, 2, 0, 0}; return true;
+    case 5: slots = {1, 2, 3, 4, 0}; return true;
+    case 6: slots = {1, 2, 3, 4, 5}; return true;
+    default: return false;
+  }
+}
+
+// The apex symbols of the paper's grammars tell what an internode is.
+bool is_rachis(std::string_view symbol) { return symbol.substr(0, 2) == "Ar"; }
+
+Kind kind_of(std::string_view symbol, bool pedicel) {
+  if (pedicel || symbol == "Ap") return Kind::pedicel;
+  if (is_rachis(symbol)) return Kind::rachis;
+  if (symbol == "Ae") return Kind::end;
+  return Kind::axis;
+}
+
+}  // namespace
+
+Growth::Growth(const InteractionOptions& options, const Limits& limits, float largest)
+    : options_(options), limits_(limits), structure_(largest) {}
+
+void Growth::begin(const lsystem::Program& program, std::uint64_t seed, std::int32_t first_axis) {
+  constants_.width = lsystem::constant(program, "w", 1);
+  constants_.narrowing = lsystem::constant(program, "r_w", 1);
+  constants_.withered_length = lsystem::constant(program, "l_w", 10);
+  constants_.berry_radius = lsystem::constant(program, "b_r", 0);
+  seed_ = seed;
+  first_internode_ = static_cast<std::int32_t>(internodes.size());
+  first_axis_ = first_axis;
+  answered_ = {};
+}
+
+void Growth::ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) {
+  answered_ = {};
+  Slots slots;
+  if (!slots_for(parameters.size(), slots)) {
+    if (trouble_.reason == Reason::none)
+      trouble_ = {Reason::bad_input, "The bunch answers ?E with 3, 5 or 6 parameters: (type, theta, l), "
+                                     "(type, theta, phi, l, w) or (type, theta, phi, l, w, b).", 0, 0};
+    return;
+  }
+  const bool pedicel = parameters[0] == 1;
+  const float width = slots.width ? parameters[slots.width] : constants_.width;
+  float& length = parameters[slots.length];
+
+  Newborn newborn;
+  newborn.pedicel = pedicel;
+  newborn.flat = slots.phi == 0;
+  newborn.length = length;
+  newborn.radius = pedicel ? (slots.berry ? parameters[slots.berry] : constants_.berry_radius)
+                           : width * constants_.narrowing * 0.5f;
+  if (turtle.line >= 0) newborn.parent = tips_[first_internode_ + turtle.line];
+  newborn.tie = random_direction(seed_, hash_text("tie"), lineage.address);
+
+  const bool room_left = within(structure_.spheres().size(), limits_.spheres, "spheres");
+  const Room room = room_left ? find_room(structure_, turtle, newborn, options_) : Room{};
+  parameters[slots.theta] = room.theta;
+  if (slots.phi) parameters[slots.phi] = room.phi;
+  answered_ = {true, pedicel, !room.found, width, SphereGrid::no_sphere};
+  if (room.found) {
+    const std::uint32_t sphere = structure_.add(room.sphere);
+    if (!pedicel) answered_.tip = sphere;
+  } else if (pedicel) {
+    length = constants_.withered_length;
+  } else {
+    length = 0;
+    ++cuts;
+    answered_ = {};
+  }
+}
+
+void Growth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
+                  const lsystem::Lineage& lineage) {
+  if (!within(internodes.size(), limits_.internodes, "internodes")) return;
+  (void)id;
+  Internode internode;
+  internode.parent = before.line < 0 ? -1 : first_internode_ + before.line;
+  internode.kind = kind_of(lineage.parent, answered_.pending && answered_.pedicel);
+  internode.state = answered_.pending && answered_.withered ? State::withered : State::grown;
+  internode.start = before.position;
+  internode.end = after.position;
+  internode.radius_end = after.width * 0.5f;
+  internode.radius = answered_.pending ? answered_.width * 0.5f : internode.radius_end;
+  label(internode, lineage);
+
+  const std::int32_t above = internode.parent < 0 ? 0 : rachis_depth_[internode.parent];
+  rachis_depth_.push_back(above + (internode.kind == Kind::rachis ? 1 : 0));
+  tips_.push_back(answered_.tip);
+  internodes.push_back(internode);
+  answered_ = {};
+}
+
+// A first-order axis is what leaves the rachis, but for the end structure in which the rachis itself ends. It has the
+// number of the rachis internode whose tip it leaves.
+void Growth::label(Internode& internode, const lsystem::Lineage& lineage) const {
+  internode.axis = -1;
+  if (internode.parent < 0 || internode.kind == Kind::rachis) return;
+  const Internode& parent = internodes[internode.parent];
+  if (parent.kind != Kind::rachis)
+    internode.axis = parent.axis;
+  else if (!is_rachis(lineage.grandparent))
+    internode.axis = first_axis_ + rachis_depth_[internode.parent] - 1;
+}
+
+void Growth::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage&) {
+  if (turtle.line < 0 || !within(berries.size(), limits_.spheres, "berries")) return;
+  const std::int32_t pedicel = first_internode_ + turtle.line;
+  if (static_cast<std::size_t>(pedicel) >= internodes.size()) return;
+  internodes[pedicel].kind = Kind::pedicel;
+  berries.push_back({turtle.position, radius, turtle.heading, pedicel});
+}
+
+void Growth::cut(const lsystem::Turtle&) { answered_ = {}; }
+
+bool Growth::within(std::size_t count, std::uint32_t limit, const char* what) {
+  if (count < limit) return true;
+  if (trouble_.reason == Reason::none)
+    trouble_ = {Reason::limit, std::string("The bunch has reached the limit of ") + std::to_string(limit) + " " + what +
+                                   "; make the profile or the grammar smaller.", 0, 0};
+  return false;
+}
+
+}  // namespace panicle::bunch

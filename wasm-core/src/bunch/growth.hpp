@@ -1,0 +1,73 @@
+// The listener that turns an interpreted grammar into a bunch: it answers ?E from the space around the turtle and
+// keeps what the turtle draws.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bunch/interaction.hpp"
+#include "environment/sphere_grid.hpp"
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "geometry/skeleton.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::bunch {
+
+// Several interpretations may follow one another in the same environment (a double bunch); begin() starts each.
+class Growth final : public lsystem::Listener {
+ public:
+  // `largest` bounds the radius of all spheres.
+  Growth(const InteractionOptions& options, const Limits& limits, float largest);
+
+  // The next interpretation's program and seed; its first-order axes count on from `first_axis`.
+  void begin(const lsystem::Program& program, std::uint64_t seed, std::int32_t first_axis);
+
+  void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
+            const lsystem::Lineage& lineage) override;
+  void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
+  void ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) override;
+  void cut(const lsystem::Turtle& turtle) override;
+
+  // What went wrong on the way; reason none if nothing did.
+  const Diagnostic& trouble() const { return trouble_; }
+
+  std::vector<Internode> internodes;  // in the grammar's unit
+  std::vector<Berry> berries;
+  std::uint32_t cuts = 0;  // internodes that found no room
+
+ private:
+  // The constants that the environment shares with the text.
+  struct Constants {
+    float width = 0;           // `w`, for modules that do not carry one
+    float narrowing = 1;       // `r_w`
+    float withered_length = 0;  // `l_w`
+    float berry_radius = 0;    // `b_r`, for modules that do not carry one
+  };
+
+  // What ask() settled for the line that its answer is about to draw.
+  struct Answered {
+    bool pending = false;
+    bool pedicel = false;
+    bool withered = false;
+    float width = 0;
+    std::uint32_t tip = SphereGrid::no_sphere;
+  };
+
+  void label(Internode& internode, const lsystem::Lineage& lineage) const;
+  bool within(std::size_t count, std::uint32_t limit, const char* what);
+
+  InteractionOptions options_;
+  Limits limits_;
+  SphereGrid structure_;
+  Constants constants_;
+  Answered answered_;
+  Diagnostic trouble_;
+  std::uint64_t seed_ = 0;
+  std::int32_t first_internode_ = 0;  // of this interpretation
+  std::int32_t first_axis_ = 0;
+  std::vector<std::uint32_t> tips_;        // per internode: the sphere at its tip, or none
+  std::vector<std::int32_t> rachis_depth_;  // per internode: how many rachis internodes lie above it
+};
+
+}  // namespace panicle::bunch

@@ -1,0 +1,41 @@
+// How a newborn internode finds room among what has grown already (Huang et al. 2013, section 4.3.2).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "environment/sphere_grid.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::bunch {
+
+struct InteractionOptions {
+  float delta = 15;          // δ, degrees: the turn that a full push gives, and the most an internode may turn in all
+  std::uint32_t tries = 50;  // t: adjustments before an internode is cut or a pedicel withers
+  float sag = 2;             // degrees bent towards gravity where nothing is in the way
+};
+
+// What asks for room: an internode probes with a small sphere at its tip, a pedicel with its berry beyond the tip.
+struct Newborn {
+  bool pedicel = false;
+  bool flat = false;  // turns in the turtle's heading–left plane alone (the 2-D communication module)
+  float length = 0;
+  float radius = 0;           // of the probe
+  std::uint32_t parent = SphereGrid::no_sphere;  // the parent's own tip sphere, no obstacle
+  glm::vec3 tie{0, -1, 0};    // unit; the way out where a push points nowhere
+};
+
+// The answer: the turns +(θ)&(φ), in degrees, that lead to free space, and the sphere that stands there.
+struct Room {
+  bool found = false;
+  float theta = 0;
+  float phi = 0;
+  Sphere sphere;
+};
+
+// Probes, turns towards the push and probes again until the newborn is free or has used up its adjustments; then
+// lets it sag. Nothing is added to `structure`.
+Room find_room(const SphereGrid& structure, const lsystem::Turtle& turtle, const Newborn& newborn,
+               const InteractionOptions& options);
+
+}  // namespace panicle::bunch
