@@ -1,0 +1,41 @@
+/** Reading single values from outside: text of a link, an attribute or a form, or values of a JSON file. */
+
+const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** A number or the text of one; undefined where it is neither. Never NaN. */
+export function readNumber(value: unknown): number | undefined {
+	if (typeof value === "number") return Number.isNaN(value) ? undefined : value;
+	if (typeof value !== "string") return undefined;
+	const text = value.trim();
+	return DECIMAL.test(text) ? Number(text) : undefined;
+}
+
+/** A list, or text with commas; a single value is a list of one. */
+export function readList(value: unknown): readonly unknown[] {
+	if (Array.isArray(value)) return value;
+	return typeof value === "string" ? value.split(",") : [value];
+}
+
+/** Numbers of a list or of text with commas; undefined where one of them is none. */
+export function readNumbers(value: unknown): number[] | undefined {
+	const numbers: number[] = [];
+	for (const part of readList(value)) {
+		const number = readNumber(part);
+		if (number === undefined) return undefined;
+		numbers.push(number);
+	}
+	return numbers;
+}
+
+/** Six hexadecimal digits in lower case from `43264F`, `#43264f` or `#abc`. */
+export function readColour(value: unknown): string | undefined {
+	if (typeof value !== "string") return undefined;
+	const digits = value.trim().replace(/^#/, "").toLowerCase();
+	if (/^[0-9a-f]{6}$/.test(digits)) return digits;
+	return /^[0-9a-f]{3}$/.test(digits) ? digits.replace(/./g, "$&$&") : undefined;
+}
+
+/** An object that is neither null nor a list. */
+export function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+	return typeof value === "object" && value !== null && !Array.isArray(value);
+}
