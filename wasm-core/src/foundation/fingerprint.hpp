@@ -1,5 +1,5 @@
-// The fingerprint: FNV-1a over 32-bit little-endian words, 64 bits wide. Documented in docs/fingerprint.md so that
-// anyone can compute it again from the JSON.
+// The fingerprint: FNV-1a, 64 bits wide, fed whole 32-bit words instead of bytes (Fowler, Noll, Vo; prime and start
+// are theirs). docs/fingerprint.md says which words a bunch is, so that anyone can compute it again from the JSON.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace panicle {
 
 class Fingerprint {
  public:
-  void add(float value);
+  void add(float value);  // its bits; −0 counts as 0, every NaN as the same one
   void add(std::uint32_t word);
   void add(std::span<const float> values);
   void add(std::span<const std::uint32_t> words);
