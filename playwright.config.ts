@@ -1,0 +1,37 @@
+import { defineConfig } from "@playwright/test";
+import { locate } from "./wasm-core/tools/toolchain.mjs";
+
+const port = Number(process.env.PANICLE_PORT ?? 4173);
+const origin = `http://localhost:${port}`;
+const { chromium } = locate(["chromium"]).found;
+
+// WebGL 2 on any machine, with or without a graphics card. The sandbox cannot start for the superuser.
+const flags = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+if (process.getuid?.() === 0) flags.push("--no-sandbox");
+
+/** End-to-end tests: the built app in dist/, in the system's Chromium. */
+export default defineConfig({
+	testDir: "tests/e2e",
+	testMatch: "**/*.spec.ts",
+	outputDir: "build/e2e",
+	workers: 1,
+	forbidOnly: !!process.env.CI,
+	timeout: 60_000,
+	expect: { timeout: 15_000 },
+	reporter: process.env.PANICLE_E2E_REPORT
+		? [["line"], ["json", { outputFile: process.env.PANICLE_E2E_REPORT }]]
+		: "list",
+	use: {
+		baseURL: origin,
+		browserName: "chromium",
+		// Software rendering pays by the pixel.
+		viewport: { width: 800, height: 500 },
+		launchOptions: { executablePath: chromium, args: flags },
+		trace: "retain-on-failure",
+	},
+	webServer: {
+		command: `node node_modules/vite/bin/vite.js preview --host localhost --port ${port} --strictPort`,
+		url: origin,
+		reuseExistingServer: false,
+	},
+});

@@ -1,0 +1,29 @@
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vitest/config";
+import { core } from "./wasm-core/tools/vite_plugin.mjs";
+
+const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+export default defineConfig({
+	root: at("web"),
+	publicDir: at("public"),
+	// Every address in the built pages is relative, so that dist/ works from any sub-path.
+	base: "./",
+	plugins: [core()],
+	worker: { format: "es" },
+	build: {
+		outDir: at("dist"),
+		emptyOutDir: true,
+		target: "es2022",
+		// Nothing inline: the pages' policy allows no inline script and no data: address for a module.
+		assetsInlineLimit: 0,
+		modulePreload: { polyfill: false },
+	},
+	server: { fs: { allow: [at(".")] } },
+	test: {
+		root: at("."),
+		include: ["tests/{web,golden,fuzz}/**/*.test.ts", "tests/*.test.ts"],
+		globalSetup: at("tests/core_module.ts"),
+		testTimeout: 20_000,
+	},
+});

@@ -1,0 +1,10 @@
+/** `npm run build`: sets up what is missing and writes dist/, for any sub-path of any static host. */
+import { join } from "node:path";
+import { repository } from "./repository.mjs";
+import { command, setUp } from "./setup.mjs";
+
+await command(async () => {
+	await setUp("core");
+	const { build } = await import("vite");
+	await build({ configFile: join(repository, "vite.config.ts") });
+});

@@ -1,0 +1,98 @@
+/**
+ * Builds the core: `node wasm-core/tools/core.mjs` makes build/core/panicle.wasm, `core.mjs asan core_tests` a native
+ * target of a preset. Quick when nothing has changed. All it says goes to standard error.
+ */
+import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { withLock } from "./lock.mjs";
+import { run } from "./process.mjs";
+import { buildFolder, coreFolder, modulesFolder } from "./repository.mjs";
+import { emscriptenEnvironment, emscriptenIdentity, prepare, ToolchainError } from "./toolchain.mjs";
+
+/** The compiler's own words on what does not compile. */
+export class CoreBuildError extends Error {}
+
+/** What the compiler says, less the lines that tell how far the build is and how the compiler was called. */
+function essence(output) {
+	const lines = output.split("\n");
+	const noise = /^\[\d+\/\d+\] |^ninja: |^-- |^configure: |^em\+\+: error: '.*failed \(returned/;
+	const said = lines.filter((line, i) => !noise.test(line) && !lines[i - 1]?.startsWith("FAILED: "));
+	return said.join("\n").trim() || output.trim();
+}
+
+async function step(command, args, options) {
+	const { status, output } = await run(command, args, options);
+	if (status !== 0) throw new CoreBuildError(essence(output));
+	return output;
+}
+
+/** Configures the build folder where that has not been done with the same tools. Ninja itself sees to the rest. */
+async function configure(preset, tools, env) {
+	const folder = join(buildFolder, preset);
+	const identity = [
+		coreFolder,
+		tools.glm,
+		tools.emscripten ? emscriptenIdentity(tools.emscripten) : tools.compiler,
+	].join("\n");
+	const stamp = join(folder, "toolchain.txt");
+	const known = existsSync(stamp) && existsSync(join(folder, "build.ninja")) ? readFileSync(stamp, "utf8") : "";
+	if (known === identity) return;
+	if (known) rmSync(folder, { recursive: true, force: true });
+	const warnings = env.CI ? ["-DPANICLE_WARNINGS_AS_ERRORS=ON"] : [];
+	const definitions = [`-DPANICLE_GLM_ROOT=${tools.glm}`, `-DCMAKE_MAKE_PROGRAM=${tools.ninja}`, ...warnings];
+	const cmake = [tools.cmake, "--preset", preset, ...definitions];
+	if (tools.emscripten) cmake.unshift(join(dirname(tools.emscripten), "emcmake"));
+	await step(cmake[0], cmake.slice(1), { cwd: coreFolder, env });
+	writeFileSync(stamp, identity);
+}
+
+/** Copies a module to where it is read from, whole or not at all; tells whether it is a new one. */
+function publish(name) {
+	const from = join(buildFolder, "wasm", name);
+	const to = join(modulesFolder, name);
+	if (!existsSync(from)) return false;
+	const bytes = readFileSync(from);
+	if (existsSync(to) && bytes.equals(readFileSync(to))) return false;
+	mkdirSync(modulesFolder, { recursive: true });
+	const partial = `${to}.${process.pid}`;
+	writeFileSync(partial, bytes);
+	renameSync(partial, to);
+	return true;
+}
+
+/**
+ * Builds `targets` (default: all) of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a
+ * CoreBuildError; modules built before then stay as they are.
+ *
+ * @param {string} [preset]
+ * @param {string[]} [targets]
+ * @returns {Promise<{ changed: boolean }>} whether panicle.wasm is another one than before
+ */
+export async function buildCore(preset = "wasm", targets = []) {
+	const tools = await prepare(preset === "wasm" ? "core" : "native");
+	const env = tools.emscripten ? emscriptenEnvironment(tools.emscripten) : process.env;
+	return withLock(join(buildFolder, `${preset}.lock`), async () => {
+		await configure(preset, tools, env);
+		const jobs = String(availableParallelism());
+		const chosen = targets.length > 0 ? ["--target", ...targets] : [];
+		const output = await step(tools.cmake, ["--build", join(buildFolder, preset), "--parallel", jobs, ...chosen], {
+			env,
+		});
+		if (/warning:/.test(output)) console.error(essence(output));
+		if (preset !== "wasm") return { changed: false };
+		publish("panicle-bench.wasm");
+		return { changed: publish("panicle.wasm") };
+	});
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+	try {
+		await buildCore(process.argv[2], process.argv.slice(3));
+	} catch (error) {
+		if (!(error instanceof ToolchainError || error instanceof CoreBuildError)) throw error;
+		console.error(error.message);
+		process.exitCode = 1;
+	}
+}

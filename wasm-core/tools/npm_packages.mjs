@@ -1,0 +1,35 @@
+/** The npm packages: whether node_modules is what package-lock.json says, and making it so. Needs Node alone. */
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { run } from "./process.mjs";
+import { repository } from "./repository.mjs";
+import { ToolchainError } from "./toolchain.mjs";
+
+const readJson = (path) => (existsSync(path) ? JSON.parse(readFileSync(path, "utf8")) : null);
+
+/**
+ * Whether an installation is the one that a lockfile describes: `installed` is npm's own record of it. Packages for
+ * other systems are optional and may be absent.
+ */
+export function isInstalled(lock, installed) {
+	if (!installed) return false;
+	const wanted = Object.entries(lock.packages).filter(([path]) => path !== "");
+	const same = ([path, { version, integrity }]) => {
+		const there = installed.packages[path];
+		return there?.version === version && there?.integrity === integrity;
+	};
+	const known = Object.keys(installed.packages).every((path) => path in lock.packages);
+	return known && wanted.every((entry) => same(entry) || (entry[1].optional && !(entry[0] in installed.packages)));
+}
+
+/** Runs `npm ci` where the packages are missing or stale. */
+export async function ensurePackages({ log = console.error } = {}) {
+	const lock = readJson(join(repository, "package-lock.json"));
+	const installed = readJson(join(repository, "node_modules/.package-lock.json"));
+	if (isInstalled(lock, installed)) return;
+	log("Installing npm packages …");
+	const npm = process.env.npm_execpath;
+	const [command, args] = npm?.endsWith("js") ? [process.execPath, [npm]] : ["npm", []];
+	const { status, output } = await run(command, [...args, "ci", "--no-audit", "--no-fund"], { cwd: repository });
+	if (status !== 0) throw new ToolchainError(`npm ci failed:\n${output.trim()}`);
+}

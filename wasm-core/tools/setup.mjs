@@ -1,0 +1,32 @@
+/** What every command does first. Runs on a clean clone: nothing here may import a package. */
+import { CoreBuildError } from "./core.mjs";
+import { ensurePackages } from "./npm_packages.mjs";
+import { isOlder, prepare, ToolchainError } from "./toolchain.mjs";
+
+const oldestNode = "20.19";
+
+function checkNode() {
+	if (!isOlder(process.versions.node, oldestNode)) return;
+	throw new ToolchainError(
+		`Panicle needs Node ${oldestNode} or newer; this is ${process.versions.node}. See nodejs.org.`,
+	);
+}
+
+/** Node, the tools that `purpose` takes, and the npm packages. Returns where the tools are. */
+export async function setUp(purpose) {
+	checkNode();
+	const tools = await prepare(purpose);
+	await ensurePackages();
+	return tools;
+}
+
+/** Runs a command; a problem that a person can mend ends it with its message alone and status 1. */
+export async function command(work) {
+	try {
+		await work();
+	} catch (error) {
+		if (!(error instanceof ToolchainError || error instanceof CoreBuildError)) throw error;
+		console.error(error.message);
+		process.exit(1);
+	}
+}
