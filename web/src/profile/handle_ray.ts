@@ -1,0 +1,90 @@
+/**
+ * Dragging a handle in three dimensions: where a pointer's ray means the handle to go. Pure maths in the bunch's frame
+ * (+Y up, p1 at the origin, p3 +X, p4 −X, p5 +Z, p6 −Z), in metres; the answer is a point of the handle's 2-D view, in
+ * pixels of the profile, so that drag.ts serves both.
+ */
+import { type Handle, handlePosition, isSide, metresPerPixel, type Point, type Shape, SIDES } from "./handles";
+
+export type Vector = readonly [x: number, y: number, z: number];
+
+export interface Ray {
+	origin: Vector;
+	/** Of any length but zero. */
+	direction: Vector;
+}
+
+/**
+ * What of a handle's freedom the eye can see: `plane` is its axis and the vertical; seen along that plane only a
+ * line of it is left, the `level` or the `plumb` one.
+ */
+export type Freedom = "plane" | "level" | "plumb";
+
+/** Sine of the angle between ray and plane under which the plane counts as seen edge-on (about 10°). */
+const GRAZING = 0.17;
+
+/** Sine of the angle between ray and line under which the line counts as seen end-on; the pointer then says nothing. */
+const END_ON = 0.02;
+
+const length = ([x, y, z]: Vector): number => Math.hypot(x, y, z);
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** The view's axis to the right: +X in front, +Z at the side. */
+function across(handle: Handle): Vector {
+	return isSide(handle) && SIDES[handle].view === "side" ? [0, 0, 1] : [1, 0, 0];
+}
+
+/** Where a handle stands. */
+export function handleVector(shape: Shape, handle: Handle, unit: number): Vector {
+	const { x, y } = handlePosition(shape, handle);
+	const pixel = metresPerPixel(unit);
+	const [ax, , az] = across(handle);
+	return [ax * x * pixel, -y * pixel, az * x * pixel];
+}
+
+/** The freedom a ray can speak of; taken once, when the handle is grabbed, so that it does not change in mid-drag. */
+export function visibleFreedom(handle: Handle, { direction }: Ray): Freedom {
+	if (!isSide(handle)) return "plumb";
+	const size = length(direction);
+	const [ax, , az] = across(handle);
+	// The plane's normal is the horizontal across its axis.
+	if (Math.abs(direction[0] * az - direction[2] * ax) > GRAZING * size) return "plane";
+	return Math.abs(direction[1]) < Math.abs(dot(direction, [ax, 0, az])) ? "plumb" : "level";
+}
+
+/**
+ * Where the ray meets the handle's plane, or comes nearest to its level or plumb line; undefined where it says nothing
+ * (seen end-on, or behind the eye).
+ */
+export function rayToView(shape: Shape, handle: Handle, freedom: Freedom, ray: Ray, unit: number): Point | undefined {
+	const at = handleVector(shape, handle, unit);
+	const pixel = metresPerPixel(unit);
+	const axis = across(handle);
+	const from = handlePosition(shape, handle);
+	if (freedom === "level") {
+		const along = nearestOnLine(at, axis, ray);
+		return along === undefined ? undefined : { x: from.x + along / pixel, y: from.y };
+	}
+	if (freedom === "plumb") {
+		const down = nearestOnLine(at, [0, -1, 0], ray);
+		return down === undefined ? undefined : { x: from.x, y: from.y + down / pixel };
+	}
+	const normal: Vector = [axis[2], 0, -axis[0]];
+	const distance = -dot(ray.origin, normal) / dot(ray.direction, normal);
+	if (!(distance > 0) || !Number.isFinite(distance)) return undefined;
+	const hit = ray.origin.map((value, i) => value + distance * ray.direction[i]) as [number, number, number];
+	return { x: dot(hit, axis) / pixel, y: -hit[1] / pixel };
+}
+
+/** How far along the line (through `point`, unit `line`) it comes nearest to the ray. */
+function nearestOnLine(point: Vector, line: Vector, { origin, direction }: Ray): number | undefined {
+	const size = length(direction);
+	const towards = direction.map((value) => value / size) as [number, number, number];
+	const between = origin.map((value, i) => value - point[i]) as [number, number, number];
+	const slant = dot(line, towards);
+	const sine2 = 1 - slant * slant;
+	if (sine2 < END_ON * END_ON) return undefined;
+	const alongLine = dot(between, line);
+	const alongRay = dot(between, towards);
+	if (slant * alongLine < alongRay) return undefined;
+	return (alongLine - slant * alongRay) / sine2;
+}

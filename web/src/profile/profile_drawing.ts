@@ -1,0 +1,122 @@
+/** What a view draws, as SVG templates; state in, templates out. Coordinates are pixels of the profile. */
+import { nothing, svg, type TemplateResult } from "lit";
+import { guard } from "lit/directives/guard.js";
+import type { Specimen } from "../specimen/specimen";
+import { type DrawnPlan, envelopePath } from "./envelope";
+import { type Handle, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
+import { type DrawnBunch, silhouette } from "./silhouette";
+import { scaleBar, type ViewFrame } from "./view_frame";
+
+/** Radius within which a handle can be taken hold of, in CSS pixels: half of 44, the least for a thumb. */
+export const HANDLE_REACH = 22;
+
+/** Puts content that keeps its size on the screen at a point of the profile. */
+function pin(frame: ViewFrame, x: number, y: number): string {
+	return `translate(${x} ${y}) scale(${1 / frame.scale})`;
+}
+
+/** The grown bunch, drawn again only when it or the scale changed. */
+export function drawBunch(bunch: DrawnBunch | undefined, view: View, unit: number): TemplateResult {
+	const draw = () => {
+		if (!bunch) return nothing;
+		const { berries, stems } = silhouette(bunch, view, unit);
+		return svg`<path d=${stems}></path>${berries.map(
+			({ x, y, radius }) => svg`<circle cx=${x} cy=${y} r=${radius}></circle>`,
+		)}`;
+	};
+	return svg`<g class="bunch" aria-hidden="true">${guard([bunch, view, unit], draw)}</g>`;
+}
+
+/** Envelope, the octahedron's outline and its axis, and p1. */
+export function drawOutline(
+	parameters: Specimen["parameters"],
+	view: View,
+	plan: DrawnPlan | undefined,
+	frame: ViewFrame,
+): TemplateResult {
+	const [right, left] = VIEW_SIDES[view].map((handle) => handlePosition(parameters, handle));
+	const { l } = parameters;
+	return svg`<g aria-hidden="true">
+		<path class="envelope" d=${envelopePath(parameters, view, plan)}></path>
+		<line class="axis" x1="0" y1="0" x2="0" y2=${l}></line>
+		<path class="outline" d="M0 0L${right.x} ${right.y}L0 ${l}L${left.x} ${left.y}Z"></path>
+		<g transform=${pin(frame, 0, 0)}><circle class="root" r="2.5"></circle>${drawName("p1", 8, 2)}</g>
+	</g>`;
+}
+
+/** A point's name with its number set low, as in the paper. */
+function drawName(name: Handle | "p1", x: number, y: number, anchor = "start"): TemplateResult {
+	return svg`<text class="name" x=${x} y=${y} text-anchor=${anchor}>p<tspan class="subscript" dy="2"
+		>${name.slice(1)}</tspan></text>`;
+}
+
+/** Where a handle's name stands, away from the outline. */
+function drawHandleName(handle: Handle): TemplateResult {
+	if (!isSide(handle)) return drawName(handle, 11, 4);
+	return drawName(handle, SIDES[handle].sign * 4, -11, "middle");
+}
+
+export interface HandleState {
+	held: boolean;
+	disabled: boolean;
+	label: string;
+}
+
+/** One handle: reach, focus ring, dot, name. `data-handle` names it to the event handlers. */
+export function drawHandle(shape: Shape, handle: Handle, frame: ViewFrame, state: HandleState): TemplateResult {
+	const { x, y } = handlePosition(shape, handle);
+	return svg`<g
+		class=${state.held ? "handle held" : "handle"}
+		data-handle=${handle}
+		role="button"
+		tabindex=${state.disabled ? -1 : 0}
+		aria-disabled=${state.disabled}
+		aria-roledescription="handle"
+		aria-label=${state.label}
+		aria-describedby="help"
+		transform=${pin(frame, x, y)}
+	>
+		<circle class="reach" r=${HANDLE_REACH}></circle>
+		<circle class="ring" r="10.5"></circle>
+		<circle class="dot" r="6"></circle>
+		<circle class="core" r="2"></circle>
+		${drawHandleName(handle)}
+	</g>`;
+}
+
+/** The numbers of a handle on lines from the axis and from the level of p1. */
+export function drawGuides(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
+	const { x, y } = handlePosition(shape, handle);
+	if (!isSide(handle)) {
+		const text = drawValue("l", "", shape.l, -6, 4, "end");
+		return svg`<line class="guide" x1="0" y1="0" x2="0" y2=${y}></line>
+			<g transform=${pin(frame, 0, y * 0.62)}>${text}</g>`;
+	}
+	const { sign } = SIDES[handle];
+	const index = handle.slice(1);
+	const w = drawValue("w", index, shape[`${handle}w`], 0, -5, "middle");
+	const r = drawValue("r", index, shape[`${handle}r`], -6 * sign, 4, sign > 0 ? "end" : "start");
+	return svg`<line class="guide" x1="0" y1=${y} x2=${x} y2=${y}></line>
+		<line class="guide" x1="0" y1="0" x2=${x} y2="0"></line>
+		<line class="guide" x1=${x} y1="0" x2=${x} y2=${y}></line>
+		<g transform=${pin(frame, x / 2, y)}>${w}</g>
+		<g transform=${pin(frame, x, y / 2)}>${r}</g>`;
+}
+
+function drawValue(symbol: string, index: string, value: number, x: number, y: number, anchor: string): TemplateResult {
+	return svg`<text class="value" x=${x} y=${y} text-anchor=${anchor}>${symbol}<tspan class="subscript" dy="2"
+		>${index}</tspan><tspan dy=${index ? -2 : 0}> ${value}</tspan></text>`;
+}
+
+/** A scale bar at the lower left, as on a plate. */
+export function drawScale(extent: number, unit: number, frame: ViewFrame): TemplateResult {
+	const { length, label } = scaleBar(extent, unit);
+	const pixels = length * frame.scale;
+	const corner = pin(frame, frame.left + 8 / frame.scale, frame.top + frame.height - 8 / frame.scale);
+	return svg`<g class="scale" aria-hidden="true" transform=${corner}>
+		<line x1="0" y1="0" x2=${pixels} y2="0"></line>
+		<line x1="0" y1="-3" x2="0" y2="0"></line>
+		<line x1=${pixels} y1="-3" x2=${pixels} y2="0"></line>
+		<text x=${pixels / 2} y="-6" text-anchor="middle">${label}</text>
+	</g>`;
+}

@@ -1,0 +1,258 @@
+/**
+ * `<panicle-profile view="front|side">`: one view of the octahedral profile with its handles (paper section 4.2,
+ * figures 5 and 8). It draws what it is given and tells what a person does to it; the document stays with the page.
+ */
+import { html, LitElement, nothing, type PropertyValues } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
+import type { Specimen } from "../specimen/specimen";
+import { type DragOptions, nearestHandle, nudgeHandle } from "./drag";
+import { DragSession } from "./drag_session";
+import type { DrawnPlan } from "./envelope";
+import {
+	type Handle,
+	handleKeys,
+	handleLabel,
+	handlePosition,
+	handleValue,
+	type Locks,
+	type Point,
+	VIEW_SIDES,
+	type View,
+} from "./handles";
+import { drawBunch, drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH } from "./profile_drawing";
+import { profileStyle } from "./profile_style";
+import type { DrawnBunch } from "./silhouette";
+import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
+
+type Parameters = Specimen["parameters"];
+
+/** `profile-input`: live, once a frame at most. `profile-change`: a drag ended, a key stepped. `profile-cancel`: Escape. */
+export type ProfileEvent = CustomEvent<{ parameters: Parameters }>;
+
+const HELP = "Drag, or use the arrow keys: one pixel a step, ten with Shift. Escape calls off a drag.";
+
+@customElement("panicle-profile")
+export class ProfileView extends LitElement {
+	static override styles = profileStyle;
+
+	@property({ reflect: true }) view: View = "front";
+	@property({ attribute: false }) parameters?: Parameters;
+	@property({ attribute: false }) locks: Locks = { leftRight: false, frontBack: false };
+	/** The plan that last grew, for the envelope; without one the formulas of section 4.2 stand in. */
+	@property({ attribute: false }) plan?: DrawnPlan;
+	/** The bunch drawn behind; a `Grown` will do. */
+	@property({ attribute: false }) berries?: DrawnBunch;
+	/** What a double click on a handle brings back, if anything. */
+	@property({ attribute: false }) initial?: Parameters;
+	/** Side of the square shown, in pixels of the profile; chosen to suit the parameters where it is not given. */
+	@property({ type: Number }) extent?: number;
+	@property({ type: Boolean, reflect: true }) disabled = false;
+
+	@state() private size = { width: 240, height: 240 };
+	/** The handle the mouse is over or the keyboard is on: its numbers are shown. */
+	@state() private shown?: Handle;
+	/** What a screen reader says after a key step. */
+	@state() private spoken = "";
+
+	/** The extent drawn; it stands still while a handle is held. */
+	#extent = 0;
+	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
+		if (contentRect.width > 0) this.size = { width: contentRect.width, height: contentRect.height };
+	});
+	readonly #drags = new DragSession<Parameters>({
+		handles: () => this.#handles(),
+		get: () => this.parameters as Parameters,
+		input: (parameters) => this.#tell(parameters, "profile-input"),
+		change: (parameters) => this.#tell(parameters, "profile-change"),
+		cancel: (parameters) => this.#tell(parameters, "profile-input", "profile-cancel"),
+		schedule: (callback) => requestAnimationFrame(callback),
+	});
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		this.#resized.observe(this);
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#resized.disconnect();
+		this.#cancel();
+	}
+
+	protected override willUpdate(changed: PropertyValues<this>): void {
+		if (changed.has("disabled") && this.disabled) this.#cancel();
+		if (this.parameters && !this.#drags.active) this.#extent = this.extent ?? viewExtent(this.parameters);
+	}
+
+	protected override render() {
+		const { parameters, view, disabled } = this;
+		if (!parameters) return nothing;
+		const frame = this.#frame();
+		const shown = this.#handles().filter((handle) => handle === this.shown || this.#drags.holds(handle));
+		return html`<svg
+				class=${this.#drags.active ? "dragging" : ""}
+				viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}"
+				role="group"
+				aria-label="Profile, ${view} view"
+				@pointerdown=${this.#onPointerDown}
+				@pointermove=${this.#onPointerMove}
+				@pointerup=${this.#onPointerEnd}
+				@lostpointercapture=${this.#onPointerEnd}
+				@pointerover=${this.#onPointerOver}
+				@pointerout=${this.#onPointerOut}
+				@mousedown=${this.#onMouseDown}
+				@contextmenu=${this.#onContextMenu}
+				@dblclick=${this.#onDoubleClick}
+				@keydown=${this.#onKeyDown}
+				@focusin=${this.#onFocusIn}
+				@focusout=${this.#onPointerOut}
+			>
+				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#extent, parameters.unit, frame)}
+				${drawOutline(parameters, view, this.plan, frame)}
+				<g aria-hidden="true">${shown.map((handle) => drawGuides(parameters, handle, frame))}</g>
+				<g class="handles">
+					${this.#handles().map((handle) =>
+						drawHandle(parameters, handle, frame, {
+							held: this.#drags.holds(handle),
+							disabled,
+							label: handleLabel(parameters, handle),
+						}),
+					)}
+				</g>
+			</svg>
+			<p class="spoken" id="help">${HELP}</p>
+			<p class="spoken" aria-live="polite">${this.spoken}</p>`;
+	}
+
+	#handles(): Handle[] {
+		return ["p2", ...VIEW_SIDES[this.view]];
+	}
+
+	#frame(): ViewFrame {
+		return viewFrame(this.size.width, this.size.height, this.#extent);
+	}
+
+	#tell(parameters: Parameters, ...events: string[]): void {
+		this.parameters = parameters;
+		for (const type of events) {
+			this.dispatchEvent(new CustomEvent(type, { detail: { parameters }, bubbles: true, composed: true }));
+		}
+	}
+
+	#options({ altKey }: { altKey: boolean }): DragOptions {
+		return { locks: this.locks, mirror: altKey };
+	}
+
+	/** A pointer's place in pixels of the profile. */
+	#point({ clientX, clientY }: PointerEvent): Point {
+		const frame = this.#frame();
+		const box = this.getBoundingClientRect();
+		return {
+			x: frame.left + ((clientX - box.left) / box.width) * frame.width,
+			y: frame.top + ((clientY - box.top) / box.height) * frame.height,
+		};
+	}
+
+	#onPointerDown(event: PointerEvent): void {
+		if (this.disabled || event.button !== 0 || !this.parameters || !handleOf(event)) return;
+		const at = this.#point(event);
+		const free = this.#handles().filter((handle) => !this.#drags.holds(handle));
+		const places = new Map(free.map((handle) => [handle, handlePosition(this.parameters as Parameters, handle)]));
+		// Reaches overlap on a small bunch: the nearest handle is meant, whichever lies on top.
+		const handle = nearestHandle(places, at, (2 * HANDLE_REACH) / this.#frame().scale);
+		if (!handle || !this.#drags.begin(event.pointerId, handle, at)) return;
+		(event.currentTarget as Element).setPointerCapture(event.pointerId);
+		this.#element(handle)?.focus({ preventScroll: true });
+		window.addEventListener("keydown", this.#onEscape, { capture: true });
+		this.requestUpdate();
+	}
+
+	#onPointerMove(event: PointerEvent): void {
+		this.#drags.move(event.pointerId, this.#point(event), event.shiftKey, this.#options(event));
+	}
+
+	#onPointerEnd(event: PointerEvent): void {
+		this.#drags.end(event.pointerId);
+		this.#released();
+	}
+
+	#cancel(): void {
+		this.#drags.cancel();
+		this.#released();
+	}
+
+	#released(): void {
+		if (!this.#drags.active) window.removeEventListener("keydown", this.#onEscape, { capture: true });
+		this.requestUpdate();
+	}
+
+	readonly #onEscape = (event: KeyboardEvent): void => {
+		if (event.key !== "Escape") return;
+		event.preventDefault();
+		event.stopPropagation();
+		this.#cancel();
+	};
+
+	/** Focus is given where the drag begins, which need not be the handle whose reach lies on top. */
+	#onMouseDown(event: MouseEvent): void {
+		if (handleOf(event)) event.preventDefault();
+	}
+
+	#onContextMenu(event: Event): void {
+		if (this.#drags.active) event.preventDefault();
+	}
+
+	#onPointerOver(event: PointerEvent): void {
+		if (event.pointerType === "mouse" && !this.disabled) this.shown = handleOf(event);
+	}
+
+	#onPointerOut(): void {
+		const focused = this.shadowRoot?.querySelector(".handle:focus-visible");
+		this.shown = focused ? handleOf({ target: focused }) : undefined;
+	}
+
+	#onFocusIn(event: FocusEvent): void {
+		if ((event.target as Element).matches(":focus-visible")) this.shown = handleOf(event);
+	}
+
+	#onDoubleClick(event: MouseEvent): void {
+		const handle = handleOf(event);
+		if (!handle || !this.initial || !this.parameters || this.disabled) return;
+		const parameters = { ...this.parameters };
+		for (const key of handleKeys(handle)) parameters[key] = this.initial[key];
+		this.#tell(parameters, "profile-input", "profile-change");
+	}
+
+	#onKeyDown(event: KeyboardEvent): void {
+		const handle = handleOf(event);
+		if (!handle || !this.parameters || this.disabled || event.ctrlKey || event.metaKey) return;
+		if (this.#drags.holds(handle)) return;
+		const step = event.shiftKey ? 10 : 1;
+		const parameters = nudgeHandle(this.parameters, handle, event.key, step, this.#options(event));
+		if (!parameters) return;
+		event.preventDefault();
+		this.shown = handle;
+		this.spoken = handleValue(parameters, handle);
+		this.#tell(parameters, "profile-input", "profile-change");
+	}
+
+	#element(handle: Handle): SVGElement | null | undefined {
+		return this.shadowRoot?.querySelector<SVGElement>(`[data-handle=${handle}]`);
+	}
+}
+
+/** The handle an event happened on. */
+function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
+	return (target as Element).closest<SVGElement>("[data-handle]")?.dataset.handle as Handle | undefined;
+}
+
+declare global {
+	interface HTMLElementTagNameMap {
+		"panicle-profile": ProfileView;
+	}
+	interface HTMLElementEventMap {
+		"profile-input": ProfileEvent;
+		"profile-change": ProfileEvent;
+		"profile-cancel": ProfileEvent;
+	}
+}

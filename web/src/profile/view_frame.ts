@@ -1,0 +1,62 @@
+/** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
+import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
+
+export interface ViewFrame {
+	/** The SVG's viewBox, in pixels of the profile. */
+	left: number;
+	top: number;
+	width: number;
+	height: number;
+	/** Screen (CSS) pixels to one pixel of the profile. */
+	scale: number;
+}
+
+/** Screen pixels left free around the paper's view, so that a handle at its edge is not cut. */
+const MARGIN = 12;
+
+/** How far berries reach beyond the handles, in pixels of the profile: below the tip, and beside a width. */
+const BELOW_TIP = 50;
+const BESIDE = 20;
+
+/**
+ * The side of the square a view shows, in pixels of the profile: the paper's 600, or half or a quarter of it where
+ * the whole bunch fits (a lychee of 65 pixels would be a speck).
+ */
+export function viewExtent(shape: Shape): number {
+	let need = shape.l + BELOW_TIP;
+	for (const side of SIDE_HANDLES) {
+		need = Math.max(need, shape[`${side}r`] + BESIDE, 2 * (shape[`${side}w`] + BESIDE));
+	}
+	let extent = VIEW_PIXELS;
+	while (extent > VIEW_PIXELS / 4 && need <= extent / 2) extent /= 2;
+	return extent;
+}
+
+/** Fits a square of `extent` profile pixels, p1 at its top centre, into an element of CSS pixels. */
+export function viewFrame(width: number, height: number, extent: number): ViewFrame {
+	const scale = Math.max(Math.min(width, height) - 2 * MARGIN, 1) / extent;
+	return {
+		left: -width / (2 * scale),
+		top: -Math.max(MARGIN, (height - extent * scale) / 2) / scale,
+		width: width / scale,
+		height: height / scale,
+		scale,
+	};
+}
+
+export interface ScaleBar {
+	/** Pixels of the profile. */
+	length: number;
+	/** "5 cm". */
+	label: string;
+}
+
+/** The longest round length (1, 2 or 5 times a power of ten) that takes at most a quarter of the view. */
+export function scaleBar(extent: number, unit: number): ScaleBar {
+	const millimetres = UNITS_PER_PIXEL * unit;
+	const most = (extent / 4) * millimetres;
+	const decade = 10 ** Math.floor(Math.log10(most));
+	const length = decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);
+	const label = length >= 10 ? `${length / 10} cm` : `${length} mm`;
+	return { length: length / millimetres, label };
+}
