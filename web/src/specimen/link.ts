@@ -3,8 +3,8 @@
  * query, only what differs from the preset; grammar text goes compressed into the fragment, which never leaves the
  * browser. Reading never throws: whatever comes in gives a complete specimen and notes.
  */
-import { compressText, expandText } from "./compressed-text";
-import { DEFAULT_SEED, specimenFromPreset } from "./from-preset";
+import { compressText, expandText } from "./compressed_text";
+import { DEFAULT_SEED, specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES } from "./limits";
 import { Notes } from "./notes";
 import { DEFAULT_PRESET } from "./presets/index";

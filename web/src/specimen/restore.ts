@@ -2,11 +2,11 @@
  * The one door by which data from outside becomes a specimen: links, JSON files, attributes of the element and the
  * command line all enter here. Nothing is refused: what cannot be used is replaced, and a note says so.
  */
-import { specimenFromPreset } from "./from-preset";
+import { specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES, INPUT_M, INPUT_N, INPUT_N_LENGTH, SEED } from "./limits";
 import { type Note, Notes, quote } from "./notes";
 import { presetNamed } from "./presets/index";
-import { isRecord, readColour, readList, readNumber, readNumbers } from "./read-values";
+import { isRecord, readColour, readList, readNumber, readNumbers } from "./read_values";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import {
 	type ColourEntry,
@@ -49,6 +49,7 @@ export function restore(record: unknown, from?: Specimen): Restored {
 	for (const [key, value] of parts) {
 		if (!READ_FIRST.has(key)) readPart(specimen, key, value, notes);
 	}
+	matchInputs(specimen, notes);
 	orderRadii(specimen, notes);
 	return { specimen, notes: notes.all() };
 }
@@ -162,6 +163,17 @@ function readInput(specimen: Specimen, key: "m" | "n", value: unknown, notes: No
 	}
 	if (given.length > n.length) notes.add(key, `${given.length} values are too many`, `the first ${n.length} are used`);
 	specimen.inputs = { ...specimen.inputs, n: n.map((each) => readWithin(INPUT_N, key, each, 0, notes) ?? 0) };
+}
+
+/** The grammar reads n₁ … n₍m−1₎: `n` alone says what m is, and one of another length than m asks for is of no use. */
+function matchInputs(specimen: Specimen, notes: Notes): void {
+	const { m, n } = specimen.inputs ?? {};
+	if (!n) return;
+	if (m === undefined) specimen.inputs = { m: n.length + 1, n };
+	else if (n.length !== m - 1) {
+		notes.add("n", `m = ${m} needs ${m - 1} values, not ${n.length}`, "the profile's are used");
+		specimen.inputs = { m };
+	}
 }
 
 function readGrammar(specimen: Specimen, value: unknown, notes: Notes): void {
