@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "foundation/bits.hpp"
+
 using namespace panicle;
 
 namespace {
@@ -136,7 +138,7 @@ TEST_CASE("values never change: links of ten years ago depend on them") {
   CHECK(random_unit(42, 1, 9) == 0x1.22d962p-1f);
   CHECK(random_integer(42, 1, 9, 20, 30) == 26);
   const glm::vec3 direction = random_direction(42, 1, 9);
-  CHECK(std::bit_cast<std::uint32_t>(direction.x) == 0xbf7ca7b4u);
-  CHECK(std::bit_cast<std::uint32_t>(direction.y) == 0x3db088dcu);
-  CHECK(std::bit_cast<std::uint32_t>(direction.z) == 0x3e0b658cu);
+  CHECK(bit_cast<std::uint32_t>(direction.x) == 0xbf7ca7b4u);
+  CHECK(bit_cast<std::uint32_t>(direction.y) == 0x3db088dcu);
+  CHECK(bit_cast<std::uint32_t>(direction.z) == 0x3e0b658cu);
 }

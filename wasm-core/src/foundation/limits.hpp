@@ -6,13 +6,13 @@
 namespace panicle {
 
 struct Limits {
-  std::uint32_t text_bytes = 256 * 1024;          // grammar text
-  std::uint32_t steps = 4096;                     // derivation steps
-  std::uint32_t words = 64 * 1024 * 1024;         // 32-bit words of one derived string (256 MiB)
-  std::uint32_t evaluations = 50'000'000;         // productions applied in one derivation
-  std::uint32_t depth = 100'000;                  // open brackets while interpreting
-  std::uint32_t spheres = 100'000;                // spheres in one environment
-  std::uint32_t internodes = 100'000;             // internodes in one result
+  std::uint32_t text_bytes = 256 * 1024;   // grammar text
+  std::uint32_t steps = 4096;              // derivation steps
+  std::uint32_t words = 64 * 1024 * 1024;  // 32-bit words of one derived string (256 MiB)
+  std::uint32_t evaluations = 50'000'000;  // productions applied in one derivation
+  std::uint32_t depth = 100'000;           // open brackets while interpreting
+  std::uint32_t spheres = 100'000;         // spheres in one environment
+  std::uint32_t internodes = 100'000;      // internodes in one result
 };
 
 }  // namespace panicle

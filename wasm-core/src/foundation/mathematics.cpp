@@ -4,10 +4,11 @@
 
 #include "foundation/mathematics.hpp"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "foundation/bits.hpp"
 
 namespace panicle {
 namespace {
@@ -27,10 +28,10 @@ struct Nearest {
 
 Nearest nearest(double x) {
   const double shifted = x + rounder;
-  return {shifted - rounder, std::bit_cast<std::uint64_t>(shifted)};
+  return {shifted - rounder, bit_cast<std::uint64_t>(shifted)};
 }
 
-double two_to_the(std::uint64_t low_bits) { return std::bit_cast<double>((low_bits + 1023) << 52); }
+double two_to_the(std::uint64_t low_bits) { return bit_cast<double>((low_bits + 1023) << 52); }
 
 // Taylor series about 0; |x| ≤ π/4 leaves out less than 7e−12 and 4e−13.
 double sine_series(double x) {
@@ -115,9 +116,9 @@ double exponential_of(double x) {
 // ln m = 2 artanh((m − 1) / (m + 1)).
 double logarithm_of(double x) {
   constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcdu;
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  const std::uint64_t bits = bit_cast<std::uint64_t>(x);
   const std::int64_t exponent = static_cast<std::int64_t>(bits - root_half) >> 52;
-  const double m = std::bit_cast<double>(bits - (static_cast<std::uint64_t>(exponent) << 52));
+  const double m = bit_cast<double>(bits - (static_cast<std::uint64_t>(exponent) << 52));
   const double f = (m - 1) / (m + 1);
   const double u = f * f;
   const double series =

@@ -11,12 +11,12 @@ namespace panicle {
 // The reasons, by name. Numbers cross the border (wasm_api/panicle.h): they are only ever added to.
 enum class Reason : std::uint32_t {
   none = 0,
-  bad_request = 1,   // the bytes of the request are not in the agreed form
-  bad_input = 2,     // a value that the grammar or the model cannot use
-  syntax = 3,        // the grammar's text cannot be read
-  undefined = 4,     // the grammar uses a name that nothing defines
-  evaluation = 5,    // an expression went wrong while the grammar ran (index out of range, not a number)
-  limit = 6,         // a work limit was reached (foundation/limits.hpp)
+  bad_request = 1,  // the bytes of the request are not in the agreed form
+  bad_input = 2,    // a value that the grammar or the model cannot use
+  syntax = 3,       // the grammar's text cannot be read
+  undefined = 4,    // the grammar uses a name that nothing defines
+  evaluation = 5,   // an expression went wrong while the grammar ran (index out of range, not a number)
+  limit = 6,        // a work limit was reached (foundation/limits.hpp)
 };
 
 // What went wrong and where. Line and column count from 1 and are 0 where no text is concerned.

@@ -1,0 +1,12 @@
+// std::bit_cast, which Emscripten 3.1.6's library does not have yet though its compiler does.
+#pragma once
+
+namespace panicle {
+
+template <class To, class From>
+constexpr To bit_cast(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  return __builtin_bit_cast(To, from);
+}
+
+}  // namespace panicle
