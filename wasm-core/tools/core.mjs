@@ -31,16 +31,13 @@ async function step(command, args, options) {
 /** Configures the build folder where that has not been done with the same tools. Ninja itself sees to the rest. */
 async function configure(preset, tools, env) {
 	const folder = join(buildFolder, preset);
-	const identity = [
-		coreFolder,
-		tools.glm,
-		tools.emscripten ? emscriptenIdentity(tools.emscripten) : tools.compiler,
-	].join("\n");
+	const compiler = tools.emscripten ? emscriptenIdentity(tools.emscripten) : tools.compiler;
+	const warnings = env.CI ? ["-DPANICLE_WARNINGS_AS_ERRORS=ON"] : [];
+	const identity = [coreFolder, tools.glm, compiler, ...warnings].join("\n");
 	const stamp = join(folder, "toolchain.txt");
 	const known = existsSync(stamp) && existsSync(join(folder, "build.ninja")) ? readFileSync(stamp, "utf8") : "";
 	if (known === identity) return;
-	if (known) rmSync(folder, { recursive: true, force: true });
-	const warnings = env.CI ? ["-DPANICLE_WARNINGS_AS_ERRORS=ON"] : [];
+	rmSync(folder, { recursive: true, force: true });
 	const definitions = [`-DPANICLE_GLM_ROOT=${tools.glm}`, `-DCMAKE_MAKE_PROGRAM=${tools.ninja}`, ...warnings];
 	const cmake = [tools.cmake, "--preset", preset, ...definitions];
 	if (tools.emscripten) cmake.unshift(join(dirname(tools.emscripten), "emcmake"));

@@ -27,10 +27,13 @@ await command(async () => {
 	const { clangFormat } = await setUp("format");
 	const style = `--style=file:${join(repository, "wasm-core/.clang-format")}`;
 	const mode = check ? ["--dry-run", "--Werror"] : ["-i"];
-	const cplusplus = await run(clangFormat, [style, ...mode, ...cplusplusFiles()], { cwd: repository, show: true });
+	const cplusplus = await run(clangFormat, [style, ...mode, ...cplusplusFiles()], {
+		cwd: repository,
+		show: process.stderr,
+	});
 	const biome = join(repository, "node_modules/@biomejs/biome/bin/biome");
 	const biomeArgs = check ? ["ci"] : ["check", "--write"];
-	const web = await run(process.execPath, [biome, ...biomeArgs], { cwd: repository, show: true });
+	const web = await run(process.execPath, [biome, ...biomeArgs], { cwd: repository, show: process.stderr });
 	if (cplusplus.status !== 0 || web.status !== 0) {
 		throw new ToolchainError(
 			check ? "Not laid out or not clean: run `npm run format`." : "Some problems need a person.",

@@ -56,13 +56,13 @@ export async function installWithApt(packages, env) {
 	const apt = (args, show) =>
 		run(prefix[0], [...prefix.slice(1), "DEBIAN_FRONTEND=noninteractive", "apt-get", "-q", ...args], { env, show });
 	const install = ["install", "-y", "--no-install-recommends", ...packages];
-	await apt(["update"], false);
-	const rehearsal = await apt(["--simulate", ...install], false);
+	await apt(["update"]);
+	const rehearsal = await apt(["--simulate", ...install]);
 	if (rehearsal.status !== 0) {
 		const reason = /^E: (.*)$/m.exec(rehearsal.output)?.[1] ?? "apt-get failed";
 		return `and its packages do not install (${reason.replace(/\.$/, "")})`;
 	}
-	const { status, output } = await apt(install, true);
+	const { status, output } = await apt(install, process.stderr);
 	if (status === 0) return null;
 	return `and its packages did not install (${/^E: (.*)$/m.exec(output)?.[1] ?? `apt-get ended with ${status}`})`;
 }

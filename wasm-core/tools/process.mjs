@@ -8,21 +8,21 @@ export function capture(command, args, env = process.env) {
 }
 
 /**
- * Runs a program to its end. All it says is collected, and with `show` also goes to standard error as it comes:
- * standard output belongs to those who call us for an answer.
+ * Runs a program to its end. All it says is collected, and passed on to `show` as it comes.
  *
  * @param {string} command
  * @param {string[]} args
- * @param {{ cwd?: string, env?: NodeJS.ProcessEnv, show?: boolean }} [options]
+ * @param {{ cwd?: string, env?: NodeJS.ProcessEnv, show?: NodeJS.WritableStream }} [options]
  * @returns {Promise<{ status: number, output: string }>} status 127 when it could not be started
  */
-export function run(command, args, { cwd, env = process.env, show = false } = {}) {
+export function run(command, args, { cwd, env = process.env, show } = {}) {
 	return new Promise((resolve) => {
 		const child = spawn(command, args, { cwd, env, stdio: ["ignore", "pipe", "pipe"] });
+		/** @type {Buffer[]} */
 		const pieces = [];
 		const hear = (piece) => {
 			pieces.push(piece);
-			if (show) process.stderr.write(piece);
+			show?.write(piece);
 		};
 		child.stdout.on("data", hear);
 		child.stderr.on("data", hear);

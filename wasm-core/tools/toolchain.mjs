@@ -140,7 +140,13 @@ export const needs = {
 	test: Object.keys(tools),
 };
 
-/** Paths of the tools named, and the names of those that are not there. */
+/**
+ * Paths of the tools named, and the names of those that are not there.
+ *
+ * @param {string[]} names
+ * @param {NodeJS.ProcessEnv} [env]
+ * @returns {{ found: Record<string, string>, missing: string[] }}
+ */
 export function locate(names, env = process.env) {
 	const found = {};
 	const missing = [];

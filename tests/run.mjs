@@ -1,0 +1,123 @@
+/**
+ * `npm test`: every stage in turn, each timed, stopping at the first that fails. The last line says how many tests
+ * passed and failed in all. Runs on a clean clone: nothing here may import a package.
+ */
+import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { createServer } from "node:net";
+import { join } from "node:path";
+import { buildCore, CoreBuildError } from "../wasm-core/tools/core.mjs";
+import { generate } from "../wasm-core/tools/generate.mjs";
+import { run } from "../wasm-core/tools/process.mjs";
+import { buildFolder, repository } from "../wasm-core/tools/repository.mjs";
+import { setUp } from "../wasm-core/tools/setup.mjs";
+import { ToolchainError } from "../wasm-core/tools/toolchain.mjs";
+
+const reports = join(buildFolder, "reports");
+const show = process.stdout;
+
+/** A stage that says what is wrong with the code, as opposed to one that went wrong itself. */
+class StageError extends Error {}
+
+/** Runs a program of node_modules, or a script of ours, and fails with what it says. */
+async function node(script, args, env = process.env) {
+	const { status } = await run(process.execPath, [join(repository, script), ...args], { cwd: repository, env, show });
+	return status;
+}
+
+async function mustSucceed(script, args) {
+	if ((await node(script, args)) !== 0) throw new StageError("see above");
+}
+
+const readReport = (name) => JSON.parse(readFileSync(join(reports, name), "utf8"));
+
+async function generatedFiles() {
+	const stale = await generate({ write: false });
+	if (stale.length > 0) throw new StageError(`stale: ${stale.join(", ")}; run \`npm run generate\``);
+}
+
+/** The core's own tests, natively, under the address and undefined-behaviour sanitizers. */
+async function nativeTests() {
+	await buildCore("asan", ["core_tests"]);
+	const { status, output } = await run(join(buildFolder, "asan/core_tests"), ["--no-colors"], { show });
+	const counts = /test cases: +(\d+) \| +(\d+) passed \| +(\d+) failed/.exec(output);
+	if (!counts) throw new StageError(`core_tests ended with status ${status} before its summary`);
+	return { passed: Number(counts[2]), failed: Math.max(Number(counts[3]), status === 0 ? 0 : 1) };
+}
+
+async function webTests() {
+	const outputs = ["--reporter=default", "--reporter=json", `--outputFile=${join(reports, "vitest.json")}`];
+	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...outputs]);
+	const { numPassedTests, numFailedTests } = readReport("vitest.json");
+	return { passed: numPassedTests, failed: Math.max(numFailedTests, status === 0 ? 0 : 1) };
+}
+
+/** A port that nobody listens on. */
+function freePort() {
+	return new Promise((resolve, reject) => {
+		const server = createServer();
+		server.on("error", reject);
+		server.listen(0, "localhost", () => {
+			const { port } = server.address();
+			server.close(() => resolve(port));
+		});
+	});
+}
+
+async function endToEndTests() {
+	const env = { ...process.env, PANICLE_PORT: String(await freePort()), PANICLE_E2E_REPORT: join(reports, "e2e.json") };
+	const status = await node("node_modules/@playwright/test/cli.js", ["test"], env);
+	const { stats } = readReport("e2e.json");
+	return { passed: stats.expected + stats.flaky, failed: Math.max(stats.unexpected, status === 0 ? 0 : 1) };
+}
+
+const stages = [
+	["set-up", () => setUp("test")],
+	["generated files", generatedFiles],
+	["format and lint", () => mustSucceed("wasm-core/tools/format.mjs", ["--check"])],
+	["types", () => mustSucceed("node_modules/typescript/bin/tsc", ["--noEmit"])],
+	["core, native with sanitizers", nativeTests],
+	["core, wasm", () => buildCore()],
+	["web", webTests],
+	["app", () => mustSucceed("node_modules/vite/bin/vite.js", ["build"])],
+	["end to end", endToEndTests],
+];
+
+/** Runs one stage and says how it went. */
+async function runStage([name, work]) {
+	const from = performance.now();
+	console.log(`\n── ${name}`);
+	const result = { name, passed: 0, failed: 0, problem: "" };
+	try {
+		const { passed = 0, failed = 0 } = (await work()) ?? {};
+		Object.assign(result, { passed, failed, problem: failed > 0 ? "see above" : "" });
+	} catch (error) {
+		const known = [StageError, ToolchainError, CoreBuildError].some((kind) => error instanceof kind);
+		Object.assign(result, { failed: 1, problem: known ? error.message : error.stack });
+	}
+	return { ...result, seconds: (performance.now() - from) / 1000 };
+}
+
+function table(results) {
+	const rows = stages.map(([name]) => {
+		const result = results.find((r) => r.name === name);
+		if (!result) return `  ${name.padEnd(30)} not run`;
+		const tests = result.passed + result.failed > 0 ? `${result.passed} passed, ${result.failed} failed` : "";
+		return `  ${name.padEnd(30)} ${result.seconds.toFixed(1).padStart(6)} s  ${tests || "ok"}`;
+	});
+	return rows.join("\n");
+}
+
+rmSync(reports, { recursive: true, force: true });
+mkdirSync(reports, { recursive: true });
+const results = [];
+for (const stage of stages) {
+	const result = await runStage(stage);
+	results.push(result);
+	if (result.failed === 0) continue;
+	console.log(`\nStage “${result.name}” failed: ${result.problem}`);
+	process.exitCode = 1;
+	break;
+}
+const total = (key) => results.reduce((sum, result) => sum + result[key], 0);
+console.log(`\n${table(results)}\n`);
+console.log(`${total("passed")} passed, ${total("failed")} failed`);
