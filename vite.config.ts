@@ -5,7 +5,8 @@ import { core } from "./wasm-core/tools/vite_plugin.mjs";
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig({
-	root: at("web"),
+	// Tests stand beside web/, not in it.
+	root: at(process.env.VITEST ? "." : "web"),
 	publicDir: at("public"),
 	// Every address in the built pages is relative, so that dist/ works from any sub-path.
 	base: "./",
@@ -21,8 +22,7 @@ export default defineConfig({
 	},
 	server: { fs: { allow: [at(".")] } },
 	test: {
-		root: at("."),
-		include: ["tests/{web,golden,fuzz}/**/*.test.ts", "tests/*.test.ts"],
+		include: ["tests/{web,golden,fuzz,tools}/**/*.test.ts", "tests/*.test.ts"],
 		globalSetup: at("tests/core_module.ts"),
 		testTimeout: 20_000,
 	},
