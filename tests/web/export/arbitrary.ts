@@ -1,0 +1,42 @@
+/** Random small growths and specimens for property tests. */
+import fc from "fast-check";
+import type { Specimen } from "../../../web/src/specimen/specimen";
+import { type GrownSketch, sampleSpecimen, unit, type Vector } from "./fixture";
+
+const part = fc.double({ min: -1, max: 1, noNaN: true });
+
+/** Any direction; upright ones, and ones a hair from upright, more often than chance would have it. */
+export const direction: fc.Arbitrary<Vector> = fc.oneof(
+	fc
+		.tuple(part, part, part)
+		.filter((v) => Math.hypot(...v) > 1e-3)
+		.map((v) => unit(v)),
+	fc.constantFrom<Vector>([0, 1, 0], [0, -1, 0], [1, 0, 0], [0, 0, -1]),
+	fc
+		.tuple(part, fc.constantFrom(-1, 1), part, fc.integer({ min: 1, max: 9 }))
+		.map(([x, y, z, power]) => unit([x * 10 ** -power, y, z * 10 ** -power])),
+);
+
+const pedicel = fc.record({
+	direction,
+	berryRadius: fc.oneof(fc.constant(0), fc.double({ min: 1e-4, max: 0.05, noNaN: true })),
+});
+
+export const sketch: fc.Arbitrary<GrownSketch> = fc.record({
+	axes: fc.array(fc.array(pedicel, { maxLength: 4 }), { maxLength: 4 }),
+	sides: fc.integer({ min: 3, max: 7 }),
+	segments: fc.integer({ min: 6, max: 9 }),
+	length: fc.double({ min: 1e-3, max: 0.1, noNaN: true }),
+});
+
+const colour = fc.integer({ min: 0, max: 0xffffff }).map((bits) => bits.toString(16).padStart(6, "0"));
+
+export const specimen: fc.Arbitrary<Specimen> = fc
+	.record({
+		skin: colour,
+		stem: colour,
+		bloom: fc.integer({ min: 0, max: 20 }).map((steps) => steps / 20),
+		seed: fc.nat(),
+		grammar: fc.option(fc.string({ unit: "grapheme" }), { nil: undefined }),
+	})
+	.map(({ seed, grammar, ...look }) => sampleSpecimen(grammar ? { seed, look, grammar } : { seed, look }));

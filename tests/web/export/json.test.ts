@@ -1,0 +1,104 @@
+import { readFileSync } from "node:fs";
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { exportJson } from "../../../web/src/export/json";
+import { shortFloat } from "../../../web/src/export/numbers";
+import * as arbitrary from "./arbitrary";
+import { fingerprintOfDocument } from "./fingerprint";
+import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
+
+const grown = makeGrown(SKETCH);
+const specimen = sampleSpecimen({ seed: 7 });
+
+describe("the JSON document", () => {
+	it("has the fields that were promised, and no others", () => {
+		const document = exportJson(grown, specimen);
+		const fields = ["specimen", "plan", "counts", "berries", "internodes", "notes", "fingerprint", "timings"];
+		expect(Object.keys(document)).toEqual(fields);
+		expect(Object.keys(document.plan)).toEqual(["m", "sides", "axes"]);
+		expect(document.plan.sides).toHaveLength(4);
+		expect(Object.keys(document.plan.sides[0])).toEqual(["w", "r", "n", "rd"]);
+		expect(Object.keys(document.counts)).toEqual([
+			"endStructures",
+			"internodes",
+			"pedicels",
+			"berries",
+			"withered",
+			"cut",
+		]);
+		expect(Object.keys(document.berries[0])).toEqual(["x", "y", "z", "r", "parent"]);
+		const internode = ["parent", "kind", "axis", "start", "end", "radius", "radiusEnd", "state"];
+		expect(Object.keys(document.internodes[0])).toEqual(internode);
+	});
+
+	it("says what the growth says", () => {
+		const { specimen: written, plan, counts, notes, fingerprint, timings } = exportJson(grown, specimen);
+		expect({ written, plan, counts, notes, fingerprint, timings }).toEqual({
+			written: specimen,
+			plan: grown.plan,
+			counts: grown.counts,
+			notes: grown.notes,
+			fingerprint: grown.fingerprint,
+			timings: grown.timings,
+		});
+		expect(exportJson({ ...grown, second: grown.plan }, specimen).plan.second).toEqual(grown.plan);
+	});
+
+	it("names kinds and states, and berries' parents are grown pedicels", () => {
+		const { internodes, berries } = exportJson(grown, specimen);
+		expect(internodes[0]).toMatchObject({ parent: -1, kind: "rachis", axis: -1, state: "grown", start: [0, 0, 0] });
+		expect(internodes.filter(({ state }) => state === "withered")).toHaveLength(grown.counts.withered);
+		for (const { parent } of berries) expect(internodes[parent]).toMatchObject({ kind: "pedicel", state: "grown" });
+		internodes.forEach(({ parent }, index) => {
+			expect(parent).toBeLessThan(index);
+		});
+	});
+
+	it("reads back as the same float32 numbers, and gives the fingerprint again, for any growth", () => {
+		fc.assert(
+			fc.property(arbitrary.sketch, (sketch) => {
+				const any = makeGrown(sketch);
+				const read: ReturnType<typeof exportJson> = JSON.parse(JSON.stringify(exportJson(any, specimen)));
+				const spheres = Float32Array.from(read.berries.flatMap(({ x, y, z, r }) => [x, y, z, r]));
+				expect(spheres.map((value) => value + 0)).toEqual(any.berries.spheres.map((value) => value + 0));
+				expect(fingerprintOfDocument(read)).toBe(any.fingerprint);
+			}),
+		);
+	});
+
+	it("gives the fingerprint by the function that docs/fingerprint.md prints", () => {
+		const page = readFileSync("docs/fingerprint.md", "utf8");
+		const source = page.match(/```js\n([\s\S]*?)```/)?.[1] ?? "";
+		const printed: (document: unknown) => string = new Function(`${source}; return fingerprint;`)();
+		expect(printed(JSON.parse(JSON.stringify(exportJson(grown, specimen))))).toBe(grown.fingerprint);
+	});
+
+	it("needs no meshes and leaves the growth as it was", () => {
+		const { stem, berry, ...skeleton } = grown;
+		const before = structuredClone(skeleton);
+		expect(exportJson(skeleton, specimen)).toEqual(exportJson(grown, specimen));
+		expect(skeleton).toEqual(before);
+	});
+});
+
+describe("short float32 numbers", () => {
+	it("read back as themselves and are never longer than nine digits", () => {
+		fc.assert(
+			fc.property(fc.float({ noNaN: true, noDefaultInfinity: true }), (value) => {
+				const short = JSON.parse(JSON.stringify(shortFloat(value)));
+				expect(Math.fround(short)).toBe(value + 0);
+				if (Math.abs(value) < 1e9)
+					expect(String(short).replace(/^-?0*\.?0*|e.*$|\./g, "").length).toBeLessThanOrEqual(9);
+			}),
+		);
+	});
+
+	it.each([
+		[0.1, 0.1],
+		[-0.0125, -0.0125],
+		[1 / 3, 0.33333334],
+		[-0, 0],
+	])("prints %d as float32 as %d", (value, short) => {
+		expect(shortFloat(Math.fround(value))).toBe(short);
+	});
+});

@@ -1,0 +1,66 @@
+/** Reading exports back: with three.js's loaders, and piece by piece. */
+import { type Issue, validateBytes } from "gltf-validator";
+import type { Group, Mesh } from "three";
+import { type GLTF, GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+
+export async function load(glb: Uint8Array): Promise<GLTF> {
+	return new GLTFLoader().parseAsync(glb.slice().buffer, "");
+}
+
+export interface Node {
+	name: string;
+	mesh?: number;
+	children?: number[];
+	translation?: number[];
+	rotation?: number[];
+	scale?: number[];
+	extensions?: { EXT_mesh_gpu_instancing?: { attributes: Record<string, number> } };
+	extras?: object;
+}
+
+/** The parts of a glTF document that the tests look at. */
+export interface Document {
+	asset: { generator: string; copyright?: string; extras: Record<string, unknown> };
+	extensionsUsed?: string[];
+	extensionsRequired?: string[];
+	nodes: Node[];
+	meshes?: { name: string; primitives: { attributes: Record<string, number>; indices: number; material: number }[] }[];
+	materials?: { name: string; pbrMetallicRoughness: { baseColorFactor: number[] }; extensions?: object }[];
+	accessors?: { count: number; componentType: number; min?: number[]; max?: number[] }[];
+	bufferViews?: { byteOffset: number; byteLength: number; target?: number }[];
+}
+
+/** The JSON chunk. */
+export function documentOf(glb: Uint8Array): Document {
+	const length = new DataView(glb.buffer, glb.byteOffset).getUint32(12, true);
+	return JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)));
+}
+
+/**
+ * What Khronos' validator has to say, but for what it says of every such file: nothing here is textured (the texture
+ * coordinates are for whoever paints the bunch), and it does not look inside EXT_mesh_gpu_instancing, so that what is
+ * used there only seems unused. Errors and warnings are never left out.
+ */
+export async function complaints(glb: Uint8Array): Promise<Issue[]> {
+	const { issues } = await validateBytes(glb, { maxIssues: 0 });
+	const instances = instanceAccessors(documentOf(glb));
+	return issues.messages.filter(({ code, severity, pointer = "", message }) => {
+		if (severity < 2) return true;
+		if (code === "UNSUPPORTED_EXTENSION") return !message.includes("EXT_mesh_gpu_instancing");
+		return code !== "UNUSED_OBJECT" || !(pointer.endsWith("/attributes/TEXCOORD_0") || instances.includes(pointer));
+	});
+}
+
+function instanceAccessors({ nodes }: Document): string[] {
+	return nodes
+		.flatMap(({ extensions }) => Object.values(extensions?.EXT_mesh_gpu_instancing?.attributes ?? {}))
+		.map((accessor) => `/accessors/${accessor}`);
+}
+
+export function meshesOf(group: Group): Mesh[] {
+	const meshes: Mesh[] = [];
+	group.traverse((object) => {
+		if ("isMesh" in object) meshes.push(object as Mesh);
+	});
+	return meshes;
+}
