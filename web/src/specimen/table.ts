@@ -16,6 +16,8 @@ export interface NumberEntry extends Common {
 	/** Between 0 and this lies nothing: a value there is raised to it. */
 	gapBelow?: number;
 	default: number;
+	/** The `#define` of the grammar that it replaces. */
+	define?: string;
 }
 
 export interface ColourEntry extends Common {

@@ -1,0 +1,75 @@
+/** Fetches and compiles the core; what may fail on the way has its own words. */
+import { Core } from "./core";
+import { UnsupportedError } from "./errors";
+
+const MIME = "application/wasm";
+const WASM_MAGIC = [0x00, 0x61, 0x73, 0x6d]; // "\0asm"
+
+/**
+ * Fetches and compiles in one go where the server names the type, else one after the other.
+ *
+ * @param note told what works but could be better
+ * @throws UnsupportedError where there is no WebAssembly, no answer, or no core in the answer
+ */
+export async function compileCore(
+	url: string | URL,
+	note: (text: string) => void = () => {},
+): Promise<WebAssembly.Module> {
+	requireWebAssembly();
+	const response = await fetchCore(url);
+	const type = response.headers.get("content-type")?.split(";")[0].trim().toLowerCase() ?? "";
+	if (type === MIME && "compileStreaming" in WebAssembly) {
+		return WebAssembly.compileStreaming(response).catch(notACore(type));
+	}
+	const module = await compileBytes(new Uint8Array(await response.arrayBuffer()), type);
+	if (type !== MIME)
+		note(`The server sends the core as ${type || "nothing in particular"}; as ${MIME} it would start faster.`);
+	return module;
+}
+
+/** A core from the bytes of panicle.wasm, for Node. */
+export async function loadCoreFromBytes(bytes: BufferSource): Promise<Core> {
+	requireWebAssembly();
+	const view = ArrayBuffer.isView(bytes)
+		? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
+		: new Uint8Array(bytes);
+	return Core.instantiate(await compileBytes(view, "bytes"));
+}
+
+function requireWebAssembly(): void {
+	if (typeof WebAssembly === "object") return;
+	throw new UnsupportedError(
+		"webassembly",
+		"This browser runs no WebAssembly, which growing needs; allow it, or open the page in another browser.",
+	);
+}
+
+async function fetchCore(url: string | URL): Promise<Response> {
+	const response = await fetch(url).catch((cause: unknown) => {
+		throw new UnsupportedError("fetch", "The core could not be fetched; check the connection and try again.", {
+			cause,
+		});
+	});
+	if (response.ok) return response;
+	throw new UnsupportedError(
+		"fetch",
+		`The core could not be fetched (the server answered ${response.status}); try again later.`,
+	);
+}
+
+async function compileBytes(bytes: Uint8Array<ArrayBuffer>, type: string): Promise<WebAssembly.Module> {
+	if (WASM_MAGIC.some((byte, index) => bytes[index] !== byte)) notACore(type)();
+	return WebAssembly.compile(bytes).catch(notACore(type));
+}
+
+function notACore(type: string): (cause?: unknown) => never {
+	return (cause) => {
+		throw new UnsupportedError(
+			"core",
+			`What came in place of the core (${type || "of no named type"}) cannot be run; reload the page.`,
+			{
+				cause,
+			},
+		);
+	};
+}

@@ -1,0 +1,16 @@
+/** Starts the worker's script. */
+import address from "./worker.ts?worker&url";
+
+/**
+ * A page may only start workers of its own origin. Where the script lies elsewhere (an element embedded in another
+ * site), a small script of this origin imports it.
+ */
+export function spawnWorker(): Worker {
+	const script = new URL(address, import.meta.url);
+	if (script.origin === location.origin) return new Worker(script, { type: "module" });
+	const source = new Blob([`import ${JSON.stringify(script.href)};`], { type: "text/javascript" });
+	const url = URL.createObjectURL(source);
+	const worker = new Worker(url, { type: "module" });
+	worker.addEventListener("message", () => URL.revokeObjectURL(url), { once: true });
+	return worker;
+}
