@@ -110,7 +110,7 @@ export function nearestHandle(
 	let least = reach;
 	for (const [handle, { x, y }] of positions) {
 		const distance = Math.hypot(x - pointer.x, y - pointer.y);
-		if (distance > least) continue;
+		if (!(distance <= least)) continue;
 		least = distance;
 		nearest = handle;
 	}

@@ -71,7 +71,8 @@ export function handleKeys(handle: Handle): ShapeKey[] {
 /** Where a handle stands in its view. */
 export function handlePosition(shape: Shape, handle: Handle): Point {
 	if (!isSide(handle)) return { x: 0, y: shape.l };
-	return { x: SIDES[handle].sign * shape[`${handle}w`], y: shape[`${handle}r`] };
+	// −0 is 0
+	return { x: SIDES[handle].sign * shape[`${handle}w`] + 0, y: shape[`${handle}r`] };
 }
 
 /** What a handle says of itself: "p3, right: 150 px wide, 150 px down". */

@@ -40,7 +40,7 @@ export function drawOutline(
 		<path class="envelope" d=${envelopePath(parameters, view, plan)}></path>
 		<line class="axis" x1="0" y1="0" x2="0" y2=${l}></line>
 		<path class="outline" d="M0 0L${right.x} ${right.y}L0 ${l}L${left.x} ${left.y}Z"></path>
-		<g transform=${pin(frame, 0, 0)}><circle class="root" r="2.5"></circle>${drawName("p1", 8, 2)}</g>
+		<g transform=${pin(frame, 0, 0)}><circle class="root" r="2.5"></circle>${drawName("p1", 0, -6, "middle")}</g>
 	</g>`;
 }
 

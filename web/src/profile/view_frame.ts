@@ -12,36 +12,31 @@ export interface ViewFrame {
 }
 
 /** Screen pixels left free around the paper's view, so that a handle at its edge is not cut. */
-const MARGIN = 12;
+const MARGIN = 14;
+
+/** Sides of the square a view may show, in pixels of the profile: the paper's, and less for small bunches. */
+const EXTENTS = [150, 225, 300, 450, VIEW_PIXELS];
 
 /** How far berries reach beyond the handles, in pixels of the profile: below the tip, and beside a width. */
 const BELOW_TIP = 50;
 const BESIDE = 20;
 
 /**
- * The side of the square a view shows, in pixels of the profile: the paper's 600, or half or a quarter of it where
- * the whole bunch fits (a lychee of 65 pixels would be a speck).
+ * The least of the extents that holds the whole bunch; in the paper's 600 pixels a lychee of 65 would be a speck. Both
+ * views of a profile get the same, so that they compare.
  */
 export function viewExtent(shape: Shape): number {
 	let need = shape.l + BELOW_TIP;
 	for (const side of SIDE_HANDLES) {
 		need = Math.max(need, shape[`${side}r`] + BESIDE, 2 * (shape[`${side}w`] + BESIDE));
 	}
-	let extent = VIEW_PIXELS;
-	while (extent > VIEW_PIXELS / 4 && need <= extent / 2) extent /= 2;
-	return extent;
+	return EXTENTS.find((extent) => need <= extent) ?? VIEW_PIXELS;
 }
 
-/** Fits a square of `extent` profile pixels, p1 at its top centre, into an element of CSS pixels. */
+/** Fits a square of `extent` profile pixels into an element of CSS pixels, p1 at its top centre. */
 export function viewFrame(width: number, height: number, extent: number): ViewFrame {
 	const scale = Math.max(Math.min(width, height) - 2 * MARGIN, 1) / extent;
-	return {
-		left: -width / (2 * scale),
-		top: -Math.max(MARGIN, (height - extent * scale) / 2) / scale,
-		width: width / scale,
-		height: height / scale,
-		scale,
-	};
+	return { left: -width / (2 * scale), top: -MARGIN / scale, width: width / scale, height: height / scale, scale };
 }
 
 export interface ScaleBar {

@@ -1,0 +1,61 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { scaleBar, viewExtent, viewFrame } from "../../../web/src/profile/view_frame";
+import { anyShape, DEFAULTS } from "./shape";
+
+describe("viewExtent", () => {
+	it("is the paper's 600 pixels for a long bunch, less for a small one", () => {
+		expect(viewExtent(DEFAULTS)).toBe(600);
+		const lychee = { l: 65, p3w: 42, p3r: 33, p4w: 52, p4r: 33, p5w: 43, p5r: 51, p6w: 44, p6r: 48 };
+		expect(viewExtent(lychee)).toBe(150);
+	});
+
+	it("holds every handle", () => {
+		fc.assert(
+			fc.property(anyShape, (shape) => {
+				const extent = viewExtent(shape);
+				expect(shape.l).toBeLessThanOrEqual(extent);
+				for (const w of [shape.p3w, shape.p4w, shape.p5w, shape.p6w]) expect(2 * w).toBeLessThanOrEqual(extent);
+				for (const r of [shape.p3r, shape.p4r, shape.p5r, shape.p6r]) expect(r).toBeLessThanOrEqual(extent);
+			}),
+		);
+	});
+});
+
+describe("viewFrame", () => {
+	it("shows the whole square in an element of any proportions, p1 in the middle of its top", () => {
+		fc.assert(
+			fc.property(fc.integer({ min: 60, max: 900 }), fc.integer({ min: 60, max: 900 }), (width, height) => {
+				const { left, top, scale, ...size } = viewFrame(width, height, 600);
+				expect(size.width * scale).toBeCloseTo(width, 6);
+				expect(size.height * scale).toBeCloseTo(height, 6);
+				expect(left + size.width / 2).toBeCloseTo(0, 6);
+				expect(top).toBeLessThan(0);
+				expect(left).toBeLessThan(-300);
+				expect(top + size.height).toBeGreaterThan(600);
+			}),
+		);
+	});
+
+	it("stays finite in an element without size", () => {
+		for (const value of Object.values(viewFrame(0, 0, 600))) expect(Number.isFinite(value)).toBe(true);
+	});
+});
+
+describe("scaleBar", () => {
+	it("is a round length in its unit", () => {
+		expect(scaleBar(600, 0.25)).toEqual({ label: "5 cm", length: expect.closeTo(116, 9) });
+		expect(scaleBar(150, 0.05)).toEqual({ label: "2 mm", length: expect.closeTo(23.2, 9) });
+		expect(scaleBar(600, 2).label).toBe("50 cm");
+	});
+
+	it("takes between a tenth and a quarter of the view", () => {
+		fc.assert(
+			fc.property(fc.constantFrom(150, 300, 600), fc.double({ min: 0.05, max: 2, noNaN: true }), (extent, unit) => {
+				const { length } = scaleBar(extent, unit);
+				expect(length).toBeLessThanOrEqual(extent / 4 + 1e-9);
+				expect(length).toBeGreaterThanOrEqual(extent / 10 - 1e-9);
+			}),
+		);
+	});
+});
