@@ -1,0 +1,78 @@
+import { describe, expect, it } from "vitest";
+import { withParameters } from "../../../web/src/specimen/edit";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import {
+	canRedo,
+	canUndo,
+	change,
+	type History,
+	LONGEST_HISTORY,
+	redo,
+	settle,
+	startHistory,
+	undo,
+} from "../../../web/src/specimen/history";
+
+const long = (l: number) => withParameters(specimenFromPreset(), { l });
+const lengths = (history: History) =>
+	[...history.past, history.present, ...history.future].map(({ parameters }) => parameters.l);
+
+describe("history", () => {
+	it("goes back and forth through its steps", () => {
+		let history = change(change(startHistory(long(100)), long(200)), long(300));
+		history = undo(undo(history));
+		expect(history.present).toEqual(long(100));
+		expect([canUndo(history), canRedo(history)]).toEqual([false, true]);
+		history = redo(redo(history));
+		expect(history.present).toEqual(long(300));
+		expect([canUndo(history), canRedo(history)]).toEqual([true, false]);
+	});
+
+	it("stays at its ends", () => {
+		const history = startHistory(long(100));
+		expect(undo(history)).toEqual(history);
+		expect(redo(history)).toEqual(history);
+	});
+
+	it("takes one drag as one step", () => {
+		let history = startHistory(long(100));
+		for (let l = 101; l <= 150; l++) history = change(history, long(l), "p2");
+		history = settle(history);
+		for (let l = 149; l >= 120; l--) history = change(history, long(l), "p2");
+		expect(lengths(history)).toEqual([100, 150, 120]);
+		expect(undo(undo(history)).present).toEqual(long(100));
+	});
+
+	it("undoes a drag that has not ended, as a whole", () => {
+		const history = change(change(startHistory(long(100)), long(110), "p2"), long(120), "p2");
+		expect(lengths(undo(history))).toEqual([100, 120]);
+		expect(undo(history).present).toEqual(long(100));
+	});
+
+	it("keeps no step of a drag that ended where it began, nor of a change that changes nothing", () => {
+		let history = change(startHistory(long(100)), long(200));
+		history = settle(change(change(history, long(210), "p2"), long(200), "p2"));
+		history = change(history, long(200));
+		expect(lengths(history)).toEqual([100, 200]);
+	});
+
+	it("forgets what was undone when something new is done", () => {
+		const history = change(undo(change(startHistory(long(100)), long(200))), long(300));
+		expect(lengths(history)).toEqual([100, 300]);
+		expect(canRedo(history)).toBe(false);
+	});
+
+	it("forgets its oldest steps", () => {
+		let history = startHistory(long(30));
+		for (let step = 1; step <= LONGEST_HISTORY + 5; step++) history = change(history, long(30 + step));
+		expect(history.past).toHaveLength(LONGEST_HISTORY);
+		expect(history.past[0]).toEqual(long(35));
+	});
+
+	it("never changes a history that it was given", () => {
+		const before = change(change(startHistory(long(100)), long(200)), long(300));
+		const copy = structuredClone(before);
+		for (const act of [undo, redo, settle, (h: History) => change(h, long(50))]) act(before);
+		expect(before).toEqual(copy);
+	});
+});

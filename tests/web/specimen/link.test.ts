@@ -1,0 +1,125 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { withParameters } from "../../../web/src/specimen/edit";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { decodeLink, decodeQuery, encodeLink, encodeQuery, hasGrammar } from "../../../web/src/specimen/link";
+import type { Specimen } from "../../../web/src/specimen/specimen";
+import { anySpecimen } from "./arbitrary";
+
+async function throughLink(specimen: Specimen) {
+	const url = new URL(await encodeLink(specimen), "https://example.org/bunch/");
+	return decodeLink(url.search, url.hash);
+}
+
+describe("a link", () => {
+	it("of the default bunch says its version and nothing else", () => {
+		expect(encodeQuery(specimenFromPreset())).toBe("?v=1");
+		expect(encodeQuery(specimenFromPreset("duku"))).toBe("?v=1&preset=duku");
+	});
+
+	it("holds only what differs from its preset, in the paper's pixels, commas as they are", () => {
+		const edited = withParameters(specimenFromPreset("short-conical"), { l: 300, p3w: 80.5, fit: 0 });
+		expect(encodeQuery({ ...edited, seed: 7 })).toBe("?v=1&preset=short-conical&seed=7&l=300&p3=80.5,76&fit=0");
+	});
+
+	it("survives an address bar letter for letter", async () => {
+		const specimen = { ...specimenFromPreset(), inputs: { m: 3, n: [1, 2] }, grammar: "axiom: F(1)[+F(2)]\n" };
+		const link = await encodeLink(specimen);
+		expect(new URL(link, "https://example.org/").href).toBe(`https://example.org/${link}`);
+		expect(link).toMatch(/^\?v=1&m=3&n=1,2#g=[\w-]+$/);
+	});
+
+	it("brings any specimen back exactly, without a note", async () => {
+		await fc.assert(
+			fc.asyncProperty(anySpecimen, async (specimen) => {
+				expect(await throughLink(specimen)).toEqual({ specimen, notes: [] });
+			}),
+			{ numRuns: 500 },
+		);
+	});
+
+	it("of a typical edited bunch is short", () => {
+		const edited = withParameters(specimenFromPreset("winged-cylindrical"), {
+			l: 487.25,
+			p3w: 187.5,
+			p3r: 88.25,
+			p4w: 203.75,
+			p4r: 110.5,
+			p5w: 145.25,
+			p5r: 152.75,
+			p6w: 149.5,
+			p6r: 148.25,
+			rmin: 22,
+			rmax: 28,
+			yaw: 57,
+			vary: 0.45,
+			sag: 3.5,
+		});
+		const link = encodeQuery({ ...edited, seed: 4_000_000_000, look: { ...edited.look, skin: "112233", bloom: 0.7 } });
+		expect(link.length - 1).toBeLessThan(200);
+		expect(decodeQuery(link).specimen.parameters).toEqual(edited.parameters);
+	});
+
+	it("without a version is version 1; of a later version is read as far as it is known", () => {
+		const old = decodeQuery("?preset=lychee&l=70");
+		expect(old.notes).toEqual([]);
+		expect(old.specimen).toEqual(withParameters(specimenFromPreset("lychee"), { l: 70 }));
+		const newer = decodeQuery("?v=2&preset=lychee&l=70&ripeness=3");
+		expect(newer.specimen).toEqual(old.specimen);
+		expect(newer.notes.map((note) => note.text)).toEqual([
+			"v: made by a newer version (2); read as far as it is known here.",
+			"ripeness: not known here; ignored.",
+		]);
+	});
+
+	it("says which part it could not use", () => {
+		const { specimen, notes } = decodeQuery("?l=700&p3=9&p4=1,x&p5=300,40&seed=-1&skin=blue&preset=plum&l=601");
+		expect(notes.map((note) => note.text)).toEqual([
+			"l: given more than once; the last is read.",
+			"preset: “plum” is not a preset; long-conical is used.",
+			"l: 601 is above the greatest value, 580; 580 is used.",
+			"p3: “9” is not 2 numbers like “79,76”; 150,150 is used.",
+			"p4: “1,x” is not 2 numbers like “79,76”; 150,102 is used.",
+			"p5: 300 is above the greatest value, 290; 290 is used.",
+			"seed: -1 is below the least value, 0; 0 is used.",
+			"skin: “blue” is not a colour of six hexadecimal digits; 43264f is used.",
+		]);
+		expect(specimen.parameters.p5r).toBe(40);
+	});
+});
+
+describe("a grammar in the fragment", () => {
+	const text = "/* L-system 3 */\r\naxiom: Ar1(m, l_i, w_i)\n".repeat(200);
+
+	it("is packed, and comes back letter for letter", async () => {
+		const link = await encodeLink({ ...specimenFromPreset(), grammar: `\ufeff${text}` });
+		expect(link.length).toBeLessThan(400);
+		expect((await decodeLink("", link.slice(link.indexOf("#")))).specimen.grammar).toBe(`\ufeff${text}`);
+	});
+
+	it("is known to be there before it is unpacked", () => {
+		expect(hasGrammar("#g=abc")).toBe(true);
+		expect(hasGrammar("#top")).toBe(false);
+		expect(hasGrammar("")).toBe(false);
+	});
+
+	it("that is damaged is left out, and a note says so", async () => {
+		const link = await encodeLink({ ...specimenFromPreset(), grammar: text });
+		const hash = link.slice(link.indexOf("#"));
+		for (const damaged of ["#g=", "#g=%%%", "#g=AAAA", hash.slice(0, -20), hash.replace("g=", "g=!")]) {
+			const { specimen, notes } = await decodeLink("?l=300", damaged);
+			expect(specimen).toEqual(withParameters(specimenFromPreset(), { l: 300 }));
+			expect(notes.map((note) => note.text)).toEqual([
+				"grammar: the link is damaged here; the built-in grammar is used.",
+			]);
+		}
+	});
+
+	it("that unpacks to more than a grammar may be is refused before it fills the memory", async () => {
+		const bomb = await encodeLink({ ...specimenFromPreset(), grammar: "F".repeat(20_000_000) });
+		expect(bomb.length).toBeLessThan(100_000);
+		const { specimen, notes } = await decodeLink("", bomb.slice(bomb.indexOf("#")));
+		expect(specimen.grammar).toBeUndefined();
+		expect(notes).toHaveLength(1);
+	});
+});

@@ -1,0 +1,58 @@
+import { describe, expect, it } from "vitest";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { DEFAULT_PRESET, PRESETS, presetNamed } from "../../../web/src/specimen/presets/index";
+import { restore } from "../../../web/src/specimen/restore";
+import { entryOf } from "../../../web/src/specimen/table";
+import { TABLE_3 } from "./table_3";
+
+describe("presets", () => {
+	it("are the fifteen, in the order of the gallery", () => {
+		const names =
+			"short-conical shouldered-conical long-conical cylindrical winged-cylindrical double-bunch-winged grape-15a " +
+			"grape-15b grape-15c grape-15d redcurrant rubus lychee longan duku";
+		expect(PRESETS.map((preset) => preset.name).join(" ")).toBe(names);
+	});
+
+	it.each(TABLE_3)("$name has the profile of Table 3", ({ name, l, sides }) => {
+		const { parameters } = specimenFromPreset(name);
+		expect(parameters.l).toBe(l);
+		expect([parameters.p3w, parameters.p3r]).toEqual(sides[0].slice(0, 2));
+		expect([parameters.p4w, parameters.p4r]).toEqual(sides[1].slice(0, 2));
+		expect([parameters.p5w, parameters.p5r]).toEqual(sides[2].slice(0, 2));
+		expect([parameters.p6w, parameters.p6r]).toEqual(sides[3].slice(0, 2));
+		expect(parameters.wing).toBe(0);
+	});
+
+	it.each(PRESETS)("$name holds only what differs from the table, all of it in range", (preset) => {
+		for (const [key, value] of Object.entries({ ...preset.parameters, ...preset.look })) {
+			expect(entryOf(key)?.default).not.toBe(value);
+		}
+		expect(restore(preset.parameters).notes).toEqual([]);
+		expect(restore({ preset: preset.name })).toEqual({ specimen: specimenFromPreset(preset.name), notes: [] });
+	});
+
+	it("double-bunch-winged has a second bunch of six tenths", () => {
+		expect(presetNamed("double-bunch-winged")?.parameters.wing).toBe(0.6);
+	});
+
+	it("fruits other than grapes come out at their own size, in millimetres across", () => {
+		const across = (name: string) => {
+			const { unit, rmin, rmax } = specimenFromPreset(name).parameters;
+			return (rmin + rmax) * unit;
+		};
+		expect(across(DEFAULT_PRESET)).toBeCloseTo(12.5);
+		expect(across("redcurrant")).toBeCloseTo(9);
+		expect(across("rubus")).toBeCloseTo(14);
+		expect(across("lychee")).toBeCloseTo(30);
+		expect(across("longan")).toBeCloseTo(25);
+		expect(across("duku")).toBeCloseTo(35);
+	});
+
+	it("gives fresh specimens that share nothing", () => {
+		const one = specimenFromPreset("duku");
+		one.parameters.l = 100;
+		one.look.skin = "000000";
+		expect(specimenFromPreset("duku")).not.toEqual(one);
+		expect(specimenFromPreset("no such preset")).toEqual(specimenFromPreset(DEFAULT_PRESET));
+	});
+});

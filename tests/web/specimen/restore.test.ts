@@ -1,0 +1,169 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { restore } from "../../../web/src/specimen/restore";
+import { anySpecimen, faults } from "./arbitrary";
+
+const texts = (record: unknown, from?: Parameters<typeof restore>[1]) =>
+	restore(record, from).notes.map((note) => note.text);
+const parameters = (record: unknown) => restore(record).specimen.parameters;
+
+describe("restore", () => {
+	it("gives the default bunch for nothing", () => {
+		for (const nothing of [undefined, null, {}]) {
+			expect(restore(nothing)).toEqual({ specimen: specimenFromPreset(), notes: [] });
+		}
+	});
+
+	it("gives a written specimen back as it is", () => {
+		fc.assert(
+			fc.property(anySpecimen, (specimen) => {
+				expect(restore(JSON.parse(JSON.stringify(specimen)))).toEqual({ specimen, notes: [] });
+			}),
+		);
+	});
+
+	it("gives a specimen in range for anything whatever, and is done with it the second time", () => {
+		const values = fc.oneof(fc.anything(), fc.string(), fc.double(), fc.constantFrom("79,76", [1, 2], "1e999", "-0"));
+		const keys = fc.oneof(
+			fc.constantFrom("l", "p3", "p4w", "wing", "rmin", "rmax", "skin", "bloom", "seed", "m", "n", "preset", "v"),
+			fc.constantFrom("parameters", "look", "inputs", "grammar", "model", "__proto__", "constructor", "toString"),
+			fc.string(),
+		);
+		const records = fc.oneof(fc.dictionary(keys, values), fc.anything());
+		fc.assert(
+			fc.property(records, (record) => {
+				const { specimen, notes } = restore(record);
+				expect(faults(specimen)).toEqual([]);
+				expect(restore(specimen)).toEqual({ specimen, notes: [] });
+				for (const { text } of notes) expect(text).toMatch(/^[^\n]{1,200}$/);
+				expect(notes.length).toBeLessThanOrEqual(13);
+			}),
+			{ numRuns: 2000 },
+		);
+	});
+
+	it("reads text and JSON's own values alike, by link key and by table key", () => {
+		const expected = { p3w: 79, p3r: 76, unit: 0.3 };
+		expect(parameters({ p3: "79,76", unit: "0.30" })).toMatchObject(expected);
+		expect(parameters({ p3: [79, 76], unit: 0.3 })).toMatchObject(expected);
+		expect(parameters({ p3w: "79", p3r: 76, parameters: { unit: 0.3 } })).toMatchObject(expected);
+		expect(parameters({ p3: " 79 , 7.6e1 ", unit: ".3" })).toMatchObject(expected);
+	});
+
+	it("brings numbers into range and says so", () => {
+		expect(texts({ l: 28 })).toEqual(["l: 28 is below the least value, 29; 29 is used."]);
+		expect(texts({ l: Number.POSITIVE_INFINITY })).toEqual([
+			"l: Infinity is above the greatest value, 580; 580 is used.",
+		]);
+		expect(texts({ t: "2.5" })).toEqual(["t: 2.5 is not a whole number; 3 is used."]);
+		expect(parameters({ l: 28, t: 2.5, roll: "-181" })).toMatchObject({ l: 29, t: 3, roll: -180 });
+	});
+
+	it("raises what lies in the gap below the smallest second bunch", () => {
+		expect(texts({ wing: 0.1 })).toEqual(["wing: 0.1 lies between 0 and 0.3, where nothing is; 0.3 is used."]);
+		expect(parameters({ wing: 0.1 }).wing).toBe(0.3);
+		expect(parameters({ wing: 0 }).wing).toBe(0);
+		expect(parameters({ wing: 0.3 }).wing).toBe(0.3);
+		expect(texts({ wing: -0.1 })).toEqual(["wing: -0.1 is below the least value, 0; 0 is used."]);
+	});
+
+	it("keeps what a link can hold: hundredths, without a word", () => {
+		const { specimen, notes } = restore({ l: 500.126, sag: -0 });
+		expect(specimen.parameters).toMatchObject({ l: 500.13, sag: 0 });
+		expect(notes).toEqual([]);
+	});
+
+	it("passes over what is not a number", () => {
+		for (const bad of ["", "12px", "0x10", "NaN", "Infinity", "--1", "1,2", true, [], {}, Number.NaN]) {
+			const { specimen, notes } = restore({ l: bad });
+			expect(specimen.parameters.l).toBe(512);
+			expect(notes.map((note) => note.key)).toEqual(["l"]);
+			expect(notes[0].text).toMatch(/is not a number; 512 is used\.$/);
+		}
+	});
+
+	it("swaps the radii where the least is above the greatest", () => {
+		expect(parameters({ rmin: 35 })).toMatchObject({ rmin: 30, rmax: 35 });
+		expect(texts({ rmin: 35 })).toEqual(["rmin: 35 is above rmax, 30; the two are swapped."]);
+	});
+
+	it("takes colours as links and style sheets write them", () => {
+		for (const skin of ["aabbcc", "#aabbcc", "#ABC", " AaBbCc "]) {
+			expect(restore({ skin })).toMatchObject({ specimen: { look: { skin: "aabbcc" } }, notes: [] });
+		}
+		expect(texts({ skin: 123456 })).toEqual([
+			"skin: 123456 is not a colour of six hexadecimal digits; 43264f is used.",
+		]);
+	});
+
+	it("starts from the preset named, whatever the order", () => {
+		const { specimen } = restore({ l: "100", preset: "duku" });
+		expect(specimen).toEqual({
+			...specimenFromPreset("duku"),
+			parameters: { ...specimenFromPreset("duku").parameters, l: 100 },
+		});
+	});
+
+	it("starts from a given specimen without touching it", () => {
+		const from = specimenFromPreset("rubus");
+		const before = structuredClone(from);
+		const { specimen } = restore({ l: 99, skin: "000000", m: 4, seed: 5 }, from);
+		expect(from).toEqual(before);
+		expect(specimen).toMatchObject({ preset: "rubus", seed: 5, inputs: { m: 4 }, look: { skin: "000000" } });
+		expect(specimen.parameters).toEqual({ ...before.parameters, l: 99 });
+	});
+
+	it("takes the grammar's inputs, and lets n say what m is", () => {
+		expect(restore({ n: "1,2" }).specimen.inputs).toEqual({ m: 3, n: [1, 2] });
+		expect(restore({ m: "3", n: [1, 2] }).specimen.inputs).toEqual({ m: 3, n: [1, 2] });
+		expect(restore({ m: 5 }).specimen.inputs).toEqual({ m: 5 });
+		expect(restore({ inputs: { m: 2, n: 4 } }).specimen.inputs).toEqual({ m: 2, n: [4] });
+	});
+
+	it("says which input it could not use", () => {
+		expect(texts({ m: 5, n: "1,2" })).toEqual(["n: m = 5 needs 4 values, not 2; the profile's are used."]);
+		expect(texts({ m: 0 })).toEqual(["m: 0 is below the least value, 1; 1 is used."]);
+		expect(texts({ m: "x" })).toEqual(["m: “x” is not a number; the profile's is used."]);
+		expect(texts({ n: "1,,2" })).toEqual(["n: “1,,2” is not a list of numbers like “1,2”; the profile's is used."]);
+		expect(texts({ n: "1.5,200" })).toEqual([
+			"n: 1.5 is not a whole number; 2 is used.",
+			"n: 200 is above the greatest value, 100; 100 is used.",
+		]);
+		expect(texts({ n: Array(150).fill(1) })).toEqual(["n: 150 values are too many; the first 99 are used."]);
+	});
+
+	it("takes a grammar as text that UTF-8 can hold, and no more of it than the core reads", () => {
+		expect(restore({ grammar: "axiom: F(1)" }).specimen.grammar).toBe("axiom: F(1)");
+		expect(restore({ grammar: "half \ud800 pair" }).specimen.grammar).toBe("half \ufffd pair");
+		expect(restore({ grammar: "" }).specimen).not.toHaveProperty("grammar");
+		expect(texts({ grammar: "ä".repeat(131_073) })).toEqual([
+			"grammar: longer than 256 KiB; the built-in grammar is used.",
+		]);
+		expect(texts({ grammar: 5 })).toEqual(["grammar: 5 is not text; the built-in grammar is used."]);
+	});
+
+	it("reads versions and models it does not know as those it does", () => {
+		expect(texts({ v: "1", model: "bunch" })).toEqual([]);
+		expect(texts({ v: 3 })).toEqual(["v: made by a newer version (3); read as far as it is known here."]);
+		expect(texts({ v: "x" })).toEqual(["v: “x” is not a version; read as version 1."]);
+		expect(texts({ model: "flower" })).toEqual(["model: “flower” is not known here; bunch is used."]);
+	});
+
+	it("keeps notes few and short, however much is wrong", () => {
+		const record = Object.fromEntries(Array.from({ length: 50 }, (_, i) => [`bad${i}\n${"x".repeat(99)}`, "y"]));
+		const { notes } = restore(record);
+		expect(notes).toHaveLength(13);
+		expect(notes.at(-1)?.text).toBe("38 more parts could not be used.");
+		for (const { text } of notes) expect(text.length).toBeLessThan(80);
+	});
+
+	it("is not led astray by names that every object has", () => {
+		const record = JSON.parse(
+			'{"__proto__": {"l": 100}, "constructor": 1, "parameters": {"toString": 2, "__proto__": 3}}',
+		);
+		const { specimen, notes } = restore(record);
+		expect(specimen).toEqual(specimenFromPreset());
+		expect(notes.map((note) => note.key)).toEqual(["__proto__", "constructor", "toString", "__proto__"]);
+	});
+});
