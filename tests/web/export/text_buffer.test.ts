@@ -2,6 +2,8 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { TextBuffer } from "../../../web/src/export/text_buffer";
 
+const SPACE = 0x20;
+
 const written = (write: (out: TextBuffer) => void) => {
 	const out = new TextBuffer(1);
 	write(out);
@@ -23,7 +25,8 @@ describe("the text buffer", () => {
 			[1234.5678, 0, "1235"],
 			[5000, 6, "5000"],
 		];
-		for (const [value, decimals, text] of cases) expect(written((out) => out.fixed(value, decimals))).toBe(text);
+		for (const [value, decimals, text] of cases)
+			expect(written((out) => out.fixed(value, decimals, SPACE))).toBe(`${text} `);
 	});
 
 	it("is within half a step of any number, and as short as can be", () => {
@@ -32,7 +35,7 @@ describe("the text buffer", () => {
 				fc.double({ min: -1e4, max: 1e4, noNaN: true }),
 				fc.integer({ min: 0, max: 6 }),
 				(value, decimals) => {
-					const text = written((out) => out.fixed(value, decimals));
+					const text = written((out) => out.fixed(value, decimals, SPACE)).slice(0, -1);
 					expect(Math.abs(Number(text) - value)).toBeLessThanOrEqual(0.5 * 10 ** -decimals + 1e-11);
 					expect(text).toMatch(/^-?(0|[1-9]\d*)(\.\d*[1-9])?$/);
 					expect(text).not.toBe("-0");
@@ -47,9 +50,13 @@ describe("the text buffer", () => {
 				fc.array(fc.oneof(fc.integer({ min: 0, max: 0x7fffffff }), fc.string({ unit: "grapheme" }))),
 				(parts) => {
 					const text = written((out) => {
-						for (const part of parts) typeof part === "number" ? out.integer(part) : out.text(part);
+						for (const part of parts) typeof part === "number" ? out.integer(part, SPACE) : out.text(part);
 					});
-					expect(text).toBe(new TextDecoder().decode(new TextEncoder().encode(parts.join(""))));
+					expect(text).toBe(
+						new TextDecoder().decode(
+							new TextEncoder().encode(parts.map((part) => (typeof part === "number" ? `${part} ` : part)).join("")),
+						),
+					);
 				},
 			),
 		);

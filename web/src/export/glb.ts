@@ -117,8 +117,8 @@ class GlbScene {
 
 	#berry(index: number, mesh: number): Json {
 		const { count, spheres, directions, parent } = this.#grown.berries;
-		const [x, y, z, radius] = Array.from(spheres.subarray(4 * index, 4 * index + 4), shortFloat) as Four;
-		const [dx, dy, dz] = directions.subarray(3 * index, 3 * index + 3) as unknown as Three;
+		const [x, y, z, radius] = Array.from(spheres.subarray(4 * index, 4 * index + 4), shortFloat);
+		const [dx, dy, dz] = directions.subarray(3 * index, 3 * index + 3);
 		const turn = fromUp(dx, dy, dz);
 		const pedicel = parent[index];
 		return {
@@ -138,7 +138,7 @@ class GlbScene {
 		const scales = new Float32Array(3 * count);
 		for (let i = 0; i < count; i++) {
 			translations.set(spheres.subarray(4 * i, 4 * i + 3), 3 * i);
-			const [dx, dy, dz] = directions.subarray(3 * i, 3 * i + 3) as unknown as Three;
+			const [dx, dy, dz] = directions.subarray(3 * i, 3 * i + 3);
 			const turn = fromUp(dx, dy, dz);
 			rotations.set([turn.x, turn.y, turn.z, turn.w], 4 * i);
 			scales.fill(spheres[4 * i + 3], 3 * i, 3 * i + 3);
@@ -179,9 +179,6 @@ class GlbScene {
 		return this.#materials.push(material) - 1;
 	}
 }
-
-type Three = [number, number, number];
-type Four = [number, number, number, number];
 
 /** One part of the stem as a mesh of its own, indices counted from its first vertex. */
 function cut(stem: StemMesh, part: StemPart): Mesh {

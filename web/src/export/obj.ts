@@ -22,10 +22,6 @@ const BYTES_PER_VERTEX = 160;
 const SPACE = 0x20;
 const SLASH = 0x2f;
 const LINE_END = 0x0a;
-const LETTER_F = 0x66;
-const LETTER_N = 0x6e;
-const LETTER_T = 0x74;
-const LETTER_V = 0x76;
 /** Light that the skin returns as a highlight, for readers that know no physically based values. */
 const SPECULAR = { Skin: 0.25, Stem: 0.04 } as const;
 
@@ -45,6 +41,8 @@ export function exportObj(grown: Grown, specimen: Specimen, name: string): { obj
 	return { obj: writer.toString(), mtl: writeMtl(specimen.look) };
 }
 
+type Vector = [x: number, y: number, z: number];
+
 /** OBJ counts vertices, normals and texture coordinates from 1 through the whole file. */
 class ObjWriter {
 	readonly #out: TextBuffer;
@@ -62,14 +60,8 @@ class ObjWriter {
 	stem(stem: StemMesh, part: StemPart): void {
 		const last = part.firstVertex + part.vertexCount;
 		this.#object(stemName(part.axis));
-		for (let i = part.firstVertex; i < last; i++) {
-			const [x, y, z] = at3(stem.positions, i);
-			this.#position(x, y, z);
-		}
-		for (let i = part.firstVertex; i < last; i++) {
-			const [x, y, z] = at3(stem.normals, i);
-			this.#normal(x, y, z);
-		}
+		this.#vectors("v ", stem.positions.subarray(3 * part.firstVertex, 3 * last), POSITION_DECIMALS);
+		this.#vectors("vn ", stem.normals.subarray(3 * part.firstVertex, 3 * last), SHADE_DECIMALS);
 		const firstUv = this.#textureCoordinates(stem.uvs.subarray(2 * part.firstVertex, 2 * last));
 		this.line("usemtl Stem");
 		const indices = stem.indices.subarray(part.firstIndex, part.firstIndex + part.indexCount);
@@ -80,14 +72,17 @@ class ObjWriter {
 	/** All berries share one run of texture coordinates. */
 	berries({ berries }: Grown, berry: Mesh): void {
 		const firstUv = this.#textureCoordinates(berry.uvs);
-		const vertexCount = berry.positions.length / 3;
+		const turned = new Float64Array(berry.positions.length);
 		for (let i = 0; i < berries.count; i++) {
-			const [dx, dy, dz] = at3(berries.directions, i);
+			const [x, y, z, radius] = berries.spheres.subarray(4 * i, 4 * i + 4);
+			const [dx, dy, dz] = berries.directions.subarray(3 * i, 3 * i + 3);
+			const turn = rows(fromUp(dx, dy, dz));
 			this.#object(berryName(i, berries.count));
-			this.#baked(berry, berries.spheres.subarray(4 * i, 4 * i + 4), rows(fromUp(dx, dy, dz)));
+			this.#vectors("v ", placed(berry.positions, turn, radius, [x, y, z], turned), POSITION_DECIMALS);
+			this.#vectors("vn ", placed(berry.normals, turn, 1, [0, 0, 0], turned), SHADE_DECIMALS);
 			this.line("usemtl Skin");
 			this.#faces(berry.indices, this.#vertices + 1, firstUv);
-			this.#vertices += vertexCount;
+			this.#vertices += berry.positions.length / 3;
 		}
 	}
 
@@ -99,45 +94,14 @@ class ObjWriter {
 		this.line(`o ${name.replaceAll(" ", "_")}`);
 	}
 
-	/** The shared berry turned by `turn`, scaled and moved to its place; `sphere` is centre and radius. */
-	#baked(berry: Mesh, sphere: Float32Array, turn: Rows): void {
-		const [a, b, c, d, e, f, g, h, k] = turn;
-		const [cx, cy, cz, radius] = sphere as unknown as [number, number, number, number];
-		const count = berry.positions.length / 3;
-		for (let i = 0; i < count; i++) {
-			const [x, y, z] = at3(berry.positions, i);
-			this.#position(
-				cx + radius * (a * x + b * y + c * z),
-				cy + radius * (d * x + e * y + f * z),
-				cz + radius * (g * x + h * y + k * z),
-			);
-		}
-		for (let i = 0; i < count; i++) {
-			const [x, y, z] = at3(berry.normals, i);
-			this.#normal(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + k * z);
-		}
-	}
-
-	#position(x: number, y: number, z: number): void {
-		this.#out.character(LETTER_V);
-		this.#numbers(x, y, z, POSITION_DECIMALS);
-	}
-
-	#normal(x: number, y: number, z: number): void {
-		this.#out.character(LETTER_V);
-		this.#out.character(LETTER_N);
-		this.#numbers(x, y, z, SHADE_DECIMALS);
-	}
-
-	#numbers(x: number, y: number, z: number, decimals: number): void {
+	#vectors(keyword: string, values: Float32Array | Float64Array, decimals: number): void {
 		const out = this.#out;
-		out.character(SPACE);
-		out.fixed(x, decimals);
-		out.character(SPACE);
-		out.fixed(y, decimals);
-		out.character(SPACE);
-		out.fixed(z, decimals);
-		out.character(LINE_END);
+		for (let i = 0; i < values.length; i += 3) {
+			out.word(keyword);
+			out.fixed(values[i], decimals, SPACE);
+			out.fixed(values[i + 1], decimals, SPACE);
+			out.fixed(values[i + 2], decimals, LINE_END);
+		}
 	}
 
 	/**
@@ -147,13 +111,9 @@ class ObjWriter {
 	#textureCoordinates(uvs: Float32Array): number {
 		const out = this.#out;
 		for (let i = 0; i < uvs.length; i += 2) {
-			out.character(LETTER_V);
-			out.character(LETTER_T);
-			out.character(SPACE);
-			out.fixed(uvs[i], SHADE_DECIMALS);
-			out.character(SPACE);
-			out.fixed(1 - uvs[i + 1], SHADE_DECIMALS);
-			out.character(LINE_END);
+			out.word("vt ");
+			out.fixed(uvs[i], SHADE_DECIMALS, SPACE);
+			out.fixed(1 - uvs[i + 1], SHADE_DECIMALS, LINE_END);
 		}
 		const first = this.#uvs + 1;
 		this.#uvs += uvs.length / 2;
@@ -164,21 +124,29 @@ class ObjWriter {
 	#faces(indices: Uint32Array, firstVertex: number, firstUv: number): void {
 		const out = this.#out;
 		for (let i = 0; i < indices.length; i++) {
-			if (i % 3 === 0) out.character(LETTER_F);
+			const corner = i % 3;
+			if (corner === 0) out.word("f ");
 			const vertex = firstVertex + indices[i];
-			out.character(SPACE);
-			out.integer(vertex);
-			out.character(SLASH);
-			out.integer(firstUv + indices[i]);
-			out.character(SLASH);
-			out.integer(vertex);
-			if (i % 3 === 2) out.character(LINE_END);
+			out.integer(vertex, SLASH);
+			out.integer(firstUv + indices[i], SLASH);
+			out.integer(vertex, corner === 2 ? LINE_END : SPACE);
 		}
 	}
 }
 
-function at3(values: Float32Array, index: number): [number, number, number] {
-	return [values[3 * index], values[3 * index + 1], values[3 * index + 2]];
+/** `vectors` turned, scaled and moved, written into `into` and returned. */
+function placed(vectors: Float32Array, turn: Rows, scale: number, centre: Vector, into: Float64Array): Float64Array {
+	const [a, b, c, d, e, f, g, h, k] = turn;
+	const [cx, cy, cz] = centre;
+	for (let i = 0; i < vectors.length; i += 3) {
+		const x = vectors[i];
+		const y = vectors[i + 1];
+		const z = vectors[i + 2];
+		into[i] = cx + scale * (a * x + b * y + c * z);
+		into[i + 1] = cy + scale * (d * x + e * y + f * z);
+		into[i + 2] = cz + scale * (g * x + h * y + k * z);
+	}
+	return into;
 }
 
 /** MTL's own values, then the physically based ones that newer readers know (Pr roughness, Pm metallic). */

@@ -6,8 +6,8 @@
 const ZERO = 0x30;
 const MINUS = 0x2d;
 const POINT = 0x2e;
-/** Digits of 2³¹ − 1, a sign, a point. */
-const LONGEST_NUMBER = 12;
+/** Ten digits of 2³¹ − 1, a sign, a zero and a point, the character after it. */
+const LONGEST_NUMBER = 14;
 const LARGEST_INTEGER = 0x7fffffff;
 const POWERS = [1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
 
@@ -28,41 +28,47 @@ export class TextBuffer {
 		this.#length += encoded.length;
 	}
 
-	/** Appends one ASCII character. */
-	character(code: number): void {
-		this.#reserve(1);
-		this.#bytes[this.#length++] = code;
+	/** Appends a short word of ASCII; many times as fast as `text`. */
+	word(word: string): void {
+		this.#reserve(word.length);
+		for (let i = 0; i < word.length; i++) this.#bytes[this.#length++] = word.charCodeAt(i);
 	}
 
-	/** Appends a whole number, 0 … 2³¹ − 1. */
-	integer(value: number): void {
+	/** Appends a whole number, 0 … 2³¹ − 1, and the character `end`. */
+	integer(value: number, end: number): void {
 		this.#reserve(LONGEST_NUMBER);
 		this.#digits(value, 1);
+		this.#bytes[this.#length++] = end;
 	}
 
-	/** Appends `value` rounded to `decimals` (0 … 9), zeros at the end left out. */
-	fixed(value: number, decimals: number): void {
+	/** Appends `value` rounded to `decimals` (0 … 9), zeros at the end left out, and the character `end`. */
+	fixed(value: number, decimals: number, end: number): void {
 		const power = POWERS[decimals];
 		const scaled = Math.round(Math.abs(value) * power);
 		if (!(scaled <= LARGEST_INTEGER)) {
-			this.text(String(Number(value.toFixed(decimals))));
+			this.text(String(Number(value.toFixed(decimals))) + String.fromCharCode(end));
 			return;
 		}
 		this.#reserve(LONGEST_NUMBER);
 		if (value < 0 && scaled > 0) this.#bytes[this.#length++] = MINUS;
 		const whole = Math.trunc(scaled / power);
 		this.#digits(whole, 1);
-		let fraction = scaled - whole * power;
-		if (fraction === 0) return;
-		let places = decimals;
-		for (; fraction % 10 === 0; fraction /= 10) places--;
-		this.#bytes[this.#length++] = POINT;
-		this.#digits(fraction, places);
+		this.#fraction(scaled - whole * power, decimals);
+		this.#bytes[this.#length++] = end;
 	}
 
 	/** All that was appended. */
 	toString(): string {
 		return new TextDecoder().decode(this.#bytes.subarray(0, this.#length));
+	}
+
+	#fraction(scaled: number, decimals: number): void {
+		if (scaled === 0) return;
+		let fraction = scaled;
+		let places = decimals;
+		for (; fraction % 10 === 0; fraction /= 10) places--;
+		this.#bytes[this.#length++] = POINT;
+		this.#digits(fraction, places);
 	}
 
 	/** Writes at least `least` digits, the last one first. */
