@@ -22,6 +22,13 @@ export function isInstalled(lock, installed) {
 	return known && wanted.every((entry) => same(entry) || (entry[1].optional && !(entry[0] in installed.packages)));
 }
 
+/** What npm says went wrong, without its page of help. */
+function reason(output) {
+	const errors = output.split("\n").filter((line) => /^npm error \S/.test(line));
+	const help = errors.findIndex((line) => /^npm error (Usage|Clean install|A complete log)/.test(line));
+	return errors.slice(0, help < 0 ? undefined : help).join("\n") || output.trim();
+}
+
 /** Runs `npm ci` where the packages are missing or stale. */
 export async function ensurePackages({ log = console.error } = {}) {
 	const lock = readJson(join(repository, "package-lock.json"));
@@ -31,5 +38,5 @@ export async function ensurePackages({ log = console.error } = {}) {
 	const npm = process.env.npm_execpath;
 	const [command, args] = npm?.endsWith("js") ? [process.execPath, [npm]] : ["npm", []];
 	const { status, output } = await run(command, [...args, "ci", "--no-audit", "--no-fund"], { cwd: repository });
-	if (status !== 0) throw new ToolchainError(`npm ci failed:\n${output.trim()}`);
+	if (status !== 0) throw new ToolchainError(`npm ci failed:\n${reason(output)}`);
 }
