@@ -1,0 +1,84 @@
+import { BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, type Texture, Vector3 } from "three";
+import { fromHex } from "./colour";
+import type { LightRig } from "./light";
+
+const VERTEX = /* glsl */ `
+varying vec2 place;
+void main() {
+	place = position.xy;
+	gl_Position = vec4(position.xy, 1.0, 1.0);
+}
+`;
+
+/** Paper: a pool of light that comes from the key's side, the bunch's shadow, a breath of grain against banding. */
+const FRAGMENT = /* glsl */ `
+varying vec2 place;
+uniform sampler2D shadowMap;
+uniform vec3 edge;
+uniform vec3 pool;
+uniform vec3 shade;
+uniform float shadow;
+uniform float aspect;
+float grain(vec2 at) {
+	uvec2 c = uvec2(at) * uvec2(0x9e3779b1u, 0x85ebca6bu);
+	uint h = (c.x ^ c.y) * 0x27d4eb2du;
+	return float((h ^ (h >> 15u)) & 0xffffu) / 65535.0 - 0.5;
+}
+void main() {
+	vec2 from = (place - vec2(-0.18, 0.16)) * vec2(min(aspect, 1.35), 1.0);
+	float near = exp(-1.5 * dot(from, from));
+	vec3 paper = mix(edge, pool, near);
+	float hidden = 1.0 - texture2D(shadowMap, 0.5 * place + 0.5).r;
+	// The shadow fades out before the view's edge so that no edge ever cuts it.
+	vec2 rim = smoothstep(vec2(1.0), vec2(0.72), abs(place));
+	paper *= mix(vec3(1.0), shade, shadow * hidden * rim.x * rim.y);
+	gl_FragColor = vec4(paper, 1.0);
+	#include <colorspace_fragment>
+	gl_FragColor.rgb += grain(gl_FragCoord.xy) * 0.006;
+}
+`;
+
+/** One triangle behind everything; not tone-mapped, so that its edges are exactly the page's colour. */
+export class Backdrop {
+	readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+
+	constructor(shadowMap: Texture) {
+		const geometry = new BufferGeometry();
+		geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+		const material = new ShaderMaterial({
+			name: "backdrop",
+			vertexShader: VERTEX,
+			fragmentShader: FRAGMENT,
+			uniforms: {
+				shadowMap: { value: shadowMap },
+				edge: { value: new Vector3() },
+				pool: { value: new Vector3() },
+				shade: { value: new Vector3(0.42, 0.36, 0.34) },
+				shadow: { value: 0 },
+				aspect: { value: 1 },
+			},
+			depthWrite: false,
+			toneMapped: false,
+		});
+		this.mesh = new Mesh(geometry, material);
+		this.mesh.frustumCulled = false;
+		// After the bunch: the depth test then spares the pixels that berries cover.
+		this.mesh.renderOrder = 1;
+	}
+
+	setRig(rig: LightRig): void {
+		const { uniforms } = this.mesh.material;
+		uniforms.edge.value.fromArray(fromHex(rig.paper.edge));
+		uniforms.pool.value.fromArray(fromHex(rig.paper.pool));
+		uniforms.shadow.value = rig.shadow;
+	}
+
+	setAspect(aspect: number): void {
+		this.mesh.material.uniforms.aspect.value = aspect;
+	}
+
+	dispose(): void {
+		this.mesh.geometry.dispose();
+		this.mesh.material.dispose();
+	}
+}

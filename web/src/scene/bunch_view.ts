@@ -1,0 +1,314 @@
+import {
+	NeutralToneMapping,
+	type Object3D,
+	type PerspectiveCamera,
+	Scene,
+	SRGBColorSpace,
+	Vector3 as Vector,
+	type Vector3,
+	WebGLRenderer,
+} from "three";
+import type { Grown } from "../core/grown";
+import type { Look } from "../specimen/specimen";
+import { Backdrop } from "./backdrop";
+import { berryMaterial, setSkin } from "./berry_material";
+import { BunchSurface } from "./bunch_surface";
+import { type Spindle, spindleOf } from "./camera_fit";
+import { CastShadow } from "./cast_shadow";
+import { CAST_RECORD, Casters } from "./casters";
+import { FrameLoop } from "./frame_loop";
+import { type LightRig, rigOf, spreadOf, type Theme } from "./light";
+import { aimLamps, lightUniforms, setRig } from "./light_shader";
+import { NoWebGL2Error } from "./no_webgl2";
+import { packReceivers, RECORD, type Receivers } from "./receivers";
+import { RecordTexture } from "./record_texture";
+import { berryTint, skinOf } from "./skin";
+import { setStem, stemMaterial } from "./stem_material";
+import { Turntable, type ViewName } from "./turntable";
+
+export type Mode = "whole" | "stems";
+
+export interface BunchViewOptions {
+	/** No gliding, no damping. */
+	reducedMotion?: boolean;
+	theme?: Theme;
+	/** Takes no pointer: for pictures. */
+	still?: boolean;
+}
+
+/** A bunch, lit, on a canvas. Draws only when something has changed. */
+export class BunchView {
+	/** Called once, when the first draw with a bunch has been submitted. */
+	onFirstDraw?: () => void;
+	/** The GPU has dropped the page's pictures; the canvas is blank until `onContextRestored`. */
+	onContextLost?: () => void;
+	onContextRestored?: () => void;
+
+	readonly #canvas: HTMLCanvasElement;
+	readonly #renderer: WebGLRenderer;
+	readonly #scene = new Scene();
+	readonly #turntable: Turntable;
+	readonly #loop: FrameLoop;
+	readonly #light = lightUniforms();
+	readonly #shared;
+	readonly #surface: BunchSurface;
+	readonly #backdrop: Backdrop;
+	readonly #shadow: CastShadow;
+	readonly #receiverRecords = new RecordTexture(RECORD);
+	readonly #casterRecords = new RecordTexture(CAST_RECORD);
+	readonly #casters = new Casters();
+	#receivers: Receivers | undefined;
+	#spindle: Spindle | undefined;
+	#rig: LightRig;
+	#mode: Mode = "whole";
+	#held = false;
+	#lost = false;
+	#rendered = 0;
+	#size = { width: 1, height: 1 };
+
+	/** @throws NoWebGL2Error where the browser has no WebGL 2 */
+	constructor(canvas: HTMLCanvasElement, options: BunchViewOptions = {}) {
+		this.#canvas = canvas;
+		this.#renderer = createRenderer(canvas);
+		this.#shared = {
+			...this.#light,
+			receiverRecords: { value: this.#receiverRecords.texture },
+			casterRecords: { value: this.#casterRecords.texture },
+			berriesShown: { value: 1 },
+		};
+		this.#surface = new BunchSurface(berryMaterial(this.#shared), stemMaterial(this.#shared));
+		this.#shadow = new CastShadow(this.#shared);
+		this.#backdrop = new Backdrop(this.#shadow.target.texture);
+		this.#scene.add(this.#surface.group, this.#backdrop.mesh);
+		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio);
+		this.#turntable = new Turntable(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
+		if (options.still) this.#turntable.controls.disconnect();
+		this.#rig = rigOf(options.theme ?? "light");
+		this.setTheme(options.theme ?? "light");
+		canvas.addEventListener("webglcontextlost", this.#onLost);
+		canvas.addEventListener("webglcontextrestored", this.#onRestored);
+		this.resize();
+	}
+
+	/** Shows a bunch in place of the last. Cheap enough for every step of a drag: buffers and programs are reused. */
+	show(grown: Grown, look: Look): void {
+		const skin = skinOf(look);
+		setSkin(this.#surface.berryMaterial, skin);
+		setStem(this.#surface.stemMaterial, look.stem);
+		const count = grown.berries.count + grown.internodes.count;
+		this.#receiverRecords.reserve(count);
+		this.#casterRecords.reserve(count);
+		this.#shared.receiverRecords.value = this.#receiverRecords.texture;
+		this.#shared.casterRecords.value = this.#casterRecords.texture;
+		this.#receivers = packReceivers(grown, (berry) => berryTint(skin, berry), this.#receiverRecords.data);
+		this.#receiverRecords.changed();
+		this.#surface.show(grown);
+		this.#showBerries();
+		this.#spindle = spindleOf(grown.berries.spheres, grown.internodes.ends);
+		this.#turntable.follow(this.#spindle, this.#held);
+		this.#loop.request(true);
+	}
+
+	/** `stems` shows the stems without berries, withered pedicels marked (the paper's figure 14). */
+	setMode(mode: Mode): void {
+		if (mode === this.#mode) return;
+		this.#mode = mode;
+		this.#showBerries();
+		this.#loop.request();
+	}
+
+	setTheme(theme: Theme): void {
+		this.#rig = rigOf(theme);
+		setRig(this.#light, this.#rig);
+		this.#backdrop.setRig(this.#rig);
+		this.#shadow.setLamp(this.#rig.key.direction, spreadOf(this.#rig.key));
+		this.#loop.request();
+	}
+
+	/** Fits the drawing to the canvas's size on the page; call it when that changes. */
+	resize(): void {
+		this.#loop.setDevice(window.devicePixelRatio);
+		this.#setSize(this.#canvas.clientWidth || this.#canvas.width, this.#canvas.clientHeight || this.#canvas.height);
+		this.#loop.request();
+	}
+
+	/** While held (a handle is being dragged), the view stays put however the bunch grows; let go, it follows. */
+	holdView(held: boolean): void {
+		if (held === this.#held) return;
+		this.#held = held;
+		if (!held && this.#spindle) this.#turntable.follow(this.#spindle, false);
+	}
+
+	/** Turns the bunch, by radians to the right and down. */
+	orbit(dx: number, dy: number): void {
+		this.#turntable.orbit(dx, dy);
+	}
+
+	/** Makes the bunch look `factor` times as large. */
+	zoom(factor: number): void {
+		this.#turntable.zoom(factor);
+	}
+
+	/** Shifts the bunch by shares of the view's height, to the right and down. */
+	pan(dx: number, dy: number): void {
+		this.#turntable.pan(dx, dy);
+	}
+
+	/** The whole bunch, from the direction the page opens with or from a named one. */
+	resetView(view?: ViewName): void {
+		this.#turntable.fit(view);
+	}
+
+	get camera(): PerspectiveCamera {
+		return this.#turntable.camera;
+	}
+
+	/** Whether pointers turn the bunch; a handle in the scene switches this off while it is dragged. */
+	set orbiting(enabled: boolean) {
+		this.#turntable.controls.enabled = enabled;
+	}
+
+	/** Adds something to the scene, in the bunch's metres. */
+	addOverlay(object: Object3D): void {
+		this.#scene.add(object);
+		this.#loop.request();
+	}
+
+	removeOverlay(object: Object3D): void {
+		this.#scene.remove(object);
+		this.#loop.request();
+	}
+
+	/** Where a point of the bunch is on the canvas, in CSS pixels from its top left corner. */
+	project(point: Vector3): { x: number; y: number } {
+		this.camera.updateMatrixWorld();
+		const at = new Vector().copy(point).project(this.camera);
+		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
+	}
+
+	/** Asks for a frame; for overlays that have changed. */
+	requestRender(): void {
+		this.#loop.request();
+	}
+
+	/** How often the scene has been drawn. */
+	get rendersCount(): number {
+		return this.#rendered;
+	}
+
+	/** Settles when nothing is left to draw and the GPU has finished. */
+	async whenIdle(): Promise<void> {
+		await this.#loop.whenIdle();
+		if (!this.#lost) await gpuDone(this.#renderer.getContext() as WebGL2RenderingContext);
+	}
+
+	/** The present view as a PNG of the given size in pixels. */
+	snapshot(width: number, height: number): Promise<Blob> {
+		const { width: shownWidth, height: shownHeight } = this.#size;
+		this.#setSize(width, height);
+		this.#draw(1);
+		const picture = new Promise<Blob>((resolve, reject) => {
+			// toBlob copies the pixels before it returns, so that the view can be put back at once.
+			this.#canvas.toBlob((blob) => {
+				if (blob) resolve(blob);
+				else reject(new Error(`The browser made no picture of ${width} × ${height} pixels; try a smaller one.`));
+			});
+		});
+		this.#setSize(shownWidth, shownHeight);
+		this.#draw(this.#loop.rest);
+		return picture;
+	}
+
+	dispose(): void {
+		this.#loop.stop();
+		this.#canvas.removeEventListener("webglcontextlost", this.#onLost);
+		this.#canvas.removeEventListener("webglcontextrestored", this.#onRestored);
+		this.#turntable.dispose();
+		this.#surface.dispose();
+		this.#backdrop.dispose();
+		this.#shadow.dispose();
+		this.#receiverRecords.dispose();
+		this.#casterRecords.dispose();
+		this.#renderer.dispose();
+	}
+
+	readonly #onLost = (event: Event) => {
+		event.preventDefault();
+		this.#lost = true;
+		this.onContextLost?.();
+	};
+
+	readonly #onRestored = () => {
+		// three sends its buffers, textures and programs again with the next draw.
+		this.#lost = false;
+		this.#loop.request();
+		this.onContextRestored?.();
+	};
+
+	#showBerries(): void {
+		const shown = this.#mode === "whole";
+		this.#surface.berriesVisible = shown;
+		this.#shared.berriesShown.value = shown ? 1 : 0;
+		this.#surface.stemMaterial.uniforms.marking.value = shown ? 0 : 1;
+	}
+
+	#setSize(width: number, height: number): void {
+		this.#size = { width: Math.max(1, width), height: Math.max(1, height) };
+		this.#turntable.setAspect(this.#size.width / this.#size.height);
+		this.#backdrop.setAspect(this.#size.width / this.#size.height);
+	}
+
+	#frame(ratio: number, now: number): boolean {
+		const moving = this.#turntable.advance(now);
+		this.#draw(ratio);
+		return moving;
+	}
+
+	#draw(ratio: number): void {
+		if (this.#lost) return;
+		const { camera } = this;
+		const renderer = this.#renderer;
+		camera.updateMatrixWorld();
+		renderer.setPixelRatio(ratio);
+		renderer.setSize(this.#size.width, this.#size.height, false);
+		const receivers = this.#receivers;
+		if (receivers) {
+			aimLamps(this.#light, this.#rig, camera.matrixWorld);
+			const { key, rim } = this.#light;
+			const lamps = [
+				{ direction: this.#light.keyDirection.value.toArray(), spread: key.value.spread },
+				{ direction: this.#light.rimDirection.value.toArray(), spread: rim.value.spread },
+			] as const;
+			this.#casters.cast(receivers, lamps[0], lamps[1], this.#casterRecords.data);
+			this.#casterRecords.changed();
+			this.#surface.sort(camera);
+			const paper = this.#turntable.distance + 1.15 * this.#turntable.radius;
+			this.#shadow.draw(renderer, camera, receivers, paper, this.#mode === "whole");
+		}
+		renderer.render(this.#scene, camera);
+		this.#rendered++;
+		if (receivers && this.onFirstDraw) {
+			this.onFirstDraw();
+			this.onFirstDraw = undefined;
+		}
+	}
+}
+
+function createRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
+	const context = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "high-performance" });
+	if (!context) throw new NoWebGL2Error();
+	const renderer = new WebGLRenderer({ canvas, context });
+	renderer.outputColorSpace = SRGBColorSpace;
+	renderer.toneMapping = NeutralToneMapping;
+	renderer.autoClearColor = false;
+	return renderer;
+}
+
+/** Settles when the GPU has done all that was asked of it so far; asks now and then rather than block the page. */
+async function gpuDone(gl: WebGL2RenderingContext): Promise<void> {
+	const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+	if (!fence) return;
+	gl.flush();
+	while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((resolve) => setTimeout(resolve, 4));
+	gl.deleteSync(fence);
+}

@@ -1,0 +1,95 @@
+/** What the camera looks at, and from how far. */
+export interface Fit {
+	target: [x: number, y: number, z: number];
+	distance: number;
+	/** Radius of a ball about the target that holds the bunch. */
+	radius: number;
+}
+
+/** A bunch as it looks when spun about its upright axis: a stack of rings. */
+export interface Spindle {
+	/** The upright axis midway between the bunch's sides, and the height midway between its ends. */
+	centre: [x: number, y: number, z: number];
+	/** 3 × rings: distance from the axis, height over the centre, thickness (a berry's radius). */
+	rings: Float32Array;
+}
+
+/** Ways round the axis at which a ring is tried. */
+const TURNS = 24;
+
+/**
+ * Spins a bunch.
+ * @param spheres 4 × berries: centre, radius
+ * @param ends 3 × points: where internodes start and end
+ */
+export function spindleOf(spheres: Float32Array, ends: Float32Array): Spindle {
+	const low = [Infinity, Infinity, Infinity];
+	const high = [-Infinity, -Infinity, -Infinity];
+	const bodies = [
+		{ array: spheres, stride: 4 },
+		{ array: ends, stride: 3 },
+	];
+	for (const { array, stride } of bodies) {
+		for (let i = 0; i + stride <= array.length; i += stride) {
+			const r = stride === 4 ? array[i + 3] : 0;
+			for (let k = 0; k < 3; k++) {
+				low[k] = Math.min(low[k], array[i + k] - r);
+				high[k] = Math.max(high[k], array[i + k] + r);
+			}
+		}
+	}
+	if (!(low[0] <= high[0])) return { centre: [0, 0, 0], rings: new Float32Array([0.05, 0, 0]) };
+	const centre: Spindle["centre"] = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])];
+	const rings = new Float32Array((spheres.length / 4 + ends.length / 3) * 3);
+	let at = 0;
+	for (const { array, stride } of bodies) {
+		for (let i = 0; i + stride <= array.length; i += stride) {
+			rings[at++] = Math.hypot(array[i] - centre[0], array[i + 2] - centre[2]);
+			rings[at++] = array[i + 1] - centre[1];
+			rings[at++] = stride === 4 ? array[i + 3] : 0;
+		}
+	}
+	return { centre, rings };
+}
+
+/**
+ * The nearest distance from which the whole bunch is seen, whichever way it is turned.
+ * @param fov vertical angle of view, radians
+ * @param aspect width over height
+ * @param margin share of the view's height and width kept free on each side
+ * @param elevation of the camera over the target's horizon, radians
+ */
+export function fitView(
+	{ centre, rings }: Spindle,
+	fov: number,
+	aspect: number,
+	margin: number,
+	elevation: number,
+): Fit {
+	const tall = Math.tan(fov / 2) * (1 - 2 * margin);
+	const wide = Math.tan(fov / 2) * aspect * (1 - 2 * margin);
+	const sine = Math.sin(elevation);
+	const cosine = Math.cos(elevation);
+	let distance = 1e-3;
+	let radius = 0;
+	for (let i = 0; i < rings.length; i += 3) {
+		const [out, height, thick] = [rings[i], rings[i + 1], rings[i + 2]];
+		radius = Math.max(radius, Math.hypot(out, height) + thick);
+		for (let turn = 0; turn < TURNS; turn++) {
+			const angle = (2 * Math.PI * turn) / TURNS;
+			const forth = out * Math.cos(angle);
+			const near = forth * cosine + height * sine;
+			const up = Math.abs(height * cosine - forth * sine) + thick;
+			const aside = Math.abs(out * Math.sin(angle)) + thick;
+			distance = Math.max(distance, near + up / tall, near + aside / wide);
+		}
+	}
+	return { target: centre, distance, radius };
+}
+
+/** Whether a bunch has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */
+export function needsRefit(shown: Fit, now: Fit): boolean {
+	const ratio = now.distance / shown.distance;
+	const moved = Math.hypot(...now.target.map((value, k) => value - shown.target[k]));
+	return ratio > 1.12 || ratio < 0.75 || moved > 0.25 * shown.radius;
+}

@@ -1,0 +1,63 @@
+/** A colour as linear red, green, blue, 0 … 1. */
+export type Rgb = [red: number, green: number, blue: number];
+
+/** OKLCh: perceived lightness 0 … 1, chroma 0 … about 0.3, hue in radians (Ottosson 2020, "A perceptual color space"). */
+export interface Lch {
+	lightness: number;
+	chroma: number;
+	hue: number;
+}
+
+function decode(channel: number): number {
+	return channel <= 0.04045 ? channel / 12.92 : ((channel + 0.055) / 1.055) ** 2.4;
+}
+
+/** Linear colour of six hexadecimal sRGB digits; mid grey where they cannot be read, so that a bad link still draws. */
+export function fromHex(hex: string): Rgb {
+	const digits = /^#?([0-9a-f]{6})$/i.exec(hex)?.[1];
+	const value = digits === undefined ? 0x808080 : Number.parseInt(digits, 16);
+	return [decode(((value >> 16) & 255) / 255), decode(((value >> 8) & 255) / 255), decode((value & 255) / 255)];
+}
+
+/** Linear sRGB to OKLCh. */
+export function toLch([red, green, blue]: Rgb): Lch {
+	const l = Math.cbrt(0.4122214708 * red + 0.5363325363 * green + 0.0514459929 * blue);
+	const m = Math.cbrt(0.2119034982 * red + 0.6806995451 * green + 0.1073969566 * blue);
+	const s = Math.cbrt(0.0883024619 * red + 0.2817188376 * green + 0.6299787005 * blue);
+	const lightness = 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s;
+	const a = 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s;
+	const b = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
+	return { lightness, chroma: Math.hypot(a, b), hue: Math.atan2(b, a) };
+}
+
+/** OKLCh to linear sRGB, each channel brought back into 0 … 1. */
+export function fromLch({ lightness, chroma, hue }: Lch): Rgb {
+	const a = chroma * Math.cos(hue);
+	const b = chroma * Math.sin(hue);
+	const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+	const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+	const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+	return [
+		clamp(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s, 0, 1),
+		clamp(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s, 0, 1),
+		clamp(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s, 0, 1),
+	];
+}
+
+export function clamp(value: number, low: number, high: number): number {
+	return Math.min(high, Math.max(low, value));
+}
+
+/** Hermite step from 0 at `low` to 1 at `high`. */
+export function smoothstep(low: number, high: number, value: number): number {
+	const t = clamp((value - low) / (high - low), 0, 1);
+	return t * t * (3 - 2 * t);
+}
+
+export function mix(from: number, to: number, share: number): number {
+	return from + (to - from) * share;
+}
+
+export function mixRgb(from: Rgb, to: Rgb, share: number): Rgb {
+	return [mix(from[0], to[0], share), mix(from[1], to[1], share), mix(from[2], to[2], share)];
+}

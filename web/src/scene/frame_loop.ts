@@ -1,0 +1,93 @@
+import { PixelRatio } from "./pixel_ratio";
+
+/** How long after the last movement the picture is drawn at its full resolution. */
+const SETTLE = 140;
+
+export interface Frame {
+	/** Pixels per CSS pixel to draw at. */
+	ratio: number;
+	/** Time stamp of the animation frame, ms. */
+	now: number;
+}
+
+/**
+ * Draws on demand: asleep until something asks for a frame, one frame per ask, coarser while a movement is slow and
+ * once more in full when it has ended.
+ */
+export class FrameLoop {
+	#scheduled = 0;
+	#settling: ReturnType<typeof setTimeout> | undefined;
+	#previous = 0;
+	#ratio: PixelRatio;
+	#waiting: (() => void)[] = [];
+	#moving = false;
+	#stopped = false;
+
+	/** @param draw draws one frame; true asks for another at once (a movement goes on) */
+	constructor(
+		readonly draw: (frame: Frame) => boolean,
+		device: number,
+	) {
+		this.#ratio = new PixelRatio(device);
+	}
+
+	/** For a screen of another density. */
+	setDevice(device: number): void {
+		this.#ratio = new PixelRatio(device);
+	}
+
+	get rest(): number {
+		return this.#ratio.rest;
+	}
+
+	/** Asks for a frame. @param moving part of a movement: it may be drawn coarser, and in full afterwards */
+	request(moving = false): void {
+		if (this.#stopped) return;
+		this.#moving ||= moving;
+		if (this.#scheduled === 0) this.#scheduled = requestAnimationFrame((now) => this.#frame(now));
+	}
+
+	/** Settles when nothing is left to draw. */
+	whenIdle(): Promise<void> {
+		if (this.#scheduled === 0 && this.#settling === undefined) return Promise.resolve();
+		return new Promise((resolve) => this.#waiting.push(resolve));
+	}
+
+	stop(): void {
+		this.#stopped = true;
+		cancelAnimationFrame(this.#scheduled);
+		clearTimeout(this.#settling);
+		this.#scheduled = 0;
+		this.#settling = undefined;
+		this.#wake();
+	}
+
+	#frame(now: number): void {
+		this.#scheduled = 0;
+		const moving = this.#moving;
+		this.#moving = false;
+		if (moving && this.#previous > 0) this.#ratio.note(now - this.#previous);
+		this.#previous = moving ? now : 0;
+		const goesOn = this.draw({ ratio: moving ? this.#ratio.moving : this.#ratio.rest, now });
+		clearTimeout(this.#settling);
+		this.#settling = undefined;
+		if (goesOn) this.request(true);
+		else if (moving) this.#settle();
+		if (this.#scheduled === 0 && this.#settling === undefined) this.#wake();
+	}
+
+	#settle(): void {
+		this.#settling = setTimeout(() => {
+			this.#settling = undefined;
+			this.#previous = 0;
+			if (this.#ratio.moving < this.#ratio.rest) this.request();
+			else if (this.#scheduled === 0) this.#wake();
+		}, SETTLE);
+	}
+
+	#wake(): void {
+		const waiting = this.#waiting;
+		this.#waiting = [];
+		for (const resolve of waiting) resolve();
+	}
+}

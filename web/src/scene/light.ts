@@ -1,0 +1,102 @@
+import { Matrix3, Vector3, Vector4 } from "three";
+import type { Rgb } from "./colour";
+
+export type Theme = "light" | "dark";
+
+/**
+ * One broad patch of the surroundings: a spherical Gaussian, colour · exp(sharpness · (cos γ − 1)) (Wang et al. 2009,
+ * "All-frequency rendering of dynamic, spatially-varying reflectance", section 3). A handful of these *is* the
+ * environment: blurring one for a rough surface or for diffuse light is arithmetic, so nothing is filtered or loaded.
+ */
+export interface Lobe {
+	axis: Vector3;
+	sharpness: number;
+	colour: Rgb;
+}
+
+/** A window or a softbox: a rectangle at infinity, given by tangents of its half angles. */
+export interface Window {
+	direction: Vector3;
+	half: [across: number, along: number];
+	/** Irradiance on a surface facing it. */
+	irradiance: Rgb;
+	/** Width of the glazing bars as a tangent; 0 for a plain softbox. */
+	bars: number;
+}
+
+/** All light there is. Directions are the viewer's: +X right, +Y up, +Z towards the eye. */
+export interface LightRig {
+	key: Window;
+	rim: Window;
+	surroundings: Lobe[];
+	/** How dark the bunch's shadow on the paper is at most. */
+	shadow: number;
+	/** The paper: at its edges (the page's own colour) and where the light falls, as sRGB hexadecimal. */
+	paper: { edge: string; pool: string };
+}
+
+const toward = (x: number, y: number, z: number) => new Vector3(x, y, z).normalize();
+
+const RIGS: Record<Theme, LightRig> = {
+	light: {
+		key: { direction: toward(-0.62, 0.66, 0.62), half: [0.26, 0.36], irradiance: [2.5, 2.38, 2.2], bars: 0.022 },
+		rim: { direction: toward(0.72, 0.3, -0.62), half: [0.16, 0.7], irradiance: [1.9, 1.75, 1.5], bars: 0 },
+		surroundings: [
+			{ axis: toward(-0.1, 1, 0.15), sharpness: 1.6, colour: [0.62, 0.7, 0.82] },
+			{ axis: toward(0.1, -1, 0.25), sharpness: 1.7, colour: [0.46, 0.4, 0.33] },
+			{ axis: toward(0, 0, -1), sharpness: 2.2, colour: [0.66, 0.62, 0.54] },
+			{ axis: toward(0.75, 0.05, 0.65), sharpness: 2, colour: [0.3, 0.3, 0.3] },
+		],
+		shadow: 0.34,
+		paper: { edge: "f4efe4", pool: "fbf8f1" },
+	},
+	dark: {
+		key: { direction: toward(-0.66, 0.62, 0.5), half: [0.26, 0.36], irradiance: [2.5, 2.28, 1.98], bars: 0.022 },
+		rim: { direction: toward(0.75, 0.28, -0.6), half: [0.16, 0.7], irradiance: [2.6, 2.1, 1.55], bars: 0 },
+		surroundings: [
+			{ axis: toward(-0.2, 1, 0.1), sharpness: 2, colour: [0.24, 0.29, 0.38] },
+			{ axis: toward(0.1, -1, 0.25), sharpness: 1.8, colour: [0.14, 0.1, 0.07] },
+			{ axis: toward(0, 0, -1), sharpness: 2.2, colour: [0.08, 0.06, 0.05] },
+			{ axis: toward(0.75, 0.05, 0.65), sharpness: 2, colour: [0.12, 0.11, 0.11] },
+		],
+		shadow: 0.55,
+		paper: { edge: "14100e", pool: "2c231f" },
+	},
+};
+
+export function rigOf(theme: Theme): LightRig {
+	return RIGS[theme];
+}
+
+/** Sharpness of the Gaussian nearest to a clamped cosine (Tsai & Shih 2006 fit it so). */
+export const COSINE_SHARPNESS = 2.133;
+/** Sharpness of the mirror lobe of a taut skin: GGX roughness of about 0.25 (Wang et al. 2009, equation 21: 2/α²). */
+export const GLOSS_SHARPNESS = 32;
+
+/** ∫ exp(s (cos γ − 1)) dω over the sphere. */
+function integral(sharpness: number): number {
+	return (2 * Math.PI * (1 - Math.exp(-2 * sharpness))) / sharpness;
+}
+
+/**
+ * The lobe blurred by a unit Gaussian of the given sharpness: 1/s adds up as variances do, and what the lobe holds in
+ * all stays the same. Returns colour and sharpness as the shader takes them.
+ */
+export function blurred(lobe: Lobe, sharpness: number): Vector4 {
+	const wide = (lobe.sharpness * sharpness) / (lobe.sharpness + sharpness);
+	const gain = integral(lobe.sharpness) / integral(wide);
+	return new Vector4(lobe.colour[0] * gain, lobe.colour[1] * gain, lobe.colour[2] * gain, wide);
+}
+
+/** Tangent of the apparent radius of a round lamp as large as the window. */
+export function spreadOf(window: Window): number {
+	return 2 * Math.sqrt((window.half[0] * window.half[1]) / Math.PI) * 0.5;
+}
+
+/** Turns a direction into a window's frame: across, along (as upright as can be), towards it. */
+export function frameOf(window: Window): Matrix3 {
+	const across = new Vector3(0, 1, 0).cross(window.direction).normalize();
+	const along = window.direction.clone().cross(across);
+	const d = window.direction;
+	return new Matrix3(across.x, across.y, across.z, along.x, along.y, along.z, d.x, d.y, d.z);
+}

@@ -1,0 +1,187 @@
+import { Matrix3, type Matrix4, Vector3, Vector4 } from "three";
+import { CAST_RECORD, CASTERS } from "./casters";
+import { blurred, COSINE_SHARPNESS, frameOf, GLOSS_SHARPNESS, type LightRig, spreadOf, type Window } from "./light";
+import { NEIGHBOURS, RECORD } from "./receivers";
+import { RECORDS_PER_ROW } from "./record_texture";
+
+const LOBES = 4;
+
+/** Uniform values of one window. */
+function windowUniforms(): {
+	toFrame: Matrix3;
+	extent: Vector3;
+	irradiance: Vector3;
+	radiance: Vector3;
+	spread: number;
+} {
+	return {
+		toFrame: new Matrix3(),
+		extent: new Vector3(),
+		irradiance: new Vector3(),
+		radiance: new Vector3(),
+		spread: 0,
+	};
+}
+
+/** The uniforms every lit surface shares: one object, so that a change of light reaches all materials at once. */
+export function lightUniforms() {
+	const lobes = () => Array.from({ length: LOBES }, () => new Vector4());
+	return {
+		lobeAxes: { value: Array.from({ length: LOBES }, () => new Vector3()) },
+		lobesDiffuse: { value: lobes() },
+		lobesGloss: { value: lobes() },
+		key: { value: windowUniforms() },
+		rim: { value: windowUniforms() },
+		keyDirection: { value: new Vector3() },
+		rimDirection: { value: new Vector3() },
+	};
+}
+
+export type LightUniforms = ReturnType<typeof lightUniforms>;
+
+function setWindow(to: ReturnType<typeof windowUniforms>, window: Window): void {
+	to.toFrame.copy(frameOf(window));
+	to.extent.set(window.half[0], window.half[1], window.bars);
+	to.irradiance.fromArray(window.irradiance);
+	// Brighter than its irradiance alone would make it, for the highlight that film rolls off and a screen clips.
+	to.radiance.copy(to.irradiance).multiplyScalar(1.6 / (4 * window.half[0] * window.half[1]));
+	to.spread = spreadOf(window);
+}
+
+/** Loads a rig into the uniforms. */
+export function setRig(uniforms: LightUniforms, rig: LightRig): void {
+	rig.surroundings.forEach((lobe, i) => {
+		uniforms.lobeAxes.value[i].copy(lobe.axis);
+		uniforms.lobesDiffuse.value[i].copy(blurred(lobe, COSINE_SHARPNESS));
+		uniforms.lobesGloss.value[i].copy(blurred(lobe, GLOSS_SHARPNESS));
+	});
+	setWindow(uniforms.key.value, rig.key);
+	setWindow(uniforms.rim.value, rig.rim);
+}
+
+/** Turns the lamps with the viewer: the bunch is turned in the light, the light is not walked around. */
+export function aimLamps(uniforms: LightUniforms, rig: LightRig, cameraWorld: Matrix4): void {
+	uniforms.keyDirection.value.copy(rig.key.direction).transformDirection(cameraWorld);
+	uniforms.rimDirection.value.copy(rig.rim.direction).transformDirection(cameraWorld);
+}
+
+/** Fetching records; for vertex and fragment shaders. */
+export const RECORD_CHUNK = /* glsl */ `
+uniform highp sampler2D receiverRecords;
+uniform highp sampler2D casterRecords;
+vec4 receiver_texel(int receiver, int texel) {
+	return texelFetch(receiverRecords, ivec2((receiver % ${RECORDS_PER_ROW}) * ${RECORD} + texel, receiver / ${RECORDS_PER_ROW}), 0);
+}
+vec4 caster_texel(int receiver, int texel) {
+	return texelFetch(casterRecords, ivec2((receiver % ${RECORDS_PER_ROW}) * ${CAST_RECORD} + texel, receiver / ${RECORDS_PER_ROW}), 0);
+}
+`;
+
+/**
+ * Light arriving at a point. Directions \`n\`, \`r\`, \`v\` are the bunch's own; the surroundings and windows are the
+ * viewer's, reached through viewMatrix. \`p\` is the point relative to its receiver's centre.
+ */
+export const LIGHT_CHUNK = /* glsl */ `
+struct Window { mat3 toFrame; vec3 extent; vec3 irradiance; vec3 radiance; float spread; };
+struct Nearby { float sky; float mirror; float gap; };
+uniform vec3 lobeAxes[${LOBES}];
+uniform vec4 lobesDiffuse[${LOBES}];
+uniform vec4 lobesGloss[${LOBES}];
+uniform Window key;
+uniform Window rim;
+uniform vec3 keyDirection;
+uniform vec3 rimDirection;
+uniform float berriesShown;
+
+vec3 surroundings(vec3 d, vec4 lobes[${LOBES}]) {
+	vec3 sum = vec3(0.0);
+	for (int i = 0; i < ${LOBES}; i++) sum += lobes[i].rgb * exp(lobes[i].w * (dot(d, lobeAxes[i]) - 1.0));
+	return sum;
+}
+
+// Share of a mirror lobe that falls into the window; \`blur\` is the tangent by which roughness softens its edges.
+float reflected_window(vec3 d, Window w, float blur) {
+	vec3 q = w.toFrame * d;
+	if (q.z <= 0.05) return 0.0;
+	vec2 at = q.xy / q.z;
+	vec2 inside = smoothstep(-w.extent.xy - blur, -w.extent.xy + blur, at) - smoothstep(w.extent.xy - blur, w.extent.xy + blur, at);
+	float bar = w.extent.z / (w.extent.z + 0.6 * blur);
+	vec2 pane = 1.0 - bar * (1.0 - smoothstep(w.extent.z, w.extent.z + blur, abs(at - vec2(0.0, 0.3 * w.extent.y))));
+	vec2 kept = w.extent.xy / (w.extent.xy + 0.5 * blur);
+	return inside.x * inside.y * kept.x * kept.y * (w.extent.z > 0.0 ? pane.x * pane.y : 1.0);
+}
+
+float sky_hidden(float sine, float cosine) {
+	float low = cosine + sine;
+	float lifted = cosine >= sine ? cosine : low * low / (4.0 * sine);
+	return low <= 0.0 ? 0.0 : sine * sine * lifted;
+}
+
+// What the nearest spheres and the far ones leave of the sky and of the mirror lobe, and the gap to the nearest.
+Nearby nearby(int receiver, vec3 p, vec3 n, vec3 r, float blur) {
+	Nearby result = Nearby(1.0, 1.0, 1e3);
+	if (berriesShown < 0.5) return result;
+	vec4 far = receiver_texel(receiver, 3);
+	result.sky = exp(-max(0.0, far.x + dot(far.yzw, n)));
+	result.mirror = exp(-max(0.0, far.x + dot(far.yzw, r)));
+	for (int i = 0; i < ${NEIGHBOURS}; i++) {
+		vec4 s = receiver_texel(receiver, 4 + i);
+		if (s.w <= 0.0) break;
+		vec3 d = s.xyz - p;
+		float away = max(length(d), s.w * 1.001);
+		d /= away;
+		float sine = s.w / away;
+		result.sky *= 1.0 - sky_hidden(sine, dot(n, d));
+		float edge = sqrt(1.0 - sine * sine);
+		result.mirror *= 1.0 - smoothstep(edge - blur, edge + blur, dot(r, d));
+		result.gap = min(result.gap, away - s.w);
+	}
+	return result;
+}
+
+// Share of the key light that passes the spheres in its way.
+float key_light(int receiver, vec3 p) {
+	float share = 1.0;
+	if (berriesShown < 0.5) return share;
+	for (int i = 0; i < ${CASTERS}; i++) {
+		vec4 s = caster_texel(receiver, 1 + i);
+		if (s.w <= 0.0) break;
+		vec3 d = s.xyz - p;
+		float along = dot(d, keyDirection);
+		float lateral = sqrt(max(0.0, dot(d, d) - along * along));
+		float blur = max(along * key.spread, 0.02 * s.w);
+		float most = min(1.0, s.w * s.w / (blur * blur));
+		share *= 1.0 - most * (1.0 - smoothstep(s.w - blur, s.w + blur, lateral)) * step(0.0, along);
+	}
+	return share;
+}
+
+// Light that bounces between equal surfaces brightens and tints the shade (Jimenez et al. 2016, "Practical real-time
+// strategies for accurate indirect occlusion", equation 10).
+vec3 bounced(float visible, vec3 albedo) {
+	vec3 a = 2.0404 * albedo - 0.3324;
+	vec3 b = -4.7951 * albedo + 0.6417;
+	vec3 c = 2.7552 * albedo + 0.6903;
+	return max(vec3(visible), ((visible * a + b) * visible + c) * visible);
+}
+
+float hash(ivec3 cell) {
+	uvec3 c = uvec3(cell) * uvec3(0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u);
+	uint h = (c.x ^ c.y ^ c.z) * 0x27d4eb2du;
+	return float((h ^ (h >> 15u)) & 0xffffu) / 65535.0;
+}
+
+// Smooth noise of one octave, 0 … 1.
+float noise(vec3 at) {
+	vec3 floored = floor(at);
+	ivec3 i = ivec3(floored);
+	vec3 f = at - floored;
+	f = f * f * (3.0 - 2.0 * f);
+	vec4 near = vec4(hash(i), hash(i + ivec3(1, 0, 0)), hash(i + ivec3(0, 1, 0)), hash(i + ivec3(1, 1, 0)));
+	i.z += 1;
+	vec4 far = vec4(hash(i), hash(i + ivec3(1, 0, 0)), hash(i + ivec3(0, 1, 0)), hash(i + ivec3(1, 1, 0)));
+	vec4 z = mix(near, far, f.z);
+	vec2 y = mix(z.xy, z.zw, f.y);
+	return mix(y.x, y.y, f.x);
+}
+`;

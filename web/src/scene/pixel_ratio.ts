@@ -1,0 +1,44 @@
+/** No screen shows more than this to the naked eye. */
+const MOST = 2;
+const LEAST = 0.5;
+/** A frame slower than this (ms) is felt as lag; one faster leaves room for finer pixels. */
+const SLOW = 42;
+const FAST = 20;
+
+/**
+ * Pixels per CSS pixel while something moves: coarser where frames come slowly, finer again where they come fast. At
+ * rest the picture is always drawn at the device's own ratio, so what is looked at is never coarse.
+ */
+export class PixelRatio {
+	readonly rest: number;
+	#moving: number;
+	#smoothed = 0;
+	#frames = 0;
+
+	/** @param device `devicePixelRatio` */
+	constructor(device: number) {
+		this.rest = Math.min(Math.max(device, 1), MOST);
+		this.#moving = this.rest;
+	}
+
+	get moving(): number {
+		return this.#moving;
+	}
+
+	/** Notes the time between two frames of one movement, in milliseconds. */
+	note(milliseconds: number): void {
+		this.#smoothed = this.#frames === 0 ? milliseconds : this.#smoothed + 0.4 * (milliseconds - this.#smoothed);
+		this.#frames++;
+		if (this.#frames < 3) return;
+		if (this.#smoothed > SLOW) this.#step(Math.max(0.6, Math.sqrt(SLOW / (1.3 * this.#smoothed))));
+		else if (this.#smoothed < FAST && this.#moving < this.rest && this.#frames > 20) this.#step(1.15);
+	}
+
+	#step(factor: number): void {
+		// Quarters: fewer sizes, fewer reallocations of the drawing buffer.
+		const wanted = Math.min(this.rest, Math.max(LEAST, this.#moving * factor));
+		this.#moving =
+			factor < 1 ? Math.max(LEAST, Math.floor(wanted * 8) / 8) : Math.min(this.rest, Math.ceil(wanted * 8) / 8);
+		this.#frames = 0;
+	}
+}

@@ -1,0 +1,209 @@
+import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { type Fit, fitView, needsRefit, type Spindle } from "./camera_fit";
+
+/** A long lens, as for a portrait: berries stay round at the view's edge. */
+const FOV = 24;
+const MARGIN = 0.07;
+/** Where the camera stands at first, in degrees: a little to the right, a little above. */
+const AZIMUTH = 24;
+const ELEVATION = 7;
+/** How long the view takes to follow a bunch that has outgrown it, ms. */
+const EASE = 320;
+
+export type ViewName = "three-quarter" | "front" | "side";
+
+const VIEWS: Record<ViewName, { azimuth: number; elevation: number }> = {
+	"three-quarter": { azimuth: AZIMUTH, elevation: ELEVATION },
+	front: { azimuth: 0, elevation: 0 },
+	side: { azimuth: 90, elevation: 0 },
+};
+
+/** The camera and the hand that turns the bunch before it. */
+export class Turntable {
+	readonly camera = new PerspectiveCamera(FOV, 1, 0.01, 10);
+	readonly controls: OrbitControls;
+	#fit: Fit | undefined;
+	#spindle: Spindle | undefined;
+	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
+
+	/** @param changed called when the view moves and must be drawn again */
+	constructor(
+		canvas: HTMLElement,
+		readonly reducedMotion: boolean,
+		readonly changed: () => void,
+	) {
+		this.controls = new OrbitControls(this.camera, canvas);
+		this.controls.enableDamping = !reducedMotion;
+		this.controls.dampingFactor = 0.12;
+		this.controls.rotateSpeed = 0.85;
+		this.controls.minPolarAngle = 0.12;
+		this.controls.maxPolarAngle = Math.PI - 0.12;
+		this.controls.addEventListener("change", () => {
+			this.#keepInReach();
+			changed();
+		});
+		this.controls.addEventListener("start", () => {
+			this.#glide = undefined;
+		});
+		this.#place(VIEWS["three-quarter"]);
+	}
+
+	/** Distance from the eye to what it looks at. */
+	get distance(): number {
+		return this.camera.position.distanceTo(this.controls.target);
+	}
+
+	/** Radius of a ball about the bunch. */
+	get radius(): number {
+		return this.#fit?.radius ?? 0.1;
+	}
+
+	setAspect(aspect: number): void {
+		const before = this.#fit;
+		this.camera.aspect = aspect;
+		this.camera.updateProjectionMatrix();
+		// A window that changes shape keeps the bunch as large in it as it was.
+		if (this.#spindle && before) {
+			const zoom = this.distance / before.distance;
+			this.#fit = this.#fitNow(this.#spindle);
+			this.#setDistance(this.#fit.distance * zoom);
+			this.#setLimits();
+		}
+	}
+
+	/** Takes note of the bunch shown. The view follows only when it must, gliding, and never while `held`. */
+	follow(spindle: Spindle, held: boolean): void {
+		this.#spindle = spindle;
+		const now = this.#fitNow(spindle);
+		if (this.#fit === undefined) this.fit();
+		else if (!held && needsRefit(this.#fit, now)) this.#glideTo(now);
+	}
+
+	/** Shows the whole bunch, from the first direction or the one asked for. */
+	fit(view: ViewName = "three-quarter"): void {
+		this.#glide = undefined;
+		this.#place(VIEWS[view]);
+		if (this.#spindle) {
+			this.#fit = this.#fitNow(this.#spindle);
+			this.controls.target.fromArray(this.#fit.target);
+			this.#place(VIEWS[view]);
+			this.#setDistance(this.#fit.distance);
+			this.#setLimits();
+		}
+		this.camera.lookAt(this.controls.target);
+		this.changed();
+	}
+
+	/** Turns the bunch by angles in radians: to the right, and its top towards the eye. */
+	orbit(right: number, down: number): void {
+		const arm = this.camera.position.clone().sub(this.controls.target);
+		const at = new Spherical().setFromVector3(arm);
+		at.theta -= right;
+		at.phi = MathUtils.clamp(at.phi - down, this.controls.minPolarAngle, this.controls.maxPolarAngle);
+		this.camera.position.setFromSpherical(at).add(this.controls.target);
+		this.#moved();
+	}
+
+	/** Makes the bunch look `factor` times as large. */
+	zoom(factor: number): void {
+		const { minDistance, maxDistance } = this.controls;
+		this.#setDistance(MathUtils.clamp(this.distance / factor, minDistance, maxDistance));
+		this.#moved();
+	}
+
+	/** Shifts the bunch by shares of the view's height: to the right, down. */
+	pan(right: number, down: number): void {
+		const span = 2 * this.distance * Math.tan(MathUtils.degToRad(FOV) / 2);
+		const shift = new Vector3(-right * span, down * span, 0).applyQuaternion(this.camera.quaternion);
+		this.controls.target.add(shift);
+		this.camera.position.add(shift);
+		this.#keepInReach();
+		this.#moved();
+	}
+
+	/** Moves the view on by one frame; true while it is still moving. */
+	advance(now: number): boolean {
+		const glide = this.#glide;
+		if (glide) {
+			if (glide.start === 0) glide.start = now;
+			const t = this.reducedMotion ? 1 : Math.min(1, (now - glide.start) / EASE);
+			const eased = 1 - (1 - t) ** 3;
+			const arm = this.camera.position.clone().sub(this.controls.target).normalize();
+			this.controls.target.lerpVectors(glide.from, glide.to, eased);
+			const distance = MathUtils.lerp(glide.fromDistance, glide.toDistance, eased);
+			this.camera.position.copy(arm.multiplyScalar(distance).add(this.controls.target));
+			if (t === 1) {
+				this.#glide = undefined;
+				this.#setLimits();
+			}
+		}
+		const moved = this.controls.update();
+		this.camera.updateMatrixWorld();
+		return moved || this.#glide !== undefined;
+	}
+
+	dispose(): void {
+		this.controls.dispose();
+	}
+
+	#fitNow(spindle: Spindle): Fit {
+		const arm = this.camera.position.clone().sub(this.controls.target);
+		const elevation = Math.PI / 2 - new Spherical().setFromVector3(arm).phi;
+		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, elevation);
+	}
+
+	#glideTo(fit: Fit): void {
+		const zoom = this.#fit ? this.distance / this.#fit.distance : 1;
+		this.#fit = fit;
+		this.controls.minDistance = 0;
+		this.controls.maxDistance = Infinity;
+		this.#glide = {
+			from: this.controls.target.clone(),
+			to: new Vector3(...fit.target),
+			fromDistance: this.distance,
+			toDistance: fit.distance * zoom,
+			start: 0,
+		};
+		this.changed();
+	}
+
+	#place({ azimuth, elevation }: { azimuth: number; elevation: number }): void {
+		const at = new Spherical(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
+		this.camera.position.setFromSpherical(at).add(this.controls.target);
+	}
+
+	#setDistance(distance: number): void {
+		const arm = this.camera.position.clone().sub(this.controls.target).setLength(distance);
+		this.camera.position.copy(arm.add(this.controls.target));
+	}
+
+	/** From inside the outermost berries' bloom to a bunch as small as a stamp. */
+	#setLimits(): void {
+		const fit = this.#fit;
+		if (!fit) return;
+		this.controls.minDistance = 0.25 * fit.distance;
+		this.controls.maxDistance = 4 * fit.distance;
+		this.camera.near = 0.02 * fit.distance;
+		this.camera.far = 10 * fit.distance;
+		this.camera.updateProjectionMatrix();
+	}
+
+	/** The bunch can be shifted, but not out of sight. */
+	#keepInReach(): void {
+		const fit = this.#fit;
+		if (!fit || this.#glide) return;
+		const centre = new Vector3(...fit.target);
+		const away = this.controls.target.clone().sub(centre);
+		const excess = away.length() - fit.radius;
+		if (excess <= 0) return;
+		const back = away.setLength(-excess);
+		this.controls.target.add(back);
+		this.camera.position.add(back);
+	}
+
+	#moved(): void {
+		this.camera.lookAt(this.controls.target);
+		this.changed();
+	}
+}
