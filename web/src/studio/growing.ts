@@ -1,0 +1,74 @@
+import { type Client, createClient } from "../core/client";
+import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../core/errors";
+import type { Specimen } from "../specimen/specimen";
+import type { Studio } from "./studio";
+
+/** What takes longer than this shows that it grows, and can be cancelled; milliseconds. */
+const PATIENCE = 200;
+
+/** Keeps the studio's bunch in step with its specimen: asks the client, hands over what grew, says what went wrong. */
+export class Growing {
+	readonly #client: Client;
+	/** The newest request; older answers are shown too while a drag goes on, so that every frame is the latest there is. */
+	#newest = 0;
+	#shown = 0;
+	#cancel: AbortController | undefined;
+	#timer: ReturnType<typeof setTimeout> | undefined;
+
+	constructor(
+		private readonly studio: () => Studio,
+		client: { wasmUrl: string | URL },
+	) {
+		this.#client = createClient({ ...client, onNote: (text) => console.info(text) });
+	}
+
+	/** Grows a specimen; a newer call takes its place. */
+	async grow(specimen: Specimen): Promise<void> {
+		const turn = ++this.#newest;
+		this.#cancel ??= new AbortController();
+		this.#timer ??= setTimeout(() => this.studio().setGrowing(true), PATIENCE);
+		try {
+			const grown = await this.#client.grow(specimen, { signal: this.#cancel.signal });
+			if (turn < this.#shown) return;
+			this.#shown = turn;
+			if (turn === this.#newest) this.#rest();
+			this.studio().grew(grown, specimen);
+		} catch (error) {
+			if (turn !== this.#newest) return;
+			this.#rest();
+			this.#explain(error);
+		}
+	}
+
+	/** Ends what is under way; the last bunch stays. */
+	cancel(): void {
+		this.#cancel?.abort(new Cancelled());
+	}
+
+	#rest(): void {
+		clearTimeout(this.#timer);
+		this.#timer = undefined;
+		this.#cancel = undefined;
+		this.studio().setGrowing(false);
+	}
+
+	#explain(error: unknown): void {
+		const studio = this.studio();
+		if (error instanceof Superseded) return;
+		if (error instanceof Cancelled)
+			studio.notify("Growing was cancelled", ["The last bunch stays; any change grows again."]);
+		else if (error instanceof CoreError) studio.notify("This cannot be grown; the last bunch stays", [where(error)]);
+		else if (error instanceof CoreTrap) {
+			studio.notify("Growing broke off and its worker was replaced", ["The last bunch stays; any change grows again."]);
+		} else if (error instanceof UnsupportedError) studio.fail("No bunch can grow here", [error.message]);
+		else studio.fail("No bunch can grow here", [error instanceof Error ? error.message : String(error)]);
+	}
+}
+
+class Cancelled extends Error {
+	override name = "Cancelled";
+}
+
+function where({ message, line, column }: CoreError): string {
+	return line > 0 ? `Line ${line}, column ${column} of the grammar: ${message}` : message;
+}

@@ -1,0 +1,85 @@
+/** The application's start: wires the store to the worker, the address bar and the page, and nothing else. */
+import coreUrl from "../../../build/core/panicle.wasm?url";
+import { readAddress, readWholeAddress, writeAddress } from "./address";
+import { Growing } from "./growing";
+import { listenForShortcuts } from "./shortcuts";
+import { loadScene } from "./solid_view";
+import { Studio } from "./studio";
+import { applyTheme, onSystemTheme } from "./theme";
+import { loadUi, saveUi } from "./ui_state";
+import "./parts/stage";
+import type { Help } from "./parts/help";
+import type { StudioElement } from "./parts/studio_element";
+import "./parts/drop";
+import "./parts/gallery";
+import "./parts/help";
+import "./parts/history_bar";
+import "./parts/notices";
+import "./parts/panel";
+import "./parts/profiles";
+import "./parts/share_bar";
+import "./parts/speaker";
+import "./parts/variation";
+import "./parts/view_switch";
+
+// The core's fetch, its worker and the 3-D view's script start together; the page is drawn meanwhile.
+const growing = new Growing(() => studio, { wasmUrl: coreUrl });
+void loadScene();
+
+const ui = loadUi(localStorageOr());
+applyTheme(ui.theme);
+
+const opened = readAddress(location);
+const studio = new Studio(opened.specimen, ui, {
+	grow: (specimen) => void growing.grow(specimen),
+	cancel: () => growing.cancel(),
+	settled: (specimen) => void writeAddress(specimen),
+	remember: (next) => {
+		saveUi(localStorageOr(), next);
+		applyTheme(next.theme);
+	},
+});
+
+/** The parts that draw the studio, by their tags in index.html. */
+const PARTS = [
+	"panicle-history",
+	"panicle-variation",
+	"panicle-share",
+	"panicle-view-switch",
+	"panicle-stage",
+	"panicle-profiles",
+	"panicle-gallery",
+	"panicle-panel",
+	"panicle-notices",
+	"panicle-drop",
+	"panicle-help",
+	"panicle-speaker",
+].join();
+
+start();
+
+function start(): void {
+	if (opened.whole) void growing.grow(opened.specimen);
+	for (const part of document.querySelectorAll<StudioElement>(PARTS)) part.studio = studio;
+	const help = document.querySelector<Help>("panicle-help");
+	document.addEventListener("panicle-help", () => help?.open());
+	listenForShortcuts(studio, () => help?.open());
+	onSystemTheme(() => studio.setUi({}));
+	addEventListener("popstate", () => void follow());
+	if (opened.whole) studio.take(opened, "link");
+	else void follow();
+}
+
+/** The address is another one: by Back, Forward or by hand, or because its grammar took time to unpack. */
+async function follow(): Promise<void> {
+	studio.take(await readWholeAddress(location), "link");
+}
+
+/** Storage that forgets, where the browser forbids it. */
+function localStorageOr(): Pick<Storage, "getItem" | "setItem"> {
+	try {
+		return localStorage;
+	} catch {
+		return { getItem: () => null, setItem: () => {} };
+	}
+}

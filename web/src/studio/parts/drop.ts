@@ -1,0 +1,49 @@
+import { html, nothing } from "lit";
+import { openFile } from "../files/open";
+import type { Studio } from "../studio";
+import { StudioElement } from "./studio_element";
+
+/** Takes files dropped anywhere on the page; while one hovers, says what will happen. */
+export class Drop extends StudioElement {
+	static override properties = { ...StudioElement.properties, hovering: { state: true } };
+	declare private hovering: boolean;
+
+	protected override draw(_studio: Studio): unknown {
+		return this.hovering ? html`<div class="drop">Drop a GLB or JSON and its bunch comes back</div>` : nothing;
+	}
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		window.addEventListener("dragover", this.#over);
+		window.addEventListener("dragleave", this.#leave);
+		window.addEventListener("drop", this.#drop);
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		window.removeEventListener("dragover", this.#over);
+		window.removeEventListener("dragleave", this.#leave);
+		window.removeEventListener("drop", this.#drop);
+	}
+
+	readonly #over = (event: DragEvent): void => {
+		if (!event.dataTransfer?.types.includes("Files")) return;
+		event.preventDefault();
+		this.hovering = true;
+	};
+
+	readonly #leave = (event: DragEvent): void => {
+		// Leaving one element for another inside the page is no leaving.
+		if (event.relatedTarget === null) this.hovering = false;
+	};
+
+	readonly #drop = (event: DragEvent): void => {
+		this.hovering = false;
+		const file = event.dataTransfer?.files[0];
+		if (!file) return;
+		event.preventDefault();
+		void openFile(this.studio, file);
+	};
+}
+
+customElements.define("panicle-drop", Drop);

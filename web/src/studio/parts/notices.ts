@@ -1,0 +1,29 @@
+import { html, nothing } from "lit";
+import type { Studio } from "../studio";
+import type { Notice } from "../types";
+import { icon } from "./icons";
+import { StudioElement } from "./studio_element";
+
+/** What the page has to say, one below the other, until dismissed. */
+export class Notices extends StudioElement {
+	protected override draw(studio: Studio): unknown {
+		return html`<div class="notices" role="status">${studio.state.notices.map((notice) => drawNotice(studio, notice))}</div>`;
+	}
+}
+
+function drawNotice(studio: Studio, { id, title, details, copy }: Notice): unknown {
+	return html`<section class="notice">
+		<div>
+			${title}
+			${details.length > 0 ? html`<ul>${details.map((line) => html`<li>${line}</li>`)}</ul>` : nothing}
+			${
+				copy === undefined
+					? nothing
+					: html`<input readonly aria-label="Link to copy" .value=${copy} @focus=${(event: Event) => (event.target as HTMLInputElement).select()}>`
+			}
+		</div>
+		<button class="button quiet icon" type="button" aria-label="Dismiss" @click=${() => studio.dismiss(id)}>${icon("close")}</button>
+	</section>`;
+}
+
+customElements.define("panicle-notices", Notices);

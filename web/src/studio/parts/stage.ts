@@ -1,0 +1,108 @@
+import { html, nothing } from "lit";
+import { presetNamed } from "../../specimen/presets/index";
+import { SolidView } from "../solid_view";
+import type { Studio } from "../studio";
+import { bunchInWords } from "../words";
+import { type IconName, icon } from "./icons";
+import { StudioElement } from "./studio_element";
+
+/** The 3-D view with its tools, its caption, and in its place the words for when there is nothing to see. */
+export class Stage extends StudioElement {
+	static override properties = { ...StudioElement.properties, trouble: { state: true } };
+	/** Why there is no picture: no WebGL 2, or a lost context. */
+	declare private trouble: { title: string; text: string } | undefined;
+
+	#solid: SolidView | undefined;
+	#started = false;
+	readonly #resized = new ResizeObserver(() => this.#solid?.view.resize());
+
+	protected override draw(studio: Studio): unknown {
+		const { failure, growing, grown, grownFrom } = studio.state;
+		const description = grown && grownFrom ? `Grape bunch: ${bunchInWords(grown, grownFrom)}` : "Grape bunch, growing";
+		return html`<canvas
+				class="stage-surface" tabindex="0" role="img" aria-label=${description} @keydown=${this.#press}
+			></canvas>
+			${grown ? caption(studio) : nothing}
+			${this.trouble && !failure ? message(this.trouble.title, [this.trouble.text]) : nothing}
+			${failure ? message(failure.title, failure.details, () => studio.growAgain()) : nothing}
+			${this.#solid && !this.trouble ? this.#tools(studio) : nothing}
+			${growing ? progress(studio) : nothing}`;
+	}
+
+	protected override updated(): void {
+		if (!this.#started) void this.#start();
+		this.#solid?.update(this.studio.state);
+	}
+
+	async #start(): Promise<void> {
+		this.#started = true;
+		const canvas = this.querySelector("canvas") as HTMLCanvasElement;
+		try {
+			this.#solid = await SolidView.create(canvas, this.studio, {
+				lost: () => {
+					this.trouble = {
+						title: "The picture was lost",
+						text: "The graphics card dropped it; it comes back by itself in a moment.",
+					};
+				},
+				restored: () => {
+					this.trouble = undefined;
+				},
+			});
+			this.studio.picture = () => (this.#solid as SolidView).picture();
+			this.#resized.observe(this);
+		} catch (error) {
+			const text = error instanceof Error ? error.message : String(error);
+			this.trouble = {
+				title: "No 3-D view here",
+				text: `${text} The profile views, the sliders and the downloads work all the same.`,
+			};
+		}
+		this.studio.setUi({});
+	}
+
+	#tools(studio: Studio): unknown {
+		const { stems, octahedron } = studio.state.ui;
+		const tool = (name: IconName, label: string, click: () => void, pressed?: boolean) =>
+			html`<button
+				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
+			>${icon(name)}</button>`;
+		return html`<div class="stage-tools" role="toolbar" aria-label="3-D view" aria-orientation="vertical">
+			${tool("frame", "Reset view", () => this.#solid?.view.resetView())}
+			${tool("stems", "Show stems only", () => studio.setUi({ stems: !stems }), stems)}
+			${tool("octahedron", "Octahedron", () => studio.setUi({ octahedron: !octahedron }), octahedron)}
+		</div>`;
+	}
+
+	#press(event: KeyboardEvent): void {
+		if (event.ctrlKey || event.metaKey || event.altKey) return;
+		if (this.#solid?.press(event)) event.preventDefault();
+	}
+}
+
+/** As under an engraving: the figure of the paper, and what grew. */
+function caption({ state: { grown, grownFrom } }: Studio): unknown {
+	if (!grown || !grownFrom) return nothing;
+	const preset = presetNamed(grownFrom.preset);
+	return html`<div class="caption">
+		<h2>${preset?.title}</h2>
+		<p>${bunchInWords(grown, grownFrom)}</p>
+	</div>`;
+}
+
+function message(title: string, details: readonly string[], again?: () => void): unknown {
+	return html`<div class="stage-message" role="alert">
+		<h2>${title}</h2>
+		${details.map((line) => html`<p>${line}</p>`)}
+		${again ? html`<button class="button" type="button" @click=${again}>Try again</button>` : nothing}
+	</div>`;
+}
+
+function progress(studio: Studio): unknown {
+	return html`<div class="growing" role="status">
+		<span>Growing</span><progress aria-label="Growing"></progress>
+		<button class="button quiet" type="button" @click=${() => studio.cancel()}>Cancel</button>
+	</div>`;
+}
+
+customElements.define("panicle-stage", Stage);

@@ -1,0 +1,229 @@
+import type { Grown } from "../core/grown";
+import { specimenFromPreset } from "../specimen/from-preset";
+import * as histories from "../specimen/history";
+import type { Restored } from "../specimen/restore";
+import type { Specimen } from "../specimen/specimen";
+import { apply, asPrinted, growsAlike, isAsPrinted, lockSides, mirror, otherSeed } from "./change";
+import type { Change, Locks, Notice } from "./types";
+import type { UiState } from "./ui_state";
+
+export interface StudioState {
+	/** The document as it is on the controls now, mid-drag included. */
+	readonly specimen: Specimen;
+	readonly history: histories.History;
+	/** The last bunch that grew; it stays on screen whatever goes wrong. */
+	readonly grown: Grown | undefined;
+	/** The specimen `grown` grew from: what the exporters write beside it. */
+	readonly grownFrom: Specimen | undefined;
+	/** Whether a growth takes long enough to say so. */
+	readonly growing: boolean;
+	/** Why nothing can be grown here, in place of the bunch. */
+	readonly failure: Notice | undefined;
+	readonly notices: readonly Notice[];
+	readonly ui: UiState;
+}
+
+/** What the studio does outside itself; main.ts wires it. */
+export interface Surroundings {
+	/** Asks for growth; the newest request wins. */
+	grow(specimen: Specimen): void;
+	/** Ends a long growth. */
+	cancel(): void;
+	/** The document came to rest: the address bar is to hold it. */
+	settled(specimen: Specimen): void;
+	/** The interface changed: remember it. */
+	remember(ui: UiState): void;
+}
+
+/** Confirmations stay this long, in milliseconds. */
+const BRIEF = 4000;
+const MOST_NOTICES = 3;
+const DRAG = "drag";
+
+/**
+ * The one place where the page's state lives. It flows one way: a part calls an action, the action replaces the state,
+ * every part draws the new one.
+ */
+export class Studio {
+	#state: StudioState;
+	readonly #listeners = new Set<() => void>();
+	readonly #surroundings: Surroundings;
+	#noticeId = 0;
+	/** What `fit` and `vary` were before *as printed*. */
+	#beforePrinted: { fit: number; vary: number } | undefined;
+	/** Takes a picture of the 3-D view, as PNG; set by the stage while it has a view. */
+	picture: (() => Promise<Blob>) | undefined;
+
+	constructor(specimen: Specimen, ui: UiState, surroundings: Surroundings) {
+		this.#surroundings = surroundings;
+		this.#state = {
+			specimen,
+			history: histories.startHistory(specimen),
+			grown: undefined,
+			grownFrom: undefined,
+			growing: false,
+			failure: undefined,
+			notices: [],
+			ui,
+		};
+	}
+
+	get state(): StudioState {
+		return this.#state;
+	}
+
+	/** The specimen of the current preset as published: what double clicks go back to. */
+	get preset(): Specimen {
+		return specimenFromPreset(this.#state.specimen.preset);
+	}
+
+	/** Calls back after every change of the state; returns the function that ends it. */
+	subscribe(listener: () => void): () => void {
+		this.#listeners.add(listener);
+		return () => this.#listeners.delete(listener);
+	}
+
+	// The document.
+
+	/** A change while the hand still moves: it grows at once, but becomes an undo step only with `settle`. */
+	edit(change: Change): void {
+		const next = apply(this.#state.specimen, change, this.#state.ui.locks);
+		this.#go(histories.change(this.#state.history, next, DRAG));
+	}
+
+	/** The end of a drag: one undo step, and the address bar follows. */
+	settle(): void {
+		this.#go(histories.settle(this.#state.history));
+		this.#surroundings.settled(this.#state.specimen);
+	}
+
+	/** A change that is a step of its own. */
+	set(change: Change): void {
+		this.edit(change);
+		this.settle();
+	}
+
+	/** Another document in place of this one, as one step: a preset, a dropped file, a link. */
+	replace(specimen: Specimen): void {
+		this.#go(histories.change(histories.settle(this.#state.history), specimen));
+		this.settle();
+	}
+
+	/** Takes a document from outside and says what could not be used of it. */
+	take({ specimen, notes }: Restored, from: string): void {
+		this.replace(specimen);
+		if (notes.length > 0) {
+			this.notify(
+				`Not everything in the ${from} could be used`,
+				notes.map((note) => note.text),
+			);
+		}
+	}
+
+	choosePreset(name: string): void {
+		this.replace(specimenFromPreset(name));
+	}
+
+	/** The preset as it was published. */
+	reset(): void {
+		this.replace(this.preset);
+	}
+
+	newVariation(): void {
+		this.set({ seed: otherSeed(this.#state.specimen.seed) });
+	}
+
+	mirror(): void {
+		this.set(mirror(this.#state.specimen));
+	}
+
+	setAsPrinted(on: boolean): void {
+		const { specimen } = this.#state;
+		const { fit, vary } = specimen.parameters;
+		this.set(asPrinted(specimen, on, this.#beforePrinted));
+		this.#beforePrinted = on && !isAsPrinted(specimen) ? { fit, vary } : undefined;
+	}
+
+	undo(): void {
+		this.#travel(histories.undo(this.#state.history));
+	}
+
+	redo(): void {
+		this.#travel(histories.redo(this.#state.history));
+	}
+
+	// Growth, reported by growing.ts.
+
+	grew(grown: Grown, from: Specimen): void {
+		this.#update({ grown, grownFrom: from, failure: undefined });
+	}
+
+	setGrowing(growing: boolean): void {
+		if (growing !== this.#state.growing) this.#update({ growing });
+	}
+
+	/** Growth is not possible at all. */
+	fail(title: string, details: readonly string[]): void {
+		this.#update({ failure: { id: 0, title, details } });
+	}
+
+	cancel(): void {
+		this.#surroundings.cancel();
+	}
+
+	/** Asks again, after a failure. */
+	growAgain(): void {
+		this.#surroundings.grow(this.#state.specimen);
+	}
+
+	// The page.
+
+	/** Shows a notice above the page; the same words are not stacked. */
+	notify(title: string, details: readonly string[] = [], options: { copy?: string; brief?: boolean } = {}): void {
+		const id = ++this.#noticeId;
+		const others = this.#state.notices.filter((notice) => notice.title !== title);
+		this.#update({ notices: [...others, { id, title, details, ...options }].slice(-MOST_NOTICES) });
+		if (options.brief) setTimeout(() => this.dismiss(id), BRIEF);
+	}
+
+	dismiss(id: number): void {
+		this.#update({ notices: this.#state.notices.filter((notice) => notice.id !== id) });
+	}
+
+	setUi(patch: Partial<UiState>): void {
+		const ui = { ...this.#state.ui, ...patch };
+		this.#update({ ui });
+		this.#surroundings.remember(ui);
+	}
+
+	setGroup(key: string, open: boolean): void {
+		const { closed } = this.#state.ui;
+		if (closed.includes(key) !== open) return;
+		this.setUi({ closed: open ? closed.filter((each) => each !== key) : [...closed, key] });
+	}
+
+	/** Locking brings the two sides together at once, so that what is shown is what is locked. */
+	toggleLock(lock: keyof Locks): void {
+		const { locks } = this.#state.ui;
+		this.setUi({ locks: { ...locks, [lock]: !locks[lock] } });
+		if (!locks[lock]) this.set(lockSides(this.#state.specimen, lock));
+	}
+
+	#travel(history: histories.History): void {
+		this.#go(history);
+		this.#surroundings.settled(this.#state.specimen);
+	}
+
+	#go(history: histories.History): void {
+		const { specimen: before } = this.#state;
+		const { present } = history;
+		if (history === this.#state.history) return;
+		this.#update({ history, specimen: present });
+		if (!growsAlike(before, present)) this.#surroundings.grow(present);
+	}
+
+	#update(patch: Partial<StudioState>): void {
+		this.#state = { ...this.#state, ...patch };
+		for (const listener of this.#listeners) listener();
+	}
+}

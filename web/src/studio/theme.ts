@@ -1,0 +1,20 @@
+import type { UiState } from "./ui_state";
+
+const darkSystem = () => window.matchMedia("(prefers-color-scheme: dark)");
+
+/** Whether the page is dark now. */
+export function isDark(theme: UiState["theme"]): boolean {
+	return theme === "dark" || (theme === "system" && darkSystem().matches);
+}
+
+/** Puts the theme on the page; style/tokens.css does the rest. */
+export function applyTheme(theme: UiState["theme"]): void {
+	const { dataset } = document.documentElement;
+	if (theme === "system") delete dataset.theme;
+	else dataset.theme = theme;
+}
+
+/** Calls back when the system goes from light to dark or back. */
+export function onSystemTheme(callback: () => void): void {
+	darkSystem().addEventListener("change", callback);
+}

@@ -1,0 +1,27 @@
+import type { Locks } from "../profile/handles";
+import type { NumberKey } from "../specimen/parameters.generated";
+import type { Look } from "../specimen/specimen";
+
+export type { Locks };
+
+/** Which of the views a phone shows. */
+export type View = "front" | "side" | "solid";
+
+/** What a control changes; what it leaves out stays. */
+export interface Change {
+	seed?: number;
+	parameters?: Partial<Record<NumberKey, number>>;
+	look?: Partial<Look>;
+}
+
+/** Something said to the person, until it is dismissed. */
+export interface Notice {
+	readonly id: number;
+	readonly title: string;
+	/** One line each. */
+	readonly details: readonly string[];
+	/** Text to copy by hand, where the clipboard was denied. */
+	readonly copy?: string;
+	/** Goes by itself after a while: confirmations, never warnings. */
+	readonly brief?: boolean;
+}
