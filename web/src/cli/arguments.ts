@@ -1,0 +1,68 @@
+/** The words of the command line → what is asked for, still unread. */
+import { parseArgs } from "node:util";
+import { UsageError } from "./usage";
+
+export const OUTPUTS = ["glb", "obj", "json"] as const;
+export type Output = (typeof OUTPUTS)[number];
+
+export interface Call {
+	help: boolean;
+	/** Preset name or link. */
+	source: string | undefined;
+	seed: string | undefined;
+	/** By key; where a key is given twice, the last value. */
+	set: Record<string, string>;
+	grammarFile: string | undefined;
+	out: { file: string; as: Output } | undefined;
+}
+
+/** @throws UsageError */
+export function readArguments(words: readonly string[]): Call {
+	const { values, positionals } = parse(words);
+	if (positionals.length > 1) {
+		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);
+	}
+	return {
+		help: values.help ?? false,
+		source: positionals[0],
+		seed: last(values.seed),
+		set: Object.fromEntries((values.set ?? []).map(readSetting)),
+		grammarFile: last(values.grammar),
+		out: readOut(last(values.out)),
+	};
+}
+
+const OPTIONS = {
+	help: { type: "boolean", short: "h" },
+	seed: { type: "string", multiple: true },
+	set: { type: "string", multiple: true },
+	grammar: { type: "string", multiple: true },
+	out: { type: "string", short: "o", multiple: true },
+} as const;
+
+function parse(words: readonly string[]) {
+	try {
+		return parseArgs({ args: [...words], options: OPTIONS, allowPositionals: true });
+	} catch (error) {
+		// Node's own words, less the advice that follows the first sentence.
+		const [sentence] = (error as Error).message.split(/\.\s|\n/);
+		throw new UsageError(`${sentence.replaceAll("'", "").replace(/\.$/, "")}; see --help`);
+	}
+}
+
+function readSetting(setting: string): [string, string] {
+	const at = setting.indexOf("=");
+	if (at < 1) throw new UsageError(`--set ${setting}: write KEY=VALUE, as in --set l=300`);
+	return [setting.slice(0, at).trim(), setting.slice(at + 1).trim()];
+}
+
+function readOut(file: string | undefined): Call["out"] {
+	if (file === undefined) return undefined;
+	const as = OUTPUTS.find((ending) => file.toLowerCase().endsWith(`.${ending}`));
+	if (!as) throw new UsageError(`--out ${file}: the name must end in .glb, .obj or .json`);
+	return { file, as };
+}
+
+function last<Value>(values: readonly Value[] | undefined): Value | undefined {
+	return values?.at(-1);
+}

@@ -1,0 +1,77 @@
+/**
+ * What a call asks for → a specimen. A link is brought into range with notes, since it may be old or cut short on its
+ * way; what was typed here is refused where it cannot be used, since a silent change would spoil a series.
+ */
+
+import { GRAMMAR_BYTES } from "../specimen/limits";
+import { decodeLink } from "../specimen/link";
+import type { Note } from "../specimen/notes";
+import { PRESETS, presetNamed } from "../specimen/presets/index";
+import { type Restored, restore } from "../specimen/restore";
+import type { Specimen } from "../specimen/specimen";
+import { entriesOfLink, entryOf } from "../specimen/table";
+import type { Call } from "./arguments";
+import type { Surroundings } from "./surroundings";
+import { UsageError } from "./usage";
+
+/** @throws UsageError */
+export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings, "readFile">): Promise<Restored> {
+	const { specimen: start, notes } = await readSource(call.source);
+	let specimen = start;
+	if (call.seed !== undefined) specimen = typed({ seed: call.seed }, specimen, (note) => `--seed: ${note.problem}`);
+	specimen = readSettings(call.set, specimen);
+	if (call.grammarFile !== undefined) {
+		specimen = { ...specimen, grammar: await readGrammar(call.grammarFile, readFile) };
+	}
+	return { specimen, notes };
+}
+
+async function readSource(source: string | undefined): Promise<Restored> {
+	if (source === undefined) return restore({});
+	if (presetNamed(source)) return restore({ preset: source });
+	const query = source.indexOf("?");
+	const hash = source.indexOf("#");
+	const end = hash < 0 ? source.length : hash;
+	if (query >= 0 && query < end) return decodeLink(source.slice(query, end), source.slice(end));
+	if (hash >= 0 || source.includes("://")) return decodeLink("", source.slice(end));
+	throw new UsageError(
+		`“${source}” is neither a preset nor a link; presets: ${PRESETS.map(({ name }) => name).join(" ")}`,
+	);
+}
+
+function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
+	for (const key of Object.keys(settings)) {
+		const known = key === "m" || key === "n" || entryOf(key) || entriesOfLink(key).length > 0;
+		if (!known) throw new UsageError(`--set ${key}: no parameter has that key; see --help`);
+	}
+	return typed(settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
+}
+
+/** Reads values that a person typed: the first that cannot be used as it is ends it. */
+function typed(values: Readonly<Record<string, string>>, from: Specimen, message: (note: Note) => string): Specimen {
+	const { specimen, notes } = restore(values, from);
+	if (notes.length > 0) throw new UsageError(message(notes[0]));
+	return specimen;
+}
+
+async function readGrammar(file: string, readFile: Surroundings["readFile"]): Promise<string> {
+	const bytes = await readFile(file).catch((error: unknown) => {
+		throw new UsageError(`--grammar ${file}: ${reasonOf(error)}`);
+	});
+	if (bytes.length > GRAMMAR_BYTES) throw new UsageError(`--grammar ${file}: longer than ${GRAMMAR_BYTES / 1024} KiB`);
+	if (bytes.length === 0) throw new UsageError(`--grammar ${file}: is empty`);
+	try {
+		return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+	} catch {
+		throw new UsageError(`--grammar ${file}: not text in UTF-8`);
+	}
+}
+
+/** The system's word on a file, in plain ones. */
+export function reasonOf(error: unknown): string {
+	const { code, message } = error as NodeJS.ErrnoException;
+	if (code === "ENOENT") return "no such file or folder";
+	if (code === "EISDIR") return "is a folder";
+	if (code === "EACCES" || code === "EPERM" || code === "EROFS") return "not allowed";
+	return message.split("\n")[0];
+}

@@ -1,0 +1,20 @@
+/** `npm run -s grow -- …`, bundled for Node by wasm-core/tools/grow.mjs. Does its work when it is loaded. */
+import { readFile, writeFile } from "node:fs/promises";
+import { loadCoreFromBytes } from "../core/loader";
+import { run } from "./run";
+
+// The bundle lies as deep in the repository as this file, so the way to the core is the same from both.
+const corePath = new URL("../../../build/core/panicle.wasm", import.meta.url);
+
+// A reader that has seen enough (`| head`) is no error.
+process.stdout.on("error", (error: NodeJS.ErrnoException) => {
+	if (error.code !== "EPIPE") throw error;
+});
+
+process.exitCode = await run(process.argv.slice(2), {
+	readFile,
+	writeFile,
+	loadCore: async () => loadCoreFromBytes(await readFile(corePath)),
+	print: (text) => process.stdout.write(text),
+	say: (line) => process.stderr.write(`${line}\n`),
+});
