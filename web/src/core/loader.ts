@@ -2,6 +2,7 @@
 import { Core } from "./core";
 import { UnsupportedError } from "./errors";
 
+/** Browsers compile while fetching only where the type is exactly this. */
 const MIME = "application/wasm";
 const WASM_MAGIC = [0x00, 0x61, 0x73, 0x6d]; // "\0asm"
 
@@ -17,11 +18,13 @@ export async function compileCore(
 ): Promise<WebAssembly.Module> {
 	requireWebAssembly();
 	const response = await fetchCore(url);
-	const type = response.headers.get("content-type")?.split(";")[0].trim().toLowerCase() ?? "";
+	const type = response.headers.get("content-type")?.trim().toLowerCase() ?? "";
 	if (type === MIME && "compileStreaming" in WebAssembly) {
-		return WebAssembly.compileStreaming(response).catch(notACore(type));
+		return WebAssembly.compileStreaming(response).catch((cause: unknown) =>
+			cause instanceof WebAssembly.CompileError ? notACore(type)(cause) : notFetched(cause),
+		);
 	}
-	const module = await compileBytes(new Uint8Array(await response.arrayBuffer()), type);
+	const module = await compileBytes(new Uint8Array(await response.arrayBuffer().catch(notFetched)), type);
 	if (type !== MIME)
 		note(`The server sends the core as ${type || "nothing in particular"}; as ${MIME} it would start faster.`);
 	return module;
@@ -45,16 +48,15 @@ function requireWebAssembly(): void {
 }
 
 async function fetchCore(url: string | URL): Promise<Response> {
-	const response = await fetch(url).catch((cause: unknown) => {
-		throw new UnsupportedError("fetch", "The core could not be fetched; check the connection and try again.", {
-			cause,
-		});
-	});
+	const response = await fetch(url).catch(notFetched);
 	if (response.ok) return response;
-	throw new UnsupportedError(
-		"fetch",
-		`The core could not be fetched (the server answered ${response.status}); try again later.`,
-	);
+	const answer = `the server answered ${response.status}`;
+	throw new UnsupportedError("fetch", `The core could not be fetched (${answer}); try again later.`);
+}
+
+function notFetched(cause: unknown): never {
+	const message = "The core could not be fetched; check the connection and try again.";
+	throw new UnsupportedError("fetch", message, { cause });
 }
 
 async function compileBytes(bytes: Uint8Array<ArrayBuffer>, type: string): Promise<WebAssembly.Module> {

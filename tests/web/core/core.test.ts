@@ -1,0 +1,236 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../web/src/core/core";
+import { CoreError, CoreTrap, UnsupportedError } from "../../../web/src/core/errors";
+import { type Grown, INTERNODE_KINDS } from "../../../web/src/core/grown";
+import { loadCoreFromBytes } from "../../../web/src/core/loader";
+import { buffersOf } from "../../../web/src/core/read_grown";
+import { encodeRequest } from "../../../web/src/core/request";
+import { withParameters } from "../../../web/src/specimen/edit";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { PRESETS } from "../../../web/src/specimen/presets/index";
+import type { Specimen } from "../../../web/src/specimen/specimen";
+import { TABLE_3 } from "../specimen/table_3";
+import { freshCore } from "./wasm";
+
+let core: Core;
+beforeAll(async () => {
+	core = await freshCore();
+});
+
+const grow = (specimen: Specimen, meshes = false) => core.grow(encodeRequest(specimen, { meshes }));
+const growPreset = (name: string) => grow(specimenFromPreset(name));
+/** All that came back but how long it took. */
+const timeless = ({ timings: _, ...rest }: Grown) => rest;
+
+function refusal(action: () => unknown): CoreError {
+	try {
+		action();
+	} catch (error) {
+		if (error instanceof CoreError) return error;
+		throw error;
+	}
+	throw new Error("nothing was refused");
+}
+
+describe("growing", () => {
+	it("gives the same bytes every time, from the same instance and from another", async () => {
+		const request = encodeRequest(specimenFromPreset("shouldered-conical"));
+		const first = timeless(core.grow(request));
+		growPreset("duku");
+		expect(timeless(core.grow(request))).toEqual(first);
+		expect(timeless((await freshCore()).grow(request))).toEqual(first);
+	});
+
+	it("tells seeds and parameters apart", () => {
+		const prints = [
+			specimenFromPreset(),
+			{ ...specimenFromPreset(), seed: 2 },
+			withParameters(specimenFromPreset(), { rmax: 31 }),
+			specimenFromPreset("cylindrical"),
+		].map((specimen) => grow(specimen).fingerprint);
+		expect(new Set(prints).size).toBe(4);
+		for (const print of prints) expect(print).toMatch(/^[0-9a-f]{16}$/);
+	});
+
+	it.each(PRESETS.map(({ name }) => name))("%s gives lists that agree with its counts", (name) => {
+		const { counts, internodes, berries, plan } = growPreset(name);
+		expect(internodes.count).toBe(counts.internodes);
+		expect(internodes.ends.length).toBe(6 * internodes.count);
+		expect(internodes.radii.length).toBe(2 * internodes.count);
+		expect(berries.count).toBe(counts.berries);
+		expect(berries.directions.length).toBe(3 * berries.count);
+		expect(counts.berries + counts.withered).toBe(counts.pedicels);
+		expect(counts.berries).toBeGreaterThan(0);
+		expect(plan.axes).toHaveLength(plan.m - 1);
+		const pedicel = INTERNODE_KINDS.indexOf("pedicel");
+		expect(internodes.kind.filter((kind) => kind === pedicel)).toHaveLength(counts.pedicels);
+		for (const parent of berries.parent) expect(internodes.kind[parent]).toBe(pedicel);
+		internodes.parent.forEach((parent, index) => {
+			expect(parent).toBeLessThan(index);
+		});
+	});
+
+	it("reproduces Table 3 but for the one value that print and formula disagree on", () => {
+		const differing = TABLE_3.flatMap(({ name, m, sides }) => {
+			const { plan } = growPreset(name);
+			const derived = [
+				["m", plan.m, m],
+				...sides.flatMap(([, , n, rd], side) => [
+					[`p${side + 3} n`, plan.sides[side].n, n],
+					[`p${side + 3} rd`, plan.sides[side].rd, rd],
+				]),
+			];
+			return derived.filter(([, ours, printed]) => ours !== printed).map((each) => [name, ...each]);
+		});
+		expect(differing).toEqual([["grape-15c", "p4 rd", 6, 5]]);
+	});
+
+	it("grows a second bunch where there is one", () => {
+		expect(growPreset("long-conical").second).toBeUndefined();
+		const { plan, second, internodes } = growPreset("double-bunch-winged");
+		expect(second?.m).toBeLessThan(plan.m);
+		expect(Math.max(...internodes.axis)).toBeGreaterThanOrEqual(plan.m - 1);
+	});
+
+	it("takes the grammar's inputs in place of the profile's", () => {
+		const { plan, counts } = grow({ ...specimenFromPreset(), inputs: { m: 3, n: [1, 2] } });
+		expect([plan.m, plan.axes]).toEqual([3, [2, 1]]);
+		expect(counts.endStructures).toBe(4);
+	});
+
+	it("says nothing about a specimen that is in range", () => {
+		for (const { name } of PRESETS) expect(growPreset(name).notes).toEqual([]);
+	});
+});
+
+describe("meshes", () => {
+	it("come only when asked for, and change nothing else", () => {
+		const bare = grow(specimenFromPreset());
+		expect([bare.stem, bare.berry, bare.meshFingerprint]).toEqual([undefined, undefined, undefined]);
+		const { stem, berry, meshFingerprint, ...rest } = timeless(grow(specimenFromPreset(), true));
+		expect(rest).toEqual(timeless(bare));
+		expect(meshFingerprint).toMatch(/^[0-9a-f]{16}$/);
+		for (const mesh of [stem, berry]) {
+			if (!mesh) throw new Error("no mesh");
+			const vertices = mesh.positions.length / 3;
+			expect(mesh.normals.length).toBe(3 * vertices);
+			expect(mesh.uvs.length).toBe(2 * vertices);
+			expect(mesh.indices.length % 3).toBe(0);
+			expect(mesh.indices.length).toBeGreaterThan(0);
+			expect(mesh.indices.reduce((most, index) => Math.max(most, index), 0)).toBe(vertices - 1);
+			expect(mesh.positions.every(Number.isFinite)).toBe(true);
+		}
+	});
+
+	it("have parts that cover the stem from end to end", () => {
+		const { stem } = grow(specimenFromPreset(), true);
+		let vertex = 0;
+		let index = 0;
+		for (const part of stem?.parts ?? []) {
+			expect([part.firstVertex, part.firstIndex]).toEqual([vertex, index]);
+			vertex += part.vertexCount;
+			index += part.indexCount;
+		}
+		expect([vertex * 3, index]).toEqual([stem?.positions.length, stem?.indices.length]);
+		expect(stem?.internode.length).toBe(vertex);
+	});
+
+	it("are as fine as asked for", () => {
+		const vertices = (stemSides: number, berrySegments: number) => {
+			const grown = core.grow(encodeRequest(specimenFromPreset(), { stemSides, berrySegments }));
+			return [grown.stem?.positions.length ?? 0, grown.berry?.positions.length ?? 0];
+		};
+		const coarse = vertices(5, 8);
+		const fine = vertices(16, 32);
+		expect(fine[0]).toBeGreaterThan(coarse[0]);
+		expect(fine[1]).toBeGreaterThan(coarse[1]);
+	});
+});
+
+describe("the border", () => {
+	it("lets no view of the core's memory out: every buffer is its own and can be given away", () => {
+		const grown = grow(specimenFromPreset(), true);
+		const buffers = buffersOf(grown);
+		expect(buffers).toHaveLength(17);
+		expect(new Set(buffers).size).toBe(buffers.length);
+		const moved = structuredClone(grown, { transfer: buffers });
+		expect(grown.internodes.ends.length).toBe(0);
+		expect(timeless(moved)).toEqual(timeless(grow(specimenFromPreset(), true)));
+	});
+
+	it("keeps nothing: memory stays level over 500 growths", async () => {
+		const fresh = await freshCore();
+		const requests = PRESETS.map(({ name }) => encodeRequest(specimenFromPreset(name)));
+		const grammar = encodeRequest({ ...specimenFromPreset(), grammar: "axiom: F(" });
+		for (const request of requests) fresh.grow(request);
+		refusal(() => fresh.grow(grammar));
+		const level = fresh.memoryBytes;
+		for (let turn = 0; turn < 500; turn++) {
+			if (turn % 10 === 9) refusal(() => fresh.grow(grammar));
+			else fresh.grow(requests[turn % requests.length]);
+		}
+		expect(fresh.memoryBytes).toBe(level);
+	});
+
+	it("refuses what is no request, and goes on", () => {
+		expect(refusal(() => core.grow(new Uint8Array(0))).reason).toBe("bad request");
+		expect(refusal(() => core.grow(new Uint8Array(7))).reason).toBe("bad request");
+		expect(refusal(() => core.grow(new Uint8Array(400))).reason).toBe("bad request");
+		expect(refusal(() => core.grow("grow" as unknown as Uint8Array)).reason).toBe("bad request");
+		expect(refusal(() => core.grow(new Uint8Array(8 << 20))).reason).toBe("limit");
+		const cut = encodeRequest(specimenFromPreset()).slice(0, -4);
+		expect(refusal(() => core.grow(cut)).reason).toBe("bad request");
+		expect(growPreset("rubus").counts.berries).toBeGreaterThan(0);
+	});
+
+	it("refuses any bytes whatever as values, never as traps", () => {
+		const request = encodeRequest({ ...specimenFromPreset("lychee"), inputs: { m: 3, n: [1, 2] } }, { meshes: false });
+		const values = [0, 1, 0x7fc00000, 0xffffffff, 0x7f800000, 0x80000000, 0x00010000];
+		for (let at = 0; at < request.length; at += 4) {
+			for (const value of values) {
+				const altered = request.slice();
+				new DataView(altered.buffer).setUint32(at, value, true);
+				try {
+					core.grow(altered);
+				} catch (error) {
+					expect(error).toBeInstanceOf(CoreError);
+				}
+			}
+		}
+	});
+
+	it("says where a grammar goes wrong", () => {
+		const bad = refusal(() => grow({ ...specimenFromPreset(), grammar: "axiom: A(1)\nA(i) : i>1 --> F(i\n" }));
+		expect(bad.reason).toBe("syntax");
+		expect(bad.line).toBeGreaterThanOrEqual(2);
+		expect(bad.column).toBeGreaterThan(0);
+		expect(bad.message).toMatch(/\S/);
+		expect(bad.message).not.toMatch(/\n/);
+	});
+
+	it("ends a grammar without end as a value", () => {
+		const endless = refusal(() => grow({ ...specimenFromPreset(), grammar: "axiom: A\nA --> F(1) A A\n" }));
+		expect(endless.reason).toBe("limit");
+	});
+
+	it("is no longer used after a trap", async () => {
+		const fresh = await freshCore();
+		const internals = fresh as unknown as { exports: Record<string, unknown> };
+		internals.exports = {
+			...internals.exports,
+			panicle_grow: () => {
+				throw new WebAssembly.RuntimeError("unreachable");
+			},
+		};
+		const request = encodeRequest(specimenFromPreset());
+		expect(() => fresh.grow(request)).toThrow(CoreTrap);
+		expect(() => fresh.grow(request)).toThrow(/broken before/);
+	});
+
+	it("takes nothing but a core", async () => {
+		const empty = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
+		for (const bytes of [new Uint8Array(0), new TextEncoder().encode("<!doctype html>"), empty, empty.slice(0, 6)]) {
+			await expect(loadCoreFromBytes(bytes)).rejects.toBeInstanceOf(UnsupportedError);
+		}
+	});
+});
