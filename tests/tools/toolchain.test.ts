@@ -3,11 +3,11 @@ import { tmpdir } from "node:os";
 import { delimiter, dirname, join } from "node:path";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { isInstalled } from "../../wasm-core/tools/npm_packages.mjs";
+import { isOlder, objections } from "../../wasm-core/tools/packages.mjs";
 import {
 	findEmscripten,
 	findHeader,
 	findProgram,
-	isOlder,
 	locate,
 	missingMessage,
 	needs,
@@ -107,6 +107,27 @@ describe("what is missing", () => {
 				"and run the same command again.",
 			].join("\n"),
 		);
+	});
+
+	it("names another way for what the packages do not bring", () => {
+		const manager = { name: "apt-get", commands: (packages: string[]) => [`apt-get install ${packages.join(" ")}`] };
+		const message = missingMessage(["emscripten", "cmake"], manager, "and so on", ["emscripten"]);
+		expect(message).toContain("  apt-get install cmake\n  git clone https://github.com/emscripten-core/emsdk\n");
+	});
+
+	it("reads from a rehearsal what apt-get cannot provide", () => {
+		const oldest = { emscripten: "3.1.6" };
+		const inst = (version: string) => `Inst emscripten (${version}~dfsg-3ubuntu2 Ubuntu:22.04/jammy [all])\n`;
+		expect(objections({ status: 0, output: inst("3.1.6") }, oldest)).toBeNull();
+		expect(objections({ status: 0, output: inst("3.1.5") }, oldest)).toEqual({
+			why: "and this system's packages are too old (emscripten 3.1.5)",
+			unfit: ["emscripten"],
+		});
+		expect(objections({ status: 100, output: "E: Unable to locate package chromium\n" }, oldest)).toEqual({
+			why: "and its packages do not install (Unable to locate package chromium)",
+			unfit: ["chromium"],
+		});
+		expect(objections({ status: 100, output: "E: Could not get lock.\n" }, oldest)?.unfit).toEqual([]);
 	});
 
 	it("stops a machine without a package manager at once", async () => {

@@ -1,6 +1,6 @@
 # What runs on the machine itself: the tests, the command and the bench.
 
-find_path(PANICLE_DOCTEST_ROOT doctest/doctest.h)
+find_path(PANICLE_DOCTEST_ROOT doctest/doctest.h HINTS ENV CPATH PATHS /opt/homebrew/include)
 if(PANICLE_DOCTEST_ROOT)
   # core_tests holds everything; <room>_tests only what one room needs, for a quick turn while working on it.
   add_library(tests_main OBJECT ../tests/core/main.cpp)

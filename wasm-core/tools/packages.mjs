@@ -44,25 +44,52 @@ export function packageManager(env) {
 	return managers.find(({ name }) => onPath(name, env)) ?? null;
 }
 
+/** Whether version `a`, as in 3.1.69, comes before `b`. */
+export function isOlder(a, b) {
+	const [x, y] = [a, b].map((version) => version.split(".").map((part) => Number.parseInt(part, 10)));
+	for (let i = 0; i < Math.max(x.length, y.length); i++) {
+		if ((x[i] ?? 0) !== (y[i] ?? 0)) return (x[i] ?? 0) < (y[i] ?? 0);
+	}
+	return false;
+}
+
 /**
- * Installs packages without asking anyone. Returns null, or why it could not be done, as the end of a sentence.
- * The whole installation is rehearsed first, so that one package too few leaves nothing behind.
+ * What a rehearsal of apt-get says against installing, and the packages that this distribution cannot provide: those it
+ * does not know, and those older than `oldest` says. Null when nothing does.
+ *
+ * @param {{ status: number, output: string }} rehearsal
+ * @param {Record<string, string>} oldest version by package
+ * @returns {{ why: string, unfit: string[] } | null}
  */
-export async function installWithApt(packages, env) {
+export function objections({ status, output }, oldest) {
+	const unknown = [...output.matchAll(/Unable to locate package (\S+)|Package '(\S+)' has no installation candidate/g)];
+	const old = [...output.matchAll(/^Inst (\S+) (?:\[\S+\] )?\((?:\d+:)?([\d.]+)/gm)].filter(
+		([, name, version]) => oldest[name] && isOlder(version, oldest[name]),
+	);
+	const unfit = [...unknown.map(([, a, b]) => a ?? b), ...old.map(([, name]) => name)];
+	if (old.length > 0) {
+		const offers = old.map(([, name, version]) => `${name} ${version}`).join(", ");
+		return { why: `and this system's packages are too old (${offers})`, unfit };
+	}
+	if (status === 0) return null;
+	const reason = /^E: (.*?)\.?$/m.exec(output)?.[1] ?? "apt-get failed";
+	return { why: `and its packages do not install (${reason})`, unfit };
+}
+
+/**
+ * Installs packages without asking anyone. Returns null, or why it could not be done, as the end of a sentence, with the
+ * packages that will not do. The whole installation is rehearsed first, so that nothing is left half-done.
+ */
+export async function installWithApt(packages, oldest, env) {
 	if (!isRoot() && capture("sudo", ["-n", "true"], env) === null) {
-		return "and installing needs an administrator's rights";
+		return { why: "and installing needs an administrator's rights", unfit: [] };
 	}
 	const prefix = isRoot() ? ["env"] : ["sudo", "-n", "env"];
 	const apt = (args, show) =>
 		run(prefix[0], [...prefix.slice(1), "DEBIAN_FRONTEND=noninteractive", "apt-get", "-q", ...args], { env, show });
 	const install = ["install", "-y", "--no-install-recommends", ...packages];
 	await apt(["update"]);
-	const rehearsal = await apt(["--simulate", ...install]);
-	if (rehearsal.status !== 0) {
-		const reason = /^E: (.*)$/m.exec(rehearsal.output)?.[1] ?? "apt-get failed";
-		return `and its packages do not install (${reason.replace(/\.$/, "")})`;
-	}
-	const { status, output } = await apt(install, process.stderr);
-	if (status === 0) return null;
-	return `and its packages did not install (${/^E: (.*)$/m.exec(output)?.[1] ?? `apt-get ended with ${status}`})`;
+	const objection = objections(await apt(["--simulate", ...install]), oldest);
+	if (objection) return objection;
+	return objections(await apt(install, process.stderr), {});
 }

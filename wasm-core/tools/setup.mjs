@@ -1,7 +1,8 @@
 /** What every command does first. Runs on a clean clone: nothing here may import a package. */
 import { CoreBuildError } from "./core.mjs";
 import { ensurePackages } from "./npm_packages.mjs";
-import { isOlder, prepare, ToolchainError } from "./toolchain.mjs";
+import { isOlder } from "./packages.mjs";
+import { prepare, ToolchainError } from "./toolchain.mjs";
 
 const oldestNode = "20.19";
 

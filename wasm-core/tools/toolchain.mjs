@@ -5,7 +5,7 @@
  */
 import { accessSync, constants, existsSync, readFileSync, realpathSync, statSync } from "node:fs";
 import { delimiter, dirname, join } from "node:path";
-import { installWithApt, packageManager } from "./packages.mjs";
+import { installWithApt, isOlder, packageManager } from "./packages.mjs";
 import { capture } from "./process.mjs";
 
 const oldestEmscripten = "3.1.6";
@@ -43,15 +43,6 @@ export function findHeader(header, env, folders) {
 
 const includeFolders = ["/usr/include", "/usr/local/include", "/opt/homebrew/include", "/opt/local/include"];
 
-/** Whether version `a`, as in 3.1.69, comes before `b`. */
-export function isOlder(a, b) {
-	const [x, y] = [a, b].map((version) => version.split(".").map((part) => Number.parseInt(part, 10)));
-	for (let i = 0; i < Math.max(x.length, y.length); i++) {
-		if ((x[i] ?? 0) !== (y[i] ?? 0)) return (x[i] ?? 0) < (y[i] ?? 0);
-	}
-	return false;
-}
-
 /** Emscripten keeps its version in a file beside its programs; a wrapper elsewhere has to be asked. */
 function versionOfEmscripten(emcc) {
 	const file = join(dirname(realpathSync(emcc)), "emscripten-version.txt");
@@ -78,27 +69,38 @@ function findChromium(env) {
 	return findProgram(names, env) ?? applications.map((path) => join("/Applications", path)).find(isProgram) ?? null;
 }
 
-/** Each tool: what people call it, how it is found (a path or null) and which packages bring it. */
+/**
+ * Each tool: what people call it, how it is found (a path or null), which packages bring it, and the commands that do
+ * where there is no package manager that we know.
+ */
 export const tools = {
 	emscripten: {
 		title: `Emscripten ${oldestEmscripten} or newer (emcc)`,
 		find: findEmscripten,
 		packages: { "apt-get": ["emscripten"], dnf: ["emscripten"], pacman: ["emscripten"], brew: ["emscripten"] },
+		elsewhere: [
+			"git clone https://github.com/emscripten-core/emsdk",
+			"emsdk/emsdk install latest && emsdk/emsdk activate latest",
+			"export EMSDK=$PWD/emsdk",
+		],
 	},
 	glm: {
 		title: "GLM",
 		find: (env) => findHeader("glm/glm.hpp", env, [...(env.GLM_ROOT ? [env.GLM_ROOT] : []), ...includeFolders]),
 		packages: { "apt-get": ["libglm-dev"], dnf: ["glm-devel"], pacman: ["glm"], brew: ["glm"] },
+		elsewhere: ["git clone https://github.com/g-truc/glm", "export GLM_ROOT=$PWD/glm"],
 	},
 	cmake: {
 		title: "CMake",
 		find: (env) => findProgram(["cmake"], env),
 		packages: { "apt-get": ["cmake"], dnf: ["cmake"], pacman: ["cmake"], brew: ["cmake"] },
+		elsewhere: ["python3 -m pip install cmake"],
 	},
 	ninja: {
 		title: "Ninja",
 		find: (env) => findProgram(["ninja", "ninja-build"], env),
 		packages: { "apt-get": ["ninja-build"], dnf: ["ninja-build"], pacman: ["ninja"], brew: ["ninja"] },
+		elsewhere: ["python3 -m pip install ninja"],
 	},
 	compiler: {
 		title: "a C++ compiler",
@@ -109,11 +111,13 @@ export const tools = {
 			pacman: ["gcc"],
 			brew: ["llvm"],
 		},
+		elsewhere: ["export CXX=/path/to/a/C++20/compiler"],
 	},
 	doctest: {
 		title: "doctest",
 		find: (env) => findHeader("doctest/doctest.h", env, includeFolders),
 		packages: { "apt-get": ["doctest-dev"], dnf: ["doctest-devel"], pacman: ["doctest"], brew: ["doctest"] },
+		elsewhere: ["git clone https://github.com/doctest/doctest", "export CPATH=$PWD/doctest"],
 	},
 	clangFormat: {
 		title: "clang-format",
@@ -124,11 +128,16 @@ export const tools = {
 			pacman: ["clang"],
 			brew: ["clang-format"],
 		},
+		elsewhere: ["python3 -m pip install clang-format"],
 	},
 	chromium: {
-		title: "Chromium (or CHROMIUM_PATH naming one)",
+		title: "Chromium",
 		find: findChromium,
 		packages: { "apt-get": ["chromium"], dnf: ["chromium"], pacman: ["chromium"], brew: ["--cask chromium"] },
+		elsewhere: [
+			"npx playwright install --with-deps chromium",
+			"export CHROMIUM_PATH=$(node -p 'require(\"@playwright/test\").chromium.executablePath()')",
+		],
 	},
 };
 
@@ -162,25 +171,21 @@ function inWords(titles) {
 	return titles.length < 2 ? titles.join("") : `${titles.slice(0, -1).join(", ")} and ${titles.at(-1)}`;
 }
 
-const anywhere = [
-	"git clone https://github.com/emscripten-core/emsdk && cd emsdk",
-	"./emsdk install latest && ./emsdk activate latest",
-	"export EMSDK=$PWD",
-];
-
-/** The one message for tools that are missing and could not be had; `why` ends its first sentence. */
-export function missingMessage(missing, manager, why) {
-	const titles = inWords(missing.map((name) => tools[name].title));
-	const packages = manager ? missing.flatMap((name) => tools[name].packages[manager.name]) : [];
-	const commands = manager
-		? manager.commands(packages)
-		: missing.includes("emscripten")
-			? anywhere
-			: ["(use your system's package manager)"];
-	const them = missing.length === 1 ? "it" : "them";
+/**
+ * The one message for tools that are missing and could not be had; `why` ends its first sentence. Tools whose packages
+ * are `unfit` come from elsewhere.
+ */
+export function missingMessage(missing, manager, why, unfit = []) {
+	const packagesOf = (name) => (manager ? tools[name].packages[manager.name] : []);
+	const fromPackages = missing.filter((name) => manager && !packagesOf(name).some((p) => unfit.includes(p)));
+	const elsewhere = missing.filter((name) => !fromPackages.includes(name));
+	const commands = [
+		...(fromPackages.length > 0 ? manager.commands(fromPackages.flatMap(packagesOf)) : []),
+		...elsewhere.flatMap((name) => tools[name].elsewhere),
+	];
 	return [
-		`Panicle needs ${titles}, ${why}.`,
-		`Install ${them} with`,
+		`Panicle needs ${inWords(missing.map((name) => tools[name].title))}, ${why}.`,
+		`Install ${missing.length === 1 ? "it" : "them"} with`,
 		...commands.map((command) => `  ${command}`),
 		"and run the same command again.",
 	].join("\n");
@@ -192,19 +197,22 @@ export function missingMessage(missing, manager, why) {
  */
 export async function prepare(purpose, { env = process.env, log = console.error } = {}) {
 	const names = needs[purpose];
-	const before = locate(names, env);
-	if (before.missing.length === 0) return before.found;
+	const { found, missing } = locate(names, env);
+	if (missing.length === 0) return found;
 	const manager = packageManager(env);
-	const titles = before.missing.map((name) => tools[name].title);
 	if (manager?.name !== "apt-get") {
-		throw new ToolchainError(missingMessage(before.missing, manager, "which this machine does not have"));
+		throw new ToolchainError(missingMessage(missing, manager, "which this machine does not have"));
 	}
-	log(`Installing ${inWords(titles)} …`);
-	const packages = before.missing.flatMap((name) => tools[name].packages[manager.name]);
-	const problem = await installWithApt(packages, env);
+	log(`Installing ${inWords(missing.map((name) => tools[name].title))} …`);
+	const packages = missing.flatMap((name) => tools[name].packages[manager.name]);
+	const problem = await installWithApt(packages, { emscripten: oldestEmscripten }, env);
 	const after = locate(names, env);
 	if (after.missing.length === 0) return after.found;
-	throw new ToolchainError(missingMessage(after.missing, manager, problem ?? "which its package did not bring"));
+	const { why, unfit } = problem ?? {
+		why: "which its package did not bring",
+		unfit: after.missing.flatMap((name) => tools[name].packages[manager.name]),
+	};
+	throw new ToolchainError(missingMessage(after.missing, manager, why, unfit));
 }
 
 /** Environment in which this emcc runs. Debian's looks for its parsers where only Debian's own Node does. */

@@ -24,7 +24,8 @@ function check({ categories, symbols }) {
 	const keys = new Set(categories.map((category) => category.key));
 	const seen = new Set();
 	for (const row of symbols) {
-		if (!row.symbol || !row.name || !row.action || !row.help) fail(`${row.symbol}: symbol, name, action or help is missing.`);
+		if (!row.symbol || !row.name || !row.action || !row.help)
+			fail(`${row.symbol}: symbol, name, action or help is missing.`);
 		if (seen.has(row.symbol)) fail(`${row.symbol} stands in it twice.`);
 		if (!keys.has(row.category)) fail(`${row.symbol}: there is no category ${row.category}.`);
 		if (row.argument && !Number.isFinite(row.default)) fail(`${row.symbol}: its argument needs a default.`);
