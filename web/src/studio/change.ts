@@ -1,7 +1,7 @@
 /** The pure half of the store: what a control's change makes of the document. */
 import { SIDE_HANDLES, SIDES } from "../profile/handles";
 import { withLook, withParameters, withSeed } from "../specimen/edit";
-import { specimenFromPreset } from "../specimen/from-preset";
+import { specimenFromPreset } from "../specimen/from_preset";
 import { LOOK_KEYS } from "../specimen/parameters.generated";
 import { sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";

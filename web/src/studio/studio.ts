@@ -1,5 +1,5 @@
 import type { Grown } from "../core/grown";
-import { specimenFromPreset } from "../specimen/from-preset";
+import { specimenFromPreset } from "../specimen/from_preset";
 import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";

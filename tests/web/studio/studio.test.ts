@@ -1,0 +1,106 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import type { Specimen } from "../../../web/src/specimen/specimen";
+import { Studio } from "../../../web/src/studio/studio";
+import { FIRST_VISIT } from "../../../web/src/studio/ui_state";
+
+const opened = specimenFromPreset("grape-15c");
+
+describe("the studio", () => {
+	const surroundings = { grow: vi.fn(), cancel: vi.fn(), settled: vi.fn(), remember: vi.fn() };
+	let studio: Studio;
+	const grownLast = () => surroundings.grow.mock.lastCall?.[0] as Specimen;
+	const length = () => studio.state.specimen.parameters.l;
+
+	beforeEach(() => {
+		vi.clearAllMocks();
+		studio = new Studio(opened, FIRST_VISIT, surroundings);
+	});
+
+	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
+		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
+		expect(surroundings.grow).toHaveBeenCalledTimes(3);
+		expect(surroundings.settled).not.toHaveBeenCalled();
+		studio.settle();
+		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(studio.state.specimen);
+		studio.undo();
+		expect(studio.state.specimen).toEqual(opened);
+		expect(grownLast()).toEqual(opened);
+		studio.redo();
+		expect(length()).toBe(380);
+	});
+
+	it("makes a step of every drag", () => {
+		studio.set({ parameters: { l: 400 } });
+		studio.set({ parameters: { l: 300 } });
+		studio.undo();
+		expect(length()).toBe(400);
+		expect(surroundings.settled.mock.lastCall?.[0].parameters.l).toBe(400);
+	});
+
+	it("leaves no step where a drag ends where it began", () => {
+		studio.edit({ parameters: { l: 400 } });
+		studio.edit({ parameters: { l: opened.parameters.l } });
+		studio.settle();
+		expect(studio.state.history.past).toHaveLength(0);
+	});
+
+	it("does not grow for a colour, but draws and remembers it", () => {
+		const listener = vi.fn();
+		studio.subscribe(listener);
+		studio.set({ look: { skin: "ffffff" } });
+		expect(surroundings.grow).not.toHaveBeenCalled();
+		expect(listener).toHaveBeenCalled();
+		expect(surroundings.settled).toHaveBeenCalled();
+	});
+
+	it("says which parts of a link could not be used, once, until dismissed", () => {
+		const notes = [{ key: "l", problem: "", text: "l: too long." }];
+		studio.take({ specimen: specimenFromPreset("lychee"), notes }, "link");
+		studio.take({ specimen: specimenFromPreset("lychee"), notes }, "link");
+		expect(studio.state.notices).toMatchObject([
+			{ title: "Not everything in the link could be used", details: ["l: too long."] },
+		]);
+		studio.dismiss(studio.state.notices[0].id);
+		expect(studio.state.notices).toHaveLength(0);
+	});
+
+	it("goes to the published preset, seed and all, and back", () => {
+		studio.newVariation();
+		studio.choosePreset("duku");
+		expect(studio.state.specimen).toEqual(specimenFromPreset("duku"));
+		studio.undo();
+		studio.reset();
+		expect(studio.state.specimen).toEqual(opened);
+	});
+
+	it("brings locked sides together at once and undoes that as one step", () => {
+		studio.toggleLock("leftRight");
+		const { p3w, p4w } = studio.state.specimen.parameters;
+		expect(p4w).toBe(p3w);
+		studio.edit({ parameters: { p3w: 111 } });
+		expect(studio.state.specimen.parameters.p4w).toBe(111);
+		studio.settle();
+		studio.undo();
+		studio.undo();
+		expect(studio.state.specimen).toEqual(opened);
+		expect(studio.state.ui.locks.leftRight).toBe(true);
+	});
+
+	it("switches to the paper's letter and back to what was before", () => {
+		studio.set({ parameters: { vary: 0.7 } });
+		studio.setAsPrinted(true);
+		expect(studio.state.specimen.parameters).toMatchObject({ fit: 0, vary: 0 });
+		studio.setAsPrinted(false);
+		expect(studio.state.specimen.parameters).toMatchObject({ fit: 1, vary: 0.7 });
+	});
+
+	it("remembers which groups are closed, and tells each change once", () => {
+		studio.setGroup("shape", false);
+		studio.setGroup("shape", false);
+		expect(surroundings.remember).toHaveBeenCalledOnce();
+		expect(studio.state.ui.closed).toContain("shape");
+		studio.setGroup("shape", true);
+		expect(studio.state.ui.closed).not.toContain("shape");
+	});
+});
