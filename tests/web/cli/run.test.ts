@@ -1,0 +1,206 @@
+import { describe, expect, it } from "vitest";
+import { run } from "../../../web/src/cli/run";
+import { withParameters } from "../../../web/src/specimen/edit";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { encodeLink } from "../../../web/src/specimen/link";
+import { memoryWorld } from "./world";
+
+async function grow(words: string[], files?: Parameters<typeof memoryWorld>[0]) {
+	const memory = memoryWorld(files);
+	const status = await run(words, memory.world);
+	const [text = ""] = memory.printed;
+	return { status, ...memory, json: text.startsWith("{") ? JSON.parse(text) : undefined };
+}
+
+/** The one line that a call which cannot be used leaves on standard error. */
+async function complaint(words: string[], files?: Parameters<typeof memoryWorld>[0]): Promise<string> {
+	const { status, said, printed, written } = await grow(words, files);
+	expect(status).toBe(2);
+	expect(printed).toEqual([]);
+	expect(written.size).toBe(0);
+	expect(said).toHaveLength(1);
+	expect(said[0]).toMatch(/^grow: [^\n]{1,240}$/);
+	return said[0].slice("grow: ".length);
+}
+
+describe("the JSON", () => {
+	it("is all that standard output gets, and has every field", async () => {
+		const { status, json, printed, said } = await grow(["shouldered-conical"]);
+		expect(status).toBe(0);
+		expect(printed).toHaveLength(1);
+		expect(said).toEqual([]);
+		expect(Object.keys(json).sort()).toEqual(
+			["specimen", "plan", "counts", "berries", "internodes", "notes", "fingerprint", "timings"].sort(),
+		);
+		expect(json.specimen).toEqual(specimenFromPreset("shouldered-conical"));
+		expect(json.plan).toMatchObject({ m: 13, sides: [{ w: 190, r: 130, n: 8, rd: 7 }, {}, {}, {}] });
+		expect(json.plan.axes).toHaveLength(12);
+		expect(json.berries).toHaveLength(json.counts.berries);
+		expect(json.internodes).toHaveLength(json.counts.internodes);
+		expect(json.internodes[0].parent).toBe(-1);
+		expect(json.timings.grow).toBeGreaterThan(0);
+	});
+
+	it("has the second bunch's plan where there is one", async () => {
+		expect((await grow(["double-bunch-winged"])).json.plan.second.m).toBe(10);
+		expect((await grow(["cylindrical"])).json.plan).not.toHaveProperty("second");
+	});
+
+	it("is the default preset's without a word said", async () => {
+		expect((await grow([])).json.specimen).toEqual(specimenFromPreset());
+	});
+});
+
+describe("what is asked for", () => {
+	it("may be a link, whole or from its ? on", async () => {
+		const specimen = { ...withParameters(specimenFromPreset("duku"), { l: 300, p3w: 12 }), seed: 5 };
+		const link = await encodeLink(specimen);
+		for (const each of [link, `https://example.org/panicle/${link}`, `http://localhost:5173/index.html${link}#top`]) {
+			const { json } = await grow([each]);
+			expect(json.specimen).toEqual(specimen);
+			expect(json.notes).toEqual([]);
+		}
+		expect((await grow(["https://example.org/panicle/"])).json.specimen).toEqual(specimenFromPreset());
+	});
+
+	it("may be a link with a grammar", async () => {
+		const specimen = { ...specimenFromPreset(), grammar: "axiom: F(10)[+F(5)]F(10)\n" };
+		const link = await encodeLink(specimen);
+		const { json } = await grow([`https://example.org/${link}`]);
+		expect(json.specimen).toEqual(specimen);
+		expect(json.counts.internodes).toBe(3);
+		expect((await grow([link.slice(link.indexOf("#"))])).json.counts.internodes).toBe(3);
+	});
+
+	it("is brought into range where a link says it, with notes after the core's", async () => {
+		const { status, json, said } = await grow(["?l=9999&plum=1"]);
+		expect(status).toBe(0);
+		expect(json.specimen.parameters.l).toBe(580);
+		expect(json.notes).toEqual([
+			"l: 9999 is above the greatest value, 580; 580 is used.",
+			"plum: not known here; ignored.",
+		]);
+		expect(said).toEqual([]);
+	});
+
+	it("takes seed and settings on top of preset or link", async () => {
+		const words = ["--set", "p3=79,76", "?l=300&seed=2&vary=0", "--seed", "9", "--set", "p4w=100", "--set=skin=ffffff"];
+		const { json } = await grow(words);
+		expect(json.specimen).toMatchObject({
+			seed: 9,
+			parameters: { l: 300, p3w: 79, p3r: 76, p4w: 100, vary: 0 },
+			look: { skin: "ffffff" },
+		});
+	});
+
+	it("takes the last of what is given twice", async () => {
+		const { json } = await grow(["--set", "l=100", "--seed", "3", "--set", "l=200", "--seed", "4"]);
+		expect(json.specimen).toMatchObject({ seed: 4, parameters: { l: 200 } });
+	});
+
+	it("takes the grammar's inputs", async () => {
+		const { json } = await grow(["--set", "m=3", "--set", "n=1,2"]);
+		expect(json.specimen.inputs).toEqual({ m: 3, n: [1, 2] });
+		expect(json.plan).toMatchObject({ m: 3, axes: [2, 1] });
+	});
+
+	it("takes a grammar from a file", async () => {
+		const grammar = "\ufeffaxiom: F(10)[+F(5)][-F(5)]\n";
+		const { json } = await grow(["--grammar", "mine.lsys"], { "mine.lsys": grammar });
+		expect(json.counts.internodes).toBe(3);
+		expect(json.specimen.grammar).toBe(grammar.slice(1));
+	});
+});
+
+describe("files", () => {
+	it("are a GLB", async () => {
+		const { status, written, printed } = await grow(["rubus", "--out", "a/rubus.glb"]);
+		expect(status).toBe(0);
+		expect(printed).toEqual([]);
+		const glb = written.get("a/rubus.glb") as Uint8Array;
+		expect(new TextDecoder().decode(glb.subarray(0, 4))).toBe("glTF");
+	});
+
+	it("are an OBJ with the MTL that it names beside it", async () => {
+		const { written } = await grow(["rubus", "--out", "a.b/Rubus.OBJ"]);
+		expect([...written.keys()]).toEqual(["a.b/Rubus.OBJ", "a.b/Rubus.mtl"]);
+		expect(written.get("a.b/Rubus.OBJ")).toContain("mtllib Rubus.mtl");
+		expect(written.get("a.b/Rubus.mtl")).toContain("newmtl");
+	});
+
+	it("are the JSON that standard output would have got", async () => {
+		const { written } = await grow(["rubus", "--out", "rubus.json"]);
+		const { timings: _, ...ours } = JSON.parse(written.get("rubus.json") as string);
+		const { timings: __, ...printed } = (await grow(["rubus"])).json;
+		expect(ours).toEqual(printed);
+	});
+
+	it("leave notes to standard error", async () => {
+		const { status, said } = await grow(["?l=1", "--out", "x.json"]);
+		expect(status).toBe(0);
+		expect(said).toEqual(["note: l: 1 is below the least value, 29; 29 is used."]);
+	});
+});
+
+describe("what cannot be used", () => {
+	it("is said in one line: preset and options", async () => {
+		expect(await complaint(["plum"])).toMatch(/^“plum” is neither a preset nor a link; presets: short-conical /);
+		expect(await complaint(["duku", "rubus"])).toMatch(/“rubus” is one too many/);
+		expect(await complaint(["--sed", "3"])).toBe("Unknown option --sed; see --help");
+		expect(await complaint(["--seed"])).toMatch(/^Option --seed <value> argument missing; see --help$/);
+		expect(await complaint(["--seed", "x"])).toBe("--seed: “x” is not a number");
+		expect(await complaint(["--seed=-1"])).toBe("--seed: -1 is below the least value, 0");
+		expect(await complaint(["--seed", "1.5"])).toBe("--seed: 1.5 is not a whole number");
+	});
+
+	it("is said in one line: settings", async () => {
+		const set = (...settings: string[]) => complaint(settings.flatMap((setting) => ["--set", setting]));
+		expect(await set("l")).toBe("--set l: write KEY=VALUE, as in --set l=300");
+		expect(await set("=3")).toMatch(/write KEY=VALUE/);
+		for (const key of ["length", "seed", "preset", "v", "grammar", "toString", "__proto__"]) {
+			expect(await set(`${key}=1`)).toBe(`--set ${key}: no parameter has that key; see --help`);
+		}
+		expect(await set("l=abc")).toBe("--set l: “abc” is not a number");
+		expect(await set("l=700")).toBe("--set l: 700 is above the greatest value, 580");
+		expect(await set("p3=79")).toBe("--set p3: “79” is not 2 numbers like “79,76”");
+		expect(await set("t=1.5")).toBe("--set t: 1.5 is not a whole number");
+		expect(await set("wing=0.1")).toMatch(/^--set wing: 0.1 lies between/);
+		expect(await set("rmin=50")).toBe("--set rmin: 50 is above rmax, 30");
+		expect(await set("m=3", "n=1,2,3")).toBe("--set n: m = 3 needs 2 values, not 3");
+		expect(await set("skin=red")).toMatch(/^--set skin: “red” is not a colour/);
+		expect(await set("l=300", "l=x")).toMatch(/not a number/);
+	});
+
+	it("is said in one line: grammars, with line and column", async () => {
+		const grammar = (text: string | Uint8Array) => complaint(["--grammar", "g.lsys"], { "g.lsys": text });
+		expect(await complaint(["--grammar", "none.lsys"])).toBe("--grammar none.lsys: no such file or folder");
+		expect(await grammar("axiom: A\nA --> F(1\n")).toMatch(/^g\.lsys:[23]:\d+: \S/);
+		expect(await grammar("")).toBe("--grammar g.lsys: is empty");
+		expect(await grammar(Uint8Array.of(0xff, 0xfe, 0x41))).toBe("--grammar g.lsys: not text in UTF-8");
+		expect(await grammar("F".repeat(300_000))).toBe("--grammar g.lsys: longer than 256 KiB");
+		const link = await encodeLink({ ...specimenFromPreset(), grammar: "axiom: (" });
+		expect(await complaint([link])).toMatch(/^the link's grammar:1:\d+: /);
+	});
+
+	it("is said in one line: files", async () => {
+		expect(await complaint(["--out", "bunch.fbx"])).toBe("--out bunch.fbx: the name must end in .glb, .obj or .json");
+		expect(await complaint(["--out", "nowhere/bunch.glb"])).toBe("--out nowhere/bunch.glb: no such file or folder");
+	});
+});
+
+it("--help says all there is, and grows nothing", async () => {
+	const { status, printed } = await grow(["--help"]);
+	expect(status).toBe(0);
+	expect(printed[0]).toContain("--set KEY=VALUE");
+	expect(printed[0]).toContain("double-bunch-winged");
+	for (const line of printed[0].split("\n")) expect(line.length).toBeLessThan(120);
+});
+
+it("a core that is missing or breaks is another exit status", async () => {
+	const memory = memoryWorld();
+	const loadCore = async () => {
+		throw new Error("ENOENT: no such file,\nopen panicle.wasm");
+	};
+	expect(await run([], { ...memory.world, loadCore })).toBe(1);
+	expect(memory.said).toEqual(["grow: ENOENT: no such file, open panicle.wasm"]);
+});

@@ -1,0 +1,68 @@
+import { spawn } from "node:child_process";
+import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { encodeRequest } from "../../../web/src/core/request";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { freshCore } from "../core/wasm";
+
+const repository = fileURLToPath(new URL("../../../", import.meta.url));
+let folder = "";
+
+/** Runs the command as `npm run grow` does. */
+function grow(...words: string[]): Promise<{ status: number | null; out: string; err: string }> {
+	return new Promise((resolve, reject) => {
+		const child = spawn(process.execPath, ["wasm-core/tools/grow.mjs", ...words], { cwd: repository });
+		let out = "";
+		let err = "";
+		child.stdout.on("data", (data) => {
+			out += data;
+		});
+		child.stderr.on("data", (data) => {
+			err += data;
+		});
+		child.on("error", reject);
+		child.on("close", (status) => resolve({ status, out, err }));
+	});
+}
+
+beforeAll(async () => {
+	folder = await mkdtemp(join(tmpdir(), "panicle-cli-"));
+	await grow("--help"); // Bundles, where that is due, before times are taken.
+}, 120_000);
+
+afterAll(() => rm(folder, { recursive: true, force: true }));
+
+it("grows what the core grows, and prints the JSON alone", async () => {
+	const { status, out, err } = await grow("short-conical", "--seed", "7");
+	expect({ status, err }).toEqual({ status: 0, err: "" });
+	const specimen = { ...specimenFromPreset("short-conical"), seed: 7 };
+	const { fingerprint, counts } = (await freshCore()).grow(encodeRequest(specimen));
+	expect(JSON.parse(out)).toMatchObject({ specimen, fingerprint, counts });
+});
+
+it("writes files", async () => {
+	const file = join(folder, "bunch.glb");
+	const { status, out } = await grow("rubus", "--out", file);
+	expect({ status, out }).toEqual({ status: 0, out: "" });
+	expect((await readFile(file)).subarray(0, 4).toString()).toBe("glTF");
+});
+
+it("ends with 2 and one line where the call cannot be used", async () => {
+	const { status, out, err } = await grow("--set", "l=x");
+	expect({ status, out, err }).toEqual({ status: 2, out: "", err: "grow: --set l: “x” is not a number\n" });
+});
+
+it("keeps still when its reader has seen enough", async () => {
+	const child = spawn("sh", ["-c", `"${process.execPath}" wasm-core/tools/grow.mjs long-conical | head -c 10`], {
+		cwd: repository,
+	});
+	let err = "";
+	child.stderr.on("data", (data) => {
+		err += data;
+	});
+	await new Promise((resolve) => child.on("close", resolve));
+	expect(err).toBe("");
+});
