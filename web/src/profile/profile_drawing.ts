@@ -1,9 +1,9 @@
-/** What a view draws, as SVG templates; state in, templates out. Coordinates are pixels of the profile. */
-import { nothing, svg, type TemplateResult } from "lit";
+/** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
+import { html, nothing, svg, type TemplateResult } from "lit";
 import { guard } from "lit/directives/guard.js";
 import type { Specimen } from "../specimen/specimen";
 import { type DrawnPlan, envelopePath } from "./envelope";
-import { type Handle, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
+import { type Handle, handleLabel, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
 import { type DrawnBunch, silhouette } from "./silhouette";
 import { scaleBar, type ViewFrame } from "./view_frame";
 
@@ -24,7 +24,7 @@ export function drawBunch(bunch: DrawnBunch | undefined, view: View, unit: numbe
 			({ x, y, radius }) => svg`<circle cx=${x} cy=${y} r=${radius}></circle>`,
 		)}`;
 	};
-	return svg`<g class="bunch" aria-hidden="true">${guard([bunch, view, unit], draw)}</g>`;
+	return svg`<g class="bunch">${guard([bunch, view, unit], draw)}</g>`;
 }
 
 /** Envelope, the octahedron's outline and its axis, and p1. */
@@ -36,52 +36,47 @@ export function drawOutline(
 ): TemplateResult {
 	const [right, left] = VIEW_SIDES[view].map((handle) => handlePosition(parameters, handle));
 	const { l } = parameters;
-	return svg`<g aria-hidden="true">
+	return svg`
 		<path class="envelope" d=${envelopePath(parameters, view, plan)}></path>
 		<line class="axis" x1="0" y1="0" x2="0" y2=${l}></line>
 		<path class="outline" d="M0 0L${right.x} ${right.y}L0 ${l}L${left.x} ${left.y}Z"></path>
-		<g transform=${pin(frame, 0, 0)}><circle class="root" r="2.5"></circle>${drawName("p1", 0, -6, "middle")}</g>
-	</g>`;
-}
-
-/** A point's name with its number set low, as in the paper. */
-function drawName(name: Handle | "p1", x: number, y: number, anchor = "start"): TemplateResult {
-	return svg`<text class="name" x=${x} y=${y} text-anchor=${anchor}>p<tspan class="subscript" dy="2"
-		>${name.slice(1)}</tspan></text>`;
-}
-
-/** Where a handle's name stands, away from the outline. */
-function drawHandleName(handle: Handle): TemplateResult {
-	if (!isSide(handle)) return drawName(handle, 11, 4);
-	return drawName(handle, SIDES[handle].sign * 4, -11, "middle");
+		<g transform=${pin(frame, 0, 0)}>
+			<circle class="root" r="2.5"></circle>
+			<text class="name" y="-6" text-anchor="middle">p<tspan class="subscript" dy="2">1</tspan></text>
+		</g>`;
 }
 
 export interface HandleState {
 	held: boolean;
 	disabled: boolean;
-	label: string;
 }
 
-/** One handle: reach, focus ring, dot, name. `data-handle` names it to the event handlers. */
-export function drawHandle(shape: Shape, handle: Handle, frame: ViewFrame, state: HandleState): TemplateResult {
+/**
+ * One handle, over the SVG rather than in it: `touch-action` has no effect on the shapes of an SVG, and a button is
+ * one to assistive technology. `data-handle` names it to the event handlers; 44 pixels across, the dot in its middle.
+ * Its place is set as a property: a `style` attribute would need a looser content security policy.
+ */
+export function drawHandle(
+	shape: Shape,
+	handle: Handle,
+	frame: ViewFrame,
+	{ held, disabled }: HandleState,
+): TemplateResult {
 	const { x, y } = handlePosition(shape, handle);
-	return svg`<g
-		class=${state.held ? "handle held" : "handle"}
+	const across = (x - frame.left) * frame.scale;
+	const down = (y - frame.top) * frame.scale;
+	return html`<button
+		type="button"
+		class=${held ? "handle held" : "handle"}
 		data-handle=${handle}
-		role="button"
-		tabindex=${state.disabled ? -1 : 0}
-		aria-disabled=${state.disabled}
+		?disabled=${disabled}
 		aria-roledescription="handle"
-		aria-label=${state.label}
+		aria-label=${handleLabel(shape, handle)}
 		aria-describedby="help"
-		transform=${pin(frame, x, y)}
+		.style=${`transform: translate(${across}px, ${down}px)`}
 	>
-		<circle class="reach" r=${HANDLE_REACH}></circle>
-		<circle class="ring" r="10.5"></circle>
-		<circle class="dot" r="6"></circle>
-		<circle class="core" r="2"></circle>
-		${drawHandleName(handle)}
-	</g>`;
+		<span class="name">p<sub>${handle.slice(1)}</sub></span>
+	</button>`;
 }
 
 /** The numbers of a handle on lines from the axis and from the level of p1. */
@@ -113,7 +108,7 @@ export function drawScale(extent: number, unit: number, frame: ViewFrame): Templ
 	const { length, label } = scaleBar(extent, unit);
 	const pixels = length * frame.scale;
 	const corner = pin(frame, frame.left + 8 / frame.scale, frame.top + frame.height - 8 / frame.scale);
-	return svg`<g class="scale" aria-hidden="true" transform=${corner}>
+	return svg`<g class="scale" transform=${corner}>
 		<line x1="0" y1="0" x2=${pixels} y2="0"></line>
 		<line x1="0" y1="-3" x2="0" y2="0"></line>
 		<line x1=${pixels} y1="-3" x2=${pixels} y2="0"></line>

@@ -26,11 +26,6 @@ export const profileStyle = css`
 		height: 100%;
 		user-select: none;
 		-webkit-user-select: none;
-		-webkit-tap-highlight-color: transparent;
-	}
-	svg.dragging,
-	svg.dragging * {
-		cursor: grabbing;
 	}
 	path,
 	line,
@@ -103,53 +98,92 @@ export const profileStyle = css`
 	}
 
 	.handle {
+		position: absolute;
+		left: -22px;
+		top: -22px;
+		width: 44px;
+		height: 44px;
+		margin: 0;
+		padding: 0;
+		border: 0;
+		border-radius: 50%;
 		outline: none;
+		background: none;
+		color: inherit;
+		font: inherit;
+		line-height: 1;
 		cursor: grab;
-	}
-	.reach {
-		fill: transparent;
 		touch-action: none;
+		user-select: none;
+		-webkit-user-select: none;
+		-webkit-touch-callout: none;
+		-webkit-tap-highlight-color: transparent;
 	}
-	.dot {
-		fill: var(--ground);
-		stroke: var(--grip);
-		stroke-width: 1.75px;
+	.handle::before,
+	.handle::after {
+		content: "";
+		position: absolute;
+		inset: 0;
+		margin: auto;
+		box-sizing: border-box;
+		border-radius: 50%;
+	}
+	.handle::before {
+		--face: var(--ground);
+		--core: var(--grip);
+		width: 14px;
+		height: 14px;
+		border: 1.75px solid var(--grip);
+		background: radial-gradient(circle, var(--core) 2px, var(--face) 2.6px);
+	}
+	.handle::after {
+		width: 23px;
+		height: 23px;
+	}
+	.handle:hover::before {
+		--face: color-mix(in srgb, var(--grip) 22%, var(--ground));
+	}
+	.handle.held::before {
+		--face: var(--grip);
+		--core: var(--ground);
+	}
+	.handle:focus-visible::after {
+		border: 2px solid var(--grip);
+	}
+	.handle .name {
+		position: absolute;
+		top: 6px;
+		left: 50%;
+		translate: calc(-50% + 4px);
+		text-shadow:
+			0 0 2px var(--ground),
+			0 0 2px var(--ground),
+			0 0 3px var(--ground);
 		pointer-events: none;
 	}
-	.core {
-		fill: var(--grip);
-		pointer-events: none;
+	.handle:is([data-handle="p4"], [data-handle="p6"]) .name {
+		translate: calc(-50% - 4px);
 	}
-	.ring {
-		fill: none;
-		stroke: none;
-		pointer-events: none;
+	.handle[data-handle="p2"] .name {
+		top: 17px;
+		left: 33px;
+		translate: none;
 	}
-	.handle:hover .dot {
-		fill: color-mix(in srgb, var(--grip) 22%, var(--ground));
+	sub {
+		font-size: 0.75em;
+		line-height: 0;
 	}
-	.handle.held .dot {
-		fill: var(--grip);
-	}
-	.handle.held .core {
-		fill: var(--ground);
-	}
-	.handle:focus-visible .ring {
-		stroke: var(--grip);
-		stroke-width: 2px;
-	}
-	.handle:focus-visible .name,
-	.handle:hover .name,
-	.handle.held .name {
+	.handle:is(:hover, :focus-visible, .held) .name {
 		opacity: 1;
 	}
-	:host([disabled]) .handle,
-	:host([disabled]) .reach {
+	.dragging,
+	.dragging .handle {
+		cursor: grabbing;
+	}
+	.handle:disabled {
+		opacity: 0.4;
 		cursor: default;
 		touch-action: auto;
-	}
-	:host([disabled]) .handles {
-		opacity: 0.4;
 	}
 	.spoken {
 		position: absolute;
@@ -161,13 +195,13 @@ export const profileStyle = css`
 		white-space: nowrap;
 	}
 	@media (forced-colors: active) {
-		.dot,
-		.guide,
-		.handle:focus-visible .ring {
-			stroke: Highlight;
+		.handle::before {
+			forced-color-adjust: none;
+			--ground: Canvas;
+			--grip: Highlight;
 		}
-		.core {
-			fill: Highlight;
+		.guide {
+			stroke: Highlight;
 		}
 	}
 `;

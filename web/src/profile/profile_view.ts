@@ -11,7 +11,6 @@ import type { DrawnPlan } from "./envelope";
 import {
 	type Handle,
 	handleKeys,
-	handleLabel,
 	handlePosition,
 	handleValue,
 	type Locks,
@@ -89,39 +88,34 @@ export class ProfileView extends LitElement {
 		if (!parameters) return nothing;
 		const frame = this.#frame();
 		const shown = this.#handles().filter((handle) => handle === this.shown || this.#drags.holds(handle));
-		return html`<svg
-				class=${this.#drags.active ? "dragging" : ""}
-				viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}"
-				role="group"
-				aria-label="Profile, ${view} view"
-				@pointerdown=${this.#onPointerDown}
-				@pointermove=${this.#onPointerMove}
-				@pointerup=${this.#onPointerEnd}
-				@lostpointercapture=${this.#onPointerEnd}
-				@pointerover=${this.#onPointerOver}
-				@pointerout=${this.#onPointerOut}
-				@mousedown=${this.#onMouseDown}
-				@contextmenu=${this.#onContextMenu}
-				@dblclick=${this.#onDoubleClick}
-				@keydown=${this.#onKeyDown}
-				@focusin=${this.#onFocusIn}
-				@focusout=${this.#onPointerOut}
-			>
+		return html`<div
+			class=${this.#drags.active ? "dragging" : ""}
+			role="group"
+			aria-label="Profile, ${view} view"
+			@pointerdown=${this.#onPointerDown}
+			@pointermove=${this.#onPointerMove}
+			@pointerup=${this.#onPointerEnd}
+			@lostpointercapture=${this.#onPointerEnd}
+			@pointerover=${this.#onPointerOver}
+			@pointerout=${this.#onLeave}
+			@mousedown=${this.#onOwnGesture}
+			@contextmenu=${this.#onOwnGesture}
+			@dblclick=${this.#onDoubleClick}
+			@keydown=${this.#onKeyDown}
+			@focusin=${this.#onFocusIn}
+			@focusout=${this.#onLeave}
+		>
+			<svg viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}" aria-hidden="true">
 				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, this.plan, frame)}
-				<g aria-hidden="true">${shown.map((handle) => drawGuides(parameters, handle, frame))}</g>
-				<g class="handles">
-					${this.#handles().map((handle) =>
-						drawHandle(parameters, handle, frame, {
-							held: this.#drags.holds(handle),
-							disabled,
-							label: handleLabel(parameters, handle),
-						}),
-					)}
-				</g>
+				${shown.map((handle) => drawGuides(parameters, handle, frame))}
 			</svg>
+			${this.#handles().map((handle) =>
+				drawHandle(parameters, handle, frame, { held: this.#drags.holds(handle), disabled }),
+			)}
 			<p class="spoken" id="help">${HELP}</p>
-			<p class="spoken" aria-live="polite">${this.spoken}</p>`;
+			<p class="spoken" aria-live="polite">${this.spoken}</p>
+		</div>`;
 	}
 
 	#handles(): Handle[] {
@@ -144,7 +138,7 @@ export class ProfileView extends LitElement {
 	}
 
 	/** A pointer's place in pixels of the profile. */
-	#point({ clientX, clientY }: PointerEvent): Point {
+	#point({ clientX, clientY }: MouseEvent): Point {
 		const frame = this.#frame();
 		const box = this.getBoundingClientRect();
 		return {
@@ -153,14 +147,19 @@ export class ProfileView extends LitElement {
 		};
 	}
 
-	#onPointerDown(event: PointerEvent): void {
-		if (this.disabled || event.button !== 0 || !this.parameters || !handleOf(event)) return;
-		const at = this.#point(event);
+	/** The free handle within reach of a pointer. Reaches overlap on a small bunch: the nearest is meant, not the top. */
+	#handleAt(event: MouseEvent): Handle | undefined {
+		const { parameters } = this;
+		if (!parameters) return undefined;
 		const free = this.#handles().filter((handle) => !this.#drags.holds(handle));
-		const places = new Map(free.map((handle) => [handle, handlePosition(this.parameters as Parameters, handle)]));
-		// Reaches overlap on a small bunch: the nearest handle is meant, whichever lies on top.
-		const handle = nearestHandle(places, at, (2 * HANDLE_REACH) / this.#frame().scale);
-		if (!handle || !this.#drags.begin(event.pointerId, handle, at)) return;
+		const places = new Map(free.map((handle) => [handle, handlePosition(parameters, handle)]));
+		return nearestHandle(places, this.#point(event), HANDLE_REACH / this.#frame().scale);
+	}
+
+	#onPointerDown(event: PointerEvent): void {
+		if (this.disabled || event.button !== 0) return;
+		const handle = this.#handleAt(event);
+		if (!handle || !this.#drags.begin(event.pointerId, handle, this.#point(event))) return;
 		(event.currentTarget as Element).setPointerCapture(event.pointerId);
 		this.#element(handle)?.focus({ preventScroll: true });
 		window.addEventListener("keydown", this.#onEscape, { capture: true });
@@ -193,12 +192,8 @@ export class ProfileView extends LitElement {
 		this.#cancel();
 	};
 
-	/** Focus is given where the drag begins, which need not be the handle whose reach lies on top. */
-	#onMouseDown(event: MouseEvent): void {
-		if (handleOf(event)) event.preventDefault();
-	}
-
-	#onContextMenu(event: Event): void {
+	/** No menu after a long press, no focus but the one given: the handle held need not be the one whose reach is on top. */
+	#onOwnGesture(event: Event): void {
 		if (this.#drags.active) event.preventDefault();
 	}
 
@@ -206,7 +201,8 @@ export class ProfileView extends LitElement {
 		if (event.pointerType === "mouse" && !this.disabled) this.shown = handleOf(event);
 	}
 
-	#onPointerOut(): void {
+	/** The numbers of a handle left by the mouse or the focus go, those of one the keyboard is on stay. */
+	#onLeave(): void {
 		const focused = this.shadowRoot?.querySelector(".handle:focus-visible");
 		this.shown = focused ? handleOf({ target: focused }) : undefined;
 	}
@@ -216,7 +212,7 @@ export class ProfileView extends LitElement {
 	}
 
 	#onDoubleClick(event: MouseEvent): void {
-		const handle = handleOf(event);
+		const handle = this.#handleAt(event);
 		if (!handle || !this.initial || !this.parameters || this.disabled) return;
 		const parameters = { ...this.parameters };
 		for (const key of handleKeys(handle)) parameters[key] = this.initial[key];
@@ -236,14 +232,14 @@ export class ProfileView extends LitElement {
 		this.#tell(parameters, "profile-input", "profile-change");
 	}
 
-	#element(handle: Handle): SVGElement | null | undefined {
-		return this.shadowRoot?.querySelector<SVGElement>(`[data-handle=${handle}]`);
+	#element(handle: Handle): HTMLElement | null | undefined {
+		return this.shadowRoot?.querySelector<HTMLElement>(`[data-handle=${handle}]`);
 	}
 }
 
 /** The handle an event happened on. */
 function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
-	return (target as Element).closest<SVGElement>("[data-handle]")?.dataset.handle as Handle | undefined;
+	return (target as Element).closest<HTMLElement>("[data-handle]")?.dataset.handle as Handle | undefined;
 }
 
 declare global {
