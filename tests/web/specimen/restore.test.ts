@@ -63,6 +63,7 @@ describe("restore", () => {
 	it("raises what lies in the gap below the smallest second bunch", () => {
 		expect(texts({ wing: 0.1 })).toEqual(["wing: 0.1 lies between 0 and 0.3, where nothing is; 0.3 is used."]);
 		expect(parameters({ wing: 0.1 }).wing).toBe(0.3);
+		expect(parameters({ wing: 0.0001 }).wing).toBe(0.3);
 		expect(parameters({ wing: 0 }).wing).toBe(0);
 		expect(parameters({ wing: 0.3 }).wing).toBe(0.3);
 		expect(texts({ wing: -0.1 })).toEqual(["wing: -0.1 is below the least value, 0; 0 is used."]);

@@ -14,15 +14,15 @@ export function usage(): string {
 
   npm run -s grow -- [PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--out FILE]
 
-  PRESET         ${wrapped(PRESETS.map(({ name }) => name))}
-                 (default: ${DEFAULT_PRESET})
-  LINK           what Copy link copies, or its part from the ? on
-  --seed N       0 … 4294967295; another seed is another bunch of the same shape
+  PRESET           ${wrapped(PRESETS.map(({ name }) => name))}
+                   (default: ${DEFAULT_PRESET})
+  LINK             what Copy link copies, or its part from the ? on
+  --seed N         0 … 4294967295; another seed is another bunch of the same shape
   --set KEY=VALUE  as often as needed; KEY is one of
-                 ${wrapped([...keys, "m", "n=N1,N2,…"])}
-  --grammar FILE grammar text in place of L-system 3
-  --out FILE     .glb, .obj (with its .mtl beside it) or .json; without it, JSON goes to standard output
-  --help         this
+                   ${wrapped([...keys, "m", "n=N1,N2,…"])}
+  --grammar FILE   grammar text in place of L-system 3
+  --out FILE       .glb, .obj (with its .mtl beside it) or .json; without it, JSON goes to standard output
+  --help           this
 
 Exit status: 0 grown, 1 the core broke or is missing, 2 something in the call cannot be used.
 What the keys mean: docs/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.
@@ -30,7 +30,7 @@ What the keys mean: docs/parameters.md, docs/links.md. Fields of the JSON: docs/
 }
 
 const WIDTH = 80;
-const INDENT = 17;
+const INDENT = 19;
 
 function wrapped(words: readonly string[]): string {
 	const lines = [""];

@@ -75,9 +75,9 @@ export type Range = Pick<NumberEntry, "kind" | "min" | "max" | "gapBelow">;
 /** The nearest value that the range allows and a link can hold. */
 export function nearestWithin(range: Range, value: number): number {
 	const inside = Math.min(Math.max(value, range.min), range.max);
-	const stepped = range.kind === "integer" ? Math.round(inside) : Math.round(inside * STEPS_PER_UNIT) / STEPS_PER_UNIT;
-	const raised = inGap(range, stepped) ? range.gapBelow : stepped;
-	return raised + 0; // −0 becomes 0
+	const raised = inGap(range, inside) ? range.gapBelow : inside;
+	const steps = range.kind === "integer" ? 1 : STEPS_PER_UNIT;
+	return Math.round(raised * steps) / steps + 0; // −0 becomes 0
 }
 
 /** Whether a value lies between 0 and `gapBelow`, where nothing is. */
