@@ -1,7 +1,8 @@
 #include "wasm_api/request.hpp"
 
-#include <bit>
 #include <cstring>
+
+#include "foundation/bits.hpp"
 
 namespace panicle::wasm_api {
 namespace {
@@ -42,7 +43,7 @@ Result<bunch::Request> read_request(std::span<const std::uint8_t> bytes) {
   request.berry_segments = word(bytes, w_segments);
   request.m = static_cast<std::int32_t>(word(bytes, w_m));
   for (std::size_t i = 0; i < parameters; ++i)
-    request.parameters.push_back(std::bit_cast<float>(word(bytes, header_words + i)));
+    request.parameters.push_back(bit_cast<float>(word(bytes, header_words + i)));
   for (std::size_t i = 0; i < n; ++i)
     request.n.push_back(static_cast<std::int32_t>(word(bytes, header_words + parameters + i)));
   const std::size_t text = (header_words + parameters + n) * 4;

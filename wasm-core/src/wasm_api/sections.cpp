@@ -1,13 +1,14 @@
 #include "wasm_api/sections.hpp"
 
-#include <bit>
 #include <utility>
+
+#include "foundation/bits.hpp"
 
 namespace panicle::wasm_api {
 namespace {
 
-std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
-std::uint32_t word(std::int32_t value) { return std::bit_cast<std::uint32_t>(value); }
+std::uint32_t word(float value) { return bit_cast<std::uint32_t>(value); }
+std::uint32_t word(std::int32_t value) { return bit_cast<std::uint32_t>(value); }
 std::uint32_t low(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
 std::uint32_t high(std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32); }
 
