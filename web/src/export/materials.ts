@@ -18,7 +18,7 @@ export interface Material {
 const SKIN_ROUGHNESS: readonly [clean: number, bloomed: number] = [0.34, 0.46];
 const STEM_ROUGHNESS = 0.85;
 /** Wax crystals scatter a pale blue, strongest at grazing angles: what a sheen lobe describes. */
-const BLOOM_COLOUR: Colour = [0.3, 0.34, 0.42];
+const BLOOM_COLOUR: Colour = [0.17, 0.2, 0.26];
 const BLOOM_ROUGHNESS = 0.55;
 
 /** What the scar and the dried style at the tip leave of the skin's colour: a brown over any skin. */

@@ -1,6 +1,7 @@
 /** Where on the shared berry the tip scar is: v runs from the pedicel's seat (0) to the scar (1). */
-const SCAR_BEGINS = 0.9;
-const SCAR_FULL = 0.97;
+const SCAR_BEGINS = 0.94;
+/** About six degrees from the tip: the dried style within its dimple (geometry/berry.cpp). */
+const SCAR_FULL = 0.967;
 
 /** How much of the scar there is at `v`: 0 skin … 1 scar, with a soft edge. */
 export function scarShare(v: number): number {
