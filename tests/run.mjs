@@ -76,7 +76,7 @@ const stages = [
 	["format and lint", () => mustSucceed("wasm-core/tools/format.mjs", ["--check"])],
 	["types", () => mustSucceed("node_modules/typescript/bin/tsc", ["--noEmit"])],
 	["core, native with sanitizers", nativeTests],
-	["core, wasm", () => buildCore()],
+	["core, wasm", () => buildCore("wasm", ["all"])],
 	["web", webTests],
 	["app", () => mustSucceed("node_modules/vite/bin/vite.js", ["build"])],
 	["end to end", endToEndTests],

@@ -60,7 +60,7 @@ function publish(name) {
 }
 
 /**
- * Builds `targets` (default: all) of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a
+ * Builds `targets` (default: all; of wasm, the app's module alone) of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a
  * CoreBuildError; modules built before then stay as they are.
  *
  * @param {string} [preset]
@@ -73,10 +73,14 @@ export async function buildCore(preset = "wasm", targets = []) {
 	return withLock(join(buildFolder, `${preset}.lock`), async () => {
 		await configure(preset, tools, env);
 		const jobs = String(availableParallelism());
-		const chosen = targets.length > 0 ? ["--target", ...targets] : [];
-		const output = await step(tools.cmake, ["--build", join(buildFolder, preset), "--parallel", jobs, ...chosen], {
-			env,
-		});
+		const chosen = targets.length > 0 ? targets : preset === "wasm" ? ["panicle"] : ["all"];
+		const output = await step(
+			tools.cmake,
+			["--build", join(buildFolder, preset), "--parallel", jobs, "--target", ...chosen],
+			{
+				env,
+			},
+		);
 		if (/warning:/.test(output)) console.error(essence(output));
 		if (preset !== "wasm") return { changed: false };
 		publish("panicle-bench.wasm");
