@@ -42,7 +42,7 @@ export function drawOutline(
 		<path class="outline" d="M0 0L${right.x} ${right.y}L0 ${l}L${left.x} ${left.y}Z"></path>
 		<g transform=${pin(frame, 0, 0)}>
 			<circle class="root" r="2.5"></circle>
-			<text class="name" y="-6" text-anchor="middle">p<tspan class="subscript" dy="2">1</tspan></text>
+			<text class="name" y="-6" text-anchor="middle"><tspan class="symbol">p</tspan><tspan class="subscript" dy="2">1</tspan></text>
 		</g>`;
 }
 
@@ -75,7 +75,7 @@ export function drawHandle(
 		aria-describedby="help"
 		.style=${`transform: translate(${across}px, ${down}px)`}
 	>
-		<span class="name">p<sub>${handle.slice(1)}</sub></span>
+		<span class="name"><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>
 	</button>`;
 }
 
@@ -89,7 +89,7 @@ export function drawGuides(shape: Shape, handle: Handle, frame: ViewFrame): Temp
 	}
 	const { sign } = SIDES[handle];
 	const index = handle.slice(1);
-	const w = drawValue("w", index, shape[`${handle}w`], 0, -5, "middle");
+	const w = drawValue("w", index, shape[`${handle}w`], 0, 13, "middle");
 	const r = drawValue("r", index, shape[`${handle}r`], -6 * sign, 4, sign > 0 ? "end" : "start");
 	return svg`<line class="guide" x1="0" y1=${y} x2=${x} y2=${y}></line>
 		<line class="guide" x1="0" y1="0" x2=${x} y2="0"></line>
@@ -99,7 +99,7 @@ export function drawGuides(shape: Shape, handle: Handle, frame: ViewFrame): Temp
 }
 
 function drawValue(symbol: string, index: string, value: number, x: number, y: number, anchor: string): TemplateResult {
-	return svg`<text class="value" x=${x} y=${y} text-anchor=${anchor}>${symbol}<tspan class="subscript" dy="2"
+	return svg`<text class="value" x=${x} y=${y} text-anchor=${anchor}><tspan class="symbol">${symbol}</tspan><tspan class="subscript" dy="2"
 		>${index}</tspan><tspan dy=${index ? -2 : 0}> ${value}</tspan></text>`;
 }
 

@@ -83,6 +83,9 @@ export const profileStyle = css`
 	.name {
 		opacity: 0.66;
 	}
+	.symbol {
+		font: italic 400 1.25em / 0 var(--serif, Georgia, "Times New Roman", serif);
+	}
 	.subscript {
 		font-size: 0.75em;
 	}
@@ -147,14 +150,15 @@ export const profileStyle = css`
 		--face: var(--grip);
 		--core: var(--ground);
 	}
-	.handle:focus-visible::after {
+	:not(.pointed) > .handle:focus-visible::after {
 		border: 2px solid var(--grip);
 	}
 	.handle .name {
+		line-height: 1.2;
 		position: absolute;
-		top: 6px;
+		top: 1px;
 		left: 50%;
-		translate: calc(-50% + 4px);
+		translate: calc(-50% + 5px);
 		text-shadow:
 			0 0 2px var(--ground),
 			0 0 2px var(--ground),
@@ -162,7 +166,7 @@ export const profileStyle = css`
 		pointer-events: none;
 	}
 	.handle:is([data-handle="p4"], [data-handle="p6"]) .name {
-		translate: calc(-50% - 4px);
+		translate: calc(-50% - 5px);
 	}
 	.handle[data-handle="p2"] .name {
 		top: 17px;

@@ -4,6 +4,7 @@
  */
 import { html, LitElement, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
+import { classMap } from "lit/directives/class-map.js";
 import type { Specimen } from "../specimen/specimen";
 import { type DragOptions, nearestHandle, nudgeHandle } from "./drag";
 import { DragSession } from "./drag_session";
@@ -53,6 +54,9 @@ export class ProfileView extends LitElement {
 	/** What a screen reader says after a key step. */
 	@state() private spoken = "";
 
+	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
+	@state() private pointed = false;
+
 	/** The extent drawn; it stands still while a handle is held. */
 	#extent = 0;
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
@@ -89,7 +93,7 @@ export class ProfileView extends LitElement {
 		const frame = this.#frame();
 		const shown = this.#handles().filter((handle) => handle === this.shown || this.#drags.holds(handle));
 		return html`<div
-			class=${this.#drags.active ? "dragging" : ""}
+			class=${classMap({ dragging: this.#drags.active, pointed: this.pointed })}
 			role="group"
 			aria-label="Profile, ${view} view"
 			@pointerdown=${this.#onPointerDown}
@@ -97,13 +101,13 @@ export class ProfileView extends LitElement {
 			@pointerup=${this.#onPointerEnd}
 			@lostpointercapture=${this.#onPointerEnd}
 			@pointerover=${this.#onPointerOver}
-			@pointerout=${this.#onLeave}
+			@pointerout=${this.#onPointerOut}
 			@mousedown=${this.#onOwnGesture}
 			@contextmenu=${this.#onOwnGesture}
 			@dblclick=${this.#onDoubleClick}
 			@keydown=${this.#onKeyDown}
 			@focusin=${this.#onFocusIn}
-			@focusout=${this.#onLeave}
+			@focusout=${this.#onFocusOut}
 		>
 			<svg viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}" aria-hidden="true">
 				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#extent, parameters.unit, frame)}
@@ -162,6 +166,7 @@ export class ProfileView extends LitElement {
 		if (!handle || !this.#drags.begin(event.pointerId, handle, this.#point(event))) return;
 		(event.currentTarget as Element).setPointerCapture(event.pointerId);
 		this.#element(handle)?.focus({ preventScroll: true });
+		this.pointed = true;
 		window.addEventListener("keydown", this.#onEscape, { capture: true });
 		this.requestUpdate();
 	}
@@ -201,14 +206,19 @@ export class ProfileView extends LitElement {
 		if (event.pointerType === "mouse" && !this.disabled) this.shown = handleOf(event);
 	}
 
-	/** The numbers of a handle left by the mouse or the focus go, those of one the keyboard is on stay. */
-	#onLeave(): void {
-		const focused = this.shadowRoot?.querySelector(".handle:focus-visible");
+	/** The numbers of a handle that the mouse leaves go; those of the one the keyboard is on stay. */
+	#onPointerOut(): void {
+		const focused = this.pointed ? null : this.shadowRoot?.querySelector(".handle:focus-visible");
 		this.shown = focused ? handleOf({ target: focused }) : undefined;
 	}
 
 	#onFocusIn(event: FocusEvent): void {
 		if ((event.target as Element).matches(":focus-visible")) this.shown = handleOf(event);
+	}
+
+	#onFocusOut(): void {
+		this.pointed = false;
+		this.shown = undefined;
 	}
 
 	#onDoubleClick(event: MouseEvent): void {
@@ -222,11 +232,12 @@ export class ProfileView extends LitElement {
 	#onKeyDown(event: KeyboardEvent): void {
 		const handle = handleOf(event);
 		if (!handle || !this.parameters || this.disabled || event.ctrlKey || event.metaKey) return;
-		if (this.#drags.holds(handle)) return;
+		if (this.#drags.active) return;
 		const step = event.shiftKey ? 10 : 1;
 		const parameters = nudgeHandle(this.parameters, handle, event.key, step, this.#options(event));
 		if (!parameters) return;
 		event.preventDefault();
+		this.pointed = false;
 		this.shown = handle;
 		this.spoken = handleValue(parameters, handle);
 		this.#tell(parameters, "profile-input", "profile-change");
