@@ -16,7 +16,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr std::int32_t most_segments = 1000;  // of one axis, asked for in place of the profile's
+constexpr std::int32_t most_segments = 10000;  // of one axis, asked for in place of the profile's
 constexpr float metres_per_millimetre = 0.001f;
 
 // A request's parameters, complete and in range.
@@ -57,7 +57,10 @@ class Values {
 Profile profile_of(const Values& values) {
   using enum Parameter;
   return {values[l],
-          {{{values[p3w], values[p3r]}, {values[p4w], values[p4r]}, {values[p5w], values[p5r]}, {values[p6w], values[p6r]}}}};
+          {{{values[p3w], values[p3r]},
+            {values[p4w], values[p4r]},
+            {values[p5w], values[p5r]},
+            {values[p6w], values[p6r]}}}};
 }
 
 // One bunch of the specimen: what its grammar counts and how far its lengths stretch.
@@ -75,16 +78,18 @@ Shape shape_of(const Profile& profile, float fit) {
 // Segments asked for take the place of the profile's, whose lengths then no longer apply.
 Result<Shape> asked_shape(const Request& request, const Profile& profile) {
   if (request.m < 0 || request.m > most_segments)
-    return Diagnostic{Reason::bad_input, "m must be from 1 to 1000.", 0, 0};
+    return Diagnostic{Reason::bad_input, "m must be from 1 to 10000.", 0, 0};
   Shape shape{make_plan(profile, request.m), {}};
   if (request.n.empty()) return shape;
   const std::size_t axes = shape.plan.axes.size();
   if (request.n.size() != axes)
-    return Diagnostic{Reason::bad_input, "n needs m − 1 = " + std::to_string(axes) + " values, n1 first; it has " +
-                                             std::to_string(request.n.size()) + ".", 0, 0};
+    return Diagnostic{Reason::bad_input,
+                      "n needs m − 1 = " + std::to_string(axes) + " values, n1 first; it has " +
+                          std::to_string(request.n.size()) + ".",
+                      0, 0};
   for (std::size_t k = 0; k < axes; ++k) {
     if (request.n[k] < 0 || request.n[k] > most_segments)
-      return Diagnostic{Reason::bad_input, "Every n must be from 0 to 1000.", 0, 0};
+      return Diagnostic{Reason::bad_input, "Every n must be from 0 to 10000.", 0, 0};
     shape.plan.axes[axes - 1 - k] = request.n[k];
   }
   return shape;
@@ -121,8 +126,7 @@ Diagnostic grow_one(const Strain& strain, const Shape& shape, const Values& valu
   growth.begin(*program.value(), strain.seed, strain.first_axis);
   lsystem::Turtle turtle;
   lsystem::turn(turtle, -strain.lean);
-  const auto drawn =
-      lsystem::interpret(*program.value(), *derived->string, turtle, growth, strain.seed, limits);
+  const auto drawn = lsystem::interpret(*program.value(), *derived->string, turtle, growth, strain.seed, limits);
   if (!drawn) return drawn.error();
   return growth.trouble();
 }

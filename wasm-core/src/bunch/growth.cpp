@@ -15,10 +15,17 @@ struct Slots {
 
 bool slots_for(std::size_t arity, Slots& slots) {
   switch (arity) {
-    case 3: slots = {1, 0, 2, 0, 0}; return true;
-    case 5: slots = {1, 2, 3, 4, 0}; return true;
-    case 6: slots = {1, 2, 3, 4, 5}; return true;
-    default: return false;
+    case 3:
+      slots = {1, 0, 2, 0, 0};
+      return true;
+    case 5:
+      slots = {1, 2, 3, 4, 0};
+      return true;
+    case 6:
+      slots = {1, 2, 3, 4, 5};
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -53,8 +60,10 @@ void Growth::ask(const lsystem::Turtle& turtle, std::span<float> parameters, con
   Slots slots;
   if (!slots_for(parameters.size(), slots)) {
     if (trouble_.reason == Reason::none)
-      trouble_ = {Reason::bad_input, "The bunch answers ?E with 3, 5 or 6 parameters: (type, theta, l), "
-                                     "(type, theta, phi, l, w) or (type, theta, phi, l, w, b).", 0, 0};
+      trouble_ = {Reason::bad_input,
+                  "The bunch answers ?E with 3, 5 or 6 parameters: (type, theta, l), "
+                  "(type, theta, phi, l, w) or (type, theta, phi, l, w, b).",
+                  0, 0};
     return;
   }
   const bool pedicel = parameters[0] == 1;
@@ -65,8 +74,8 @@ void Growth::ask(const lsystem::Turtle& turtle, std::span<float> parameters, con
   newborn.pedicel = pedicel;
   newborn.flat = slots.phi == 0;
   newborn.length = length;
-  newborn.radius = pedicel ? (slots.berry ? parameters[slots.berry] : constants_.berry_radius)
-                           : width * constants_.narrowing * 0.5f;
+  newborn.radius =
+      pedicel ? (slots.berry ? parameters[slots.berry] : constants_.berry_radius) : width * constants_.narrowing * 0.5f;
   if (turtle.line >= 0) newborn.parent = tips_[first_internode_ + turtle.line];
   newborn.tie = random_direction(seed_, hash_text("tie"), lineage.address);
 
@@ -116,7 +125,7 @@ void Growth::label(Internode& internode, const lsystem::Lineage& lineage) const 
   const Internode& parent = internodes[internode.parent];
   if (parent.kind != Kind::rachis)
     internode.axis = parent.axis;
-  else if (!is_rachis(lineage.grandparent))
+  else if (!(internode.kind == Kind::end && is_rachis(lineage.grandparent)))
     internode.axis = first_axis_ + rachis_depth_[internode.parent] - 1;
 }
 
@@ -133,8 +142,10 @@ void Growth::cut(const lsystem::Turtle&) { answered_ = {}; }
 bool Growth::within(std::size_t count, std::uint32_t limit, const char* what) {
   if (count < limit) return true;
   if (trouble_.reason == Reason::none)
-    trouble_ = {Reason::limit, std::string("The bunch has reached the limit of ") + std::to_string(limit) + " " + what +
-                                   "; make the profile or the grammar smaller.", 0, 0};
+    trouble_ = {Reason::limit,
+                std::string("The bunch has reached the limit of ") + std::to_string(limit) + " " + what +
+                    "; make the profile or the grammar smaller.",
+                0, 0};
   return false;
 }
 

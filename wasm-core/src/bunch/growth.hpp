@@ -39,10 +39,10 @@ class Growth final : public lsystem::Listener {
  private:
   // The constants that the environment shares with the text.
   struct Constants {
-    float width = 0;           // `w`, for modules that do not carry one
-    float narrowing = 1;       // `r_w`
+    float width = 0;            // `w`, for modules that do not carry one
+    float narrowing = 1;        // `r_w`
     float withered_length = 0;  // `l_w`
-    float berry_radius = 0;    // `b_r`, for modules that do not carry one
+    float berry_radius = 0;     // `b_r`, for modules that do not carry one
   };
 
   // What ask() settled for the line that its answer is about to draw.
@@ -66,7 +66,7 @@ class Growth final : public lsystem::Listener {
   std::uint64_t seed_ = 0;
   std::int32_t first_internode_ = 0;  // of this interpretation
   std::int32_t first_axis_ = 0;
-  std::vector<std::uint32_t> tips_;        // per internode: the sphere at its tip, or none
+  std::vector<std::uint32_t> tips_;         // per internode: the sphere at its tip, or none
   std::vector<std::int32_t> rachis_depth_;  // per internode: how many rachis internodes lie above it
 };
 

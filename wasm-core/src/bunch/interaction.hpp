@@ -20,9 +20,9 @@ struct Newborn {
   bool pedicel = false;
   bool flat = false;  // turns in the turtle's heading–left plane alone (the 2-D communication module)
   float length = 0;
-  float radius = 0;           // of the probe
+  float radius = 0;                              // of the probe
   std::uint32_t parent = SphereGrid::no_sphere;  // the parent's own tip sphere, no obstacle
-  glm::vec3 tie{0, -1, 0};    // unit; the way out where a push points nowhere
+  glm::vec3 tie{0, -1, 0};                       // unit; the way out where a push points nowhere
 };
 
 // The answer: the turns +(θ)&(φ), in degrees, that lead to free space, and the sphere that stands there.

@@ -14,7 +14,7 @@ struct SidePoint {
 };
 
 struct Profile {
-  float length = 0;                    // l: depth of p2 below p1
+  float length = 0;                     // l: depth of p2 below p1
   std::array<SidePoint, 4> sides = {};  // p3 right, p4 left, p5 front, p6 back
 };
 

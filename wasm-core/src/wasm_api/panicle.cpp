@@ -27,7 +27,9 @@ extern "C" {
 
 std::uint32_t panicle_abi(void) { return 1; }
 
-void* panicle_allocate(std::uint32_t bytes) { return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr; }
+void* panicle_allocate(std::uint32_t bytes) {
+  return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;
+}
 
 void panicle_release(void* memory) { std::free(memory); }
 

@@ -36,8 +36,8 @@ Sections::Sections(bunch::Grown grown) : grown_(std::move(grown)) {
   pack_plan(PANICLE_SECTION_PLAN, grown_.plan);
   if (grown_.second) pack_plan(PANICLE_SECTION_SECOND, *grown_.second);
   const bunch::Counts& counts = grown_.counts;
-  pack(PANICLE_SECTION_COUNTS, {counts.end_structures, counts.internodes, counts.pedicels, counts.berries,
-                                counts.withered, counts.cut});
+  pack(PANICLE_SECTION_COUNTS,
+       {counts.end_structures, counts.internodes, counts.pedicels, counts.berries, counts.withered, counts.cut});
   pack_skeleton();
   pack(PANICLE_SECTION_FINGERPRINTS, {low(grown_.fingerprint), high(grown_.fingerprint), low(grown_.mesh_fingerprint),
                                       high(grown_.mesh_fingerprint)});
@@ -107,8 +107,8 @@ void Sections::pack_meshes() {
     show(PANICLE_SECTION_STEM_INTERNODES, stem.internode);
     std::vector<std::uint32_t> parts;
     for (const StemPart& part : stem.parts)
-      parts.insert(parts.end(), {word(part.axis), part.first_vertex, part.vertex_count, part.first_index,
-                                 part.index_count});
+      parts.insert(parts.end(),
+                   {word(part.axis), part.first_vertex, part.vertex_count, part.first_index, part.index_count});
     pack(PANICLE_SECTION_STEM_PARTS, std::move(parts));
   }
   if (grown_.berry) {

@@ -1,0 +1,111 @@
+#include "kernels.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "bunch/bunch.hpp"
+#include "bunch/interaction.hpp"
+#include "bunch/parameters.generated.hpp"
+#include "foundation/random.hpp"
+#include "geometry/tubes.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::bench {
+namespace {
+
+double derive(std::uint32_t steps) {
+  const auto program = lsystem::compile(
+      "axiom: A(1)\n"
+      "A(s) --> F(s)[+A(s/1.456)][-A(s/1.456)]\n",
+      {}, {});
+  if (!program) return -1;
+  const auto derived = lsystem::derive(*program.value(), 1, steps, {});
+  return derived ? static_cast<double>(derived->modules_written) : -1;
+}
+
+// The same bunch over and over down a longer rachis: lengths and widths are kept from shrinking, else the tip's would
+// vanish.
+bunch::Request longer_bunch(std::uint32_t factor) {
+  constexpr std::int32_t axes[] = {8, 4, 6, 6, 3, 2, 3, 3, 1, 1, 1, 1};  // shouldered conical
+  bunch::Request request;
+  request.meshes = false;
+  request.parameters.assign(bunch::parameter_count, std::numeric_limits<float>::quiet_NaN());
+  for (const auto rate : {bunch::Parameter::rw, bunch::Parameter::rrr, bunch::Parameter::rff})
+    request.parameters[static_cast<std::size_t>(rate)] = 1;
+  for (std::uint32_t i = 0; i < factor; ++i) request.n.insert(request.n.end(), std::begin(axes), std::end(axes));
+  request.m = static_cast<std::int32_t>(request.n.size()) + 1;
+  return request;
+}
+
+double plan(std::uint32_t factor) {
+  const auto grown = bunch::grow(longer_bunch(factor));
+  return grown ? grown->counts.pedicels : -1;
+}
+
+// Nodes down a cylinder with room for about two berries in three, as in a bunch.
+double probe(std::uint32_t berries) {
+  SphereGrid structure(30);
+  const float length = static_cast<float>(berries) * 9;
+  for (std::uint32_t i = 0; i < berries; ++i) {
+    lsystem::Turtle turtle;
+    const float depth = random_unit(1, 1, i) * length;
+    turtle.heading = random_direction(1, 2, i);
+    const glm::vec3 helper = std::fabs(turtle.heading.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    turtle.left = glm::normalize(glm::cross(helper, turtle.heading));
+    turtle.up = glm::cross(turtle.heading, turtle.left);
+    turtle.position = {random_unit(1, 3, i) * 100 - 50, -depth, random_unit(1, 4, i) * 100 - 50};
+    bunch::Newborn newborn;
+    newborn.pedicel = true;
+    newborn.length = 40;
+    newborn.radius = 20 + random_unit(1, 5, i) * 10;
+    newborn.tie = random_direction(1, 6, i);
+    const bunch::Room room = bunch::find_room(structure, turtle, newborn, {});
+    if (room.found) structure.add(room.sphere);
+  }
+  return berries;
+}
+
+double tubes(const std::vector<Internode>& skeleton) {
+  return static_cast<double>(sweep_stems(skeleton, {12}, 0.00025f).internode.size());
+}
+
+std::vector<Internode> skeleton_of(std::uint32_t internodes) {
+  const auto grown = bunch::grow(longer_bunch(internodes / 199 + 1));
+  if (!grown) return {};
+  std::vector<Internode> skeleton = grown->internodes;
+  for (Internode& internode : skeleton) {
+    internode.start *= 4000.0f;
+    internode.end *= 4000.0f;
+    internode.radius *= 4000.0f;
+    internode.radius_end *= 4000.0f;
+  }
+  return skeleton;
+}
+
+}  // namespace
+
+double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds) {
+  static std::vector<Internode> skeleton;  // grown before the clock starts: a call with no rounds prepares it
+  if (kernel == Kernel::tubes && skeleton.empty()) skeleton = skeleton_of(size);
+  double work = 0;
+  for (std::uint32_t round = 0; round < rounds && work >= 0; ++round) {
+    switch (kernel) {
+      case Kernel::derive:
+        work = derive(size);
+        break;
+      case Kernel::plan:
+        work = plan(size);
+        break;
+      case Kernel::probe:
+        work = probe(size);
+        break;
+      case Kernel::tubes:
+        work = tubes(skeleton);
+        break;
+    }
+  }
+  return work;
+}
+
+}  // namespace panicle::bench

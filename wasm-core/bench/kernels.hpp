@@ -1,0 +1,18 @@
+// The pieces of work that the bench times, natively and as wasm alike. None of them reads a clock: the caller does.
+#pragma once
+
+#include <cstdint>
+
+namespace panicle::bench {
+
+enum class Kernel : std::uint32_t {
+  derive = 0,  // the rule A(s) → F(s)[+A(s/1.456)][−A(s/1.456)], `size` steps; work: modules written
+  plan = 1,    // shouldered conical with `size` times its axes on a longer rachis, no meshes; work: pedicels
+  probe = 2,   // `size` berries looking for room one after another; work: berries probed
+  tubes = 3,   // stems of `size` internodes, 12 sides; work: vertices
+};
+
+// Does the work `rounds` times over and returns how much one round was; negative if it failed.
+double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds);
+
+}  // namespace panicle::bench
