@@ -28,7 +28,7 @@ const TOUCH_REACH = 26;
 export class OctahedronHandles {
 	/** Live while a handle is dragged, once a frame at most; also with what was before, when Escape calls it off. */
 	onInput?: (parameters: Parameters) => void;
-	/** A drag ended and changed something. */
+	/** A drag is over: with what it made, or, when it was called off, with what was before. */
 	onChange?: (parameters: Parameters) => void;
 	locks: Locks = { leftRight: false, frontBack: false };
 
@@ -53,7 +53,10 @@ export class OctahedronHandles {
 			get: () => this.#parameters as Parameters,
 			input: (parameters) => tell(parameters, this.onInput),
 			change: (parameters) => tell(parameters, this.onChange),
-			cancel: (parameters) => tell(parameters, this.onInput),
+			cancel: (parameters) => {
+				tell(parameters, this.onInput);
+				this.onChange?.(parameters);
+			},
 			schedule: (callback) => requestAnimationFrame(callback),
 		});
 		// In the capturing phase, so that the controls are at rest before they hear of a pointer that took a handle.
