@@ -1,0 +1,162 @@
+#include "geometry/stem_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace panicle {
+namespace {
+
+constexpr std::int32_t none = -1;
+constexpr float cosine_of_fork = 0.6428f;         // 50°
+constexpr float cosine_of_only_child = -0.1736f;  // 100°
+
+// Finite, and small enough for lengths to be so too.
+bool usable(const Internode& internode) {
+  float sum = std::fabs(internode.radius) + std::fabs(internode.radius_end);
+  for (int axis = 0; axis < 3; ++axis) sum += std::fabs(internode.start[axis]) + std::fabs(internode.end[axis]);
+  return sum < 1e15f;
+}
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
+  const float length = glm::length(v);
+  return length > 0 ? v / length : otherwise;
+}
+
+class Finder {
+ public:
+  explicit Finder(std::span<const Internode> skeleton) : skeleton_(skeleton) {}
+
+  StemAxes find() {
+    measure();
+    directions();
+    successors();
+    for (const std::int32_t first : heads()) trace(first);
+    return std::move(result_);
+  }
+
+ private:
+  // Floats of the largest coordinate are 2^−24 of it apart; a thousand steps make a ring that is round.
+  void measure() {
+    float extent = 0;
+    for (const Internode& internode : skeleton_) {
+      if (!usable(internode)) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        extent = std::max({extent, std::fabs(internode.start[axis]), std::fabs(internode.end[axis])});
+      }
+    }
+    result_.finest = std::max(extent * 6e-5f, 1e-15f);
+  }
+
+  // A direction for every internode; one without length takes its parent's.
+  void directions() {
+    directions_.resize(skeleton_.size());
+    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+      const std::int32_t parent = parent_of(i);
+      const glm::vec3 inherited = parent == none ? glm::vec3(0, -1, 0) : directions_[parent];
+      const glm::vec3 along = usable(skeleton_[i]) ? skeleton_[i].end - skeleton_[i].start : glm::vec3(0);
+      directions_[i] = glm::length(along) > result_.finest ? unit_or(along, inherited) : inherited;
+    }
+  }
+
+  // The parent, if it is an earlier, usable internode whose end is this one's start.
+  std::int32_t parent_of(std::size_t i) const {
+    const Internode& internode = skeleton_[i];
+    const std::int32_t parent = internode.parent;
+    if (parent < 0 || static_cast<std::size_t>(parent) >= i) return none;
+    if (!usable(internode) || !usable(skeleton_[parent])) return none;
+    const float gap = glm::length(internode.start - skeleton_[parent].end);
+    return gap <= std::max(result_.finest, 0.5f * skeleton_[parent].radius_end) ? parent : none;
+  }
+
+  void successors() {
+    successor_.assign(skeleton_.size(), none);
+    std::vector<float> alignment(skeleton_.size(), -2);
+    std::vector<std::uint32_t> children(skeleton_.size(), 0);
+    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+      const std::int32_t parent = parent_of(i);
+      if (parent == none) continue;
+      ++children[parent];
+      if (skeleton_[parent].axis != skeleton_[i].axis) continue;
+      const float aligned = glm::dot(directions_[parent], directions_[i]);
+      if (aligned <= alignment[parent]) continue;
+      alignment[parent] = aligned;
+      successor_[parent] = static_cast<std::int32_t>(i);
+    }
+    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+      if (alignment[i] < (children[i] == 1 ? cosine_of_only_child : cosine_of_fork)) successor_[i] = none;
+    }
+  }
+
+  // The first internodes of all axes, by part.
+  std::vector<std::int32_t> heads() const {
+    std::vector<std::int32_t> found;
+    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+      const std::int32_t parent = parent_of(i);
+      const bool carried_on = parent != none && successor_[parent] == static_cast<std::int32_t>(i);
+      if (!carried_on && usable(skeleton_[i])) found.push_back(static_cast<std::int32_t>(i));
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [this](std::int32_t a, std::int32_t b) { return skeleton_[a].axis < skeleton_[b].axis; });
+    return found;
+  }
+
+  void trace(std::int32_t first) {
+    std::vector<Node>& nodes = result_.nodes;
+    const Internode& head = skeleton_[first];
+    StemAxis axis;
+    axis.axis = head.axis;
+    axis.first = static_cast<std::uint32_t>(nodes.size());
+    nodes.push_back({head.start, {}, head.radius, first});
+    for (std::int32_t i = first; i != none; i = successor_[i]) {
+      const Internode& internode = skeleton_[i];
+      const std::int32_t next = successor_[i];
+      const float radius = next == none ? internode.radius_end : 0.5f * (internode.radius_end + skeleton_[next].radius);
+      const float step = glm::length(internode.end - nodes.back().position);
+      if (step > std::max(result_.finest, 0.25f * radius)) nodes.push_back({internode.end, {}, radius, i});
+    }
+    axis.count = static_cast<std::uint32_t>(nodes.size()) - axis.first;
+    if (axis.count < 2) {
+      nodes.resize(axis.first);
+      return;
+    }
+    const std::int32_t parent = parent_of(first);
+    if (parent != none) axis.origin = {true, directions_[parent], skeleton_[parent].radius_end};
+    for (std::uint32_t i = 0; i < axis.count; ++i) {
+      Node& node = nodes[axis.first + i];
+      node.radius = std::max(node.radius, result_.finest);
+    }
+    bend(axis);
+    result_.axes.push_back(axis);
+  }
+
+  // Tangents: at a node between two internodes the shorter one counts more (as in a Catmull–Rom curve over lengths);
+  // a branch sets out leaning towards its bearer's direction, and the last internode ends straight.
+  void bend(const StemAxis& axis) {
+    Node* node = &result_.nodes[axis.first];
+    glm::vec3 before = node[1].position - node[0].position;
+    float length_before = glm::length(before);
+    before /= length_before;
+    node[0].tangent = axis.origin.attached ? unit_or(before + 0.4f * axis.origin.direction, before) : before;
+    for (std::uint32_t i = 1; i + 1 < axis.count; ++i) {
+      glm::vec3 after = node[i + 1].position - node[i].position;
+      const float length_after = glm::length(after);
+      after /= length_after;
+      node[i].tangent = unit_or(before * length_after + after * length_before, after);
+      before = after;
+      length_before = length_after;
+    }
+    node[axis.count - 1].tangent = before;
+  }
+
+  std::span<const Internode> skeleton_;
+  std::vector<glm::vec3> directions_;
+  std::vector<std::int32_t> successor_;
+  StemAxes result_;
+};
+
+}  // namespace
+
+StemAxes find_stem_axes(std::span<const Internode> skeleton) { return Finder(skeleton).find(); }
+
+}  // namespace panicle

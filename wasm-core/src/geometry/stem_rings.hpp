@@ -1,0 +1,63 @@
+// From a smooth axis to the rings of its tube.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/skeleton.hpp"
+#include "geometry/stem_axes.hpp"
+#include "geometry/stem_thickness.hpp"
+
+namespace panicle {
+
+// A cross-section: a circle about `centre` in the plane of the unit vectors `right` and `forward`.
+struct Ring {
+  glm::vec3 centre{0}, right{0}, forward{0}, tangent{0};  // right × forward = tangent
+  float radius = 0;
+  float normal_out = 1, normal_along = 0;  // parts of the surface's unit normal: outwards, along the tangent
+  float v = 0;                             // texture coordinate along the axis
+  std::uint32_t internode = 0;
+};
+
+// A closed tube: the rings, and a point at either end. The surface there looks straight back, and straight ahead.
+struct Tube {
+  std::vector<Ring> rings;
+  glm::vec3 first_pole{0}, last_pole{0};
+};
+
+// Makes the tubes of one skeleton, which must outlive it.
+//
+// The centre line is a cubic Hermite curve through the nodes; rings stand closer near nodes and where it bends, and
+// turn as little as possible from one to the next (double reflection: Wang, Jüttler, Zheng and Liu 2008). The radius
+// passes smoothly from node to node; nodes swell a little, a branch spreads where it leaves its bearer, a pedicel
+// widens into a receptacle under its berry, and one that has withered shrinks to a blunt tip.
+class TubeMaker {
+ public:
+  TubeMaker(std::span<const Internode> skeleton, const StemAxes& axes);
+
+  // From now on as few rings as will do, for a skeleton too large to be smooth.
+  void coarsen() { coarse_ = true; }
+
+  // Rings that `make` will make.
+  std::uint32_t count_rings(const StemAxis& axis) const;
+  // Overwrites `tube`, whose memory is used again.
+  void make(const StemAxis& axis, Tube& tube) const;
+
+ private:
+  static constexpr std::uint32_t most_steps = 16;  // from node to node
+
+  std::uint32_t steps_to(const StemAxis& axis, std::uint32_t i) const;
+  End end_of(const StemAxis& axis) const;
+  void sweep(const StemAxis& axis, std::vector<Ring>& rings) const;
+
+  std::span<const Internode> skeleton_;
+  const StemAxes& axes_;
+  bool coarse_ = false;
+  // Steps are shorter near nodes: at fraction k / n − c sin(2π k / n) / 2π. Here is that without c, for every n.
+  std::array<std::array<float, most_steps + 1>, most_steps + 1> crowding_{};
+};
+
+}  // namespace panicle
