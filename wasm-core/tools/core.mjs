@@ -37,6 +37,7 @@ async function configure(preset, tools, env) {
 	const stamp = join(folder, "toolchain.txt");
 	const known = existsSync(stamp) && existsSync(join(folder, "build.ninja")) ? readFileSync(stamp, "utf8") : "";
 	if (known === identity) return;
+	console.error(`Setting up the ${preset} build of the core …`);
 	rmSync(folder, { recursive: true, force: true });
 	const definitions = [`-DPANICLE_GLM_ROOT=${tools.glm}`, `-DCMAKE_MAKE_PROGRAM=${tools.ninja}`, ...warnings];
 	const cmake = [tools.cmake, "--preset", preset, ...definitions];
