@@ -1,0 +1,127 @@
+// What cannot be read says where, and what to do.
+#include "grammars.hpp"
+
+using namespace panicle;
+using namespace panicle::tests;
+
+TEST_CASE("syntax errors have line and column") {
+  struct Case {
+    std::string text;
+    std::string trouble;
+  };
+  const Case cases[] = {
+      {"", "syntax 1:1"},
+      {"A --> B", "syntax 1:1"},
+      {"axiom:", "syntax 1:7"},
+      {"axiom: A\naxiom: B", "syntax 2:1"},
+      {"axiom: A : 1", "syntax 1:10"},
+      {"hello\naxiom: A", "syntax 1:1"},
+      {"#define x 1\n+2\naxiom: A", "syntax 2:1"},
+      {"#include x\naxiom: A", "syntax 1:2"},
+      {"#\naxiom: A", "syntax 1:2"},
+      {"#define\naxiom: A", "syntax 1:8"},
+      {"#define x\naxiom: A", "syntax 1:10"},
+      {"#define x 1 2\naxiom: A", "syntax 1:13"},
+      {"#define x 1\n#define x 2\naxiom: A", "syntax 2:9"},
+      {"#input x y\naxiom: A", "syntax 1:10"},
+      {"#input n[3]\naxiom: A", "syntax 1:10"},
+      {"#define x ran(1)\naxiom: A", "syntax 1:11"},
+      {"axiom: A\n --> B", "syntax 2:2"},
+      {"axiom: A\nA --> B --> C", "syntax 2:9"},
+      {"axiom: A\nA B --> C", "syntax 2:3"},
+      {"axiom: A\nA < B --> C", "syntax 2:3"},
+      {"axiom: A\nA(1) --> C", "syntax 2:3"},
+      {"axiom: A\nA(x --> C", "syntax 2:2"},
+      {"axiom: A\nA(x,x) --> C", "syntax 2:5"},
+      {"axiom: A\nA(x y) --> C", "syntax 2:5"},
+      {"axiom: A\nA(x) : x>  --> C", "syntax 2:10"},
+      {"axiom: A\nA(x) : x) --> C", "syntax 2:9"},
+      {"axiom: A\nA(x) : 1<x<3 --> C", "syntax 2:11"},
+      {"axiom: A\n[ --> C", "syntax 2:1"},
+      {"axiom: A\n% --> C", "syntax 2:1"},
+      {"axiom: A ]", "syntax 1:10"},
+      {"axiom: A [ [ B ]", "syntax 1:10"},
+      {"axiom: A(", "syntax 1:10"},
+      {"axiom: A(1", "syntax 1:9"},
+      {"axiom: A(1,)", "syntax 1:12"},
+      {"axiom: A(1 2)", "syntax 1:12"},
+      {"axiom: A((1)", "syntax 1:9"},
+      {"axiom: A(1)) B", "syntax 1:12"},
+      {"axiom: A(min(1))", "syntax 1:10"},
+      {"axiom: A(min(1,2,3))", "syntax 1:10"},
+      {"axiom: A((1,2))", "syntax 1:12"},
+      {"axiom: A(n[1)", "syntax 1:13"},
+      {"axiom: A(1]", "syntax 1:11"},
+      {"axiom: F(1,2)", "syntax 1:8"},
+      {"axiom: A\nF(x,y) --> F", "syntax 2:1"},
+      {"axiom: A [(1) ]", "syntax 1:10"},
+      {"axiom: ?F(1)", "syntax 1:8"},
+      {"axiom: ? E(1)", "syntax 1:8"},
+      {"axiom: A < B", "syntax 1:10"},
+      {"axiom: A * B", "syntax 1:10"},
+      {"axiom: A\nA --> * B", "syntax 2:9"},
+      {"axiom: A\nA --> B : 1 2", "syntax 2:13"},
+      {"axiom: A\nA --> B :", "syntax 2:10"},
+      {"axiom: A\nA --> B\nderivation length: 5", "syntax 3:1"},
+      {"axiom: A\nA --> B\nendlsystem", "syntax 3:1"},
+      {"axiom: FF+F\nF --> FF", "syntax 1:8"},
+      {"axiom: A\nA --> AB\nB --> A", "syntax 2:7"},
+      {"axiom: A\n?E(x) --> F A", "syntax 2:13"},
+      {"axiom: A\n?E(x) --> ?E(1)", "syntax 2:11"},
+      {"axiom: A $", "syntax 1:10"},
+      {"δ α\naxiom: θ → B", "syntax 2:10"},
+  };
+  for (const Case& c : cases) {
+    std::string message;
+    const std::string found = trouble(c.text, {}, {}, &message);
+    CAPTURE(c.text);
+    CAPTURE(message);
+    CHECK(found == c.trouble);
+    CHECK(message.size() > 10);
+    CHECK(message.back() == '.');
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("names that nothing defines") {
+  std::string message;
+  CHECK(trouble("axiom: A(x)", {}, {}, &message) == "undefined 1:10");
+  CHECK(message ==
+        "Nothing defines 'x' here; add a #define before this line or name it among the predecessor's parameters.");
+  CHECK(trouble("axiom: A(1)\nA(i) : j>1 --> B") == "undefined 2:8");
+  CHECK(trouble("axiom: A(1)\nA(i) --> B(i)\nB(j) --> A(i)") == "undefined 3:12");
+  CHECK(trouble("#define a b\n#define b 1\naxiom: A(1)") == "undefined 1:11");
+  CHECK(trouble("axiom: A(sine(1))") == "undefined 1:10");
+  CHECK(trouble("axiom: A(n[1])") == "undefined 1:10");
+  CHECK(trouble("#input n[]\naxiom: A(n)", {{}, {{"n", {1}}}}) == "undefined 2:10");
+  CHECK(trouble("axiom: A(1)\nA(x) --> B : w") == "undefined 2:14");
+}
+
+TEST_CASE("inputs without a value are named") {
+  std::string message;
+  CHECK(trouble("#input m\naxiom: A(m)", {}, {}, &message) == "bad_input 1:8");
+  CHECK(message == "The input 'm' has no value; give it one with the request.");
+  CHECK(trouble("#input n[]\naxiom: A", {}, {}, &message) == "bad_input 1:8");
+  CHECK(message == "The input 'n[]' has no values; give it some with the request.");
+  CHECK(trouble("#input m\naxiom: A(m)", {{{"m", 0 / 0.0f}}, {}}) == "bad_input 1:8");
+  CHECK(trouble("#input n[]\naxiom: A", {{}, {{"n", {1, 1 / 0.0f}}}}) == "bad_input 1:8");
+  CHECK(trouble("#define x 1\naxiom: A", {{{"x", 1 / 0.0f}}, {}}) == "bad_input 1:9");
+}
+
+TEST_CASE("numbers that are none are refused before the turtle sees them") {
+  std::string message;
+  CHECK(trouble("axiom: A(1)\nA(x) --> B F(x/0)", {}, {}, &message) == "evaluation 2:14");
+  CHECK(message == "F needs a finite number; here it is given infinity.");
+  CHECK(trouble("axiom: F(0/0)", {}, {}, &message) == "evaluation 1:10");
+  CHECK(message == "F needs a finite number; here it is given not a number.");
+  CHECK(trouble("axiom: A(1)\nA(x) --> S(-x)", {}, {}, &message) == "evaluation 2:12");
+  CHECK(message == "S needs a number of 0 or more; here it is given -1.");
+  CHECK(trouble("axiom: A(0)\nA(x) --> B(1/x)\nB(x) --> [+(x)F]") == "evaluation 3:13");
+  CHECK(trouble("axiom: A(0)\nA(x) --> B(1/x)") == "none");
+  CHECK(trouble("#define x 1/0\naxiom: A") == "evaluation 1:11");
+  CHECK(trouble("axiom: A\nA --> B : 0-1") == "evaluation 2:11");
+  CHECK(trouble("axiom: A(1)\nA(x) --> B(RND(0.2, 0.8))", {}, {}, &message) == "evaluation 2:12");
+  CHECK(message == "There is no whole number from 0.2 to 0.8 for RND to draw.");
+  CHECK(trouble("axiom: A(1)\nA(x) --> B(RND(0, 1e30))") == "evaluation 2:12");
+  CHECK(trouble("axiom: A(1)\nA(x) --> B(RND(0, x/0))") == "evaluation 2:12");
+}

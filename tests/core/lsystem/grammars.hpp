@@ -1,0 +1,111 @@
+// What the tests of the L-system engine share: one-line ways to compile, derive and listen.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::tests {
+
+using lsystem::Derived;
+using lsystem::Inputs;
+using lsystem::Lineage;
+using lsystem::Listener;
+using lsystem::Program;
+using lsystem::Turtle;
+
+using ProgramPointer = std::shared_ptr<const Program>;
+
+inline ProgramPointer compiled(std::string_view text, const Inputs& inputs = {}) {
+  auto program = lsystem::compile(text, inputs, Limits{});
+  if (!program) FAIL(program.error().line << ":" << program.error().column << " " << program.error().message);
+  return program.value();
+}
+
+inline Derived derived(const Program& program, std::uint32_t steps, std::uint64_t seed = 1) {
+  auto result = lsystem::derive(program, seed, steps, Limits{});
+  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
+  return result.value();
+}
+
+// The string after so many steps, as text.
+inline std::string after(std::string_view text, std::uint32_t steps, const Inputs& inputs = {},
+                         std::uint64_t seed = 1) {
+  const ProgramPointer program = compiled(text, inputs);
+  return lsystem::to_text(*program, *derived(*program, steps, seed).string);
+}
+
+// "reason line:column" of what goes wrong when a text is compiled and derived; "none" when nothing does.
+inline std::string trouble(std::string_view text, const Inputs& inputs = {}, const Limits& limits = {},
+                           std::string* message = nullptr) {
+  static const char* const reasons[] = {"none",      "bad_request", "bad_input", "syntax",
+                                        "undefined", "evaluation",  "limit"};
+  Diagnostic diagnostic;
+  const auto program = lsystem::compile(text, inputs, limits);
+  if (program) {
+    const auto result = lsystem::derive(*program.value(), 1, limits.steps, limits);
+    if (!result) diagnostic = result.error();
+  } else {
+    diagnostic = program.error();
+  }
+  if (message) *message = diagnostic.message;
+  if (diagnostic.reason == Reason::none) return "none";
+  return std::string(reasons[static_cast<std::uint32_t>(diagnostic.reason)]) + " " + std::to_string(diagnostic.line) +
+         ":" + std::to_string(diagnostic.column);
+}
+
+// Writes down all it hears, and gives the answers it is told to give.
+class Recorder : public Listener {
+ public:
+  struct Line {
+    Turtle before, after;
+    std::string parent, grandparent;
+    std::uint64_t address = 0;
+  };
+  struct Ball {
+    Turtle turtle;
+    float radius = 0;
+  };
+
+  void line(std::int32_t id, const Turtle& before, const Turtle& after, const Lineage& lineage) override {
+    CHECK(id == static_cast<std::int32_t>(lines.size()));
+    CHECK(after.line == id);
+    lines.push_back({before, after, std::string(lineage.parent), std::string(lineage.grandparent), lineage.address});
+  }
+  void sphere(const Turtle& turtle, float radius, const Lineage&) override { spheres.push_back({turtle, radius}); }
+  void ask(const Turtle&, std::span<float> parameters, const Lineage& lineage) override {
+    asked.emplace_back(parameters.begin(), parameters.end());
+    asked_by.emplace_back(lineage.parent);
+    addresses.push_back(lineage.address);
+    if (answers.empty()) return;
+    const std::vector<float>& answer = answers[(asked.size() - 1) % answers.size()];
+    for (std::size_t i = 0; i < answer.size() && i < parameters.size(); ++i) parameters[i] = answer[i];
+  }
+  void cut(const Turtle&) override { ++cuts; }
+
+  std::vector<std::vector<float>> answers;  // in turn, over and over; none: leave the parameters as they are
+  std::vector<std::vector<float>> asked;
+  std::vector<std::string> asked_by;
+  std::vector<std::uint64_t> addresses;
+  std::vector<Line> lines;
+  std::vector<Ball> spheres;
+  int cuts = 0;
+};
+
+inline void draw(const Program& program, const Derived& string, Recorder& recorder, std::uint64_t seed = 1) {
+  const auto drawn = lsystem::interpret(program, *string.string, {}, recorder, seed, Limits{});
+  if (!drawn) FAIL(drawn.error().message);
+  CHECK(drawn.value() == recorder.lines.size());
+}
+
+inline Recorder drawn(std::string_view text, std::uint32_t steps, const Inputs& inputs = {}) {
+  const ProgramPointer program = compiled(text, inputs);
+  Recorder recorder;
+  draw(*program, derived(*program, steps), recorder);
+  return recorder;
+}
+
+}  // namespace panicle::tests

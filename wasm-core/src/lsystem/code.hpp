@@ -1,0 +1,113 @@
+// The byte code of expressions: three-address instructions over one file of registers that the whole program shares.
+// Registers 0 … 31 are the module's parameters; constants have theirs for good; each result has its own.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "foundation/result.hpp"
+#include "lsystem/operations.hpp"
+#include "lsystem/tokens.hpp"
+
+namespace panicle::lsystem {
+
+struct Instruction {
+  Op op = Op::add;
+  std::uint32_t out = 0;
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t c = 0;  // third operand; array of an element; stream of a draw; target of a jump
+
+  bool operator==(const Instruction&) const = default;
+};
+
+struct Range {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  std::uint32_t size() const { return end - begin; }
+};
+
+struct Code {
+  struct Array {
+    std::string name;
+    std::vector<float> values;
+  };
+  std::vector<Instruction> instructions;
+  std::vector<Place> places;     // of each instruction
+  std::vector<float> registers;  // what they hold at first: the constants
+  std::vector<Array> arrays;
+  std::vector<std::uint64_t> streams;
+};
+
+// For whom random values are drawn.
+struct Draw {
+  std::uint64_t seed = 0;
+  std::uint64_t address = 0;
+};
+
+// One instruction but for jumps. False when it went wrong; `fault` says how.
+bool execute_one(const Code& code, std::uint32_t at, float* registers, const Draw& draw, Diagnostic& fault);
+
+// Runs instructions from `begin` to before `end`; what most rules consist of without a call. False when one went wrong;
+// `fault` says how.
+inline bool execute(const Code& code, std::uint32_t begin, std::uint32_t end, float* registers, const Draw& draw,
+                    Diagnostic& fault) {
+  const Instruction* const instructions = code.instructions.data();
+  for (std::uint32_t at = begin; at < end; ++at) {
+    const Instruction& step = instructions[at];
+    const float a = registers[step.a];
+    const float b = registers[step.b];
+    float& out = registers[step.out];
+    switch (step.op) {
+      case Op::add:
+        out = a + b;
+        break;
+      case Op::subtract:
+        out = a - b;
+        break;
+      case Op::multiply:
+        out = a * b;
+        break;
+      case Op::divide:
+        out = a / b;
+        break;
+      case Op::equal:
+        out = a == b;
+        break;
+      case Op::not_equal:
+        out = a != b;
+        break;
+      case Op::less:
+        out = a < b;
+        break;
+      case Op::less_equal:
+        out = a <= b;
+        break;
+      case Op::greater:
+        out = a > b;
+        break;
+      case Op::greater_equal:
+        out = a >= b;
+        break;
+      case Op::negate:
+        out = -a;
+        break;
+      case Op::truth:
+        out = a != 0;
+        break;
+      case Op::jump_if_false:
+        if (a == 0) at = step.c - 1;
+        break;
+      case Op::jump_if_true:
+        if (a != 0) at = step.c - 1;
+        break;
+      default:
+        if (!execute_one(code, at, registers, draw, fault)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace panicle::lsystem

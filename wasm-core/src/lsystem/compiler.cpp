@@ -1,0 +1,339 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "foundation/random.hpp"
+#include "lsystem/lowering.hpp"
+#include "lsystem/machine.hpp"
+#include "lsystem/messages.hpp"
+#include "lsystem/number_text.hpp"
+#include "lsystem/parser.hpp"
+#include "lsystem/program.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+constexpr std::size_t most_symbols = 0xfff0;
+
+bool is_finite(float value) { return value - value == 0; }
+
+bool draws(const Expression& expression) {
+  return std::any_of(expression.nodes.begin(), expression.nodes.end(),
+                     [](const Node& node) { return is_random(node.op); });
+}
+
+bool draws(const std::vector<ModuleTree>& modules) {
+  for (const ModuleTree& module : modules)
+    for (const Expression& argument : module.arguments)
+      if (draws(argument)) return true;
+  return false;
+}
+
+bool asks(const std::vector<ModuleTree>& modules) {
+  return std::any_of(modules.begin(), modules.end(), [](const ModuleTree& module) { return module.name == "?E"; });
+}
+
+// Whether a program cannot do without lineages.
+bool needs_lineages(const Grammar& grammar) {
+  if (draws(grammar.axiom) || asks(grammar.axiom)) return true;
+  for (const ProductionTree& production : grammar.productions) {
+    if (production.weight || asks(production.successor) || draws(production.successor)) return true;
+    if (production.condition && draws(*production.condition)) return true;
+  }
+  return false;
+}
+
+class Compiler {
+ public:
+  Compiler(const Grammar& grammar, const Inputs& inputs, Lineages lineages)
+      : grammar_(grammar), inputs_(inputs), program_(std::make_shared<Program>()), lowering_(program_->code) {
+    program_->lineages = lineages == Lineages::always || needs_lineages(grammar);
+  }
+
+  Result<std::shared_ptr<const Program>> run() {
+    const bool fine = definitions() && symbols() && axiom() && productions();
+    if (!fine) return trouble_;
+    program_->words.insert(program_->words.end(), block, 0);  // room for copies in whole blocks
+    return std::shared_ptr<const Program>(std::move(program_));
+  }
+
+ private:
+  bool fail(Reason reason, const Place& place, std::string message) {
+    trouble_ = error_at(reason, place, std::move(message));
+    return false;
+  }
+
+  template <class Value>
+  bool take(const Result<Value>& result, Value& value) {
+    if (result) return value = result.value(), true;
+    trouble_ = result.error();
+    return false;
+  }
+
+  bool definitions() {
+    for (const DefinitionTree& definition : grammar_.definitions) {
+      const bool array = definition.kind == DefinitionTree::Kind::array;
+      if (!(array ? this->array(definition) : scalar(definition))) return false;
+    }
+    return true;
+  }
+
+  bool scalar(const DefinitionTree& definition) {
+    const auto given = std::find_if(inputs_.scalars.begin(), inputs_.scalars.end(),
+                                    [&](const Inputs::Scalar& scalar) { return scalar.name == definition.name; });
+    const bool input = definition.kind == DefinitionTree::Kind::input;
+    float value = 0;
+    if (given != inputs_.scalars.end()) {
+      value = given->value;
+      if (!is_finite(value))
+        return fail(Reason::bad_input, definition.place,
+                    quoted(definition.name) + " was given " + number_text(value) + "; give it a finite number.");
+    } else if (input) {
+      return fail(Reason::bad_input, definition.place,
+                  "The input " + quoted(definition.name) + " has no value; give it one with the request.");
+    } else {
+      if (!take(lowering_.value(definition.expression), value)) return false;
+      if (!is_finite(value))
+        return fail(Reason::evaluation, definition.expression.place,
+                    quoted(definition.name) + " comes to " + number_text(value) + "; it must be a finite number.");
+    }
+    lowering_.define(definition.name, value);
+    const auto kind = input ? Definition::Kind::input : Definition::Kind::define;
+    program_->definitions.push_back({std::string(definition.name), kind, {value}});
+    return true;
+  }
+
+  bool array(const DefinitionTree& definition) {
+    const auto given = std::find_if(inputs_.arrays.begin(), inputs_.arrays.end(),
+                                    [&](const Inputs::Array& array) { return array.name == definition.name; });
+    if (given == inputs_.arrays.end())
+      return fail(Reason::bad_input, definition.place,
+                  "The input " + quoted(std::string(definition.name) + "[]") +
+                      " has no values; give it some with the request.");
+    for (std::size_t i = 0; i < given->values.size(); ++i)
+      if (!is_finite(given->values[i]))
+        return fail(Reason::bad_input, definition.place,
+                    std::string(definition.name) + "[" + std::to_string(i + 1) + "] was given " +
+                        number_text(given->values[i]) + "; give it a finite number.");
+    lowering_.define_array(definition.name, given->values);
+    program_->definitions.push_back({std::string(definition.name), Definition::Kind::array, given->values});
+    return true;
+  }
+
+  bool symbols() {
+    for (const TurtleSymbol& turtle : turtle_symbols) add_symbol(turtle.symbol);
+    for (const ModuleTree& module : grammar_.axiom) add_symbol(module.name);
+    for (const ProductionTree& production : grammar_.productions) {
+      const std::uint32_t predecessor = add_symbol(production.predecessor);
+      if (predecessors_.insert(predecessor).second) program_->predecessors.push_back(predecessor);
+      if (predecessor != ask_symbol) rewritten_.emplace(predecessor, production.formals.size());
+      for (const ModuleTree& module : production.successor) add_symbol(module.name);
+    }
+    if (program_->symbols.size() > most_symbols)
+      return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
+    return true;
+  }
+
+  std::uint32_t add_symbol(std::string_view name) {
+    const auto [place, added] = numbers_.try_emplace(name, static_cast<std::uint32_t>(program_->symbols.size()));
+    if (added) program_->symbols.emplace_back(name);
+    return place->second;
+  }
+
+  bool axiom() {
+    lowering_.begin_production({}, hash_text("axiom"));
+    return successor(grammar_.axiom, false, program_->axiom);
+  }
+
+  bool productions() {
+    std::vector<Production>& all = program_->productions;
+    std::vector<std::uint32_t> before(program_->symbols.size(), 0);  // productions of the same symbol
+    for (const ProductionTree& tree : grammar_.productions) {
+      const std::uint32_t predecessor = numbers_[tree.predecessor];
+      if (!may_rewrite(tree, predecessor)) return false;
+      Production& production = all.emplace_back();
+      production.predecessor = predecessor;
+      production.arity = static_cast<std::uint32_t>(tree.formals.size());
+      lowering_.begin_production(tree.formals, before[predecessor]++);
+      if (tree.condition && !value(*tree.condition, production.condition)) return false;
+      if (!successor(tree.successor, predecessor == ask_symbol, production.successor)) return false;
+      if (tree.weight && !value(*tree.weight, production.weight)) return false;
+      production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32;
+      program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Production& a, const Production& b) { return a.predecessor < b.predecessor; });
+    program_->rules.resize(program_->symbols.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+      Rules& rules = program_->rules[all[i].predecessor];
+      if (rules.productions.size() == 0) rules.productions = {i, i};
+      ++rules.productions.end;
+      rules.weighted |= all[i].weight.given;
+    }
+    return true;
+  }
+
+  bool may_rewrite(const ProductionTree& tree, std::uint32_t predecessor) {
+    if (!is_turtle_symbol(predecessor)) return true;
+    const Action action = turtle_symbols[predecessor].action;
+    if (action == Action::push || action == Action::pop || action == Action::cut)
+      return fail(Reason::syntax, tree.place,
+                  quoted(tree.predecessor) + " cannot be rewritten; use a symbol of your own.");
+    return takes(predecessor, tree.formals.size(), tree.place);
+  }
+
+  bool takes(std::uint32_t symbol, std::size_t count, const Place& place) {
+    const TurtleSymbol& turtle = turtle_symbols[symbol];
+    if (count <= turtle.most_arguments) return true;
+    const char* most = turtle.most_arguments == 0 ? " takes no argument" : " takes at most one argument";
+    return fail(Reason::syntax, place,
+                quoted(turtle.symbol) + " (" + std::string(turtle.name) + ")" + most + ", but here it has " +
+                    std::to_string(count) + "; leave out the rest.");
+  }
+
+  bool value(const Expression& expression, Value& value) {
+    lowering_.begin_code();
+    const std::uint32_t begin = lowering_.here();
+    if (!take(lowering_.lower(expression), value.source)) return false;
+    value.code = {begin, lowering_.here()};
+    value.place = expression.place;
+    value.given = true;
+    return true;
+  }
+
+  bool successor(const std::vector<ModuleTree>& modules, bool answer, Template& result) {
+    Program& program = *program_;
+    lowering_.begin_code();
+    ordinals_.clear();
+    first_ = result.first = static_cast<std::uint32_t>(program.words.size());
+    result.code.begin = lowering_.here();
+    result.patches.begin = static_cast<std::uint32_t>(program.patches.size());
+    result.births.begin = static_cast<std::uint32_t>(program.births.size());
+    result.active.begin = static_cast<std::uint32_t>(program.active.size());
+    for (const ModuleTree& tree : modules)
+      if (!module(tree, answer)) return false;
+    result.modules = static_cast<std::uint32_t>(modules.size());
+    result.words = static_cast<std::uint32_t>(program.words.size()) - first_;
+    result.code.end = lowering_.here();
+    result.patches.end = static_cast<std::uint32_t>(program.patches.size());
+    result.births.end = static_cast<std::uint32_t>(program.births.size());
+    result.active.end = static_cast<std::uint32_t>(program.active.size());
+    result.cost = (result.code.size() + result.words) / 32;
+    return true;
+  }
+
+  bool module(const ModuleTree& tree, bool answer) {
+    Program& program = *program_;
+    const std::uint32_t symbol = numbers_[tree.name];
+    const std::size_t count = tree.arguments.size();
+    if (is_turtle_symbol(symbol) && !takes(symbol, count, tree.place)) return false;
+    if (answer && (!is_turtle_symbol(symbol) || symbol == ask_symbol))
+      return fail(Reason::syntax, tree.place,
+                  "What answers ?E is drawn at once, so only the turtle's symbols can stand here, not " +
+                      quoted(tree.name) + ".");
+    if (!answer && !stands_for_itself(tree.name, symbol))
+      return fail(Reason::syntax, tree.place,
+                  quoted(tree.name) + " is read as one symbol, which nothing defines; put spaces between several.");
+
+    const std::size_t at = program.words.size();
+    const bool active = symbol == cut_symbol || rewritten_.contains({symbol, count});
+    const bool lineage = program.lineages && !answer && remembers(symbol);
+    const std::size_t words = 1 + count + (lineage ? lineage_words : 0);
+    program.words.push_back(header_of(symbol, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(words)));
+    for (const Expression& argument : tree.arguments)
+      if (!parameter(argument, symbol)) return false;
+    if (lineage) {
+      const std::uint32_t ordinal = ordinals_[symbol]++;
+      program.births.push_back(
+          {static_cast<std::uint32_t>(program.words.size()) - first_, hash_combine(hash_text(tree.name), ordinal)});
+      program.words.insert(program.words.end(), lineage_words, 0);
+    }
+    if (active && !answer) program.active.push_back(static_cast<std::uint32_t>(at) - first_);
+    return true;
+  }
+
+  // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.
+  bool remembers(std::uint32_t symbol) const {
+    if (predecessors_.contains(symbol)) return true;
+    if (!is_turtle_symbol(symbol)) return false;
+    const Action action = turtle_symbols[symbol].action;
+    return action == Action::line || action == Action::sphere || action == Action::ask;
+  }
+
+  // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
+  // nothing.
+  bool stands_for_itself(std::string_view name, std::uint32_t symbol) const {
+    if (is_turtle_symbol(symbol) || predecessors_.contains(symbol)) return true;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      const auto letter = numbers_.find(name.substr(i, 1));
+      if (letter == numbers_.end()) return true;
+      if (!is_turtle_symbol(letter->second) && !predecessors_.contains(letter->second)) return true;
+    }
+    return false;
+  }
+
+  bool parameter(const Expression& expression, std::uint32_t symbol) {
+    Program& program = *program_;
+    std::uint32_t source = 0;
+    if (!take(lowering_.lower(expression), source)) return false;
+    Demand demand = Demand::none;
+    if (is_turtle_symbol(symbol)) demand = turtle_symbols[symbol].non_negative ? Demand::not_negative : Demand::finite;
+    const Patch patch{static_cast<std::uint32_t>(program.words.size()) - first_, source, demand, symbol,
+                      expression.place};
+    std::uint32_t word = 0;
+    if (lowering_.is_constant(source)) {
+      const float value = program.code.registers[source];
+      if (!Machine::meets(demand, value)) {
+        trouble_ = Machine::refusal(program, patch, value);
+        return false;
+      }
+      std::memcpy(&word, &value, sizeof word);
+    } else {
+      program.patches.push_back(patch);
+    }
+    program.words.push_back(word);
+    return true;
+  }
+
+  const Grammar& grammar_;
+  const Inputs& inputs_;
+  std::shared_ptr<Program> program_;
+  Lowering lowering_;
+  std::map<std::string_view, std::uint32_t> numbers_;  // of symbols
+  std::set<std::uint32_t> predecessors_;
+  std::set<std::pair<std::uint32_t, std::size_t>> rewritten_;  // symbol and arity of productions of the derivation
+  std::map<std::uint32_t, std::uint32_t> ordinals_;            // symbol → how many stand before in the successor
+  std::uint32_t first_ = 0;                                    // word of the template
+  Diagnostic trouble_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const Program>> compile(std::string_view text, const Inputs& inputs, const Limits& limits,
+                                               Lineages lineages) {
+  if (text.size() > limits.text_bytes)
+    return Diagnostic{Reason::limit,
+                      "The grammar is " + std::to_string(text.size()) + " bytes long; the limit is " +
+                          std::to_string(limits.text_bytes) + ".",
+                      0, 0};
+  const Result<Grammar> grammar = parse(text);
+  if (!grammar) return grammar.error();
+  return Compiler(grammar.value(), inputs, lineages).run();
+}
+
+float constant(const Program& program, std::string_view name, float otherwise) {
+  for (const Definition& definition : program.definitions)
+    if (definition.kind != Definition::Kind::array && definition.name == name) return definition.values[0];
+  return otherwise;
+}
+
+std::span<const Definition> definitions(const Program& program) { return program.definitions; }
+
+std::vector<std::string_view> predecessors(const Program& program) {
+  std::vector<std::string_view> names;
+  for (const std::uint32_t symbol : program.predecessors) names.push_back(program.symbols[symbol]);
+  return names;
+}
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,262 @@
+// Dijkstra's shunting yard: operands go out at once, operators wait on a stack until one that binds less follows.
+
+#include "lsystem/expression.hpp"
+
+#include <array>
+#include <string>
+
+#include "lsystem/messages.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+constexpr std::size_t deepest = 256;
+
+enum class Logic : std::uint8_t { none, both, either };
+
+struct Operator {
+  std::string_view text;
+  std::uint32_t precedence;
+  Op op;
+  Logic logic = Logic::none;
+};
+
+constexpr std::uint32_t precedence_of_equality = 3;
+constexpr std::uint32_t precedence_of_order = 4;
+constexpr std::uint32_t precedence_of_prefix = 7;
+constexpr std::uint32_t precedence_of_power = 8;
+
+// Longer spellings first.
+constexpr std::array<Operator, 15> operators = {{{"&&", 2, Op::truth, Logic::both},
+                                                 {"||", 1, Op::truth, Logic::either},
+                                                 {"==", 3, Op::equal},
+                                                 {"!=", 3, Op::not_equal},
+                                                 {"<=", 4, Op::less_equal},
+                                                 {">=", 4, Op::greater_equal},
+                                                 {"=", 3, Op::equal},
+                                                 {"<", 4, Op::less},
+                                                 {">", 4, Op::greater},
+                                                 {"+", 5, Op::add},
+                                                 {"-", 5, Op::subtract},
+                                                 {"*", 6, Op::multiply},
+                                                 {"/", 6, Op::divide},
+                                                 {"%", 6, Op::remainder},
+                                                 {"^", 8, Op::power}}};
+
+// What waits on the stack: an operator, or a group that is still open.
+struct Waiting {
+  enum class Kind : std::uint8_t { operation, parenthesis, call, index };
+  Kind kind = Kind::operation;
+  std::uint32_t precedence = 0;
+  Node node;
+  std::uint32_t arguments = 1;  // of a call, counted so far
+};
+
+const Function* function_named(std::string_view name) {
+  for (const Function& function : functions)
+    if (function.name == name) return &function;
+  return nullptr;
+}
+
+std::string counted(std::uint32_t count, const char* thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+class Parser {
+ public:
+  Parser(std::span<const Token> tokens, std::size_t at, std::size_t end) : tokens_(tokens), at_(at), end_(end) {}
+
+  std::size_t at() const { return at_; }
+
+  Result<Expression> run() {
+    expression_.place = here();
+    while (at_ < end_) {
+      const bool fine = wants_operand_ ? operand() : ends_here() ? (done_ = true) : next_operator();
+      if (!fine) return trouble_;
+      if (done_) break;
+    }
+    if (wants_operand_) {
+      fail(Reason::syntax, here(), "A value is missing here; write a number, a name or an expression.");
+      return trouble_;
+    }
+    pop_operators(0);
+    if (!waiting_.empty()) {
+      const char* opened = waiting_.back().kind == Waiting::Kind::index ? "[" : "(";
+      fail(Reason::syntax, waiting_.back().node.place, std::string("This ") + opened + " is never closed.");
+      return trouble_;
+    }
+    return std::move(expression_);
+  }
+
+ private:
+  Place here() const { return place_of(tokens_, at_, end_); }
+  const Token& token() const { return tokens_[at_]; }
+
+  bool fail(Reason reason, const Place& place, std::string message) {
+    trouble_ = error_at(reason, place, std::move(message));
+    return false;
+  }
+
+  bool ends_here() const { return groups_ == 0 && (token().is(')') || token().is(',')); }
+
+  bool next_is(char sign) const { return at_ + 1 < end_ && tokens_[at_ + 1].is(sign); }
+
+  bool push(Waiting waiting) {
+    if (waiting_.size() >= deepest)
+      return fail(Reason::limit, here(), "This expression is nested deeper than 256; split it with a #define.");
+    groups_ += waiting.kind != Waiting::Kind::operation;
+    waiting_.push_back(waiting);
+    wants_operand_ = true;
+    return true;
+  }
+
+  bool operand() {
+    const Token& first = token();
+    if (first.kind == TokenKind::number) {
+      put({Node::Kind::number, Op::add, 0, first.number, {}, first.place});
+    } else if (first.kind == TokenKind::name) {
+      if (next_is('(')) return begin_call();
+      if (next_is('[')) {
+        at_ += 2;
+        return push({Waiting::Kind::index, 0, {Node::Kind::element, Op::element, 1, 0, first.text, first.place}});
+      }
+      put({Node::Kind::name, Op::add, 0, 0, first.text, first.place});
+    } else if (first.is('(')) {
+      ++at_;
+      return push({Waiting::Kind::parenthesis, 0, {Node::Kind::number, Op::add, 0, 0, {}, first.place}});
+    } else if (first.is('-') || first.is('+') || first.is('!')) {
+      return prefix();
+    } else {
+      return fail(Reason::syntax, first.place, "A value is expected here, not " + quoted(first.text) + ".");
+    }
+    ++at_;
+    wants_operand_ = false;
+    return true;
+  }
+
+  bool prefix() {
+    const Token& sign = token();
+    ++at_;
+    if (sign.is('+')) return true;
+    const Op op = sign.is('-') ? Op::negate : Op::invert;
+    return push({Waiting::Kind::operation, precedence_of_prefix, {Node::Kind::operation, op, 1, 0, {}, sign.place}});
+  }
+
+  bool begin_call() {
+    const Token& name = token();
+    const Function* function = function_named(name.text);
+    if (function == nullptr) {
+      std::string known;
+      for (const Function& f : functions) known += (known.empty() ? "" : ", ") + std::string(f.name);
+      return fail(Reason::undefined, name.place,
+                  "There is no function " + quoted(name.text) + "; there are " + known + ".");
+    }
+    at_ += 2;
+    return push({Waiting::Kind::call,
+                 0,
+                 {Node::Kind::operation, function->op, function->arguments, 0, function->name, name.place}});
+  }
+
+  bool next_operator() {
+    const Token& sign = token();
+    if (sign.is(')') || sign.is(']')) return close_group(sign);
+    if (sign.is(',')) return next_argument(sign);
+    for (const Operator& op : operators)
+      if (spelled_here(op.text)) return binary(op);
+    return fail(Reason::syntax, sign.place, "An operator is expected here, not " + quoted(sign.text) + ".");
+  }
+
+  bool spelled_here(std::string_view text) const {
+    if (!token().is(text[0])) return false;
+    return text.size() == 1 || (next_is(text[1]) && touching(token(), tokens_[at_ + 1]));
+  }
+
+  bool binary(const Operator& op) {
+    const Place place = token().place;
+    if (!pop_operators(op.precedence + (op.precedence == precedence_of_power), op.precedence)) return false;
+    at_ += op.text.size();
+    Node node{Node::Kind::operation, op.op, 2, 0, {}, place};
+    if (op.logic != Logic::none) {
+      const bool both = op.logic == Logic::both;
+      node.kind = both ? Node::Kind::and_begin : Node::Kind::or_begin;
+      put(node);
+      node.kind = both ? Node::Kind::and_end : Node::Kind::or_end;
+    }
+    return push({Waiting::Kind::operation, op.precedence, node});
+  }
+
+  // Puts out the operators on top of the stack that bind at least as strongly as `precedence`. 1 < x < 3 would compare
+  // the truth of 1 < x with 3, which nobody means.
+  bool pop_operators(std::uint32_t precedence, std::uint32_t following = 0) {
+    while (!waiting_.empty() && waiting_.back().kind == Waiting::Kind::operation &&
+           waiting_.back().precedence >= precedence) {
+      const Waiting& top = waiting_.back();
+      const bool compares = top.precedence == precedence_of_equality || top.precedence == precedence_of_order;
+      if (compares && top.precedence == following)
+        return fail(Reason::syntax, here(), "Comparisons cannot be chained; join two with &&.");
+      put(top.node);
+      waiting_.pop_back();
+    }
+    return true;
+  }
+
+  bool close_group(const Token& sign) {
+    pop_operators(0);
+    const bool bracket = sign.is(']');
+    if (waiting_.empty() || (waiting_.back().kind == Waiting::Kind::index) != bracket)
+      return fail(Reason::syntax, sign.place, "This " + std::string(sign.text) + " closes nothing.");
+    const Waiting group = waiting_.back();
+    waiting_.pop_back();
+    --groups_;
+    ++at_;
+    wants_operand_ = false;
+    if (group.kind == Waiting::Kind::call && group.arguments != group.node.arguments)
+      return fail(Reason::syntax, group.node.place,
+                  std::string(group.node.name) + " takes " + counted(group.node.arguments, "argument") + ", not " +
+                      std::to_string(group.arguments) + ".");
+    if (group.kind != Waiting::Kind::parenthesis) put(group.node);
+    return true;
+  }
+
+  bool next_argument(const Token& comma) {
+    pop_operators(0);
+    if (waiting_.empty() || waiting_.back().kind != Waiting::Kind::call)
+      return fail(Reason::syntax, comma.place, "A comma can only stand between the arguments of a function here.");
+    ++waiting_.back().arguments;
+    ++at_;
+    wants_operand_ = true;
+    return true;
+  }
+
+  void put(const Node& node) { expression_.nodes.push_back(node); }
+
+  std::span<const Token> tokens_;
+  std::size_t at_;
+  std::size_t end_;
+  bool wants_operand_ = true;
+  bool done_ = false;
+  std::size_t groups_ = 0;
+  std::vector<Waiting> waiting_;
+  Expression expression_;
+  Diagnostic trouble_;
+};
+
+}  // namespace
+
+Place place_of(std::span<const Token> tokens, std::size_t at, std::size_t end) {
+  if (at < end) return tokens[at].place;
+  if (at == 0) return {1, 1};
+  const Token& last = tokens[at - 1];
+  std::uint32_t width = 0;
+  for (const char byte : last.text) width += (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
+  return {last.place.line, last.place.column + width};
+}
+
+Result<Expression> parse_expression(std::span<const Token> tokens, std::size_t& at, std::size_t end) {
+  Parser parser(tokens, at, end);
+  Result<Expression> expression = parser.run();
+  at = parser.at();
+  return expression;
+}
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,68 @@
+// The tree of a grammar's text. Every view is part of that text.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "lsystem/operations.hpp"
+#include "lsystem/tokens.hpp"
+
+namespace panicle::lsystem {
+
+// An expression in postfix order. `&&` and `||` have a node between their operands, from which the second may be
+// passed over.
+struct Node {
+  enum class Kind : std::uint8_t { number, name, element, operation, and_begin, and_end, or_begin, or_end };
+  Kind kind = Kind::number;
+  Op op = Op::add;
+  std::uint32_t arguments = 0;
+  float number = 0;
+  std::string_view name;  // of a value, an array or a function
+  Place place;
+};
+
+struct Expression {
+  std::vector<Node> nodes;
+  Place place;
+};
+
+// `name(arguments)` in the axiom or a successor.
+struct ModuleTree {
+  std::string_view name;
+  Place place;
+  std::vector<Expression> arguments;
+};
+
+struct Formal {
+  std::string_view name;
+  Place place;
+};
+
+// `predecessor(formals) : condition --> successor : weight`
+struct ProductionTree {
+  std::string_view predecessor;
+  Place place;
+  std::vector<Formal> formals;
+  std::optional<Expression> condition;
+  std::vector<ModuleTree> successor;
+  std::optional<Expression> weight;
+};
+
+// `#define name expression`, `#input name` or `#input name[]`
+struct DefinitionTree {
+  enum class Kind : std::uint8_t { define, input, array };
+  Kind kind = Kind::define;
+  std::string_view name;
+  Place place;
+  Expression expression;
+};
+
+struct Grammar {
+  std::vector<DefinitionTree> definitions;
+  std::vector<ModuleTree> axiom;
+  std::vector<ProductionTree> productions;
+};
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,182 @@
+#include <string>
+
+#include "lsystem/machine.hpp"
+#include "lsystem/parser.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+bool is_finite(const glm::vec3& p) { return p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0; }
+
+// The bracket that closes the branch in which `at` stands, or `end`.
+const std::uint32_t* end_of_branch(const std::uint32_t* at, const std::uint32_t* end) {
+  for (std::uint64_t open = 0; at < end; at += words_of(*at)) {
+    const std::uint32_t symbol = symbol_of(*at);
+    if (symbol == push_symbol) ++open;
+    if (symbol == pop_symbol && open-- == 0) break;
+  }
+  return at;
+}
+
+class Interpreter {
+ public:
+  Interpreter(const Program& program, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits)
+      : machine_(program, seed, limits), program_(program), limits_(limits), listener_(listener), turtle_(start) {}
+
+  Result<std::uint32_t> run(const String& string) {
+    const std::uint32_t* at = string.begin();
+    const std::uint32_t* const end = string.end();
+    while (at < end) {
+      const std::uint32_t* const module = at;
+      at += words_of(*module);
+      if (symbol_of(*module) == ask_symbol) {
+        if (ask(module)) at = end_of_branch(at, end);
+      } else if (is_turtle_symbol(symbol_of(*module))) {
+        const Lineage lineage = lineage_of(module);
+        if (act(module, lineage)) at = end_of_branch(at, end);
+      }
+      if (machine_.failed()) return machine_.trouble();
+    }
+    return static_cast<std::uint32_t>(lines_);
+  }
+
+ private:
+  // Does what one module of the turtle says. True: the rest of the branch is cut.
+  bool act(const std::uint32_t* module, const Lineage& lineage) {
+    const TurtleSymbol& symbol = turtle_symbols[symbol_of(*module)];
+    float value = symbol.standard;
+    if (parameters_of(*module) > 0) std::memcpy(&value, module + 1, sizeof value);
+    switch (symbol.action) {
+      case Action::line:
+        line(value, lineage);
+        break;
+      case Action::move:
+        move(value);
+        break;
+      case Action::sphere:
+        sphere(value, lineage);
+        break;
+      case Action::turn:
+        turn(turtle_, symbol.sign * value);
+        break;
+      case Action::pitch:
+        pitch(turtle_, symbol.sign * value);
+        break;
+      case Action::roll:
+        roll(turtle_, symbol.sign * value);
+        break;
+      case Action::width:
+        turtle_.width = value;
+        break;
+      case Action::push:
+        push();
+        break;
+      case Action::pop:
+        turtle_ = stack_.back();
+        stack_.pop_back();
+        break;
+      case Action::cut:
+        listener_.cut(turtle_);
+        return true;
+      case Action::ask:
+        break;
+    }
+    return false;
+  }
+
+  Lineage lineage_of(const std::uint32_t* module) const {
+    if (!has_lineage(*module)) return {};
+    const Origin origin = origin_of(module);
+    return {name_of(origin.ancestors & 0xffff), name_of(origin.ancestors >> 16), origin.address};
+  }
+
+  std::string_view name_of(std::uint32_t symbol) const {
+    return symbol == no_symbol ? std::string_view() : std::string_view(program_.symbols[symbol]);
+  }
+
+  void move(float distance) {
+    turtle_.position = ahead(turtle_, distance);
+    if (!is_finite(turtle_.position))
+      machine_.fail({Reason::evaluation,
+                     "The turtle has gone too far for its position to be a number; shorten its lines.", 0, 0});
+  }
+
+  void line(float distance, const Lineage& lineage) {
+    if (distance == 0) return;
+    const Turtle before = turtle_;
+    move(distance);
+    if (machine_.failed()) return;
+    turtle_.line = lines_++;
+    listener_.line(turtle_.line, before, turtle_, lineage);
+  }
+
+  void sphere(float radius, const Lineage& lineage) {
+    if (radius == 0) return;
+    move(radius);
+    if (!machine_.failed()) listener_.sphere(turtle_, radius, lineage);
+  }
+
+  void push() {
+    if (stack_.size() < limits_.depth) {
+      stack_.push_back(turtle_);
+      return;
+    }
+    machine_.fail({Reason::limit,
+                   "More than " + std::to_string(limits_.depth) +
+                       " branches are open at once, which is the limit; nest fewer brackets.",
+                   0, 0});
+  }
+
+  // Asks, applies the production that matches the answer and draws its successor in place. True: the answer cut the
+  // branch.
+  bool ask(const std::uint32_t* module) {
+    const std::uint32_t count = parameters_of(*module);
+    const Lineage lineage = lineage_of(module);
+    float parameters[most_parameters];
+    std::memcpy(parameters, module + 1, count * sizeof(float));
+    listener_.ask(turtle_, {parameters, count}, lineage);
+
+    std::uint32_t answered[1 + most_parameters + lineage_words + block];
+    std::memcpy(answered, module, words_of(*module) * sizeof *module);
+    std::memcpy(answered + 1, parameters, count * sizeof(float));
+    const Production* const production = machine_.choose(answered);
+    if (production == nullptr) return false;
+    const Template& successor = production->successor;
+    if (!answer_.reserve(successor.words, successor.words))
+      return !machine_.fail(
+          {Reason::limit, "There is no memory for the answer of ?E; make its production shorter.", 0, 0});
+    if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
+    return draw(answer_.data(), answer_.data() + successor.words, lineage);
+  }
+
+  bool draw(const std::uint32_t* at, const std::uint32_t* end, const Lineage& lineage) {
+    while (at < end) {
+      const std::uint32_t* const module = at;
+      at += words_of(*module);
+      const bool cut = act(module, lineage);
+      if (machine_.failed()) return false;
+      if (!cut) continue;
+      at = end_of_branch(at, end);
+      if (at == end) return true;
+    }
+    return false;
+  }
+
+  Machine machine_;
+  const Program& program_;
+  const Limits& limits_;
+  Listener& listener_;
+  Turtle turtle_;
+  std::vector<Turtle> stack_;
+  Words answer_;
+  std::int32_t lines_ = 0;
+};
+
+}  // namespace
+
+Result<std::uint32_t> interpret(const Program& program, const String& string, const Turtle& start, Listener& listener,
+                                std::uint64_t seed, const Limits& limits) {
+  return Interpreter(program, start, listener, seed, limits).run(string);
+}
+
+}  // namespace panicle::lsystem

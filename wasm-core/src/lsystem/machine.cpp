@@ -1,0 +1,91 @@
+#include "lsystem/machine.hpp"
+
+#include <string>
+
+#include "foundation/random.hpp"
+#include "lsystem/number_text.hpp"
+
+namespace panicle::lsystem {
+
+Machine::Machine(const Program& program, std::uint64_t seed, const Limits& limits)
+    : program_(program),
+      limits_(limits),
+      rules_(program.rules.data()),
+      productions_(program.productions.data()),
+      patches_(program.patches.data()),
+      words_(program.words.data()),
+      register_file_(program.code.registers),
+      registers_(register_file_.data()),
+      choice_stream_(hash_text("production")),
+      draw_{seed, 0} {}
+
+// The first production that matches decides: one without a weight applies, one with a weight competes with all others
+// that match and have one. Two walks in place of a list of candidates.
+const Production* Machine::draw_production(const Rules& rules, std::uint32_t count) {
+  const Production* fallback = nullptr;  // the first that matches and has no weight
+  double total = 0;
+  for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
+    const Production& production = productions_[i];
+    if (fallback != nullptr && !production.weight.given) continue;
+    if (!matches(production, count)) {
+      if (failed()) return nullptr;
+      continue;
+    }
+    float weight = 0;
+    if (!production.weight.given) {
+      if (total == 0) return &production;
+      fallback = &production;
+    } else if (weigh(production, weight)) {
+      total += weight;
+    } else {
+      return nullptr;
+    }
+  }
+  double left = total * random_unit(draw_.seed, choice_stream_, draw_.address);
+  const Production* drawn = fallback;
+  for (std::uint32_t i = rules.productions.begin; i < rules.productions.end && total > 0; ++i) {
+    const Production& production = productions_[i];
+    float weight = 0;
+    if (!production.weight.given || !matches(production, count) || !weigh(production, weight) || weight == 0) continue;
+    drawn = &production;
+    left -= weight;
+    if (left < 0) break;
+  }
+  return failed() ? nullptr : drawn;
+}
+
+bool Machine::weigh(const Production& production, float& weight) {
+  if (!evaluate(production.weight.code)) return false;
+  weight = registers_[production.weight.source];
+  if (meets(Demand::not_negative, weight)) return true;
+  return fail(error_at(Reason::evaluation, production.weight.place,
+                       "A weight must be a number of 0 or more; here it is " + number_text(weight) + "."));
+}
+
+void Machine::write_lineages(const Template& successor, std::uint32_t* to, const Origin& parent, std::uint32_t symbol) {
+  const std::uint32_t ancestors = symbol | (parent.ancestors & 0xffff) << 16;
+  for (std::uint32_t i = successor.births.begin; i < successor.births.end; ++i) {
+    const Birth& birth = program_.births[i];
+    const std::uint64_t address = hash_combine(parent.address, birth.key);
+    std::memcpy(to + birth.offset, &address, sizeof address);
+    to[birth.offset + 2] = ancestors;
+  }
+}
+
+Diagnostic Machine::refusal(const Program& program, const Patch& patch, float value) {
+  const std::string symbol = program.symbols[patch.symbol];
+  const char* wanted = patch.demand == Demand::not_negative ? "a number of 0 or more" : "a finite number";
+  return error_at(Reason::evaluation, patch.place,
+                  symbol + " needs " + wanted + "; here it is given " + number_text(value) + ".");
+}
+
+bool Machine::refuse(const Patch& patch, float value) { return fail(refusal(program_, patch, value)); }
+
+bool Machine::give_up() {
+  return fail({Reason::limit,
+               "The grammar takes more than " + std::to_string(limits_.evaluations) +
+                   " evaluations, which is the limit; let it take fewer steps or write shorter strings.",
+               0, 0});
+}
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,103 @@
+// What derivation and interpretation share: choosing a production for a module and writing its successor.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lsystem/program.hpp"
+
+namespace panicle::lsystem {
+
+class Machine {
+ public:
+  Machine(const Program& program, std::uint64_t seed, const Limits& limits);
+  Machine(const Machine&) = delete;
+
+  // The production that rewrites `module`, its parameters loaded; null when none does, or when `failed()`. A block of
+  // words behind the module can be read.
+  const Production* choose(const std::uint32_t* module) {
+    const std::uint32_t header = *module;
+    const Rules& rules = rules_[symbol_of(header)];
+    const std::uint32_t count = parameters_of(header);
+    for (std::uint32_t i = 0; i < count; i += block) std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
+    if (has_lineage(header)) draw_.address = origin_of(module).address;
+    if (rules.weighted) return draw_production(rules, count);
+    for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
+      const Production& production = productions_[i];
+      if (matches(production, count)) return &production;
+      if (failed()) return nullptr;
+    }
+    return nullptr;
+  }
+
+  // Writes a successor to `to`, where it has room in whole blocks. `parent` is the origin of the module that
+  // `choose` looked at last, `symbol` its symbol. False: `trouble()`.
+  bool write(const Template& successor, std::uint32_t* to, const Origin& parent, std::uint32_t symbol) {
+    if (!spend(successor.cost) || !evaluate(successor.code)) return false;
+    copy_words(to, words_ + successor.first, successor.words);
+    for (std::uint32_t i = successor.patches.begin; i < successor.patches.end; ++i) {
+      const Patch& patch = patches_[i];
+      const float value = registers_[patch.source];
+      if (!meets(patch.demand, value)) return refuse(patch, value);
+      std::memcpy(to + patch.offset, &value, sizeof value);
+    }
+    if (successor.births.size() > 0) write_lineages(successor, to, parent, symbol);
+    return true;
+  }
+
+  // For an axiom, which no module writes.
+  void begin(std::uint64_t address) { draw_.address = address; }
+
+  // Takes units of Limits::evaluations. False: they are used up.
+  bool spend(std::uint64_t units) {
+    spent_ += units;
+    return spent_ <= limits_.evaluations || give_up();
+  }
+
+  bool fail(Diagnostic trouble) {
+    trouble_ = std::move(trouble);
+    return false;
+  }
+  bool failed() const { return trouble_.reason != Reason::none; }
+  const Diagnostic& trouble() const { return trouble_; }
+  const Program& program() const { return program_; }
+  const Limits& limits() const { return limits_; }
+
+  static bool meets(Demand demand, float value) {
+    if (demand == Demand::none) return true;
+    return value - value == 0 && (demand == Demand::finite || value >= 0);
+  }
+  static Diagnostic refusal(const Program& program, const Patch& patch, float value);
+
+ private:
+  bool matches(const Production& production, std::uint32_t count) {
+    if (production.arity != count || !spend(production.cost)) return false;
+    if (!production.condition.given) return true;
+    return evaluate(production.condition.code) && registers_[production.condition.source] != 0;
+  }
+  bool evaluate(Range code) { return execute(program_.code, code.begin, code.end, registers_, draw_, trouble_); }
+  [[gnu::noinline]] const Production* draw_production(const Rules& rules, std::uint32_t count);
+  bool weigh(const Production& production, float& weight);
+  [[gnu::noinline]] void write_lineages(const Template& successor, std::uint32_t* to, const Origin& parent,
+                                        std::uint32_t symbol);
+  [[gnu::cold]] bool refuse(const Patch& patch, float value);
+  [[gnu::cold]] bool give_up();
+
+  const Program& program_;
+  const Limits& limits_;
+  // Where the program's tables begin, at hand for the innermost loop.
+  const Rules* rules_;
+  const Production* productions_;
+  const Patch* patches_;
+  const std::uint32_t* words_;
+  std::vector<float> register_file_;
+  float* registers_;
+  std::uint64_t choice_stream_;
+  std::uint64_t spent_ = 0;
+  Draw draw_;
+  Diagnostic trouble_;
+};
+
+}  // namespace panicle::lsystem

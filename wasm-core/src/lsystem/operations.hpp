@@ -1,0 +1,71 @@
+// What expressions are made of: the operations of the byte code, and the functions that spell some of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace panicle::lsystem {
+
+enum class Op : std::uint8_t {
+  add,
+  subtract,
+  multiply,
+  divide,
+  remainder,
+  power,
+  equal,
+  not_equal,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  minimum,
+  maximum,
+  clamp,
+  negate,
+  invert,
+  truth,
+  floor,
+  ceiling,
+  nearest,
+  absolute,
+  square_root,
+  sine,
+  cosine,
+  tangent,
+  arc_sine,
+  arc_cosine,
+  arc_tangent,
+  arc_tangent_of,
+  exponential,
+  logarithm,
+  element,
+  jump_if_false,
+  jump_if_true,
+  random_whole,
+  random_real,
+  random_normal,
+};
+
+// Draws depend on the module they are made for: they are never shared or worked out beforehand.
+constexpr bool is_random(Op op) { return op >= Op::random_whole; }
+
+struct Function {
+  std::string_view name;
+  Op op;
+  std::uint32_t arguments;
+};
+
+// Angles are in degrees, as the turtle's are.
+inline constexpr std::array<Function, 21> functions = {{
+    {"RND", Op::random_whole, 2}, {"ran", Op::random_real, 1},  {"nran", Op::random_normal, 2},
+    {"floor", Op::floor, 1},      {"ceil", Op::ceiling, 1},     {"nearest", Op::nearest, 1},
+    {"abs", Op::absolute, 1},     {"min", Op::minimum, 2},      {"max", Op::maximum, 2},
+    {"clamp", Op::clamp, 3},      {"sqrt", Op::square_root, 1}, {"pow", Op::power, 2},
+    {"exp", Op::exponential, 1},  {"log", Op::logarithm, 1},    {"sin", Op::sine, 1},
+    {"cos", Op::cosine, 1},       {"tan", Op::tangent, 1},      {"asin", Op::arc_sine, 1},
+    {"acos", Op::arc_cosine, 1},  {"atan", Op::arc_tangent, 1}, {"atan2", Op::arc_tangent_of, 2},
+}};
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,97 @@
+// A compiled grammar: symbols, productions with their successors laid out word by word, and byte code.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lsystem/code.hpp"
+#include "lsystem/lsystem.hpp"
+#include "lsystem/turtle_symbols.generated.hpp"
+#include "lsystem/words.hpp"
+
+namespace panicle::lsystem {
+
+// Symbols are numbered: the turtle's as in turtle_symbols, then the text's own in the order of appearance.
+inline constexpr std::uint32_t turtle_symbol_count = static_cast<std::uint32_t>(turtle_symbols.size());
+inline constexpr bool is_turtle_symbol(std::uint32_t symbol) { return symbol < turtle_symbol_count; }
+
+constexpr std::uint32_t symbol_for(Action action) {
+  std::uint32_t symbol = 0;
+  while (turtle_symbols[symbol].action != action) ++symbol;
+  return symbol;
+}
+inline constexpr std::uint32_t push_symbol = symbol_for(Action::push);
+inline constexpr std::uint32_t pop_symbol = symbol_for(Action::pop);
+inline constexpr std::uint32_t cut_symbol = symbol_for(Action::cut);
+inline constexpr std::uint32_t ask_symbol = symbol_for(Action::ask);
+
+// What a parameter must be to be written: the turtle takes finite numbers only.
+enum class Demand : std::uint8_t { none, finite, not_negative };
+
+// A successor (or the axiom): words to copy, then places in the copy to fill in.
+struct Template {
+  std::uint32_t first = 0;  // in Program::words; room for a copy in whole blocks follows
+  std::uint32_t words = 0;
+  std::uint32_t modules = 0;
+  std::uint32_t cost = 0;  // units of Limits::evaluations that writing it takes
+  Range code;
+  Range patches;  // parameters
+  Range births;   // lineages
+  Range active;   // modules that the next step has to look at
+};
+
+struct Patch {
+  std::uint32_t offset = 0;
+  std::uint32_t source = 0;  // register
+  Demand demand = Demand::none;
+  std::uint32_t symbol = 0;
+  Place place;
+};
+
+struct Birth {
+  std::uint32_t offset = 0;
+  std::uint64_t key = 0;  // the module's place in the successor: its symbol, and how many of them stand before it
+};
+
+// An expression with code of its own.
+struct Value {
+  bool given = false;
+  Range code;
+  std::uint32_t source = 0;  // register
+  Place place;
+};
+
+struct Production {
+  std::uint32_t predecessor = 0;
+  std::uint32_t arity = 0;
+  Value condition;
+  Value weight;
+  std::uint32_t cost = 0;  // units of Limits::evaluations that trying it takes
+  Template successor;
+};
+
+// The productions of one symbol, in the order of the text.
+struct Rules {
+  Range productions;
+  bool weighted = false;
+};
+
+class Program {
+ public:
+  std::vector<std::string> symbols;
+  std::vector<Production> productions;      // by predecessor, then in the order of the text
+  std::vector<Rules> rules;                 // by symbol
+  std::vector<std::uint32_t> predecessors;  // in the order of the text
+  std::vector<std::uint32_t> words;
+  std::vector<Patch> patches;
+  std::vector<Birth> births;
+  std::vector<std::uint32_t> active;    // offsets in a template
+  std::uint32_t longest_successor = 0;  // words
+  Template axiom;
+  bool lineages = false;
+  Code code;
+  std::vector<Definition> definitions;
+};
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,31 @@
+#include "lsystem/number_text.hpp"
+#include "lsystem/program.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || (c & 0x80) != 0;
+}
+
+}  // namespace
+
+std::string to_text(const Program& program, const String& string) {
+  std::string text;
+  for (const std::uint32_t* module = string.begin(); module < string.end(); module += words_of(*module)) {
+    const std::string& name = program.symbols[symbol_of(*module)];
+    if (!text.empty() && is_letter_or_digit(text.back()) && is_letter_or_digit(name[0])) text += ' ';
+    text += name;
+    const std::uint32_t count = parameters_of(*module);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      float value = 0;
+      std::memcpy(&value, module + 1 + i, sizeof value);
+      text += i == 0 ? '(' : ',';
+      text += number_text(value);
+    }
+    if (count > 0) text += ')';
+  }
+  return text;
+}
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,210 @@
+#include "lsystem/tokens.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "lsystem/number_text.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+constexpr std::string_view signs = "+-*/^%&|\\!()[],:=<>?#";
+
+bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
+
+// What people paste from papers, and how the notation spells it.
+struct Spelling {
+  char32_t pasted;
+  std::string_view written;
+};
+constexpr std::array<Spelling, 12> spellings = {{{U'→', "-->"},
+                                                 {U'⟶', "-->"},
+                                                 {U'−', "-"},
+                                                 {U'–', "-"},
+                                                 {U'·', "*"},
+                                                 {U'×', "*"},
+                                                 {U'÷', "/"},
+                                                 {U'≤', "<="},
+                                                 {U'≥', ">="},
+                                                 {U'≠', "!="},
+                                                 {U'∧', "&&"},
+                                                 {U'∨', "||"}}};
+
+// Letters of every script may stand in names; punctuation, arrows, mathematical signs and the like may not.
+bool is_letter(char32_t c) {
+  if (c < 0x80) return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z');
+  struct Block {
+    char32_t first, last;
+  };
+  static constexpr Block excluded[] = {{0x80, 0xbf},     {0xd7, 0xd7},     {0xf7, 0xf7},       {0x2000, 0x206f},
+                                       {0x2190, 0x2bff}, {0x3000, 0x303f}, {0xe000, 0xf8ff},   {0xfe00, 0xfe6f},
+                                       {0xfeff, 0xfeff}, {0xfff0, 0xffff}, {0x1f000, 0x10ffff}};
+  for (const Block& block : excluded)
+    if (c >= block.first && c <= block.last) return false;
+  return true;
+}
+
+struct CodePoint {
+  char32_t value = 0;
+  std::uint32_t bytes = 0;  // 0: not UTF-8
+};
+
+CodePoint decode(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const std::uint32_t lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::uint32_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4) return {};
+  char32_t value = lead & (0x7fu >> bytes);
+  for (std::uint32_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {};
+    value = value << 6 | (byte(i) & 0x3f);
+  }
+  return {value, bytes};
+}
+
+class Tokenizer {
+ public:
+  explicit Tokenizer(std::string_view text) : text_(text) {
+    if (text_.substr(0, 3) == "\xef\xbb\xbf") at_ = 3;  // a byte order mark is no part of the text
+  }
+
+  Result<std::vector<Token>> run() {
+    while (pass_over_space()) {
+      if (!next_token()) break;
+      first_on_line_ = false;
+    }
+    if (trouble_.reason != Reason::none) return trouble_;
+    return std::move(tokens_);
+  }
+
+ private:
+  char32_t peek(std::size_t offset = 0) const {
+    return at_ + offset < text_.size() ? static_cast<unsigned char>(text_[at_ + offset]) : 0;
+  }
+
+  bool fail(const Place& place, std::string message) {
+    trouble_ = error_at(Reason::syntax, place, std::move(message));
+    return false;
+  }
+
+  void advance(std::uint32_t bytes) {
+    at_ += bytes;
+    ++place_.column;
+  }
+
+  void begin_line() {
+    ++place_.line;
+    place_.column = 1;
+    first_on_line_ = true;
+  }
+
+  // Whether a token follows.
+  bool pass_over_space() {
+    while (at_ < text_.size()) {
+      const char32_t c = peek();
+      if (c == '/' && peek(1) == '*') {
+        if (!pass_over_comment()) return false;
+      } else if (c == ' ' || c == '\t' || c == '\r' || c == '\n') {
+        advance(1);
+        if (c == '\n') begin_line();
+      } else {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool pass_over_comment() {
+    const Place start = place_;
+    advance(1);
+    advance(1);
+    while (at_ < text_.size()) {
+      if (peek() == '*' && peek(1) == '/') {
+        advance(1);
+        advance(1);
+        return true;
+      }
+      const char32_t c = peek();
+      const std::uint32_t bytes = decode(text_.substr(at_)).bytes;
+      advance(bytes == 0 ? 1 : bytes);
+      if (c == '\n') begin_line();
+    }
+    return fail(start, "This comment is never closed; end it with */.");
+  }
+
+  bool next_token() {
+    const Place place = place_;
+    const std::size_t start = at_;
+    const CodePoint point = decode(text_.substr(at_));
+    if (is_letter(point.value) && point.bytes > 0) return name(start, place);
+    if (is_digit(point.value) || (point.value == '.' && is_digit(peek(1)))) return number(start, place);
+    if (text_.substr(at_, 3) == "-->") {
+      for (int i = 0; i < 3; ++i) advance(1);
+      return add(TokenKind::arrow, start, place);
+    }
+    if (point.bytes == 1 && signs.find(text_[at_]) != std::string_view::npos) {
+      advance(1);
+      return add(TokenKind::sign, start, place);
+    }
+    return unknown(point);
+  }
+
+  bool add(TokenKind kind, std::size_t start, const Place& place, float value = 0) {
+    tokens_.push_back({kind, first_on_line_, place, text_.substr(start, at_ - start), value});
+    return true;
+  }
+
+  bool name(std::size_t start, const Place& place) {
+    while (at_ < text_.size()) {
+      const CodePoint point = decode(text_.substr(at_));
+      if (point.bytes == 0 || !(is_letter(point.value) || is_digit(point.value) || point.value == '_')) break;
+      advance(point.bytes);
+    }
+    return add(TokenKind::name, start, place);
+  }
+
+  void digits() {
+    while (is_digit(peek())) advance(1);
+  }
+
+  bool number(std::size_t start, const Place& place) {
+    digits();
+    if (peek() == '.') advance(1);
+    digits();
+    const bool has_sign = peek(1) == '+' || peek(1) == '-';
+    if ((peek() == 'e' || peek() == 'E') && is_digit(peek(has_sign ? 2 : 1))) {
+      advance(1);
+      if (has_sign) advance(1);
+      digits();
+    }
+    const float value = number_from(text_.substr(start, at_ - start));
+    if (std::isinf(value)) return fail(place, "This number is too large; the largest is 3.4e38.");
+    return add(TokenKind::number, start, place, value);
+  }
+
+  bool unknown(const CodePoint& point) {
+    if (point.bytes == 0) return fail(place_, "The text is not UTF-8 here; save it as UTF-8.");
+    if (point.value < 0x20 || point.value == 0x7f)
+      return fail(place_, "A control character cannot stand here; take it out.");
+    const std::string character(text_.substr(at_, point.bytes));
+    for (const Spelling& spelling : spellings)
+      if (spelling.pasted == point.value)
+        return fail(place_,
+                    "'" + character + "' is not part of the notation; write " + std::string(spelling.written) + ".");
+    return fail(place_, "'" + character + "' is not part of the notation; take it out.");
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  Place place_{1, 1};
+  bool first_on_line_ = true;
+  std::vector<Token> tokens_;
+  Diagnostic trouble_;
+};
+
+}  // namespace
+
+Result<std::vector<Token>> tokenize(std::string_view text) { return Tokenizer(text).run(); }
+
+}  // namespace panicle::lsystem

@@ -1,0 +1,46 @@
+// Text → tokens. Comments and white space are passed over; each token knows its line and column.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "foundation/result.hpp"
+
+namespace panicle::lsystem {
+
+// Counted from 1; columns count code points.
+struct Place {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+inline Diagnostic error_at(Reason reason, const Place& place, std::string message) {
+  return {reason, std::move(message), place.line, place.column};
+}
+
+// A sign is one character: `//` is two rolls in a string of modules, and it is for the reader of an expression to see
+// `==` or `&&` in two signs that touch.
+enum class TokenKind : std::uint8_t { name, number, sign, arrow };
+
+struct Token {
+  TokenKind kind = TokenKind::sign;
+  bool first_on_line = false;
+  Place place;
+  std::string_view text;  // part of the grammar's text
+  float number = 0;
+
+  bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }
+  bool is(std::string_view name) const { return kind == TokenKind::name && text == name; }
+};
+
+// Whether nothing stands between two tokens.
+inline bool touching(const Token& token, const Token& next) {
+  return token.text.data() + token.text.size() == next.text.data();
+}
+
+// The tokens of a text. `text` must outlive them. Errors: syntax.
+Result<std::vector<Token>> tokenize(std::string_view text);
+
+}  // namespace panicle::lsystem

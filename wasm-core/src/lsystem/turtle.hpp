@@ -1,0 +1,27 @@
+// The turtle: a position and an orthonormal frame that turns, rolls and moves.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace panicle::lsystem {
+
+// Where the turtle is. Heading, left and up are of unit length, heading × left = up.
+struct Turtle {
+  glm::vec3 position{0};
+  glm::vec3 heading{0, -1, 0};
+  glm::vec3 left{-1, 0, 0};
+  glm::vec3 up{0, 0, -1};
+  float width = 1;
+  std::int32_t line = -1;  // the last line drawn on the way here, −1 at the root
+};
+
+// The turtle's turns, for those who must foresee where it will go: bit for bit what `+`, `&` and `/` do. Degrees,
+// clockwise seen against the axis: +θ takes the heading towards −left, &φ towards +up, /ψ takes left towards −up.
+// Multiples of 90° are exact, and the frame stays orthonormal to rounding however long the chain.
+void turn(Turtle& turtle, float theta);                 // +(θ)
+void pitch(Turtle& turtle, float phi);                  // &(φ)
+void roll(Turtle& turtle, float psi);                   // /(ψ)
+glm::vec3 ahead(const Turtle& turtle, float distance);  // where F(distance) or S(distance) ends
+
+}  // namespace panicle::lsystem

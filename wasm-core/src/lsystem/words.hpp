@@ -1,0 +1,112 @@
+// Derived strings in memory: 32-bit words, one header per module, then its parameters, then (where the program keeps
+// lineages) three words of lineage: the address in two, and the symbols of parent and grandparent in one.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace panicle::lsystem {
+
+// Header: symbol in bits 0–15, number of parameters in 16–23, words of the whole module in 24–31.
+constexpr std::uint32_t header_of(std::uint32_t symbol, std::uint32_t parameters, std::uint32_t words) {
+  return symbol | parameters << 16 | words << 24;
+}
+constexpr std::uint32_t symbol_of(std::uint32_t header) { return header & 0xffff; }
+constexpr std::uint32_t parameters_of(std::uint32_t header) { return header >> 16 & 0xff; }
+constexpr std::uint32_t words_of(std::uint32_t header) { return header >> 24; }
+
+inline constexpr std::uint32_t lineage_words = 3;
+inline constexpr std::uint32_t no_symbol = 0xffff;  // the parent of the axiom's modules
+
+// Who wrote a module, as a string keeps it.
+struct Origin {
+  std::uint64_t address = 0;
+  std::uint32_t ancestors = no_symbol << 16 | no_symbol;  // parent | grandparent << 16
+};
+
+inline bool has_lineage(std::uint32_t header) { return words_of(header) > 1 + parameters_of(header); }
+
+inline Origin origin_of(const std::uint32_t* module) {
+  Origin origin;
+  const std::uint32_t* const lineage = module + 1 + parameters_of(*module);
+  std::memcpy(&origin.address, lineage, sizeof origin.address);
+  origin.ancestors = lineage[2];
+  return origin;
+}
+
+// Copies are made in blocks of four words and may run up to three words over: buffers and what is copied from have
+// that much room behind them.
+inline constexpr std::uint32_t block = 4;
+
+inline void copy_words(std::uint32_t* to, const std::uint32_t* from, std::size_t count) {
+  if (count > 64) {
+    std::memcpy(to, from, count * sizeof *to);
+    return;
+  }
+  for (std::size_t i = 0; i < count; i += block) std::memcpy(to + i, from + i, block * sizeof *to);
+}
+
+// A buffer that says so when memory is out, where a vector would abort. New words are not set to anything.
+class Words {
+ public:
+  Words() = default;
+  Words(Words&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {}
+  Words& operator=(Words&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(capacity_, other.capacity_);
+    return *this;
+  }
+  ~Words() { std::free(data_); }
+
+  // Room for `words`, at least doubling but not beyond `most`, so that growing costs in proportion. False: no memory.
+  bool reserve(std::uint64_t words, std::uint64_t most) {
+    if (words <= capacity_) return true;
+    std::uint64_t capacity = words > 2 * capacity_ ? words : 2 * capacity_;
+    if (capacity < 1024) capacity = 1024;
+    if (capacity > most && words <= most) capacity = most;
+    const std::uint64_t bytes = (capacity + block) * sizeof *data_;
+    if (bytes > SIZE_MAX / 2) return false;
+    void* const data = std::realloc(data_, static_cast<std::size_t>(bytes));
+    if (data == nullptr) return false;
+    data_ = static_cast<std::uint32_t*>(data);
+    capacity_ = capacity;
+    return true;
+  }
+
+  // Room for `words` if memory allows, what was there forgotten: cheaper than `reserve`, which may have to move it.
+  void empty_for(std::uint64_t words) {
+    if (words <= capacity_) return;
+    std::free(data_);
+    data_ = nullptr;
+    capacity_ = 0;
+    reserve(words, words);
+  }
+
+  std::uint32_t* data() { return data_; }
+  const std::uint32_t* data() const { return data_; }
+  std::uint64_t capacity() const { return capacity_; }
+
+ private:
+  std::uint32_t* data_ = nullptr;
+  std::uint64_t capacity_ = 0;
+};
+
+class String {
+ public:
+  String(Words words, std::uint64_t used, std::uint64_t modules)
+      : words_(std::move(words)), used_(used), modules_(modules) {}
+
+  const std::uint32_t* begin() const { return words_.data(); }
+  const std::uint32_t* end() const { return words_.data() + used_; }
+  std::uint64_t modules() const { return modules_; }
+
+ private:
+  Words words_;
+  std::uint64_t used_;
+  std::uint64_t modules_;
+};
+
+}  // namespace panicle::lsystem
