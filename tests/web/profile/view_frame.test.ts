@@ -1,22 +1,33 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { HANDLES, handlePosition } from "../../../web/src/profile/handles";
 import { scaleBar, viewExtent, viewFrame } from "../../../web/src/profile/view_frame";
 import { anyShape, DEFAULTS } from "./shape";
 
 describe("viewExtent", () => {
+	const lychee = { l: 65, p3w: 42, p3r: 33, p4w: 52, p4r: 33, p5w: 43, p5r: 51, p6w: 44, p6r: 48 };
+
 	it("is the paper's 600 pixels for a long bunch, less for a small one", () => {
-		expect(viewExtent(DEFAULTS)).toBe(600);
-		const lychee = { l: 65, p3w: 42, p3r: 33, p4w: 52, p4r: 33, p5w: 43, p5r: 51, p6w: 44, p6r: 48 };
-		expect(viewExtent(lychee)).toBe(150);
+		expect(viewExtent(DEFAULTS, 300, 300)).toBe(600);
+		expect(viewExtent(lychee, 300, 300)).toBe(150);
 	});
 
-	it("holds every handle", () => {
+	it("uses an element's height where it is higher than wide", () => {
+		expect(viewExtent(DEFAULTS, 260, 305)).toBe(500);
+		expect(viewExtent({ ...DEFAULTS, p6w: 290 }, 260, 305)).toBe(600);
+	});
+
+	it("holds every handle in the element, whatever its proportions", () => {
+		const side = fc.integer({ min: 120, max: 900 });
 		fc.assert(
-			fc.property(anyShape, (shape) => {
-				const extent = viewExtent(shape);
-				expect(shape.l).toBeLessThanOrEqual(extent);
-				for (const w of [shape.p3w, shape.p4w, shape.p5w, shape.p6w]) expect(2 * w).toBeLessThanOrEqual(extent);
-				for (const r of [shape.p3r, shape.p4r, shape.p5r, shape.p6r]) expect(r).toBeLessThanOrEqual(extent);
+			fc.property(anyShape, side, side, (shape, width, height) => {
+				const frame = viewFrame(width, height, viewExtent(shape, width, height));
+				for (const handle of HANDLES) {
+					const { x, y } = handlePosition(shape, handle);
+					expect(x).toBeGreaterThan(frame.left);
+					expect(x).toBeLessThan(frame.left + frame.width);
+					expect(y).toBeLessThan(frame.top + frame.height);
+				}
 			}),
 		);
 	});

@@ -22,6 +22,7 @@ import {
 import { drawBunch, drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
+import { SteadyExtent } from "./steady_extent";
 import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
 
 type Parameters = Specimen["parameters"];
@@ -57,8 +58,8 @@ export class ProfileView extends LitElement {
 	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
 	@state() private pointed = false;
 
-	/** The extent drawn; it stands still while a handle is held. */
-	#extent = 0;
+	readonly #steady = new SteadyExtent();
+	#asking?: ReturnType<typeof setTimeout>;
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
 		if (contentRect.width > 0) this.size = { width: contentRect.width, height: contentRect.height };
 	});
@@ -82,9 +83,15 @@ export class ProfileView extends LitElement {
 		this.#cancel();
 	}
 
-	protected override willUpdate(changed: PropertyValues<this>): void {
+	protected override willUpdate(changed: PropertyValues): void {
 		if (changed.has("disabled") && this.disabled) this.#cancel();
-		if (this.parameters && !this.#drags.active) this.#extent = this.extent ?? viewExtent(this.parameters);
+		if (!this.parameters) return;
+		const wanted = this.extent ?? viewExtent(this.parameters, this.size.width, this.size.height);
+		const motion = this.#drags.active ? "held" : changed.has("parameters") ? "moved" : "still";
+		if (changed.has("size")) this.#steady.forget();
+		const later = this.#steady.follow(wanted, motion, performance.now());
+		clearTimeout(this.#asking);
+		if (later !== undefined) this.#asking = setTimeout(() => this.requestUpdate(), later);
 	}
 
 	protected override render() {
@@ -110,7 +117,7 @@ export class ProfileView extends LitElement {
 			@focusout=${this.#onFocusOut}
 		>
 			<svg viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}" aria-hidden="true">
-				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#extent, parameters.unit, frame)}
+				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#steady.extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, this.plan, frame)}
 				${shown.map((handle) => drawGuides(parameters, handle, frame))}
 			</svg>
@@ -127,7 +134,7 @@ export class ProfileView extends LitElement {
 	}
 
 	#frame(): ViewFrame {
-		return viewFrame(this.size.width, this.size.height, this.#extent);
+		return viewFrame(this.size.width, this.size.height, this.#steady.extent);
 	}
 
 	#tell(parameters: Parameters, ...events: string[]): void {

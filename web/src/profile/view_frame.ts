@@ -15,22 +15,29 @@ export interface ViewFrame {
 const MARGIN = 14;
 
 /** Sides of the square a view may show, in pixels of the profile: the paper's, and less for small bunches. */
-const EXTENTS = [150, 225, 300, 450, VIEW_PIXELS];
+const EXTENTS = [150, 225, 300, 400, 500, VIEW_PIXELS];
 
 /** How far berries reach beyond the handles, in pixels of the profile: below the tip, and beside a width. */
 const BELOW_TIP = 50;
 const BESIDE = 20;
 
 /**
- * The least of the extents that holds the whole bunch; in the paper's 600 pixels a lychee of 65 would be a speck. Both
- * views of a profile get the same, so that they compare.
+ * The least of the extents at which an element of that size holds the whole bunch; in the paper's 600 pixels a lychee
+ * of 65 would be a speck. Steps rather than a smooth fit: a view that rescaled after every drag would unsettle. Both
+ * views of a profile get the same where they are of one size, so that they compare.
  */
-export function viewExtent(shape: Shape): number {
-	let need = shape.l + BELOW_TIP;
+export function viewExtent(shape: Shape, width: number, height: number): number {
+	let needHeight = shape.l + BELOW_TIP;
+	let needWidth = 0;
 	for (const side of SIDE_HANDLES) {
-		need = Math.max(need, shape[`${side}r`] + BESIDE, 2 * (shape[`${side}w`] + BESIDE));
+		needHeight = Math.max(needHeight, shape[`${side}r`] + BESIDE);
+		needWidth = Math.max(needWidth, 2 * (shape[`${side}w`] + BESIDE));
 	}
-	return EXTENTS.find((extent) => need <= extent) ?? VIEW_PIXELS;
+	const fits = (extent: number) => {
+		const { scale } = viewFrame(width, height, extent);
+		return needWidth * scale <= width - 2 * MARGIN && needHeight * scale <= height - 2 * MARGIN;
+	};
+	return EXTENTS.find(fits) ?? VIEW_PIXELS;
 }
 
 /** Fits a square of `extent` profile pixels into an element of CSS pixels, p1 at its top centre. */
