@@ -1,0 +1,90 @@
+import { expect, test } from "./fixtures";
+import { serveUnder } from "./static_server";
+import { StudioPage } from "./studio_page";
+
+test("the first load shows a bunch, its numbers and its marks", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await expect(studio.canvas).toHaveAccessibleName(/^Grape bunch: \d+ berries, 22 cm long$/);
+	await expect.poll(() => page.evaluate(() => performance.getEntriesByName("first-bunch").length)).toBe(1);
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.03);
+	await expect(studio.readout("Rachis segments")).toHaveText("18");
+	expect(Number(await studio.readout("Berries").innerText())).toBeGreaterThan(20);
+	await expect(page).toHaveTitle(/Panicle/);
+	expect(page.url()).toMatch(/\/(\?v=1)?$/);
+});
+
+test("everything that can be worked has a name, and the page its landmarks", async ({ page }) => {
+	await new StudioPage(page).open();
+	for (const landmark of ["banner", "main", "complementary", "navigation"] as const) {
+		await expect(page.getByRole(landmark)).toHaveCount(1);
+	}
+	const names = ["Length", ...["Right", "Left", "Front", "Back"].flatMap((side) => [`${side} width`, `${side} drop`])];
+	for (const name of names) await expect(page.getByRole("slider", { name, exact: true })).toHaveCount(1);
+	for (const summary of await page.locator("summary").all()) {
+		if (!(await summary.evaluate((element) => (element.parentElement as HTMLDetailsElement).open)))
+			await summary.click();
+	}
+	for (const role of ["button", "slider", "textbox", "switch", "img"] as const) {
+		for (const control of await page.getByRole(role).all()) await expect(control).toHaveAccessibleName(/\S/);
+	}
+	for (const slider of await page.locator("input[type=range]").all()) {
+		await expect(slider).toHaveAccessibleDescription(/\S+ … \S+/);
+	}
+});
+
+test("the keyboard reaches the controls first by the skip link", async ({ page }) => {
+	await new StudioPage(page).open();
+	await page.keyboard.press("Tab");
+	await expect(page.getByRole("link", { name: "Skip to the controls" })).toBeFocused();
+	await page.keyboard.press("Enter");
+	await page.keyboard.press("Tab");
+	await expect(page.locator("summary").first()).toBeFocused();
+});
+
+for (const [width, height] of [
+	[1440, 900],
+	[1024, 640],
+	[390, 844],
+]) {
+	test(`nothing sticks out sideways at ${width} × ${height}`, async ({ page }) => {
+		await page.setViewportSize({ width, height });
+		const studio = await new StudioPage(page).open();
+		expect(await studio.overflow()).toBeLessThanOrEqual(0);
+	});
+}
+
+test("the app works from a sub-path of any host", async ({ page }) => {
+	const server = await serveUnder("/people/botanist/panicle/");
+	const foreign: string[] = [];
+	page.on("request", (request) => {
+		if (!request.url().startsWith(server.address) && !/^(blob|data):/.test(request.url())) foreign.push(request.url());
+	});
+	await page.goto(`${server.address}?preset=lychee`);
+	await expect(page.getByRole("img", { name: /^Grape bunch: \d+ berries/ })).toBeVisible();
+	await expect(page.locator("[data-preset=lychee]")).toHaveAttribute("aria-current", "true");
+	expect(foreign).toEqual([]);
+	await page.goto("about:blank");
+	await server.close();
+});
+
+test("the theme is the system's until it is chosen, and the choice is remembered", async ({ page }) => {
+	await page.emulateMedia({ colorScheme: "dark" });
+	await new StudioPage(page).open();
+	const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+	expect(await paper()).toBe("rgb(20, 16, 14)");
+	await page.getByRole("button", { name: "Light theme" }).click();
+	expect(await paper()).toBe("rgb(244, 239, 228)");
+	await page.reload();
+	await expect(page.getByRole("button", { name: "Dark theme" })).toBeVisible();
+	expect(await paper()).toBe("rgb(244, 239, 228)");
+});
+
+test("closed groups stay closed", async ({ page }) => {
+	await new StudioPage(page).open();
+	const shape = page.locator("details[data-group=shape]");
+	await shape.locator("summary").click();
+	await expect(shape).not.toHaveAttribute("open");
+	await page.reload();
+	await expect(page.locator("details[data-group=numbers]")).toHaveAttribute("open");
+	await expect(shape).not.toHaveAttribute("open");
+});

@@ -1,0 +1,59 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+async function touchDrag(page: Page, from: { x: number; y: number }, dx: number, dy: number): Promise<void> {
+	const session = await page.context().newCDPSession(page);
+	const touch = (type: "touchStart" | "touchMove" | "touchEnd", points: { x: number; y: number }[]) =>
+		session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+	await touch("touchStart", [from]);
+	for (let step = 1; step <= 5; step++) {
+		await touch("touchMove", [{ x: from.x + (dx * step) / 5, y: from.y + (dy * step) / 5 }]);
+	}
+	await touch("touchEnd", []);
+}
+
+test("one view at a time, chosen by a switch", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	const front = page.getByRole("region", { name: "Front view" });
+	const side = page.getByRole("region", { name: "Side view" });
+	await expect(studio.canvas).toBeVisible();
+	await expect(front).toBeHidden();
+	await page.getByRole("radio", { name: "Front" }).check();
+	await expect(front).toBeVisible();
+	await expect(side).toBeHidden();
+	await expect(studio.canvas).toBeHidden();
+	await page.getByRole("radio", { name: "Side" }).check();
+	await expect(side).toBeVisible();
+	await page.getByRole("radio", { name: "3-D" }).check();
+	await expect(studio.canvas).toBeVisible();
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+});
+
+test("a thumb drags a handle, and that is one undo step", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const first = await studio.fingerprint.innerText();
+	await page.getByRole("radio", { name: "Front" }).check();
+	const grip = await studio.grip("Front", "p3");
+	await studio.regrown(() => touchDrag(page, grip, 40, 20));
+	await expect(page).toHaveURL(/p3=/);
+	await studio.button("Undo").tap();
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("the sheet holds the gallery and every group, with targets for a thumb", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await studio.regrown(() => page.getByRole("button", { name: "Cylindrical", exact: true }).tap());
+	await studio.openGroup("Rates");
+	await page.getByRole("slider", { name: "Pedicel", exact: true }).scrollIntoViewIfNeeded();
+	await expect(page.getByRole("slider", { name: "Pedicel", exact: true })).toBeInViewport();
+	for (const target of await page.locator("button:visible, input[type=range]:visible, summary:visible").all()) {
+		const box = await target.boundingBox();
+		const name = await target.evaluate((element) => element.ariaLabel ?? element.textContent ?? element.id);
+		expect(box?.height, name).toBeGreaterThanOrEqual(44);
+	}
+	expect(await studio.overflow()).toBeLessThanOrEqual(0);
+});

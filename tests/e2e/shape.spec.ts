@@ -1,0 +1,142 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+async function dragBy(studio: StudioPage, handle: string, dx: number, dy: number): Promise<void> {
+	const { mouse } = studio.page;
+	const { x, y } = await studio.grip("Front", handle);
+	await mouse.move(x, y);
+	await mouse.down();
+	await mouse.move(x + dx / 2, y + dy / 2, { steps: 4 });
+	await mouse.move(x + dx, y + dy, { steps: 4 });
+	await mouse.up();
+}
+
+const value = (page: Page, name: string) => page.getByRole("slider", { name, exact: true }).inputValue();
+
+test("dragging a handle regrows the bunch and is one step, in the address and in the history", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const first = await studio.fingerprint.innerText();
+	await studio.regrown(() => dragBy(studio, "p3", 30, 10));
+	await expect(page).toHaveURL(/[?&]p3=\d+,\d+/);
+	expect(Number(await value(page, "Right width"))).toBeGreaterThan(60);
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(page).not.toHaveURL(/p3=/);
+	await expect(studio.button("Undo")).toBeDisabled();
+	await studio.button("Redo").click();
+	await expect(studio.fingerprint).not.toHaveText(first);
+	await expect(page).toHaveURL(/[?&]p3=\d+,\d+/);
+});
+
+test("the tip's handle makes the bunch longer under the mouse, before it is let go", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=cylindrical&l=300");
+	const { x, y } = await studio.grip("Front", "p2");
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	await studio.regrown(() => page.mouse.move(x, y + 25, { steps: 3 }));
+	expect(Number(await value(page, "Length"))).toBeGreaterThan(320);
+	await expect(page).toHaveURL(/l=300/);
+	await page.mouse.up();
+	await expect(page).not.toHaveURL(/l=300/);
+});
+
+test("sliders work by keyboard, say their unit, and a held key is one step", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const slider = studio.slider("Length");
+	await expect(slider).toHaveAttribute("aria-valuetext", "523 pixels");
+	await slider.focus();
+	await page.keyboard.down("ArrowLeft");
+	for (let repeat = 0; repeat < 5; repeat++) await page.keyboard.down("ArrowLeft");
+	await page.keyboard.up("ArrowLeft");
+	await expect(slider).toHaveValue("517");
+	await expect(page).toHaveURL(/l=517/);
+	await page.keyboard.press("Control+z");
+	await expect(slider).toHaveValue("523");
+	await page.keyboard.press("Control+Shift+Z");
+	await expect(slider).toHaveValue("517");
+	await page.keyboard.press("Control+z");
+	await page.keyboard.press("Control+y");
+	await expect(slider).toHaveValue("517");
+	await page.keyboard.press("Delete");
+	await expect(slider).toHaveValue("523");
+});
+
+test("typed values are taken, clamped with a word, or refused with one", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	const field = page.getByRole("textbox", { name: "Length in pixels" });
+	await field.fill("300");
+	await field.press("Enter");
+	await expect(studio.slider("Length")).toHaveValue("300");
+	await field.fill("900");
+	await field.press("Enter");
+	await expect(field).toHaveValue("580");
+	await expect(page.getByText("Length takes 29 … 580 px. 900 became 580.")).toBeVisible();
+	await field.fill("wide");
+	await field.press("Enter");
+	await expect(field).toHaveValue("580");
+	await expect(page.getByText("“wide” is not a number; Length stays 580.")).toBeVisible();
+});
+
+test("a double click on a slider's name brings the preset's value back", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=cylindrical&l=300");
+	await page.locator("label", { hasText: "Length" }).first().dblclick();
+	await expect(studio.slider("Length")).toHaveValue("523");
+});
+
+test("mirror, locks and reset", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=short-conical");
+	const first = await studio.fingerprint.innerText();
+	await studio.regrown(() => studio.button("Mirror left–right").click());
+	expect([await value(page, "Right width"), await value(page, "Left width")]).toEqual(["116", "79"]);
+	await studio.button("Lock left–right").click();
+	await expect(studio.slider("Left width")).toHaveValue("116");
+	await studio.slider("Left width").press("ArrowRight");
+	await expect(studio.slider("Right width")).toHaveValue("117");
+	await studio.button("Lock front–back").click();
+	await expect(studio.slider("Back drop")).toHaveValue("112");
+	await studio.button("Reset").click();
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(studio.button("Reset")).toBeDisabled();
+});
+
+test("a new variation is another bunch of the same shape; typing its seed brings one back", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	const first = await studio.fingerprint.innerText();
+	await studio.regrown(() => studio.button("New variation").click());
+	await expect(studio.readout("Rachis segments")).toHaveText("18");
+	const seed = page.getByRole("textbox", { name: "Seed" });
+	await seed.fill("1");
+	await seed.press("Enter");
+	await expect(studio.fingerprint).toHaveText(first);
+	await seed.fill("5000000000");
+	await seed.press("Enter");
+	await expect(seed).toHaveValue("4294967295");
+	await expect(studio.notices).toContainText("4294967295 is used");
+});
+
+test("as printed sets fit and vary to 0 and back", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await studio.openGroup("Between the integers");
+	const first = await studio.fingerprint.innerText();
+	await studio.regrown(() => page.getByRole("switch", { name: "As printed" }).click());
+	await expect(studio.slider("Fit")).toHaveValue("0");
+	await expect(studio.slider("Vary")).toHaveValue("0");
+	await page.getByRole("switch", { name: "As printed" }).click();
+	await expect(studio.fingerprint).toHaveText(first);
+});
+
+test("colours change the picture, not the bunch", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	const first = await studio.fingerprint.innerText();
+	await studio.openGroup("Look");
+	const skin = page.getByRole("textbox", { name: "Skin colour, six hexadecimal digits" });
+	await skin.fill("#88AA44");
+	await skin.press("Enter");
+	await expect(page).toHaveURL(/skin=88aa44/);
+	await expect(studio.fingerprint).toHaveText(first);
+	await skin.fill("green");
+	await skin.press("Enter");
+	await expect(skin).toHaveValue("88aa44");
+	await expect(studio.notices).toContainText("six hexadecimal digits");
+});

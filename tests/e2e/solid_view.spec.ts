@@ -1,0 +1,60 @@
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+test("the 3-D view turns by mouse and keys, and comes back", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=short-conical");
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+	const front = await studio.canvas.screenshot();
+	await studio.canvas.focus();
+	await page.keyboard.press("ArrowRight");
+	await expect.poll(async () => (await studio.canvas.screenshot()).equals(front)).toBe(false);
+	await page.keyboard.press("+");
+	await page.keyboard.press("Shift+ArrowUp");
+	await page.keyboard.press("0");
+	const box = await studio.canvas.boundingBox();
+	if (!box) throw new Error("no canvas");
+	await page.mouse.move(box.x + 40, box.y + 40);
+	await page.mouse.down();
+	await page.mouse.move(box.x + 120, box.y + 60, { steps: 3 });
+	await page.mouse.up();
+	await studio.button("Reset view").click();
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+	expect(page.url()).not.toMatch(/[?&]l=/);
+});
+
+test("stems only leaves the berries away", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.03);
+	const whole = await studio.inkOnCanvas();
+	await studio.button("Show stems only").click();
+	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "true");
+	await expect.poll(() => studio.inkOnCanvas()).toBeLessThan(whole / 2);
+	await studio.button("Show stems only").blur();
+	await page.keyboard.press("s");
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(whole / 2);
+});
+
+test("the octahedron shows its handles in 3-D", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.03);
+	const plain = await studio.canvas.screenshot();
+	await studio.button("Octahedron").click();
+	await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "true");
+	await expect.poll(async () => (await studio.canvas.screenshot()).equals(plain)).toBe(false);
+});
+
+test("the help lists the keys and gives the focus back", async ({ page }) => {
+	await new StudioPage(page).open();
+	await page.keyboard.press("?");
+	const dialog = page.getByRole("dialog", { name: "Panicle" });
+	await expect(dialog).toContainText("Ctrl+Shift+Z");
+	await page.keyboard.press("Escape");
+	await expect(dialog).toBeHidden();
+});
+
+test("what has grown is told to a screen reader once it rests", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await studio.slider("Length").press("PageDown");
+	const words = `${await studio.readout("Berries").innerText()} berries`;
+	await expect(page.locator("panicle-speaker [role=status]")).toContainText(words);
+});

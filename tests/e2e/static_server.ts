@@ -1,0 +1,41 @@
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import { extname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const dist = fileURLToPath(new URL("../../dist/", import.meta.url));
+
+const TYPES: Readonly<Record<string, string>> = {
+	".html": "text/html",
+	".js": "text/javascript",
+	".css": "text/css",
+	".svg": "image/svg+xml",
+	".wasm": "application/wasm",
+	".woff2": "font/woff2",
+	".webp": "image/webp",
+	".webmanifest": "application/manifest+json",
+};
+
+/** A plain static host that has dist/ below `base` and nothing anywhere else. */
+export async function serveUnder(base: string): Promise<{ address: string; close(): Promise<void> }> {
+	const server = createServer(async (request, response) => {
+		const { pathname } = new URL(request.url ?? "/", "http://host");
+		try {
+			if (!pathname.startsWith(base)) throw new Error("outside");
+			const file = join(dist, pathname.slice(base.length) || "index.html");
+			const bytes = await readFile(file);
+			response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" }).end(bytes);
+		} catch {
+			response.writeHead(404).end();
+		}
+	});
+	await new Promise<void>((resolve) => server.listen(0, "localhost", resolve));
+	return {
+		address: `http://localhost:${(server.address() as AddressInfo).port}${base}`,
+		close: () => {
+			server.closeAllConnections();
+			return new Promise((resolve) => server.close(() => resolve()));
+		},
+	};
+}

@@ -1,0 +1,108 @@
+import { expect, type Locator, type Page } from "@playwright/test";
+
+/** The page as a person finds it: by the names of its parts. */
+export class StudioPage {
+	constructor(readonly page: Page) {}
+
+	/** Opens the app and waits for the first bunch. */
+	async open(search = ""): Promise<this> {
+		await this.page.goto(`./${search}`);
+		await expect(this.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
+		return this;
+	}
+
+	get fingerprint(): Locator {
+		return this.page.locator("[data-fingerprint]");
+	}
+
+	get canvas(): Locator {
+		return this.page.getByRole("img", { name: /^Grape bunch/ });
+	}
+
+	get notices(): Locator {
+		return this.page.locator("panicle-notices");
+	}
+
+	/** A line of the read-out, by its words. */
+	readout(words: string): Locator {
+		return this.page.locator(".readout dt", { hasText: words }).locator("+ dd");
+	}
+
+	slider(name: string): Locator {
+		return this.page.getByRole("slider", { name, exact: true });
+	}
+
+	button(name: string): Locator {
+		return this.page.getByRole("button", { name, exact: true });
+	}
+
+	handle(view: "Front" | "Side", handle: string): Locator {
+		return this.page.getByRole("region", { name: `${view} view` }).locator(`[data-handle=${handle}]`);
+	}
+
+	/** Where to take hold of a handle, in pixels of the page. */
+	async grip(view: "Front" | "Side", handle: string): Promise<{ x: number; y: number }> {
+		const box = await this.handle(view, handle).boundingBox();
+		if (!box) throw new Error(`Handle ${handle} is not on the page.`);
+		return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+	}
+
+	async openGroup(title: string): Promise<void> {
+		const group = this.page.locator("details", { has: this.page.locator("summary", { hasText: title }) });
+		if ((await group.getAttribute("open")) === null) await group.locator("summary").click();
+	}
+
+	/** Runs an action and waits for the bunch that follows from it. */
+	async regrown(action: () => Promise<unknown>): Promise<string> {
+		const before = await this.fingerprint.innerText();
+		await action();
+		await expect(this.fingerprint).not.toHaveText(before);
+		return this.fingerprint.innerText();
+	}
+
+	async download(format: string): Promise<{ name: string; bytes: Buffer }> {
+		const downloading = this.page.waitForEvent("download");
+		await this.button("Download").click();
+		await this.page.locator(`[data-format=${format}]`).click();
+		const download = await downloading;
+		const chunks: Buffer[] = [];
+		for await (const chunk of await download.createReadStream()) chunks.push(chunk as Buffer);
+		return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
+	}
+
+	/** Drops a file on the page as a person would from a folder. */
+	async drop(name: string, bytes: Buffer): Promise<void> {
+		await this.page.evaluate(
+			([fileName, base64]) => {
+				const data = new DataTransfer();
+				data.items.add(new File([Uint8Array.from(atob(base64), (char) => char.charCodeAt(0))], fileName));
+				for (const type of ["dragenter", "dragover", "drop"]) {
+					document.body.dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
+				}
+			},
+			[name, bytes.toString("base64")],
+		);
+	}
+
+	/** The share of the view's pixels that are dark: berries and stems on the light paper. */
+	async inkOnCanvas(): Promise<number> {
+		const picture = await this.canvas.screenshot();
+		return this.page.evaluate(async (base64) => {
+			const bytes = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0));
+			const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+			const context = new OffscreenCanvas(image.width, image.height).getContext(
+				"2d",
+			) as OffscreenCanvasRenderingContext2D;
+			context.drawImage(image, 0, 0);
+			const { data } = context.getImageData(0, 0, image.width, image.height);
+			let dark = 0;
+			for (let at = 0; at < data.length; at += 4) if (data[at] + data[at + 1] + data[at + 2] < 360) dark++;
+			return dark / (data.length / 4);
+		}, picture.toString("base64"));
+	}
+
+	/** Pixels by which the page is wider than its window. */
+	overflow(): Promise<number> {
+		return this.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+	}
+}

@@ -1,0 +1,134 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+const alert = (page: Page) => page.getByRole("alert");
+
+test("without the core the page says so, and grows when it comes after all", async ({ page, complaints }) => {
+	complaints.expect(/\.wasm|ERR_FAILED/);
+	await page.route("**/*.wasm", (route) => route.abort());
+	await page.goto("./");
+	await expect(alert(page)).toContainText("The core could not be fetched");
+	await page.unroute("**/*.wasm");
+	await page.getByRole("button", { name: "Try again" }).click();
+	await expect(page.locator("[data-fingerprint]")).toHaveText(/^[0-9a-f]{16}$/);
+	await expect(alert(page)).toHaveCount(0);
+});
+
+test("a core of the wrong MIME type grows all the same", async ({ page }) => {
+	await page.route("**/*.wasm", async (route) => {
+		const response = await route.fetch();
+		await route.fulfill({ response, headers: { ...response.headers(), "content-type": "application/octet-stream" } });
+	});
+	const studio = await new StudioPage(page).open();
+	await expect(studio.canvas).toHaveAccessibleName(/berries/);
+});
+
+test("a page in place of the core is told from one", async ({ page }) => {
+	await page.route("**/*.wasm", (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html>" }));
+	await page.goto("./");
+	await expect(alert(page)).toContainText("What came in place of the core (text/html) cannot be run");
+});
+
+test("a browser without WebAssembly is told what it lacks", async ({ page }) => {
+	await page.addInitScript(() => {
+		Reflect.deleteProperty(globalThis, "WebAssembly");
+	});
+	await page.goto("./");
+	await expect(alert(page)).toContainText("runs no WebAssembly");
+});
+
+test("without WebGL 2 the page says so and still grows and exports", async ({ page }) => {
+	await page.addInitScript(() => {
+		const { getContext } = HTMLCanvasElement.prototype;
+		HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+			return kind.startsWith("webgl") ? null : Reflect.apply(getContext, this, [kind, ...rest]);
+		} as typeof getContext;
+	});
+	const studio = await new StudioPage(page).open("?preset=duku");
+	await expect(alert(page)).toContainText("WebGL 2");
+	await studio.regrown(() => studio.slider("Length").press("PageDown"));
+	const { bytes } = await studio.download("glb");
+	expect(bytes.toString("latin1", 0, 4)).toBe("glTF");
+});
+
+/** Lets a test answer in the worker's place. */
+async function wiretap(page: Page): Promise<void> {
+	await page.addInitScript(() => {
+		const tap = { mode: "through" as "through" | "trap" | "silence", started: 0 };
+		Object.assign(globalThis, { tap });
+		const { postMessage } = Worker.prototype;
+		Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
+			const message = args[0] as { type: string; id: number };
+			if (message.type === "start") tap.started++;
+			if (message.type === "grow" && tap.mode === "silence") return;
+			if (message.type === "grow" && tap.mode === "trap") {
+				const data = { type: "trapped", id: message.id, message: "unreachable" };
+				queueMicrotask(() => this.dispatchEvent(new MessageEvent("message", { data })));
+				return;
+			}
+			Reflect.apply(postMessage, this, args);
+		};
+	});
+}
+
+const setMode = (page: Page, mode: string) =>
+	page.evaluate((next) => {
+		(globalThis as unknown as { tap: { mode: string } }).tap.mode = next;
+	}, mode);
+
+test("a worker that traps is replaced; the last bunch stays meanwhile", async ({ page }) => {
+	await wiretap(page);
+	const studio = await new StudioPage(page).open("?preset=short-conical");
+	const first = await studio.fingerprint.innerText();
+	await setMode(page, "trap");
+	await studio.slider("Length").press("PageDown");
+	await expect(studio.notices).toContainText("its worker was replaced");
+	await expect(studio.fingerprint).toHaveText(first);
+	await setMode(page, "through");
+	await studio.regrown(() => studio.slider("Length").press("PageDown"));
+	expect(
+		await page.evaluate(() => (globalThis as unknown as { tap: { started: number } }).tap.started),
+	).toBeGreaterThan(1);
+});
+
+test("a long growth says so and can be cancelled", async ({ page }) => {
+	await wiretap(page);
+	const studio = await new StudioPage(page).open("?preset=short-conical");
+	const first = await studio.fingerprint.innerText();
+	await setMode(page, "silence");
+	await studio.slider("Length").press("PageDown");
+	await expect(page.getByRole("progressbar", { name: "Growing" })).toBeVisible();
+	await studio.button("Cancel").click();
+	await expect(page.getByRole("progressbar", { name: "Growing" })).toBeHidden();
+	await expect(studio.notices).toContainText("Growing was cancelled");
+	await expect(studio.fingerprint).toHaveText(first);
+	await setMode(page, "through");
+	await studio.regrown(() => studio.slider("Length").press("PageDown"));
+});
+
+test("a lost context is told and comes back", async ({ page, complaints }) => {
+	complaints.expect(/CONTEXT_LOST|Context Lost/i);
+	const studio = await new StudioPage(page).open();
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.03);
+	await studio.canvas.evaluate((canvas: HTMLCanvasElement) => {
+		const loss = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context");
+		Object.assign(globalThis, { loss });
+		loss?.loseContext();
+	});
+	await expect(alert(page)).toContainText("The picture was lost");
+	await page.evaluate(() => (globalThis as unknown as { loss: WEBGL_lose_context }).loss.restoreContext());
+	await expect(alert(page)).toHaveCount(0);
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.03);
+});
+
+test("a grammar with an error in it is told with its line and column", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=short-conical");
+	const { bytes } = await studio.download("json");
+	const first = await studio.fingerprint.innerText();
+	const document = JSON.parse(bytes.toString());
+	document.specimen.grammar = "axiom: A(\n";
+	await studio.drop("broken.json", Buffer.from(JSON.stringify(document)));
+	await expect(studio.notices).toContainText(/Line \d+, column \d+ of the grammar/);
+	await expect(studio.fingerprint).toHaveText(first);
+});
