@@ -1,7 +1,7 @@
 /**
- * The envelope the handles mean (docs/bunch-model.md, "The envelope the handles mean"): the bare octahedron would make
- * a cylinder a spindle. Per side a quarter ellipse from p1 to (w, r), straight to the narrow width at the height of
- * axis rd, constant to the tip and rounded there. Only drawn; the core decides what grows.
+ * The envelope the handles mean: what a bunch of that profile should fill (the bare octahedron would make a cylinder a
+ * spindle). Per side a quarter ellipse from p1 to (w, r), straight to the narrow width at the height of axis rd,
+ * constant to the tip and rounded there. Only drawn; the core decides what grows.
  */
 import type { Plan, PlanSide } from "../core/grown";
 import type { Specimen } from "../specimen/specimen";
