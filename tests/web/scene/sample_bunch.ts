@@ -17,7 +17,7 @@ export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
 	for (let tries = 0; spheres.length < 4 * count && tries < 60000; tries++) {
 		const down = random();
 		const y = -length * (0.04 + 0.98 * down);
-		const breadth = 0.013 + 0.032 * Math.min(1, (1.05 - down) * 1.1);
+		const breadth = 0.012 + 0.027 * Math.min(1, (1.05 - down) * 1.2);
 		const out = Math.sqrt(random()) * breadth;
 		const angle = random() * 2 * Math.PI;
 		const centre = new Vector3(out * Math.cos(angle), y, out * Math.sin(angle));

@@ -30,7 +30,7 @@ void main() {
 	vec3 paper = mix(edge, pool, near);
 	float hidden = 1.0 - texture2D(shadowMap, 0.5 * place + 0.5).r;
 	// The shadow fades out before the view's edge so that no edge ever cuts it.
-	vec2 rim = smoothstep(vec2(1.0), vec2(0.72), abs(place));
+	vec2 rim = 1.0 - smoothstep(vec2(0.7), vec2(1.02), abs(place));
 	paper *= mix(vec3(1.0), shade, shadow * hidden * rim.x * rim.y);
 	gl_FragColor = vec4(paper, 1.0);
 	#include <colorspace_fragment>
@@ -63,14 +63,14 @@ export class Backdrop {
 		this.mesh = new Mesh(geometry, material);
 		this.mesh.frustumCulled = false;
 		// After the bunch: the depth test then spares the pixels that berries cover.
-		this.mesh.renderOrder = 1;
+		this.mesh.renderOrder = 2;
 	}
 
 	setRig(rig: LightRig): void {
 		const { uniforms } = this.mesh.material;
 		uniforms.edge.value.fromArray(fromHex(rig.paper.edge));
 		uniforms.pool.value.fromArray(fromHex(rig.paper.pool));
-		uniforms.shadow.value = rig.shadow;
+		uniforms.shadow.value = rig.shadow.depth;
 	}
 
 	setAspect(aspect: number): void {

@@ -8,11 +8,11 @@ import {
 	Mesh,
 	type PerspectiveCamera,
 	type ShaderMaterial,
-	SphereGeometry,
 	type TypedArray,
 	Vector3,
 } from "three";
-import type { Grown, Mesh as GrownMesh, StemMesh } from "../core/grown";
+import type { Grown, StemMesh } from "../core/grown";
+import { capMesh } from "./berry_material";
 
 const NEAREST_FIRST = new Vector3();
 
@@ -21,7 +21,6 @@ export class BunchSurface {
 	readonly group = new Group();
 	readonly #berries: Mesh<InstancedBufferGeometry, ShaderMaterial>;
 	readonly #stems: Mesh<BufferGeometry, ShaderMaterial>;
-	#shape: GrownMesh | undefined;
 	#spheres: Float32Array = new Float32Array(0);
 	#count = 0;
 	#depths = new Float64Array(0);
@@ -35,6 +34,8 @@ export class BunchSurface {
 		this.#berries.name = "berries";
 		this.#stems = new Mesh(new BufferGeometry(), stemMaterial);
 		this.#stems.name = "stems";
+		// After the berries, which hide most of them.
+		this.#stems.renderOrder = 1;
 		for (const mesh of [this.#berries, this.#stems]) {
 			// Their vertex shaders place them; three's bounds would not know where.
 			mesh.frustumCulled = false;
@@ -76,13 +77,11 @@ export class BunchSurface {
 		this.stemMaterial.dispose();
 	}
 
-	#showBerries({ berries, berry }: Grown): void {
-		const shape = berry ?? this.#shape ?? sphere();
+	#showBerries({ berries }: Grown): void {
 		const room = this.#berries.geometry.getAttribute("receiver")?.count ?? 0;
-		if (berries.count > room || !sameShape(this.#shape, shape)) {
-			this.#shape = shape;
+		if (berries.count > room) {
 			this.#berries.geometry.dispose();
-			this.#berries.geometry = berryGeometry(shape, Math.max(berries.count, Math.ceil(1.5 * room), 1));
+			this.#berries.geometry = berryGeometry(Math.max(berries.count, Math.ceil(1.5 * room)));
 		}
 		if (berries.count !== this.#count) {
 			this.#count = berries.count;
@@ -136,31 +135,12 @@ function fill(attribute: BufferAttribute | undefined, array: TypedArray): void {
 	attribute.needsUpdate = true;
 }
 
-/** The core sends the berry's mesh with every growth; it is nearly always the one already on the GPU. */
-function sameShape(a: GrownMesh | undefined, b: GrownMesh): boolean {
-	if (a === b) return true;
-	if (a?.positions.length !== b.positions.length || a.indices.length !== b.indices.length) return false;
-	return a.positions.every((value, i) => value === b.positions[i]);
-}
-
-function berryGeometry(shape: GrownMesh, room: number): InstancedBufferGeometry {
+function berryGeometry(room: number): InstancedBufferGeometry {
 	const geometry = new InstancedBufferGeometry();
-	geometry.setAttribute("position", new BufferAttribute(shape.positions, 3));
-	geometry.setAttribute("normal", new BufferAttribute(shape.normals, 3));
-	geometry.setIndex(new BufferAttribute(shape.indices, 1));
+	const { positions, indices } = capMesh();
+	geometry.setAttribute("position", new BufferAttribute(positions, 3));
+	geometry.setIndex(new BufferAttribute(indices, 1));
 	const receivers = new InstancedBufferAttribute(new Float32Array(room), 1).setUsage(DynamicDrawUsage);
 	geometry.setAttribute("receiver", receivers);
 	return geometry;
-}
-
-/** Stands in until the core has sent its berry. */
-function sphere(): GrownMesh {
-	const ball = new SphereGeometry(1, 24, 16);
-	const { position, normal, uv } = ball.attributes;
-	return {
-		positions: new Float32Array(position.array),
-		normals: new Float32Array(normal.array),
-		uvs: new Float32Array(uv.array),
-		indices: new Uint32Array(ball.index?.array ?? []),
-	};
 }

@@ -121,7 +121,7 @@ export class BunchView {
 		this.#rig = rigOf(theme);
 		setRig(this.#light, this.#rig);
 		this.#backdrop.setRig(this.#rig);
-		this.#shadow.setLamp(this.#rig.key.direction, spreadOf(this.#rig.key));
+		this.#shadow.setLamp(this.#rig.shadow.direction, spreadOf(this.#rig.key));
 		this.#loop.request();
 	}
 
@@ -282,8 +282,7 @@ export class BunchView {
 			this.#casters.cast(receivers, lamps[0], lamps[1], this.#casterRecords.data);
 			this.#casterRecords.changed();
 			this.#surface.sort(camera);
-			const paper = this.#turntable.distance + 1.15 * this.#turntable.radius;
-			this.#shadow.draw(renderer, camera, receivers, paper, this.#mode === "whole");
+			this.#shadow.draw(renderer, camera, receivers, this.#turntable.paper, this.#mode === "whole");
 		}
 		renderer.render(this.#scene, camera);
 		this.#rendered++;

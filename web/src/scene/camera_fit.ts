@@ -4,6 +4,8 @@ export interface Fit {
 	distance: number;
 	/** Radius of a ball about the target that holds the bunch. */
 	radius: number;
+	/** Radius of an upright cylinder about the target that does. */
+	breadth: number;
 }
 
 /** A bunch as it looks when spun about its upright axis: a stack of rings. */
@@ -72,9 +74,11 @@ export function fitView(
 	const cosine = Math.cos(elevation);
 	let distance = 1e-3;
 	let radius = 0;
+	let breadth = 0;
 	for (let i = 0; i < rings.length; i += 3) {
 		const [out, height, thick] = [rings[i], rings[i + 1], rings[i + 2]];
 		radius = Math.max(radius, Math.hypot(out, height) + thick);
+		breadth = Math.max(breadth, out + thick);
 		for (let turn = 0; turn < TURNS; turn++) {
 			const angle = (2 * Math.PI * turn) / TURNS;
 			const forth = out * Math.cos(angle);
@@ -84,7 +88,7 @@ export function fitView(
 			distance = Math.max(distance, near + up / tall, near + aside / wide);
 		}
 	}
-	return { target: centre, distance, radius };
+	return { target: centre, distance, radius, breadth };
 }
 
 /** Whether a bunch has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */

@@ -32,7 +32,7 @@ varying vec2 at;
 varying vec2 capsule;
 ${RECORD_CHUNK}
 vec2 landing(vec3 from, out float way) {
-	way = (from.z - paper) / lamp.z;
+	way = max(0.0, from.z - paper) / lamp.z;
 	return from.xy - lamp.xy * way;
 }
 void main() {

@@ -1,4 +1,4 @@
-import { Matrix3, Vector3, Vector4 } from "three";
+import { Matrix3, Vector3 } from "three";
 import type { Rgb } from "./colour";
 
 export type Theme = "light" | "dark";
@@ -29,8 +29,8 @@ export interface LightRig {
 	key: Window;
 	rim: Window;
 	surroundings: Lobe[];
-	/** How dark the bunch's shadow on the paper is at most. */
-	shadow: number;
+	/** How dark the bunch's shadow on the paper is at most, and where the light that casts it stands: lower than the key, which would throw it out of the picture. */
+	shadow: { depth: number; direction: Vector3 };
 	/** The paper: at its edges (the page's own colour) and where the light falls, as sRGB hexadecimal. */
 	paper: { edge: string; pool: string };
 }
@@ -39,28 +39,28 @@ const toward = (x: number, y: number, z: number) => new Vector3(x, y, z).normali
 
 const RIGS: Record<Theme, LightRig> = {
 	light: {
-		key: { direction: toward(-0.62, 0.66, 0.62), half: [0.26, 0.36], irradiance: [2.5, 2.38, 2.2], bars: 0.022 },
-		rim: { direction: toward(0.72, 0.3, -0.62), half: [0.16, 0.7], irradiance: [1.9, 1.75, 1.5], bars: 0 },
+		key: { direction: toward(-0.62, 0.66, 0.62), half: [0.26, 0.36], irradiance: [3, 2.84, 2.6], bars: 0.022 },
+		rim: { direction: toward(0.75, 0.3, -0.6), half: [0.16, 0.7], irradiance: [2.1, 1.95, 1.7], bars: 0 },
 		surroundings: [
-			{ axis: toward(-0.1, 1, 0.15), sharpness: 1.6, colour: [0.62, 0.7, 0.82] },
-			{ axis: toward(0.1, -1, 0.25), sharpness: 1.7, colour: [0.46, 0.4, 0.33] },
-			{ axis: toward(0, 0, -1), sharpness: 2.2, colour: [0.66, 0.62, 0.54] },
-			{ axis: toward(0.75, 0.05, 0.65), sharpness: 2, colour: [0.3, 0.3, 0.3] },
+			{ axis: toward(-0.1, 1, 0.15), sharpness: 1.6, colour: [0.44, 0.5, 0.6] },
+			{ axis: toward(0.1, -1, 0.25), sharpness: 1.7, colour: [0.3, 0.25, 0.2] },
+			{ axis: toward(0, 0, -1), sharpness: 2.2, colour: [0.62, 0.58, 0.5] },
+			{ axis: toward(0.75, 0.05, 0.65), sharpness: 2, colour: [0.2, 0.2, 0.21] },
 		],
-		shadow: 0.34,
+		shadow: { depth: 0.42, direction: toward(-0.5, 0.3, 0.85) },
 		paper: { edge: "f4efe4", pool: "fbf8f1" },
 	},
 	dark: {
-		key: { direction: toward(-0.66, 0.62, 0.5), half: [0.26, 0.36], irradiance: [2.5, 2.28, 1.98], bars: 0.022 },
-		rim: { direction: toward(0.75, 0.28, -0.6), half: [0.16, 0.7], irradiance: [2.6, 2.1, 1.55], bars: 0 },
+		key: { direction: toward(-0.66, 0.62, 0.5), half: [0.26, 0.36], irradiance: [4.3, 4.0, 3.55], bars: 0.022 },
+		rim: { direction: toward(0.78, 0.26, -0.56), half: [0.18, 0.8], irradiance: [4.2, 3.5, 2.7], bars: 0 },
 		surroundings: [
-			{ axis: toward(-0.2, 1, 0.1), sharpness: 2, colour: [0.24, 0.29, 0.38] },
-			{ axis: toward(0.1, -1, 0.25), sharpness: 1.8, colour: [0.14, 0.1, 0.07] },
+			{ axis: toward(-0.2, 1, 0.1), sharpness: 2, colour: [0.17, 0.23, 0.34] },
+			{ axis: toward(0.1, -1, 0.25), sharpness: 1.8, colour: [0.12, 0.08, 0.05] },
 			{ axis: toward(0, 0, -1), sharpness: 2.2, colour: [0.08, 0.06, 0.05] },
-			{ axis: toward(0.75, 0.05, 0.65), sharpness: 2, colour: [0.12, 0.11, 0.11] },
+			{ axis: toward(0.75, 0.05, 0.65), sharpness: 2, colour: [0.1, 0.09, 0.09] },
 		],
-		shadow: 0.55,
-		paper: { edge: "14100e", pool: "2c231f" },
+		shadow: { depth: 0.7, direction: toward(-0.5, 0.3, 0.85) },
+		paper: { edge: "14100e", pool: "33271f" },
 	},
 };
 
@@ -80,12 +80,13 @@ function integral(sharpness: number): number {
 
 /**
  * The lobe blurred by a unit Gaussian of the given sharpness: 1/s adds up as variances do, and what the lobe holds in
- * all stays the same. Returns colour and sharpness as the shader takes them.
+ * all stays the same.
  */
-export function blurred(lobe: Lobe, sharpness: number): Vector4 {
+export function blurred(lobe: Lobe, sharpness: number): Lobe {
 	const wide = (lobe.sharpness * sharpness) / (lobe.sharpness + sharpness);
 	const gain = integral(lobe.sharpness) / integral(wide);
-	return new Vector4(lobe.colour[0] * gain, lobe.colour[1] * gain, lobe.colour[2] * gain, wide);
+	const [red, green, blue] = lobe.colour;
+	return { axis: lobe.axis, sharpness: wide, colour: [red * gain, green * gain, blue * gain] };
 }
 
 /** Tangent of the apparent radius of a round lamp as large as the window. */

@@ -1,10 +1,22 @@
 import { Matrix3, type Matrix4, Vector3, Vector4 } from "three";
 import { CAST_RECORD, CASTERS } from "./casters";
-import { blurred, COSINE_SHARPNESS, frameOf, GLOSS_SHARPNESS, type LightRig, spreadOf, type Window } from "./light";
-import { NEIGHBOURS, RECORD } from "./receivers";
+import {
+	blurred,
+	COSINE_SHARPNESS,
+	frameOf,
+	GLOSS_SHARPNESS,
+	type LightRig,
+	type Lobe,
+	spreadOf,
+	type Window,
+} from "./light";
+import { RECORD } from "./receivers";
 import { RECORDS_PER_ROW } from "./record_texture";
 
 const LOBES = 4;
+
+const sum = (set: string) =>
+	Array.from({ length: LOBES }, (_, i) => `lobe(d, ${set}Lobes[${i}]) * ${set}Colours[${i}]`).join(" + ");
 
 /** Uniform values of one window. */
 function windowUniforms(): {
@@ -26,10 +38,12 @@ function windowUniforms(): {
 /** The uniforms every lit surface shares: one object, so that a change of light reaches all materials at once. */
 export function lightUniforms() {
 	const lobes = () => Array.from({ length: LOBES }, () => new Vector4());
+	const colours = () => Array.from({ length: LOBES }, () => new Vector3());
 	return {
-		lobeAxes: { value: Array.from({ length: LOBES }, () => new Vector3()) },
-		lobesDiffuse: { value: lobes() },
-		lobesGloss: { value: lobes() },
+		diffuseLobes: { value: lobes() },
+		diffuseColours: { value: colours() },
+		glossLobes: { value: lobes() },
+		glossColours: { value: colours() },
 		key: { value: windowUniforms() },
 		rim: { value: windowUniforms() },
 		keyDirection: { value: new Vector3() },
@@ -48,12 +62,18 @@ function setWindow(to: ReturnType<typeof windowUniforms>, window: Window): void 
 	to.spread = spreadOf(window);
 }
 
+/** exp(s (cos γ − 1)) as (1 + s (cos γ − 1) / 8)⁸, which a GPU without fast exponentials draws in half the time. */
+function setLobe(lobe: Vector4, colour: Vector3, { axis, sharpness, colour: rgb }: Lobe): void {
+	const scale = sharpness / 8;
+	lobe.set(axis.x * scale, axis.y * scale, axis.z * scale, 1 - scale);
+	colour.fromArray(rgb);
+}
+
 /** Loads a rig into the uniforms. */
 export function setRig(uniforms: LightUniforms, rig: LightRig): void {
 	rig.surroundings.forEach((lobe, i) => {
-		uniforms.lobeAxes.value[i].copy(lobe.axis);
-		uniforms.lobesDiffuse.value[i].copy(blurred(lobe, COSINE_SHARPNESS));
-		uniforms.lobesGloss.value[i].copy(blurred(lobe, GLOSS_SHARPNESS));
+		setLobe(uniforms.diffuseLobes.value[i], uniforms.diffuseColours.value[i], blurred(lobe, COSINE_SHARPNESS));
+		setLobe(uniforms.glossLobes.value[i], uniforms.glossColours.value[i], blurred(lobe, GLOSS_SHARPNESS));
 	});
 	setWindow(uniforms.key.value, rig.key);
 	setWindow(uniforms.rim.value, rig.rim);
@@ -83,20 +103,30 @@ vec4 caster_texel(int receiver, int texel) {
  */
 export const LIGHT_CHUNK = /* glsl */ `
 struct Window { mat3 toFrame; vec3 extent; vec3 irradiance; vec3 radiance; float spread; };
-struct Nearby { float sky; float mirror; float gap; };
-uniform vec3 lobeAxes[${LOBES}];
-uniform vec4 lobesDiffuse[${LOBES}];
-uniform vec4 lobesGloss[${LOBES}];
+struct Nearby { float sky; float mirror; float through; float gap; };
+uniform vec4 diffuseLobes[${LOBES}];
+uniform vec3 diffuseColours[${LOBES}];
+uniform vec4 glossLobes[${LOBES}];
+uniform vec3 glossColours[${LOBES}];
 uniform Window key;
 uniform Window rim;
 uniform vec3 keyDirection;
 uniform vec3 rimDirection;
 uniform float berriesShown;
 
-vec3 surroundings(vec3 d, vec4 lobes[${LOBES}]) {
-	vec3 sum = vec3(0.0);
-	for (int i = 0; i < ${LOBES}; i++) sum += lobes[i].rgb * exp(lobes[i].w * (dot(d, lobeAxes[i]) - 1.0));
-	return sum;
+float lobe(vec3 d, vec4 at) {
+	float x = max(0.0, dot(d, at.xyz) + at.w);
+	x *= x;
+	x *= x;
+	return x * x;
+}
+
+// Light from all around: gathered over the half space about \`d\`, and mirrored from \`d\`.
+vec3 diffuse_surroundings(vec3 d) {
+	return ${sum("diffuse")};
+}
+vec3 gloss_surroundings(vec3 d) {
+	return ${sum("gloss")};
 }
 
 // Share of a mirror lobe that falls into the window; \`blur\` is the tangent by which roughness softens its edges.
@@ -117,14 +147,16 @@ float sky_hidden(float sine, float cosine) {
 	return low <= 0.0 ? 0.0 : sine * sine * lifted;
 }
 
-// What the nearest spheres and the far ones leave of the sky and of the mirror lobe, and the gap to the nearest.
-Nearby nearby(int receiver, vec3 p, vec3 n, vec3 r, float blur) {
-	Nearby result = Nearby(1.0, 1.0, 1e3);
+// What the nearest spheres and the far ones leave of the sky, of the mirror lobe and of what is seen through the flesh
+// along \`bent\`, and the gap to the nearest.
+Nearby nearby(int receiver, int neighbours, vec3 p, vec3 n, vec3 r, vec3 bent, float blur) {
+	Nearby result = Nearby(1.0, 1.0, 1.0, 1e3);
 	if (berriesShown < 0.5) return result;
 	vec4 far = receiver_texel(receiver, 3);
 	result.sky = exp(-max(0.0, far.x + dot(far.yzw, n)));
 	result.mirror = exp(-max(0.0, far.x + dot(far.yzw, r)));
-	for (int i = 0; i < ${NEIGHBOURS}; i++) {
+	result.through = exp(-2.0 * max(0.0, far.x + dot(far.yzw, bent)));
+	for (int i = 0; i < neighbours; i++) {
 		vec4 s = receiver_texel(receiver, 4 + i);
 		if (s.w <= 0.0) break;
 		vec3 d = s.xyz - p;
@@ -134,6 +166,7 @@ Nearby nearby(int receiver, vec3 p, vec3 n, vec3 r, float blur) {
 		result.sky *= 1.0 - sky_hidden(sine, dot(n, d));
 		float edge = sqrt(1.0 - sine * sine);
 		result.mirror *= 1.0 - smoothstep(edge - blur, edge + blur, dot(r, d));
+		result.through *= 1.0 - smoothstep(edge - 0.35, edge + 0.35, dot(bent, d));
 		result.gap = min(result.gap, away - s.w);
 	}
 	return result;
@@ -167,8 +200,9 @@ vec3 bounced(float visible, vec3 albedo) {
 
 float hash(ivec3 cell) {
 	uvec3 c = uvec3(cell) * uvec3(0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u);
-	uint h = (c.x ^ c.y ^ c.z) * 0x27d4eb2du;
-	return float((h ^ (h >> 15u)) & 0xffffu) / 65535.0;
+	uint h = (c.x ^ (c.y >> 7u) ^ (c.y << 9u) ^ (c.z >> 13u) ^ (c.z << 3u)) * 0x27d4eb2du;
+	h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
+	return float(h >> 16u) / 65535.0;
 }
 
 // Smooth noise of one octave, 0 … 1.

@@ -17,11 +17,15 @@ export interface Skin {
 	roughness: number;
 }
 
-/** Rinds of tan and brown hue that are not vivid: no flesh shines through those. */
+/** Rinds through which no flesh shines: tan and brown ones that are not vivid (duku, longan), and brick red (lychee). */
 function rindness(lightness: number, chroma: number, hue: number): number {
 	const degrees = (hue * 180) / Math.PI;
 	const tan = smoothstep(42, 58, degrees) * (1 - smoothstep(88, 102, degrees));
-	return tan * (1 - smoothstep(0.11, 0.16, chroma)) * smoothstep(0.3, 0.45, lightness);
+	const brick = smoothstep(22, 26, degrees) * (1 - smoothstep(32, 42, degrees));
+	return Math.max(
+		tan * (1 - smoothstep(0.098, 0.108, chroma)) * smoothstep(0.3, 0.45, lightness),
+		brick * (1 - smoothstep(0.15, 0.17, chroma)) * smoothstep(0.46, 0.52, lightness),
+	);
 }
 
 /** Reads the nature of a skin from its colour: pale or vivid skins let light through, dark ones redden it, tan ones stop it. */
@@ -31,15 +35,15 @@ export function skinOf(look: Look): Skin {
 	const rind = rindness(lightness, chroma, hue);
 	const pale = smoothstep(0.35, 0.8, lightness);
 	const vivid = smoothstep(0.1, 0.2, chroma);
-	const translucency = clamp(0.16 + 0.5 * pale + 0.42 * vivid, 0, 1) * (1 - 0.92 * rind);
 	// Anthocyanins pass red last of all: the darker the skin, the redder what still comes through.
 	const dark = 1 - smoothstep(0.25, 0.5, lightness);
+	const translucency = clamp(0.2 + 0.5 * pale + 0.4 * vivid - 0.06 * dark, 0, 1) * (1 - 0.92 * rind);
 	const brightest = Math.max(base[0], base[1], base[2], 1e-3);
 	const passing = mixRgb([base[0] / brightest, base[1] / brightest, base[2] / brightest], [1, 0.12, 0.16], 0.75 * dark);
-	const density = mix(1.5, 0.42, pale) * mix(1, 0.75, vivid) + 1.1 * dark;
-	const absorption = passing.map((channel) => density * (0.25 - Math.log(clamp(channel, 0.02, 1)))) as Rgb;
+	const density = mix(1.1, 0.42, pale) + 1.9 * dark;
+	const absorption = passing.map((channel) => density * (0.4 - Math.log(clamp(channel, 0.02, 1)))) as Rgb;
 	// Wax scatters short waves a little more; on a dark skin the blue is what the eye sees.
-	const wax = mixRgb(fromLch({ lightness: 0.78, chroma: 0.035, hue: 4.75 }), mixRgb(base, [1, 1, 1], 0.72), 0.6 * pale);
+	const wax = mixRgb(fromLch({ lightness: 0.74, chroma: 0.04, hue: 4.75 }), mixRgb(base, [1, 1, 1], 0.72), 0.6 * pale);
 	return { base, translucency, absorption, wax, bloom: clamp(look.bloom, 0, 1), roughness: rind };
 }
 

@@ -54,9 +54,9 @@ export class Turntable {
 		return this.camera.position.distanceTo(this.controls.target);
 	}
 
-	/** Radius of a ball about the bunch. */
-	get radius(): number {
-		return this.#fit?.radius ?? 0.1;
+	/** Distance from the eye to a paper that stands behind the bunch, clear of its outermost berries. */
+	get paper(): number {
+		return this.distance + 1.25 * (this.#fit?.breadth ?? 0.05);
 	}
 
 	setAspect(aspect: number): void {
