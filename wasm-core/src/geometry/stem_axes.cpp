@@ -121,7 +121,8 @@ class Finder {
       return;
     }
     const std::int32_t parent = parent_of(first);
-    if (parent != none) axis.origin = {true, directions_[parent], skeleton_[parent].radius_end};
+    if (parent != none)
+      axis.origin = {true, successor_[parent] != none, directions_[parent], skeleton_[parent].radius_end};
     for (std::uint32_t i = 0; i < axis.count; ++i) {
       Node& node = nodes[axis.first + i];
       node.radius = std::max(node.radius, result_.finest);
@@ -137,7 +138,7 @@ class Finder {
     glm::vec3 before = node[1].position - node[0].position;
     float length_before = glm::length(before);
     before /= length_before;
-    node[0].tangent = axis.origin.attached ? unit_or(before + 0.4f * axis.origin.direction, before) : before;
+    node[0].tangent = axis.origin.attached ? unit_or(before + 0.25f * axis.origin.direction, before) : before;
     for (std::uint32_t i = 1; i + 1 < axis.count; ++i) {
       glm::vec3 after = node[i + 1].position - node[i].position;
       const float length_after = glm::length(after);

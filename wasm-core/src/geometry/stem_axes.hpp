@@ -21,6 +21,7 @@ struct Node {
 // What an axis comes out of.
 struct Origin {
   bool attached = false;   // otherwise it begins in the open
+  bool passing = false;    // the bearer goes on beyond
   glm::vec3 direction{0};  // of the bearer, unit
   float radius = 0;        // of the bearer
 };

@@ -40,46 +40,69 @@ glm::vec3 reflected(const glm::vec3& v, const glm::vec3& mirror) {
   return square > 0 ? v - mirror * (2 * glm::dot(mirror, v) / square) : v;
 }
 
-// Makes the ring's frame from its tangent and what is to be about its right.
-void square_up(Ring& ring, const glm::vec3& right) {
-  ring.right = glm::normalize(right - ring.tangent * glm::dot(ring.tangent, right));
-  ring.forward = glm::cross(ring.tangent, ring.right);
+// A frame that travels along the curve: `right` is at right angles to the tangent.
+struct Frame {
+  glm::vec3 centre, tangent, right;
+};
+
+void square_up(Frame& frame, const glm::vec3& right) {
+  frame.right = glm::normalize(right - frame.tangent * glm::dot(frame.tangent, right));
 }
 
-void begin_frame(Ring& ring) {
-  square_up(ring, std::fabs(ring.tangent.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+// A branch begins with its right in the plane of branch and bearer.
+Frame first_frame(const Node& node, const Origin& origin) {
+  Frame frame{node.position, node.tangent, {}};
+  const glm::vec3 any = std::fabs(node.tangent.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const bool in_line = !origin.attached || std::fabs(glm::dot(node.tangent, origin.direction)) > 0.99f;
+  square_up(frame, in_line ? any : origin.direction);
+  return frame;
 }
 
-void carry_frame(const Ring& from, Ring& to) {
-  const glm::vec3 step = to.centre - from.centre;
-  const glm::vec3 tangent = reflected(from.tangent, step);
-  square_up(to, reflected(reflected(from.right, step), to.tangent - tangent));
+void carry(Frame& frame, const glm::vec3& centre, const glm::vec3& tangent) {
+  const glm::vec3 step = centre - frame.centre;
+  const glm::vec3 ahead = reflected(frame.tangent, step);
+  const glm::vec3 right = reflected(frame.right, step);
+  frame = {centre, tangent, right};
+  square_up(frame, reflected(right, tangent - ahead));
 }
 
-// Normals of a run of rings from how the radius changes along it.
-void tilt_normals(std::span<Ring> rings) {
+Ring ring_of(const Frame& frame, const Section& section, const Origin& origin, std::int32_t internode) {
+  Ring ring;
+  ring.centre = frame.centre;
+  ring.tangent = frame.tangent;
+  const glm::vec3 right = frame.right + (origin.direction - frame.right) * section.lean;
+  ring.right = right * (section.wide / glm::length(right));
+  ring.forward = glm::cross(frame.tangent, frame.right) * section.narrow;
+  ring.round = section.lean == 0 && section.wide == section.narrow;
+  ring.internode = static_cast<std::uint32_t>(internode);
+  return ring;
+}
+
+// How the half-axes change along a run of rings. A ring next to one that is not round is not quite round either.
+void find_changes(std::span<Ring> rings) {
+  bool round_before = true;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const Ring& before = rings[i > 0 ? i - 1 : i];
     const Ring& after = rings[i + 1 < rings.size() ? i + 1 : i];
-    const float rise = after.radius - before.radius;
     const float run = glm::length(after.centre - rings[i].centre) + glm::length(rings[i].centre - before.centre);
-    const float slant = std::sqrt(rise * rise + run * run);
-    rings[i].normal_out = run / slant;
-    rings[i].normal_along = -rise / slant;
+    rings[i].right_change = (after.right - before.right) / run;
+    rings[i].forward_change = (after.forward - before.forward) / run;
+    const bool round = rings[i].round;
+    rings[i].round = round_before && round && after.round;
+    round_before = round;
   }
 }
 
 // A ring of a rounded end, `degrees` from the rim; `height` is negative at the start of the axis.
 Ring cap_ring(const Ring& rim, float degrees, float height) {
   const SinCos angle = sincos_degrees(degrees);
+  const float steepness = -angle.sine / (angle.cosine * height);
   Ring ring = rim;
   ring.centre += rim.tangent * (height * angle.sine);
-  ring.radius *= angle.cosine;
-  const float out = angle.cosine * std::fabs(height);
-  const float along = angle.sine * rim.radius;
-  const float length = std::sqrt(out * out + along * along);
-  ring.normal_out = out / length;
-  ring.normal_along = height < 0 ? -along / length : along / length;
+  ring.right *= angle.cosine;
+  ring.forward *= angle.cosine;
+  ring.right_change = rim.right * steepness;
+  ring.forward_change = rim.forward * steepness;
   return ring;
 }
 
@@ -101,7 +124,7 @@ void lay_texture(std::span<Ring> rings, float first_radius) {
   float v = 0;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     if (i > 0) {
-      const float rise = rings[i].radius - rings[i - 1].radius;
+      const float rise = glm::length(rings[i].forward) - glm::length(rings[i - 1].forward);
       const glm::vec3 run = rings[i].centre - rings[i - 1].centre;
       v += std::sqrt(rise * rise + glm::dot(run, run)) / (2 * pi * first_radius);
     }
@@ -136,7 +159,7 @@ std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
   const bool shaped = (i == 1 && axis.origin.attached) || (i + 1 == axis.count && end_of(axis) == End::receptacle);
   const float by_length = 2 + 2 * length / std::max(a.radius, b.radius);
   const float by_bend = 6 * (glm::length(a.tangent - along) + glm::length(b.tangent - along));  // about every 10°
-  const float wanted = std::max(std::min(shaped ? 8.0f : 5.0f, by_length), by_bend);
+  const float wanted = std::max(std::min(shaped ? 10.0f : 7.0f, by_length), by_bend);
   const auto steps = static_cast<std::uint32_t>(std::min(wanted, static_cast<float>(most_steps)));
   return coarse_ ? 1 + steps / 8 : steps;
 }
@@ -147,36 +170,31 @@ std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
   return rings;
 }
 
-// The rings between the two ends, with centres, frames, radii and internodes.
+// The rings between the two ends.
 void TubeMaker::sweep(const StemAxis& axis, std::vector<Ring>& rings) const {
   const std::span<const Node> nodes(&axes_.nodes[axis.first], axis.count);
   const Thickness thickness(nodes, axis.origin, end_of(axis));
-  const auto radius_at = [&](std::uint32_t i, float t, float from_start) {
-    return std::max(thickness.at(i, t, from_start), axes_.finest);
-  };
-  Ring ring;
-  ring.centre = nodes[0].position;
-  ring.tangent = nodes[0].tangent;
-  ring.radius = radius_at(1, 0, 0);
-  ring.internode = static_cast<std::uint32_t>(nodes[0].internode);
-  begin_frame(ring);
-  rings.push_back(ring);
-
+  Frame frame = first_frame(nodes[0], axis.origin);
   float from_start = 0;
+  const auto add = [&](std::uint32_t i, float t, std::int32_t internode) {
+    Section section = thickness.at(i, t, from_start);
+    section.wide = std::max(section.wide, axes_.finest);
+    section.narrow = std::max(section.narrow, axes_.finest);
+    rings.push_back(ring_of(frame, section, axis.origin, internode));
+  };
+  add(1, 0, nodes[0].internode);
   for (std::uint32_t i = 1; i < nodes.size(); ++i) {
     const Curve curve(nodes[i - 1], nodes[i]);
     const float length = glm::length(curve.to - curve.from);
     const std::uint32_t steps = steps_to(axis, i);
-    const float crowded = 0.75f * std::clamp(0.25f * length / nodes[i].radius - 0.75f, 0.0f, 1.0f);
-    for (std::uint32_t k = 1; k <= steps; ++k) {
+    const float crowded = 0.85f * std::clamp(0.25f * length / nodes[i].radius - 0.75f, 0.0f, 1.0f);
+    for (std::uint32_t k = 1; k < steps; ++k) {
       const float t = static_cast<float>(k) / static_cast<float>(steps) - crowded * crowding_[steps][k];
-      ring.centre = k == steps ? curve.to : curve.at(t);
-      ring.tangent = k == steps ? nodes[i].tangent : curve.direction(t);
-      ring.radius = radius_at(i, t, from_start);
-      ring.internode = static_cast<std::uint32_t>(nodes[i].internode);
-      carry_frame(rings.back(), ring);
-      rings.push_back(ring);
+      carry(frame, curve.at(t), curve.direction(t));
+      add(i, t, nodes[i].internode);
     }
+    carry(frame, curve.to, nodes[i].tangent);
+    add(i, 1, nodes[i].internode);
     from_start += length;
   }
 }
@@ -187,13 +205,13 @@ void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   const std::uint32_t front = axis.origin.attached ? 0 : cap_rings;
   rings.resize(front);
   sweep(axis, rings);
-  tilt_normals(std::span<Ring>(rings).subspan(front));
+  find_changes(std::span<Ring>(rings).subspan(front));
 
   // A branch begins within its bearer, where a flat end is enough; in the open a cut end is nearly flat too.
   const Ring first = rings[front];
   const Ring last = rings.back();
-  const float back = 0.3f * first.radius;
-  const float ahead = cap_height(end_of(axis)) * last.radius;
+  const float back = 0.3f * glm::length(first.forward);
+  const float ahead = cap_height(end_of(axis)) * glm::length(last.forward);
   for (std::uint32_t i = 0; i < front; ++i) rings[i] = cap_ring(first, cap_degrees[front - 1 - i], -back);
   for (const float degrees : cap_degrees) rings.push_back(cap_ring(last, degrees, ahead));
   tube.first_pole = first.centre - first.tangent * back;

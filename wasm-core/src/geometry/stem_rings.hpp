@@ -13,12 +13,13 @@
 
 namespace panicle {
 
-// A cross-section: a circle about `centre` in the plane of the unit vectors `right` and `forward`.
+// The edge of a cross-section: centre + right cos a + forward sin a. Changes are per unit of length along the tangent.
 struct Ring {
-  glm::vec3 centre{0}, right{0}, forward{0}, tangent{0};  // right × forward = tangent
-  float radius = 0;
-  float normal_out = 1, normal_along = 0;  // parts of the surface's unit normal: outwards, along the tangent
-  float v = 0;                             // texture coordinate along the axis
+  glm::vec3 centre{0}, tangent{0};
+  glm::vec3 right{0}, forward{0};  // half-axes; right × forward points ahead
+  glm::vec3 right_change{0}, forward_change{0};
+  bool round = true;  // half-axes and changes are equal in length and the plane is at right angles to the tangent
+  float v = 0;        // texture coordinate along the axis
   std::uint32_t internode = 0;
 };
 

@@ -11,19 +11,26 @@ namespace panicle {
 // How an axis ends: where it was cut or has nothing more to bear, under its berry, or shrivelled.
 enum class End : std::uint8_t { stub, receptacle, withered };
 
-// The radius passes smoothly from node to node. Nodes swell a little; a branch spreads towards its bearer, within
-// whose surface it begins; a receptacle widens, a withered tip narrows.
+// A cross-section: an ellipse, drawn out in the plane of branch and bearer where a branch comes out, else a circle.
+struct Section {
+  float wide = 0;    // half-width in that plane
+  float narrow = 0;  // half-width across it
+  float lean = 0;    // 0: at right angles to the branch … 1: its width lies along the bearer
+};
+
+// The radius passes smoothly from node to node and is a little less between them. A branch spreads into its bearer,
+// within whose surface it begins; a receptacle widens, a withered pedicel narrows.
 class Thickness {
  public:
   Thickness(std::span<const Node> nodes, const Origin& origin, End end);
 
   // At the fraction `t` of the internode that ends at node i; `from_start` is the distance of node i − 1 from the
   // first.
-  float at(std::size_t i, float t, float from_start) const;
+  Section at(std::size_t i, float t, float from_start) const;
 
  private:
-  float at_end(float from_end) const;
-  float at_start(float radius, float from_start) const;
+  float end_factor(float from_end) const;
+  Section collar(float radius, float from_start, float from_end) const;
 
   std::span<const Node> nodes_;
   Origin origin_;

@@ -1,6 +1,8 @@
 #include "geometry/tubes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "foundation/mathematics.hpp"
 #include "geometry/stem_rings.hpp"
@@ -62,25 +64,51 @@ class Writer {
 
   void write_ring(const Ring& ring, float scale) {
     const glm::vec3 centre = ring.centre * scale;
-    const float radius = ring.radius * scale;
-    const glm::vec3 along = ring.tangent * ring.normal_along;
+    const glm::vec3 right = ring.right * scale;
+    const glm::vec3 forward = ring.forward * scale;
     for (std::uint32_t k = 0; k <= sides_; ++k) {
-      const glm::vec3 out = ring.right * circle_.sides[k].cosine + ring.forward * circle_.sides[k].sine;
-      const glm::vec3 position = centre + out * radius;
-      const glm::vec3 normal = out * ring.normal_out + along;
+      const SinCos& side = circle_.sides[k];
+      const glm::vec3 position = centre + right * side.cosine + forward * side.sine;
       position_[0] = position.x;
       position_[1] = position.y;
       position_[2] = position.z;
-      normal_[0] = normal.x;
-      normal_[1] = normal.y;
-      normal_[2] = normal.z;
       uv_[0] = circle_.u[k];
       uv_[1] = ring.v;
       *internode_++ = ring.internode;
       position_ += 3;
-      normal_ += 3;
       uv_ += 2;
     }
+    ring.round ? write_round_normals(ring) : write_normals(ring);
+  }
+
+  // All lean against the tangent alike.
+  void write_round_normals(const Ring& ring) {
+    const float radius = glm::length(ring.right);
+    const float slope = glm::dot(ring.right_change, ring.right) / radius;
+    const float out = 1 / std::sqrt(1 + slope * slope);
+    const glm::vec3 right = ring.right * (out / radius);
+    const glm::vec3 forward = ring.forward * (out / radius);
+    const glm::vec3 along = ring.tangent * (-slope * out);
+    for (std::uint32_t k = 0; k <= sides_; ++k) {
+      write_normal(right * circle_.sides[k].cosine + forward * circle_.sides[k].sine + along);
+    }
+  }
+
+  // At right angles to the two directions within the surface, round the ring and along the axis.
+  void write_normals(const Ring& ring) {
+    for (std::uint32_t k = 0; k <= sides_; ++k) {
+      const auto [sine, cosine] = circle_.sides[k];
+      const glm::vec3 around = ring.forward * cosine - ring.right * sine;
+      const glm::vec3 along = ring.tangent + ring.right_change * cosine + ring.forward_change * sine;
+      write_normal(glm::normalize(glm::cross(around, along)));
+    }
+  }
+
+  void write_normal(const glm::vec3& normal) {
+    normal_[0] = normal.x;
+    normal_[1] = normal.y;
+    normal_[2] = normal.z;
+    normal_ += 3;
   }
 
   // A fan, bands of two triangles a side, a fan; counter-clockwise from without.
