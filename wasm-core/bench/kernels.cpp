@@ -1,6 +1,7 @@
 #include "kernels.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <vector>
 

@@ -119,9 +119,9 @@ struct Strain {
 // Derives one bunch and interprets it into the growth, among what stands there already.
 Diagnostic grow_one(const Strain& strain, const Shape& shape, const Values& values, const Limits& limits,
                     Growth& growth) {
-  const auto program = lsystem::compile(strain.grammar, inputs_for(shape, values), limits);
+  const auto program = lsystem::compile(strain.grammar, inputs_for(shape, values), limits, lsystem::Lineages::always);
   if (!program) return program.error();
-  const auto derived = lsystem::derive(*program.value(), strain.seed, limits.steps, limits);
+  const auto derived = lsystem::unfold(*program.value(), strain.seed, limits);
   if (!derived) return derived.error();
   growth.begin(*program.value(), strain.seed, strain.first_axis);
   lsystem::Turtle turtle;

@@ -34,7 +34,7 @@ class Derivation {
       if (derived.steps >= max_steps && !at_limit) break;
       if (!step()) return machine_.trouble();
       if (!rewrote_) break;
-      if (at_limit) return too_many_steps();
+      if (at_limit) return machine_.too_many_steps();
       std::swap(now_, next_);
       ++derived.steps;
       derived.modules_written += now_.modules;
@@ -127,16 +127,7 @@ class Derivation {
   }
 
   bool grow(std::uint64_t words, std::uint64_t active) {
-    if (words > limits_.words)
-      return machine_.fail({Reason::limit,
-                            "The string grows beyond " + std::to_string(limits_.words) +
-                                " words, which is the limit; let the grammar take fewer steps or stop growing.",
-                            0, 0});
-    if (next_.words.reserve(words, limits_.words) && next_.active.reserve(active, limits_.words)) return true;
-    return machine_.fail({Reason::limit,
-                          "There is no memory for a string of " + std::to_string(words) +
-                              " words; let the grammar take fewer steps or stop growing.",
-                          0, 0});
+    return machine_.make_room(next_.words, words) && machine_.make_room(next_.active, active);
   }
 
   // Passes over the % at `at` and what it removes: up to the bracket that closes its branch, or to the end.
@@ -149,13 +140,6 @@ class Derivation {
       --next_.modules;
     }
     return at;
-  }
-
-  Diagnostic too_many_steps() const {
-    return {Reason::limit,
-            "The string is still rewritten after " + std::to_string(limits_.steps) +
-                " steps, which is the limit; give the productions a condition under which they stop.",
-            0, 0};
   }
 
   Machine machine_;

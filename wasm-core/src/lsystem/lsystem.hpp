@@ -73,6 +73,12 @@ struct Derived {
 // end it.
 Result<Derived> derive(const Program& program, std::uint64_t seed, std::uint32_t max_steps, const Limits& limits);
 
+// The string that `derive` ends with, without the strings between: each module is rewritten to its end before the next
+// is looked at, so that the cost grows with what comes out and not with the steps as well. Productions see nothing but a
+// module's own parameters and address, so the order makes no difference. `steps` is the deepest module's generation,
+// `modules_written` the length. Errors as for `derive` without `max_steps`.
+Result<Derived> unfold(const Program& program, std::uint64_t seed, const Limits& limits);
+
 // How many modules a string has.
 std::uint64_t length(const String& string);
 

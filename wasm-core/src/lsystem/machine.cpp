@@ -88,4 +88,23 @@ bool Machine::give_up() {
                0, 0});
 }
 
+bool Machine::grow(Words& string, std::uint64_t words) {
+  if (words > limits_.words)
+    return fail({Reason::limit,
+                 "The string grows beyond " + std::to_string(limits_.words) +
+                     " words, which is the limit; let the grammar take fewer steps or stop growing.",
+                 0, 0});
+  return string.reserve(words, limits_.words) || fail({Reason::limit,
+                                                       "There is no memory for a string of " + std::to_string(words) +
+                                                           " words; let the grammar take fewer steps or stop growing.",
+                                                       0, 0});
+}
+
+Diagnostic Machine::too_many_steps() const {
+  return {Reason::limit,
+          "The string is still rewritten after " + std::to_string(limits_.steps) +
+              " steps, which is the limit; give the productions a condition under which they stop.",
+          0, 0};
+}
+
 }  // namespace panicle::lsystem

@@ -56,6 +56,13 @@ class Machine {
     return spent_ <= limits_.evaluations || give_up();
   }
 
+  // Room for `words` of a string, what is there kept. False: beyond Limits::words, or no memory.
+  bool make_room(Words& string, std::uint64_t words) {
+    return (words <= string.capacity() && words <= limits_.words) || grow(string, words);
+  }
+
+  Diagnostic too_many_steps() const;
+
   bool fail(Diagnostic trouble) {
     trouble_ = std::move(trouble);
     return false;
@@ -84,6 +91,7 @@ class Machine {
                                         std::uint32_t symbol);
   [[gnu::cold]] bool refuse(const Patch& patch, float value);
   [[gnu::cold]] bool give_up();
+  [[gnu::noinline]] bool grow(Words& string, std::uint64_t words);
 
   const Program& program_;
   const Limits& limits_;

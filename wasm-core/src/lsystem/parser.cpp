@@ -151,7 +151,8 @@ class GrammarParser {
     ProductionTree production;
     if (!predecessor(production) || !condition(production)) return false;
     at_ = arrow_ + 1;
-    for (std::size_t i = at_; i < end_of_line(arrow_); ++i)
+    const std::size_t end = end_of_line(arrow_);
+    for (std::size_t i = at_; i < end; ++i)
       if (tokens_[i].kind == TokenKind::arrow)
         return wrong(tokens_[i].place, "This line has a second -->; begin each production on a line of its own.");
     const bool empty = on_sign('*');  // cpfg's way to write an empty successor

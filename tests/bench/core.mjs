@@ -1,0 +1,50 @@
+/**
+ * The core as the bench sees it: panicle-bench.wasm in this process and core_bench_native beside it, the same sources
+ * and the same kernels (wasm-core/bench/kernels.hpp).
+ */
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { buildCore } from "../../wasm-core/tools/core.mjs";
+import { buildFolder, modulesFolder } from "../../wasm-core/tools/repository.mjs";
+import { median } from "./statistics.mjs";
+
+export const KERNELS = { derive: 0, plan: 1, probe: 2, tubes: 3 };
+
+export async function loadBenchCore() {
+	await buildCore("wasm", ["all"]);
+	await buildCore("release", ["core_bench_native"]);
+	const module = new WebAssembly.Module(readFileSync(join(modulesFolder, "panicle-bench.wasm")));
+	const imports = {};
+	for (const { module: room, name } of WebAssembly.Module.imports(module)) {
+		imports[room] ??= {};
+		imports[room][name] = () => 0;
+	}
+	const core = new WebAssembly.Instance(module, imports).exports;
+	core._initialize?.();
+	return core;
+}
+
+/** Copies a request in; gives a function that grows it `rounds` times. */
+export function grower(core, request) {
+	const at = core.panicle_allocate(request.length);
+	new Uint8Array(core.memory.buffer, at, request.length).set(request);
+	return (rounds) => {
+		for (let i = 0; i < rounds; i++) core.panicle_free(core.panicle_grow(at, request.length));
+	};
+}
+
+const native = join(buildFolder, "release", "core_bench_native");
+
+/** Native microseconds of a kernel's round, and its work. */
+export function nativeKernel(kernel, size, rounds, runs) {
+	const said = execFileSync(native, [KERNELS[kernel], size, rounds, runs].map(String), { encoding: "utf8" });
+	const { microseconds, work } = JSON.parse(said);
+	return { microseconds: median(microseconds), work };
+}
+
+/** Native microseconds of growing one request. */
+export function nativeGrow(request, rounds, runs) {
+	const said = execFileSync(native, ["grow", String(rounds), String(runs)], { input: request, encoding: "utf8" });
+	return median(JSON.parse(said).microseconds);
+}

@@ -1,0 +1,115 @@
+// Derivation depth first: a stack of successors still to be looked at, and the string that is done behind them.
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "foundation/random.hpp"
+#include "lsystem/machine.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+class Unfolding {
+ public:
+  Unfolding(const Program& program, std::uint64_t seed, const Limits& limits)
+      : machine_(program, seed, limits), program_(program), limits_(limits) {}
+
+  Result<Derived> run() {
+    const std::uint64_t root = hash_text("axiom");
+    machine_.begin(root);
+    if (!open(program_.axiom, {root, no_symbol << 16 | no_symbol}, no_symbol, 0)) return machine_.trouble();
+    while (!successors_.empty()) {
+      Successor& successor = successors_.back();
+      if (successor.at < successor.end) {
+        if (!next(successor)) return machine_.trouble();
+      } else {
+        pending_used_ = successor.begin;
+        successors_.pop_back();
+      }
+    }
+    derived_.modules_written = modules_;
+    derived_.string = std::make_shared<const String>(std::move(done_), done_used_, modules_);
+    return std::move(derived_);
+  }
+
+ private:
+  // A successor on the stack: words of `pending_`, looked at up to `at`.
+  struct Successor {
+    std::uint64_t begin, at, end;
+    std::uint32_t generation;
+  };
+
+  bool next(Successor& successor) {
+    const std::uint32_t* const module = pending_.data() + successor.at;
+    const std::uint32_t header = *module;
+    successor.at += words_of(header);
+    if (cutting_ && !ends_cut(symbol_of(header))) return true;
+    if (symbol_of(header) == cut_symbol) {
+      cutting_ = true;
+      open_brackets_ = 0;
+      return true;
+    }
+    if (const Production* const production = rewritable(header) ? machine_.choose(module) : nullptr) {
+      const std::uint32_t generation = successor.generation + 1;
+      if (generation > limits_.steps) return machine_.fail(machine_.too_many_steps());
+      derived_.steps = std::max(derived_.steps, generation);
+      const Origin origin = has_lineage(header) ? origin_of(module) : Origin{};
+      return open(production->successor, origin, symbol_of(header), generation);
+    }
+    return !machine_.failed() && keep(module);
+  }
+
+  // Communication modules wait for their answer, in interpretation.
+  bool rewritable(std::uint32_t header) const {
+    return symbol_of(header) != ask_symbol && program_.rules[symbol_of(header)].productions.size() > 0;
+  }
+
+  // Puts a successor on the stack.
+  bool open(const Template& successor, const Origin& parent, std::uint32_t symbol, std::uint32_t generation) {
+    const std::uint64_t begin = pending_used_, end = begin + successor.words;
+    if (!machine_.make_room(pending_, end) || !machine_.write(successor, pending_.data() + begin, parent, symbol))
+      return false;
+    pending_used_ = end;
+    successors_.push_back({begin, begin, end, generation});
+    return true;
+  }
+
+  bool keep(const std::uint32_t* module) {
+    const std::uint32_t words = words_of(*module);
+    if (!machine_.make_room(done_, done_used_ + words)) return false;
+    copy_words(done_.data() + done_used_, module, words);
+    done_used_ += words;
+    ++modules_;
+    return true;
+  }
+
+  // Whether a module that follows a % closes the branch that was cut.
+  bool ends_cut(std::uint32_t symbol) {
+    if (symbol == push_symbol) ++open_brackets_;
+    if (symbol != pop_symbol || open_brackets_-- > 0) return false;
+    cutting_ = false;
+    return true;
+  }
+
+  Machine machine_;
+  const Program& program_;
+  const Limits& limits_;
+  Derived derived_;
+  std::vector<Successor> successors_;
+  Words pending_;
+  std::uint64_t pending_used_ = 0;
+  Words done_;
+  std::uint64_t done_used_ = 0;
+  std::uint64_t modules_ = 0;
+  bool cutting_ = false;
+  std::uint64_t open_brackets_ = 0;
+};
+
+}  // namespace
+
+Result<Derived> unfold(const Program& program, std::uint64_t seed, const Limits& limits) {
+  return Unfolding(program, seed, limits).run();
+}
+
+}  // namespace panicle::lsystem
