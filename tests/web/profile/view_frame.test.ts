@@ -5,11 +5,16 @@ import { scaleBar, viewExtent, viewFrame } from "../../../web/src/profile/view_f
 import { anyShape, DEFAULTS } from "./shape";
 
 describe("viewExtent", () => {
-	const lychee = { l: 65, p3w: 42, p3r: 33, p4w: 52, p4r: 33, p5w: 43, p5r: 51, p6w: 44, p6r: 48 };
+	const lychee = { ...DEFAULTS, l: 65, p3w: 42, p3r: 33, p4w: 52, p4r: 33, p5w: 43, p5r: 51, p6w: 44, p6r: 48 };
 
 	it("is the paper's 600 pixels for a long bunch, less for a small one", () => {
 		expect(viewExtent(DEFAULTS, 300, 300)).toBe(600);
-		expect(viewExtent(lychee, 300, 300)).toBe(150);
+		expect(viewExtent(lychee, 300, 300)).toBe(250);
+	});
+
+	it("leaves room for the berries there are", () => {
+		expect(viewExtent({ ...lychee, rmax: 10 }, 300, 300)).toBe(200);
+		expect(viewExtent({ ...lychee, rmax: 60 }, 300, 300)).toBe(300);
 	});
 
 	it("uses an element's height where it is higher than wide", () => {
@@ -21,7 +26,7 @@ describe("viewExtent", () => {
 		const side = fc.integer({ min: 120, max: 900 });
 		fc.assert(
 			fc.property(anyShape, side, side, (shape, width, height) => {
-				const frame = viewFrame(width, height, viewExtent(shape, width, height));
+				const frame = viewFrame(width, height, viewExtent({ ...DEFAULTS, ...shape }, width, height));
 				for (const handle of HANDLES) {
 					const { x, y } = handlePosition(shape, handle);
 					expect(x).toBeGreaterThan(frame.left);

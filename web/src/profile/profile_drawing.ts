@@ -65,6 +65,8 @@ export function drawHandle(
 	const { x, y } = handlePosition(shape, handle);
 	const across = (x - frame.left) * frame.scale;
 	const down = (y - frame.top) * frame.scale;
+	// The name moves out where the handle stands close to the axis, clear of p1's and of its opposite's.
+	const aside = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
 	return html`<button
 		type="button"
 		class=${held ? "handle held" : "handle"}
@@ -73,7 +75,7 @@ export function drawHandle(
 		aria-roledescription="handle"
 		aria-label=${handleLabel(shape, handle)}
 		aria-describedby="help"
-		.style=${`transform: translate(${across}px, ${down}px)`}
+		.style=${`transform: translate(${across}px, ${down}px); --aside: ${aside}px`}
 	>
 		<span class="name"><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>
 	</button>`;

@@ -24,6 +24,7 @@ export const profileStyle = css`
 		inset: 0;
 		width: 100%;
 		height: 100%;
+		overflow: visible;
 		user-select: none;
 		-webkit-user-select: none;
 	}
@@ -158,15 +159,12 @@ export const profileStyle = css`
 		position: absolute;
 		top: 1px;
 		left: 50%;
-		translate: calc(-50% + 5px);
+		translate: calc(-50% + var(--aside));
 		text-shadow:
 			0 0 2px var(--ground),
 			0 0 2px var(--ground),
 			0 0 3px var(--ground);
 		pointer-events: none;
-	}
-	.handle:is([data-handle="p4"], [data-handle="p6"]) .name {
-		translate: calc(-50% - 5px);
 	}
 	.handle[data-handle="p2"] .name {
 		top: 17px;

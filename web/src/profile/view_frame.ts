@@ -15,23 +15,28 @@ export interface ViewFrame {
 const MARGIN = 14;
 
 /** Sides of the square a view may show, in pixels of the profile: the paper's, and less for small bunches. */
-const EXTENTS = [150, 225, 300, 400, 500, VIEW_PIXELS];
+const EXTENTS = [150, 200, 250, 300, 400, 500, VIEW_PIXELS];
 
-/** How far berries reach beyond the handles, in pixels of the profile: below the tip, and beside a width. */
-const BELOW_TIP = 50;
-const BESIDE = 20;
+/** Room left below a side handle, in pixels of the profile. */
+const BELOW_SIDE = 20;
+
+/** How far pedicel and berry reach beyond the tip and the widths, in pixels of the profile. */
+function beyond(rmax: number): number {
+	return (2 * rmax) / UNITS_PER_PIXEL + 15;
+}
 
 /**
  * The least of the extents at which an element of that size holds the whole bunch; in the paper's 600 pixels a lychee
  * of 65 would be a speck. Steps rather than a smooth fit: a view that rescaled after every drag would unsettle. Both
  * views of a profile get the same where they are of one size, so that they compare.
  */
-export function viewExtent(shape: Shape, width: number, height: number): number {
-	let needHeight = shape.l + BELOW_TIP;
+export function viewExtent(shape: Shape & { rmax: number }, width: number, height: number): number {
+	const reach = beyond(shape.rmax);
+	let needHeight = shape.l + reach;
 	let needWidth = 0;
 	for (const side of SIDE_HANDLES) {
-		needHeight = Math.max(needHeight, shape[`${side}r`] + BESIDE);
-		needWidth = Math.max(needWidth, 2 * (shape[`${side}w`] + BESIDE));
+		needHeight = Math.max(needHeight, shape[`${side}r`] + BELOW_SIDE);
+		needWidth = Math.max(needWidth, 2 * (shape[`${side}w`] + reach));
 	}
 	const fits = (extent: number) => {
 		const { scale } = viewFrame(width, height, extent);
