@@ -10,10 +10,6 @@
 namespace panicle {
 namespace {
 
-// Above this many vertices (some 600 MB) a stem is made coarser, so that the largest skeleton the limits allow still
-// fits memory.
-constexpr std::uint64_t most_vertices = 10'000'000;
-
 // Cosine and sine of each side; the first again at the end, where the texture's seam is.
 struct Circle {
   std::vector<SinCos> sides;
@@ -175,11 +171,11 @@ StemMesh sweep_stems(std::span<const Internode> skeleton, const TubeOptions& opt
   std::uint32_t sides = std::clamp(options.sides, 3u, 64u);
   TubeMaker maker(skeleton, axes);
   Size size = size_of(axes, maker, sides);
-  while (size.vertices > most_vertices && sides > 3) {
+  while (size.vertices > options.most_vertices && sides > 3) {
     sides = std::max(sides / 2, 3u);
     size = size_of(axes, maker, sides);
   }
-  if (size.vertices > most_vertices) {
+  if (size.vertices > options.most_vertices) {
     maker.coarsen();
     size = size_of(axes, maker, sides);
   }

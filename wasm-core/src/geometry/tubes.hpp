@@ -23,6 +23,9 @@ struct StemMesh {
 
 struct TubeOptions {
   std::uint32_t sides = 12;  // 3 … 64
+  // A mesh that would have more gets fewer sides, then fewer rings. 60 bytes each: what the limits on internodes
+  // allow still fits memory.
+  std::uint64_t most_vertices = 10'000'000;
 };
 
 // Sweeps the skeleton. Positions come out in the skeleton's unit times `scale`. u runs once round, v along the
