@@ -1,69 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { type Client, createClient } from "../../../web/src/core/client";
-import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
-import type { Grown } from "../../../web/src/core/grown";
-import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-
-/** A worker that does what the test tells it to. */
-class FakeWorker {
-	static all: FakeWorker[] = [];
-	onmessage: ((event: { data: FromWorker }) => void) | null = null;
-	onerror: ((event: { message: string; preventDefault(): void }) => void) | null = null;
-	onmessageerror: (() => void) | null = null;
-	readonly heard: ToWorker[] = [];
-	terminated = false;
-
-	constructor() {
-		FakeWorker.all.push(this);
-	}
-
-	postMessage(message: ToWorker): void {
-		this.heard.push(message);
-		if (message.type === "start") this.say({ type: "ready" });
-	}
-
-	terminate(): void {
-		this.terminated = true;
-	}
-
-	say(data: FromWorker): void {
-		this.onmessage?.({ data });
-	}
-
-	crash(message: string): void {
-		this.onerror?.({ message, preventDefault: () => {} });
-	}
-
-	/** Requests given to it, by seed. */
-	get seeds(): number[] {
-		return this.requests.map(({ request }) => new DataView(request.buffer).getUint32(16, true));
-	}
-
-	get requests() {
-		return this.heard.filter((message) => message.type === "grow");
-	}
-
-	finish(): void {
-		const { id, request } = this.requests.at(-1) as { id: number; request: Uint8Array };
-		this.say({ type: "grown", id, grown: grownWith(new DataView(request.buffer).getUint32(16, true)) });
-	}
-}
-
-const grownWith = (seed: number) => ({ fingerprint: String(seed) }) as Grown;
-const withSeed = (seed: number) => ({ ...specimenFromPreset(), seed });
-const settled = () => vi.advanceTimersByTimeAsync(0);
-const module = {} as WebAssembly.Module;
+import type { Client } from "../../../web/src/core/client";
+import { CoreError, Superseded } from "../../../web/src/core/errors";
+import { FakeWorker, grownWith, module, settled, startClient, withSeed } from "./fake_worker";
 
 let client: Client;
-const start = (options: Partial<Parameters<typeof createClient>[0]> = {}) => {
-	client = createClient({
-		wasmUrl: "panicle.wasm",
-		workerFactory: () => new FakeWorker() as unknown as Worker,
-		compile: async () => module,
-		...options,
-	});
-	return client;
+const start = (options?: Parameters<typeof startClient>[0]) => {
+	client = startClient(options);
 };
 
 beforeEach(() => {
@@ -138,79 +80,6 @@ describe("the client", () => {
 	});
 });
 
-describe("a worker that breaks", () => {
-	const trap = (worker: FakeWorker) =>
-		worker.say({ type: "trapped", id: worker.requests.at(-1)?.id ?? 0, message: "The core broke." });
-
-	it("is replaced, and the request tried once more", async () => {
-		start();
-		const growing = client.grow(withSeed(1));
-		await settled();
-		trap(FakeWorker.all[0]);
-		await settled();
-		expect(FakeWorker.all[0].terminated).toBe(true);
-		expect(FakeWorker.all[1].seeds).toEqual([1]);
-		FakeWorker.all[1].finish();
-		expect(await growing).toEqual(grownWith(1));
-	});
-
-	it("twice gives the request up, and the next is grown", async () => {
-		start();
-		const growing = expect(client.grow(withSeed(1))).rejects.toBeInstanceOf(CoreTrap);
-		await settled();
-		trap(FakeWorker.all[0]);
-		await settled();
-		trap(FakeWorker.all[1]);
-		await growing;
-		const next = client.grow(withSeed(2));
-		await settled();
-		expect(FakeWorker.all[2].seeds).toEqual([2]);
-		FakeWorker.all[2].finish();
-		expect(await next).toEqual(grownWith(2));
-	});
-
-	it("by itself is replaced as well, whether at work or idle", async () => {
-		start();
-		const growing = client.grow(withSeed(1));
-		await settled();
-		FakeWorker.all[0].crash("out of memory");
-		await settled();
-		FakeWorker.all[1].finish();
-		expect(await growing).toEqual(grownWith(1));
-		FakeWorker.all[1].crash("lost");
-		const next = client.grow(withSeed(2));
-		await settled();
-		FakeWorker.all[2].finish();
-		expect(await next).toEqual(grownWith(2));
-	});
-
-	it("makes way for a newer request instead of trying the old one again", async () => {
-		start();
-		const old = expect(client.grow(withSeed(1))).rejects.toBeInstanceOf(Superseded);
-		const newer = client.grow(withSeed(2));
-		await settled();
-		trap(FakeWorker.all[0]);
-		await old;
-		await settled();
-		expect(FakeWorker.all[1].seeds).toEqual([2]);
-		FakeWorker.all[1].finish();
-		expect(await newer).toEqual(grownWith(2));
-	});
-
-	it("leaves answers of the past unheard", async () => {
-		start();
-		const growing = client.grow(withSeed(1));
-		await settled();
-		const [worker] = FakeWorker.all;
-		trap(worker);
-		await settled();
-		worker.finish();
-		FakeWorker.all[1].say({ type: "grown", id: -1, grown: grownWith(99) });
-		FakeWorker.all[1].finish();
-		expect(await growing).toEqual(grownWith(1));
-	});
-});
-
 describe("cancelling", () => {
 	it("ends the worker while the spare stands by", async () => {
 		start();
@@ -277,68 +146,6 @@ describe("cancelling", () => {
 		expect(FakeWorker.all[1].seeds).toEqual([2]);
 		FakeWorker.all[1].finish();
 		expect(await second).toEqual(grownWith(2));
-	});
-});
-
-describe("where nothing can be grown", () => {
-	it("a worker that cannot be made is named, and tried again with the next request", async () => {
-		let allowed = false;
-		start({
-			workerFactory: () => {
-				if (!allowed) throw new Error("denied by the page's policy");
-				return new FakeWorker() as unknown as Worker;
-			},
-		});
-		const refused = client.grow(withSeed(1));
-		await expect(refused).rejects.toBeInstanceOf(UnsupportedError);
-		await expect(refused).rejects.toThrow(/could not be started \(denied by the page's policy\)/);
-		allowed = true;
-		const growing = client.grow(withSeed(2));
-		await settled();
-		FakeWorker.all[0].finish();
-		expect(await growing).toEqual(grownWith(2));
-	});
-
-	it("a worker whose script cannot be run is tried twice, then named", async () => {
-		start({ compile: () => new Promise(() => {}) });
-		const growing = expect(client.grow(withSeed(1))).rejects.toMatchObject({
-			name: "UnsupportedError",
-			missing: "worker",
-		});
-		FakeWorker.all[0].crash("");
-		await settled();
-		FakeWorker.all[1].crash("");
-		await growing;
-		expect(FakeWorker.all).toHaveLength(2);
-	});
-
-	it("a core that cannot be had is named to all who ask, and tried again", async () => {
-		let attempts = 0;
-		start({
-			compile: async () => {
-				attempts++;
-				if (attempts === 1) throw new UnsupportedError("fetch", "Not there.");
-				return module;
-			},
-		});
-		const outcomes = await Promise.allSettled([client.grow(withSeed(1)), client.grow(withSeed(2))]);
-		expect(outcomes.map((one) => one.status === "rejected" && one.reason.message)).toEqual([
-			"Not there.",
-			"Not there.",
-		]);
-		const growing = client.grow(withSeed(3));
-		await settled();
-		FakeWorker.all.at(-1)?.finish();
-		expect(await growing).toEqual(grownWith(3));
-		expect(attempts).toBe(2);
-	});
-
-	it("a specimen that is none is refused before a worker hears of it", async () => {
-		start();
-		const broken = { ...specimenFromPreset(), seed: 1.5 };
-		await expect(client.grow(broken)).rejects.toBeInstanceOf(CoreError);
-		await settled();
-		expect(FakeWorker.all[0].requests).toEqual([]);
 	});
 });
 

@@ -1,0 +1,155 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { Client } from "../../../web/src/core/client";
+import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { FakeWorker, grownWith, module, settled, startClient, withSeed } from "./fake_worker";
+
+let client: Client;
+const start = (options?: Parameters<typeof startClient>[0]) => {
+	client = startClient(options);
+};
+
+beforeEach(() => {
+	vi.useFakeTimers();
+	FakeWorker.all = [];
+});
+
+afterEach(() => {
+	client.close();
+	vi.useRealTimers();
+});
+
+describe("a worker that breaks", () => {
+	const trap = (worker: FakeWorker) =>
+		worker.say({ type: "trapped", id: worker.requests.at(-1)?.id ?? 0, message: "The core broke." });
+
+	it("is replaced, and the request tried once more", async () => {
+		start();
+		const growing = client.grow(withSeed(1));
+		await settled();
+		trap(FakeWorker.all[0]);
+		await settled();
+		expect(FakeWorker.all[0].terminated).toBe(true);
+		expect(FakeWorker.all[1].seeds).toEqual([1]);
+		FakeWorker.all[1].finish();
+		expect(await growing).toEqual(grownWith(1));
+	});
+
+	it("twice gives the request up, and the next is grown", async () => {
+		start();
+		const growing = expect(client.grow(withSeed(1))).rejects.toBeInstanceOf(CoreTrap);
+		await settled();
+		trap(FakeWorker.all[0]);
+		await settled();
+		trap(FakeWorker.all[1]);
+		await growing;
+		const next = client.grow(withSeed(2));
+		await settled();
+		expect(FakeWorker.all[2].seeds).toEqual([2]);
+		FakeWorker.all[2].finish();
+		expect(await next).toEqual(grownWith(2));
+	});
+
+	it("by itself is replaced as well, whether at work or idle", async () => {
+		start();
+		const growing = client.grow(withSeed(1));
+		await settled();
+		FakeWorker.all[0].crash("out of memory");
+		await settled();
+		FakeWorker.all[1].finish();
+		expect(await growing).toEqual(grownWith(1));
+		FakeWorker.all[1].crash("lost");
+		const next = client.grow(withSeed(2));
+		await settled();
+		FakeWorker.all[2].finish();
+		expect(await next).toEqual(grownWith(2));
+	});
+
+	it("makes way for a newer request instead of trying the old one again", async () => {
+		start();
+		const old = expect(client.grow(withSeed(1))).rejects.toBeInstanceOf(Superseded);
+		const newer = client.grow(withSeed(2));
+		await settled();
+		trap(FakeWorker.all[0]);
+		await old;
+		await settled();
+		expect(FakeWorker.all[1].seeds).toEqual([2]);
+		FakeWorker.all[1].finish();
+		expect(await newer).toEqual(grownWith(2));
+	});
+
+	it("leaves answers of the past unheard", async () => {
+		start();
+		const growing = client.grow(withSeed(1));
+		await settled();
+		const [worker] = FakeWorker.all;
+		trap(worker);
+		await settled();
+		worker.finish();
+		FakeWorker.all[1].say({ type: "grown", id: -1, grown: grownWith(99) });
+		FakeWorker.all[1].finish();
+		expect(await growing).toEqual(grownWith(1));
+	});
+});
+
+describe("where nothing can be grown", () => {
+	it("a worker that cannot be made is named, and tried again with the next request", async () => {
+		let allowed = false;
+		start({
+			workerFactory: () => {
+				if (!allowed) throw new Error("denied by the page's policy");
+				return new FakeWorker() as unknown as Worker;
+			},
+		});
+		const refused = client.grow(withSeed(1));
+		await expect(refused).rejects.toBeInstanceOf(UnsupportedError);
+		await expect(refused).rejects.toThrow(/could not be started \(denied by the page's policy\)/);
+		allowed = true;
+		const growing = client.grow(withSeed(2));
+		await settled();
+		FakeWorker.all[0].finish();
+		expect(await growing).toEqual(grownWith(2));
+	});
+
+	it("a worker whose script cannot be run is tried twice, then named", async () => {
+		start({ compile: () => new Promise(() => {}) });
+		const growing = expect(client.grow(withSeed(1))).rejects.toMatchObject({
+			name: "UnsupportedError",
+			missing: "worker",
+		});
+		FakeWorker.all[0].crash("");
+		await settled();
+		FakeWorker.all[1].crash("");
+		await growing;
+		expect(FakeWorker.all).toHaveLength(2);
+	});
+
+	it("a core that cannot be had is named to all who ask, and tried again", async () => {
+		let attempts = 0;
+		start({
+			compile: async () => {
+				attempts++;
+				if (attempts === 1) throw new UnsupportedError("fetch", "Not there.");
+				return module;
+			},
+		});
+		const outcomes = await Promise.allSettled([client.grow(withSeed(1)), client.grow(withSeed(2))]);
+		expect(outcomes.map((one) => one.status === "rejected" && one.reason.message)).toEqual([
+			"Not there.",
+			"Not there.",
+		]);
+		const growing = client.grow(withSeed(3));
+		await settled();
+		FakeWorker.all.at(-1)?.finish();
+		expect(await growing).toEqual(grownWith(3));
+		expect(attempts).toBe(2);
+	});
+
+	it("a specimen that is none is refused before a worker hears of it", async () => {
+		start();
+		const broken = { ...specimenFromPreset(), seed: 1.5 };
+		await expect(client.grow(broken)).rejects.toBeInstanceOf(CoreError);
+		await settled();
+		expect(FakeWorker.all[0].requests).toEqual([]);
+	});
+});
