@@ -7,7 +7,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
 import type { Grown } from "../../../web/src/core/grown";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import { encodeRequest } from "../../../web/src/core/request";
+import { encodeRequest, type RequestOptions } from "../../../web/src/core/request";
 import { exportGlb } from "../../../web/src/export/glb";
 import { exportJson } from "../../../web/src/export/json";
 import { exportObj } from "../../../web/src/export/obj";
@@ -23,7 +23,9 @@ beforeAll(async () => {
 	core = await loadCoreFromBytes(readFileSync("build/core/panicle.wasm"));
 });
 
-const grow = (name: string) => core.grow(encodeRequest(specimenFromPreset(name)));
+const grow = (name: string, options?: RequestOptions) => core.grow(encodeRequest(specimenFromPreset(name), options));
+/** Fewer triangles where only the way of writing them is looked at: reading OBJ takes its time. */
+const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
 
 describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 	const specimen = specimenFromPreset(name);
@@ -59,7 +61,7 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 	});
 
 	it("comes back through three.js from OBJ and MTL, with the GLB's triangles and bounds", async () => {
-		const grown = grow(name);
+		const grown = grow(name, COARSE);
 		const { obj, mtl } = exportObj(grown, specimen, name);
 		const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
 		const { scene } = await load(await exportGlb(grown, specimen));
