@@ -1,42 +1,52 @@
-/** `npm run format`: lays out every file as `npm test` wants it. With `--check` it writes nothing and fails where it would. */
-import { readdirSync } from "node:fs";
-import { join } from "node:path";
+/**
+ * `npm run format`: lays out every file as `npm test` wants it. With `--check` it writes nothing and fails where it would.
+ * Both formatters are npm packages of a fixed version: those of distributions differ from each other.
+ */
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join, relative } from "node:path";
 import { run } from "./process.mjs";
-import { repository } from "./repository.mjs";
+import { coreFolder, repository } from "./repository.mjs";
 import { command, setUp } from "./setup.mjs";
 import { ToolchainError } from "./toolchain.mjs";
 
 const folders = ["wasm-core/src", "wasm-core/bench", "wasm-core/tools", "tests/core"];
 
 function cplusplusFiles() {
-	const inFolder = (folder) => {
-		try {
-			return readdirSync(join(repository, folder), { recursive: true }).map((name) => join(folder, name));
-		} catch {
-			return [];
-		}
-	};
+	const inFolder = (folder) => readdirSync(folder, { recursive: true }).map((name) => join(folder, name));
 	return folders
+		.map((folder) => join(repository, folder))
+		.filter(existsSync)
 		.flatMap(inFolder)
 		.filter((name) => /\.(cpp|hpp|h)$/.test(name))
 		.sort();
 }
 
-await command(async () => {
-	const check = process.argv.includes("--check");
-	const { clangFormat } = await setUp("format");
-	const style = `--style=file:${join(repository, "wasm-core/.clang-format")}`;
-	const mode = check ? ["--dry-run", "--Werror"] : ["-i"];
-	const cplusplus = await run(clangFormat, [style, ...mode, ...cplusplusFiles()], {
-		cwd: repository,
-		show: process.stderr,
+/** Lays out the C++ files; returns those that were not. */
+async function formatCplusplus(write) {
+	const { format } = await import("@wasm-fmt/clang-format/node");
+	const style = readFileSync(join(coreFolder, ".clang-format"), "utf8");
+	return cplusplusFiles().filter((file) => {
+		const text = readFileSync(file, "utf8");
+		const laidOut = format(text, file, style);
+		if (laidOut === text) return false;
+		if (write) writeFileSync(file, laidOut);
+		return true;
 	});
-	const biome = join(repository, "node_modules/@biomejs/biome/bin/biome");
-	const biomeArgs = check ? ["ci"] : ["check", "--write"];
-	const web = await run(process.execPath, [biome, ...biomeArgs], { cwd: repository, show: process.stderr });
-	if (cplusplus.status !== 0 || web.status !== 0) {
-		throw new ToolchainError(
-			check ? "Not laid out or not clean: run `npm run format`." : "Some problems need a person.",
-		);
-	}
+}
+
+/** Formats and lints everything else. */
+async function biome(write) {
+	const program = join(repository, "node_modules/@biomejs/biome/bin/biome");
+	const args = [program, ...(write ? ["check", "--write"] : ["ci"]), "--error-on-warnings"];
+	return (await run(process.execPath, args, { cwd: repository, show: process.stderr })).status === 0;
+}
+
+await command(async () => {
+	const write = !process.argv.includes("--check");
+	await setUp("format");
+	const strayed = await formatCplusplus(write);
+	for (const file of strayed) console.error(`${relative(repository, file)}: ${write ? "laid out" : "not as clang-format lays it out"}`);
+	const clean = await biome(write);
+	if (!write && strayed.length > 0) throw new ToolchainError("Not laid out: run `npm run format`.");
+	if (!clean) throw new ToolchainError(write ? "The rest needs a person." : "Not clean: run `npm run format`.");
 });

@@ -119,17 +119,6 @@ export const tools = {
 		packages: { "apt-get": ["doctest-dev"], dnf: ["doctest-devel"], pacman: ["doctest"], brew: ["doctest"] },
 		elsewhere: ["git clone https://github.com/doctest/doctest", "export CPATH=$PWD/doctest"],
 	},
-	clangFormat: {
-		title: "clang-format",
-		find: (env) => findProgram(["clang-format"], env),
-		packages: {
-			"apt-get": ["clang-format"],
-			dnf: ["clang-tools-extra"],
-			pacman: ["clang"],
-			brew: ["clang-format"],
-		},
-		elsewhere: ["python3 -m pip install clang-format"],
-	},
 	chromium: {
 		title: "Chromium",
 		find: findChromium,
@@ -144,7 +133,7 @@ export const tools = {
 /** What each purpose takes. Starting the app takes nothing that only tests use. */
 export const needs = {
 	core: ["emscripten", "glm", "cmake", "ninja"],
-	format: ["clangFormat"],
+	format: [],
 	native: ["compiler", "glm", "cmake", "ninja"],
 	test: Object.keys(tools),
 };
