@@ -27,7 +27,7 @@ export default defineConfig({
 		// Software rendering pays by the pixel.
 		viewport: { width: 800, height: 500 },
 		launchOptions: { executablePath: chromium, args: flags },
-		trace: "retain-on-failure",
+		screenshot: "only-on-failure",
 	},
 	webServer: {
 		command: `node node_modules/vite/bin/vite.js preview --host localhost --port ${port} --strictPort`,
