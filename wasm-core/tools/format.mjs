@@ -37,7 +37,12 @@ async function formatCplusplus(write) {
 /** Formats and lints everything else. */
 async function biome(write) {
 	const program = join(repository, "node_modules/@biomejs/biome/bin/biome");
-	const args = [program, ...(write ? ["check", "--write"] : ["ci"]), "--error-on-warnings"];
+	const args = [
+		program,
+		...(write ? ["check", "--write"] : ["ci"]),
+		"--error-on-warnings",
+		`--colors=${process.stderr.isTTY ? "force" : "off"}`,
+	];
 	return (await run(process.execPath, args, { cwd: repository, show: process.stderr })).status === 0;
 }
 
@@ -45,7 +50,8 @@ await command(async () => {
 	const write = !process.argv.includes("--check");
 	await setUp("format");
 	const strayed = await formatCplusplus(write);
-	for (const file of strayed) console.error(`${relative(repository, file)}: ${write ? "laid out" : "not as clang-format lays it out"}`);
+	for (const file of strayed)
+		console.error(`${relative(repository, file)}: ${write ? "laid out" : "not as clang-format lays it out"}`);
 	const clean = await biome(write);
 	if (!write && strayed.length > 0) throw new ToolchainError("Not laid out: run `npm run format`.");
 	if (!clean) throw new ToolchainError(write ? "The rest needs a person." : "Not clean: run `npm run format`.");
