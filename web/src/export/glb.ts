@@ -49,7 +49,11 @@ const ROTATION_DECIMALS = 7;
 /**
  * The file. Rejects with a message for people when `grown` was asked for without meshes. `grown` is only read.
  */
-export async function exportGlb(grown: Grown, specimen: Specimen, options: GlbOptions = {}): Promise<Uint8Array> {
+export async function exportGlb(
+	grown: Grown,
+	specimen: Specimen,
+	options: GlbOptions = {},
+): Promise<Uint8Array<ArrayBuffer>> {
 	const { instancing = false, link = await encodeLink(specimen) } = options;
 	return new GlbScene(grown, specimen).write(instancing, link);
 }
@@ -70,7 +74,7 @@ class GlbScene {
 		this.#specimen = specimen;
 	}
 
-	write(instancing: boolean, link: string): Uint8Array {
+	write(instancing: boolean, link: string): Uint8Array<ArrayBuffer> {
 		const { stem, berry } = requireMeshes(this.#grown);
 		const root: Json = { name: plantName(this.#specimen) };
 		this.#nodes.push(root);
