@@ -24,7 +24,7 @@ test("the 3-D view turns by mouse and keys, and comes back", async ({ page }) =>
 
 test("stems only leaves the berries away", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.03);
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	const whole = await studio.inkOnCanvas();
 	await studio.button("Show stems only").click();
 	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "true");
@@ -36,7 +36,7 @@ test("stems only leaves the berries away", async ({ page }) => {
 
 test("the octahedron shows its handles in 3-D", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.03);
+	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	const plain = await studio.canvas.screenshot();
 	await studio.button("Octahedron").click();
 	await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "true");

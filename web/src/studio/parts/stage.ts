@@ -1,5 +1,6 @@
 import { html, nothing } from "lit";
 import { presetNamed } from "../../specimen/presets/index";
+import { growsAlike } from "../change";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
 import { bunchInWords } from "../words";
@@ -80,12 +81,14 @@ export class Stage extends StudioElement {
 	}
 }
 
-/** As under an engraving: the figure of the paper, and what grew. */
-function caption({ state: { grown, grownFrom } }: Studio): unknown {
+/** As under an engraving: what it is called, and what grew. */
+function caption(studio: Studio): unknown {
+	const { grown, grownFrom } = studio.state;
 	if (!grown || !grownFrom) return nothing;
-	const preset = presetNamed(grownFrom.preset);
+	const title = presetNamed(grownFrom.preset)?.title;
+	const altered = !growsAlike({ ...grownFrom, seed: studio.preset.seed }, studio.preset);
 	return html`<div class="caption">
-		<h2>${preset?.title}</h2>
+		<h2>${title}${altered ? ", altered" : nothing}</h2>
 		<p>${bunchInWords(grown, grownFrom)}</p>
 	</div>`;
 }
