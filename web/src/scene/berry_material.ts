@@ -54,8 +54,11 @@ vec3 through(float chord) {
 // The normal of a rind with low bumps: uphill is where the noise grows.
 vec3 rough(vec3 n, float phase, float height) {
 	vec3 at = n * 13.0 + phase * 41.0;
-	float here = noise(at);
-	vec3 slope = vec3(noise(at + vec3(0.3, 0.0, 0.0)), noise(at + vec3(0.0, 0.3, 0.0)), noise(at + vec3(0.0, 0.0, 0.3))) - here;
+	vec3 slope = vec3(0.0);
+	for (int i = 0; i < 4; i++) {
+		vec3 step = 0.3 * vec3(i == 1, i == 2, i == 3);
+		slope += noise(at + step) * (i == 0 ? vec3(-1.0) : vec3(i == 1, i == 2, i == 3));
+	}
 	return normalize(n - height * (slope - n * dot(n, slope)));
 }
 
@@ -119,7 +122,7 @@ void main() {
 	vec3 glow = key.irradiance * lamps.x * (gathered * smoothstep(-0.25, 0.35, -nk)) * through(2.0 * farKey);
 	glow += rim.irradiance * lamps.y * smoothstep(-0.3, 0.15, -nb) * exp(-2.0 * farRim) * through(0.9 + 1.1 * farRim);
 	vec3 behind = gloss_surroundings(mat3(viewMatrix) * bent) * through(-2.0 * dot(bent, round));
-	colour = mix(colour, colour * 0.35, translucency * 0.75) + translucency * (0.3183 * glow * mix(0.35, 1.0, around.sky) + behind * mix(0.04, 0.5, around.through));
+	colour = mix(colour, colour * 0.35, translucency * 0.6) + translucency * (0.3183 * glow * mix(0.35, 1.0, around.sky) + behind * mix(0.04, 0.5, around.through));
 	colour = mix(colour, wax * (white + sky * around.sky), waxed);
 
 	// The mirror of the skin.

@@ -174,5 +174,7 @@ function packInternode({ internodes }: Grown, i: number, records: Float32Array, 
 	records[at + 7] = 0.5 * (radii[2 * i] + radii[2 * i + 1]);
 	records[at + 8] = state[i];
 	records[at + 9] = kind[i];
+	records[at + 10] = 0;
+	records[at + 11] = 0;
 	return records[at + 3];
 }

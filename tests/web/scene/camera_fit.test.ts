@@ -1,0 +1,64 @@
+import fc from "fast-check";
+import { PerspectiveCamera, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import { fitView, needsRefit, spindleOf } from "../../../web/src/scene/camera_fit";
+import { sampleBunch } from "./sample_bunch";
+
+const FOV = 24;
+const bunch = sampleBunch(90);
+const spindle = spindleOf(bunch.berries.spheres, bunch.internodes.ends);
+
+/** The farthest any berry's centre comes from the middle of the view, as a share of half its height or width. */
+function reach(distance: number, azimuth: number, elevation: number, aspect: number): number {
+	const camera = new PerspectiveCamera(FOV, aspect, 0.001, 100);
+	const target = new Vector3(...spindle.centre);
+	camera.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth).add(target);
+	camera.lookAt(target);
+	camera.updateMatrixWorld();
+	let most = 0;
+	for (let i = 0; i < bunch.berries.count; i++) {
+		const at = new Vector3().fromArray(bunch.berries.spheres, 4 * i).project(camera);
+		most = Math.max(most, Math.abs(at.x), Math.abs(at.y));
+	}
+	return most;
+}
+
+describe("fitView", () => {
+	it("keeps every berry in view whichever way the bunch is turned", () => {
+		const aspect = fc.double({ min: 0.4, max: 3, noNaN: true });
+		const azimuth = fc.double({ min: 0, max: 6.3, noNaN: true });
+		const elevation = fc.double({ min: -1.4, max: 1.4, noNaN: true });
+		fc.assert(
+			fc.property(aspect, azimuth, elevation, (ratio, turn, height) => {
+				const { distance } = fitView(spindle, (FOV * Math.PI) / 180, ratio, 0.07, height);
+				expect(reach(distance, turn, height, ratio)).toBeLessThan(0.87);
+			}),
+		);
+	});
+
+	it("comes no farther away than it must", () => {
+		const { distance } = fitView(spindle, (FOV * Math.PI) / 180, 1.6, 0.07, 0);
+		const reaches = Array.from({ length: 48 }, (_, k) => reach(distance, (k * Math.PI) / 24, 0, 1.6));
+		expect(Math.max(...reaches)).toBeGreaterThan(0.75);
+	});
+
+	it("fits something of no size and the stems of a bunch without berries", () => {
+		expect(fitView(spindleOf(new Float32Array(0), new Float32Array(0)), 0.4, 1, 0.07, 0).distance).toBeGreaterThan(0);
+		const bare = fitView(spindleOf(new Float32Array(0), bunch.internodes.ends), 0.4, 1, 0.07, 0);
+		expect(bare.distance).toBeGreaterThan(0.1);
+		expect(Number.isFinite(bare.radius)).toBe(true);
+	});
+});
+
+describe("needsRefit", () => {
+	const fit = fitView(spindle, 0.4, 1.6, 0.07, 0);
+	it("lets a drag's small changes be", () => {
+		expect(needsRefit(fit, { ...fit, distance: fit.distance * 1.05 })).toBe(false);
+		expect(needsRefit(fit, { ...fit, distance: fit.distance * 0.85 })).toBe(false);
+	});
+	it("follows a bunch that has outgrown the view, shrunk in it or left it", () => {
+		expect(needsRefit(fit, { ...fit, distance: fit.distance * 1.2 })).toBe(true);
+		expect(needsRefit(fit, { ...fit, distance: fit.distance * 0.6 })).toBe(true);
+		expect(needsRefit(fit, { ...fit, target: [fit.radius, 0, 0] })).toBe(true);
+	});
+});

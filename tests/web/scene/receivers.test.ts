@@ -1,0 +1,101 @@
+import { describe, expect, it } from "vitest";
+import type { Grown } from "../../../web/src/core/grown";
+import { NEIGHBOURS, packReceivers, RECORD, receiverTexels } from "../../../web/src/scene/receivers";
+import { berryTint, skinOf } from "../../../web/src/scene/skin";
+import { sampleBunch } from "./sample_bunch";
+
+const skin = skinOf({ skin: "43264f", stem: "7d7a3f", bloom: 0.5 });
+const pack = (grown: Grown, records = new Float32Array(4 * receiverTexels(grown))) =>
+	packReceivers(grown, (berry) => berryTint(skin, berry), records);
+
+/** A bunch of bare spheres. */
+function spheres(...list: [x: number, y: number, z: number, r: number][]): Grown {
+	const bunch = sampleBunch(1);
+	return {
+		...bunch,
+		berries: {
+			count: list.length,
+			spheres: Float32Array.from(list.flat()),
+			directions: Float32Array.from(list.flatMap(() => [0, -1, 0])),
+			parent: Int32Array.from(list, (_, i) => i),
+		},
+		internodes: { ...bunch.internodes, count: 0, ends: new Float32Array(0), radii: new Float32Array(0) },
+	};
+}
+
+describe("packReceivers", () => {
+	it("writes each berry's sphere and direction where the shader looks for them", () => {
+		const bunch = sampleBunch(40);
+		const { records, count } = pack(bunch);
+		expect(count).toBe(bunch.berries.count + bunch.internodes.count);
+		for (let i = 0; i < bunch.berries.count; i++) {
+			const at = 4 * RECORD * i;
+			expect([...records.subarray(at, at + 4)]).toEqual([...bunch.berries.spheres.subarray(4 * i, 4 * i + 4)]);
+			expect([...records.subarray(at + 4, at + 7)]).toEqual([...bunch.berries.directions.subarray(3 * i, 3 * i + 3)]);
+		}
+	});
+
+	it("writes each internode's middle, half axis, radius and state", () => {
+		const bunch = sampleBunch(40);
+		const { records } = pack(bunch);
+		const { ends, state, radii } = bunch.internodes;
+		for (let i = 0; i < bunch.internodes.count; i++) {
+			const at = 4 * RECORD * (bunch.berries.count + i);
+			for (let k = 0; k < 3; k++) {
+				expect(records[at + k] - records[at + 4 + k]).toBeCloseTo(ends[6 * i + k], 6);
+				expect(records[at + k] + records[at + 4 + k]).toBeCloseTo(ends[6 * i + 3 + k], 6);
+			}
+			expect(records[at + 7]).toBeCloseTo(radii[2 * i], 7);
+			expect(records[at + 8]).toBe(state[i]);
+		}
+	});
+
+	it("lists the touching spheres first, relative to the centre, and ends the list with a zero", () => {
+		const { records } = pack(spheres([0, 0, 0, 1], [2, 0, 0, 1], [0, -2, 0, 1], [9, 0, 0, 1]));
+		const list = Array.from({ length: 4 }, (_, k) => [...records.subarray(16 + 4 * k, 20 + 4 * k)]);
+		expect(list.slice(0, 2)).toEqual(
+			expect.arrayContaining([
+				[2, 0, 0, 1],
+				[0, -2, 0, 1],
+			]),
+		);
+		expect(list[2]).toEqual([9, 0, 0, 1]);
+		expect(list[3][3]).toBe(0);
+	});
+
+	it("sums up the spheres that are not on the list as a constant and a direction", () => {
+		const ring = Array.from({ length: NEIGHBOURS }, (_, k): [number, number, number, number] => [
+			2 * Math.cos(k),
+			0.001 * k,
+			2 * Math.sin(k),
+			0.5,
+		]);
+		const { records } = pack(spheres([0, 0, 0, 1], ...ring, [0, 4, 0, 1]));
+		// sin²α = 1/16: a quarter of it all round, half of it along +Y.
+		expect(records[12]).toBeCloseTo(1 / 64, 6);
+		expect([...records.subarray(13, 16)]).toEqual([0, expect.closeTo(1 / 32, 6), 0]);
+	});
+
+	it("leaves nothing of a larger bunch behind when its memory is used again", () => {
+		const large = sampleBunch(90);
+		const memory = new Float32Array(4 * receiverTexels(large));
+		pack(large, memory);
+		const small = sampleBunch(12, 7);
+		const used = 4 * receiverTexels(small);
+		const again = pack(small, memory).records.slice(0, used);
+		expect(usedParts(again)).toEqual(usedParts(pack(small).records));
+	});
+});
+
+/** The records without what stands after the zero that ends a list. */
+function usedParts(records: Float32Array): number[] {
+	const parts: number[] = [];
+	for (let at = 0; at < records.length; at += 4 * RECORD) {
+		parts.push(...records.subarray(at, at + 16));
+		for (let k = 4; k < RECORD && records[at + 4 * k + 3] > 0; k++) {
+			parts.push(...records.subarray(at + 4 * k, at + 4 * k + 4));
+		}
+	}
+	// Minus zero is zero.
+	return parts.map((value) => value + 0);
+}

@@ -1,0 +1,42 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { SphereIndex } from "../../../web/src/scene/sphere_index";
+
+const coordinate = fc.float({ min: Math.fround(-0.2), max: Math.fround(0.2), noNaN: true });
+const sphere = fc.tuple(
+	coordinate,
+	coordinate,
+	coordinate,
+	fc.float({ min: Math.fround(0.001), max: Math.fround(0.02), noNaN: true }),
+);
+
+describe("SphereIndex", () => {
+	it("finds every sphere within the distance, and none twice", () => {
+		const distance = fc.double({ min: 0, max: 0.5, noNaN: true });
+		fc.assert(
+			fc.property(fc.array(sphere, { maxLength: 60 }), sphere, distance, (spheres, [x, y, z], reach) => {
+				const index = new SphereIndex(Float32Array.from(spheres.flat()));
+				const found = new Uint32Array(100);
+				const near = [...found.subarray(0, index.near(x, y, z, reach, found))];
+				expect(new Set(near).size).toBe(near.length);
+				spheres.forEach(([sx, sy, sz], i) => {
+					if (Math.hypot(sx - x, sy - y, sz - z) < reach * 0.999) expect(near).toContain(i);
+				});
+			}),
+		);
+	});
+
+	it("leaves out what is far", () => {
+		const far = Float32Array.from([0, 0, 0, 0.01, 0.5, 0, 0, 0.01]);
+		const found = new Uint32Array(4);
+		expect(new SphereIndex(far).near(0, 0, 0, 0.02, found)).toBe(1);
+	});
+
+	it("stops where the scratch memory ends, and knows nothing of an empty bunch", () => {
+		const heap = Float32Array.from(Array.from({ length: 50 }, () => [0, 0, 0, 0.01]).flat());
+		expect(new SphereIndex(heap).near(0, 0, 0, 1, new Uint32Array(8))).toBe(8);
+		const none = new SphereIndex(new Float32Array(0));
+		expect(none.near(0, 0, 0, 1, new Uint32Array(8))).toBe(0);
+		expect(none.reach).toBe(0);
+	});
+});
