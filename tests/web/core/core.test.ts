@@ -96,6 +96,14 @@ describe("growing", () => {
 		expect(Math.max(...internodes.axis)).toBeGreaterThanOrEqual(plan.m - 1);
 	});
 
+	it("finds room for the second bunch, whatever the seed", () => {
+		for (let seed = 1; seed <= 20; seed++) {
+			const { plan, internodes, berries } = grow({ ...specimenFromPreset("double-bunch-winged"), seed });
+			const ofSecond = berries.parent.filter((pedicel) => internodes.axis[pedicel] >= plan.m - 1);
+			expect(ofSecond.length).toBeGreaterThan(15);
+		}
+	});
+
 	it("takes the grammar's inputs in place of the profile's", () => {
 		const { plan, counts } = grow({ ...specimenFromPreset(), inputs: { m: 3, n: [1, 2] } });
 		expect([plan.m, plan.axes]).toEqual([3, [2, 1]]);
