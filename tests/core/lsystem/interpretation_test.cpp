@@ -1,0 +1,129 @@
+#include "grammars.hpp"
+
+using namespace panicle;
+using namespace panicle::tests;
+
+namespace {
+
+// L-system 1 of Huang et al. 2013, as docs/bunch.md restores it.
+const char* const first_grape = R"(
+#input m
+#input n[]
+#define l 60
+#define r_l 1
+#define r_r 0.75
+#define alpha 45
+axiom: Ar(m, l)
+Ar(i,j) : i>1 --> F(j) [ // Ar(i-1, j*r_l) ] [ +(alpha) Af(n[i-1], j*r_l) ]
+Ar(i,j) : i=1 --> Ae(j*r_l)
+Af(i,j) : i>1 --> F(j) [ // Af(i-1, j*r_l) ] [ +(alpha) Ae(j*r_l) ]
+Af(i,j) : i=1 --> Ae(j*r_l)
+Ae(j) --> F(j) [ Ap(j*r_l) ] [ +(alpha) Ap(j*r_l) ] [ -(alpha) Ap(j*r_l) ]
+Ap(j) --> F(j) S(l*r_r)
+)";
+
+Diagnostic failure(std::string_view text, const Limits& limits) {
+  const ProgramPointer program = compiled(text);
+  const Derived string = derived(*program, 4096);
+  Recorder recorder;
+  const auto result = lsystem::interpret(*program, *string.string, {}, recorder, 1, limits);
+  REQUIRE_FALSE(result);
+  return result.error();
+}
+
+}  // namespace
+
+TEST_CASE("L-system 1 with m = 3, n1 = 1, n2 = 2 has 19 internodes and 12 berries") {
+  Inputs inputs{{{"m", 3}}, {{"n", {1, 2}}}};
+  const ProgramPointer program = compiled(first_grape, inputs);
+  const Derived string = derived(*program, 4096);
+  Recorder recorder;
+  draw(*program, string, recorder);
+  CHECK(recorder.lines.size() == 19);
+  CHECK(recorder.spheres.size() == 12);
+  for (const Recorder::Ball& ball : recorder.spheres) {
+    CHECK(ball.radius == 45);
+    CHECK(ball.turtle.line >= 0);
+  }
+}
+
+TEST_CASE("lineages tell parent and grandparent where they are asked for") {
+  Inputs inputs{{{"m", 3}}, {{"n", {1, 2}}}};
+  const auto program = lsystem::compile(first_grape, inputs, Limits{}, lsystem::Lineages::always);
+  REQUIRE(program);
+  Recorder recorder;
+  draw(*program.value(), derived(*program.value(), 4096), recorder);
+  int pedicels = 0;
+  for (const Recorder::Line& line : recorder.lines) pedicels += line.parent == "Ap" && line.grandparent == "Ae";
+  CHECK(pedicels == 12);
+  CHECK(recorder.lines[0].parent == "Ar");
+  CHECK(recorder.lines[0].grandparent.empty());
+  CHECK(recorder.lines[1].grandparent == "Ar");
+
+  const ProgramPointer plain = compiled(first_grape, inputs);
+  Recorder without;
+  draw(*plain, derived(*plain, 4096), without);
+  CHECK(without.lines[1].parent.empty());
+  CHECK(without.lines[1].after.position == recorder.lines[1].after.position);
+}
+
+TEST_CASE("brackets bring the turtle back, and lines know the line they leave") {
+  const Recorder recorder = drawn("axiom: F [ +F F [ F ] F ] F f F", 0);
+  REQUIRE(recorder.lines.size() == 7);
+  const std::int32_t parents[] = {-1, 0, 1, 2, 2, 0, 5};
+  for (std::size_t i = 0; i < 7; ++i) CHECK(recorder.lines[i].before.line == parents[i]);
+  CHECK(recorder.lines[5].before.position == recorder.lines[0].after.position);
+  CHECK(recorder.lines[6].before.position != recorder.lines[5].after.position);
+}
+
+TEST_CASE("lines of length 0 and spheres of radius 0 are not drawn") {
+  const Recorder recorder = drawn("axiom: F(0) F(2) F(0) S(0) S(1) F(-2)", 0);
+  REQUIRE(recorder.lines.size() == 2);
+  CHECK(recorder.spheres.size() == 1);
+  CHECK(recorder.lines[1].before.line == 0);
+  CHECK(recorder.lines[1].after.position == glm::vec3(0, -1, 0));
+}
+
+TEST_CASE("symbols that are not the turtle's are passed over") {
+  CHECK(drawn("axiom: A(1,2) F B F C(1)", 0).lines.size() == 2);
+}
+
+TEST_CASE("a cut that derivation has not come to is made on the way") {
+  const Recorder recorder = drawn("axiom: A\nA --> F [ F % F [ F ] ] F % F F", 1);
+  CHECK(recorder.lines.size() == 3);
+  CHECK(recorder.cuts == 2);
+}
+
+TEST_CASE("limits of interpretation") {
+  std::string deep = "axiom: ";
+  for (int i = 0; i < 101; ++i) deep += "[";
+  deep += "F";
+  for (int i = 0; i < 101; ++i) deep += "]";
+  Limits limits;
+  limits.depth = 100;
+  const Diagnostic depth = failure(deep, limits);
+  CHECK(depth.reason == Reason::limit);
+  CHECK(depth.message.find("100 branches") != std::string::npos);
+  limits.depth = 101;
+  Recorder recorder;
+  const ProgramPointer program = compiled(deep);
+  CHECK(lsystem::interpret(*program, *derived(*program, 0).string, {}, recorder, 1, limits));
+
+  const Diagnostic far = failure("axiom: F(3e38) F(3e38) F", Limits{});
+  CHECK(far.reason == Reason::evaluation);
+  CHECK(failure("axiom: f(3e38) S(3e38)", Limits{}).reason == Reason::evaluation);
+
+  limits.evaluations = 3;
+  const Diagnostic answers = failure("axiom: ?E(1) ?E(1) ?E(1) ?E(1)\n?E(x) --> F", limits);
+  CHECK(answers.reason == Reason::limit);
+}
+
+TEST_CASE("a hundred thousand open brackets are fine, one more is not") {
+  std::string deep = "axiom: ";
+  deep.append(100'001, '[').append(100'001, ']');
+  const ProgramPointer program = compiled(deep);
+  const Derived string = derived(*program, 4096);
+  CHECK(length(*string.string) == 200'002);
+  Recorder recorder;
+  CHECK_FALSE(lsystem::interpret(*program, *string.string, {}, recorder, 1, Limits{}));
+}

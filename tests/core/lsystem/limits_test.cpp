@@ -1,0 +1,85 @@
+// Work that would never end ends in a value, with the count that was reached.
+#include "grammars.hpp"
+
+using namespace panicle;
+using namespace panicle::tests;
+
+namespace {
+
+void stops(const std::string& text, const Limits& limits, const char* says, const Inputs& inputs = {}) {
+  std::string message;
+  const std::string found = trouble(text, inputs, limits, &message);
+  CAPTURE(message);
+  CHECK(found.substr(0, 5) == "limit");
+  CHECK(message.find(says) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("a string that doubles for ever stops at the words it may have") {
+  Limits limits;
+  limits.words = 100'000;
+  stops("axiom: A\nA --> A A", limits, "100000 words");
+  stops("axiom: A\nA --> A A", Limits{}, "limit");
+}
+
+TEST_CASE("a string of exactly the words it may have is fine") {
+  Limits limits;
+  limits.words = 1024;
+  const ProgramPointer program = compiled("axiom: A\nA --> A A");
+  CHECK(lsystem::derive(*program, 1, 10, limits));
+  CHECK_FALSE(lsystem::derive(*program, 1, 11, limits));
+}
+
+TEST_CASE("derivation that never ends stops at the steps it may take") {
+  stops("axiom: A\nA --> A", Limits{}, "4096 steps");
+  stops("axiom: A\nA --> B\nB --> A", Limits{}, "4096 steps");
+  Limits limits;
+  limits.steps = 3;
+  stops("axiom: A(4)\nA(i) : i>0 --> F A(i-1)", limits, "3 steps");
+  CHECK(trouble("axiom: A(3)\nA(i) : i>0 --> F A(i-1)", {}, limits) == "none");
+  const ProgramPointer program = compiled("axiom: A\nA --> A");
+  CHECK(derived(*program, 100).steps == 100);
+}
+
+TEST_CASE("productions applied, tried and copied over count as work") {
+  Limits limits;
+  limits.evaluations = 1000;
+  stops("axiom: A\nA --> A A", limits, "1000 evaluations");
+  std::string many = "axiom: A(1)\n";
+  for (int i = 0; i < 2000; ++i) many += "A(x) : x>2 --> B\n";
+  stops(many, limits, "1000 evaluations");
+  std::string long_string = "axiom: A ";
+  for (int i = 0; i < 3200; ++i) long_string += "F ";
+  stops(long_string + "\nA --> A", limits, "1000 evaluations");
+  std::string long_expression = "axiom: A(1)\nA(x) --> A(x";
+  for (int i = 0; i < 3200; ++i) long_expression += "+x*" + std::to_string(i);
+  stops(long_expression + ")", limits, "1000 evaluations");
+}
+
+TEST_CASE("texts, nesting and parameters have limits too") {
+  Limits limits;
+  limits.text_bytes = 10;
+  stops("axiom: A(1)", limits, "the limit is 10");
+  const std::string open(100'000, '('), close(100'000, ')');
+  stops("axiom: A(" + open + "1" + close + ")", Limits{}, "nested deeper than 256");
+  stops("axiom: A(" + std::string(100'000, '-') + "1)", Limits{}, "nested deeper than 256");
+  std::string many = "axiom: A(1";
+  for (int i = 0; i < 40; ++i) many += ",1";
+  stops(many + ")", Limits{}, "32 parameters");
+  std::string formals = "axiom: A\nA(x";
+  for (int i = 0; i < 40; ++i) formals += ",x" + std::to_string(i);
+  stops(formals + ") --> B", Limits{}, "32 parameters");
+}
+
+TEST_CASE("long texts are read in proportion to their length") {
+  std::string text = "axiom: A(1)\n";
+  for (int i = 0; i < 8000; ++i) text += "#define x" + std::to_string(i) + " " + std::to_string(i) + "\n";
+  CHECK(trouble(text + "A(x) : x<0 --> B") == "none");
+  std::string sum = "axiom: V(1";
+  for (int i = 0; i < 60'000; ++i) sum += "+1";
+  CHECK(trouble(sum + ")") == "none");
+  std::string terms = "axiom: A(1)\nA(x) --> V(1";
+  for (int i = 0; i < 20'000; ++i) terms += "+x*" + std::to_string(i);
+  CHECK(trouble(terms + ")") == "none");
+}
