@@ -17,25 +17,19 @@ const core = `/@fs${new URL("../../build/core/panicle.wasm", import.meta.url).pa
 /** Runs in the page, where Vite serves the sources: grows every preset and draws it. */
 async function draw({ core: address, size, oversampling, quality, theme }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
-	const { BunchView } = await at("scene/bunch_view.ts");
+	const { renderPicture } = await at("scene/picture.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
 	const { encodeRequest } = await at("core/request.ts");
 	const { specimenFromPreset } = await at("specimen/from_preset.ts");
 	const { PRESETS } = await at("specimen/presets/index.ts");
 	const core = await Core.instantiate(await compileCore(address));
-	document.body.replaceChildren();
-	const canvas = Object.assign(document.createElement("canvas"), size);
-	canvas.style.cssText = `width: ${size.width}px; height: ${size.height}px`;
-	document.body.append(canvas);
-	const view = new BunchView(canvas, { still: true, reducedMotion: true, theme });
+	const large = { width: size.width * oversampling, height: size.height * oversampling, theme };
 	const pictures = {};
 	for (const { name } of PRESETS) {
 		const specimen = specimenFromPreset(name);
-		view.show(core.grow(encodeRequest(specimen)), specimen.look);
-		view.resetView("three-quarter");
-		await view.whenIdle();
-		const image = await createImageBitmap(await view.snapshot(size.width * oversampling, size.height * oversampling));
+		const grown = core.grow(encodeRequest(specimen));
+		const image = await createImageBitmap(await renderPicture(grown, specimen.look, large));
 		const small = new OffscreenCanvas(size.width, size.height);
 		const context = small.getContext("2d");
 		context.imageSmoothingQuality = "high";

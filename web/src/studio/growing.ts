@@ -26,16 +26,16 @@ export class Growing {
 	async grow(specimen: Specimen): Promise<void> {
 		const turn = ++this.#newest;
 		this.#cancel ??= new AbortController();
-		this.#timer ??= setTimeout(() => this.studio().setGrowing(true), PATIENCE);
+		this.#timer ??= this.#patience();
 		try {
 			const grown = await this.#client.grow(specimen, { signal: this.#cancel.signal });
 			if (turn < this.#shown) return;
 			this.#shown = turn;
-			if (turn === this.#newest) this.#rest();
+			this.#answered(turn);
 			this.studio().grew(grown, specimen);
 		} catch (error) {
 			if (turn !== this.#newest) return;
-			this.#rest();
+			this.#answered(turn);
 			this.#explain(error);
 		}
 	}
@@ -45,11 +45,17 @@ export class Growing {
 		this.#cancel?.abort(new Cancelled());
 	}
 
-	#rest(): void {
+	/** Patience is with the answer that is awaited, not with a whole drag. */
+	#answered(turn: number): void {
 		clearTimeout(this.#timer);
-		this.#timer = undefined;
-		this.#cancel = undefined;
 		this.studio().setGrowing(false);
+		const atRest = turn === this.#newest;
+		this.#timer = atRest ? undefined : this.#patience();
+		if (atRest) this.#cancel = undefined;
+	}
+
+	#patience(): ReturnType<typeof setTimeout> {
+		return setTimeout(() => this.studio().setGrowing(true), PATIENCE);
 	}
 
 	#explain(error: unknown): void {

@@ -1,5 +1,6 @@
 /** The application's start: wires the store to the worker, the address bar and the page, and nothing else. */
 import coreUrl from "../../../build/core/panicle.wasm?url";
+import { presetNamed } from "../specimen/presets/index";
 import { readAddress, readWholeAddress, writeAddress } from "./address";
 import { Growing } from "./growing";
 import { listenForShortcuts } from "./shortcuts";
@@ -65,9 +66,16 @@ function start(): void {
 	document.addEventListener("panicle-help", () => help?.open());
 	listenForShortcuts(studio, () => help?.open());
 	onSystemTheme(() => studio.setUi({}));
+	studio.subscribe(nameTab);
 	addEventListener("popstate", () => void follow());
 	if (opened.whole) studio.take(opened, "link");
 	else void follow();
+}
+
+/** Tabs and bookmarks are told apart by what they hold. */
+function nameTab(): void {
+	const { preset, seed } = studio.state.specimen;
+	document.title = `${presetNamed(preset)?.title ?? "Grape bunch"} ${seed} · Panicle`;
 }
 
 /** The address is another one: by Back, Forward or by hand, or because its grammar took time to unpack. */

@@ -49,6 +49,7 @@ export class Studio {
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
 	#noticeId = 0;
+	#preset: Specimen | undefined;
 	/** What `fit` and `vary` were before *as printed*. */
 	#beforePrinted: { fit: number; vary: number } | undefined;
 	/** Takes a picture of the 3-D view, as PNG; set by the stage while it has a view. */
@@ -74,7 +75,9 @@ export class Studio {
 
 	/** The specimen of the current preset as published: what double clicks go back to. */
 	get preset(): Specimen {
-		return specimenFromPreset(this.#state.specimen.preset);
+		const { preset } = this.#state.specimen;
+		if (this.#preset?.preset !== preset) this.#preset = specimenFromPreset(preset);
+		return this.#preset;
 	}
 
 	/** Calls back after every change of the state; returns the function that ends it. */
@@ -142,6 +145,18 @@ export class Studio {
 		const { fit, vary } = specimen.parameters;
 		this.set(asPrinted(specimen, on, this.#beforePrinted));
 		this.#beforePrinted = on && !isAsPrinted(specimen) ? { fit, vary } : undefined;
+	}
+
+	/** The profile's own m and n again, in place of those a link set. */
+	dropInputs(): void {
+		const { inputs: _, ...specimen } = this.#state.specimen;
+		this.replace(specimen);
+	}
+
+	/** The built-in grammar again, in place of the one a link or a file brought. */
+	dropGrammar(): void {
+		const { grammar: _, ...specimen } = this.#state.specimen;
+		this.replace(specimen);
 	}
 
 	undo(): void {

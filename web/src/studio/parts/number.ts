@@ -1,4 +1,5 @@
 import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
 import type { NumberKey, ParameterInfo } from "../../specimen/parameters.generated";
 import { entryOf, type NumberEntry, nearestWithin } from "../../specimen/table";
 import type { Change } from "../types";
@@ -14,20 +15,26 @@ export class NumberControl extends StudioElement {
 	static override properties = { ...StudioElement.properties, info: { attribute: false }, message: { state: true } };
 	declare info: ParameterInfo;
 	/** What became of a value that could not be taken as typed. */
-	declare private message: string | undefined;
+	declare private message: { text: string | undefined; value: number } | undefined;
 
 	#keyHeld = false;
+	#drawn: readonly [value: number, preset: number] | undefined;
+
+	protected override concerns(): boolean {
+		return this.value !== this.#drawn?.[0] || this.presetValue !== this.#drawn[1];
+	}
 
 	protected override draw(): unknown {
-		const { info, value } = this;
+		const { info, value, presetValue } = this;
 		const { key, label, symbol, unit } = info;
-		const changed = value !== this.presetValue;
+		this.#drawn = [value, presetValue];
+		const changed = value !== presetValue;
 		return html`<div class="control ${changed ? "changed" : ""}" data-key=${key}>
 			<label for="slide-${key}" @dblclick=${this.#reset}
 				>${label}${symbol ? html`<i class="symbol" aria-hidden="true">${symbol}</i>` : nothing}</label
 			>
 			<input
-				type="range" id="slide-${key}" min=${info.min ?? 0} max=${info.max ?? 1} step=${info.step ?? 1} .value=${String(value)}
+				type="range" id="slide-${key}" min=${info.min ?? 0} max=${info.max ?? 1} step=${info.step ?? 1} .value=${live(String(value))}
 				aria-valuetext=${`${value} ${spoken(unit)}`.trim()} aria-describedby="help-${key}"
 				@input=${this.#slide} @change=${this.#slid} @dblclick=${this.#reset}
 				@keydown=${this.#keyDown} @keyup=${this.#keyUp} @blur=${this.#keyUp}
@@ -40,7 +47,7 @@ export class NumberControl extends StudioElement {
 			<span class="unit" aria-hidden="true">${unit}</span>
 			<span class="unseen" id="help-${key}">${info.help} ${range(info)}</span>
 			</div>
-			${this.message ? html`<p class="clamped" role="status">${this.message}</p>` : nothing}`;
+			${this.message?.text && this.message.value === value ? html`<p class="clamped" role="status">${this.message.text}</p>` : nothing}`;
 	}
 
 	protected override updated(): void {
@@ -69,6 +76,7 @@ export class NumberControl extends StudioElement {
 	#slide(event: Event): void {
 		this.message = undefined;
 		this.studio.edit(this.#change(Number((event.target as HTMLInputElement).value)));
+		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
 	}
 
 	#slid(): void {
@@ -95,7 +103,7 @@ export class NumberControl extends StudioElement {
 		const text = field.value.trim().replace(",", ".").replace("−", "-");
 		const typed = text === "" ? Number.NaN : Number(text);
 		if (Number.isFinite(typed)) this.studio.set(this.#change(typed));
-		this.message = complaint(this.info, field.value, typed, this.value);
+		this.message = { text: complaint(this.info, field.value, typed, this.value), value: this.value };
 		field.value = String(this.value);
 	}
 }

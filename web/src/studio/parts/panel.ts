@@ -5,6 +5,7 @@ import { isAsPrinted } from "../change";
 import type { Studio } from "../studio";
 import type { Locks } from "../types";
 import { icon } from "./icons";
+import { grammarOverride, inputsOverride } from "./overrides";
 import { readout } from "./readout";
 import { StudioElement } from "./studio_element";
 import "./colour";
@@ -37,6 +38,8 @@ export class Panel extends StudioElement {
 		const infos = PARAMETERS.filter((info) => info.group === group.key);
 		return html`${group.key === "shape" ? nothing : html`<p>${group.help}</p>`}
 			${group.key === "between" ? asPrintedSwitch(studio) : nothing}
+			${group.key === "shape" ? inputsOverride(studio) : nothing}
+			${group.key === "branching" ? grammarOverride(studio) : nothing}
 			${repeat(
 				infos,
 				(info) => info.key,

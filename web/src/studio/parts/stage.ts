@@ -15,7 +15,14 @@ export class Stage extends StudioElement {
 
 	#solid: SolidView | undefined;
 	#started = false;
-	readonly #resized = new ResizeObserver(() => this.#solid?.view.resize());
+	/** A phone shows another view in its place: what cannot be seen is not drawn. */
+	#visible = true;
+	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
+		this.#visible = contentRect.width > 0;
+		if (!this.#visible) return;
+		this.#solid?.view.resize();
+		this.requestUpdate();
+	});
 
 	protected override draw(studio: Studio): unknown {
 		const { failure, growing, grown, grownFrom } = studio.state;
@@ -32,7 +39,7 @@ export class Stage extends StudioElement {
 
 	protected override updated(): void {
 		if (!this.#started) void this.#start();
-		this.#solid?.update(this.studio.state);
+		if (this.#visible) this.#solid?.update(this.studio.state);
 	}
 
 	async #start(): Promise<void> {

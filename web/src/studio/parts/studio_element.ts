@@ -39,6 +39,13 @@ export abstract class StudioElement extends LitElement {
 
 	#subscribe(): void {
 		this.#unsubscribe?.();
-		this.#unsubscribe = this.studio.subscribe(() => this.requestUpdate());
+		this.#unsubscribe = this.studio.subscribe(() => {
+			if (this.concerns(this.studio)) this.requestUpdate();
+		});
+	}
+
+	/** Whether a change of the state can change what is drawn; for parts of which there are many. */
+	protected concerns(_studio: Studio): boolean {
+		return true;
 	}
 }
