@@ -2,31 +2,18 @@ import {
 	NeutralToneMapping,
 	type Object3D,
 	type PerspectiveCamera,
-	Scene,
 	SRGBColorSpace,
-	Vector3 as Vector,
-	type Vector3,
+	Vector3,
 	WebGLRenderer,
 } from "three";
 import type { Grown } from "../core/grown";
 import type { Look } from "../specimen/specimen";
-import { Backdrop } from "./backdrop";
-import { berryMaterial, setSkin } from "./berry_material";
-import { BunchSurface } from "./bunch_surface";
 import { type Spindle, spindleOf } from "./camera_fit";
-import { CastShadow } from "./cast_shadow";
-import { CAST_RECORD, Casters } from "./casters";
 import { FrameLoop } from "./frame_loop";
-import { type LightRig, rigOf, spreadOf, type Theme } from "./light";
-import { aimLamps, lightUniforms, setRig } from "./light_shader";
+import type { Theme } from "./light";
 import { NoWebGL2Error } from "./no_webgl2";
-import { packReceivers, RECORD, type Receivers } from "./receivers";
-import { RecordTexture } from "./record_texture";
-import { berryTint, skinOf } from "./skin";
-import { setStem, stemMaterial } from "./stem_material";
+import { type Mode, Stage } from "./stage";
 import { Turntable, type ViewName } from "./turntable";
-
-export type Mode = "whole" | "stems";
 
 export interface BunchViewOptions {
 	/** No gliding, no damping. */
@@ -46,21 +33,10 @@ export class BunchView {
 
 	readonly #canvas: HTMLCanvasElement;
 	readonly #renderer: WebGLRenderer;
-	readonly #scene = new Scene();
+	readonly #stage = new Stage();
 	readonly #turntable: Turntable;
 	readonly #loop: FrameLoop;
-	readonly #light = lightUniforms();
-	readonly #shared;
-	readonly #surface: BunchSurface;
-	readonly #backdrop: Backdrop;
-	readonly #shadow: CastShadow;
-	readonly #receiverRecords = new RecordTexture(RECORD);
-	readonly #casterRecords = new RecordTexture(CAST_RECORD);
-	readonly #casters = new Casters();
-	#receivers: Receivers | undefined;
 	#spindle: Spindle | undefined;
-	#rig: LightRig;
-	#mode: Mode = "whole";
 	#held = false;
 	#lost = false;
 	#rendered = 0;
@@ -70,40 +46,20 @@ export class BunchView {
 	constructor(canvas: HTMLCanvasElement, options: BunchViewOptions = {}) {
 		this.#canvas = canvas;
 		this.#renderer = createRenderer(canvas);
-		this.#shared = {
-			...this.#light,
-			receiverRecords: { value: this.#receiverRecords.texture },
-			casterRecords: { value: this.#casterRecords.texture },
-			berriesShown: { value: 1 },
-		};
-		this.#surface = new BunchSurface(berryMaterial(this.#shared), stemMaterial(this.#shared));
-		this.#shadow = new CastShadow(this.#shared);
-		this.#backdrop = new Backdrop(this.#shadow.target.texture);
-		this.#scene.add(this.#surface.group, this.#backdrop.mesh);
 		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio);
 		this.#turntable = new Turntable(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
 		if (options.still) this.#turntable.controls.disconnect();
-		this.#rig = rigOf(options.theme ?? "light");
 		this.setTheme(options.theme ?? "light");
 		canvas.addEventListener("webglcontextlost", this.#onLost);
 		canvas.addEventListener("webglcontextrestored", this.#onRestored);
 		this.resize();
+		this.#prepare(this.#loop.rest);
+		this.#stage.rehearse(this.#renderer, this.camera, this.#turntable.paper);
 	}
 
 	/** Shows a bunch in place of the last. Cheap enough for every step of a drag: buffers and programs are reused. */
 	show(grown: Grown, look: Look): void {
-		const skin = skinOf(look);
-		setSkin(this.#surface.berryMaterial, skin);
-		setStem(this.#surface.stemMaterial, look.stem);
-		const count = grown.berries.count + grown.internodes.count;
-		this.#receiverRecords.reserve(count);
-		this.#casterRecords.reserve(count);
-		this.#shared.receiverRecords.value = this.#receiverRecords.texture;
-		this.#shared.casterRecords.value = this.#casterRecords.texture;
-		this.#receivers = packReceivers(grown, (berry) => berryTint(skin, berry), this.#receiverRecords.data);
-		this.#receiverRecords.changed();
-		this.#surface.show(grown);
-		this.#showBerries();
+		this.#stage.show(grown, look);
 		this.#spindle = spindleOf(grown.berries.spheres, grown.internodes.ends);
 		this.#turntable.follow(this.#spindle, this.#held);
 		this.#loop.request(true);
@@ -111,17 +67,13 @@ export class BunchView {
 
 	/** `stems` shows the stems without berries, withered pedicels marked (the paper's figure 14). */
 	setMode(mode: Mode): void {
-		if (mode === this.#mode) return;
-		this.#mode = mode;
-		this.#showBerries();
+		if (mode === this.#stage.mode) return;
+		this.#stage.mode = mode;
 		this.#loop.request();
 	}
 
 	setTheme(theme: Theme): void {
-		this.#rig = rigOf(theme);
-		setRig(this.#light, this.#rig);
-		this.#backdrop.setRig(this.#rig);
-		this.#shadow.setLamp(this.#rig.shadow.direction, spreadOf(this.#rig.key));
+		this.#stage.theme = theme;
 		this.#loop.request();
 	}
 
@@ -170,19 +122,19 @@ export class BunchView {
 
 	/** Adds something to the scene, in the bunch's metres. */
 	addOverlay(object: Object3D): void {
-		this.#scene.add(object);
+		this.#stage.scene.add(object);
 		this.#loop.request();
 	}
 
 	removeOverlay(object: Object3D): void {
-		this.#scene.remove(object);
+		this.#stage.scene.remove(object);
 		this.#loop.request();
 	}
 
 	/** Where a point of the bunch is on the canvas, in CSS pixels from its top left corner. */
 	project(point: Vector3): { x: number; y: number } {
 		this.camera.updateMatrixWorld();
-		const at = new Vector().copy(point).project(this.camera);
+		const at = new Vector3().copy(point).project(this.camera);
 		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
 	}
 
@@ -224,11 +176,7 @@ export class BunchView {
 		this.#canvas.removeEventListener("webglcontextlost", this.#onLost);
 		this.#canvas.removeEventListener("webglcontextrestored", this.#onRestored);
 		this.#turntable.dispose();
-		this.#surface.dispose();
-		this.#backdrop.dispose();
-		this.#shadow.dispose();
-		this.#receiverRecords.dispose();
-		this.#casterRecords.dispose();
+		this.#stage.dispose();
 		this.#renderer.dispose();
 	}
 
@@ -245,17 +193,9 @@ export class BunchView {
 		this.onContextRestored?.();
 	};
 
-	#showBerries(): void {
-		const shown = this.#mode === "whole";
-		this.#surface.berriesVisible = shown;
-		this.#shared.berriesShown.value = shown ? 1 : 0;
-		this.#surface.stemMaterial.uniforms.marking.value = shown ? 0 : 1;
-	}
-
 	#setSize(width: number, height: number): void {
 		this.#size = { width: Math.max(1, width), height: Math.max(1, height) };
 		this.#turntable.setAspect(this.#size.width / this.#size.height);
-		this.#backdrop.setAspect(this.#size.width / this.#size.height);
 	}
 
 	#frame(ratio: number, now: number): boolean {
@@ -264,29 +204,18 @@ export class BunchView {
 		return moving;
 	}
 
+	#prepare(ratio: number): void {
+		this.camera.updateMatrixWorld();
+		this.#renderer.setPixelRatio(ratio);
+		this.#renderer.setSize(this.#size.width, this.#size.height, false);
+	}
+
 	#draw(ratio: number): void {
 		if (this.#lost) return;
-		const { camera } = this;
-		const renderer = this.#renderer;
-		camera.updateMatrixWorld();
-		renderer.setPixelRatio(ratio);
-		renderer.setSize(this.#size.width, this.#size.height, false);
-		const receivers = this.#receivers;
-		if (receivers) {
-			aimLamps(this.#light, this.#rig, camera.matrixWorld);
-			const { key, rim } = this.#light;
-			const lamps = [
-				{ direction: this.#light.keyDirection.value.toArray(), spread: key.value.spread },
-				{ direction: this.#light.rimDirection.value.toArray(), spread: rim.value.spread },
-			] as const;
-			this.#casters.cast(receivers, lamps[0], lamps[1], this.#casterRecords.data);
-			this.#casterRecords.changed();
-			this.#surface.sort(camera);
-			this.#shadow.draw(renderer, camera, receivers, this.#turntable.paper, this.#mode === "whole");
-		}
-		renderer.render(this.#scene, camera);
+		this.#prepare(ratio);
+		this.#stage.draw(this.#renderer, this.camera, this.#turntable.paper);
 		this.#rendered++;
-		if (receivers && this.onFirstDraw) {
+		if (this.#stage.filled && this.onFirstDraw) {
 			this.onFirstDraw();
 			this.onFirstDraw = undefined;
 		}
@@ -300,6 +229,8 @@ function createRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
 	renderer.outputColorSpace = SRGBColorSpace;
 	renderer.toneMapping = NeutralToneMapping;
 	renderer.autoClearColor = false;
+	// Asking whether a program is sound waits until it is built: only where someone may have broken one.
+	renderer.debug.checkShaderErrors = import.meta.env.DEV;
 	return renderer;
 }
 

@@ -1,0 +1,124 @@
+import { type PerspectiveCamera, Scene, type WebGLRenderer } from "three";
+import type { Grown } from "../core/grown";
+import type { Look } from "../specimen/specimen";
+import { Backdrop } from "./backdrop";
+import { berryMaterial, setSkin } from "./berry_material";
+import { BunchSurface } from "./bunch_surface";
+import { CastShadow } from "./cast_shadow";
+import { CAST_RECORD, Casters } from "./casters";
+import { type LightRig, rigOf, spreadOf, type Theme } from "./light";
+import { aimLamps, lightUniforms, setRig } from "./light_shader";
+import { packReceivers, RECORD, type Receivers } from "./receivers";
+import { RecordTexture } from "./record_texture";
+import { REHEARSAL, REHEARSAL_LOOK } from "./rehearsal";
+import { berryTint, skinOf } from "./skin";
+import { setStem, stemMaterial } from "./stem_material";
+
+export type Mode = "whole" | "stems";
+
+/** The bunch, its light and the paper behind it: everything that is drawn, whatever it is drawn on. */
+export class Stage {
+	readonly scene = new Scene();
+	readonly #light = lightUniforms();
+	readonly #receiverRecords = new RecordTexture(RECORD);
+	readonly #casterRecords = new RecordTexture(CAST_RECORD);
+	readonly #shared = {
+		...this.#light,
+		receiverRecords: { value: this.#receiverRecords.texture },
+		casterRecords: { value: this.#casterRecords.texture },
+		berriesShown: { value: 1 },
+	};
+	readonly #surface = new BunchSurface(berryMaterial(this.#shared), stemMaterial(this.#shared));
+	readonly #shadow = new CastShadow(this.#shared);
+	readonly #backdrop = new Backdrop(this.#shadow.target.texture);
+	readonly #casters = new Casters();
+	#receivers: Receivers | undefined;
+	#rig: LightRig = rigOf("light");
+	#mode: Mode = "whole";
+
+	constructor() {
+		this.scene.add(this.#surface.group, this.#backdrop.mesh);
+	}
+
+	/**
+	 * Draws the paper alone, and in passing has every program built, while the bunch is still growing.
+	 * @param paper distance of the paper from the eye
+	 */
+	rehearse(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void {
+		this.show(REHEARSAL, REHEARSAL_LOOK);
+		this.draw(renderer, camera, paper);
+		this.#receivers = undefined;
+		this.#surface.group.visible = false;
+	}
+
+	/** Whether there is a bunch to draw. */
+	get filled(): boolean {
+		return this.#receivers !== undefined;
+	}
+
+	show(grown: Grown, look: Look): void {
+		const skin = skinOf(look);
+		setSkin(this.#surface.berryMaterial, skin);
+		setStem(this.#surface.stemMaterial, look.stem);
+		const count = grown.berries.count + grown.internodes.count;
+		this.#receiverRecords.reserve(count);
+		this.#casterRecords.reserve(count);
+		this.#shared.receiverRecords.value = this.#receiverRecords.texture;
+		this.#shared.casterRecords.value = this.#casterRecords.texture;
+		this.#receivers = packReceivers(grown, (berry) => berryTint(skin, berry), this.#receiverRecords.data);
+		this.#receiverRecords.changed();
+		this.#surface.show(grown);
+		this.#surface.group.visible = true;
+		this.#showBerries();
+	}
+
+	get mode(): Mode {
+		return this.#mode;
+	}
+
+	set mode(mode: Mode) {
+		this.#mode = mode;
+		this.#showBerries();
+	}
+
+	set theme(theme: Theme) {
+		this.#rig = rigOf(theme);
+		setRig(this.#light, this.#rig);
+		this.#backdrop.setRig(this.#rig);
+		this.#shadow.setLamp(this.#rig.shadow.direction, spreadOf(this.#rig.key));
+	}
+
+	/**
+	 * Draws everything. What depends on where the viewer stands (shadows, order) is settled here.
+	 * @param paper distance of the paper from the eye
+	 */
+	draw(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void {
+		this.#backdrop.setAspect(camera.aspect);
+		if (this.#receivers) {
+			aimLamps(this.#light, this.#rig, camera.matrixWorld);
+			const { key, rim, keyDirection, rimDirection } = this.#light;
+			const keyLamp = { direction: keyDirection.value.toArray(), spread: key.value.spread };
+			const rimLamp = { direction: rimDirection.value.toArray(), spread: rim.value.spread };
+			this.#casters.cast(this.#receivers, keyLamp, rimLamp, this.#casterRecords.data);
+			this.#casterRecords.changed();
+			this.#surface.sort(camera);
+			this.#shadow.draw(renderer, camera, this.#receivers, paper, this.#mode === "whole");
+		}
+		renderer.render(this.scene, camera);
+	}
+
+	dispose(): void {
+		this.#surface.dispose();
+		this.#backdrop.dispose();
+		this.#shadow.dispose();
+		this.#receiverRecords.dispose();
+		this.#casterRecords.dispose();
+	}
+
+	#showBerries(): void {
+		const shown = this.#mode === "whole";
+		this.#surface.berriesVisible = shown;
+		this.#shared.berriesShown.value = shown ? 1 : 0;
+		this.#surface.stemMaterial.uniforms.marking.value = shown ? 0 : 1;
+	}
+}
