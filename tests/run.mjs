@@ -1,6 +1,7 @@
 /**
  * `npm test`: every stage in turn, each timed, stopping at the first that fails. The last line says how many tests
- * passed and failed in all. Runs on a clean clone: nothing here may import a package.
+ * passed and failed in all. `npm test -- web types` runs the set-up and the stages named alone. Runs on a clean clone:
+ * nothing here may import a package.
  */
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
@@ -14,6 +15,8 @@ import { ToolchainError } from "../wasm-core/tools/toolchain.mjs";
 
 const reports = join(buildFolder, "reports");
 const show = process.stdout;
+// The programs below write to a pipe, and some would colour even that.
+if (!show.isTTY) process.env.NO_COLOR = "1";
 
 /** A stage that says what is wrong with the code, as opposed to one that went wrong itself. */
 class StageError extends Error {}
@@ -70,17 +73,24 @@ async function endToEndTests() {
 	return { passed: stats.expected + stats.flaky, failed: Math.max(stats.unexpected, status === 0 ? 0 : 1) };
 }
 
-const stages = [
+const all = [
 	["set-up", () => setUp("test")],
-	["generated files", generatedFiles],
-	["format and lint", () => mustSucceed("wasm-core/tools/format.mjs", ["--check"])],
+	["generated", generatedFiles],
+	["layout", () => mustSucceed("wasm-core/tools/format.mjs", ["--check"])],
 	["types", () => mustSucceed("node_modules/typescript/bin/tsc", ["--noEmit"])],
-	["core, native with sanitizers", nativeTests],
-	["core, wasm", () => buildCore("wasm", ["all"])],
+	["native core", nativeTests],
+	["wasm core", () => buildCore("wasm", ["all"])],
 	["web", webTests],
 	["app", () => mustSucceed("node_modules/vite/bin/vite.js", ["build"])],
-	["end to end", endToEndTests],
+	["e2e", endToEndTests],
 ];
+const named = process.argv.slice(2);
+const unknown = named.filter((name) => !all.some(([stage]) => stage === name));
+if (unknown.length > 0) {
+	console.error(`No stage “${unknown.join("”, “")}”; there are: ${all.map(([stage]) => stage).join(", ")}.`);
+	process.exit(2);
+}
+const stages = named.length > 0 ? all.filter(([stage], i) => i === 0 || named.includes(stage)) : all;
 
 /** Runs one stage and says how it went. */
 async function runStage([name, work]) {
@@ -100,9 +110,9 @@ async function runStage([name, work]) {
 function table(results) {
 	const rows = stages.map(([name]) => {
 		const result = results.find((r) => r.name === name);
-		if (!result) return `  ${name.padEnd(30)} not run`;
+		if (!result) return `  ${name.padEnd(12)} not run`;
 		const tests = result.passed + result.failed > 0 ? `${result.passed} passed, ${result.failed} failed` : "";
-		return `  ${name.padEnd(30)} ${result.seconds.toFixed(1).padStart(6)} s  ${tests || "ok"}`;
+		return `  ${name.padEnd(12)} ${result.seconds.toFixed(1).padStart(6)} s  ${tests || "ok"}`;
 	});
 	return rows.join("\n");
 }
