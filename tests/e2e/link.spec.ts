@@ -64,3 +64,12 @@ test("choosing a preset from the gallery is a link and one undo step", async ({ 
 	await studio.button("Undo").click();
 	await expect(studio.fingerprint).toHaveText(first);
 });
+
+test("inputs that a link sets are shown, and can follow the profile again", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?m=3&n=1,2");
+	await expect(studio.readout("Rachis segments")).toHaveText("3");
+	await expect(page.getByText("in place of the profile: m = 3; n = 1, 2.")).toBeVisible();
+	await studio.regrown(() => studio.button("Follow the profile").click());
+	await expect(studio.readout("Rachis segments")).toHaveText("18");
+	await expect(page).not.toHaveURL(/[?&]m=/);
+});

@@ -34,13 +34,23 @@ test("stems only leaves the berries away", async ({ page }) => {
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(whole / 2);
 });
 
-test("the octahedron shows its handles in 3-D", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
-	const plain = await studio.canvas.screenshot();
+test("the octahedron's handles can be dragged in 3-D, as one undo step", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=grape-15b");
+	const first = await studio.fingerprint.innerText();
 	await studio.button("Octahedron").click();
 	await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "true");
-	await expect.poll(async () => (await studio.canvas.screenshot()).equals(plain)).toBe(false);
+	await expect.poll(() => studio.lowestHandle()).toBeDefined();
+	const tip = await studio.lowestHandle();
+	if (!tip) throw new Error("no handle to be seen");
+	await page.mouse.move(tip.x, tip.y);
+	await page.mouse.down();
+	await studio.regrown(() => page.mouse.move(tip.x, tip.y - 30, { steps: 4 }));
+	await page.mouse.up();
+	await expect(page).toHaveURL(/[?&]l=\d+/);
+	expect(Number(await studio.slider("Length").inputValue())).toBeLessThan(377);
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(studio.button("Undo")).toBeDisabled();
 });
 
 test("the help lists the keys and gives the focus back", async ({ page }) => {
@@ -54,7 +64,7 @@ test("the help lists the keys and gives the focus back", async ({ page }) => {
 
 test("what has grown is told to a screen reader once it rests", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
-	await studio.slider("Length").press("PageDown");
+	await studio.regrown(() => studio.slider("Length").press("PageDown"));
 	const words = `${await studio.readout("Berries").innerText()} berries`;
 	await expect(page.locator("panicle-speaker [role=status]")).toContainText(words);
 });

@@ -86,19 +86,41 @@ export class StudioPage {
 
 	/** The share of the view's pixels that are dark: berries and stems on the light paper. */
 	async inkOnCanvas(): Promise<number> {
+		const { data } = await this.pixels();
+		let dark = 0;
+		for (let at = 0; at < data.length; at += 4) if (data[at] + data[at + 1] + data[at + 2] < 360) dark++;
+		return dark / (data.length / 4);
+	}
+
+	/** Where on the page the lowest handle of the octahedron is: the lowest patch of the accent's colour. */
+	async lowestHandle(): Promise<{ x: number; y: number } | undefined> {
+		const { data, width } = await this.pixels();
+		const near = (at: number) =>
+			Math.abs(data[at] - 123) + Math.abs(data[at + 1] - 30) + Math.abs(data[at + 2] - 59) < 24;
+		let last = data.length - 4;
+		while (last >= 0 && !near(last)) last -= 4;
+		if (last < 0) return undefined;
+		const box = await this.canvas.boundingBox();
+		const pixel = last / 4;
+		return { x: (box?.x ?? 0) + (pixel % width), y: (box?.y ?? 0) + Math.floor(pixel / width) - 2 };
+	}
+
+	/** What the view shows, read from a screenshot: a WebGL canvas keeps no pixels to ask for. */
+	private async pixels(): Promise<{ width: number; data: Uint8Array }> {
 		const picture = await this.canvas.screenshot();
-		return this.page.evaluate(async (base64) => {
-			const bytes = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0));
+		const { width, base64 } = await this.page.evaluate(async (png) => {
+			const bytes = Uint8Array.from(atob(png), (char) => char.charCodeAt(0));
 			const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
 			const context = new OffscreenCanvas(image.width, image.height).getContext(
 				"2d",
 			) as OffscreenCanvasRenderingContext2D;
 			context.drawImage(image, 0, 0);
 			const { data } = context.getImageData(0, 0, image.width, image.height);
-			let dark = 0;
-			for (let at = 0; at < data.length; at += 4) if (data[at] + data[at + 1] + data[at + 2] < 360) dark++;
-			return dark / (data.length / 4);
+			let text = "";
+			for (let at = 0; at < data.length; at += 8192) text += String.fromCharCode(...data.subarray(at, at + 8192));
+			return { width: image.width, base64: btoa(text) };
 		}, picture.toString("base64"));
+		return { width, data: Buffer.from(base64, "base64") };
 	}
 
 	/** Pixels by which the page is wider than its window. */

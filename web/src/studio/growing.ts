@@ -1,4 +1,4 @@
-import { type Client, createClient } from "../core/client";
+import type { Client } from "../core/client";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../core/errors";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
@@ -8,7 +8,6 @@ const PATIENCE = 200;
 
 /** Keeps the studio's bunch in step with its specimen: asks the client, hands over what grew, says what went wrong. */
 export class Growing {
-	readonly #client: Client;
 	/** The newest request; older answers are shown too while a drag goes on, so that every frame is the latest there is. */
 	#newest = 0;
 	#shown = 0;
@@ -16,11 +15,9 @@ export class Growing {
 	#timer: ReturnType<typeof setTimeout> | undefined;
 
 	constructor(
+		private readonly client: Pick<Client, "grow">,
 		private readonly studio: () => Studio,
-		client: { wasmUrl: string | URL },
-	) {
-		this.#client = createClient({ ...client, onNote: (text) => console.info(text) });
-	}
+	) {}
 
 	/** Grows a specimen; a newer call takes its place. */
 	async grow(specimen: Specimen): Promise<void> {
@@ -28,7 +25,7 @@ export class Growing {
 		this.#cancel ??= new AbortController();
 		this.#timer ??= this.#patience();
 		try {
-			const grown = await this.#client.grow(specimen, { signal: this.#cancel.signal });
+			const grown = await this.client.grow(specimen, { signal: this.#cancel.signal });
 			if (turn < this.#shown) return;
 			this.#shown = turn;
 			this.#answered(turn);

@@ -1,5 +1,6 @@
 /** The application's start: wires the store to the worker, the address bar and the page, and nothing else. */
 import coreUrl from "../../../build/core/panicle.wasm?url";
+import { createClient } from "../core/client";
 import { presetNamed } from "../specimen/presets/index";
 import { readAddress, readWholeAddress, writeAddress } from "./address";
 import { Growing } from "./growing";
@@ -24,7 +25,8 @@ import "./parts/variation";
 import "./parts/view_switch";
 
 // The core's fetch, its worker and the 3-D view's script start together; the page is drawn meanwhile.
-const growing = new Growing(() => studio, { wasmUrl: coreUrl });
+const client = createClient({ wasmUrl: coreUrl, onNote: (text) => console.info(text) });
+const growing = new Growing(client, () => studio);
 void loadScene();
 
 const ui = loadUi(localStorageOr());

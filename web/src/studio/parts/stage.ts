@@ -25,10 +25,10 @@ export class Stage extends StudioElement {
 	});
 
 	protected override draw(studio: Studio): unknown {
-		const { failure, growing, grown, grownFrom } = studio.state;
+		const { failure, growing, grown, grownFrom, ui } = studio.state;
 		const description = grown && grownFrom ? `Grape bunch: ${bunchInWords(grown, grownFrom)}` : "Grape bunch, growing";
 		return html`<canvas
-				class="stage-surface" tabindex="0" role="img" aria-label=${description} @keydown=${this.#press}
+				class="stage-surface ${ui.octahedron ? "handles" : ""}" tabindex="0" role="img" aria-label=${description} @keydown=${this.#press}
 			></canvas>
 			${grown ? caption(studio) : nothing}
 			${this.trouble && !failure ? message(this.trouble.title, [this.trouble.text]) : nothing}

@@ -1,0 +1,108 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
+import type { Grown } from "../../../web/src/core/grown";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { Growing } from "../../../web/src/studio/growing";
+import type { Studio } from "../../../web/src/studio/studio";
+
+const specimen = (seed: number) => ({ ...specimenFromPreset("duku"), seed });
+const bunch = (fingerprint: string) => ({ fingerprint }) as Grown;
+
+describe("growing", () => {
+	interface Call {
+		resolve(grown: Grown): void;
+		reject(reason: unknown): void;
+		signal: AbortSignal;
+	}
+	let calls: Call[];
+	const studio = { grew: vi.fn(), setGrowing: vi.fn(), notify: vi.fn(), fail: vi.fn() };
+	let growing: Growing;
+
+	beforeEach(() => {
+		vi.useFakeTimers();
+		vi.clearAllMocks();
+		calls = [];
+		const client = {
+			grow: (_specimen: unknown, { signal }: { signal?: AbortSignal } = {}) =>
+				new Promise<Grown>((resolve, reject) => {
+					calls.push({ resolve, reject, signal: signal as AbortSignal });
+					signal?.addEventListener("abort", () => reject(signal.reason));
+				}),
+		};
+		growing = new Growing(client, () => studio as unknown as Studio);
+	});
+	afterEach(() => vi.useRealTimers());
+
+	it("hands over what grew, with what it grew from", async () => {
+		const done = growing.grow(specimen(1));
+		calls[0].resolve(bunch("a"));
+		await done;
+		expect(studio.grew).toHaveBeenCalledExactlyOnceWith(bunch("a"), specimen(1));
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(studio.setGrowing).not.toHaveBeenCalledWith(true);
+	});
+
+	it("shows every answer of a drag, but never an older one after a newer", async () => {
+		const all = [growing.grow(specimen(1)), growing.grow(specimen(2)), growing.grow(specimen(3))];
+		calls[0].resolve(bunch("a"));
+		calls[2].resolve(bunch("c"));
+		await vi.advanceTimersByTimeAsync(0);
+		calls[1].resolve(bunch("b"));
+		await Promise.all(all);
+		expect(studio.grew.mock.calls.map(([{ fingerprint }]) => fingerprint)).toEqual(["a", "c"]);
+	});
+
+	it("says that it grows when an answer takes long, not when a drag does", async () => {
+		for (let seed = 1; seed <= 10; seed++) {
+			void growing.grow(specimen(seed));
+			await vi.advanceTimersByTimeAsync(100);
+			calls[seed - 1].resolve(bunch(`${seed}`));
+		}
+		await vi.advanceTimersByTimeAsync(0);
+		expect(studio.setGrowing).not.toHaveBeenCalledWith(true);
+		void growing.grow(specimen(11));
+		await vi.advanceTimersByTimeAsync(250);
+		expect(studio.setGrowing).toHaveBeenLastCalledWith(true);
+		calls[10].resolve(bunch("11"));
+		await vi.advanceTimersByTimeAsync(0);
+		expect(studio.setGrowing).toHaveBeenLastCalledWith(false);
+	});
+
+	it("cancels, says so once, and grows again afterwards", async () => {
+		const first = growing.grow(specimen(1));
+		const second = growing.grow(specimen(2));
+		growing.cancel();
+		await Promise.all([first, second]);
+		expect(studio.notify).toHaveBeenCalledOnce();
+		expect(studio.notify.mock.lastCall?.[0]).toMatch(/cancelled/);
+		const third = growing.grow(specimen(3));
+		expect(calls[2].signal.aborted).toBe(false);
+		calls[2].resolve(bunch("c"));
+		await third;
+		expect(studio.grew).toHaveBeenCalledOnce();
+	});
+
+	it("keeps quiet about what was superseded, and about the failure of what is no longer wanted", async () => {
+		const first = growing.grow(specimen(1));
+		const second = growing.grow(specimen(2));
+		calls[0].reject(new CoreError("limit", "too large"));
+		calls[1].reject(new Superseded());
+		await Promise.all([first, second]);
+		expect(studio.notify).not.toHaveBeenCalled();
+		expect(studio.fail).not.toHaveBeenCalled();
+	});
+
+	it.each([
+		[new CoreError("syntax", "unexpected )", 3, 7), "notify", "Line 3, column 7 of the grammar: unexpected )"],
+		[new CoreError("limit", "too large"), "notify", "too large"],
+		[new CoreTrap("unreachable"), "notify", "The last bunch stays"],
+		[new UnsupportedError("fetch", "no core"), "fail", "no core"],
+		[new Error("odd"), "fail", "odd"],
+	] as const)("explains %o", async (error, how, words) => {
+		const done = growing.grow(specimen(1));
+		calls[0].reject(error);
+		await done;
+		expect(studio[how]).toHaveBeenCalledOnce();
+		expect(JSON.stringify(studio[how].mock.lastCall)).toContain(words);
+	});
+});
