@@ -1,5 +1,5 @@
 import { ShaderMaterial, Vector3 } from "three";
-import { LIGHT_CHUNK, type LightUniforms, RECORD_CHUNK } from "./light_shader";
+import { LIGHT_CHUNK, type LightUniforms, NOISE_CHUNK, RECORD_CHUNK } from "./light_shader";
 import { NEIGHBOURS } from "./receivers";
 import type { Skin } from "./skin";
 
@@ -45,6 +45,7 @@ uniform float bloom;
 uniform float rind;
 ${RECORD_CHUNK}
 ${LIGHT_CHUNK}
+${NOISE_CHUNK}
 
 // What is left of light that entered on the far side: its path through the ball is a chord.
 vec3 through(float chord) {

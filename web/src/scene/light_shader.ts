@@ -197,7 +197,10 @@ vec3 bounced(float visible, vec3 albedo) {
 	vec3 c = 2.7552 * albedo + 0.6903;
 	return max(vec3(visible), ((visible * a + b) * visible + c) * visible);
 }
+`;
 
+/** Noise, for fragment shaders. */
+export const NOISE_CHUNK = /* glsl */ `
 float hash(ivec3 cell) {
 	uvec3 c = uvec3(cell) * uvec3(0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u);
 	uint h = (c.x ^ (c.y >> 7u) ^ (c.y << 9u) ^ (c.z >> 13u) ^ (c.z << 3u)) * 0x27d4eb2du;

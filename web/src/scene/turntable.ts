@@ -54,9 +54,17 @@ export class Turntable {
 		return this.camera.position.distanceTo(this.controls.target);
 	}
 
-	/** Distance from the eye to a paper that stands behind the bunch, clear of its outermost berries. */
+	/** Distance from the eye to a paper that stands behind the bunch, clear of it however it is tilted. */
 	get paper(): number {
-		return this.distance + 1.25 * (this.#fit?.breadth ?? 0.05);
+		const { breadth, radius } = this.#fit ?? { breadth: 0.05, radius: 0.1 };
+		const elevation = this.#elevation;
+		return this.distance + 1.2 * (breadth * Math.cos(elevation) + radius * Math.abs(Math.sin(elevation)));
+	}
+
+	/** Angle of the camera over the target's horizon, radians. */
+	get #elevation(): number {
+		const arm = this.camera.position.clone().sub(this.controls.target);
+		return Math.PI / 2 - new Spherical().setFromVector3(arm).phi;
 	}
 
 	setAspect(aspect: number): void {
@@ -148,9 +156,7 @@ export class Turntable {
 	}
 
 	#fitNow(spindle: Spindle): Fit {
-		const arm = this.camera.position.clone().sub(this.controls.target);
-		const elevation = Math.PI / 2 - new Spherical().setFromVector3(arm).phi;
-		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, elevation);
+		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#elevation);
 	}
 
 	#glideTo(fit: Fit): void {
