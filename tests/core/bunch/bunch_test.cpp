@@ -209,6 +209,27 @@ TEST_CASE("the second bunch is the first's profile times the wing") {
   CHECK(!grown(request_for(shouldered())).second);
 }
 
+TEST_CASE("a second bunch finds room beside any grape of the paper") {
+  for (std::size_t row = 0; row < 9; ++row) {
+    CAPTURE(table3[row].name);
+    for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+      Request request = request_for(table3[row].profile(), seed);
+      set(request, Parameter::wing, 0.6f);
+      const Grown bunch = grown(request);
+      std::size_t rachis = 0, berries = 0;
+      for (const Internode& internode : bunch.internodes) rachis += internode.kind == Kind::rachis;
+      for (const Berry& berry : bunch.berries)
+        berries += bunch.internodes[static_cast<std::size_t>(berry.parent)].axis >= bunch.plan.m - 1;
+      CHECK(rachis == static_cast<std::size_t>(bunch.plan.m + bunch.second->m - 2));
+      CHECK(berries >= 4);
+      // The first bunch hangs as straight as it would alone.
+      for (const Internode& internode : bunch.internodes)
+        if (internode.kind == Kind::rachis && internode.axis < 0 && internode.start.x == 0) CHECK(internode.end.x <= 0);
+      CHECK(worst_overlap(bunch) == 0);
+    }
+  }
+}
+
 TEST_CASE("adding an axis leaves the berries' radii where they were") {
   Profile profile = shouldered();
   const Grown before = grown(request_for(profile));

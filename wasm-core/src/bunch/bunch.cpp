@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -109,26 +111,45 @@ lsystem::Inputs inputs_for(const Shape& shape, const Values& values) {
   return inputs;
 }
 
-struct Strain {
-  std::string_view grammar;
+// One bunch of the specimen, derived and ready to be interpreted.
+struct Stock {
+  std::shared_ptr<const lsystem::Program> program;
+  std::shared_ptr<const lsystem::String> string;
   std::uint64_t seed = 0;
   std::int32_t first_axis = 0;
   float lean = 0;  // degrees that the whole bunch leans to the left
 };
 
-// Derives one bunch and interprets it into the growth, among what stands there already.
-Diagnostic grow_one(const Strain& strain, const Shape& shape, const Values& values, const Limits& limits,
-                    Growth& growth) {
-  const auto program = lsystem::compile(strain.grammar, inputs_for(shape, values), limits, lsystem::Lineages::always);
+Result<Stock> derive_stock(std::string_view grammar, std::uint64_t seed, const Shape& shape, const Values& values,
+                           const Limits& limits) {
+  auto program = lsystem::compile(grammar, inputs_for(shape, values), limits, lsystem::Lineages::always);
   if (!program) return program.error();
-  const auto derived = lsystem::unfold(*program.value(), strain.seed, limits);
+  auto derived = lsystem::unfold(*program.value(), seed, limits);
   if (!derived) return derived.error();
-  growth.begin(*program.value(), strain.seed, strain.first_axis);
+  return Stock{std::move(program.value()), std::move(derived->string), seed};
+}
+
+// Interprets a bunch into the growth, among what stands there already.
+Diagnostic interpret(const Stock& stock, const Limits& limits, Growth& growth) {
+  growth.begin(*stock.program, stock.seed, stock.first_axis);
   lsystem::Turtle turtle;
-  lsystem::turn(turtle, -strain.lean);
-  const auto drawn = lsystem::interpret(*program.value(), *derived->string, turtle, growth, strain.seed, limits);
-  if (!drawn) return drawn.error();
-  return growth.trouble();
+  lsystem::turn(turtle, -stock.lean);
+  const auto drawn = lsystem::interpret(*stock.program, *stock.string, turtle, growth, stock.seed, limits);
+  return drawn ? growth.trouble() : drawn.error();
+}
+
+// One bunch, or two on one peduncle. The second's rachis is laid first, for it would find no way through the first's
+// berries; the berries of both come later, as in nature.
+Diagnostic interpret_all(const Stock& first, const Stock* second, const Limits& limits, Growth& growth) {
+  Diagnostic trouble;
+  if (second) {
+    growth.begin_laying();
+    trouble = interpret(*second, limits, growth);
+    growth.end_laying();
+  }
+  if (trouble.reason == Reason::none) trouble = interpret(first, limits, growth);
+  if (trouble.reason == Reason::none && second) trouble = interpret(*second, limits, growth);
+  return trouble;
 }
 
 void to_metres(std::vector<Internode>& internodes, std::vector<Berry>& berries, float scale) {
@@ -214,22 +235,27 @@ Result<Grown> grow(const Request& request, const Limits& limits) {
   auto shape = asked ? asked_shape(request, profile) : Result<Shape>(shape_of(profile, values[fit]));
   if (!shape) return shape.error();
 
-  const InteractionOptions interaction{values[delta], static_cast<std::uint32_t>(values[t]), values[sag]};
-  Growth growth(interaction, limits, std::max(values[rmin], values[rmax]));
-  Strain strain{request.grammar.empty() ? builtin_grammar(3) : request.grammar, request.seed, 0, 0};
-  Diagnostic trouble = grow_one(strain, shape.value(), values, limits, growth);
-  if (trouble.reason != Reason::none) return trouble;
+  const std::string_view grammar = request.grammar.empty() ? builtin_grammar(3) : request.grammar;
+  const auto first = derive_stock(grammar, request.seed, shape.value(), values, limits);
+  if (!first) return first.error();
   grown.plan = std::move(shape->plan);
 
+  std::optional<Stock> second;
   if (values[wing] > 0) {
-    Shape second = shape_of(scaled(profile, values[wing]), values[fit]);
-    strain.seed = hash_combine(strain.seed, hash_text("second bunch"));
-    strain.first_axis = grown.plan.m - 1;
-    strain.lean = values[wing_angle];
-    trouble = grow_one(strain, second, values, limits, growth);
-    if (trouble.reason != Reason::none) return trouble;
-    grown.second = std::move(second.plan);
+    Shape smaller = shape_of(scaled(profile, values[wing]), values[fit]);
+    const std::uint64_t seed = hash_combine(request.seed, hash_text("second bunch"));
+    auto stock = derive_stock(grammar, seed, smaller, values, limits);
+    if (!stock) return stock.error();
+    second = std::move(stock.value());
+    second->first_axis = grown.plan.m - 1;
+    second->lean = values[wing_angle];
+    grown.second = std::move(smaller.plan);
   }
+
+  const InteractionOptions interaction{values[delta], static_cast<std::uint32_t>(values[t]), values[sag]};
+  Growth growth(interaction, limits, std::max(values[rmin], values[rmax]));
+  const Diagnostic trouble = interpret_all(first.value(), second ? &*second : nullptr, limits, growth);
+  if (trouble.reason != Reason::none) return trouble;
 
   to_metres(growth.internodes, growth.berries, values[unit] * metres_per_millimetre);
   grown.internodes = std::move(growth.internodes);

@@ -79,21 +79,41 @@ void Growth::ask(const lsystem::Turtle& turtle, std::span<float> parameters, con
   if (turtle.line >= 0) newborn.parent = tips_[first_internode_ + turtle.line];
   newborn.tie = random_direction(seed_, hash_text("tie"), lineage.address);
 
-  const bool room_left = within(structure_.spheres().size(), limits_.spheres, "spheres");
-  const Room room = room_left ? find_room(structure_, turtle, newborn, options_) : Room{};
+  const Laid* const laid = find_laid(lineage.address);
+  Room room;
+  if (laid)
+    room = laid->room;
+  else if ((!laying_ || is_rachis(lineage.parent)) && within(structure_.spheres().size(), limits_.spheres, "spheres"))
+    room = find_room(structure_, turtle, newborn, options_);
   parameters[slots.theta] = room.theta;
   if (slots.phi) parameters[slots.phi] = room.phi;
   answered_ = {true, pedicel, !room.found, width, SphereGrid::no_sphere};
   if (room.found) {
-    const std::uint32_t sphere = structure_.add(room.sphere);
+    const std::uint32_t sphere = laid ? laid->tip : structure_.add(room.sphere);
     if (!pedicel) answered_.tip = sphere;
+    if (laying_) laid_.push_back({seed_, lineage.address, room, sphere});
   } else if (pedicel) {
     length = constants_.withered_length;
   } else {
     length = 0;
-    ++cuts;
+    if (!laying_) ++cuts;
     answered_ = {};
   }
+}
+
+void Growth::begin_laying() { laying_ = true; }
+
+void Growth::end_laying() {
+  laying_ = false;
+  internodes.resize(static_cast<std::size_t>(first_internode_));
+  tips_.resize(internodes.size());
+  rachis_depth_.resize(internodes.size());
+}
+
+const Growth::Laid* Growth::find_laid(std::uint64_t address) const {
+  for (const Laid& laid : laid_)
+    if (laid.seed == seed_ && laid.address == address) return &laid;
+  return nullptr;
 }
 
 void Growth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,

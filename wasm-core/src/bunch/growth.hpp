@@ -23,6 +23,11 @@ class Growth final : public lsystem::Listener {
   // The next interpretation's program and seed; its first-order axes count on from `first_axis`.
   void begin(const lsystem::Program& program, std::uint64_t seed, std::int32_t first_axis);
 
+  // Between the two, an interpretation lays its rachis and nothing else: it takes its room, and the same text
+  // interpreted later finds it again. What grows in between has to make way.
+  void begin_laying();
+  void end_laying();
+
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
   void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
@@ -54,6 +59,15 @@ class Growth final : public lsystem::Listener {
     std::uint32_t tip = SphereGrid::no_sphere;
   };
 
+  // A rachis internode laid before its time: the interpretation's seed and the address of its module tell which.
+  struct Laid {
+    std::uint64_t seed = 0;
+    std::uint64_t address = 0;
+    Room room;
+    std::uint32_t tip = SphereGrid::no_sphere;
+  };
+
+  const Laid* find_laid(std::uint64_t address) const;
   void label(Internode& internode, const lsystem::Lineage& lineage) const;
   bool within(std::size_t count, std::uint32_t limit, const char* what);
 
@@ -66,6 +80,8 @@ class Growth final : public lsystem::Listener {
   std::uint64_t seed_ = 0;
   std::int32_t first_internode_ = 0;  // of this interpretation
   std::int32_t first_axis_ = 0;
+  bool laying_ = false;
+  std::vector<Laid> laid_;
   std::vector<std::uint32_t> tips_;         // per internode: the sphere at its tip, or none
   std::vector<std::int32_t> rachis_depth_;  // per internode: how many rachis internodes lie above it
 };

@@ -1,0 +1,111 @@
+/**
+ * What the built page costs in the system's Chromium: its first load, and a drag from event to new buffers. Drawing is
+ * SwiftShader's here, so the drag is timed before it: the studio measures every regrowth as "regrow".
+ */
+import { join } from "node:path";
+import { chromium } from "@playwright/test";
+import { build, preview } from "vite";
+import { modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
+import { locate } from "../../wasm-core/tools/toolchain.mjs";
+import { firstLoad, gzipped } from "./sizes.mjs";
+import { median, printTable } from "./statistics.mjs";
+
+const LOADS = 5;
+const DRAG_STEPS = 60;
+const FRAME = 1000 / 60;
+const dist = join(repository, "dist");
+const viewport = { width: 1024, height: 640 };
+
+export async function benchBrowser() {
+	await build({ root: join(repository, "web"), configFile: join(repository, "vite.config.ts"), logLevel: "warn" });
+	const server = await preview({
+		configFile: join(repository, "vite.config.ts"),
+		preview: { port: 5391, host: "localhost" },
+		logLevel: "warn",
+	});
+	const browser = await chromium.launch({
+		executablePath: locate(["chromium"]).found.chromium,
+		args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+	});
+	try {
+		const address = server.resolvedUrls.local[0];
+		benchSizes(await benchLoad(browser, address));
+		await benchDrag(browser, address);
+	} finally {
+		await browser.close();
+		await server.close();
+	}
+}
+
+/** Times warm loads; gives the paths that the first one asked for. */
+async function benchLoad(browser, address) {
+	const context = await browser.newContext({ viewport });
+	const asked = new Set();
+	const marks = [];
+	const frames = [];
+	for (let load = 0; load <= LOADS; load++) {
+		const page = await context.newPage();
+		page.on("request", (request) => load === 0 && asked.add(new URL(request.url()).pathname.slice(1)));
+		await page.goto(address);
+		await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
+		const drawn = await page.evaluate(
+			() =>
+				new Promise((resolve) => {
+					const mark = performance.getEntriesByName("first-bunch")[0].startTime;
+					requestAnimationFrame(() => requestAnimationFrame(() => resolve({ mark, frame: performance.now() })));
+				}),
+		);
+		if (load > 0) {
+			marks.push(drawn.mark);
+			frames.push(drawn.frame);
+		}
+		await page.close();
+	}
+	await context.close();
+	printTable(`First load, warm, 1024 × 640, SwiftShader, medians of ${LOADS} (aims 1000 and 2000 ms)`, [
+		["", "ms"],
+		["first draw submitted (mark first-bunch)", median(marks).toFixed(0)],
+		["first frame done", median(frames).toFixed(0)],
+	]);
+	return [...asked].map((path) => path || "index.html");
+}
+
+function benchSizes(asked) {
+	const files = firstLoad(dist, asked);
+	const total = files.reduce((sum, { bytes }) => sum + bytes, 0);
+	const kilobytes = (bytes) => (bytes / 1000).toFixed(1);
+	printTable("Size, gzipped, kB (aims: core 100, first load 400)", [
+		["file", "kB"],
+		["core, panicle.wasm", kilobytes(gzipped(join(modulesFolder, "panicle.wasm")))],
+		...files.filter(({ bytes }) => bytes > 500).map(({ path, bytes }) => [`  ${path}`, kilobytes(bytes)]),
+		["first load", kilobytes(total)],
+	]);
+}
+
+/** Drags p3 of the front view and reads how long each regrowth took from the request to the arrival of its buffers. */
+async function benchDrag(browser, address) {
+	const page = await browser.newPage({ viewport });
+	await page.goto(`${address}?v=1&preset=winged-cylindrical`);
+	await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
+	const handle = page.getByRole("button", { name: /^p3, right/ }).first();
+	const box = await handle.boundingBox();
+	const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+	await page.evaluate(() => performance.clearMeasures("regrow"));
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	for (let step = 1; step <= DRAG_STEPS; step++) {
+		await page.mouse.move(x - 20 * Math.sin(step / 8), y + 10 * Math.cos(step / 5));
+		await page.waitForTimeout(FRAME);
+	}
+	await page.mouse.up();
+	await page.waitForTimeout(500);
+	const times = await page.evaluate(() => performance.getEntriesByName("regrow").map(({ duration }) => duration));
+	await page.close();
+	const within = times.filter((time) => time <= FRAME).length;
+	printTable(`Drag of winged-cylindrical, ${times.length} regrowths (aim: within ${FRAME.toFixed(1)} ms)`, [
+		["", "ms"],
+		["median, event to new buffers", median(times).toFixed(1)],
+		["95th percentile", [...times].sort((a, b) => a - b)[Math.floor(times.length * 0.95)].toFixed(1)],
+		["within one 60 Hz frame", `${within} of ${times.length}`],
+	]);
+}
