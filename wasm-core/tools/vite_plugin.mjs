@@ -45,7 +45,7 @@ async function rebuild(server, state) {
 	const { logger } = server.config;
 	const from = performance.now();
 	try {
-		await generate({ write: true });
+		generate({ write: true });
 		const { changed } = await buildCore();
 		const seconds = ((performance.now() - from) / 1000).toFixed(1);
 		logger.info(`core ${changed ? "built" : "unchanged"} in ${seconds} s`, { timestamp: true });
