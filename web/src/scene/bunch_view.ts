@@ -156,6 +156,7 @@ export class BunchView {
 
 	/** The present view as a PNG of the given size in pixels. */
 	snapshot(width: number, height: number): Promise<Blob> {
+		if (this.#lost) return Promise.reject(new Error("The GPU has been lost; try again when the bunch is back."));
 		const { width: shownWidth, height: shownHeight } = this.#size;
 		this.#setSize(width, height);
 		this.#draw(1);

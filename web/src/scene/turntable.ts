@@ -24,7 +24,11 @@ export class Turntable {
 	readonly camera = new PerspectiveCamera(FOV, 1, 0.01, 10);
 	readonly controls: OrbitControls;
 	#fit: Fit | undefined;
+	/** The bunch shown, and the one that `#fit` fits. */
 	#spindle: Spindle | undefined;
+	#fitted: Spindle | undefined;
+	/** Fits are for the elevation of the direction last asked for, so that turning the bunch changes none. */
+	#fitElevation = MathUtils.degToRad(ELEVATION);
 	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
 
 	/** @param changed called when the view moves and must be drawn again */
@@ -72,9 +76,9 @@ export class Turntable {
 		this.camera.aspect = aspect;
 		this.camera.updateProjectionMatrix();
 		// A window that changes shape keeps the bunch as large in it as it was.
-		if (this.#spindle && before) {
+		if (this.#fitted && before) {
 			const zoom = this.distance / before.distance;
-			this.#fit = this.#fitNow(this.#spindle);
+			this.#fit = this.#fitOf(this.#fitted);
 			this.#setDistance(this.#fit.distance * zoom);
 			this.#setLimits();
 		}
@@ -83,7 +87,7 @@ export class Turntable {
 	/** Takes note of the bunch shown. The view follows only when it must, gliding, and never while `held`. */
 	follow(spindle: Spindle, held: boolean): void {
 		this.#spindle = spindle;
-		const now = this.#fitNow(spindle);
+		const now = this.#fitOf(spindle);
 		if (this.#fit === undefined) this.fit();
 		else if (!held && needsRefit(this.#fit, now)) this.#glideTo(now);
 	}
@@ -92,8 +96,10 @@ export class Turntable {
 	fit(view: ViewName = "three-quarter"): void {
 		this.#glide = undefined;
 		this.#place(VIEWS[view]);
+		this.#fitElevation = MathUtils.degToRad(VIEWS[view].elevation);
 		if (this.#spindle) {
-			this.#fit = this.#fitNow(this.#spindle);
+			this.#fitted = this.#spindle;
+			this.#fit = this.#fitOf(this.#spindle);
 			this.controls.target.fromArray(this.#fit.target);
 			this.#place(VIEWS[view]);
 			this.#setDistance(this.#fit.distance);
@@ -155,13 +161,14 @@ export class Turntable {
 		this.controls.dispose();
 	}
 
-	#fitNow(spindle: Spindle): Fit {
-		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#elevation);
+	#fitOf(spindle: Spindle): Fit {
+		return fitView(spindle, MathUtils.degToRad(FOV), this.camera.aspect, MARGIN, this.#fitElevation);
 	}
 
 	#glideTo(fit: Fit): void {
 		const zoom = this.#fit ? this.distance / this.#fit.distance : 1;
 		this.#fit = fit;
+		this.#fitted = this.#spindle;
 		this.controls.minDistance = 0;
 		this.controls.maxDistance = Infinity;
 		this.#glide = {

@@ -1,0 +1,92 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { spindleOf } from "../../../web/src/scene/camera_fit";
+import { Turntable } from "../../../web/src/scene/turntable";
+import { sampleBunch } from "./sample_bunch";
+
+const spindle = (count: number, length: number) => {
+	const bunch = sampleBunch(count, 1, length);
+	return spindleOf(bunch.berries.spheres, bunch.internodes.ends);
+};
+
+/** As much of an element as OrbitControls asks for. */
+function element(): HTMLElement {
+	const stub = {
+		style: {},
+		clientWidth: 800,
+		clientHeight: 500,
+		addEventListener: vi.fn(),
+		removeEventListener: vi.fn(),
+		getRootNode: () => stub,
+		ownerDocument: { addEventListener: vi.fn(), removeEventListener: vi.fn() },
+	};
+	return stub as unknown as HTMLElement;
+}
+
+describe("Turntable", () => {
+	let table: Turntable;
+	const changed = vi.fn();
+	beforeEach(() => {
+		table = new Turntable(element(), true, changed);
+		table.setAspect(1.6);
+		table.follow(spindle(90, 0.16), false);
+		changed.mockClear();
+	});
+	afterEach(() => table.dispose());
+
+	const pose = () => [...table.camera.position.toArray(), ...table.controls.target.toArray()];
+
+	const expectPose = (expected: number[]) => {
+		pose().forEach((value, k) => {
+			expect(value).toBeCloseTo(expected[k], 9);
+		});
+	};
+
+	it("stands still while a drag changes the bunch a little", () => {
+		const before = pose();
+		table.follow(spindle(90, 0.165), false);
+		table.advance(1000);
+		expectPose(before);
+	});
+
+	it("follows a bunch that has outgrown the view, but not while a handle is held", () => {
+		const before = table.distance;
+		table.follow(spindle(90, 0.3), true);
+		table.advance(1000);
+		expect(table.distance).toBeCloseTo(before, 9);
+		table.follow(spindle(90, 0.3), false);
+		expect(changed).toHaveBeenCalled();
+		table.advance(2000);
+		expect(table.distance).toBeGreaterThan(1.4 * before);
+	});
+
+	it("comes back to where it was after a picture of another shape, turned and zoomed as it is", () => {
+		table.orbit(0.7, 0.5);
+		table.zoom(1.7);
+		table.follow(spindle(90, 0.167), false);
+		const before = pose();
+		table.setAspect(0.5);
+		table.setAspect(1.6);
+		expectPose(before);
+	});
+
+	it("zooms and pans within reason", () => {
+		const { distance } = table;
+		table.zoom(1e6);
+		expect(table.distance).toBeGreaterThan(0.1 * distance);
+		table.zoom(1e-6);
+		expect(table.distance).toBeLessThan(10 * distance);
+		for (let i = 0; i < 50; i++) table.pan(1, 1);
+		table.fit();
+		expect(table.distance).toBeCloseTo(distance, 6);
+	});
+
+	it("never turns over the top", () => {
+		for (let i = 0; i < 100; i++) table.orbit(0.1, 0.3);
+		expect(table.camera.position.clone().sub(table.controls.target).angleTo(table.camera.up)).toBeGreaterThan(0.1);
+	});
+
+	it("keeps the paper behind the bunch however it is tilted", () => {
+		table.orbit(0, 1.2);
+		expect(table.paper - table.distance).toBeGreaterThan(0.08);
+	});
+});
