@@ -39,6 +39,7 @@ async function configure(preset, tools, env) {
 	console.error(`Setting up the ${preset} build of the core …`);
 	rmSync(folder, { recursive: true, force: true });
 	const definitions = [`-DPANICLE_GLM_ROOT=${tools.glm}`, `-DCMAKE_MAKE_PROGRAM=${tools.ninja}`];
+	if (tools.compiler) definitions.push(`-DCMAKE_CXX_COMPILER=${tools.compiler}`);
 	const cmake = [tools.cmake, "--preset", preset, ...definitions];
 	if (tools.emscripten) cmake.unshift(join(dirname(tools.emscripten), "emcmake"));
 	await step(cmake[0], cmake.slice(1), { cwd: coreFolder, env });

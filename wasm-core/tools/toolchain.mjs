@@ -4,7 +4,7 @@
  * one message names the exact commands.
  */
 import { accessSync, constants, existsSync, readFileSync, realpathSync, statSync } from "node:fs";
-import { delimiter, dirname, join } from "node:path";
+import { delimiter, dirname, isAbsolute, join } from "node:path";
 import { installWithApt, isOlder, packageManager } from "./packages.mjs";
 import { capture } from "./process.mjs";
 
@@ -22,11 +22,12 @@ function isProgram(path) {
 	}
 }
 
-/** The first program of these names on PATH or in one of `folders`; null if there is none. */
+/** The first program of these names, or full paths, on PATH or in one of `folders`; null if there is none. */
 export function findProgram(names, env, folders = []) {
 	const places = [...(env.PATH ?? "").split(delimiter).filter(Boolean), ...folders];
 	const suffixes = process.platform === "win32" ? [".exe", ".bat", ".cmd"] : [""];
 	for (const name of names) {
+		if (isAbsolute(name) && isProgram(name)) return name;
 		for (const place of places) {
 			const path = suffixes.map((suffix) => join(place, name + suffix)).find(isProgram);
 			if (path) return path;
