@@ -14,6 +14,8 @@ import { emscriptenEnvironment, emscriptenIdentity, prepare, ToolchainError } fr
 /** The compiler's own words on what does not compile. */
 export class CoreBuildError extends Error {}
 
+const presets = ["wasm", "asan", "debug", "release"];
+
 /** What the compiler says, less the lines that tell how far the build is and how the compiler was called. */
 function essence(output) {
 	const lines = output.split("\n");
@@ -69,6 +71,7 @@ function publish(name) {
  * @returns {Promise<{ changed: boolean }>} whether panicle.wasm is another one than before
  */
 export async function buildCore(preset = "wasm", targets = []) {
+	if (!presets.includes(preset)) throw new ToolchainError(`No preset ${preset}; there are ${presets.join(", ")}.`);
 	const tools = await prepare(preset === "wasm" ? "core" : "native");
 	const env = tools.emscripten ? emscriptenEnvironment(tools.emscripten) : process.env;
 	return withLock(join(buildFolder, `${preset}.lock`), async () => {
