@@ -1,24 +1,18 @@
-import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { runnerImport } from "vite";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-/** What tests/golden finds in Node, by preset and seed. */
-const goldens = JSON.parse(readFileSync("tests/golden/bunch.json", "utf8")) as Record<
-	string,
-	{ fingerprint: string; berries: number }
->;
-
 test("every preset grows in Chromium what it grows in Node, to the bit", async ({ page }) => {
+	const path = fileURLToPath(new URL("./presets_in_node.ts", import.meta.url));
+	const { module } = await runnerImport<typeof import("./presets_in_node")>(path, { configFile: false });
 	const studio = await new StudioPage(page).open();
-	const presets = await page.locator("[data-preset]").all();
-	expect(presets).toHaveLength(15);
-	for (const preset of presets) {
-		const name = await preset.getAttribute("data-preset");
-		const { fingerprint, berries } = goldens[`${name} 1`];
-		await preset.click();
-		await expect(studio.fingerprint, `${name}`).toHaveText(fingerprint);
-		await expect(studio.readout("Berries"), `${name}`).toHaveText(String(berries));
+	for (const { name, fingerprint, berries } of module.grownInNode) {
+		await page.locator(`[data-preset=${name}]`).click();
+		await expect(studio.fingerprint, name).toHaveText(fingerprint);
+		await expect(studio.readout("Berries"), name).toHaveText(String(berries));
 	}
+	expect(module.grownInNode).toHaveLength(15);
 });
 
 test("every preset has its picture, in both themes", async ({ page }) => {

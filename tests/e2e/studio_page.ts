@@ -42,6 +42,7 @@ export class StudioPage {
 
 	/** Where to take hold of a handle, in pixels of the page. */
 	async grip(view: "Front" | "Side", handle: string): Promise<{ x: number; y: number }> {
+		await this.handle(view, handle).hover({ trial: true }); // Waits for it to stand still.
 		const box = await this.handle(view, handle).boundingBox();
 		if (!box) throw new Error(`Handle ${handle} is not on the page.`);
 		return { x: box.x + box.width / 2, y: box.y + box.height / 2 };

@@ -29,9 +29,15 @@ export class Panel extends StudioElement {
 		const open = !studio.state.ui.closed.includes(key);
 		const toggled = (event: Event) => studio.setGroup(key, (event.target as HTMLDetailsElement).open);
 		return html`<details class="group" data-group=${key} .open=${open} @toggle=${toggled}>
-			<summary>${title}</summary>
+			<summary @click=${(event: Event) => this.#flip(event, key, !open)}>${title}</summary>
 			<div class="group-body">${body}</div>
 		</details>`;
+	}
+
+	/** The state opens and closes, not the element of itself; a search in the page still may (`toggle`). */
+	#flip(event: Event, key: string, open: boolean): void {
+		event.preventDefault();
+		this.studio.setGroup(key, open);
 	}
 
 	#controls(studio: Studio, group: GroupInfo): unknown {

@@ -1,0 +1,13 @@
+/** Every preset as Node grows it. Loaded through Vite, which reads the app's modules as the app's bundle does. */
+import { readFileSync } from "node:fs";
+import { loadCoreFromBytes } from "../../web/src/core/loader";
+import { encodeRequest } from "../../web/src/core/request";
+import { specimenFromPreset } from "../../web/src/specimen/from_preset";
+import { PRESETS } from "../../web/src/specimen/presets/index";
+
+const core = await loadCoreFromBytes(readFileSync("build/core/panicle.wasm"));
+
+export const grownInNode = PRESETS.map(({ name }) => {
+	const { fingerprint, counts } = core.grow(encodeRequest(specimenFromPreset(name)));
+	return { name, fingerprint, berries: counts.berries };
+});
