@@ -16,7 +16,7 @@ import {
 import { type LightUniforms, RECORD_CHUNK } from "./light_shader";
 
 /** Pixels along the target's shorter side; the shadow is soft, so more would show nothing new. */
-const RESOLUTION = 160;
+const RESOLUTION = 104;
 
 /**
  * Each berry and internode lays a soft capsule on the paper: the paper faces the viewer at depth `paper` (view space,
@@ -54,6 +54,8 @@ void main() {
 	at = position.xy * vec2(capsule.x + 1.0, 1.0);
 	vec2 place = 0.5 * (from + to) + reach * (u * at.x + vec2(-u.y, u.x) * at.y);
 	gl_Position = projectionMatrix * vec4(place, paper, 1.0);
+	// Among berries only rachis and axes show; the many short stems would cost more than all else.
+	if (!round && firstReceiver == 0 && receiver_texel(receiver, 2).y > 1.5) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }
 `;
 
