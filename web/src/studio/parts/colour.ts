@@ -12,7 +12,7 @@ export class ColourControl extends StudioElement {
 		const { key, label, help } = this.info;
 		const value = studio.state.specimen.look[key as "skin" | "stem"];
 		const original = studio.preset.look[key as "skin" | "stem"];
-		return html`<div class="control ${value === original ? "" : "changed"}" data-key=${key}>
+		return html`<div class="control colour ${value === original ? "" : "changed"}" data-key=${key}>
 			<label for="slide-${key}" @dblclick=${() => this.#set(original)}>${label}</label>
 			<input
 				type="color" id="slide-${key}" .value=${`#${value}`} aria-describedby="help-${key}"

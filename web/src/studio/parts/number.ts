@@ -4,6 +4,7 @@ import type { NumberKey, ParameterInfo } from "../../specimen/parameters.generat
 import { entryOf, type NumberEntry, nearestWithin } from "../../specimen/table";
 import type { Change } from "../types";
 import { StudioElement } from "./studio_element";
+import { symbol } from "./symbol";
 
 const MOVING_KEYS = /^(Arrow|Page|Home|End)/;
 
@@ -26,12 +27,12 @@ export class NumberControl extends StudioElement {
 
 	protected override draw(): unknown {
 		const { info, value, presetValue } = this;
-		const { key, label, symbol, unit } = info;
+		const { key, label, unit } = info;
 		this.#drawn = [value, presetValue];
 		const changed = value !== presetValue;
 		return html`<div class="control ${changed ? "changed" : ""}" data-key=${key}>
 			<label for="slide-${key}" @dblclick=${this.#reset}
-				>${label}${symbol ? html`<i class="symbol" aria-hidden="true">${symbol}</i>` : nothing}</label
+				>${label}${symbol(info.symbol)}</label
 			>
 			<input
 				type="range" id="slide-${key}" min=${info.min ?? 0} max=${info.max ?? 1} step=${info.step ?? 1} .value=${live(String(value))}

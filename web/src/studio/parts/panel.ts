@@ -8,6 +8,7 @@ import { icon } from "./icons";
 import { grammarOverride, inputsOverride } from "./overrides";
 import { readout } from "./readout";
 import { StudioElement } from "./studio_element";
+import { symbol } from "./symbol";
 import "./colour";
 import "./number";
 
@@ -67,7 +68,7 @@ function explanation(info: ParameterInfo, studio: Studio): unknown {
 	const { look, parameters } = studio.preset;
 	const preset = { ...look, ...parameters }[info.key];
 	const range = info.kind === "colour" ? "" : `${info.min} … ${info.max} ${info.unit}. `;
-	return html`<strong>${info.label}</strong>${info.symbol ? html` <i class="symbol">${info.symbol}</i>` : nothing}:
+	return html`<strong>${info.label}</strong> ${symbol(info.symbol)}:
 		${info.help} ${range}Double-click for ${preset}.`;
 }
 

@@ -1,0 +1,16 @@
+import { html, nothing } from "lit";
+
+/**
+ * A symbol as the paper sets it: `α_y`, `w₃` and `b min` in italics, with what follows as a subscript. Decorative: the
+ * words beside it say the same.
+ */
+export function symbol(text: string): unknown {
+	if (text === "") return nothing;
+	const [, base, index] = /^(.*?)(?:[_ ](.+))?$/.exec(lowerDigits(text)) ?? [];
+	return html`<i class="symbol" aria-hidden="true">${base}${index ? html`<sub>${index}</sub>` : nothing}</i>`;
+}
+
+/** `w₃` as `w_3`: the plate's own face has no raised or lowered digits. */
+function lowerDigits(text: string): string {
+	return text.replace(/[₀-₉]/g, (digit) => `_${digit.charCodeAt(0) - "₀".charCodeAt(0)}`);
+}
