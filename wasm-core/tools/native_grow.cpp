@@ -1,5 +1,7 @@
 // A request (wasm_api/panicle.h) from the standard input, grown natively; every section to the standard output as
 // id, bytes (uint32 each) and contents. Tests compare it with what the wasm gives.
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <vector>
 
