@@ -30,11 +30,12 @@ async function step(command, args, options) {
 	return output;
 }
 
-/** Configures the build folder where that has not been done with the same tools. Ninja itself sees to the rest. */
+/** Configures the build folder where that has not been done with the same tools and presets. Ninja sees to the rest. */
 async function configure(preset, tools, env) {
 	const folder = join(buildFolder, preset);
 	const compiler = tools.emscripten ? emscriptenIdentity(tools.emscripten) : tools.compiler;
-	const identity = [coreFolder, tools.glm, compiler].join("\n");
+	const settings = readFileSync(join(coreFolder, "CMakePresets.json"), "utf8");
+	const identity = [coreFolder, tools.glm, compiler, settings].join("\n");
 	const stamp = join(folder, "toolchain.txt");
 	const known = existsSync(stamp) && existsSync(join(folder, "build.ninja")) ? readFileSync(stamp, "utf8") : "";
 	if (known === identity) return;
