@@ -95,7 +95,8 @@ const std::vector<std::string> pool = {"A",
                                        "endlsystem"};
 
 const std::vector<std::string> good = {
-    "#input m\n#input n[]\n#define k 2\naxiom: A(m, 1) ?E(0, 1)\nA(i,x) : i>1 --> F(x) [ // A(i-1, x/k) ] [ +(45) B(n[i-1], x) "
+    "#input m\n#input n[]\n#define k 2\naxiom: A(m, 1) ?E(0, 1)\nA(i,x) : i>1 --> F(x) [ // A(i-1, x/k) ] [ +(45) "
+    "B(n[i-1], x) "
     "] : 2\n"
     "A(i,x) : i>1 && x>0 --> ?E(0, x) A(i-1, ran(x)) : 1\nA(i,x) : i=1 --> S(RND(1,3))\nB(i,x) : i>0 --> f(x) % B(i-1, "
     "x)\n"

@@ -21,11 +21,11 @@ bool draw_whole(float a, float b, const Draw& draw, std::uint64_t stream, float&
   const float low = std::ceil(std::min(a, b));
   const float high = std::floor(std::max(a, b));
   if (!(std::fabs(low) <= 1e9f && std::fabs(high) <= 1e9f) || std::isnan(a) || std::isnan(b)) {
-    wrong = "RND needs two numbers from -1e9 to 1e9, not " + number_text(a) + " and " + number_text(b) + ".";
+    wrong = joined({"RND needs two numbers from -1e9 to 1e9, not ", number_text(a), " and ", number_text(b), "."});
     return false;
   }
   if (low > high) {
-    wrong = "There is no whole number from " + number_text(a) + " to " + number_text(b) + " for RND to draw.";
+    wrong = joined({"There is no whole number from ", number_text(a), " to ", number_text(b), " for RND to draw."});
     return false;
   }
   out = static_cast<float>(
@@ -49,8 +49,8 @@ bool read_element(const Code::Array& array, float index, float& out, std::string
       return true;
     }
   }
-  const std::string range = size == 0 ? "has no values" : "goes from 1 to " + std::to_string(size);
-  wrong = "There is no " + array.name + "[" + number_text(index) + "]; " + array.name + " " + range + ".";
+  wrong = joined({"There is no ", array.name, "[", number_text(index), "]; ", array.name});
+  wrong += size == 0 ? " has no values." : joined({" goes from 1 to ", std::to_string(size), "."});
   return false;
 }
 
@@ -142,7 +142,7 @@ bool execute_one(const Code& code, std::uint32_t at, float* registers, const Dra
     default:
       return execute(code, at, at + 1, registers, draw, fault);
   }
-  if (!fine) fault = error_at(Reason::evaluation, code.places[at], std::move(wrong));
+  if (!fine) fault = error_at(Reason::evaluation, code.places[at], {wrong});
   return fine;
 }
 

@@ -6,7 +6,6 @@
 #include "foundation/random.hpp"
 #include "lsystem/lowering.hpp"
 #include "lsystem/machine.hpp"
-#include "lsystem/messages.hpp"
 #include "lsystem/number_text.hpp"
 #include "lsystem/parser.hpp"
 #include "lsystem/program.hpp"
@@ -54,13 +53,13 @@ class Compiler {
   Result<std::shared_ptr<const Program>> run() {
     const bool fine = definitions() && symbols() && axiom() && productions();
     if (!fine) return trouble_;
-    program_->words.insert(program_->words.end(), block, 0);  // room for copies in whole blocks
+    program_->words.resize(program_->words.size() + block);  // room for copies in whole blocks
     return std::shared_ptr<const Program>(std::move(program_));
   }
 
  private:
-  bool fail(Reason reason, const Place& place, std::string message) {
-    trouble_ = error_at(reason, place, std::move(message));
+  bool fail(Reason reason, const Place& place, Pieces pieces) {
+    trouble_ = error_at(reason, place, pieces);
     return false;
   }
 
@@ -88,15 +87,15 @@ class Compiler {
       value = given->value;
       if (!is_finite(value))
         return fail(Reason::bad_input, definition.place,
-                    quoted(definition.name) + " was given " + number_text(value) + "; give it a finite number.");
+                    {"'", definition.name, "' was given ", number_text(value), "; give it a finite number."});
     } else if (input) {
       return fail(Reason::bad_input, definition.place,
-                  "The input " + quoted(definition.name) + " has no value; give it one with the request.");
+                  {"The input '", definition.name, "' has no value; give it one with the request."});
     } else {
       if (!take(lowering_.value(definition.expression), value)) return false;
       if (!is_finite(value))
         return fail(Reason::evaluation, definition.expression.place,
-                    quoted(definition.name) + " comes to " + number_text(value) + "; it must be a finite number.");
+                    {"'", definition.name, "' comes to ", number_text(value), "; it must be a finite number."});
     }
     lowering_.define(definition.name, value);
     const auto kind = input ? Definition::Kind::input : Definition::Kind::define;
@@ -109,13 +108,12 @@ class Compiler {
                                     [&](const Inputs::Array& array) { return array.name == definition.name; });
     if (given == inputs_.arrays.end())
       return fail(Reason::bad_input, definition.place,
-                  "The input " + quoted(std::string(definition.name) + "[]") +
-                      " has no values; give it some with the request.");
+                  {"The input '", definition.name, "[]' has no values; give it some with the request."});
     for (std::size_t i = 0; i < given->values.size(); ++i)
       if (!is_finite(given->values[i]))
         return fail(Reason::bad_input, definition.place,
-                    std::string(definition.name) + "[" + std::to_string(i + 1) + "] was given " +
-                        number_text(given->values[i]) + "; give it a finite number.");
+                    {definition.name, "[", std::to_string(i + 1), "] was given ", number_text(given->values[i]),
+                     "; give it a finite number."});
     lowering_.define_array(definition.name, given->values);
     program_->definitions.push_back({std::string(definition.name), Definition::Kind::array, given->values});
     return true;
@@ -131,7 +129,8 @@ class Compiler {
       for (const ModuleTree& module : production.successor) add_symbol(module.name);
     }
     if (program_->symbols.size() > most_symbols)
-      return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
+      return fail(Reason::limit, grammar_.axiom.front().place,
+                  {"The grammar has more than 65,520 symbols; use fewer."});
     return true;
   }
 
@@ -146,31 +145,39 @@ class Compiler {
     return successor(grammar_.axiom, false, program_->axiom);
   }
 
+  // Productions stand by predecessor, each symbol's in the order of the text.
   bool productions() {
-    std::vector<Production>& all = program_->productions;
-    std::vector<std::uint32_t> before(program_->symbols.size(), 0);  // productions of the same symbol
+    make_places();
     for (const ProductionTree& tree : grammar_.productions) {
       const std::uint32_t predecessor = numbers_[tree.predecessor];
       if (!may_rewrite(tree, predecessor)) return false;
-      Production& production = all.emplace_back();
-      production.predecessor = predecessor;
-      production.arity = static_cast<std::uint32_t>(tree.formals.size());
-      lowering_.begin_production(tree.formals, before[predecessor]++);
-      if (tree.condition && !value(*tree.condition, production.condition)) return false;
-      if (!successor(tree.successor, predecessor == ask_symbol, production.successor)) return false;
-      if (tree.weight && !value(*tree.weight, production.weight)) return false;
-      production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32;
-      program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
-    }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Production& a, const Production& b) { return a.predecessor < b.predecessor; });
-    program_->rules.resize(program_->symbols.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-      Rules& rules = program_->rules[all[i].predecessor];
-      if (rules.productions.size() == 0) rules.productions = {i, i};
+      Rules& rules = program_->rules[predecessor];
+      lowering_.begin_production(tree.formals, rules.productions.size());
+      if (!production(tree, program_->productions[rules.productions.end])) return false;
       ++rules.productions.end;
-      rules.weighted |= all[i].weight.given;
+      rules.weighted |= tree.weight.has_value();
     }
+    return true;
+  }
+
+  void make_places() {
+    std::vector<std::uint32_t> counts(program_->symbols.size(), 0);
+    for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_[tree.predecessor]];
+    std::uint32_t first = 0;
+    for (const std::uint32_t count : counts) {
+      program_->rules.push_back({{first, first}, false});
+      first += count;
+    }
+    program_->productions.resize(first);
+  }
+
+  bool production(const ProductionTree& tree, Production& production) {
+    production.arity = static_cast<std::uint32_t>(tree.formals.size());
+    if (tree.condition && !value(*tree.condition, production.condition)) return false;
+    if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
+    if (tree.weight && !value(*tree.weight, production.weight)) return false;
+    production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32;
+    program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
     return true;
   }
 
@@ -179,7 +186,7 @@ class Compiler {
     const Action action = turtle_symbols[predecessor].action;
     if (action == Action::push || action == Action::pop || action == Action::cut)
       return fail(Reason::syntax, tree.place,
-                  quoted(tree.predecessor) + " cannot be rewritten; use a symbol of your own.");
+                  {"'", tree.predecessor, "' cannot be rewritten; use a symbol of your own."});
     return takes(predecessor, tree.formals.size(), tree.place);
   }
 
@@ -188,8 +195,8 @@ class Compiler {
     if (count <= turtle.most_arguments) return true;
     const char* most = turtle.most_arguments == 0 ? " takes no argument" : " takes at most one argument";
     return fail(Reason::syntax, place,
-                quoted(turtle.symbol) + " (" + std::string(turtle.name) + ")" + most + ", but here it has " +
-                    std::to_string(count) + "; leave out the rest.");
+                {"'", turtle.symbol, "' (", turtle.name, ")", most, ", but here it has ", std::to_string(count),
+                 "; leave out the rest."});
   }
 
   bool value(const Expression& expression, Value& value) {
@@ -229,12 +236,12 @@ class Compiler {
     const std::size_t count = tree.arguments.size();
     if (is_turtle_symbol(symbol) && !takes(symbol, count, tree.place)) return false;
     if (answer && (!is_turtle_symbol(symbol) || symbol == ask_symbol))
-      return fail(Reason::syntax, tree.place,
-                  "What answers ?E is drawn at once, so only the turtle's symbols can stand here, not " +
-                      quoted(tree.name) + ".");
+      return fail(
+          Reason::syntax, tree.place,
+          {"What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '", tree.name, "'."});
     if (!answer && !stands_for_itself(tree.name, symbol))
       return fail(Reason::syntax, tree.place,
-                  quoted(tree.name) + " is read as one symbol, which nothing defines; put spaces between several.");
+                  {"'", tree.name, "' is read as one symbol, which nothing defines; put spaces between several."});
 
     const std::size_t at = program.words.size();
     const bool active = symbol == cut_symbol || rewritten_.contains({symbol, count});
@@ -247,7 +254,7 @@ class Compiler {
       const std::uint32_t ordinal = ordinals_[symbol]++;
       program.births.push_back(
           {static_cast<std::uint32_t>(program.words.size()) - first_, hash_combine(hash_text(tree.name), ordinal)});
-      program.words.insert(program.words.end(), lineage_words, 0);
+      program.words.resize(program.words.size() + lineage_words);
     }
     if (active && !answer) program.active.push_back(static_cast<std::uint32_t>(at) - first_);
     return true;
@@ -313,10 +320,9 @@ class Compiler {
 Result<std::shared_ptr<const Program>> compile(std::string_view text, const Inputs& inputs, const Limits& limits,
                                                Lineages lineages) {
   if (text.size() > limits.text_bytes)
-    return Diagnostic{Reason::limit,
-                      "The grammar is " + std::to_string(text.size()) + " bytes long; the limit is " +
-                          std::to_string(limits.text_bytes) + ".",
-                      0, 0};
+    return error_at(Reason::limit, {},
+                    {"The grammar is ", std::to_string(text.size()), " bytes long; the limit is ",
+                     std::to_string(limits.text_bytes), "."});
   const Result<Grammar> grammar = parse(text);
   if (!grammar) return grammar.error();
   return Compiler(grammar.value(), inputs, lineages).run();

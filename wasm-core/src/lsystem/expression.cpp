@@ -5,8 +5,6 @@
 #include <array>
 #include <string>
 
-#include "lsystem/messages.hpp"
-
 namespace panicle::lsystem {
 namespace {
 
@@ -76,13 +74,13 @@ class Parser {
       if (done_) break;
     }
     if (wants_operand_) {
-      fail(Reason::syntax, here(), "A value is missing here; write a number, a name or an expression.");
+      fail(Reason::syntax, here(), {"A value is missing here; write a number, a name or an expression."});
       return trouble_;
     }
     pop_operators(0);
     if (!waiting_.empty()) {
       const char* opened = waiting_.back().kind == Waiting::Kind::index ? "[" : "(";
-      fail(Reason::syntax, waiting_.back().node.place, std::string("This ") + opened + " is never closed.");
+      fail(Reason::syntax, waiting_.back().node.place, {"This ", opened, " is never closed."});
       return trouble_;
     }
     return std::move(expression_);
@@ -92,8 +90,8 @@ class Parser {
   Place here() const { return place_of(tokens_, at_, end_); }
   const Token& token() const { return tokens_[at_]; }
 
-  bool fail(Reason reason, const Place& place, std::string message) {
-    trouble_ = error_at(reason, place, std::move(message));
+  bool fail(Reason reason, const Place& place, Pieces pieces) {
+    trouble_ = error_at(reason, place, pieces);
     return false;
   }
 
@@ -103,7 +101,7 @@ class Parser {
 
   bool push(Waiting waiting) {
     if (waiting_.size() >= deepest)
-      return fail(Reason::limit, here(), "This expression is nested deeper than 256; split it with a #define.");
+      return fail(Reason::limit, here(), {"This expression is nested deeper than 256; split it with a #define."});
     groups_ += waiting.kind != Waiting::Kind::operation;
     waiting_.push_back(waiting);
     wants_operand_ = true;
@@ -127,7 +125,7 @@ class Parser {
     } else if (first.is('-') || first.is('+') || first.is('!')) {
       return prefix();
     } else {
-      return fail(Reason::syntax, first.place, "A value is expected here, not " + quoted(first.text) + ".");
+      return fail(Reason::syntax, first.place, {"A value is expected here, not '", first.text, "'."});
     }
     ++at_;
     wants_operand_ = false;
@@ -148,8 +146,7 @@ class Parser {
     if (function == nullptr) {
       std::string known;
       for (const Function& f : functions) known += (known.empty() ? "" : ", ") + std::string(f.name);
-      return fail(Reason::undefined, name.place,
-                  "There is no function " + quoted(name.text) + "; there are " + known + ".");
+      return fail(Reason::undefined, name.place, {"There is no function '", name.text, "'; there are ", known, "."});
     }
     at_ += 2;
     return push({Waiting::Kind::call,
@@ -163,7 +160,7 @@ class Parser {
     if (sign.is(',')) return next_argument(sign);
     for (const Operator& op : operators)
       if (spelled_here(op.text)) return binary(op);
-    return fail(Reason::syntax, sign.place, "An operator is expected here, not " + quoted(sign.text) + ".");
+    return fail(Reason::syntax, sign.place, {"An operator is expected here, not '", sign.text, "'."});
   }
 
   bool spelled_here(std::string_view text) const {
@@ -193,7 +190,7 @@ class Parser {
       const Waiting& top = waiting_.back();
       const bool compares = top.precedence == precedence_of_equality || top.precedence == precedence_of_order;
       if (compares && top.precedence == following)
-        return fail(Reason::syntax, here(), "Comparisons cannot be chained; join two with &&.");
+        return fail(Reason::syntax, here(), {"Comparisons cannot be chained; join two with &&."});
       put(top.node);
       waiting_.pop_back();
     }
@@ -204,7 +201,7 @@ class Parser {
     pop_operators(0);
     const bool bracket = sign.is(']');
     if (waiting_.empty() || (waiting_.back().kind == Waiting::Kind::index) != bracket)
-      return fail(Reason::syntax, sign.place, "This " + std::string(sign.text) + " closes nothing.");
+      return fail(Reason::syntax, sign.place, {"This ", sign.text, " closes nothing."});
     const Waiting group = waiting_.back();
     waiting_.pop_back();
     --groups_;
@@ -212,8 +209,8 @@ class Parser {
     wants_operand_ = false;
     if (group.kind == Waiting::Kind::call && group.arguments != group.node.arguments)
       return fail(Reason::syntax, group.node.place,
-                  std::string(group.node.name) + " takes " + counted(group.node.arguments, "argument") + ", not " +
-                      std::to_string(group.arguments) + ".");
+                  {group.node.name, " takes ", counted(group.node.arguments, "argument"), ", not ",
+                   std::to_string(group.arguments), "."});
     if (group.kind != Waiting::Kind::parenthesis) put(group.node);
     return true;
   }
@@ -221,7 +218,7 @@ class Parser {
   bool next_argument(const Token& comma) {
     pop_operators(0);
     if (waiting_.empty() || waiting_.back().kind != Waiting::Kind::call)
-      return fail(Reason::syntax, comma.place, "A comma can only stand between the arguments of a function here.");
+      return fail(Reason::syntax, comma.place, {"A comma can only stand between the arguments of a function here."});
     ++waiting_.back().arguments;
     ++at_;
     wants_operand_ = true;

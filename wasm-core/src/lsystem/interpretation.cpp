@@ -32,8 +32,7 @@ class Interpreter {
       if (symbol_of(*module) == ask_symbol) {
         if (ask(module)) at = end_of_branch(at, end);
       } else if (is_turtle_symbol(symbol_of(*module))) {
-        const Lineage lineage = lineage_of(module);
-        if (act(module, lineage)) at = end_of_branch(at, end);
+        if (act(module, module)) at = end_of_branch(at, end);
       }
       if (machine_.failed()) return machine_.trouble();
     }
@@ -41,20 +40,20 @@ class Interpreter {
   }
 
  private:
-  // Does what one module of the turtle says. True: the rest of the branch is cut.
-  bool act(const std::uint32_t* module, const Lineage& lineage) {
+  // Does what one module of the turtle says, with the lineage of `bearer`. True: the rest of the branch is cut.
+  bool act(const std::uint32_t* module, const std::uint32_t* bearer) {
     const TurtleSymbol& symbol = turtle_symbols[symbol_of(*module)];
     float value = symbol.standard;
     if (parameters_of(*module) > 0) std::memcpy(&value, module + 1, sizeof value);
     switch (symbol.action) {
       case Action::line:
-        line(value, lineage);
+        line(value, bearer);
         break;
       case Action::move:
         move(value);
         break;
       case Action::sphere:
-        sphere(value, lineage);
+        sphere(value, bearer);
         break;
       case Action::turn:
         turn(turtle_, symbol.sign * value);
@@ -97,23 +96,23 @@ class Interpreter {
   void move(float distance) {
     turtle_.position = ahead(turtle_, distance);
     if (!is_finite(turtle_.position))
-      machine_.fail({Reason::evaluation,
-                     "The turtle has gone too far for its position to be a number; shorten its lines.", 0, 0});
+      machine_.fail(error_at(Reason::evaluation, {},
+                             {"The turtle has gone too far for its position to be a number; shorten its lines."}));
   }
 
-  void line(float distance, const Lineage& lineage) {
+  void line(float distance, const std::uint32_t* bearer) {
     if (distance == 0) return;
     const Turtle before = turtle_;
     move(distance);
     if (machine_.failed()) return;
     turtle_.line = lines_++;
-    listener_.line(turtle_.line, before, turtle_, lineage);
+    listener_.line(turtle_.line, before, turtle_, lineage_of(bearer));
   }
 
-  void sphere(float radius, const Lineage& lineage) {
+  void sphere(float radius, const std::uint32_t* bearer) {
     if (radius == 0) return;
     move(radius);
-    if (!machine_.failed()) listener_.sphere(turtle_, radius, lineage);
+    if (!machine_.failed()) listener_.sphere(turtle_, radius, lineage_of(bearer));
   }
 
   void push() {
@@ -121,22 +120,20 @@ class Interpreter {
       stack_.push_back(turtle_);
       return;
     }
-    machine_.fail({Reason::limit,
-                   "More than " + std::to_string(limits_.depth) +
-                       " branches are open at once, which is the limit; nest fewer brackets.",
-                   0, 0});
+    machine_.fail(error_at(Reason::limit, {},
+                           {"More than ", std::to_string(limits_.depth),
+                            " branches are open at once, which is the limit; nest fewer brackets."}));
   }
 
   // Asks, applies the production that matches the answer and draws its successor in place. True: the answer cut the
   // branch.
   bool ask(const std::uint32_t* module) {
     const std::uint32_t count = parameters_of(*module);
-    const Lineage lineage = lineage_of(module);
     float parameters[most_parameters];
     std::memcpy(parameters, module + 1, count * sizeof(float));
-    listener_.ask(turtle_, {parameters, count}, lineage);
+    listener_.ask(turtle_, {parameters, count}, lineage_of(module));
 
-    std::uint32_t answered[1 + most_parameters + lineage_words + block];
+    std::uint32_t answered[1 + most_parameters + lineage_words + block] = {};
     std::memcpy(answered, module, words_of(*module) * sizeof *module);
     std::memcpy(answered + 1, parameters, count * sizeof(float));
     const Production* const production = machine_.choose(answered);
@@ -144,16 +141,16 @@ class Interpreter {
     const Template& successor = production->successor;
     if (!answer_.reserve(successor.words, successor.words))
       return !machine_.fail(
-          {Reason::limit, "There is no memory for the answer of ?E; make its production shorter.", 0, 0});
+          error_at(Reason::limit, {}, {"There is no memory for the answer of ?E; make its production shorter."}));
     if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
-    return draw(answer_.data(), answer_.data() + successor.words, lineage);
+    return draw(answer_.data(), answer_.data() + successor.words, module);
   }
 
-  bool draw(const std::uint32_t* at, const std::uint32_t* end, const Lineage& lineage) {
+  bool draw(const std::uint32_t* at, const std::uint32_t* end, const std::uint32_t* bearer) {
     while (at < end) {
       const std::uint32_t* const module = at;
       at += words_of(*module);
-      const bool cut = act(module, lineage);
+      const bool cut = act(module, bearer);
       if (machine_.failed()) return false;
       if (!cut) continue;
       at = end_of_branch(at, end);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "foundation/random.hpp"
-#include "lsystem/messages.hpp"
 #include "lsystem/parser.hpp"
 
 namespace panicle::lsystem {
@@ -19,7 +18,7 @@ constexpr std::size_t window = 64;
 
 Lowering::Lowering(Code& code) : code_(code) {
   code_.registers.assign(most_parameters, 0);
-  constant_.assign(most_parameters, false);
+  constant_.assign(most_parameters, 0);
 }
 
 void Lowering::define(std::string_view name, float value) { defines_[name] = value; }
@@ -57,8 +56,8 @@ Result<float> Lowering::value(const Expression& expression) {
   return code_.registers[result.value()];
 }
 
-bool Lowering::fail(Reason reason, const Place& place, std::string message) {
-  trouble_ = error_at(reason, place, std::move(message));
+bool Lowering::fail(Reason reason, const Place& place, Pieces pieces) {
+  trouble_ = error_at(reason, place, pieces);
   return false;
 }
 
@@ -96,18 +95,17 @@ bool Lowering::name(const Node& node) {
   }
   if (arrays_.contains(node.name))
     return fail(Reason::undefined, node.place,
-                quoted(node.name) + " is an array; say which value you mean, as in " + std::string(node.name) + "[1].");
+                {"'", node.name, "' is an array; say which value you mean, as in ", node.name, "[1]."});
   return fail(Reason::undefined, node.place,
-              "Nothing defines " + quoted(node.name) +
-                  " here; add a #define before this line or name it among the predecessor's parameters.");
+              {"Nothing defines '", node.name,
+               "' here; add a #define before this line or name it among the predecessor's parameters."});
 }
 
 bool Lowering::element(const Node& node) {
   const auto array = arrays_.find(node.name);
   if (array == arrays_.end())
     return fail(Reason::undefined, node.place,
-                "There is no array " + quoted(node.name) + "; declare it before this line with #input " +
-                    std::string(node.name) + "[].");
+                {"There is no array '", node.name, "'; declare it before this line with #input ", node.name, "[]."});
   const Instruction instruction{Op::element, 0, pop(), 0, array->second};
   if (!fold(instruction, node.place)) put(emit(instruction, node.place));
   return true;
@@ -121,7 +119,7 @@ bool Lowering::operation(const Node& node) {
   if (is_random(node.op)) {
     if (!may_draw_)
       return fail(Reason::syntax, node.place,
-                  "Random values belong to modules; draw them in the axiom or a production, not in a #define.");
+                  {"Random values belong to modules; draw them in the axiom or a production, not in a #define."});
     instruction.c = static_cast<std::uint32_t>(code_.streams.size());
     code_.streams.push_back(stream_of(node));
     put(emit(instruction, node.place));

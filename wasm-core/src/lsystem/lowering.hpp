@@ -31,7 +31,7 @@ class Lowering {
   // The value of an expression that needs no module. Errors: those above; evaluation.
   Result<float> value(const Expression& expression);
 
-  bool is_constant(std::uint32_t reg) const { return constant_[reg]; }
+  bool is_constant(std::uint32_t reg) const { return constant_[reg] != 0; }
   bool draws() const { return !code_.streams.empty(); }
 
  private:
@@ -40,7 +40,7 @@ class Lowering {
     std::uint32_t out;
     std::size_t available;
   };
-  bool fail(Reason reason, const Place& place, std::string message);
+  bool fail(Reason reason, const Place& place, Pieces pieces);
   bool lower_node(const Node& node);
   bool name(const Node& node);
   bool element(const Node& node);
@@ -61,7 +61,7 @@ class Lowering {
   std::map<std::string_view, std::uint32_t> formals_;
   std::map<std::string_view, std::uint32_t> drawn_;   // how many calls of each random function
   std::map<std::uint32_t, std::uint32_t> constants_;  // bits → register
-  std::vector<bool> constant_;                        // whether a register is one
+  std::vector<std::uint8_t> constant_;                // whether a register is one
   std::vector<std::uint32_t> stack_;
   std::vector<Branch> branches_;
   std::vector<Instruction> available_;  // whose results can be used again here

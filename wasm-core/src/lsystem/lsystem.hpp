@@ -74,8 +74,8 @@ struct Derived {
 Result<Derived> derive(const Program& program, std::uint64_t seed, std::uint32_t max_steps, const Limits& limits);
 
 // The string that `derive` ends with, without the strings between: each module is rewritten to its end before the next
-// is looked at, so that the cost grows with what comes out and not with the steps as well. Productions see nothing but a
-// module's own parameters and address, so the order makes no difference. `steps` is the deepest module's generation,
+// is looked at, so that the cost grows with what comes out and not with the steps as well. Productions see nothing but
+// a module's own parameters and address, so the order makes no difference. `steps` is the deepest module's generation,
 // `modules_written` the length. Errors as for `derive` without `max_steps`.
 Result<Derived> unfold(const Program& program, std::uint64_t seed, const Limits& limits);
 

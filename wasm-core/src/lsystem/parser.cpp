@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "lsystem/expression.hpp"
-#include "lsystem/messages.hpp"
 
 namespace panicle::lsystem {
 namespace {
@@ -26,18 +25,18 @@ class GrammarParser {
     while (at_ < tokens_.size())
       if (!statement()) return trouble_;
     if (grammar_.axiom.empty()) {
-      fail(Reason::syntax, {1, 1}, "The grammar has no axiom; begin with a line such as axiom: A(1).");
+      fail(Reason::syntax, {1, 1}, {"The grammar has no axiom; begin with a line such as axiom: A(1)."});
       return trouble_;
     }
     return std::move(grammar_);
   }
 
  private:
-  bool fail(Reason reason, const Place& place, std::string message) {
-    trouble_ = error_at(reason, place, std::move(message));
+  bool fail(Reason reason, const Place& place, Pieces pieces) {
+    trouble_ = error_at(reason, place, pieces);
     return false;
   }
-  bool wrong(const Place& place, std::string message) { return fail(Reason::syntax, place, std::move(message)); }
+  bool wrong(const Place& place, Pieces pieces) { return fail(Reason::syntax, place, pieces); }
 
   Place here() const { return place_of(tokens_, at_, end_); }
   bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
@@ -82,10 +81,10 @@ class GrammarParser {
     const bool production = arrow_ < end_;
     if (!production && !is_axiom(begin)) {
       if (is_foreign_line(begin))
-        return wrong(tokens_[begin].place, quoted(tokens_[begin].text) +
-                                               " is a statement of cpfg that means nothing here; leave the line out.");
+        return wrong(tokens_[begin].place, {"'", tokens_[begin].text,
+                                            "' is a statement of cpfg that means nothing here; leave the line out."});
       return wrong(tokens_[begin].place,
-                   "This line belongs to no statement; begin with #define, #input, axiom: or a production with -->.");
+                   {"This line belongs to no statement; begin with #define, #input, axiom: or a production with -->."});
     }
     while (end_ < tokens_.size() && !begins_statement(end_)) end_ = end_of_line(end_);
     return production ? this->production() : axiom();
@@ -93,20 +92,20 @@ class GrammarParser {
 
   bool directive() {
     ++at_;
-    if (!on_name()) return wrong(here(), "A name is expected after #: define or input.");
+    if (!on_name()) return wrong(here(), {"A name is expected after #: define or input."});
     const Token& keyword = tokens_[at_++];
     const bool input = keyword.text == "input";
     if (!input && keyword.text != "define")
-      return wrong(keyword.place, "There is no #" + std::string(keyword.text) + "; write #define or #input.");
-    if (!on_name()) return wrong(here(), "A name is expected here, not " + quoted(found()) + ".");
+      return wrong(keyword.place, {"There is no #", keyword.text, "; write #define or #input."});
+    if (!on_name()) return wrong(here(), {"A name is expected here, not '", found(), "'."});
     DefinitionTree definition;
     definition.name = tokens_[at_].text;
     definition.place = tokens_[at_].place;
     ++at_;
     const auto [first, added] = defined_.try_emplace(definition.name, definition.place.line);
     if (!added)
-      return wrong(definition.place, quoted(definition.name) + " is defined twice, first in line " +
-                                         std::to_string(first->second) + "; give one of them another name.");
+      return wrong(definition.place, {"'", definition.name, "' is defined twice, first in line ",
+                                      std::to_string(first->second), "; give one of them another name."});
     if (input ? !input_form(definition) : !expression_to(end_, definition.expression)) return false;
     grammar_.definitions.push_back(std::move(definition));
     return true;
@@ -117,12 +116,11 @@ class GrammarParser {
     if (on_sign('[')) {
       ++at_;
       if (!on_sign(']'))
-        return wrong(here(), "An array is declared as #input name[], with nothing between the brackets.");
+        return wrong(here(), {"An array is declared as #input name[], with nothing between the brackets."});
       ++at_;
       definition.kind = DefinitionTree::Kind::array;
     }
-    if (at_ < end_)
-      return wrong(here(), "Nothing may follow the name of an input, but here is " + quoted(found()) + ".");
+    if (at_ < end_) return wrong(here(), {"Nothing may follow the name of an input, but here is '", found(), "'."});
     return true;
   }
 
@@ -133,18 +131,18 @@ class GrammarParser {
       trouble_ = result.error();
       return false;
     }
-    if (at_ < end) return wrong(here(), "This " + std::string(found()) + " closes nothing.");
+    if (at_ < end) return wrong(here(), {"'", found(), "' cannot stand here; take it out."});
     expression = std::move(result.value());
     return true;
   }
 
   bool axiom() {
-    if (!grammar_.axiom.empty()) return wrong(tokens_[at_].place, "There is a second axiom; keep one of them.");
+    if (!grammar_.axiom.empty()) return wrong(tokens_[at_].place, {"There is a second axiom; keep one of them."});
     at_ += 2;
     const Place place = here();
     if (!modules(grammar_.axiom)) return false;
-    if (at_ < end_) return wrong(here(), "An axiom has no weight; take out the colon.");
-    return !grammar_.axiom.empty() || wrong(place, "The axiom needs at least one module, such as A(1).");
+    if (at_ < end_) return wrong(here(), {"An axiom has no weight; take out the colon."});
+    return !grammar_.axiom.empty() || wrong(place, {"The axiom needs at least one module, such as A(1)."});
   }
 
   bool production() {
@@ -154,7 +152,7 @@ class GrammarParser {
     const std::size_t end = end_of_line(arrow_);
     for (std::size_t i = at_; i < end; ++i)
       if (tokens_[i].kind == TokenKind::arrow)
-        return wrong(tokens_[i].place, "This line has a second -->; begin each production on a line of its own.");
+        return wrong(tokens_[i].place, {"This line has a second -->; begin each production on a line of its own."});
     const bool empty = on_sign('*');  // cpfg's way to write an empty successor
     at_ += empty;
     if (!empty && !modules(production.successor)) return false;
@@ -164,7 +162,7 @@ class GrammarParser {
       if (!expression_to(end_, weight)) return false;
       production.weight = std::move(weight);
     }
-    if (at_ < end_) return wrong(here(), "Nothing but a weight may follow *, but here is " + quoted(found()) + ".");
+    if (at_ < end_) return wrong(here(), {"Nothing but a weight may follow *, but here is '", found(), "'."});
     grammar_.productions.push_back(std::move(production));
     return true;
   }
@@ -175,8 +173,8 @@ class GrammarParser {
     if (!symbol(production.predecessor) || !formals(production.formals)) return false;
     if (at_ < end_ && !on_sign(':')) {
       if (on_sign('<') || on_sign('>'))
-        return wrong(here(), "Productions cannot see their neighbours here; take out what stands beside < or >.");
-      return wrong(here(), "A condition begins with a colon, but here is " + quoted(found()) + ".");
+        return wrong(here(), {"Productions cannot see their neighbours here; take out what stands beside < or >."});
+      return wrong(here(), {"A condition begins with a colon, but here is '", found(), "'."});
     }
     end_ = end;
     return true;
@@ -196,17 +194,17 @@ class GrammarParser {
   // A name, a sign of the turtle or ?E.
   bool symbol(std::string_view& name) {
     static constexpr std::string_view signs = "+-&^/\\|![]%";
-    if (at_ >= end_) return wrong(tokens_[arrow_].place, "A symbol is expected before -->, on the same line.");
+    if (at_ >= end_) return wrong(tokens_[arrow_].place, {"A symbol is expected before -->, on the same line."});
     const Token& token = tokens_[at_];
     name = token.text;
     if (token.is('?')) {
       if (at_ + 1 >= end_ || !tokens_[at_ + 1].is("E") || !touching(token, tokens_[at_ + 1]))
-        return wrong(token.place, "The only communication module is ?E; write it in one word.");
+        return wrong(token.place, {"The only communication module is ?E; write it in one word."});
       name = {token.text.data(), 2};
       ++at_;
     } else if (token.kind != TokenKind::name && signs.find(token.text[0]) == std::string_view::npos) {
       return wrong(token.place,
-                   quoted(token.text) + " cannot stand in a string of modules; docs/turtle.md lists what can.");
+                   {"'", token.text, "' cannot stand in a string of modules; docs/turtle.md lists what can."});
     }
     ++at_;
     return true;
@@ -217,14 +215,14 @@ class GrammarParser {
     const Place opened = here();
     ++at_;
     while (!on_sign(')')) {
-      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
+      if (at_ >= end_) return wrong(opened, {"This ( is never closed."});
       if (!formals.empty()) {
-        if (!on_sign(',')) return wrong(here(), "A comma is expected here, not " + quoted(found()) + ".");
+        if (!on_sign(',')) return wrong(here(), {"A comma is expected here, not '", found(), "'."});
         ++at_;
       }
-      if (!on_name()) return wrong(here(), "A predecessor's parameters are names; here is " + quoted(found()) + ".");
+      if (!on_name()) return wrong(here(), {"A predecessor's parameters are names; here is '", found(), "'."});
       for (const Formal& earlier : formals)
-        if (earlier.name == found()) return wrong(here(), "The parameter " + quoted(found()) + " stands here twice.");
+        if (earlier.name == found()) return wrong(here(), {"The parameter '", found(), "' stands here twice."});
       if (formals.size() == most_parameters) return too_many(opened);
       formals.push_back({tokens_[at_].text, tokens_[at_].place});
       ++at_;
@@ -234,7 +232,7 @@ class GrammarParser {
   }
 
   bool too_many(const Place& place) {
-    return fail(Reason::limit, place, "A module has at most 32 parameters; split it into two.");
+    return fail(Reason::limit, place, {"A module has at most 32 parameters; split it into two."});
   }
 
   // Modules up to a `:` or the statement's end, their brackets balanced.
@@ -246,12 +244,12 @@ class GrammarParser {
       if (!symbol(module.name) || !arguments(module)) return false;
       if (module.name == "[") open.push_back(module.place);
       if (module.name == "]") {
-        if (open.empty()) return wrong(module.place, "This ] closes nothing.");
+        if (open.empty()) return wrong(module.place, {"This ] closes nothing."});
         open.pop_back();
       }
       modules.push_back(std::move(module));
     }
-    return open.empty() || wrong(open.back(), "This [ is never closed.");
+    return open.empty() || wrong(open.back(), {"This [ is never closed."});
   }
 
   bool arguments(ModuleTree& module) {
@@ -267,7 +265,7 @@ class GrammarParser {
       }
       module.arguments.push_back(std::move(argument.value()));
       if (module.arguments.size() > most_parameters) return too_many(opened);
-      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
+      if (at_ >= end_) return wrong(opened, {"This ( is never closed."});
       if (tokens_[at_++].is(')')) return true;
     }
   }

@@ -63,7 +63,6 @@ struct Value {
 };
 
 struct Production {
-  std::uint32_t predecessor = 0;
   std::uint32_t arity = 0;
   Value condition;
   Value weight;

@@ -6,19 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "foundation/result.hpp"
+#include "lsystem/diagnostics.hpp"
 
 namespace panicle::lsystem {
-
-// Counted from 1; columns count code points.
-struct Place {
-  std::uint32_t line = 0;
-  std::uint32_t column = 0;
-};
-
-inline Diagnostic error_at(Reason reason, const Place& place, std::string message) {
-  return {reason, std::move(message), place.line, place.column};
-}
 
 // A sign is one character: `//` is two rolls in a string of modules, and it is for the reader of an expression to see
 // `==` or `&&` in two signs that touch.

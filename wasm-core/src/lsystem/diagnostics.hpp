@@ -1,0 +1,25 @@
+// Where something stands in a grammar's text, and what to say about it.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "foundation/result.hpp"
+
+namespace panicle::lsystem {
+
+// Counted from 1; columns count code points. 0 and 0 where no text is concerned.
+struct Place {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+// A sentence in pieces. They are joined out of line, in one place: sums of strings would be a fifth of the .wasm.
+using Pieces = std::initializer_list<std::string_view>;
+
+std::string joined(Pieces pieces);
+Diagnostic error_at(Reason reason, const Place& place, Pieces pieces);
+
+}  // namespace panicle::lsystem
