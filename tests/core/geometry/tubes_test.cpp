@@ -290,3 +290,16 @@ TEST_CASE("a skeleton too large for smooth tubes gets fewer sides, then fewer ri
     before = stem.internode.size();
   }
 }
+
+TEST_CASE("numbers of a fixed skeleton") {
+  const StemMesh stem = sweep_stems(small_bunch(), twelve, 0.00025f);
+  CHECK(stem.internode.size() == 1310);
+  CHECK(stem.mesh.indices.size() / 3 == 2400);
+  CHECK(surface_of(stem.mesh, 0, stem.parts[0].index_count).volume * 1e9 == doctest::Approx(425.17).epsilon(1e-4));
+  Fingerprint fingerprint;  // changes when tubes are shaped anew, never between toolchains
+  fingerprint.add(std::span<const float>(stem.mesh.positions));
+  fingerprint.add(std::span<const float>(stem.mesh.normals));
+  fingerprint.add(std::span<const float>(stem.mesh.uvs));
+  fingerprint.add(std::span<const std::uint32_t>(stem.mesh.indices));
+  CHECK(fingerprint.value() == 0x8df670d279fc760du);
+}

@@ -50,14 +50,6 @@ class Sum {
   std::uint32_t contacts_ = 0;
 };
 
-// Are all four comparisons true (−1, not 0)?
-template <class Comparison>
-bool all(const Comparison& four) {
-  typedef std::int64_t Two __attribute__((vector_size(16)));
-  const Two two = reinterpret_cast<const Two&>(four);
-  return (two[0] & two[1]) == -1;
-}
-
 std::uint32_t hash_of(std::int32_t x, std::int32_t y, std::int32_t z) {
   std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9e3779b1u;
   h = (h ^ (h >> 15) ^ static_cast<std::uint32_t>(y)) * 0x85ebca6bu;

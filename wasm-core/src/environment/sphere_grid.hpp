@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "foundation/lanes.hpp"
+
 namespace panicle {
 
 struct Sphere {
@@ -56,7 +58,6 @@ class SphereGrid {
 
   // Spheres side by side, for arithmetic on several at once.
   static constexpr std::uint32_t lanes = 4;
-  typedef float Four __attribute__((vector_size(16)));
   struct Group {
     Four x, y, z, radius;
   };

@@ -107,13 +107,13 @@ class Finder {
     StemAxis axis;
     axis.axis = head.axis;
     axis.first = static_cast<std::uint32_t>(nodes.size());
-    nodes.push_back({head.start, {}, head.radius, first});
+    nodes.push_back({head.start, {}, head.radius, 0, first});
     for (std::int32_t i = first; i != none; i = successor_[i]) {
       const Internode& internode = skeleton_[i];
       const std::int32_t next = successor_[i];
       const float radius = next == none ? internode.radius_end : 0.5f * (internode.radius_end + skeleton_[next].radius);
       const float step = glm::length(internode.end - nodes.back().position);
-      if (step > std::max(result_.finest, 0.25f * radius)) nodes.push_back({internode.end, {}, radius, i});
+      if (step > std::max(result_.finest, 0.25f * radius)) nodes.push_back({internode.end, {}, radius, step, i});
     }
     axis.count = static_cast<std::uint32_t>(nodes.size()) - axis.first;
     if (axis.count < 2) {
@@ -135,17 +135,12 @@ class Finder {
   // a branch sets out leaning towards its bearer's direction, and the last internode ends straight.
   void bend(const StemAxis& axis) {
     Node* node = &result_.nodes[axis.first];
-    glm::vec3 before = node[1].position - node[0].position;
-    float length_before = glm::length(before);
-    before /= length_before;
+    glm::vec3 before = (node[1].position - node[0].position) / node[1].step;
     node[0].tangent = axis.origin.attached ? unit_or(before + 0.25f * axis.origin.direction, before) : before;
     for (std::uint32_t i = 1; i + 1 < axis.count; ++i) {
-      glm::vec3 after = node[i + 1].position - node[i].position;
-      const float length_after = glm::length(after);
-      after /= length_after;
-      node[i].tangent = unit_or(before * length_after + after * length_before, after);
+      const glm::vec3 after = (node[i + 1].position - node[i].position) / node[i + 1].step;
+      node[i].tangent = unit_or(before * node[i + 1].step + after * node[i].step, after);
       before = after;
-      length_before = length_after;
     }
     node[axis.count - 1].tangent = before;
   }

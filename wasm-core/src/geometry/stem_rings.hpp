@@ -16,9 +16,12 @@ namespace panicle {
 // The edge of a cross-section: centre + right cos a + forward sin a. Changes are per unit of length along the tangent.
 struct Ring {
   glm::vec3 centre{0}, tangent{0};
-  glm::vec3 right{0}, forward{0};  // half-axes; right × forward points ahead
-  glm::vec3 right_change{0}, forward_change{0};
-  bool round = true;  // half-axes and changes are equal in length and the plane is at right angles to the tangent
+  glm::vec3 right{0}, forward{0};                // half-axes; right × forward points ahead
+  float radius = 0;                              // length of `forward`
+  float slope = 0;                               // change of `radius`
+  glm::vec3 right_change{0}, forward_change{0};  // of the half-axes; only where not round
+  bool round = true;  // both half-axes of that radius and slope, at right angles to the tangent
+  float run = 0;      // distance from the ring before
   float v = 0;        // texture coordinate along the axis
   std::uint32_t internode = 0;
 };
@@ -32,7 +35,7 @@ struct Tube {
 // Makes the tubes of one skeleton, which must outlive it.
 //
 // The centre line is a cubic Hermite curve through the nodes; rings stand closer near nodes and where it bends, and
-// turn as little as possible from one to the next (double reflection: Wang, Jüttler, Zheng and Liu 2008). The radius
+// turn as little as possible from one to the next. The radius
 // passes smoothly from node to node; nodes swell a little, a branch spreads where it leaves its bearer, a pedicel
 // widens into a receptacle under its berry, and one that has withered shrinks to a blunt tip.
 class TubeMaker {
@@ -52,7 +55,7 @@ class TubeMaker {
 
   std::uint32_t steps_to(const StemAxis& axis, std::uint32_t i) const;
   End end_of(const StemAxis& axis) const;
-  void sweep(const StemAxis& axis, std::vector<Ring>& rings) const;
+  void sweep(const StemAxis& axis, Ring* rings) const;
 
   std::span<const Internode> skeleton_;
   const StemAxes& axes_;

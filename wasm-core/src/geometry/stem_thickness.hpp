@@ -24,9 +24,10 @@ class Thickness {
  public:
   Thickness(std::span<const Node> nodes, const Origin& origin, End end);
 
-  // At the fraction `t` of the internode that ends at node i; `from_start` is the distance of node i − 1 from the
-  // first.
-  Section at(std::size_t i, float t, float from_start) const;
+  // Goes on to the internode that ends at node i: 1, 2, …
+  void enter(std::size_t i);
+  // At the fraction `t` of the internode entered.
+  Section at(float t) const;
 
  private:
   float end_factor(float from_end) const;
@@ -35,8 +36,12 @@ class Thickness {
   std::span<const Node> nodes_;
   Origin origin_;
   End end_;
-  float length_ = 0;     // of the whole axis
-  float emergence_ = 0;  // how far from its start a branch leaves its bearer's surface
+  float length_ = 0;                         // of the whole axis
+  float per_emergence_ = 0, emergence_ = 0;  // how far from its start a branch leaves its bearer's surface
+  float per_end_radius_ = 0;
+  float from_start_ = 0, step_ = 0;                 // of the internode
+  float radius_ = 0, gain_ = 0;                     // at its start, and how much more at its end
+  float per_swelling_ = 0, per_next_swelling_ = 0;  // its length over the extents of its nodes
 };
 
 }  // namespace panicle

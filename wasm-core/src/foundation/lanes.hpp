@@ -1,0 +1,37 @@
+// Four floats or words at once: what compilers make SSE, NEON and wasm's 128-bit instructions of. Each lane rounds as
+// a single float does, so results stay the same everywhere.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace panicle {
+
+typedef float Four __attribute__((vector_size(16)));
+typedef std::uint32_t FourWords __attribute__((vector_size(16)));
+
+inline Four load(const float* values) {
+  Four four;
+  std::memcpy(&four, values, sizeof four);
+  return four;
+}
+
+inline FourWords load(const std::uint32_t* values) {
+  FourWords four;
+  std::memcpy(&four, values, sizeof four);
+  return four;
+}
+
+inline void store(float* values, const Four& four) { std::memcpy(values, &four, sizeof four); }
+inline void store(std::uint32_t* values, const FourWords& four) { std::memcpy(values, &four, sizeof four); }
+
+// Are all lanes of a comparison true (−1, not 0)?
+template <class Comparison>
+bool all(const Comparison& four) {
+  std::int64_t two[2];
+  static_assert(sizeof two == sizeof four);
+  std::memcpy(two, &four, sizeof two);
+  return (two[0] & two[1]) == -1;
+}
+
+}  // namespace panicle

@@ -1,0 +1,169 @@
+#include "geometry/tube_writer.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/lanes.hpp"
+#include "foundation/mathematics.hpp"
+
+namespace panicle {
+namespace {
+
+// A vector over and over, as four vertices in a row hold it: xyzx yzxy zxyz.
+struct Repeated {
+  Four part[3];
+
+  explicit Repeated(const glm::vec3& v)
+      : part{Four{v.x, v.y, v.z, v.x}, Four{v.y, v.z, v.x, v.y}, Four{v.z, v.x, v.y, v.z}} {}
+};
+
+// Three coordinates of four vertices.
+struct FourVectors {
+  Four x, y, z;
+};
+
+FourVectors cross(const FourVectors& a, const FourVectors& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+Four inverse_root(const Four& v) {
+  return Four{1, 1, 1, 1} / Four{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+}
+
+// The first vertex again, where the texture's seam is.
+void close_ring(float* out, std::uint32_t sides) {
+  for (std::uint32_t axis = 0; axis < 3; ++axis) out[3 * sides + axis] = out[axis];
+}
+
+}  // namespace
+
+TubeWriter::TubeWriter(StemMesh& stem, std::uint32_t sides, std::uint64_t rings, std::uint64_t tubes)
+    : stem_(stem), sides_(sides), padded_((sides + 3) / 4 * 4) {
+  for (std::uint32_t k = 0; k < padded_; ++k) {
+    const SinCos angle = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(sides));
+    cosine_.push_back(angle.cosine);
+    sine_.push_back(angle.sine);
+    cosine_thrice_.insert(cosine_thrice_.end(), 3, angle.cosine);
+    sine_thrice_.insert(sine_thrice_.end(), 3, angle.sine);
+  }
+  const std::uint32_t row = sides + 1;
+  for (std::uint32_t k = 0; k < row + row % 2; ++k)
+    u_.insert(u_.end(), {static_cast<float>(k) / static_cast<float>(sides), 0});
+  for (std::uint32_t k = 0; k < sides; ++k) band_.insert(band_.end(), {k, k + 1, k + row + 1, k, k + row + 1, k + row});
+  while (band_.size() % 4 != 0) band_.push_back(0);
+
+  const std::uint64_t room = vertices_for(sides, rings, tubes) + 4;
+  stem.mesh.positions.resize(room * 3);
+  stem.mesh.normals.resize(room * 3);
+  stem.mesh.uvs.resize(room * 2);
+  stem.internode.resize(room);
+  stem.mesh.indices.resize(rings * sides * 6 + 4);
+}
+
+void TubeWriter::finish() {
+  stem_.mesh.positions.resize(std::size_t{vertices_} * 3);
+  stem_.mesh.normals.resize(std::size_t{vertices_} * 3);
+  stem_.mesh.uvs.resize(std::size_t{vertices_} * 2);
+  stem_.internode.resize(vertices_);
+  stem_.mesh.indices.resize(indices_);
+}
+
+void TubeWriter::write(const Tube& tube, float scale) {
+  const Ring& first = tube.rings.front();
+  const Ring& last = tube.rings.back();
+  write_triangles(vertices_, static_cast<std::uint32_t>(tube.rings.size()));
+  write_pole(tube.first_pole * scale, -first.tangent, first);
+  for (const Ring& ring : tube.rings) write_ring(ring, scale);
+  write_pole(tube.last_pole * scale, last.tangent, last);
+}
+
+void TubeWriter::write_pole(const glm::vec3& position, const glm::vec3& normal, const Ring& ring) {
+  for (int axis = 0; axis < 3; ++axis) {
+    stem_.mesh.positions[3 * vertices_ + axis] = position[axis];
+    stem_.mesh.normals[3 * vertices_ + axis] = normal[axis];
+  }
+  stem_.mesh.uvs[2 * vertices_] = 0.5f;
+  stem_.mesh.uvs[2 * vertices_ + 1] = ring.v;
+  stem_.internode[vertices_] = ring.internode;
+  ++vertices_;
+}
+
+void TubeWriter::write_ring(const Ring& ring, float scale) {
+  write_ellipse(&stem_.mesh.positions[3 * vertices_], ring.centre * scale, ring.right * scale, ring.forward * scale);
+  float* normals = &stem_.mesh.normals[3 * vertices_];
+  if (ring.round) {
+    const float out = 1 / std::sqrt(1 + ring.slope * ring.slope);
+    const float unit = out / ring.radius;
+    write_ellipse(normals, ring.tangent * (-ring.slope * out), ring.right * unit, ring.forward * unit);
+  } else {
+    write_normals(ring, normals);
+  }
+  float* uvs = &stem_.mesh.uvs[2 * vertices_];
+  const Four v{0, ring.v, 0, ring.v};
+  const float* u = u_.data();
+  for (const float* end = u + u_.size(); u < end; u += 4, uvs += 4) store(uvs, load(u) + v);
+  std::uint32_t* internodes = &stem_.internode[vertices_];
+  const FourWords internode{ring.internode, ring.internode, ring.internode, ring.internode};
+  for (std::uint32_t k = 0; k <= sides_; k += 4) store(internodes + k, internode);
+  vertices_ += sides_ + 1;
+}
+
+void TubeWriter::write_ellipse(float* out, const glm::vec3& centre, const glm::vec3& right,
+                               const glm::vec3& forward) const {
+  const Repeated c(centre), r(right), f(forward);
+  const float* cosine = cosine_thrice_.data();
+  const float* sine = sine_thrice_.data();
+  for (std::uint32_t at = 0; at < 3 * padded_; at += 12) {
+    store(out + at, c.part[0] + r.part[0] * load(cosine + at) + f.part[0] * load(sine + at));
+    store(out + at + 4, c.part[1] + r.part[1] * load(cosine + at + 4) + f.part[1] * load(sine + at + 4));
+    store(out + at + 8, c.part[2] + r.part[2] * load(cosine + at + 8) + f.part[2] * load(sine + at + 8));
+  }
+  close_ring(out, sides_);
+}
+
+// At right angles to the two directions within the surface, round the ring and along the axis.
+void TubeWriter::write_normals(const Ring& ring, float* out) const {
+  const auto sum = [](const glm::vec3& a, const Four& x, const glm::vec3& b, const Four& y) {
+    return FourVectors{a.x * x + b.x * y, a.y * x + b.y * y, a.z * x + b.z * y};
+  };
+  const float* cosine = cosine_.data();
+  const float* sine = sine_.data();
+  for (std::uint32_t k = 0; k < padded_; k += 4) {
+    const Four c = load(cosine + k), s = load(sine + k);
+    const FourVectors around = sum(ring.forward, c, -ring.right, s);
+    FourVectors along = sum(ring.right_change, c, ring.forward_change, s);
+    along = {along.x + ring.tangent.x, along.y + ring.tangent.y, along.z + ring.tangent.z};
+    const FourVectors n = cross(around, along);
+    const Four unit = inverse_root(n.x * n.x + n.y * n.y + n.z * n.z);
+    const Four x = n.x * unit, y = n.y * unit, z = n.z * unit;
+    store(out + 3 * k, Four{x[0], y[0], z[0], x[1]});
+    store(out + 3 * k + 4, Four{y[1], z[1], x[2], y[2]});
+    store(out + 3 * k + 8, Four{z[2], x[3], y[3], z[3]});
+  }
+  close_ring(out, sides_);
+}
+
+// A fan, bands of two triangles a side, a fan; counter-clockwise from without.
+void TubeWriter::write_triangles(std::uint32_t first_pole, std::uint32_t rings) {
+  const std::uint32_t row = sides_ + 1;
+  const std::uint32_t* band = band_.data();
+  const std::size_t words = band_.size();
+  std::uint32_t ring = first_pole + 1;
+  std::uint32_t* out = &stem_.mesh.indices[indices_];
+  const auto triangle = [&out](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    out[0] = a;
+    out[1] = b;
+    out[2] = c;
+    out += 3;
+  };
+  for (std::uint32_t k = 0; k < sides_; ++k) triangle(first_pole, ring + k + 1, ring + k);
+  for (std::uint32_t i = 1; i < rings; ++i, ring += row, out += 6 * sides_) {
+    const FourWords base{ring, ring, ring, ring};
+    for (std::uint32_t k = 0; k < words; k += 4) store(out + k, load(band + k) + base);
+  }
+  const std::uint32_t last_pole = ring + row;
+  for (std::uint32_t k = 0; k < sides_; ++k) triangle(last_pole, ring + k, ring + k + 1);
+  indices_ += rings * sides_ * 6;
+}
+
+}  // namespace panicle
