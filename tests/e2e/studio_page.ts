@@ -40,12 +40,20 @@ export class StudioPage {
 		return this.page.getByRole("region", { name: `${view} view` }).locator(`[data-handle=${handle}]`);
 	}
 
-	/** Where to take hold of a handle, in pixels of the page. */
+	/** Where to take hold of a handle, in pixels of the page, once it stands still. */
 	async grip(view: "Front" | "Side", handle: string): Promise<{ x: number; y: number }> {
-		await this.handle(view, handle).hover({ trial: true }); // Waits for it to stand still.
-		const box = await this.handle(view, handle).boundingBox();
-		if (!box) throw new Error(`Handle ${handle} is not on the page.`);
-		return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+		const centre = async () => {
+			const box = await this.handle(view, handle).boundingBox();
+			if (!box) throw new Error(`Handle ${handle} is not on the page.`);
+			return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+		};
+		let at = await centre();
+		await expect(async () => {
+			const before = at;
+			at = await centre();
+			expect(at).toEqual(before);
+		}).toPass({ intervals: [100] });
+		return at;
 	}
 
 	async openGroup(title: string): Promise<void> {
