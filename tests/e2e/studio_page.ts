@@ -50,9 +50,12 @@ export class StudioPage {
 		let at = await centre();
 		await expect(async () => {
 			const before = at;
+			await this.page.evaluate(
+				() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+			);
 			at = await centre();
 			expect(at).toEqual(before);
-		}).toPass({ intervals: [100] });
+		}).toPass();
 		return at;
 	}
 
