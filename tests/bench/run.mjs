@@ -39,7 +39,9 @@ benchPresets();
 benchTable2();
 benchKernels();
 benchScale();
-console.log(`\nwasm / native, geometric mean of ${ratios.length}: ${digits(geometricMean(ratios), 2)} (aim 1.35 at the most)`);
+console.log(
+	`\nwasm / native, geometric mean of ${ratios.length}: ${digits(geometricMean(ratios), 2)} (aim 1.35 at the most)`,
+);
 if (process.argv[2] !== "core") await benchBrowser();
 
 async function benchModule() {
@@ -56,7 +58,9 @@ function timeGrow(request) {
 }
 
 function benchPresets() {
-	const rows = [["growing a preset", "internodes", "berries", "wasm µs", "native µs", "ratio", "with meshes µs", "vertices"]];
+	const rows = [
+		["growing a preset", "internodes", "berries", "wasm µs", "native µs", "ratio", "with meshes µs", "vertices"],
+	];
 	for (const { name } of PRESETS) {
 		const specimen = specimenFromPreset(name);
 		const bare = encodeRequest(specimen, { meshes: false });
@@ -93,8 +97,14 @@ function benchTable2() {
 		rows.push([
 			...TABLE_2[i],
 			radius,
-			digits(mean(({ counts }) => counts.internodes), 1),
-			digits(mean(({ counts }) => counts.berries), 1),
+			digits(
+				mean(({ counts }) => counts.internodes),
+				1,
+			),
+			digits(
+				mean(({ counts }) => counts.berries),
+				1,
+			),
 			digits(median(grown.map(({ time }) => time)) / 1000, 3),
 		]);
 	});
@@ -115,27 +125,57 @@ function benchKernels() {
 	const rows = [["kernel", "work", "wasm", "native", "unit", "ratio"]];
 	const derive = timeKernel("derive", DERIVE_STEPS, 3);
 	const rate = ({ work }, time) => digits(work / time, 1);
-	rows.push([`derive, ${DERIVE_STEPS} steps`, derive.work, rate(derive, derive.wasm), rate(derive, derive.native), "M modules/s", digits(derive.ratio, 2)]);
+	rows.push([
+		`derive, ${DERIVE_STEPS} steps`,
+		derive.work,
+		rate(derive, derive.wasm),
+		rate(derive, derive.native),
+		"M modules/s",
+		digits(derive.ratio, 2),
+	]);
 	for (const spheres of [500, 10000]) {
 		const probe = timeKernel("probe", spheres, spheres < 1000 ? 20 : 2);
 		const each = (time) => digits(time / probe.work, 2);
-		rows.push([`probe, ${spheres} spheres`, probe.work, each(probe.wasm), each(probe.native), "µs a sphere", digits(probe.ratio, 2)]);
+		rows.push([
+			`probe, ${spheres} spheres`,
+			probe.work,
+			each(probe.wasm),
+			each(probe.native),
+			"µs a sphere",
+			digits(probe.ratio, 2),
+		]);
 	}
 	const tubes = timeKernel("tubes", 199, 20);
-	rows.push(["tubes, 12 sides", tubes.work, rate(tubes, tubes.wasm), rate(tubes, tubes.native), "M vertices/s", digits(tubes.ratio, 2)]);
+	rows.push([
+		"tubes, 12 sides",
+		tubes.work,
+		rate(tubes, tubes.wasm),
+		rate(tubes, tubes.native),
+		"M vertices/s",
+		digits(tubes.ratio, 2),
+	]);
 	printTable("Kernels (aims: 200 M modules/s, 3 µs a sphere, 100 M vertices/s)", rows);
 
 	const modules = peerModules(DERIVE_STEPS);
 	const peer = modules / microseconds(1, 5, () => peerModules(DERIVE_STEPS));
 	const ours = derive.work / derive.wasm;
-	console.log(`lindenmayer (npm), same rule, ${modules} modules: ${digits(peer, 1)} M modules/s; ours / peer ${digits(ours / peer, 1)} (aim 10)`);
+	console.log(
+		`lindenmayer (npm), same rule, ${modules} modules: ${digits(peer, 1)} M modules/s; ours / peer ${digits(ours / peer, 1)} (aim 10)`,
+	);
 }
 
 function benchScale() {
 	const rows = [["plan", "pedicels", "wasm ms", "native ms", "µs a pedicel", "ratio"]];
 	for (const factor of [1, 10, 100]) {
 		const { work, wasm, native, ratio } = timeKernel("plan", factor, factor > 10 ? 1 : 10);
-		rows.push([`${factor} ×`, work, digits(wasm / 1000, 2), digits(native / 1000, 2), digits(wasm / work, 2), digits(ratio, 2)]);
+		rows.push([
+			`${factor} ×`,
+			work,
+			digits(wasm / 1000, 2),
+			digits(native / 1000, 2),
+			digits(wasm / work, 2),
+			digits(ratio, 2),
+		]);
 	}
 	printTable("Cost as the plan grows", rows);
 }

@@ -43,7 +43,11 @@ function growNatively(request: Uint8Array): { fingerprint: string; meshFingerpri
 		const section = view.getUint32(at, true);
 		const bytes = view.getUint32(at + 4, true);
 		if (section === FINGERPRINTS_SECTION) {
-			const word = (i: number) => view.getUint32(at + 8 + i * 4, true).toString(16).padStart(8, "0");
+			const word = (i: number) =>
+				view
+					.getUint32(at + 8 + i * 4, true)
+					.toString(16)
+					.padStart(8, "0");
 			return { fingerprint: word(1) + word(0), meshFingerprint: word(3) + word(2) };
 		}
 		at += 8 + bytes;
