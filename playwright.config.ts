@@ -16,7 +16,7 @@ export default defineConfig({
 	outputDir: "build/e2e",
 	workers: 1,
 	forbidOnly: !!process.env.CI,
-	timeout: 60_000,
+	timeout: 120_000,
 	expect: { timeout: 15_000 },
 	reporter: process.env.PANICLE_E2E_REPORT
 		? [["line"], ["json", { outputFile: process.env.PANICLE_E2E_REPORT }]]
