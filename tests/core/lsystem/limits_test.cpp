@@ -25,10 +25,12 @@ TEST_CASE("a string that doubles for ever stops at the words it may have") {
 
 TEST_CASE("a string of exactly the words it may have is fine") {
   Limits limits;
-  limits.words = 1024;
   const ProgramPointer program = compiled("axiom: A\nA --> A A");
-  CHECK(lsystem::derive(*program, 1, 10, limits));
-  CHECK_FALSE(lsystem::derive(*program, 1, 11, limits));
+  for (const std::uint32_t steps : {3u, 10u, 14u}) {
+    limits.words = 1u << steps;
+    CHECK(lsystem::derive(*program, 1, steps, limits));
+    CHECK_FALSE(lsystem::derive(*program, 1, steps + 1, limits));
+  }
 }
 
 TEST_CASE("derivation that never ends stops at the steps it may take") {

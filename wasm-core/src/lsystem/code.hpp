@@ -18,7 +18,7 @@ struct Instruction {
   std::uint32_t out = 0;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  std::uint32_t c = 0;  // third operand; array of an element; stream of a draw; target of a jump
+  std::uint32_t c = 0;  // array of an element; stream of a draw; target of a jump
 
   bool operator==(const Instruction&) const = default;
 };
@@ -47,7 +47,7 @@ struct Draw {
   std::uint64_t address = 0;
 };
 
-// One instruction but for jumps. False when it went wrong; `fault` says how.
+// One of the rarer instructions, from Op::remainder on. False when it went wrong; `fault` says how.
 bool execute_one(const Code& code, std::uint32_t at, float* registers, const Draw& draw, Diagnostic& fault);
 
 // Runs instructions from `begin` to before `end`; what most rules consist of without a call. False when one went wrong;

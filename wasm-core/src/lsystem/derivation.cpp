@@ -122,11 +122,6 @@ class Derivation {
   bool make_room(std::uint64_t run, const Template& successor) {
     const std::uint64_t words = next_.used + run + successor.words;
     const std::uint64_t active = next_.active_count + successor.active.size();
-    if (words <= next_.words.capacity() && active <= next_.active.capacity()) return true;
-    return grow(words, active);
-  }
-
-  bool grow(std::uint64_t words, std::uint64_t active) {
     return machine_.make_room(next_.words, words) && machine_.make_room(next_.active, active);
   }
 

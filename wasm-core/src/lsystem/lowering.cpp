@@ -112,23 +112,35 @@ bool Lowering::element(const Node& node) {
 }
 
 bool Lowering::operation(const Node& node) {
-  Instruction instruction{node.op, 0, 0, 0, 0};
-  if (node.arguments > 2) instruction.c = pop();
-  if (node.arguments > 1) instruction.b = pop();
-  instruction.a = pop();
-  if (is_random(node.op)) {
-    if (!may_draw_)
-      return fail(Reason::syntax, node.place,
-                  {"Random values belong to modules; draw them in the axiom or a production, not in a #define."});
-    instruction.c = static_cast<std::uint32_t>(code_.streams.size());
-    code_.streams.push_back(stream_of(node));
-    put(emit(instruction, node.place));
+  if (node.op == Op::clamp) {
+    const std::uint32_t high = pop();
+    calculate(Op::maximum, 2, node.place);
+    put(high);
+    calculate(Op::minimum, 2, node.place);
     return true;
   }
-  const bool constant = constant_[instruction.a] && (node.arguments < 2 || constant_[instruction.b]) &&
-                        (node.arguments < 3 || constant_[instruction.c]);
-  if (!constant || !fold(instruction, node.place)) put(emit(instruction, node.place));
+  if (!is_random(node.op)) {
+    calculate(node.op, node.arguments, node.place);
+    return true;
+  }
+  if (!may_draw_)
+    return fail(Reason::syntax, node.place,
+                {"Random values belong to modules; draw them in the axiom or a production, not in a #define."});
+  Instruction instruction{node.op, 0, 0, 0, static_cast<std::uint32_t>(code_.streams.size())};
+  if (node.arguments > 1) instruction.b = pop();
+  instruction.a = pop();
+  code_.streams.push_back(stream_of(node));
+  put(emit(instruction, node.place));
   return true;
+}
+
+// Puts the result of one or two operands from the stack in their place.
+void Lowering::calculate(Op op, std::uint32_t operands, const Place& place) {
+  Instruction instruction{op, 0, 0, 0, 0};
+  if (operands > 1) instruction.b = pop();
+  instruction.a = pop();
+  const bool constant = is_constant(instruction.a) && (operands < 2 || is_constant(instruction.b));
+  if (!constant || !fold(instruction, place)) put(emit(instruction, place));
 }
 
 std::uint64_t Lowering::stream_of(const Node& node) {
@@ -188,7 +200,7 @@ std::uint32_t Lowering::emit(Instruction instruction, const Place& place) {
 
 // Works an instruction out now. One that goes wrong is left for the run, which may never come to it.
 bool Lowering::fold(Instruction instruction, const Place& place) {
-  if (!constant_[instruction.a]) return false;
+  if (!is_constant(instruction.a)) return false;
   const std::uint32_t at = here();
   instruction.out = new_register(0, false);
   code_.instructions.push_back(instruction);

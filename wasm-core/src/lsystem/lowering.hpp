@@ -32,7 +32,6 @@ class Lowering {
   Result<float> value(const Expression& expression);
 
   bool is_constant(std::uint32_t reg) const { return constant_[reg] != 0; }
-  bool draws() const { return !code_.streams.empty(); }
 
  private:
   struct Branch {  // the second operand of && or ||, which may be passed over
@@ -45,6 +44,7 @@ class Lowering {
   bool name(const Node& node);
   bool element(const Node& node);
   bool operation(const Node& node);
+  void calculate(Op op, std::uint32_t operands, const Place& place);
   void begin_branch(const Node& node);
   void end_branch(const Node& node);
   std::uint64_t stream_of(const Node& node);

@@ -8,24 +8,27 @@
 namespace panicle::lsystem {
 
 enum class Op : std::uint8_t {
+  // What most rules consist of.
   add,
   subtract,
   multiply,
   divide,
-  remainder,
-  power,
   equal,
   not_equal,
   less,
   less_equal,
   greater,
   greater_equal,
+  negate,
+  truth,
+  jump_if_false,
+  jump_if_true,
+  // Functions of one or two numbers.
+  remainder,
+  power,
   minimum,
   maximum,
-  clamp,
-  negate,
   invert,
-  truth,
   floor,
   ceiling,
   nearest,
@@ -40,9 +43,10 @@ enum class Op : std::uint8_t {
   arc_tangent_of,
   exponential,
   logarithm,
+  // Of three; the byte code makes two of it.
+  clamp,
+  // What can go wrong, or draws.
   element,
-  jump_if_false,
-  jump_if_true,
   random_whole,
   random_real,
   random_normal,
