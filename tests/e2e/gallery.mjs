@@ -41,7 +41,12 @@ async function draw({ core: address, size, oversampling, quality, theme }) {
 	return pictures;
 }
 
-const server = await createServer({ server: { host: "localhost", port: 0 }, logLevel: "warn" });
+/** Nothing may load the page anew while it draws: no watching, no bundling of packages behind its back. */
+const server = await createServer({
+	server: { host: "localhost", port: 0, hmr: false, watch: null },
+	optimizeDeps: { noDiscovery: true, include: [] },
+	logLevel: "warn",
+});
 await server.listen();
 const browser = await launch();
 mkdirSync(folder, { recursive: true });

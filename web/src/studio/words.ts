@@ -13,3 +13,8 @@ export function lengthInWords({ parameters: { l, unit } }: Specimen): string {
 export function bunchInWords({ counts: { berries } }: Grown, specimen: Specimen): string {
 	return `${berries} ${berries === 1 ? "berry" : "berries"}, ${lengthInWords(specimen)} long`;
 }
+
+/** "120 pedicels, 34 withered": of the stems alone. */
+export function stemsInWords({ counts: { pedicels, withered } }: Grown): string {
+	return `${pedicels} pedicels, ${withered} withered`;
+}

@@ -10,6 +10,8 @@ const pictureOf = (name: string, dark: boolean) =>
 
 /** The presets as small pictures; choosing one is one undo step. */
 export class Gallery extends StudioElement {
+	#revealed: string | undefined;
+
 	protected override draw(studio: Studio): unknown {
 		const { specimen, ui } = studio.state;
 		const chosen = specimen.preset;
@@ -27,6 +29,24 @@ export class Gallery extends StudioElement {
 			)}
 		</ul>`;
 	}
+
+	/** The chosen preset is in sight, also when a link or a file has chosen it. */
+	protected override updated(): void {
+		const { preset } = this.studio.state.specimen;
+		const strip = this.querySelector("ul");
+		const chosen = this.querySelector<HTMLElement>("[aria-current=true]");
+		if (this.#revealed === preset || !strip || !chosen) return;
+		this.#revealed = preset;
+		reveal(strip, chosen);
+	}
+}
+
+/** Scrolls the strip, and nothing else, until the preset is in it. */
+function reveal(strip: HTMLElement, preset: HTMLElement): void {
+	const left = preset.offsetLeft - strip.offsetLeft;
+	const right = left + preset.offsetWidth;
+	if (left < strip.scrollLeft) strip.scrollLeft = left;
+	else if (right > strip.scrollLeft + strip.clientWidth) strip.scrollLeft = right - strip.clientWidth;
 }
 
 customElements.define("panicle-gallery", Gallery);

@@ -3,7 +3,7 @@ import { presetNamed } from "../../specimen/presets/index";
 import { growsAlike } from "../change";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
-import { bunchInWords } from "../words";
+import { bunchInWords, stemsInWords } from "../words";
 import { type IconName, icon } from "./icons";
 import { StudioElement } from "./studio_element";
 
@@ -96,7 +96,7 @@ function caption(studio: Studio): unknown {
 	const altered = !growsAlike({ ...grownFrom, seed: studio.preset.seed }, studio.preset);
 	return html`<div class="caption">
 		<h2>${title}${altered ? ", altered" : nothing}</h2>
-		<p>${bunchInWords(grown, grownFrom)}</p>
+		<p>${studio.state.ui.stems ? stemsInWords(grown) : bunchInWords(grown, grownFrom)}</p>
 	</div>`;
 }
 
