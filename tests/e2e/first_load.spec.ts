@@ -74,6 +74,7 @@ test("the theme is the system's until it is chosen, and the choice is remembered
 	expect(await paper()).toBe("rgb(20, 16, 14)");
 	await page.getByRole("button", { name: "Light theme" }).click();
 	expect(await paper()).toBe("rgb(244, 239, 228)");
+	await expect(page.locator("meta[name=theme-color][media=all]")).toHaveAttribute("content", "#f4efe4");
 	await page.reload();
 	await expect(page.getByRole("button", { name: "Dark theme" })).toBeVisible();
 	expect(await paper()).toBe("rgb(244, 239, 228)");

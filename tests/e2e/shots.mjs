@@ -3,7 +3,7 @@
  * `npm run shots -- WORD …` takes only those whose name holds a word.
  */
 import { mkdirSync } from "node:fs";
-import { preview } from "vite";
+import { build, preview } from "vite";
 import { launch } from "./browser.mjs";
 
 const folder = new URL("../../build/shots/", import.meta.url);
@@ -36,6 +36,7 @@ const SHOTS = [
 	["phone-sheet", PHONE, "", (page) => page.locator(".sheet").evaluate((sheet) => sheet.scrollBy(0, 420))],
 ];
 
+await build({ logLevel: "warn" });
 const server = await preview({ preview: { host: "localhost", port: 0 }, logLevel: "warn" });
 const browser = await launch();
 mkdirSync(folder, { recursive: true });

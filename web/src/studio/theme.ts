@@ -12,6 +12,11 @@ export function applyTheme(theme: UiState["theme"]): void {
 	const { dataset } = document.documentElement;
 	if (theme === "system") delete dataset.theme;
 	else dataset.theme = theme;
+	// The browser's own bar goes with the page.
+	for (const meta of document.querySelectorAll<HTMLMetaElement>("meta[name=theme-color]")) {
+		const own = meta.dataset.theme;
+		meta.media = theme === "system" ? `(prefers-color-scheme: ${own})` : own === theme ? "all" : "not all";
+	}
 }
 
 /** Calls back when the system goes from light to dark or back. */
