@@ -119,8 +119,10 @@ class Dice {
 
 std::string made_up(Dice& dice) {
   std::string text = dice.below(2) ? "axiom: A(1) B(2,3) " : "";
-  for (std::size_t tokens = dice.below(60); tokens-- > 0;)
-    text += pool[dice.below(pool.size())] + (dice.below(3) ? " " : "");
+  for (std::size_t tokens = dice.below(60); tokens-- > 0;) {
+    text += pool[dice.below(pool.size())];
+    if (dice.below(3) > 0) text += ' ';
+  }
   return text;
 }
 
