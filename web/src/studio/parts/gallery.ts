@@ -23,7 +23,7 @@ export class Gallery extends StudioElement {
 						class="preset" type="button" aria-current=${name === chosen} title="${about} (figure ${figure})" data-preset=${name}
 						@click=${() => studio.choosePreset(name)}
 					>
-						<img src=${pictureOf(name, dark)} alt="" width="60" height="75" loading="lazy" decoding="async">${title}
+						<img src=${pictureOf(name, dark)} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">${title}
 					</button>
 				</li>`,
 			)}
