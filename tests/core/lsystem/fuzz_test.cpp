@@ -183,7 +183,10 @@ int tried(const std::string& text, std::uint32_t mood) {
   if (!program) return sound(program.error()), 1;
   const auto string = lsystem::derive(*program.value(), 1, 30, limits);
   if (!string) return sound(string.error()), 2;
-  lsystem::to_text(*program.value(), *string->string);
+  const auto unfolded = lsystem::unfold(*program.value(), 1, limits);
+  if (!unfolded) sound(unfolded.error());
+  if (unfolded)
+    CHECK(lsystem::to_text(*program.value(), *unfolded->string) == lsystem::to_text(*program.value(), *string->string));
   Contrary listener;
   listener.heard = mood;
   const auto result = lsystem::interpret(*program.value(), *string->string, {}, listener, 1, limits);
