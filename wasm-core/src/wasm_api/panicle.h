@@ -15,7 +15,7 @@
  *   8  m in place of the profile's (0: from the profile)
  *   9  N, number of values in place of the profile's n (0: from the profile)
  *  10  G, bytes of grammar text (0: the built-in L-system 3)
- *  11… P × float32, in the order of the numeric parameters of wasm-core/parameters/bunch.json that are not `look`; NaN: default
+ *  11… P × float32: the parameters of wasm-core/parameters/bunch.json that are not `look`, in its order; NaN: default
  *   …  N × uint32, n1 … nN as the paper counts
  *   …  G bytes of UTF-8, padded to a word with zeros
  *
@@ -32,25 +32,25 @@ extern "C" {
 typedef struct PanicleResult PanicleResult;
 
 enum {
-  PANICLE_SECTION_STATUS = 0,        /* uint32 × 3: reason (foundation/result.hpp; 0 = grown), line, column */
-  PANICLE_SECTION_MESSAGE = 1,       /* UTF-8: the error's message */
-  PANICLE_SECTION_NOTES = 2,         /* UTF-8: notes, one a line */
-  PANICLE_SECTION_PLAN = 3,          /* float32 w r, then int32 n rd, × 4 sides; then int32 m, axes: (4 × 4 + 1 + m − 1) words */
-  PANICLE_SECTION_SECOND = 4,        /* the second bunch's plan, the same; empty without one */
-  PANICLE_SECTION_COUNTS = 5,        /* uint32 × 6: end structures, internodes, pedicels, berries, withered, cut */
-  PANICLE_SECTION_INTERNODES = 6,    /* int32 × 4 each: parent, kind, axis, state */
-  PANICLE_SECTION_INTERNODE_ENDS = 7,  /* float32 × 6 each: start, end; metres */
-  PANICLE_SECTION_INTERNODE_RADII = 8, /* float32 × 2 each; metres */
-  PANICLE_SECTION_BERRIES = 9,       /* float32 × 4 each: centre, radius; metres */
+  PANICLE_SECTION_STATUS = 0,            /* uint32 × 3: reason (foundation/result.hpp; 0 = grown), line, column */
+  PANICLE_SECTION_MESSAGE = 1,           /* UTF-8: the error's message */
+  PANICLE_SECTION_NOTES = 2,             /* UTF-8: notes, one a line */
+  PANICLE_SECTION_PLAN = 3,              /* float32 w r, int32 n rd, × 4 sides; int32 m, n of m − 1 axes */
+  PANICLE_SECTION_SECOND = 4,            /* the second bunch's plan, the same; empty without one */
+  PANICLE_SECTION_COUNTS = 5,            /* uint32 × 6: end structures, internodes, pedicels, berries, withered, cut */
+  PANICLE_SECTION_INTERNODES = 6,        /* int32 × 4 each: parent, kind, axis, state */
+  PANICLE_SECTION_INTERNODE_ENDS = 7,    /* float32 × 6 each: start, end; metres */
+  PANICLE_SECTION_INTERNODE_RADII = 8,   /* float32 × 2 each; metres */
+  PANICLE_SECTION_BERRIES = 9,           /* float32 × 4 each: centre, radius; metres */
   PANICLE_SECTION_BERRY_DIRECTIONS = 10, /* float32 × 3 each */
   PANICLE_SECTION_BERRY_PARENTS = 11,    /* int32 each */
-  PANICLE_SECTION_FINGERPRINTS = 12, /* uint32 × 4: skeleton and organs (low, high), meshes (low, high) */
-  PANICLE_SECTION_STEM_POSITIONS = 13, /* float32 × 3 per vertex; metres */
+  PANICLE_SECTION_FINGERPRINTS = 12,     /* uint32 × 4: skeleton and organs (low, high), meshes (low, high) */
+  PANICLE_SECTION_STEM_POSITIONS = 13,   /* float32 × 3 per vertex; metres */
   PANICLE_SECTION_STEM_NORMALS = 14,
   PANICLE_SECTION_STEM_UVS = 15,
-  PANICLE_SECTION_STEM_INDICES = 16,   /* uint32 */
+  PANICLE_SECTION_STEM_INDICES = 16,    /* uint32 */
   PANICLE_SECTION_STEM_INTERNODES = 17, /* uint32 per vertex */
-  PANICLE_SECTION_STEM_PARTS = 18,     /* int32 axis, uint32 first vertex, vertices, first index, indices; × parts */
+  PANICLE_SECTION_STEM_PARTS = 18,      /* int32 axis, uint32 first vertex, vertices, first index, indices; × parts */
   PANICLE_SECTION_BERRY_POSITIONS = 19, /* the shared berry, unit radius, tip scar towards +Y */
   PANICLE_SECTION_BERRY_NORMALS = 20,
   PANICLE_SECTION_BERRY_UVS = 21,
