@@ -186,16 +186,26 @@ TEST_CASE("a branch begins within its bearer and spreads where it leaves it") {
   };
   const StemMesh stem = sweep_stems(skeleton, twelve, 1);
   const StemPart& branch = stem.parts.at(1);
+  double agreement = 1;
+  std::uint32_t at_surface = 0;
   float hidden = 100, height_near = 0, height_far = 0;
   for (std::uint32_t i = branch.first_vertex; i < branch.first_vertex + branch.vertex_count; ++i) {
     const glm::dvec3 p = position_of(stem.mesh, i);
     const float height = static_cast<float>(std::fabs(p.y + 50));
     hidden = std::min(hidden, static_cast<float>(p.x));
+    // Where it comes out, it is shaded as its bearer is: no edge shows between them.
+    const glm::dvec3 out = glm::normalize(glm::dvec3(p.x, 0, p.z));
+    if (std::hypot(p.x, p.z) > 6 && std::hypot(p.x, p.z) < 7.5) {
+      agreement = std::min(agreement, glm::dot(out, normal_of(stem.mesh, i)));
+      ++at_surface;
+    }
     if (p.x < 0) CHECK(std::hypot(p.x, p.z) < 6.9);
     if (p.x > 6 && p.x < 9) height_near = std::max(height_near, height);
     if (p.x > 25 && p.x < 35) height_far = std::max(height_far, height);
   }
   CHECK(hidden < 0);
+  CHECK(at_surface >= 6);
+  CHECK(agreement > 0.8);
   CHECK(height_near > 1.12f * height_far);
 }
 
@@ -295,11 +305,11 @@ TEST_CASE("numbers of a fixed skeleton") {
   const StemMesh stem = sweep_stems(small_bunch(), twelve, 0.00025f);
   CHECK(stem.internode.size() == 1310);
   CHECK(stem.mesh.indices.size() / 3 == 2400);
-  CHECK(surface_of(stem.mesh, 0, stem.parts[0].index_count).volume * 1e9 == doctest::Approx(425.17).epsilon(1e-4));
+  CHECK(surface_of(stem.mesh, 0, stem.parts[0].index_count).volume * 1e9 == doctest::Approx(423.724).epsilon(1e-4));
   Fingerprint fingerprint;  // changes when tubes are shaped anew, never between toolchains
   fingerprint.add(std::span<const float>(stem.mesh.positions));
   fingerprint.add(std::span<const float>(stem.mesh.normals));
   fingerprint.add(std::span<const float>(stem.mesh.uvs));
   fingerprint.add(std::span<const std::uint32_t>(stem.mesh.indices));
-  CHECK(fingerprint.value() == 0x8df670d279fc760du);
+  CHECK(fingerprint.value() == 0xc75f10e8506e3b3cu);
 }

@@ -2,8 +2,14 @@
 // a single float does, so results stay the same everywhere.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#elif defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 namespace panicle {
 
@@ -24,6 +30,17 @@ inline FourWords load(const std::uint32_t* values) {
 
 inline void store(float* values, const Four& four) { std::memcpy(values, &four, sizeof four); }
 inline void store(std::uint32_t* values, const FourWords& four) { std::memcpy(values, &four, sizeof four); }
+
+// The one operation that compilers do not make of the plain text.
+inline Four square_root(const Four& v) {
+#if defined(__wasm_simd128__)
+  return (Four)wasm_f32x4_sqrt((v128_t)v);
+#elif defined(__SSE__)
+  return _mm_sqrt_ps(v);
+#else
+  return Four{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+#endif
+}
 
 // Are all lanes of a comparison true (−1, not 0)?
 template <class Comparison>

@@ -29,7 +29,7 @@ class Finder {
 
   StemAxes find() {
     measure();
-    directions();
+    relate();
     successors();
     for (const std::int32_t first : heads()) trace(first);
     return std::move(result_);
@@ -39,34 +39,40 @@ class Finder {
   // Floats of the largest coordinate are 2^−24 of it apart; a thousand steps make a ring that is round.
   void measure() {
     float extent = 0;
-    for (const Internode& internode : skeleton_) {
-      if (!usable(internode)) continue;
+    usable_.resize(skeleton_.size());
+    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+      usable_[i] = usable(skeleton_[i]) ? 1 : 0;
+      if (!usable_[i]) continue;
       for (int axis = 0; axis < 3; ++axis) {
-        extent = std::max({extent, std::fabs(internode.start[axis]), std::fabs(internode.end[axis])});
+        extent = std::max({extent, std::fabs(skeleton_[i].start[axis]), std::fabs(skeleton_[i].end[axis])});
       }
     }
     result_.finest = std::max(extent * 6e-5f, 1e-15f);
   }
 
-  // A direction for every internode; one without length takes its parent's.
-  void directions() {
-    directions_.resize(skeleton_.size());
-    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
-      const std::int32_t parent = parent_of(i);
-      const glm::vec3 inherited = parent == none ? glm::vec3(0, -1, 0) : directions_[parent];
-      const glm::vec3 along = usable(skeleton_[i]) ? skeleton_[i].end - skeleton_[i].start : glm::vec3(0);
-      directions_[i] = glm::length(along) > result_.finest ? unit_or(along, inherited) : inherited;
-    }
-  }
-
   // The parent, if it is an earlier, usable internode whose end is this one's start.
-  std::int32_t parent_of(std::size_t i) const {
+  std::int32_t find_parent(std::size_t i) const {
     const Internode& internode = skeleton_[i];
     const std::int32_t parent = internode.parent;
-    if (parent < 0 || static_cast<std::size_t>(parent) >= i) return none;
-    if (!usable(internode) || !usable(skeleton_[parent])) return none;
-    const float gap = glm::length(internode.start - skeleton_[parent].end);
-    return gap <= std::max(result_.finest, 0.5f * skeleton_[parent].radius_end) ? parent : none;
+    if (parent < 0 || static_cast<std::size_t>(parent) >= i || !usable_[i] || !usable_[parent]) return none;
+    const glm::vec3 gap = internode.start - skeleton_[parent].end;
+    const float allowed = std::max(result_.finest, 0.5f * skeleton_[parent].radius_end);
+    return glm::dot(gap, gap) <= allowed * allowed ? parent : none;
+  }
+
+  // Parents, and a direction for every internode; one without length takes its parent's.
+  void relate() {
+    parents_.resize(skeleton_.size());
+    directions_.resize(skeleton_.size());
+    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+      parents_[i] = find_parent(i);
+      const glm::vec3 along = usable_[i] ? skeleton_[i].end - skeleton_[i].start : glm::vec3(0);
+      const float length = glm::length(along);
+      if (length > result_.finest)
+        directions_[i] = along / length;
+      else
+        directions_[i] = parents_[i] == none ? glm::vec3(0, -1, 0) : directions_[parents_[i]];
+    }
   }
 
   void successors() {
@@ -74,7 +80,7 @@ class Finder {
     std::vector<float> alignment(skeleton_.size(), -2);
     std::vector<std::uint32_t> children(skeleton_.size(), 0);
     for (std::size_t i = 0; i < skeleton_.size(); ++i) {
-      const std::int32_t parent = parent_of(i);
+      const std::int32_t parent = parents_[i];
       if (parent == none) continue;
       ++children[parent];
       if (skeleton_[parent].axis != skeleton_[i].axis) continue;
@@ -92,9 +98,8 @@ class Finder {
   std::vector<std::int32_t> heads() const {
     std::vector<std::int32_t> found;
     for (std::size_t i = 0; i < skeleton_.size(); ++i) {
-      const std::int32_t parent = parent_of(i);
-      const bool carried_on = parent != none && successor_[parent] == static_cast<std::int32_t>(i);
-      if (!carried_on && usable(skeleton_[i])) found.push_back(static_cast<std::int32_t>(i));
+      const bool carried_on = parents_[i] != none && successor_[parents_[i]] == static_cast<std::int32_t>(i);
+      if (!carried_on && usable_[i]) found.push_back(static_cast<std::int32_t>(i));
     }
     std::stable_sort(found.begin(), found.end(),
                      [this](std::int32_t a, std::int32_t b) { return skeleton_[a].axis < skeleton_[b].axis; });
@@ -120,7 +125,7 @@ class Finder {
       nodes.resize(axis.first);
       return;
     }
-    const std::int32_t parent = parent_of(first);
+    const std::int32_t parent = parents_[first];
     if (parent != none)
       axis.origin = {true, successor_[parent] != none, directions_[parent], skeleton_[parent].radius_end};
     for (std::uint32_t i = 0; i < axis.count; ++i) {
@@ -146,6 +151,8 @@ class Finder {
   }
 
   std::span<const Internode> skeleton_;
+  std::vector<std::uint8_t> usable_;
+  std::vector<std::int32_t> parents_;
   std::vector<glm::vec3> directions_;
   std::vector<std::int32_t> successor_;
   StemAxes result_;

@@ -31,11 +31,11 @@ struct Curve {
 // Any vector well off `v`.
 glm::vec3 aside(const glm::vec3& v) { return std::fabs(v.y) < 0.8f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0); }
 
-// The part of `v` at right angles to the unit vector `tangent`, as a unit vector.
+// The part of `v` at right angles to the unit vector `tangent`, as a unit vector; any such if `v` has none.
 glm::vec3 across(const glm::vec3& v, const glm::vec3& tangent) {
   const glm::vec3 part = v - tangent * glm::dot(tangent, v);
   const float square = glm::dot(part, part);
-  return square > 1e-6f ? part * (1 / std::sqrt(square)) : across(aside(tangent), tangent);
+  return square > 1e-6f ? part * (1 / std::sqrt(square)) : glm::normalize(glm::cross(aside(tangent), tangent));
 }
 
 void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const glm::vec3& right,
@@ -46,12 +46,14 @@ void place(Ring& ring, const glm::vec3& centre, const glm::vec3& tangent, const 
   ring.right = right * section.wide;
   ring.forward = glm::cross(tangent, right) * section.narrow;
   ring.round = section.wide == section.narrow;
+  ring.blend = 0;
 }
 
 void lean_towards(Ring& ring, const glm::vec3& bearer, const Section& section) {
   const glm::vec3 right = ring.right / section.wide;
   const glm::vec3 leaning = right + (bearer - right) * section.lean;
   ring.right = leaning * (section.wide / glm::length(leaning));
+  ring.blend = section.blend;
   ring.round = false;
 }
 
@@ -185,6 +187,9 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
 void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   std::vector<Ring>& rings = tube.rings;
   rings.resize(count_rings(axis));
+  tube.bearer_point = axes_.nodes[axis.first].position;
+  tube.bearer_direction = axis.origin.direction;
+  tube.bearer_radius = std::max(axis.origin.radius, axes_.finest);
   const std::size_t front = axis.origin.attached ? 0 : cap_rings;
   const std::size_t back = rings.size() - cap_rings;
   sweep(axis, &rings[front]);

@@ -20,6 +20,7 @@ struct Ring {
   float radius = 0;                              // length of `forward`
   float slope = 0;                               // change of `radius`
   glm::vec3 right_change{0}, forward_change{0};  // of the half-axes; only where not round
+  float blend = 0;                               // share of the bearer's normals; only where not round
   bool round = true;  // both half-axes of that radius and slope, at right angles to the tangent
   float run = 0;      // distance from the ring before
   float v = 0;        // texture coordinate along the axis
@@ -29,6 +30,8 @@ struct Ring {
 // A closed tube: the rings, and a point at either end. The surface there looks straight back, and straight ahead.
 struct Tube {
   std::vector<Ring> rings;
+  glm::vec3 bearer_point{0}, bearer_direction{0};  // the line that blended normals point away from
+  float bearer_radius = 1;
   glm::vec3 first_pole{0}, last_pole{0};
 };
 

@@ -11,8 +11,9 @@ namespace {
 constexpr float between_nodes = 0.86f;
 constexpr float node_swelling = 0.16f;
 constexpr float foot_spread = 0.2f;
-constexpr float widest_in_bearer = 0.97f;
+constexpr float widest_in_bearer = 0.88f;
 constexpr float collar_width = 0.2f;
+constexpr float most_blend = 0.9f;
 constexpr float foot_length = 1.1f;    // along the bearer where it goes on,
 constexpr float collar_length = 0.5f;  // and where it ends
 constexpr float receptacle_spread = 0.35f;
@@ -84,13 +85,14 @@ float Thickness::end_factor(float from_end) const {
 Section Thickness::collar(float radius, float from_start, float from_end) const {
   const float x = from_start * per_emergence_;
   if (!origin_.attached) radius *= 1 + foot_spread * hill(x);
-  if (!origin_.attached || x >= collar_end) return {radius, radius, 0};
+  if (!origin_.attached || x >= collar_end) return {radius, radius, 0, 0};
   const float fade = smooth(std::min(1.0f, from_end * per_end_radius_ * (1 / 1.5f)));
   const float lean = origin_.passing ? fade * smooth(std::max(0.0f, 1 - x / collar_end)) : 0;
   const float length = origin_.passing ? foot_length * lean * lean : fade * collar_length * ridge(x);
   const float room = widest_in_bearer * origin_.radius + std::max(0.0f, from_start - emergence_);
   const float narrow = std::min(radius * (1 + fade * collar_width * ridge(x)), std::max(room, 0.1f * radius));
-  return {std::max(narrow, radius * (1 + length)), narrow, lean};
+  const float blend = origin_.passing ? most_blend * fade * smooth(std::clamp(2 - x, 0.0f, 1.0f)) : 0;
+  return {std::max(narrow, radius * (1 + length)), narrow, lean, blend};
 }
 
 }  // namespace panicle

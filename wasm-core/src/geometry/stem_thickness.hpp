@@ -16,6 +16,7 @@ struct Section {
   float wide = 0;    // half-width in that plane
   float narrow = 0;  // half-width across it
   float lean = 0;    // 0: at right angles to the branch … 1: its width lies along the bearer
+  float blend = 0;   // share of the bearer's normals in those of the branch, so that no edge shows between them
 };
 
 // The radius passes smoothly from node to node and is a little less between them. A branch spreads into its bearer,

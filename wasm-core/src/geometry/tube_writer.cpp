@@ -26,8 +26,24 @@ FourVectors cross(const FourVectors& a, const FourVectors& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-Four inverse_root(const Four& v) {
-  return Four{1, 1, 1, 1} / Four{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+FourVectors unit(const FourVectors& v) {
+  const Four per_length = 1 / square_root(v.x * v.x + v.y * v.y + v.z * v.z);
+  return {v.x * per_length, v.y * per_length, v.z * per_length};
+}
+
+// The part at right angles to a unit vector.
+FourVectors across(const FourVectors& v, const glm::vec3& direction) {
+  const Four part = v.x * direction.x + v.y * direction.y + v.z * direction.z;
+  return {v.x - part * direction.x, v.y - part * direction.y, v.z - part * direction.z};
+}
+
+FourVectors mix(const FourVectors& a, float share_a, const FourVectors& b, float share_b) {
+  return {a.x * share_a + b.x * share_b, a.y * share_a + b.y * share_b, a.z * share_a + b.z * share_b};
+}
+
+// base + a x + b y
+FourVectors sum(const glm::vec3& base, const glm::vec3& a, const Four& x, const glm::vec3& b, const Four& y) {
+  return {base.x + a.x * x + b.x * y, base.y + a.y * x + b.y * y, base.z + a.z * x + b.z * y};
 }
 
 // The first vertex again, where the texture's seam is.
@@ -52,12 +68,12 @@ TubeWriter::TubeWriter(StemMesh& stem, std::uint32_t sides, std::uint64_t rings,
   for (std::uint32_t k = 0; k < sides; ++k) band_.insert(band_.end(), {k, k + 1, k + row + 1, k, k + row + 1, k + row});
   while (band_.size() % 4 != 0) band_.push_back(0);
 
-  const std::uint64_t room = vertices_for(sides, rings, tubes) + 4;
+  const auto room = static_cast<std::size_t>(vertices_for(sides, rings, tubes)) + 4;
   stem.mesh.positions.resize(room * 3);
   stem.mesh.normals.resize(room * 3);
   stem.mesh.uvs.resize(room * 2);
   stem.internode.resize(room);
-  stem.mesh.indices.resize(rings * sides * 6 + 4);
+  stem.mesh.indices.resize(static_cast<std::size_t>(rings) * sides * 6 + 4);
 }
 
 void TubeWriter::finish() {
@@ -73,7 +89,7 @@ void TubeWriter::write(const Tube& tube, float scale) {
   const Ring& last = tube.rings.back();
   write_triangles(vertices_, static_cast<std::uint32_t>(tube.rings.size()));
   write_pole(tube.first_pole * scale, -first.tangent, first);
-  for (const Ring& ring : tube.rings) write_ring(ring, scale);
+  for (const Ring& ring : tube.rings) write_ring(tube, ring, scale);
   write_pole(tube.last_pole * scale, last.tangent, last);
 }
 
@@ -88,7 +104,7 @@ void TubeWriter::write_pole(const glm::vec3& position, const glm::vec3& normal, 
   ++vertices_;
 }
 
-void TubeWriter::write_ring(const Ring& ring, float scale) {
+void TubeWriter::write_ring(const Tube& tube, const Ring& ring, float scale) {
   write_ellipse(&stem_.mesh.positions[3 * vertices_], ring.centre * scale, ring.right * scale, ring.forward * scale);
   float* normals = &stem_.mesh.normals[3 * vertices_];
   if (ring.round) {
@@ -96,7 +112,7 @@ void TubeWriter::write_ring(const Ring& ring, float scale) {
     const float unit = out / ring.radius;
     write_ellipse(normals, ring.tangent * (-ring.slope * out), ring.right * unit, ring.forward * unit);
   } else {
-    write_normals(ring, normals);
+    write_normals(tube, ring, normals);
   }
   float* uvs = &stem_.mesh.uvs[2 * vertices_];
   const Four v{0, ring.v, 0, ring.v};
@@ -122,20 +138,22 @@ void TubeWriter::write_ellipse(float* out, const glm::vec3& centre, const glm::v
 }
 
 // At right angles to the two directions within the surface, round the ring and along the axis.
-void TubeWriter::write_normals(const Ring& ring, float* out) const {
-  const auto sum = [](const glm::vec3& a, const Four& x, const glm::vec3& b, const Four& y) {
-    return FourVectors{a.x * x + b.x * y, a.y * x + b.y * y, a.z * x + b.z * y};
-  };
+void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) const {
   const float* cosine = cosine_.data();
   const float* sine = sine_.data();
   for (std::uint32_t k = 0; k < padded_; k += 4) {
     const Four c = load(cosine + k), s = load(sine + k);
-    const FourVectors around = sum(ring.forward, c, -ring.right, s);
-    FourVectors along = sum(ring.right_change, c, ring.forward_change, s);
-    along = {along.x + ring.tangent.x, along.y + ring.tangent.y, along.z + ring.tangent.z};
-    const FourVectors n = cross(around, along);
-    const Four unit = inverse_root(n.x * n.x + n.y * n.y + n.z * n.z);
-    const Four x = n.x * unit, y = n.y * unit, z = n.z * unit;
+    const FourVectors around = sum(glm::vec3(0), ring.forward, c, -ring.right, s);
+    const FourVectors along = sum(ring.tangent, ring.right_change, c, ring.forward_change, s);
+    FourVectors normal = cross(around, along);
+    if (ring.blend > 0) {
+      // The bearer's normal, shorter within it: nothing on its axis, where it has none.
+      const FourVectors from_point = sum(ring.centre - tube.bearer_point, ring.right, c, ring.forward, s);
+      const FourVectors away = across(from_point, tube.bearer_direction);
+      normal = mix(normal, (1 - ring.blend) / ring.radius, away, ring.blend / tube.bearer_radius);
+    }
+    normal = unit(normal);
+    const auto& [x, y, z] = normal;
     store(out + 3 * k, Four{x[0], y[0], z[0], x[1]});
     store(out + 3 * k + 4, Four{y[1], z[1], x[2], y[2]});
     store(out + 3 * k + 8, Four{z[2], x[3], y[3], z[3]});

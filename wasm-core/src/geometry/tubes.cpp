@@ -11,17 +11,20 @@ namespace panicle {
 StemMesh sweep_stems(std::span<const Internode> skeleton, const TubeOptions& options, float scale) {
   const StemAxes axes = find_stem_axes(skeleton);
   TubeMaker maker(skeleton, axes);
-  std::uint64_t rings = 0;
-  const auto vertices_with = [&](std::uint32_t sides) {
-    rings = 0;
+  const auto count_rings = [&] {
+    std::uint64_t rings = 0;
     for (const StemAxis& axis : axes.axes) rings += maker.count_rings(axis);
-    return TubeWriter::vertices_for(sides, rings, axes.axes.size());
+    return rings;
   };
+  std::uint64_t rings = count_rings();
   std::uint32_t sides = std::clamp(options.sides, 3u, 64u);
-  while (vertices_with(sides) > options.most_vertices && sides > 3) sides = std::max(sides / 2, 3u);
-  if (vertices_with(sides) > options.most_vertices) {
+  const auto too_many = [&] {
+    return TubeWriter::vertices_for(sides, rings, axes.axes.size()) > options.most_vertices;
+  };
+  while (too_many() && sides > 3) sides = std::max(sides / 2, 3u);
+  if (too_many()) {
     maker.coarsen();
-    vertices_with(sides);
+    rings = count_rings();
   }
 
   StemMesh stem;
