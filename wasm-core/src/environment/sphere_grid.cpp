@@ -10,7 +10,7 @@ namespace {
 
 constexpr double clearance = 1.00001;
 constexpr double most_depth = 1e6;               // in diameters of the probe
-constexpr double edge_per_radius = 3.0;          // small cells make add slow, large ones probe: flat between 2 and 3
+constexpr double edge_per_radius = 3.0;          // small cells make add slow, large ones probe: flat from 2 to 4
 constexpr double margin = 1.0001;                // covers the rounding of the overlap test, clearance included
 constexpr std::int32_t farthest_cell = 1 << 30;  // what lies beyond shares the outermost cells
 constexpr std::uint32_t first_capacity = 8;

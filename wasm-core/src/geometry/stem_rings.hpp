@@ -38,9 +38,8 @@ struct Tube {
 // Makes the tubes of one skeleton, which must outlive it.
 //
 // The centre line is a cubic Hermite curve through the nodes; rings stand closer near nodes and where it bends, and
-// turn as little as possible from one to the next. The radius
-// passes smoothly from node to node; nodes swell a little, a branch spreads where it leaves its bearer, a pedicel
-// widens into a receptacle under its berry, and one that has withered shrinks to a blunt tip.
+// turn as little as possible from one to the next. Thickness says how wide they are; where a branch comes out of its
+// bearer, rings lean towards the bearer's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
   TubeMaker(std::span<const Internode> skeleton, const StemAxes& axes);
