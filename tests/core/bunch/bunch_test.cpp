@@ -209,6 +209,49 @@ TEST_CASE("the second bunch is the first's profile times the wing") {
   CHECK(!grown(request_for(shouldered())).second);
 }
 
+TEST_CASE("counts hold for two bunches of any of the grammars") {
+  for (const int system : {1, 2, 3}) {
+    CAPTURE(system);
+    Request request = as_printed(shouldered());
+    set(request, Parameter::wing, 0.6f);
+    request.grammar = builtin_grammar(system);
+    check_counts(grown(request));
+  }
+}
+
+TEST_CASE("both bunches keep their rachis at every angle") {
+  for (float angle = 25; angle <= 120; angle += 5) {
+    CAPTURE(angle);
+    Request request = request_for(shouldered());
+    set(request, Parameter::wing, 0.8f);
+    set(request, Parameter::wing_angle, angle);
+    const Grown bunch = grown(request);
+    std::size_t rachis = 0;
+    for (const Internode& internode : bunch.internodes) rachis += internode.kind == Kind::rachis;
+    CHECK(rachis == static_cast<std::size_t>(bunch.plan.m + bunch.second->m - 2));
+    CHECK(bunch.notes.empty());
+  }
+}
+
+TEST_CASE("notes say what a person may wonder at") {
+  Request crowded = request_for(shouldered());
+  set(crowded, Parameter::wi, 40);
+  set(crowded, Parameter::li, 10);
+  REQUIRE(grown(crowded).notes.size() == 1);
+  CHECK(grown(crowded).notes[0].find("ends early") != std::string::npos);
+
+  Request idle = request_for(shouldered());
+  idle.grammar = builtin_grammar(1);
+  set(idle, Parameter::li, 40);
+  REQUIRE(grown(idle).notes.size() == 1);
+  CHECK(grown(idle).notes[0].find("no #define l_i") != std::string::npos);
+
+  Request empty = request_for(shouldered());
+  empty.grammar = "axiom: Z(3)\n";
+  REQUIRE(grown(empty).notes.size() == 1);
+  CHECK(grown(empty).notes[0].find("drew nothing") != std::string::npos);
+}
+
 TEST_CASE("a second bunch finds room beside any grape of the paper") {
   for (std::size_t row = 0; row < 9; ++row) {
     CAPTURE(table3[row].name);

@@ -35,7 +35,9 @@ std::map<Place, glm::vec3> berries_by_place(const Grown& bunch) {
 
 }  // namespace
 
-TEST_CASE("changing one pixel of the profile moves the mean berry by less than 1 mm") {
+TEST_CASE(
+    "one pixel of the profile moves the mean berry by less than 1 mm in the mean, and by more only where a count "
+    "steps") {
   double sum = 0, worst = 0;
   int over = 0;
   const int steps = 200;
@@ -47,6 +49,9 @@ TEST_CASE("changing one pixel of the profile moves the mean berry by less than 1
     for (std::size_t i = 0; i < 4; ++i)
       profile.sides[i].width =
           std::max(0.0f, profile.sides[i].width + static_cast<float>(random_integer(seed, 4, i, -30, 30)));
+    for (std::size_t i = 0; i < 4; ++i)
+      profile.sides[i].drop =
+          std::max(0.0f, profile.sides[i].drop + static_cast<float>(random_integer(seed, 7, i, -30, 30)));
     const auto before = grow(request_for(profile));
     const std::int32_t which = random_integer(seed, 5, 0, 0, 8);
     const float by = random_unit(seed, 6, 0) < 0.5f ? -1.0f : 1.0f;
@@ -76,5 +81,7 @@ TEST_CASE("changing one pixel of the profile moves the mean berry by less than 1
     over += mean >= 1;
   }
   MESSAGE("mean " << sum / steps << " mm, worst step " << worst << " mm, " << over << " of 200 steps over 1 mm");
-  CHECK(sum / steps < 1);
+  CHECK(sum / steps < 0.2);
+  CHECK(over <= steps / 25);
+  CHECK(worst < 8);
 }

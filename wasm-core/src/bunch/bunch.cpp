@@ -56,6 +56,19 @@ class Values {
   std::array<bool, parameter_count> given_ = {};
 };
 
+// What a person may wonder at: parameters without effect, a bunch that is not all there.
+void remark(const lsystem::Program& program, const std::vector<lsystem::Inputs::Scalar>& defines, const Growth& growth,
+            std::vector<std::string>& notes) {
+  const std::span<const lsystem::Definition> known = lsystem::definitions(program);
+  for (const lsystem::Inputs::Scalar& given : defines) {
+    const bool found = std::any_of(known.begin(), known.end(), [&](const auto& one) { return one.name == given.name; });
+    if (!found) notes.push_back("The grammar has no #define " + given.name + ", so its parameter changes nothing.");
+  }
+  if (growth.internodes.empty()) notes.push_back("The grammar drew nothing.");
+  if (growth.rachis_cut)
+    notes.push_back("The rachis found no room and ends early; smaller berries or thinner internodes leave it more.");
+}
+
 Profile profile_of(const Values& values) {
   using enum Parameter;
   return {values[l],
@@ -256,6 +269,7 @@ Result<Grown> grow(const Request& request, const Limits& limits) {
   Growth growth(interaction, limits, std::max(values[rmin], values[rmax]));
   const Diagnostic trouble = interpret_all(first.value(), second ? &*second : nullptr, limits, growth);
   if (trouble.reason != Reason::none) return trouble;
+  remark(*first->program, values.defines(), growth, grown.notes);
 
   to_metres(growth.internodes, growth.berries, values[unit] * metres_per_millimetre);
   grown.internodes = std::move(growth.internodes);

@@ -97,17 +97,22 @@ void Growth::ask(const lsystem::Turtle& turtle, std::span<float> parameters, con
   } else {
     length = 0;
     if (!laying_) ++cuts;
+    rachis_cut |= is_rachis(lineage.parent);
     answered_ = {};
   }
 }
 
-void Growth::begin_laying() { laying_ = true; }
+void Growth::begin_laying() {
+  laying_ = true;
+  berries_before_ = berries.size();
+}
 
 void Growth::end_laying() {
   laying_ = false;
   internodes.resize(static_cast<std::size_t>(first_internode_));
   tips_.resize(internodes.size());
   rachis_depth_.resize(internodes.size());
+  berries.resize(berries_before_);
 }
 
 const Growth::Laid* Growth::find_laid(std::uint64_t address) const {

@@ -39,7 +39,8 @@ class Growth final : public lsystem::Listener {
 
   std::vector<Internode> internodes;  // in the grammar's unit
   std::vector<Berry> berries;
-  std::uint32_t cuts = 0;  // internodes that found no room
+  std::uint32_t cuts = 0;   // internodes that found no room
+  bool rachis_cut = false;  // whether one of them was of a rachis
 
  private:
   // The constants that the environment shares with the text.
@@ -81,6 +82,7 @@ class Growth final : public lsystem::Listener {
   std::int32_t first_internode_ = 0;  // of this interpretation
   std::int32_t first_axis_ = 0;
   bool laying_ = false;
+  std::size_t berries_before_ = 0;  // laying
   std::vector<Laid> laid_;
   std::vector<std::uint32_t> tips_;         // per internode: the sphere at its tip, or none
   std::vector<std::int32_t> rachis_depth_;  // per internode: how many rachis internodes lie above it

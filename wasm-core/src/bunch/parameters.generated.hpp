@@ -65,7 +65,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"p6r", "", 0.0f, 580.0f, 0.0f, 150.0f, false},
     {"unit", "", 0.05f, 2.0f, 0.0f, 0.25f, false},
     {"wing", "", 0.0f, 1.0f, 0.3f, 0.0f, false},
-    {"wing_angle", "", 0.0f, 120.0f, 0.0f, 55.0f, false},
+    {"wing_angle", "", 25.0f, 120.0f, 0.0f, 55.0f, false},
     {"rmin", "r_min", 2.0f, 80.0f, 0.0f, 20.0f, true},
     {"rmax", "r_max", 2.0f, 80.0f, 0.0f, 30.0f, true},
     {"delta", "", 0.0f, 90.0f, 0.0f, 15.0f, false},

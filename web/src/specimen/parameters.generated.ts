@@ -253,7 +253,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		group: "wing",
 		kind: "number",
 		unit: "°",
-		min: 0,
+		min: 25,
 		max: 120,
 		default: 55,
 		step: 1,
