@@ -78,7 +78,7 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 		const json = JSON.stringify(exportJson(grown, specimen));
 		expect(fingerprintOfDocument(JSON.parse(json))).toBe(grown.fingerprint);
 		const files = [await exportGlb(grown, specimen), new TextEncoder().encode(json)];
-		for (const file of files) expect(specimenFromFile(name, file)).toEqual({ specimen, notes: [] });
+		for (const file of files) expect(await specimenFromFile(name, new Blob([file]))).toEqual({ specimen, notes: [] });
 	});
 });
 

@@ -2,13 +2,9 @@ import type { Studio } from "../studio";
 
 /** Brings back the specimen of a GLB or JSON; whatever is wrong with the file is said, and the bunch stays. */
 export async function openFile(studio: Studio, file: File): Promise<void> {
-	const { FILE_BYTES, FileError, specimenFromFile } = await import("../../export/restore");
-	if (file.size > FILE_BYTES) {
-		studio.notify(`${file.name} is too large`, [`Files of Panicle's stay under ${FILE_BYTES / 1024 / 1024} MiB.`]);
-		return;
-	}
+	const { FileError, specimenFromFile } = await import("../../export/restore");
 	try {
-		studio.take(specimenFromFile(file.name, new Uint8Array(await file.arrayBuffer())), "file");
+		studio.take(await specimenFromFile(file.name, file), "file");
 	} catch (error) {
 		const reason = error instanceof FileError ? error.message : `${file.name} could not be read; try to drop it again.`;
 		studio.notify("The file was not opened", [reason]);
