@@ -1,4 +1,5 @@
 import type { Page } from "@playwright/test";
+import { compressText } from "../../web/src/specimen/compressed_text";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
@@ -52,10 +53,12 @@ test("without WebGL 2 the page says so and still grows and exports", async ({ pa
 	expect(bytes.toString("latin1", 0, 4)).toBe("glTF");
 });
 
+type Mode = "through" | "trap" | "silence";
+
 /** Lets a test answer in the worker's place. */
-async function wiretap(page: Page): Promise<void> {
-	await page.addInitScript(() => {
-		const tap = { mode: "through" as "through" | "trap" | "silence", started: 0 };
+async function wiretap(page: Page, mode: Mode = "through"): Promise<void> {
+	await page.addInitScript((first) => {
+		const tap = { mode: first, started: 0 };
 		Object.assign(globalThis, { tap });
 		const { postMessage } = Worker.prototype;
 		Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
@@ -69,10 +72,10 @@ async function wiretap(page: Page): Promise<void> {
 			}
 			Reflect.apply(postMessage, this, args);
 		};
-	});
+	}, mode);
 }
 
-const setMode = (page: Page, mode: string) =>
+const setMode = (page: Page, mode: Mode) =>
 	page.evaluate((next) => {
 		(globalThis as unknown as { tap: { mode: string } }).tap.mode = next;
 	}, mode);
@@ -131,4 +134,31 @@ test("a grammar with an error in it is told with its line and column", async ({ 
 	await studio.drop("broken.json", Buffer.from(JSON.stringify(document)));
 	await expect(studio.notices).toContainText(/Line \d+, column \d+ of the grammar/);
 	await expect(studio.fingerprint).toHaveText(first);
+});
+
+test("a link whose grammar has an error says that there is no bunch, and offers the built-in grammar", async ({
+	page,
+}) => {
+	await page.goto(`./?preset=duku#g=${await compressText("axiom: A(\n")}`);
+	await expect(alert(page)).toContainText("This cannot be grown");
+	await expect(alert(page)).toContainText(/Line \d+, column \d+ of the grammar/);
+	await expect(page.getByRole("img", { name: "No bunch has grown" })).toBeVisible();
+	await expect(page.locator("[data-group=numbers]")).toContainText("Nothing has grown yet.");
+	await expect(page.locator("body")).not.toContainText("last bunch");
+	await alert(page).getByRole("button", { name: "Use the built-in grammar" }).click();
+	const studio = new StudioPage(page);
+	await expect(studio.canvas).toHaveAccessibleName(/berries/);
+	await expect(alert(page)).toHaveCount(0);
+	await expect(page).toHaveURL(/\?v=1&preset=duku$/);
+});
+
+test("a trap on the very first growth says that there is no bunch, and grows when asked again", async ({ page }) => {
+	await wiretap(page, "trap");
+	await page.goto("./?preset=short-conical");
+	await expect(alert(page)).toContainText("There is no bunch yet");
+	await expect(alert(page).getByRole("button", { name: "Open the default bunch" })).toBeVisible();
+	await setMode(page, "through");
+	await alert(page).getByRole("button", { name: "Try again" }).click();
+	await expect(new StudioPage(page).canvas).toHaveAccessibleName(/berries/);
+	await expect(alert(page)).toHaveCount(0);
 });

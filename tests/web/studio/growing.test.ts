@@ -15,13 +15,20 @@ describe("growing", () => {
 		signal: AbortSignal;
 	}
 	let calls: Call[];
-	const studio = { grew: vi.fn(), setGrowing: vi.fn(), notify: vi.fn(), fail: vi.fn() };
+	const studio = {
+		state: { grown: undefined as Grown | undefined },
+		grew: vi.fn(),
+		setGrowing: vi.fn(),
+		notify: vi.fn(),
+		fail: vi.fn(),
+	};
 	let growing: Growing;
 
 	beforeEach(() => {
 		vi.useFakeTimers();
 		vi.clearAllMocks();
 		calls = [];
+		studio.state.grown = bunch("before");
 		const client = {
 			grow: (_specimen: unknown, { signal }: { signal?: AbortSignal } = {}) =>
 				new Promise<Grown>((resolve, reject) => {
@@ -98,11 +105,39 @@ describe("growing", () => {
 		[new CoreTrap("unreachable"), "notify", "The last bunch stays"],
 		[new UnsupportedError("fetch", "no core"), "fail", "no core"],
 		[new Error("odd"), "fail", "odd"],
-	] as const)("explains %o", async (error, how, words) => {
+	] as const)("explains %o where a bunch stands", async (error, how, words) => {
 		const done = growing.grow(specimen(1));
 		calls[0].reject(error);
 		await done;
 		expect(studio[how]).toHaveBeenCalledOnce();
 		expect(JSON.stringify(studio[how].mock.lastCall)).toContain(words);
+	});
+
+	it.each([
+		[new CoreError("syntax", "unexpected )", 3, 7), ["other"], "Line 3, column 7 of the grammar: unexpected )"],
+		[new CoreTrap("unreachable"), ["again", "other"], "There is no bunch yet"],
+		[new UnsupportedError("fetch", "no core"), ["again"], "no core"],
+	] as const)("says in place of the first bunch why there is none: %o", async (error, remedies, words) => {
+		studio.state.grown = undefined;
+		const done = growing.grow(specimen(1));
+		calls[0].reject(error);
+		await done;
+		expect(studio.notify).not.toHaveBeenCalled();
+		expect(studio.fail.mock.lastCall?.[0]).toMatchObject({ remedies });
+		const said = JSON.stringify(studio.fail.mock.lastCall);
+		expect(said).toContain(words);
+		expect(said).not.toContain("last bunch");
+	});
+
+	it("has no last bunch to speak of when the first growth is cancelled", async () => {
+		studio.state.grown = undefined;
+		const done = growing.grow(specimen(1));
+		growing.cancel();
+		await done;
+		expect(studio.notify).not.toHaveBeenCalled();
+		expect(studio.fail.mock.lastCall?.[0]).toMatchObject({
+			title: "Growing was cancelled",
+			remedies: ["again", "other"],
+		});
 	});
 });

@@ -1,7 +1,8 @@
 import type { Client } from "../core/client";
-import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../core/errors";
+import { CoreError, CoreTrap, Superseded } from "../core/errors";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
+import type { Failure, Remedy } from "./types";
 
 /** What takes longer than this shows that it grows, and can be cancelled; milliseconds. */
 const PATIENCE = 200;
@@ -43,7 +44,7 @@ export class Growing {
 		}
 	}
 
-	/** Ends what is under way; the last bunch stays. */
+	/** Ends what is under way; the last bunch stays, if there is one. */
 	cancel(): void {
 		this.#cancel?.abort(new Cancelled());
 	}
@@ -62,16 +63,32 @@ export class Growing {
 	}
 
 	#explain(error: unknown): void {
-		const studio = this.studio();
 		if (error instanceof Superseded) return;
-		if (error instanceof Cancelled)
-			studio.notify("Growing was cancelled", ["The last bunch stays; any change grows again."]);
-		else if (error instanceof CoreError) studio.notify("This cannot be grown; the last bunch stays", [where(error)]);
-		else if (error instanceof CoreTrap) {
-			studio.notify("Growing broke off and its worker was replaced", ["The last bunch stays; any change grows again."]);
-		} else if (error instanceof UnsupportedError) studio.fail("No bunch can grow here", [error.message]);
-		else studio.fail("No bunch can grow here", [error instanceof Error ? error.message : String(error)]);
+		const studio = this.studio();
+		const failure = failureOf(error);
+		// Where the place is at fault, no change of the specimen helps, so a notice beside the last bunch would not do.
+		if (!studio.state.grown || !failure.remedies.includes("other")) studio.fail(failure);
+		else if (error instanceof CoreError) studio.notify(`${failure.title}; the last bunch stays`, failure.details);
+		else studio.notify(failure.title, ["The last bunch stays; any change grows again."]);
 	}
+}
+
+const NONE_YET = "There is no bunch yet; any change grows again.";
+
+/** What went wrong, in the words for a page without a bunch. */
+function failureOf(error: unknown): Failure {
+	if (error instanceof CoreError) {
+		return { title: "This cannot be grown", details: [where(error)], remedies: ["other"] };
+	}
+	const remedies: readonly Remedy[] = ["again", "other"];
+	if (error instanceof Cancelled) {
+		return { title: "Growing was cancelled", details: [NONE_YET], remedies };
+	}
+	if (error instanceof CoreTrap) {
+		return { title: "Growing broke off and its worker was replaced", details: [NONE_YET], remedies };
+	}
+	const text = error instanceof Error ? error.message : String(error);
+	return { title: "No bunch can grow here", details: [text], remedies: ["again"] };
 }
 
 class Cancelled extends Error {

@@ -4,7 +4,7 @@ import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import { apply, asPrinted, growsAlike, isAsPrinted, lockSides, mirror, otherSeed } from "./change";
-import type { Change, Locks, Notice } from "./types";
+import type { Change, Failure, Locks, Notice } from "./types";
 import type { UiState } from "./ui_state";
 
 export interface StudioState {
@@ -17,8 +17,8 @@ export interface StudioState {
 	readonly grownFrom: Specimen | undefined;
 	/** Whether a growth takes long enough to say so. */
 	readonly growing: boolean;
-	/** Why nothing can be grown here, in place of the bunch. */
-	readonly failure: Notice | undefined;
+	/** Why there is no bunch, in place of one. */
+	readonly failure: Failure | undefined;
 	readonly notices: readonly Notice[];
 	readonly ui: UiState;
 }
@@ -177,9 +177,9 @@ export class Studio {
 		if (growing !== this.#state.growing) this.#update({ growing });
 	}
 
-	/** Growth is not possible at all. */
-	fail(title: string, details: readonly string[]): void {
-		this.#update({ failure: { id: 0, title, details } });
+	/** There is no bunch to show, and none comes without a remedy. */
+	fail(failure: Failure): void {
+		this.#update({ failure });
 	}
 
 	cancel(): void {

@@ -14,6 +14,17 @@ export interface Change {
 	look?: Partial<Look>;
 }
 
+/** Why there is no bunch at all, said in its place. */
+export interface Failure {
+	readonly title: string;
+	/** One line each. */
+	readonly details: readonly string[];
+	/** What may bring a bunch: the same request again, or another specimen. */
+	readonly remedies: readonly Remedy[];
+}
+
+export type Remedy = "again" | "other";
+
 /** Something said to the person, until it is dismissed. */
 export interface Notice {
 	readonly id: number;

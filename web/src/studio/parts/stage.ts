@@ -1,8 +1,11 @@
 import { html, nothing } from "lit";
-import { presetNamed } from "../../specimen/presets/index";
+import { specimenFromPreset } from "../../specimen/from_preset";
+import { DEFAULT_PRESET, presetNamed } from "../../specimen/presets/index";
+import { sameSpecimen } from "../../specimen/same";
 import { growsAlike } from "../change";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
+import type { Failure } from "../types";
 import { bunchInWords, stemsInWords } from "../words";
 import { type IconName, icon } from "./icons";
 import { StudioElement } from "./studio_element";
@@ -25,14 +28,13 @@ export class Stage extends StudioElement {
 	});
 
 	protected override draw(studio: Studio): unknown {
-		const { failure, growing, grown, grownFrom, ui } = studio.state;
-		const description = grown && grownFrom ? `Grape bunch: ${bunchInWords(grown, grownFrom)}` : "Grape bunch, growing";
+		const { failure, growing, grown, ui } = studio.state;
 		return html`<canvas
-				class="stage-surface ${ui.octahedron ? "handles" : ""}" tabindex="0" role="img" aria-label=${description} @keydown=${this.#press}
+				class="stage-surface ${ui.octahedron ? "handles" : ""}" tabindex="0" role="img" aria-label=${described(studio)} @keydown=${this.#press}
 			></canvas>
 			${grown ? caption(studio) : nothing}
 			${this.trouble && !failure ? message(this.trouble.title, [this.trouble.text]) : nothing}
-			${failure ? message(failure.title, failure.details, () => studio.growAgain()) : nothing}
+			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
 			${this.#solid && !this.trouble ? this.#tools(studio) : nothing}
 			${growing ? progress(studio) : nothing}`;
 	}
@@ -88,6 +90,13 @@ export class Stage extends StudioElement {
 	}
 }
 
+/** What the picture shows, in words. */
+function described(studio: Studio): string {
+	const { failure, grown, grownFrom } = studio.state;
+	if (grown && grownFrom) return `Grape bunch: ${bunchInWords(grown, grownFrom)}`;
+	return failure ? "No bunch has grown" : "Grape bunch, growing";
+}
+
 /** As under an engraving: what it is called, and what grew. */
 function caption(studio: Studio): unknown {
 	const { grown, grownFrom } = studio.state;
@@ -100,12 +109,25 @@ function caption(studio: Studio): unknown {
 	</div>`;
 }
 
-function message(title: string, details: readonly string[], again?: () => void): unknown {
+function message(title: string, details: readonly string[], actions: unknown = nothing): unknown {
 	return html`<div class="stage-message" role="alert">
 		<h2>${title}</h2>
 		${details.map((line) => html`<p>${line}</p>`)}
-		${again ? html`<button class="button" type="button" @click=${again}>Try again</button>` : nothing}
+		${actions}
 	</div>`;
+}
+
+/** The ways to a bunch from where there is none. */
+function remedies(studio: Studio, failure: Failure): unknown {
+	const button = (words: string, click: () => void) =>
+		html`<button class="button" type="button" @click=${click}>${words}</button>`;
+	return failure.remedies.map((remedy) => {
+		if (remedy === "again") return button("Try again", () => studio.growAgain());
+		const { specimen } = studio.state;
+		if (specimen.grammar !== undefined) return button("Use the built-in grammar", () => studio.dropGrammar());
+		if (sameSpecimen(specimen, specimenFromPreset(DEFAULT_PRESET))) return nothing;
+		return button("Open the default bunch", () => studio.choosePreset(DEFAULT_PRESET));
+	});
 }
 
 function progress(studio: Studio): unknown {
