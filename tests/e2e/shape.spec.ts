@@ -89,12 +89,15 @@ test("mirror, locks and reset", async ({ page }) => {
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => studio.button("Mirror left–right").click());
 	expect([await value(page, "Right width"), await value(page, "Left width")]).toEqual(["116", "79"]);
+	await studio.regrown(() => studio.button("Mirror front–back").click());
+	expect([await value(page, "Front width"), await value(page, "Back width")]).toEqual(["97", "101"]);
+	expect([await value(page, "Front drop"), await value(page, "Back drop")]).toEqual(["103", "112"]);
 	await studio.button("Lock left–right").click();
 	await expect(studio.slider("Left width")).toHaveValue("116");
 	await studio.slider("Left width").press("ArrowRight");
 	await expect(studio.slider("Right width")).toHaveValue("117");
 	await studio.button("Lock front–back").click();
-	await expect(studio.slider("Back drop")).toHaveValue("112");
+	await expect(studio.slider("Back drop")).toHaveValue("103");
 	await studio.button("Reset").click();
 	await expect(studio.fingerprint).toHaveText(first);
 	await expect(studio.button("Reset")).toBeDisabled();

@@ -1,17 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import {
-	apply,
-	asPrinted,
-	growsAlike,
-	isAsPrinted,
-	lockSides,
-	mirror,
-	otherSeed,
-} from "../../../web/src/studio/change";
+import { apply, asPrinted, growsAlike, isAsPrinted, lockSides, otherSeed } from "../../../web/src/studio/change";
 import type { Locks } from "../../../web/src/studio/types";
-import { anySpecimen } from "../specimen/arbitrary";
 
 const free: Locks = { leftRight: false, frontBack: false };
 const locked: Locks = { leftRight: true, frontBack: true };
@@ -42,24 +33,6 @@ describe("apply", () => {
 	it("keeps every value in its range", () => {
 		const next = apply(bunch, { parameters: { l: 9999, p3w: -5 } }, free).parameters;
 		expect([next.l, next.p3w]).toEqual([580, 0]);
-	});
-});
-
-describe("mirror", () => {
-	it("exchanges right and left, and twice is not at all", () => {
-		fc.assert(
-			fc.property(anySpecimen, (specimen) => {
-				const once = apply(specimen, mirror(specimen), free);
-				expect(once.parameters.p3w).toBe(specimen.parameters.p4w);
-				expect(once.parameters.p4r).toBe(specimen.parameters.p3r);
-				expect(apply(once, mirror(once), free)).toEqual(specimen);
-			}),
-		);
-	});
-
-	it("goes its way where the sides are locked", () => {
-		const once = apply(bunch, mirror(bunch), locked).parameters;
-		expect([once.p3w, once.p4w]).toEqual([bunch.parameters.p4w, bunch.parameters.p3w]);
 	});
 });
 

@@ -87,6 +87,24 @@ describe("the studio", () => {
 		expect(studio.state.ui.locks.leftRight).toBe(true);
 	});
 
+	it.each([
+		["leftRight", "p3", "p4"],
+		["frontBack", "p5", "p6"],
+	] as const)("mirrors %s as one step, locked or not", (pair, a, b) => {
+		studio.setUi({ locks: { leftRight: true, frontBack: true } });
+		const { parameters } = opened;
+		studio.mirror(pair);
+		expect(studio.state.specimen.parameters).toEqual({
+			...parameters,
+			[`${a}w`]: parameters[`${b}w`],
+			[`${a}r`]: parameters[`${b}r`],
+			[`${b}w`]: parameters[`${a}w`],
+			[`${b}r`]: parameters[`${a}r`],
+		});
+		studio.undo();
+		expect(studio.state.specimen).toEqual(opened);
+	});
+
 	it("switches to the paper's letter and back to what was before", () => {
 		studio.set({ parameters: { vary: 0.7 } });
 		studio.setAsPrinted(true);

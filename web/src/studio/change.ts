@@ -31,11 +31,6 @@ function follow(changed: NonNullable<Change["parameters"]>, locks: Locks): NonNu
 	return followed;
 }
 
-/** Right and left exchanged. */
-export function mirror({ parameters: { p3w, p3r, p4w, p4r } }: Specimen): Change {
-	return { parameters: { p3w: p4w, p3r: p4r, p4w: p3w, p4r: p3r } };
-}
-
 /** The values that switching a lock on sets at once: left takes right's, back takes front's. */
 export function lockSides({ parameters }: Specimen, lock: keyof Locks): Change {
 	const side = lock === "leftRight" ? "p3" : "p5";

@@ -1,9 +1,10 @@
 import type { Grown } from "../core/grown";
+import { mirrorFrontBack, mirrorLeftRight } from "../profile/drag";
 import { specimenFromPreset } from "../specimen/from_preset";
 import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
-import { apply, asPrinted, growsAlike, isAsPrinted, lockSides, mirror, otherSeed } from "./change";
+import { apply, asPrinted, growsAlike, isAsPrinted, lockSides, otherSeed } from "./change";
 import type { Change, Failure, Locks, Notice } from "./types";
 import type { UiState } from "./ui_state";
 
@@ -136,8 +137,10 @@ export class Studio {
 		this.set({ seed: otherSeed(this.#state.specimen.seed) });
 	}
 
-	mirror(): void {
-		this.set(mirror(this.#state.specimen));
+	/** Exchanges the two sides of a pair; every number is named, so that locks have nothing to add. */
+	mirror(pair: keyof Locks): void {
+		const { parameters } = this.#state.specimen;
+		this.set({ parameters: pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters) });
 	}
 
 	setAsPrinted(on: boolean): void {

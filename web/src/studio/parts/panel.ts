@@ -90,9 +90,11 @@ function sideActions(studio: Studio): unknown {
 		html`<button class="button" type="button" aria-pressed=${studio.state.ui.locks[which]} @click=${() => studio.toggleLock(which)}>
 			${words}
 		</button>`;
+	const mirror = (which: keyof Locks, words: string) =>
+		html`<button class="button" type="button" @click=${() => studio.mirror(which)}>${icon("mirror")}${words}</button>`;
 	return html`<div class="actions">
 		${lock("leftRight", "Lock left–right")} ${lock("frontBack", "Lock front–back")}
-		<button class="button" type="button" @click=${() => studio.mirror()}>${icon("mirror")}Mirror left–right</button>
+		${mirror("leftRight", "Mirror left–right")} ${mirror("frontBack", "Mirror front–back")}
 	</div>`;
 }
 
