@@ -12,8 +12,8 @@ import {
 	type Point,
 	type Shape,
 	type ShapeKey,
+	SIDE_HANDLES,
 	SIDES,
-	type SideHandle,
 } from "./handles";
 
 export interface DragOptions {
@@ -47,11 +47,24 @@ export function setShapeValue<P extends Shape>(
 	{ locks, mirror = false }: DragOptions = {},
 ): P {
 	if (!Number.isFinite(value)) return parameters;
-	const changed: P = { ...parameters, [key]: clampPixels(key, value) };
-	if (key === "l") return changed;
-	const { opposite, lock } = SIDES[key.slice(0, 2) as SideHandle];
-	if (mirror || locks?.[lock]) Object.assign(changed, { [`${opposite}${key.slice(2)}`]: changed[key] });
-	return changed;
+	const changed: Partial<Shape> = { [key]: clampPixels(key, value) };
+	return { ...parameters, ...withOpposites(changed, mirror ? BOTH_LOCKED : locks) };
+}
+
+const BOTH_LOCKED: Locks = { leftRight: true, frontBack: true };
+
+/** What a change of some numbers is with its locks: a side that it leaves out takes its opposite's number. */
+export function withOpposites<C extends Partial<Shape>>(changed: C, locks?: Locks): C {
+	const followed = { ...changed };
+	for (const side of SIDE_HANDLES) {
+		const { opposite, lock } = SIDES[side];
+		if (!locks?.[lock]) continue;
+		for (const axis of ["w", "r"] as const) {
+			const value = changed[`${side}${axis}`];
+			if (value !== undefined && changed[`${opposite}${axis}`] === undefined) followed[`${opposite}${axis}`] = value;
+		}
+	}
+	return followed;
 }
 
 /**

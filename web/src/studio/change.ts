@@ -1,5 +1,6 @@
 /** The pure half of the store: what a control's change makes of the document. */
-import { SIDE_HANDLES, SIDES } from "../profile/handles";
+import { withOpposites } from "../profile/drag";
+import { SIDES } from "../profile/handles";
 import { withLook, withParameters, withSeed } from "../specimen/edit";
 import { specimenFromPreset } from "../specimen/from_preset";
 import { LOOK_KEYS } from "../specimen/parameters.generated";
@@ -9,26 +10,12 @@ import type { Change, Locks } from "./types";
 
 /** The specimen with the change in it. Locked sides follow the one that moved, unless the change names both. */
 export function apply(specimen: Specimen, change: Change, locks: Locks): Specimen {
-	let next = withParameters(specimen, follow(change.parameters ?? {}, locks));
+	let next = withParameters(specimen, withOpposites(change.parameters ?? {}, locks));
 	for (const key of LOOK_KEYS) {
 		const value = change.look?.[key];
 		if (value !== undefined) next = withLook(next, key, value);
 	}
 	return change.seed === undefined ? next : withSeed(next, change.seed);
-}
-
-/** The opposite sides' values that a lock adds. */
-function follow(changed: NonNullable<Change["parameters"]>, locks: Locks): NonNullable<Change["parameters"]> {
-	const followed = { ...changed };
-	for (const side of SIDE_HANDLES) {
-		const { opposite, lock } = SIDES[side];
-		if (!locks[lock]) continue;
-		for (const axis of ["w", "r"] as const) {
-			const value = changed[`${side}${axis}`];
-			if (value !== undefined && changed[`${opposite}${axis}`] === undefined) followed[`${opposite}${axis}`] = value;
-		}
-	}
-	return followed;
 }
 
 /** The values that switching a lock on sets at once: left takes right's, back takes front's. */
