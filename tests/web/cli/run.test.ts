@@ -98,6 +98,11 @@ describe("what is asked for", () => {
 		expect(json.specimen).toMatchObject({ seed: 4, parameters: { l: 200 } });
 	});
 
+	it("takes two decimals, and colours that look like numbers", async () => {
+		const { json } = await grow(["--set", "l=300.29", "--set", "p4w=64.35", "--set", "skin=123e99"]);
+		expect(json.specimen).toMatchObject({ parameters: { l: 300.29, p4w: 64.35 }, look: { skin: "123e99" } });
+	});
+
 	it("takes the grammar's inputs", async () => {
 		const { json } = await grow(["--set", "m=3", "--set", "n=1,2"]);
 		expect(json.specimen.inputs).toEqual({ m: 3, n: [1, 2] });
@@ -149,6 +154,9 @@ describe("what cannot be used", () => {
 		expect(await complaint(["--sed", "3"])).toBe("Unknown option --sed; see --help");
 		expect(await complaint(["--seed"])).toMatch(/^Option --seed <value> argument missing; see --help$/);
 		expect(await complaint(["--seed", "x"])).toBe("--seed: “x” is not a number");
+		const dashed = "--seed needs a value; one that begins with a dash is joined with =, as in --seed=-1";
+		expect(await complaint(["--seed", "-1"])).toBe(dashed);
+		expect(await complaint(["--seed", "--out", "x.glb"])).toBe(dashed);
 		expect(await complaint(["--seed=-1"])).toBe("--seed: -1 is below the least value, 0");
 		expect(await complaint(["--seed", "1.5"])).toBe("--seed: 1.5 is not a whole number");
 	});
@@ -167,6 +175,9 @@ describe("what cannot be used", () => {
 		expect(await set("wing=0.1")).toMatch(/^--set wing: 0.1 lies between/);
 		expect(await set("rmin=50")).toBe("--set rmin: 50 is above rmax, 30");
 		expect(await set("m=3", "n=1,2,3")).toBe("--set n: m = 3 needs 2 values, not 3");
+		expect(await set("m=2", "n=1,2")).toBe("--set n: m = 2 needs 1 value, not 2");
+		expect(await set("l=300.123")).toBe("--set l: 300.123 has more than two decimals");
+		expect(await set("p3=79,76.005")).toBe("--set p3: 76.005 has more than two decimals");
 		expect(await set("skin=red")).toMatch(/^--set skin: “red” is not a colour/);
 		expect(await set("l=300", "l=x")).toMatch(/not a number/);
 	});
@@ -175,6 +186,7 @@ describe("what cannot be used", () => {
 		const grammar = (text: string | Uint8Array) => complaint(["--grammar", "g.lsys"], { "g.lsys": text });
 		expect(await complaint(["--grammar", "none.lsys"])).toBe("--grammar none.lsys: no such file or folder");
 		expect(await grammar("axiom: A\nA --> F(1\n")).toMatch(/^g\.lsys:[23]:\d+: \S/);
+		expect(await grammar("axiom: A\nA --> A\n")).toMatch(/^g\.lsys: The string is still rewritten/);
 		expect(await grammar("")).toBe("--grammar g.lsys: is empty");
 		expect(await grammar(Uint8Array.of(0xff, 0xfe, 0x41))).toBe("--grammar g.lsys: not text in UTF-8");
 		expect(await grammar("F".repeat(300_000))).toBe("--grammar g.lsys: longer than 256 KiB");

@@ -44,8 +44,13 @@ function parse(words: readonly string[]) {
 	try {
 		return parseArgs({ args: [...words], options: OPTIONS, allowPositionals: true });
 	} catch (error) {
+		const { message } = error as Error;
+		const [, option] = /^Option '(\S+)' argument is ambiguous/.exec(message) ?? [];
+		if (option) {
+			throw new UsageError(`${option} needs a value; one that begins with a dash is joined with =, as in --seed=-1`);
+		}
 		// Node's own words, less the advice that follows the first sentence.
-		const [sentence] = (error as Error).message.split(/\.\s|\n/);
+		const [sentence] = message.split(/\.\s|\n/);
 		throw new UsageError(`${sentence.replaceAll("'", "").replace(/\.$/, "")}; see --help`);
 	}
 }

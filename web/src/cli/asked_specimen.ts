@@ -7,9 +7,10 @@ import { GRAMMAR_BYTES } from "../specimen/limits";
 import { decodeLink } from "../specimen/link";
 import type { Note } from "../specimen/notes";
 import { PRESETS, presetNamed } from "../specimen/presets/index";
+import { readNumbers } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
-import { entriesOfLink, entryOf } from "../specimen/table";
+import { entriesOfLink, entryOf, onStep } from "../specimen/table";
 import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
@@ -44,7 +45,18 @@ function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
 		const known = key === "m" || key === "n" || entryOf(key) || entriesOfLink(key).length > 0;
 		if (!known) throw new UsageError(`--set ${key}: no parameter has that key; see --help`);
 	}
-	return typed(settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
+	const read = typed(settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
+	refuseFinerSteps(settings);
+	return read;
+}
+
+/** A link's further decimals are rounded without a word; someone who types them means them. */
+function refuseFinerSteps(settings: Call["set"]): void {
+	for (const [key, value] of Object.entries(settings)) {
+		if (entryOf(key)?.kind === "colour") continue;
+		const fine = readNumbers(value)?.find((number) => onStep(number) !== number);
+		if (fine !== undefined) throw new UsageError(`--set ${key}: ${fine} has more than two decimals`);
+	}
 }
 
 /** Reads values that a person typed: the first that cannot be used as it is ends it. */

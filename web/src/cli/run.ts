@@ -29,7 +29,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const { specimen, notes } = await askedSpecimen(call, world);
 	const core = await world.loadCore();
 	const meshes = call.out?.as === "glb" || call.out?.as === "obj";
-	const grown = growing(call, () => core.grow(encodeRequest(specimen, { meshes })));
+	const grown = growing(grammarName(call, specimen), () => core.grow(encodeRequest(specimen, { meshes })));
 	const all: Grown = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (!call.out) {
 		world.print(jsonOf(all, specimen));
@@ -43,15 +43,21 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	for (const note of all.notes) world.say(`note: ${note}`);
 }
 
+/** What messages call the grammar: its file; undefined for the built-in one. */
+function grammarName({ grammarFile }: Call, { grammar }: Specimen): string | undefined {
+	return grammarFile ?? (grammar === undefined ? undefined : "the link's grammar");
+}
+
 /** What the core refuses was asked for in the call; a place in the grammar is given as compilers do. */
-function growing(call: Call, grow: () => Grown): Grown {
+function growing(grammar: string | undefined, grow: () => Grown): Grown {
 	try {
 		return grow();
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
-		const { line, column, message } = error;
-		const text = call.grammarFile ?? "the link's grammar";
-		throw new UsageError(line > 0 ? `${text}:${line}:${column}: ${message}` : message);
+		const { reason, line, column, message } = error;
+		const ofGrammar = grammar !== undefined && reason !== "bad request" && reason !== "bad input";
+		const place = line > 0 ? `:${line}:${column}` : "";
+		throw new UsageError(ofGrammar ? `${grammar}${place}: ${message}` : message);
 	}
 }
 

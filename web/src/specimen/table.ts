@@ -76,8 +76,12 @@ export type Range = Pick<NumberEntry, "kind" | "min" | "max" | "gapBelow">;
 export function nearestWithin(range: Range, value: number): number {
 	const inside = Math.min(Math.max(value, range.min), range.max);
 	const raised = inGap(range, inside) ? range.gapBelow : inside;
-	const steps = range.kind === "integer" ? 1 : STEPS_PER_UNIT;
-	return Math.round(raised * steps) / steps + 0; // −0 becomes 0
+	return onStep(raised, range.kind === "integer" ? 1 : STEPS_PER_UNIT);
+}
+
+/** The nearest number that a link can hold. */
+export function onStep(value: number, stepsPerUnit = STEPS_PER_UNIT): number {
+	return Math.round(value * stepsPerUnit) / stepsPerUnit + 0; // −0 becomes 0
 }
 
 /** Whether a value lies between 0 and `gapBelow`, where nothing is. */
