@@ -24,7 +24,7 @@ function read(file: string): string {
 
 const coreRooms = ["foundation", "geometry", "environment", "lsystem", "bunch", "wasm_api"];
 
-/** What each room of web/src may import besides itself. */
+/** What each room of web/src may import besides itself; `element` is a room to come. */
 const webRooms: Record<string, string[]> = {
 	core: [],
 	specimen: ["core"],

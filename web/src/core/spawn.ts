@@ -2,8 +2,8 @@
 import address from "./worker.ts?worker&url";
 
 /**
- * A page may only start workers of its own origin. Where the script lies elsewhere (an element embedded in another
- * site), a small script of this origin imports it.
+ * A page may only start workers of its own origin. Where the script lies elsewhere (assets served from another
+ * host), a small script of this origin imports it.
  */
 export function spawnWorker(): Worker {
 	const script = new URL(address, import.meta.url);

@@ -1,4 +1,4 @@
-/** Reading single values from outside: text of a link, an attribute or a form, or values of a JSON file. */
+/** Reading single values from outside: text of a link, a form or the command line, or values of a JSON file. */
 
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 

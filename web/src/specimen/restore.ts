@@ -1,6 +1,6 @@
 /**
- * The one door by which data from outside becomes a specimen: links, JSON files, attributes of the element and the
- * command line all enter here. Nothing is refused: what cannot be used is replaced, and a note says so.
+ * The one door by which data from outside becomes a specimen: links, exported files and the command line all enter
+ * here. Nothing is refused: what cannot be used is replaced, and a note says so.
  */
 import { specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES, INPUT_M, INPUT_N, INPUT_N_LENGTH, SEED } from "./limits";
@@ -171,7 +171,11 @@ function matchInputs(specimen: Specimen, notes: Notes): void {
 	if (!n) return;
 	if (m === undefined) specimen.inputs = { m: n.length + 1, n };
 	else if (n.length !== m - 1) {
-		notes.add("n", `m = ${m} needs ${m - 1} values, not ${n.length}`, "the profile's are used");
+		notes.add(
+			"n",
+			`m = ${m} needs ${m - 1} ${m === 2 ? "value" : "values"}, not ${n.length}`,
+			"the profile's are used",
+		);
 		specimen.inputs = { m };
 	}
 }

@@ -22,8 +22,7 @@ import wingedCylindrical from "./winged-cylindrical.json";
  * published preset says never changes.
  *
  * The paper leaves the double bunch winged at being two bunches. Ours keeps the first one's left side narrow and sends
- * the second out over it, sagging: a second bunch that meets the axes of the first finds no room and is cut (measured
- * over 30 seeds: 22 berries or more at 74° beside a left width of 30, often none at 55° beside 125).
+ * the second out over it, sagging: a second bunch that meets the axes of the first finds no room and is cut.
  */
 export interface Preset {
 	/** As in links and on the command line. */
