@@ -3,6 +3,7 @@ import { Box3, type Mesh, type MeshPhongMaterial, Vector3 } from "three";
 import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
+import { version } from "../../../package.json";
 import type { Grown } from "../../../web/src/core/grown";
 import { exportObj } from "../../../web/src/export/obj";
 import * as arbitrary from "./arbitrary";
@@ -99,7 +100,7 @@ describe("the OBJ", () => {
 	it("names its MTL, its unit and its link", () => {
 		const { obj } = exportObj(grown, specimen, "my bunch\n");
 		expect(obj.split("\n").slice(0, 3)).toEqual([
-			"# Panicle 0.1.0: Bunch short-conical, metres, +Y up",
+			`# Panicle ${version}: Bunch short-conical, metres, +Y up`,
 			"# ?v=1&preset=short-conical&seed=7",
 			"mtllib my bunch .mtl",
 		]);

@@ -1,2 +1,4 @@
-/** Who made the file; written into every export. The version is that of package.json. */
-export const GENERATOR = "Panicle 0.1.0";
+import { version } from "../../../package.json";
+
+/** Who made the file; written into every export. */
+export const GENERATOR = `Panicle ${version}`;
