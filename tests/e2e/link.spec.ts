@@ -1,3 +1,5 @@
+import { readFileSync } from "node:fs";
+import { compressText } from "../../web/src/specimen/compressed_text";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
@@ -72,4 +74,17 @@ test("inputs that a link sets are shown, and can follow the profile again", asyn
 	await studio.regrown(() => studio.button("Follow the profile").click());
 	await expect(studio.readout("Rachis segments")).toHaveText("18");
 	await expect(page).not.toHaveURL(/[?&]m=/);
+});
+
+test("a link with a grammar of its own opens without a step to undo, and grows by it", async ({ page }) => {
+	const text = `/* mine */\n${readFileSync("wasm-core/grammars/grape-bunch-3.lsys", "utf8")}`;
+	const studio = await new StudioPage(page).open(`?preset=duku#g=${await compressText(text)}`);
+	await studio.openGroup("Branching");
+	await expect(page.getByText("This bunch brings a grammar of its own.")).toBeVisible();
+	await expect(page).toHaveURL(/#g=/);
+	await expect(studio.button("Undo")).toBeDisabled();
+	await studio.slider("Length").press("PageDown");
+	await studio.button("Undo").click();
+	await expect(page.getByText("This bunch brings a grammar of its own.")).toBeVisible();
+	await expect(studio.button("Undo")).toBeDisabled();
 });

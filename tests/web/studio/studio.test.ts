@@ -65,6 +65,16 @@ describe("the studio", () => {
 		expect(studio.state.notices).toHaveLength(0);
 	});
 
+	it("opens with a document as the first of its history, grown and in the address, and with its notes", () => {
+		const grammar = { ...specimenFromPreset("lychee"), grammar: "axiom: F" };
+		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
+		expect(studio.state.specimen).toEqual(grammar);
+		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(grammar);
+		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(grammar);
+		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
+	});
+
 	it("goes to the published preset, seed and all, and back", () => {
 		studio.newVariation();
 		studio.choosePreset("duku");

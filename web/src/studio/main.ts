@@ -62,7 +62,9 @@ const PARTS = [
 start();
 
 function start(): void {
-	if (opened.whole) void growing.grow(opened.specimen);
+	// Asked for before the parts are drawn, the bunch grows meanwhile; a grammar has to be unpacked first.
+	if (opened.whole) studio.open(opened, "link");
+	else void readWholeAddress(location).then((whole) => studio.open(whole, "link"));
 	for (const part of document.querySelectorAll<StudioElement>(PARTS)) part.studio = studio;
 	const help = document.querySelector<Help>("panicle-help");
 	document.addEventListener("panicle-help", () => help?.open());
@@ -70,8 +72,6 @@ function start(): void {
 	onSystemTheme(() => studio.setUi({}));
 	studio.subscribe(nameTab);
 	addEventListener("popstate", () => void follow());
-	if (opened.whole) studio.take(opened, "link");
-	else void follow();
 }
 
 /** Tabs and bookmarks are told apart by what they hold. */
@@ -80,7 +80,7 @@ function nameTab(): void {
 	document.title = `${presetNamed(preset)?.title ?? "Grape bunch"} ${seed} · Panicle`;
 }
 
-/** The address is another one: by Back, Forward or by hand, or because its grammar took time to unpack. */
+/** The address is another one: by Back, Forward or by hand. */
 async function follow(): Promise<void> {
 	studio.take(await readWholeAddress(location), "link");
 }

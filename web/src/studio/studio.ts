@@ -113,15 +113,19 @@ export class Studio {
 		this.settle();
 	}
 
-	/** Takes a document from outside and says what could not be used of it. */
-	take({ specimen, notes }: Restored, from: string): void {
-		this.replace(specimen);
-		if (notes.length > 0) {
-			this.notify(
-				`Not everything in the ${from} could be used`,
-				notes.map((note) => note.text),
-			);
-		}
+	/** Starts with a document from outside: there is nothing before it to go back to. */
+	open(restored: Restored, from: string): void {
+		const { specimen } = restored;
+		this.#update({ specimen, history: histories.startHistory(specimen) });
+		this.#surroundings.grow(specimen);
+		this.#surroundings.settled(specimen);
+		this.#report(restored, from);
+	}
+
+	/** Takes a document from outside in place of this one, as one step. */
+	take(restored: Restored, from: string): void {
+		this.replace(restored.specimen);
+		this.#report(restored, from);
 	}
 
 	choosePreset(name: string): void {
@@ -225,6 +229,16 @@ export class Studio {
 		const { locks } = this.#state.ui;
 		this.setUi({ locks: { ...locks, [lock]: !locks[lock] } });
 		if (!locks[lock]) this.set(lockSides(this.#state.specimen, lock));
+	}
+
+	/** Says what could not be used of a document. */
+	#report({ notes }: Restored, from: string): void {
+		if (notes.length > 0) {
+			this.notify(
+				`Not everything in the ${from} could be used`,
+				notes.map((note) => note.text),
+			);
+		}
 	}
 
 	#travel(history: histories.History): void {
