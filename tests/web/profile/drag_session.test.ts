@@ -72,6 +72,20 @@ describe("a drag", () => {
 		expect(page.told).toEqual([]);
 	});
 
+	it("that was seen on its way but ends where it began is called off, once", () => {
+		const { page, drags } = view();
+		drags.begin(1, "p3", { x: 150, y: 150 });
+		drags.move(1, { x: 190, y: 140 });
+		page.frame();
+		drags.move(1, { x: 150, y: 150 });
+		drags.end(1);
+		expect(events(page.told)).toEqual(["input", "input", "cancel"]);
+		expect(page.parameters).toEqual(DEFAULTS);
+		drags.begin(1, "p3", { x: 150, y: 150 });
+		drags.end(1);
+		expect(page.told).toHaveLength(3);
+	});
+
 	it("leaves a fractional profile alone until it is moved", () => {
 		const { page, drags } = view();
 		page.parameters = { ...DEFAULTS, p3w: 150.25 };

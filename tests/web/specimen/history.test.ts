@@ -56,6 +56,23 @@ describe("history", () => {
 		expect(lengths(history)).toEqual([100, 200]);
 	});
 
+	it("keeps what was undone through a drag that ends where it began, and forgets it through one that does not", () => {
+		const undone = undo(change(startHistory(long(100)), long(200)));
+		const away = change(change(undone, long(110), "p2"), long(120), "p2");
+		expect([canUndo(away), canRedo(away)]).toEqual([true, false]);
+		const back = change(away, long(100), "p2");
+		expect([canUndo(back), canRedo(back)]).toEqual([false, true]);
+		expect(settle(back)).toEqual(undone);
+		expect(redo(back).present).toEqual(long(200));
+		expect(lengths(settle(away))).toEqual([100, 120]);
+		expect(redo(away).present).toEqual(long(120));
+	});
+
+	it("makes two steps of two drags in a row, though nobody ended the first", () => {
+		const history = change(change(startHistory(long(100)), long(110), "p2"), long(120), "p3");
+		expect(lengths(settle(history))).toEqual([100, 110, 120]);
+	});
+
 	it("forgets what was undone when something new is done", () => {
 		const history = change(undo(change(startHistory(long(100)), long(200))), long(300));
 		expect(lengths(history)).toEqual([100, 300]);

@@ -16,7 +16,7 @@ export interface DragHost<P extends Shape> {
 	input(parameters: P): void;
 	/** The drag ended and something is different. */
 	change(parameters: P): void;
-	/** The drag was called off; `parameters` are those from before it. */
+	/** The drag was called off, or led back to where it began; `parameters` are those from before it. */
 	cancel(parameters: P): void;
 	/** Calls back before the next frame (requestAnimationFrame in a page). */
 	schedule(callback: () => void): void;
@@ -33,6 +33,8 @@ export class DragSession<P extends Shape> {
 	readonly #host: DragHost<P>;
 	readonly #held = new Map<number, Held>();
 	#before: P | undefined;
+	/** Whether the host was told anything of this drag, and so must be told of its end. */
+	#told = false;
 	#scheduled = false;
 
 	constructor(host: DragHost<P>) {
@@ -83,6 +85,8 @@ export class DragSession<P extends Shape> {
 		this.#before = undefined;
 		const now = this.#host.get();
 		if (!sameShape(before, now, this.#host.handles())) this.#host.change(now);
+		else if (this.#told) this.#host.cancel(now);
+		this.#told = false;
 	}
 
 	/** Lets go of every handle and puts back what this view's handles set; what others changed meanwhile stays. */
@@ -90,6 +94,7 @@ export class DragSession<P extends Shape> {
 		if (!this.active) return;
 		const before = this.#before as P;
 		this.#before = undefined;
+		this.#told = false;
 		this.#held.clear();
 		const restored = { ...this.#host.get() };
 		for (const key of this.#host.handles().flatMap(handleKeys)) restored[key] = before[key];
@@ -105,6 +110,8 @@ export class DragSession<P extends Shape> {
 			parameters = dragHandle(parameters, held.grab.handle, held.target, held.options);
 			held.target = undefined;
 		}
-		if (!sameShape(before, parameters, this.#host.handles())) this.#host.input(parameters);
+		if (sameShape(before, parameters, this.#host.handles())) return;
+		this.#told = true;
+		this.#host.input(parameters);
 	}
 }

@@ -6,7 +6,7 @@ export interface History {
 	/** Oldest first. */
 	readonly past: readonly Specimen[];
 	readonly present: Specimen;
-	/** Nearest first. */
+	/** Nearest first. While a drag lasts, what there was before it: a drag that ends where it began loses nothing. */
 	readonly future: readonly Specimen[];
 	/** The drag that made the present, while it lasts. */
 	readonly gesture?: string | undefined;
@@ -25,9 +25,10 @@ export function startHistory(present: Specimen): History {
  */
 export function change(history: History, next: Specimen, gesture?: string): History {
 	if (gesture !== undefined && gesture === history.gesture) return { ...history, present: next };
-	if (sameSpecimen(history.present, next)) return settle(history);
-	const past = [...history.past, history.present].slice(-LONGEST_HISTORY);
-	return { past, present: next, future: [], gesture };
+	const settled = settle(history);
+	if (sameSpecimen(settled.present, next)) return settled;
+	const past = [...settled.past, settled.present].slice(-LONGEST_HISTORY);
+	return { past, present: next, future: gesture === undefined ? [] : settled.future, gesture };
 }
 
 /** Ends a drag: what follows is a new step. A drag that ended where it began leaves none. */
@@ -36,15 +37,15 @@ export function settle(history: History): History {
 	const { past, present, future } = history;
 	const before = past.at(-1);
 	if (before && sameSpecimen(before, present)) return { past: past.slice(0, -1), present: before, future };
-	return { past, present, future };
+	return { past, present, future: [] };
 }
 
 export function canUndo(history: History): boolean {
-	return history.past.length > 0;
+	return settle(history).past.length > 0;
 }
 
 export function canRedo(history: History): boolean {
-	return history.future.length > 0;
+	return settle(history).future.length > 0;
 }
 
 /** One step back, or the same history at its beginning. */
