@@ -14,7 +14,7 @@ export const KERNELS = { derive: 0, plan: 1, probe: 2, tubes: 3 };
 export async function loadBenchCore() {
 	await buildCore("wasm", ["all"]);
 	await buildCore("release", ["core_bench_native"]);
-	const module = new WebAssembly.Module(readFileSync(join(modulesFolder, "panicle-bench.wasm")));
+	const module = benchModule();
 	const imports = {};
 	for (const { module: room, name } of WebAssembly.Module.imports(module)) {
 		imports[room] ??= {};
@@ -23,6 +23,11 @@ export async function loadBenchCore() {
 	const core = new WebAssembly.Instance(module, imports).exports;
 	core._initialize?.();
 	return core;
+}
+
+/** What loadBenchCore has built. */
+export function benchModule() {
+	return new WebAssembly.Module(readFileSync(join(modulesFolder, "panicle-bench.wasm")));
 }
 
 /** Copies a request in; gives a function that grows it `rounds` times. */

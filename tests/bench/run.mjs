@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { runnerImport } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { benchBrowser } from "./browser.mjs";
-import { grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
+import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
 import { peerModules } from "./peer.mjs";
 import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
 
@@ -32,7 +32,7 @@ const { Core } = await source("web/src/core/core.ts");
 const { PRESETS } = await source("web/src/specimen/presets/index.ts");
 const { specimenFromPreset } = await source("web/src/specimen/from_preset.ts");
 const core = await loadBenchCore();
-const reader = await Core.instantiate(await benchModule());
+const reader = await Core.instantiate(benchModule());
 const ratios = [];
 
 benchPresets();
@@ -43,12 +43,6 @@ console.log(
 	`\nwasm / native, geometric mean of ${ratios.length}: ${digits(geometricMean(ratios), 2)} (aim 1.35 at the most)`,
 );
 if (process.argv[2] !== "core") await benchBrowser();
-
-async function benchModule() {
-	const { readFileSync } = await import("node:fs");
-	const { modulesFolder } = await import("../../wasm-core/tools/repository.mjs");
-	return new WebAssembly.Module(readFileSync(join(modulesFolder, "panicle-bench.wasm")));
-}
 
 /** Wasm and native microseconds of one request, and their ratio. */
 function timeGrow(request) {
