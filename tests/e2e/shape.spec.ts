@@ -29,6 +29,45 @@ test("dragging a handle regrows the bunch and is one step, in the address and in
 	await expect(page).toHaveURL(/[?&]p3=\d+,\d+/);
 });
 
+test("a pen drags a handle, and that is one undo step", async ({ page, context }) => {
+	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const { x, y } = await studio.grip("Front", "p4");
+	const seen = page.evaluate(
+		() => new Promise((told) => addEventListener("pointerdown", (event) => told(event.pointerType), { once: true })),
+	);
+	const session = await context.newCDPSession(page);
+	const pen = (type: "mousePressed" | "mouseMoved" | "mouseReleased", dx: number) => {
+		const held = { button: "left", buttons: type === "mouseReleased" ? 0 : 1, clickCount: 1 } as const;
+		return session.send("Input.dispatchMouseEvent", { type, x: x - dx, y, pointerType: "pen", ...held });
+	};
+	await studio.regrown(async () => {
+		await pen("mousePressed", 0);
+		for (const dx of [8, 16, 24]) await pen("mouseMoved", dx);
+		await pen("mouseReleased", 24);
+	});
+	expect(await seen).toBe("pen");
+	await expect(page).toHaveURL(/p4=/);
+	await studio.button("Undo").click();
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("a drag that ends where it began leaves no step and keeps what can be redone", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	await studio.regrown(() => studio.button("New variation").click());
+	await studio.regrown(() => studio.button("Undo").click());
+	const first = await studio.fingerprint.innerText();
+	const { x, y } = await studio.grip("Front", "p3");
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	await studio.regrown(() => page.mouse.move(x + 30, y, { steps: 3 }));
+	await expect(studio.button("Redo")).toBeDisabled();
+	await page.mouse.move(x, y, { steps: 3 });
+	await page.mouse.up();
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(studio.button("Undo")).toBeDisabled();
+	await expect(studio.button("Redo")).toBeEnabled();
+});
+
 test("the tip's handle makes the bunch longer under the mouse, before it is let go", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?preset=cylindrical&l=300");
 	const { x, y } = await studio.grip("Front", "p2");
