@@ -14,10 +14,11 @@ test("the first load shows a bunch, its numbers and its marks", async ({ page })
 });
 
 test("everything that can be worked has a name, and the page its landmarks", async ({ page }) => {
-	await new StudioPage(page).open();
+	const studio = await new StudioPage(page).open();
 	for (const landmark of ["banner", "main", "complementary", "navigation"] as const) {
 		await expect(page.getByRole(landmark)).toHaveCount(1);
 	}
+	for (const name of ["Variation", "Notices"]) await expect(page.getByRole("region", { name })).toHaveCount(1);
 	const names = ["Length", ...["Right", "Left", "Front", "Back"].flatMap((side) => [`${side} width`, `${side} drop`])];
 	for (const name of names) await expect(page.getByRole("slider", { name, exact: true })).toHaveCount(1);
 	for (const summary of await page.locator("summary").all()) {
@@ -27,6 +28,7 @@ test("everything that can be worked has a name, and the page its landmarks", asy
 	for (const role of ["button", "slider", "textbox", "switch", "img"] as const) {
 		for (const control of await page.getByRole(role).all()) await expect(control).toHaveAccessibleName(/\S/);
 	}
+	await expect(studio.canvas).toHaveAccessibleDescription(/Arrow keys orbit/);
 	for (const slider of await page.locator("input[type=range]").all()) {
 		await expect(slider).toHaveAccessibleDescription(/\S+ … \S+/);
 	}

@@ -30,8 +30,9 @@ export class Stage extends StudioElement {
 	protected override draw(studio: Studio): unknown {
 		const { failure, growing, grown, ui } = studio.state;
 		return html`<canvas
-				class="stage-surface ${ui.octahedron ? "handles" : ""}" tabindex="0" role="img" aria-label=${described(studio)} @keydown=${this.#press}
+				class="stage-surface ${ui.octahedron ? "handles" : ""}" tabindex="0" role="img" aria-label=${described(studio)} aria-describedby="stage-keys" @keydown=${this.#press}
 			></canvas>
+			<p class="unseen" id="stage-keys">${KEYS}</p>
 			${grown ? caption(studio) : nothing}
 			${this.trouble && !failure ? message(this.trouble.title, [this.trouble.text]) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
@@ -77,7 +78,7 @@ export class Stage extends StudioElement {
 			html`<button
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 			>${icon(name)}</button>`;
-		return html`<div class="stage-tools" role="toolbar" aria-label="3-D view" aria-orientation="vertical">
+		return html`<div class="stage-tools" role="group" aria-label="3-D view">
 			${tool("frame", "Reset view", () => this.#solid?.view.resetView())}
 			${tool("stems", "Show stems only", () => studio.setUi({ stems: !stems }), stems)}
 			${tool("octahedron", "Octahedron", () => studio.setUi({ octahedron: !octahedron }), octahedron)}
@@ -89,6 +90,9 @@ export class Stage extends StudioElement {
 		if (this.#solid?.press(event)) event.preventDefault();
 	}
 }
+
+/** What the keys do while the picture has the focus, for those who do not see the help. */
+const KEYS = "Arrow keys orbit, with Shift they move; plus and minus go nearer and further, 0 resets the view.";
 
 /** What the picture shows, in words. */
 function described(studio: Studio): string {
