@@ -52,7 +52,7 @@ async function glb({ grown, specimen, link }: Bunch, instancing: boolean): Promi
 
 async function obj({ grown, specimen, name }: Bunch): Promise<Blob> {
 	const { exportObj } = await import("../../export/obj");
-	const { obj, mtl } = await exportObj(grown, specimen, name);
+	const { obj, mtl } = exportObj(grown, specimen, name);
 	return zip([
 		{ name: `${name}.obj`, bytes: new TextEncoder().encode(obj) },
 		{ name: `${name}.mtl`, bytes: new TextEncoder().encode(mtl) },
