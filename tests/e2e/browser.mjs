@@ -2,10 +2,11 @@
 import { chromium } from "@playwright/test";
 import { locate } from "../../wasm-core/tools/toolchain.mjs";
 
-const FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+const WEBGL_BY_SOFTWARE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 
-export function launch() {
+/** @param {string[]} flags how the browser draws */
+export function launch(flags = WEBGL_BY_SOFTWARE) {
 	const { found } = locate(["chromium"]);
-	const args = process.getuid?.() === 0 ? [...FLAGS, "--no-sandbox"] : FLAGS;
+	const args = process.getuid?.() === 0 ? [...flags, "--no-sandbox"] : flags;
 	return chromium.launch({ executablePath: found.chromium, args });
 }
