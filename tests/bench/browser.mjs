@@ -16,6 +16,8 @@ const dist = join(repository, "dist");
 const viewport = { width: 1024, height: 640 };
 
 export async function benchBrowser() {
+	// Importing the app's modules has declared this a development process, which the build would believe.
+	process.env.NODE_ENV = "production";
 	await build({ root: join(repository, "web"), configFile: join(repository, "vite.config.ts"), logLevel: "warn" });
 	const server = await preview({
 		configFile: join(repository, "vite.config.ts"),
