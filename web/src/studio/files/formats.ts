@@ -35,7 +35,7 @@ export const FORMATS: readonly Format[] = [
 	{
 		key: "glb-instanced",
 		title: "GLB, instanced",
-		about: "Smaller; for readers of EXT_mesh_gpu_instancing",
+		about: "All berries in one node; for readers of EXT_mesh_gpu_instancing",
 		suffix: "-instanced.glb",
 		make: (bunch) => glb(bunch, true),
 	},
