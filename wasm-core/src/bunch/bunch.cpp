@@ -178,7 +178,7 @@ void to_metres(std::vector<Internode>& internodes, std::vector<Berry>& berries, 
   }
 }
 
-Counts count(const Grown& grown, std::uint32_t cut) {
+Counts counted(const Grown& grown, std::uint32_t cut) {
   Counts counts;
   counts.internodes = static_cast<std::uint32_t>(grown.internodes.size());
   counts.berries = static_cast<std::uint32_t>(grown.berries.size());
@@ -274,7 +274,8 @@ Result<Grown> grow(const Request& request, const Limits& limits) {
   to_metres(growth.internodes, growth.berries, values[unit] * metres_per_millimetre);
   grown.internodes = std::move(growth.internodes);
   grown.berries = std::move(growth.berries);
-  grown.counts = count(grown, growth.cuts);
+  for (const Berry& berry : grown.berries) grown.traits.push_back({2 * berry.radius, 2 * berry.radius});
+  grown.counts = counted(grown, growth.cuts);
   grown.fingerprint = fingerprint(grown);
   if (request.meshes) add_meshes(grown, request);
   return grown;

@@ -17,7 +17,9 @@ struct Request {
   std::int32_t m = 0;             // rachis segments in place of the profile's; 0: from the profile
   std::vector<std::int32_t> n;    // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
   std::string_view grammar;       // empty: the built-in L-system 3
+  std::vector<std::uint32_t> thinned;  // berries taken off by hand, by id
   bool meshes = true;
+  bool measures = true;
   std::uint32_t stem_sides = 0;      // 0: default
   std::uint32_t berry_segments = 0;  // 0: default
 };

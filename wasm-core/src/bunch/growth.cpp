@@ -30,6 +30,12 @@ bool slots_for(std::size_t arity, Slots& slots) {
 }
 
 // The apex symbols of the paper's grammars tell what an internode is.
+// Links hold it in six letters.
+std::uint32_t berry_id(std::uint64_t seed, std::uint64_t address) {
+  (void)seed;
+  return static_cast<std::uint32_t>(address >> 34);
+}
+
 bool is_rachis(std::string_view symbol) { return symbol.substr(0, 2) == "Ar"; }
 
 Kind kind_of(std::string_view symbol, bool pedicel) {
@@ -154,12 +160,12 @@ void Growth::label(Internode& internode, const lsystem::Lineage& lineage) const 
     internode.axis = first_axis_ + rachis_depth_[internode.parent] - 1;
 }
 
-void Growth::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage&) {
+void Growth::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
   if (turtle.line < 0 || !within(berries.size(), limits_.spheres, "berries")) return;
   const std::int32_t pedicel = first_internode_ + turtle.line;
   if (static_cast<std::size_t>(pedicel) >= internodes.size()) return;
   internodes[pedicel].kind = Kind::pedicel;
-  berries.push_back({turtle.position, radius, turtle.heading, pedicel});
+  berries.push_back({turtle.position, radius, turtle.heading, pedicel, berry_id(seed_, lineage.address)});
 }
 
 void Growth::cut(const lsystem::Turtle&) { answered_ = {}; }

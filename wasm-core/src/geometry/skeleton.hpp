@@ -23,9 +23,10 @@ struct Internode {
 
 struct Berry {
   glm::vec3 centre{0};
-  float radius = 0;
+  float radius = 0;               // of the ball of its volume
   glm::vec3 direction{0, -1, 0};  // unit, from the pedicel towards the tip scar
   std::int32_t parent = -1;       // index of its pedicel
+  std::uint32_t id = 0;           // below 2^30; of its pedicel's place in the derivation, the same while handles move
 };
 
 }  // namespace panicle

@@ -25,7 +25,7 @@ PanicleResult* result_of(Outcome&& outcome) {
 
 extern "C" {
 
-std::uint32_t panicle_abi(void) { return 1; }
+std::uint32_t panicle_abi(void) { return 2; }
 
 void* panicle_allocate(std::uint32_t bytes) {
   return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;

@@ -5,9 +5,9 @@
  *
  * Request (32-bit words):
  *   0  magic 0x4c434e50 ("PNCL")
- *   1  version of this layout: 1
+ *   1  version of this layout: 2
  *   2  model: 1 bunch
- *   3  outputs: bit 0 meshes
+ *   3  outputs: bit 0 meshes, bit 1 measures
  *   4  seed
  *   5  sides of a stem's tube (0: default)
  *   6  segments of the berry mesh (0: default)
@@ -15,8 +15,10 @@
  *   8  m in place of the profile's (0: from the profile)
  *   9  N, number of values in place of the profile's n (0: from the profile)
  *  10  G, bytes of grammar text (0: the built-in L-system 3)
- *  11… P × float32: the parameters of wasm-core/parameters/bunch.json that are not `look`, in its order; NaN: default
+ *  11  T, number of berries thinned by hand
+ *  12… P × float32: the parameters of wasm-core/parameters/bunch.json that are not `look`, in its order; NaN: default
  *   …  N × uint32, n1 … nN as the paper counts
+ *   …  T × uint32, ids of berries
  *   …  G bytes of UTF-8, padded to a word with zeros
  *
  * Sections of a result: see PANICLE_SECTION_*. A failed growth has STATUS and MESSAGE only. */
@@ -55,7 +57,26 @@ enum {
   PANICLE_SECTION_BERRY_NORMALS = 20,
   PANICLE_SECTION_BERRY_UVS = 21,
   PANICLE_SECTION_BERRY_INDICES = 22,
-  PANICLE_SECTION_COUNT = 23
+  PANICLE_SECTION_PROCEDURE = 23,         /* uint32 × 2: 0 paper 1 natural, fruit; float32 × 2: taper, blunt */
+  PANICLE_SECTION_BERRY_IDS = 24,         /* uint32 each */
+  PANICLE_SECTION_BERRY_TRAITS = 25,      /* float32 × 8 each: bunch::Traits */
+  PANICLE_SECTION_THINNED = 26,           /* uint32 id, uint32 why (bunch::Why), float32 × 3 place; each */
+  PANICLE_SECTION_MEASURES = 27,          /* float32 × measures of parameters/measures.json; NaN: does not apply */
+  PANICLE_SECTION_SURFACE_POSITIONS = 28, /* the berries' own surfaces (geometry/berry_surfaces.hpp); empty for paper */
+  PANICLE_SECTION_SURFACE_NORMALS = 29,
+  PANICLE_SECTION_SURFACE_UVS = 30,     /* of the pattern that all surfaces share */
+  PANICLE_SECTION_SURFACE_INDICES = 31, /* likewise */
+  PANICLE_SECTION_SURFACE_PRESSED = 32, /* uint8 per vertex */
+  PANICLE_SECTION_FLOWER_POSITIONS = 33, /* the shared open flower: unit berry radius, its face towards +Y */
+  PANICLE_SECTION_FLOWER_NORMALS = 34,
+  PANICLE_SECTION_FLOWER_UVS = 35,
+  PANICLE_SECTION_FLOWER_INDICES = 36,
+  PANICLE_SECTION_FOLIAGE_POSITIONS = 37, /* leaves and cane; metres */
+  PANICLE_SECTION_FOLIAGE_NORMALS = 38,
+  PANICLE_SECTION_FOLIAGE_UVS = 39,
+  PANICLE_SECTION_FOLIAGE_INDICES = 40,
+  PANICLE_SECTION_FOLIAGE_PARTS = 41, /* uint32 × 5 each: kind (bunch::FoliagePart), first vertex … indices */
+  PANICLE_SECTION_COUNT = 42
 };
 
 /* Version of this layout. */

@@ -41,6 +41,7 @@ Sections::Sections(bunch::Grown grown) : grown_(std::move(grown)) {
   pack_skeleton();
   pack(PANICLE_SECTION_FINGERPRINTS, {low(grown_.fingerprint), high(grown_.fingerprint), low(grown_.mesh_fingerprint),
                                       high(grown_.mesh_fingerprint)});
+  pack_natural();
   pack_meshes();
 }
 
@@ -97,13 +98,51 @@ void Sections::pack_skeleton() {
   pack(PANICLE_SECTION_BERRY_PARENTS, std::move(parents));
 }
 
+void Sections::pack_natural() {
+  pack(PANICLE_SECTION_PROCEDURE, {grown_.natural, static_cast<std::uint32_t>(grown_.form.fruit),
+                                   word(grown_.form.taper), word(grown_.form.blunt)});
+  std::vector<std::uint32_t> ids, thinned;
+  for (const Berry& berry : grown_.berries) ids.push_back(berry.id);
+  for (const bunch::Thinned& one : grown_.thinned) {
+    thinned.push_back(one.id);
+    thinned.push_back(static_cast<std::uint32_t>(one.why));
+    add(thinned, one.place);
+  }
+  pack(PANICLE_SECTION_BERRY_IDS, std::move(ids));
+  pack(PANICLE_SECTION_THINNED, std::move(thinned));
+  show(PANICLE_SECTION_BERRY_TRAITS, grown_.traits);
+  show(PANICLE_SECTION_MEASURES, grown_.measures);
+  if (grown_.surfaces) {
+    const BerrySurfaces& surfaces = *grown_.surfaces;
+    show(PANICLE_SECTION_SURFACE_POSITIONS, surfaces.positions);
+    show(PANICLE_SECTION_SURFACE_NORMALS, surfaces.normals);
+    show(PANICLE_SECTION_SURFACE_UVS, surfaces.uvs);
+    show(PANICLE_SECTION_SURFACE_INDICES, surfaces.indices);
+    show(PANICLE_SECTION_SURFACE_PRESSED, surfaces.pressed);
+  }
+  if (grown_.foliage) {
+    std::vector<std::uint32_t> parts;
+    for (const bunch::FoliagePart& part : grown_.foliage->parts)
+      parts.insert(parts.end(), {static_cast<std::uint32_t>(part.kind), part.first_vertex, part.vertex_count,
+                                 part.first_index, part.index_count});
+    pack(PANICLE_SECTION_FOLIAGE_PARTS, std::move(parts));
+    show_mesh(PANICLE_SECTION_FOLIAGE_POSITIONS, grown_.foliage->mesh);
+  }
+  if (grown_.flower) show_mesh(PANICLE_SECTION_FLOWER_POSITIONS, *grown_.flower);
+}
+
+// Positions, normals, texture coordinates and indices stand in four sections in a row.
+void Sections::show_mesh(std::uint32_t first, const Mesh& mesh) {
+  show(first, mesh.positions);
+  show(first + 1, mesh.normals);
+  show(first + 2, mesh.uvs);
+  show(first + 3, mesh.indices);
+}
+
 void Sections::pack_meshes() {
   if (grown_.stem) {
     const StemMesh& stem = *grown_.stem;
-    show(PANICLE_SECTION_STEM_POSITIONS, stem.mesh.positions);
-    show(PANICLE_SECTION_STEM_NORMALS, stem.mesh.normals);
-    show(PANICLE_SECTION_STEM_UVS, stem.mesh.uvs);
-    show(PANICLE_SECTION_STEM_INDICES, stem.mesh.indices);
+    show_mesh(PANICLE_SECTION_STEM_POSITIONS, stem.mesh);
     show(PANICLE_SECTION_STEM_INTERNODES, stem.internode);
     std::vector<std::uint32_t> parts;
     for (const StemPart& part : stem.parts)
@@ -111,12 +150,7 @@ void Sections::pack_meshes() {
                    {word(part.axis), part.first_vertex, part.vertex_count, part.first_index, part.index_count});
     pack(PANICLE_SECTION_STEM_PARTS, std::move(parts));
   }
-  if (grown_.berry) {
-    show(PANICLE_SECTION_BERRY_POSITIONS, grown_.berry->positions);
-    show(PANICLE_SECTION_BERRY_NORMALS, grown_.berry->normals);
-    show(PANICLE_SECTION_BERRY_UVS, grown_.berry->uvs);
-    show(PANICLE_SECTION_BERRY_INDICES, grown_.berry->indices);
-  }
+  if (grown_.berry) show_mesh(PANICLE_SECTION_BERRY_POSITIONS, *grown_.berry);
 }
 
 }  // namespace panicle::wasm_api

@@ -27,7 +27,9 @@ class Sections {
  private:
   void pack_plan(std::uint32_t id, const bunch::Plan& plan);
   void pack_skeleton();
+  void pack_natural();
   void pack_meshes();
+  void show_mesh(std::uint32_t first, const Mesh& mesh);
   void pack(std::uint32_t id, std::vector<std::uint32_t> words);
   template <class Value>
   void show(std::uint32_t id, const std::vector<Value>& values);

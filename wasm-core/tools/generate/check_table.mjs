@@ -6,11 +6,17 @@ function problemsOf(parameter, groups) {
 	const problems = requiredOfAll.filter((field) => parameter[field] === undefined).map((field) => `has no ${field}`);
 	if (!/^[a-z][a-z0-9_]*$/.test(parameter.key ?? "")) problems.push("has a key that is no lower-case name");
 	if (!groups.has(parameter.group)) problems.push(`is of the unknown group ${parameter.group}`);
-	if (!["number", "integer", "colour"].includes(parameter.kind))
+	if (!["number", "integer", "choice", "colour"].includes(parameter.kind))
 		problems.push(`is of the unknown kind ${parameter.kind}`);
 	if (parameter.kind === "colour") {
 		if (!/^[0-9a-f]{6}$/.test(parameter.default)) problems.push("has a default that is no colour");
 		if (!parameter.look) problems.push("is a colour that the core would read");
+		return problems;
+	}
+	if (parameter.kind === "choice") {
+		const last = (parameter.options ?? []).length - 1;
+		if (last < 1) problems.push("is a choice of fewer than two options");
+		if (!(parameter.default in (parameter.options ?? []))) problems.push("has a default that is none of its options");
 		return problems;
 	}
 	const { min, max, default: standard } = parameter;

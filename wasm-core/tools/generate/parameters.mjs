@@ -21,13 +21,16 @@ export function outputs() {
 /** Parameters that the core reads, in the request's order. */
 const ofCore = (table) => table.parameters.filter((parameter) => !parameter.look);
 
+/** A choice's number is the place of its option. */
+const bounds = (p) => (p.kind === "choice" ? { min: 0, max: p.options.length - 1 } : { min: p.min, max: p.max });
+
 const float = (value) => (Number.isInteger(value) ? `${value}.0f` : `${value}f`);
 
 function cplusplus(table) {
 	const rows = ofCore(table);
 	const entries = rows.map(
 		(p) =>
-			`    {"${p.key}", "${p.define ?? ""}", ${[p.min, p.max, p.gapBelow ?? 0, p.default].map(float).join(", ")}, ${p.kind === "integer"}},`,
+			`    {"${p.key}", "${p.define ?? ""}", ${[bounds(p).min, bounds(p).max, p.gapBelow ?? 0, p.default].map(float).join(", ")}, ${p.kind !== "number"}},`,
 	);
 	return `// ${notice}
 #pragma once
@@ -64,7 +67,7 @@ ${entries.join("\n")}
 `;
 }
 
-const literal = (value) => JSON.stringify(value);
+const literal = (value) => (Array.isArray(value) ? `[${value.map(literal).join(", ")}]` : JSON.stringify(value));
 
 /** An object literal as the formatter lays it out: one line where it fits, else one property a line. */
 function object(properties, indent) {
@@ -78,12 +81,14 @@ function object(properties, indent) {
 	return [`${"\t".repeat(indent)}{`, ...inner, `${"\t".repeat(indent)}},`].join("\n");
 }
 
-const fields = "key link slot label symbol group kind unit min max gapBelow default step help since define look".split(
-	" ",
-);
+const fields = (
+	"key link slot label symbol group kind unit options min max gapBelow default step " +
+	"procedure help since before define look"
+).split(" ");
 
 function info(p) {
-	return Object.fromEntries(fields.map((field) => [field, p[field]]));
+	const whole = p.kind === "choice" ? { unit: "", ...p, ...bounds(p), step: 1 } : p;
+	return Object.fromEntries(fields.map((field) => [field, whole[field]]));
 }
 
 const keyList = (name, doc, parameters) =>
@@ -104,6 +109,11 @@ ${shortKeyList(
 	table.parameters.filter((p) => p.look),
 )}
 export type LookKey = (typeof LOOK_KEYS)[number];
+/** Those of them that are colours, as six hexadecimal digits. */
+export type ColourKey = ${table.parameters
+		.filter((p) => p.kind === "colour")
+		.map((p) => literal(p.key))
+		.join(" | ")};
 
 export type ParameterKey = NumberKey | LookKey;
 
@@ -117,8 +127,10 @@ export interface ParameterInfo {
 	/** The paper's symbol, or empty. */
 	readonly symbol: string;
 	readonly group: string;
-	readonly kind: "number" | "integer" | "colour";
+	readonly kind: "number" | "integer" | "choice" | "colour";
 	readonly unit: string;
+	/** A choice's values as links write them; its number is the place of one of them. */
+	readonly options?: readonly string[];
 	readonly min?: number;
 	readonly max?: number;
 	/** Values strictly between 0 and this are raised to it. */
@@ -126,9 +138,13 @@ export interface ParameterInfo {
 	/** A number, or a colour as six hexadecimal digits. */
 	readonly default: number | string;
 	readonly step?: number;
+	/** The one procedure that heeds it; absent where both do. */
+	readonly procedure?: "paper" | "natural";
 	readonly help: string;
 	/** The link version that first knew it. */
 	readonly since: number;
+	/** What a link from before \`since\` means; the default where absent. */
+	readonly before?: number;
 	/** The grammar's \`#define\` that it replaces. */
 	readonly define?: string;
 	/** Whether it only colours the result. */
@@ -157,8 +173,14 @@ const cell = (text) => String(text).replaceAll("|", "\\|");
 
 function range(p) {
 	if (p.kind === "colour") return "six hexadecimal digits";
+	if (p.kind === "choice") return p.options.map((option) => `\`${option}\``).join(", ");
 	const whole = p.kind === "integer" ? ", whole" : "";
 	return p.gapBelow ? `0, or ${p.gapBelow} … ${p.max}${whole}` : `${p.min} … ${p.max}${whole}`;
+}
+
+function standardOf(p) {
+	if (p.kind === "choice") return `\`${p.options[p.default]}\``;
+	return p.kind === "colour" ? `\`${p.default}\`` : p.default;
 }
 
 function row(p) {
@@ -167,10 +189,11 @@ function row(p) {
 		`\`${p.key}\``,
 		p.symbol ? `${p.label} (${p.symbol})` : p.label,
 		range(p),
-		p.kind === "colour" ? `\`${p.default}\`` : p.default,
-		p.unit,
+		standardOf(p),
+		p.unit ?? "",
 		link,
 		p.define ? `\`${p.define}\`` : "",
+		p.procedure ?? "both",
 		p.help,
 	];
 	return `| ${cells.map(cell).join(" | ")} |`;
@@ -180,7 +203,7 @@ function markdown(table) {
 	const sections = table.groups.map((group) => {
 		const rows = table.parameters.filter((p) => p.group === group.key).map(row);
 		const head =
-			"| key | name | range | default | unit | in the link | in the grammar | meaning |\n|---|---|---|---|---|---|---|---|";
+			"| key | name | range | default | unit | in the link | in the grammar | heeded by | meaning |\n|---|---|---|---|---|---|---|---|---|";
 		return `## ${group.title}\n\n${group.help}\n\n${head}\n${rows.join("\n")}\n`;
 	});
 	return `<!-- ${notice} -->
@@ -188,7 +211,8 @@ function markdown(table) {
 # Parameters of the bunch
 
 *Key* is what the custom \`--set\` of \`npm run grow\` and the programming interfaces call it, *in the link* what the address bar
-does. *In the grammar* names the \`#define\` that a value other than the default replaces. Units: px is a pixel of the paper's
+does; what it means to a link from before it was known is its default, but for \`procedure\`, which is \`paper\` there. *In the
+grammar* names the \`#define\` that a value other than the default replaces. Units: px is a pixel of the paper's
 600 × 600 view, u one unit of its grammars, of \`unit\` millimetres.
 
 ${sections.join("\n")}`;

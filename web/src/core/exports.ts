@@ -15,7 +15,7 @@ export interface CoreExports {
 }
 
 /** Version of the layout that this side speaks. */
-export const ABI = 1;
+export const ABI = 2;
 
 export const SECTION = {
 	status: 0,
@@ -41,6 +41,25 @@ export const SECTION = {
 	berryNormals: 20,
 	berryUvs: 21,
 	berryIndices: 22,
+	procedure: 23,
+	berryIds: 24,
+	berryTraits: 25,
+	thinned: 26,
+	measures: 27,
+	surfacePositions: 28,
+	surfaceNormals: 29,
+	surfaceUvs: 30,
+	surfaceIndices: 31,
+	surfacePressed: 32,
+	flowerPositions: 33,
+	flowerNormals: 34,
+	flowerUvs: 35,
+	flowerIndices: 36,
+	foliagePositions: 37,
+	foliageNormals: 38,
+	foliageUvs: 39,
+	foliageIndices: 40,
+	foliageParts: 41,
 } as const;
 
 const FUNCTIONS = ["abi", "allocate", "release", "grow", "section", "section_bytes", "free"];

@@ -12,6 +12,25 @@ export type InternodeKind = (typeof INTERNODE_KINDS)[number];
 export const INTERNODE_STATES = ["grown", "withered"] as const;
 export type InternodeState = (typeof INTERNODE_STATES)[number];
 
+export const PROCEDURES = ["paper", "natural"] as const;
+export type Procedure = (typeof PROCEDURES)[number];
+
+/** Whose surface a berry has, by code. */
+export const FRUITS = ["grape", "currant", "bramble", "lychee", "longan", "duku"] as const;
+export type Fruit = (typeof FRUITS)[number];
+
+/** Why a pedicel bears no berry, by code: not set (more flowers than berries are wanted), no room, outside, by hand. */
+export const THINNED_WHY = ["", "not set", "no room", "outside", "by hand"] as const;
+
+/** What the berries of a bunch share in form (geometry/berry_body.hpp). */
+export interface BerryForm {
+	fruit: Fruit;
+	/** −1 … 1: below 0 the pedicel's end is the wider, above 0 the tip's. */
+	taper: number;
+	/** 0 … 1: from an ellipse to a cylinder with round ends. */
+	blunt: number;
+}
+
 /** One side of the profile: what the person drew (pixels) and what the grammar gets (counts). */
 export interface PlanSide {
 	w: number;
@@ -57,12 +76,64 @@ export interface Internodes {
 
 export interface Berries {
 	count: number;
-	/** 4 × count: centre x y z, radius. */
+	/** 4 × count: centre x y z, radius of the ball of the berry's volume. */
 	spheres: Float32Array;
 	/** 3 × count: unit vector from the pedicel towards the tip scar. */
 	directions: Float32Array;
 	/** Index of the pedicel's internode. */
 	parent: Int32Array;
+	/** Below 2^30; the same while handles move. `thinned` of a specimen lists those taken off by hand. */
+	ids: Uint32Array;
+	/** TRAITS.length × count, in the order of `TRAITS`. */
+	traits: Float32Array;
+}
+
+/**
+ * What a berry is besides its place: whole width and length in metres; exposure to the sun 0 … 1; turned 0 (unripe
+ * colour) … 1 (ripe colour); opened 0 (closed bud) … 1; set 0 (open flower with stamens) … 1 (berry); shrivel 0 … 1;
+ * seeds 0 … 4.
+ */
+export const TRAITS = ["width", "length", "exposure", "turned", "opened", "set", "shrivel", "seeds"] as const;
+export type Trait = (typeof TRAITS)[number];
+
+/** A berry that is not there. */
+export interface Thinned {
+	id: number;
+	why: (typeof THINNED_WHY)[number];
+	/** Where its pedicel begins, metres. */
+	place: [x: number, y: number, z: number];
+}
+
+/**
+ * The berries' own surfaces, flattened where they meet. All follow one pattern of vertices: berry i has those from
+ * i × V on, V = uvs.length / 2; uvs and indices (0 … V − 1) serve every berry.
+ */
+export interface BerrySurfaces {
+	/** 2 × V: u round, v from the pedicel's seat (0) to the tip scar (1). */
+	uvs: Float32Array;
+	/** 3 × triangles of one berry. */
+	indices: Uint32Array;
+	/** 3 × V × berries, metres. */
+	positions: Float32Array;
+	/** 3 × V × berries. */
+	normals: Float32Array;
+	/** V × berries: 0 free … 255 in contact with a neighbour, where bloom is rubbed off. */
+	pressed: Uint8Array;
+}
+
+export const FOLIAGE_KINDS = ["cane", "leaf", "petiole"] as const;
+
+/** A contiguous run of the foliage's mesh. */
+export interface FoliagePart {
+	kind: (typeof FOLIAGE_KINDS)[number];
+	firstVertex: number;
+	vertexCount: number;
+	firstIndex: number;
+	indexCount: number;
+}
+
+export interface Foliage extends Mesh {
+	parts: FoliagePart[];
 }
 
 /** Triangles; normals are of unit length, indices go counter-clockwise seen from outside. */
@@ -94,6 +165,8 @@ export interface StemMesh extends Mesh {
 }
 
 export interface Grown {
+	procedure: Procedure;
+	form: BerryForm;
 	plan: Plan;
 	/** The second bunch's plan, where there is one. */
 	second?: Plan;
@@ -102,8 +175,18 @@ export interface Grown {
 	berries: Berries;
 	/** Absent when only the skeleton was asked for. */
 	stem?: StemMesh;
-	/** The one mesh all berries share: unit radius, centred, tip scar towards +Y. */
+	/** The one mesh all berries of the paper's procedure share: unit radius, centred, tip scar towards +Y. */
 	berry?: Mesh;
+	/** Each berry's own surface; absent for the paper's procedure, whose berries are `berry` at their spheres. */
+	surfaces?: BerrySurfaces;
+	/** Stamens about an ovary of unit radius facing +Y, for berries whose trait `set` is below 1; absent without any. */
+	flower?: Mesh;
+	/** Leaves and cane, where they were asked for. */
+	foliage?: Foliage;
+	/** Berries that are not there, and why; of the natural procedure. */
+	thinned: Thinned[];
+	/** In the order of MEASURES (specimen/measures.generated.ts); NaN where one does not apply; absent if not asked for. */
+	measures?: Float32Array;
 	/** What the core has to say about the request, in plain words. */
 	notes: string[];
 	/** 16 hexadecimal digits over skeleton and organs (docs/fingerprint.md). */

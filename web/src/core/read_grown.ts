@@ -1,7 +1,25 @@
 /** A result's sections → Grown (layout: wasm_api/panicle.h). */
 import { CORE_REASONS, CoreError } from "./errors";
 import { SECTION } from "./exports";
-import type { Berries, Counts, Grown, Internodes, Mesh, Plan, PlanSide, StemMesh, StemPart } from "./grown";
+import {
+	type Berries,
+	type BerrySurfaces,
+	type Counts,
+	FOLIAGE_KINDS,
+	type Foliage,
+	type FoliagePart,
+	FRUITS,
+	type Grown,
+	type Internodes,
+	type Mesh,
+	type Plan,
+	type PlanSide,
+	PROCEDURES,
+	type StemMesh,
+	type StemPart,
+	THINNED_WHY,
+	type Thinned,
+} from "./grown";
 import type { Sections } from "./sections";
 
 /**
@@ -14,16 +32,25 @@ export function readGrown(sections: Sections, grow: number): Grown {
 		throw new CoreError(CORE_REASONS[reason] ?? "bad request", sections.text(SECTION.message), line, column);
 	}
 	const prints = sections.words(SECTION.fingerprints);
+	const [procedure, fruit] = sections.words(SECTION.procedure);
+	const [, , taper, blunt] = sections.floats(SECTION.procedure);
 	const grown: Grown = {
+		procedure: PROCEDURES[procedure],
+		form: { fruit: FRUITS[fruit], taper, blunt },
 		plan: readPlan(sections, SECTION.plan),
 		counts: readCounts(sections.words(SECTION.counts)),
 		internodes: readInternodes(sections),
 		berries: readBerries(sections),
+		thinned: readThinned(sections),
 		notes: sections.text(SECTION.notes).split("\n").filter(Boolean),
 		fingerprint: hexadecimal(prints[0], prints[1]),
 		timings: { grow },
 	};
 	if (!sections.isEmpty(SECTION.second)) grown.second = readPlan(sections, SECTION.second);
+	if (!sections.isEmpty(SECTION.measures)) grown.measures = sections.floats(SECTION.measures);
+	if (!sections.isEmpty(SECTION.surfacePositions)) grown.surfaces = readSurfaces(sections);
+	if (!sections.isEmpty(SECTION.flowerPositions)) grown.flower = readMesh(sections, SECTION.flowerPositions);
+	if (!sections.isEmpty(SECTION.foliagePositions)) grown.foliage = readFoliage(sections);
 	if (!sections.isEmpty(SECTION.berryPositions)) {
 		grown.stem = readStem(sections);
 		grown.berry = readMesh(sections, SECTION.berryPositions);
@@ -34,10 +61,10 @@ export function readGrown(sections: Sections, grow: number): Grown {
 
 /** Buffers of a grown bunch, for handing it to another thread without copying. */
 export function buffersOf(grown: Grown): ArrayBuffer[] {
-	const holders: object[] = [grown.internodes, grown.berries, grown.stem ?? {}, grown.berry ?? {}];
-	return holders.flatMap((holder) =>
-		Object.values(holder).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : [])),
-	);
+	const { internodes, berries, stem, berry, surfaces, flower, foliage, measures } = grown;
+	const holders: object[] = [internodes, berries, stem ?? {}, berry ?? {}, surfaces ?? {}, flower ?? {}, foliage ?? {}];
+	const values = holders.flatMap((holder) => Object.values(holder));
+	return [...values, measures].flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
 }
 
 const WORDS_PER_SIDE = 4;
@@ -79,7 +106,44 @@ function readBerries(sections: Sections): Berries {
 		spheres,
 		directions: sections.floats(SECTION.berryDirections),
 		parent: sections.ints(SECTION.berryParents),
+		ids: sections.words(SECTION.berryIds),
+		traits: sections.floats(SECTION.berryTraits),
 	};
+}
+
+const WORDS_PER_THINNED = 5;
+
+function readThinned(sections: Sections): Thinned[] {
+	const words = sections.words(SECTION.thinned);
+	const floats = new Float32Array(words.buffer);
+	return Array.from({ length: words.length / WORDS_PER_THINNED }, (_, index) => {
+		const at = index * WORDS_PER_THINNED;
+		return {
+			id: words[at],
+			why: THINNED_WHY[words[at + 1]],
+			place: [floats[at + 2], floats[at + 3], floats[at + 4]],
+		};
+	});
+}
+
+function readSurfaces(sections: Sections): BerrySurfaces {
+	return {
+		uvs: sections.floats(SECTION.surfaceUvs),
+		indices: sections.words(SECTION.surfaceIndices),
+		positions: sections.floats(SECTION.surfacePositions),
+		normals: sections.floats(SECTION.surfaceNormals),
+		pressed: sections.bytes(SECTION.surfacePressed),
+	};
+}
+
+function readFoliage(sections: Sections): Foliage {
+	const rows = sections.words(SECTION.foliageParts);
+	const parts: FoliagePart[] = [];
+	for (let at = 0; at < rows.length; at += WORDS_PER_PART) {
+		const [kind, firstVertex, vertexCount, firstIndex, indexCount] = rows.subarray(at, at + WORDS_PER_PART);
+		parts.push({ kind: FOLIAGE_KINDS[kind], firstVertex, vertexCount, firstIndex, indexCount });
+	}
+	return { ...readMesh(sections, SECTION.foliagePositions), parts };
 }
 
 /** Positions, normals, texture coordinates and indices stand in four sections in a row. */

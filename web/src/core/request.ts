@@ -5,14 +5,17 @@ import { CORE_ENTRIES, type NumberEntry } from "../specimen/table";
 import { CoreError } from "./errors";
 
 const MAGIC = 0x4c434e50; // "PNCL"
-const LAYOUT = 1;
+const LAYOUT = 2;
 const MODEL_BUNCH = 1;
 const OUTPUT_MESHES = 1;
-const HEADER_WORDS = 11;
+const OUTPUT_MEASURES = 2;
+const HEADER_WORDS = 12;
 
 export interface RequestOptions {
 	/** Whether triangles are wanted besides the skeleton; the default is yes. */
 	meshes?: boolean;
+	/** Whether `measures` are wanted; the default is yes. */
+	measures?: boolean;
 	/** Sides of a stem's tube; the core's own choice by default. */
 	stemSides?: number;
 	/** Segments around the berry mesh; the core's own choice by default. */
@@ -31,14 +34,15 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 	const n = specimen.inputs?.n ?? [];
 	if (n.length > INPUT_N_LENGTH) throw new CoreError("limit", `n has more than ${INPUT_N_LENGTH} values.`);
 
-	const words = HEADER_WORDS + CORE_ENTRIES.length + n.length;
+	const { thinned } = specimen;
+	const words = HEADER_WORDS + CORE_ENTRIES.length + n.length + thinned.length;
 	const bytes = new Uint8Array((words + Math.ceil(grammar.length / 4)) * 4);
 	const view = new DataView(bytes.buffer);
 	const header = [
 		MAGIC,
 		LAYOUT,
 		MODEL_BUNCH,
-		options.meshes === false ? 0 : OUTPUT_MESHES,
+		(options.meshes === false ? 0 : OUTPUT_MESHES) | (options.measures === false ? 0 : OUTPUT_MEASURES),
 		whole("seed", specimen.seed),
 		whole("stemSides", options.stemSides ?? 0),
 		whole("berrySegments", options.berrySegments ?? 0),
@@ -46,6 +50,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		whole("m", specimen.inputs?.m ?? 0),
 		n.length,
 		grammar.length,
+		thinned.length,
 	];
 	header.forEach((word, index) => {
 		view.setUint32(index * 4, word, true);
@@ -55,6 +60,10 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 	});
 	n.forEach((value, index) => {
 		view.setUint32((HEADER_WORDS + CORE_ENTRIES.length + index) * 4, whole("n", value), true);
+	});
+	thinned.forEach((id, index) => {
+		const at = HEADER_WORDS + CORE_ENTRIES.length + n.length + index;
+		view.setUint32(at * 4, whole("thinned", id), true);
 	});
 	bytes.set(grammar, words * 4);
 	return bytes;

@@ -19,6 +19,10 @@ export class Sections {
 		return new Uint32Array(this.copy(section));
 	}
 
+	bytes(section: number): Uint8Array<ArrayBuffer> {
+		return new Uint8Array(this.copy(section));
+	}
+
 	text(section: number): string {
 		return new TextDecoder().decode(this.copy(section));
 	}

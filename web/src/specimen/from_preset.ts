@@ -22,5 +22,6 @@ export function specimenFromPreset(name: string = DEFAULT_PRESET): Specimen {
 		seed: DEFAULT_SEED,
 		parameters: parameters as Record<NumberKey, number>,
 		look: look as Look,
+		thinned: [],
 	};
 }

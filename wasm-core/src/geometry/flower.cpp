@@ -1,0 +1,7 @@
+#include "geometry/flower.hpp"
+
+namespace panicle {
+
+Mesh make_flower() { return {}; }
+
+}  // namespace panicle
