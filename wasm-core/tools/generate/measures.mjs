@@ -1,0 +1,168 @@
+/** From wasm-core/parameters/measures.json: the C++ list, the TypeScript table and the page of docs. */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { coreFolder } from "../repository.mjs";
+
+const source = "wasm-core/parameters/measures.json";
+const notice = `Made from ${source} by wasm-core/tools/generate.mjs; edit the table, not this.`;
+
+/** The generated files. */
+export function outputs() {
+	const table = JSON.parse(readFileSync(join(coreFolder, "parameters/measures.json"), "utf8"));
+	checkMeasures(table, source);
+	return [
+		{ path: "wasm-core/src/bunch/measures.generated.hpp", text: cplusplus(table) },
+		{ path: "web/src/specimen/measures.generated.ts", text: typescript(table) },
+		{ path: "docs/measures.md", text: markdown(table) },
+	];
+}
+
+const kinds = ["number", "share", "whole", "note"];
+const required = ["key", "label", "group", "kind", "unit", "decimals", "help", "source"];
+
+function problemsOfClasses(classes) {
+	const problems = [];
+	const limits = classes.map(({ at, from }) => at ?? from);
+	const sort = new Set(classes.map((one) => (one.at === undefined ? "from" : "at")));
+	if (classes.some((one) => (one.at === undefined) === (one.from === undefined)) || sort.size > 1)
+		problems.push("has classes that are not all `at` or all `from`");
+	if (limits.some((limit, i) => i > 0 && !(limit > limits[i - 1]))) problems.push("has classes out of order");
+	return problems;
+}
+
+function problemsOf(measure, groups) {
+	const problems = required.filter((field) => measure[field] === undefined).map((field) => `has no ${field}`);
+	if (!/^[a-z][a-z0-9_]*$/.test(measure.key ?? "")) problems.push("has a key that is no lower-case name");
+	if (!groups.has(measure.group)) problems.push(`is of the unknown group ${measure.group}`);
+	if (!kinds.includes(measure.kind)) problems.push(`is of the unknown kind ${measure.kind}`);
+	if (measure.kind === "note" && !measure.classes) problems.push("is a note without classes");
+	if (!/^[A-Z].*\.$/.test(measure.help ?? "")) problems.push("has help that is no sentence");
+	return [...problems, ...problemsOfClasses(measure.classes ?? [])];
+}
+
+/** Throws with every problem of `table`, which was read from `from`. */
+export function checkMeasures(table, from) {
+	const groups = new Set(table.groups.map((group) => group.key));
+	const problems = table.measures.flatMap((m) => problemsOf(m, groups).map((problem) => `${m.key} ${problem}`));
+	const keys = table.measures.map(({ key }) => key);
+	problems.push(...keys.filter((key, i) => keys.indexOf(key) !== i).map((key) => `${key} stands in it twice`));
+	if (problems.length > 0) throw new Error(`${from}: ${problems.join("; ")}`);
+}
+
+function cplusplus({ measures }) {
+	return `// ${notice}
+#pragma once
+
+#include <cstdint>
+
+namespace panicle::bunch {
+
+// In the order of Grown::measures.
+enum class Measure : std::uint32_t {
+${measures.map(({ key, unit, kind }) => `  ${key},${unit || kind === "share" ? `  // ${unit || "0 … 1"}` : ""}`).join("\n")}
+};
+
+inline constexpr std::uint32_t measure_count = ${measures.length};
+
+}  // namespace panicle::bunch
+`;
+}
+
+const literal = (value) => (Array.isArray(value) ? `[${value.map(literal).join(", ")}]` : JSON.stringify(value));
+const line = (properties) =>
+	`{ ${Object.entries(properties)
+		.filter(([, value]) => value !== undefined)
+		.map(([key, value]) => `${key}: ${literal(value)}`)
+		.join(", ")} }`;
+
+/** An object as the formatter lays it out: one property a line, each class in a line of its own. */
+function object({ classes, ...properties }, indent) {
+	const tabs = "\t".repeat(indent);
+	const pairs = Object.entries(properties).map(([key, value]) => `${key}: ${literal(value)},`);
+	if (classes) pairs.push(`classes: [\n${classes.map((one) => `${tabs}\t\t${line(one)},\n`).join("")}${tabs}\t],`);
+	return `{\n${pairs.map((pair) => `${tabs}\t${pair}\n`).join("")}${tabs}}`;
+}
+
+function typescript({ groups, measures, skin }) {
+	return `// ${notice}
+
+/** Keys of the measures, in the order of \`Grown.measures\`. */
+export const MEASURE_KEYS = [
+${measures.map(({ key }) => `\t"${key}",\n`).join("")}] as const;
+export type MeasureKey = (typeof MEASURE_KEYS)[number];
+
+/** A class of a descriptor: values nearest to \`at\`, or from \`from\` on. */
+export interface MeasureClass {
+	readonly note: number;
+	readonly words: string;
+	readonly at?: number;
+	readonly from?: number;
+}
+
+/** What a measure is called, how it is written and how it is classed. */
+export interface MeasureInfo {
+	readonly key: MeasureKey;
+	readonly label: string;
+	readonly group: string;
+	/** A share is 0 … 1 and shown in percent; a note's value is its class. */
+	readonly kind: "number" | "share" | "whole" | "note";
+	/** Of the value; empty for shares, counts and notes. */
+	readonly unit: string;
+	/** Digits after the point where it is shown; a share's in percent. */
+	readonly decimals: number;
+	/** Code of the OIV's descriptor. */
+	readonly oiv?: number;
+	/** One plain sentence. */
+	readonly help: string;
+	readonly source: string;
+	/** What of it was not compared with its source: the classes' limits, say. */
+	readonly unchecked?: string;
+	readonly classes?: readonly MeasureClass[];
+}
+
+/** Every measure, in the order of \`Grown.measures\`. */
+export const MEASURES: readonly MeasureInfo[] = [
+${measures.map((measure) => `\t${object(measure, 1)},\n`).join("")}];
+
+/** The groups that panels and pages show, in order. */
+export const MEASURE_GROUPS: readonly { readonly key: string; readonly title: string }[] = [
+${groups.map((group) => `\t${line(group)},\n`).join("")}];
+
+/** The descriptor of skin colour, which is of the look and not measured by the core. */
+export const SKIN_COLOUR = ${object(skin, 0)} as const;
+`;
+}
+
+const cell = (text) => String(text).replaceAll("|", "\\|");
+
+function classText({ note, at, words }, kind) {
+	if (kind === "note" || at === note) return `${note} ${words}`;
+	return at === undefined ? `${note} ${words}` : `${note} ${words} (${at})`;
+}
+
+function row(measure) {
+	const classes = measure.classes?.map((one) => classText(one, measure.kind)).join(", ");
+	const mark = measure.unchecked ? ` *(${measure.unchecked} unchecked)*` : "";
+	const unit = measure.kind === "share" ? "0 … 1" : measure.unit;
+	const cells = [`\`${measure.key}\``, measure.label, unit, measure.help, `${classes ?? ""}${mark}`, measure.source];
+	return `| ${cells.map(cell).join(" | ")} |`;
+}
+
+function markdown({ groups, measures, skin }) {
+	const head = "| key | name | unit | what it is | classes | source |\n|---|---|---|---|---|---|";
+	const sections = groups.map((group) => {
+		const rows = measures.filter((measure) => measure.group === group.key).map(row);
+		return `## ${group.title}\n\n${head}\n${rows.join("\n")}\n`;
+	});
+	const look = `## Of the look\n\n${head}\n${row({ ...skin, kind: "note", unit: "" })}\n`;
+	return `<!-- ${notice} -->
+
+# Measures of a bunch
+
+What the core measures on a grown bunch, by the keys that the JSON and the tables of the app and the command line use. How each is reckoned is
+in [measuring.md](measuring.md). A measure that does not apply to a bunch (the weight of a berry where there is none) is NaN in the core
+and \`null\` in JSON. Classes are those of the OIV's descriptor list (2nd edition, 2009); a number in parentheses is about where
+the class lies. *Unchecked* means: written from memory and not compared with the print, so take it as a guide and not as the OIV's word.
+
+${[...sections, look].join("\n")}`;
+}
