@@ -5,7 +5,18 @@ import { ENTRIES } from "../../web/src/specimen/table";
 import { faults } from "../web/specimen/arbitrary";
 
 const KEYS = [
-	...new Set(["v", "model", "preset", "seed", "m", "n", "g", ...ENTRIES.flatMap(({ key, link }) => [key, link])]),
+	...new Set([
+		"v",
+		"model",
+		"preset",
+		"seed",
+		"m",
+		"n",
+		"g",
+		"thin",
+		"thinned",
+		...ENTRIES.flatMap(({ key, link }) => [key, link]),
+	]),
 ];
 const VALUES = [
 	"",
@@ -21,6 +32,8 @@ const VALUES = [
 	"+",
 	"NaN",
 	"duku",
+	"paper",
+	"a.1z.hra0hr",
 	"ffffff",
 	"[object Object]",
 ];

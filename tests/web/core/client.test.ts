@@ -1,22 +1,8 @@
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Client } from "../../../web/src/core/client";
+import { describe, expect, it, vi } from "vitest";
 import { CoreError, Superseded } from "../../../web/src/core/errors";
-import { FakeWorker, grownWith, module, settled, startClient, withSeed } from "./fake_worker";
+import { client, FakeWorker, grownWith, module, settled, start, useFakeWorkers, withSeed } from "./fake_worker";
 
-let client: Client;
-const start = (options?: Parameters<typeof startClient>[0]) => {
-	client = startClient(options);
-};
-
-beforeEach(() => {
-	vi.useFakeTimers();
-	FakeWorker.all = [];
-});
-
-afterEach(() => {
-	client.close();
-	vi.useRealTimers();
-});
+useFakeWorkers();
 
 describe("the client", () => {
 	it("starts a worker before anything is asked, and gives it the compiled core first", async () => {

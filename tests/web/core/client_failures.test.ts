@@ -1,23 +1,9 @@
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Client } from "../../../web/src/core/client";
+import { describe, expect, it } from "vitest";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { FakeWorker, grownWith, module, settled, startClient, withSeed } from "./fake_worker";
+import { client, FakeWorker, grownWith, module, settled, start, useFakeWorkers, withSeed } from "./fake_worker";
 
-let client: Client;
-const start = (options?: Parameters<typeof startClient>[0]) => {
-	client = startClient(options);
-};
-
-beforeEach(() => {
-	vi.useFakeTimers();
-	FakeWorker.all = [];
-});
-
-afterEach(() => {
-	client.close();
-	vi.useRealTimers();
-});
+useFakeWorkers();
 
 describe("a worker that breaks", () => {
 	const trap = (worker: FakeWorker) =>

@@ -1,4 +1,4 @@
-import { vi } from "vitest";
+import { afterEach, beforeEach, vi } from "vitest";
 import { type Client, type ClientOptions, createClient } from "../../../web/src/core/client";
 import type { Grown } from "../../../web/src/core/grown";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
@@ -56,12 +56,27 @@ export const settled = () => vi.advanceTimersByTimeAsync(0);
 /** What stands for the compiled core. */
 export const module = {} as WebAssembly.Module;
 
-/** A client of fake workers. */
-export function startClient(options: Partial<ClientOptions> = {}): Client {
-	return createClient({
+/** A client of fake workers, one at a time. */
+export let client: Client;
+
+/** Starts it; whoever uses it calls `useFakeWorkers` first. */
+export function start(options: Partial<ClientOptions> = {}): void {
+	client = createClient({
 		wasmUrl: "panicle.wasm",
 		workerFactory: () => new FakeWorker() as unknown as Worker,
 		compile: async () => module,
 		...options,
+	});
+}
+
+/** Before each test no worker and no real time, after each no client. */
+export function useFakeWorkers(): void {
+	beforeEach(() => {
+		vi.useFakeTimers();
+		FakeWorker.all = [];
+	});
+	afterEach(() => {
+		client.close();
+		vi.useRealTimers();
 	});
 }

@@ -6,7 +6,7 @@ import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { NUMBER_KEYS, type NumberKey } from "../../../web/src/specimen/parameters.generated";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 
-const HEADER = 11;
+const HEADER = 12;
 const view = (specimen: Specimen, options?: Parameters<typeof encodeRequest>[1]) =>
 	new DataView(encodeRequest(specimen, options).buffer);
 const word = (data: DataView, index: number) => data.getUint32(index * 4, true);
@@ -17,12 +17,14 @@ describe("a request", () => {
 	it("begins with its header", () => {
 		const data = view(
 			{ ...specimenFromPreset(), seed: 0xfffffffe },
-			{ meshes: false, stemSides: 7, berrySegments: 20 },
+			{ meshes: false, measures: false, stemSides: 7, berrySegments: 20 },
 		);
 		const header = Array.from({ length: HEADER }, (_, index) => word(data, index));
-		expect(header).toEqual([0x4c434e50, 1, 1, 0, 0xfffffffe, 7, 20, NUMBER_KEYS.length, 0, 0, 0]);
+		expect(header).toEqual([0x4c434e50, 2, 1, 0, 0xfffffffe, 7, 20, NUMBER_KEYS.length, 0, 0, 0, 0]);
 		expect(data.byteLength).toBe((HEADER + NUMBER_KEYS.length) * 4);
-		expect(word(view(specimenFromPreset()), 3)).toBe(1);
+		expect(word(view(specimenFromPreset()), 3)).toBe(1 | 2);
+		expect(word(view(specimenFromPreset(), { measures: false }), 3)).toBe(1);
+		expect(word(view(specimenFromPreset(), { meshes: false }), 3)).toBe(2);
 	});
 
 	it("leaves a grammar's constants alone unless they were moved; the profile is always given", () => {
@@ -44,12 +46,24 @@ describe("a request", () => {
 		expect(new TextDecoder().decode(text)).toBe("äxiom\0\0");
 	});
 
+	it("holds a choice by its place, and the ids of thinned berries after n and before the grammar", () => {
+		const specimen = withParameters(specimenFromPreset(), { procedure: 0, fruit: 4 });
+		expect([parameter(specimen, "procedure"), parameter(specimen, "fruit")]).toEqual([0, 4]);
+		const data = view({ ...specimen, thinned: [7, 2 ** 30 - 1], inputs: { m: 2, n: [5] }, grammar: "abcd" });
+		expect([word(data, 9), word(data, 10), word(data, 11)]).toEqual([1, 4, 2]);
+		const n = HEADER + NUMBER_KEYS.length;
+		expect([0, 1, 2].map((at) => word(data, n + at))).toEqual([5, 7, 2 ** 30 - 1]);
+		expect(new TextDecoder().decode(new Uint8Array(data.buffer, (n + 3) * 4))).toBe("abcd");
+	});
+
 	it("is not made of a specimen that is none", () => {
 		const specimen = specimenFromPreset();
 		const bad: Specimen[] = [
 			{ ...specimen, seed: -1 },
 			{ ...specimen, seed: 2 ** 32 },
 			{ ...specimen, parameters: { ...specimen.parameters, l: Number.NaN } },
+			{ ...specimen, thinned: [0.5] },
+			{ ...specimen, thinned: [-1] },
 			{ ...specimen, inputs: { m: 2.5 } },
 			{ ...specimen, inputs: { m: 3, n: [-1, 2] } },
 			{ ...specimen, inputs: { m: 201, n: Array(200).fill(1) } },

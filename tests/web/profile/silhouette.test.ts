@@ -1,17 +1,27 @@
 import { describe, expect, it } from "vitest";
+import { TRAITS } from "../../../web/src/core/grown";
 import { metresPerPixel } from "../../../web/src/profile/handles";
 import { type DrawnBunch, silhouette } from "../../../web/src/profile/silhouette";
 
 const PIXEL = metresPerPixel(0.25);
 const inPixels = (...values: number[]) => Float32Array.from(values, (value) => value * PIXEL);
 
+/** Traits of berries of these widths and lengths, in pixels. */
+function sized(...sizes: [width: number, length: number][]): Float32Array {
+	const rest = new Array<number>(TRAITS.length - 2).fill(0);
+	return Float32Array.from(sizes.flatMap(([width, length]) => [width * PIXEL, length * PIXEL, ...rest]));
+}
+
 /** Berry 0 at the right and in front, berry 1 at the left and behind; one internode between two corners. */
 const bunch: DrawnBunch = {
 	berries: {
 		count: 2,
 		spheres: inPixels(30, -100, 40, 12, -50, -200, -60, 15),
-		directions: new Float32Array(6),
+		// Hanging straight down; end on to the front view.
+		directions: Float32Array.of(0, -1, 0, 0, 0, 1),
 		parent: new Int32Array(2),
+		ids: Uint32Array.of(0, 1),
+		traits: sized([24, 24], [30, 40]),
 	},
 	internodes: {
 		count: 1,
@@ -28,8 +38,8 @@ describe("silhouette", () => {
 	it("shows the front view from +Z: p3's side (+X) at the right, what is far first", () => {
 		const { berries, stems } = silhouette(bunch, "front", 0.25);
 		expect(berries).toEqual([
-			{ x: -50, y: 200, radius: 15 },
-			{ x: 30, y: 100, radius: 12 },
+			{ x: -50, y: 200, rx: 15, ry: 15, turn: 0 },
+			{ x: 30, y: 100, rx: 12, ry: 12, turn: 90 },
 		]);
 		expect(stems).toBe("M0 0L3 29");
 	});
@@ -37,13 +47,13 @@ describe("silhouette", () => {
 	it("shows the side view from −X: p5's side (+Z) at the right, what is far first", () => {
 		const { berries, stems } = silhouette(bunch, "side", 0.25);
 		expect(berries).toEqual([
-			{ x: 40, y: 100, radius: 12 },
-			{ x: -60, y: 200, radius: 15 },
+			{ x: 40, y: 100, rx: 12, ry: 12, turn: 90 },
+			{ x: -60, y: 200, rx: 20, ry: 15, turn: 0 },
 		]);
 		expect(stems).toBe("M0 0L5 29");
 	});
 
 	it("follows the scale, so that the drawing stays on the profile", () => {
-		expect(silhouette(bunch, "front", 0.5).berries[1]).toEqual({ x: 15, y: 50, radius: 6 });
+		expect(silhouette(bunch, "front", 0.5).berries[1]).toMatchObject({ x: 15, y: 50, rx: 6, ry: 6 });
 	});
 });

@@ -1,12 +1,13 @@
 import fc from "fast-check";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { BERRY_IDS, MOST_THINNED } from "../../../web/src/specimen/limits";
 import { PRESETS } from "../../../web/src/specimen/presets/index";
 import type { Specimen } from "../../../web/src/specimen/specimen";
-import { ENTRIES, isLook, type NumberEntry } from "../../../web/src/specimen/table";
+import { type ChoiceEntry, ENTRIES, isLook, type NumberEntry } from "../../../web/src/specimen/table";
 
 /** Any value that the table allows and a link can hold. */
-function allowed(entry: NumberEntry): fc.Arbitrary<number> {
-	const scale = entry.kind === "integer" ? 1 : 100;
+function allowed(entry: NumberEntry | ChoiceEntry): fc.Arbitrary<number> {
+	const scale = entry.kind === "number" ? 100 : 1;
 	const from = entry.gapBelow ?? entry.min;
 	const inRange = fc
 		.integer({ min: Math.round(from * scale), max: Math.round(entry.max * scale) })
@@ -27,6 +28,8 @@ const inputs = fc.oneof(
 	fc.array(fc.integer({ min: 0, max: 100 }), { minLength: 1, maxLength: 99 }).map((n) => ({ m: n.length + 1, n })),
 );
 
+const thinned = fc.uniqueArray(fc.integer({ min: 0, max: BERRY_IDS - 1 }), { maxLength: MOST_THINNED });
+
 const grammar = fc.option(fc.string({ unit: "grapheme", minLength: 1, maxLength: 400 }), { nil: undefined });
 
 /** Any valid specimen: complete, in range, on the steps that a link holds. */
@@ -34,12 +37,14 @@ export const anySpecimen: fc.Arbitrary<Specimen> = fc
 	.record({
 		preset: fc.constantFrom(...PRESETS.map((preset) => preset.name)),
 		seed: fc.oneof(fc.constant(1), fc.nat(), fc.constant(0xffffffff)),
+		version: fc.constantFrom(1, 2),
 		changes,
+		thinned,
 		inputs,
 		grammar,
 	})
-	.map(({ preset, seed, changes, inputs, grammar }) => {
-		const specimen: Specimen = { ...specimenFromPreset(preset), seed };
+	.map(({ preset, seed, version, changes, thinned, inputs, grammar }) => {
+		const specimen: Specimen = { ...specimenFromPreset(preset, version), seed, thinned };
 		for (const entry of ENTRIES) {
 			if (!(entry.key in changes)) continue;
 			Object.assign(isLook(entry.key) ? specimen.look : specimen.parameters, { [entry.key]: changes[entry.key] });
@@ -64,10 +69,13 @@ export function faults(specimen: Specimen): string[] {
 		const { min, max, gapBelow } = entry;
 		const number = value as number;
 		const fits = number >= min && number <= max && !(gapBelow !== undefined && number > 0 && number < gapBelow);
-		const whole = entry.kind !== "integer" || Number.isInteger(number);
+		const whole = entry.kind === "number" || Number.isInteger(number);
 		if (typeof number !== "number" || !fits || !whole || Object.is(number, -0)) found.push(`${entry.key} ${number}`);
 	}
-	const { seed, inputs, parameters, preset } = specimen;
+	const { v, seed, inputs, parameters, preset, thinned } = specimen;
+	if (v !== 2) found.push(`v ${v}`);
+	if (thinned.length > MOST_THINNED || new Set(thinned).size < thinned.length) found.push("thinned's length");
+	if (thinned.some((id) => !Number.isInteger(id) || id < 0 || id >= BERRY_IDS)) found.push("thinned");
 	if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) found.push(`seed ${seed}`);
 	if (parameters.rmin > parameters.rmax) found.push("rmin above rmax");
 	if (!PRESETS.some((each) => each.name === preset)) found.push(`preset ${preset}`);

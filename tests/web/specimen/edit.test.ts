@@ -1,7 +1,9 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { withLook, withParameters, withSeed } from "../../../web/src/specimen/edit";
+import { thin, unthin, unthinAll, withLook, withParameters, withSeed } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { change, startHistory, undo } from "../../../web/src/specimen/history";
+import { MOST_THINNED } from "../../../web/src/specimen/limits";
 import { NUMBER_KEYS } from "../../../web/src/specimen/parameters.generated";
 import { sameSpecimen } from "../../../web/src/specimen/same";
 import { anySpecimen, faults } from "./arbitrary";
@@ -25,15 +27,49 @@ describe("edits", () => {
 	it("change the look and the seed", () => {
 		const specimen = specimenFromPreset();
 		expect(withLook(specimen, "skin", "abcdef").look.skin).toBe("abcdef");
-		expect(withLook(specimen, "bloom", 7).look.bloom).toBe(1);
+		for (const key of ["bloom", "glow", "uneven", "lenticels"] as const) {
+			expect(withLook(specimen, key, 7).look[key]).toBe(1);
+			expect(withLook(specimen, key, 0.333).look[key]).toBe(0.33);
+		}
 		expect(withSeed(specimen, 4294967296).seed).toBe(0);
 		expect(withSeed(specimen, -1).seed).toBe(4294967295);
 	});
 
+	it("keep a choice among its options", () => {
+		const fruit = (value: number) => withParameters(specimenFromPreset(), { fruit: value }).parameters.fruit;
+		expect([-1, 0, 2.4, 5, 99].map(fruit)).toEqual([0, 0, 2, 5, 5]);
+	});
+
 	it("leave the specimen they start from alone", () => {
 		const specimen = specimenFromPreset();
+		thin(specimen, 3);
 		withLook(withParameters(specimen, { l: 100 }), "skin", "ffffff");
 		expect(specimen).toEqual(specimenFromPreset());
+	});
+});
+
+describe("thinning by hand", () => {
+	it("takes berries off in order, each once, and puts them back", () => {
+		const specimen = thin(thin(thin(specimenFromPreset(), 9), 4), 7);
+		expect(specimen.thinned).toEqual([9, 4, 7]);
+		expect(thin(specimen, 4)).toBe(specimen);
+		expect(unthin(specimen, 4).thinned).toEqual([9, 7]);
+		expect(unthin(specimen, 5)).toBe(specimen);
+		expect(unthinAll(specimen)).toEqual(specimenFromPreset());
+		expect(unthinAll(specimenFromPreset()).thinned).toEqual([]);
+	});
+
+	it("ends at as many as a link holds", () => {
+		const full = { ...specimenFromPreset(), thinned: Array.from({ length: MOST_THINNED }, (_, id) => id) };
+		expect(thin(full, 1000)).toBe(full);
+		expect(thin(unthin(full, 0), 1000).thinned.at(-1)).toBe(1000);
+	});
+
+	it("is a step that can be undone", () => {
+		const before = specimenFromPreset();
+		const history = change(startHistory(before), thin(before, 3));
+		expect(history.past).toHaveLength(1);
+		expect(undo(history).present).toEqual(before);
 	});
 });
 
@@ -49,7 +85,10 @@ describe("sameSpecimen", () => {
 			{ ...specimen, inputs: { m: 3 } },
 			{ ...specimen, inputs: { m: 3, n: [1, 2] } },
 			{ ...specimen, grammar: "axiom: F" },
+			thin(specimen, 1),
+			withParameters(specimen, { procedure: 0 }),
 		];
 		for (const other of others) expect(sameSpecimen(specimen, other)).toBe(false);
+		expect(sameSpecimen({ ...specimen, thinned: [1, 2] }, { ...specimen, thinned: [2, 1] })).toBe(false);
 	});
 });

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { withParameters } from "../../../web/src/specimen/edit";
+import { thin, withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { decodeLink, decodeQuery, encodeLink, encodeQuery, hasGrammar } from "../../../web/src/specimen/link";
 import type { Specimen } from "../../../web/src/specimen/specimen";
@@ -13,20 +13,20 @@ async function throughLink(specimen: Specimen) {
 
 describe("a link", () => {
 	it("of the default bunch says its version and nothing else", () => {
-		expect(encodeQuery(specimenFromPreset())).toBe("?v=1");
-		expect(encodeQuery(specimenFromPreset("duku"))).toBe("?v=1&preset=duku");
+		expect(encodeQuery(specimenFromPreset())).toBe("?v=2");
+		expect(encodeQuery(specimenFromPreset("duku"))).toBe("?v=2&preset=duku");
 	});
 
 	it("holds only what differs from its preset, in the paper's pixels, commas as they are", () => {
 		const edited = withParameters(specimenFromPreset("short-conical"), { l: 300, p3w: 80.5, fit: 0 });
-		expect(encodeQuery({ ...edited, seed: 7 })).toBe("?v=1&preset=short-conical&seed=7&l=300&p3=80.5,76&fit=0");
+		expect(encodeQuery({ ...edited, seed: 7 })).toBe("?v=2&preset=short-conical&seed=7&l=300&p3=80.5,76&fit=0");
 	});
 
 	it("survives an address bar letter for letter", async () => {
 		const specimen = { ...specimenFromPreset(), inputs: { m: 3, n: [1, 2] }, grammar: "axiom: F(1)[+F(2)]\n" };
 		const link = await encodeLink(specimen);
 		expect(new URL(link, "https://example.org/").href).toBe(`https://example.org/${link}`);
-		expect(link).toMatch(/^\?v=1&m=3&n=1,2#g=[\w-]+$/);
+		expect(link).toMatch(/^\?v=2&m=3&n=1,2#g=[\w-]+$/);
 	});
 
 	it("brings any specimen back exactly, without a note", async () => {
@@ -60,20 +60,57 @@ describe("a link", () => {
 		expect(decodeQuery(link).specimen.parameters).toEqual(edited.parameters);
 	});
 
-	it("without a version is version 1; of a later version is read as far as it is known", () => {
-		const old = decodeQuery("?preset=lychee&l=70");
-		expect(old.notes).toEqual([]);
-		expect(old.specimen).toEqual(withParameters(specimenFromPreset("lychee"), { l: 70 }));
-		const newer = decodeQuery("?v=2&preset=lychee&l=70&ripeness=3");
-		expect(newer.specimen).toEqual(old.specimen);
+	it("without a version is version 1: the paper's procedure, all else as the preset has it", () => {
+		for (const link of ["?preset=lychee&l=70", "?v=1&preset=lychee&l=70"]) {
+			const { specimen, notes } = decodeQuery(link);
+			expect(notes).toEqual([]);
+			expect(specimen).toEqual(withParameters(specimenFromPreset("lychee"), { l: 70, procedure: 0 }));
+			expect(encodeQuery(specimen)).toBe("?v=2&preset=lychee&l=70&procedure=paper");
+		}
+		expect(decodeQuery("?v=1&procedure=natural").specimen).toEqual(specimenFromPreset());
+	});
+
+	it("that says nothing of a bunch is no link, and opens what a page opens with", () => {
+		for (const nothing of ["", "?", "?utm_source=letter"]) {
+			expect(decodeQuery(nothing).specimen).toEqual(specimenFromPreset());
+		}
+	});
+
+	it("with nothing but a grammar is version 1", async () => {
+		const link = await encodeLink({ ...specimenFromPreset(), grammar: "axiom: F(1)" });
+		const { specimen } = await decodeLink("", link.slice(link.indexOf("#")));
+		expect(specimen).toEqual({ ...specimenFromPreset(undefined, 1), grammar: "axiom: F(1)" });
+	});
+
+	it("of a later version is read as far as it is known", () => {
+		const newer = decodeQuery("?v=3&preset=lychee&l=70&ripeness=3");
+		expect(newer.specimen).toEqual(withParameters(specimenFromPreset("lychee"), { l: 70 }));
 		expect(newer.notes.map((note) => note.text)).toEqual([
-			"v: made by a newer version (2); read as far as it is known here.",
+			"v: made by a newer version (3); read as far as it is known here.",
 			"ripeness: not known here; ignored.",
 		]);
 	});
 
+	it("says choices by name, and reads their numbers too", () => {
+		const chosen = withParameters(specimenFromPreset(), { procedure: 0, fruit: 3, cane: 1 });
+		expect(encodeQuery(chosen)).toBe("?v=2&procedure=paper&fruit=lychee&cane=on");
+		for (const link of ["?v=2&procedure=paper&fruit=lychee&cane=on", "?v=2&procedure=0&fruit=3&cane=1"]) {
+			expect(decodeQuery(link)).toEqual({ specimen: chosen, notes: [] });
+		}
+	});
+
+	it("lists berries taken off by hand in base 36, in the order in which they were", () => {
+		const thinned = thin(thin(thin(specimenFromPreset(), 1_000_000), 35), 2 ** 30 - 1);
+		expect(encodeQuery(thinned)).toBe("?v=2&thin=lfls.z.hra0hr");
+		for (const list of ["lfls.z.hra0hr", "lfls,z,hra0hr", "LFLS.z.%20hra0hr.z"]) {
+			expect(decodeQuery(`?v=2&thin=${list}`)).toEqual({ specimen: thinned, notes: [] });
+		}
+	});
+
 	it("says which part it could not use", () => {
-		const { specimen, notes } = decodeQuery("?l=700&p3=9&p4=1,x&p5=300,40&seed=-1&skin=blue&preset=plum&l=601");
+		const { specimen, notes } = decodeQuery(
+			"?v=2&l=700&p3=9&p4=1,x&p5=300,40&seed=-1&skin=blue&preset=plum&l=601&thin=a.!&cane=x",
+		);
 		expect(notes.map((note) => note.text)).toEqual([
 			"l: given more than once; the last is read.",
 			"preset: “plum” is not a preset; long-conical is used.",
@@ -83,6 +120,8 @@ describe("a link", () => {
 			"p5: 300 is above the greatest value, 290; 290 is used.",
 			"seed: -1 is below the least value, 0; 0 is used.",
 			"skin: “blue” is not a colour of six hexadecimal digits; 43264f is used.",
+			"thin: “!” is not the id of a berry; left out.",
+			"cane: “x” is none of off, on; off is used.",
 		]);
 		expect(specimen.parameters.p5r).toBe(40);
 	});
@@ -107,7 +146,7 @@ describe("a grammar in the fragment", () => {
 		const link = await encodeLink({ ...specimenFromPreset(), grammar: text });
 		const hash = link.slice(link.indexOf("#"));
 		for (const damaged of ["#g=", "#g=%%%", "#g=AAAA", hash.slice(0, -20), hash.replace("g=", "g=!")]) {
-			const { specimen, notes } = await decodeLink("?l=300", damaged);
+			const { specimen, notes } = await decodeLink("?v=2&l=300", damaged);
 			expect(specimen).toEqual(withParameters(specimenFromPreset(), { l: 300 }));
 			expect(notes.map((note) => note.text)).toEqual([
 				"grammar: the link is damaged here; the built-in grammar is used.",

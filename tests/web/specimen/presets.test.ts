@@ -6,11 +6,27 @@ import { entryOf } from "../../../web/src/specimen/table";
 import { TABLE_3 } from "./table_3";
 
 describe("presets", () => {
-	it("are the fifteen, in the order of the gallery", () => {
+	it("begin with the paper's fifteen, in the order of the gallery", () => {
 		const names =
 			"short-conical shouldered-conical long-conical cylindrical winged-cylindrical double-bunch-winged grape-15a " +
 			"grape-15b grape-15c grape-15d redcurrant rubus lychee longan duku";
-		expect(PRESETS.map((preset) => preset.name).join(" ")).toBe(names);
+		const published = PRESETS.slice(0, 15);
+		expect(published.map((preset) => preset.name).join(" ")).toBe(names);
+		expect(published.map((preset) => preset.kind)).toEqual([...Array(10).fill("shape"), ...Array(5).fill("fruit")]);
+		for (const { figure } of published) expect(figure).toMatch(/^\d/);
+	});
+
+	it("go on with named varieties, each with a name and a title of its own", () => {
+		const varieties = PRESETS.slice(15);
+		expect(varieties.length).toBeGreaterThanOrEqual(12);
+		for (const variety of varieties) {
+			expect(variety.kind).toBe("variety");
+			expect(variety.name).toMatch(/^[a-z]+(-[a-z]+)*$/);
+			expect(variety.about).toMatch(/^[^\n]{10,90}\.$/);
+			expect(variety.look.skin).toBeDefined();
+		}
+		expect(new Set(PRESETS.map(({ name }) => name)).size).toBe(PRESETS.length);
+		expect(new Set(PRESETS.map(({ title }) => title)).size).toBe(PRESETS.length);
 	});
 
 	it.each(TABLE_3)("$name has the profile of Table 3", ({ name, l, sides }) => {
@@ -28,7 +44,8 @@ describe("presets", () => {
 			expect(entryOf(key)?.default).not.toBe(value);
 		}
 		expect(restore(preset.parameters).notes).toEqual([]);
-		expect(restore({ preset: preset.name })).toEqual({ specimen: specimenFromPreset(preset.name), notes: [] });
+		expect(restore(preset.look).notes).toEqual([]);
+		expect(restore({ v: 2, preset: preset.name })).toEqual({ specimen: specimenFromPreset(preset.name), notes: [] });
 	});
 
 	it("double-bunch-winged has a second bunch of six tenths", () => {

@@ -2,6 +2,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { restore } from "../../../web/src/specimen/restore";
+import { writtenSpecimen } from "../../../web/src/specimen/written";
 import { anySpecimen, faults } from "./arbitrary";
 
 const texts = (record: unknown, from?: Parameters<typeof restore>[1]) =>
@@ -18,15 +19,25 @@ describe("restore", () => {
 	it("gives a written specimen back as it is", () => {
 		fc.assert(
 			fc.property(anySpecimen, (specimen) => {
-				expect(restore(JSON.parse(JSON.stringify(specimen)))).toEqual({ specimen, notes: [] });
+				const written = writtenSpecimen(specimen);
+				for (const each of [specimen, written]) {
+					expect(restore(JSON.parse(JSON.stringify(each)))).toEqual({ specimen, notes: [] });
+				}
+				expect(written.parameters.fruit).toBeTypeOf("string");
 			}),
 		);
 	});
 
 	it("gives a specimen in range for anything whatever, and is done with it the second time", () => {
-		const values = fc.oneof(fc.anything(), fc.string(), fc.double(), fc.constantFrom("79,76", [1, 2], "1e999", "-0"));
+		const values = fc.oneof(
+			fc.anything(),
+			fc.string(),
+			fc.double(),
+			fc.constantFrom("79,76", [1, 2], "1e999", "-0", "a.b.!"),
+		);
 		const keys = fc.oneof(
 			fc.constantFrom("l", "p3", "p4w", "wing", "rmin", "rmax", "skin", "bloom", "seed", "m", "n", "preset", "v"),
+			fc.constantFrom("thin", "thinned", "procedure", "fruit", "glow", "unripe"),
 			fc.constantFrom("parameters", "look", "inputs", "grammar", "model", "__proto__", "constructor", "toString"),
 			fc.string(),
 		);
@@ -99,7 +110,7 @@ describe("restore", () => {
 	});
 
 	it("starts from the preset named, whatever the order", () => {
-		const { specimen } = restore({ l: "100", preset: "duku" });
+		const { specimen } = restore({ l: "100", preset: "duku", v: 2 });
 		expect(specimen).toEqual({
 			...specimenFromPreset("duku"),
 			parameters: { ...specimenFromPreset("duku").parameters, l: 100 },
@@ -113,6 +124,59 @@ describe("restore", () => {
 		expect(from).toEqual(before);
 		expect(specimen).toMatchObject({ preset: "rubus", seed: 5, inputs: { m: 4 }, look: { skin: "000000" } });
 		expect(specimen.parameters).toEqual({ ...before.parameters, l: 99 });
+	});
+
+	it("takes choices by name or by number, and lists the options where there is none such", () => {
+		for (const fruit of ["lychee", " Lychee ", "3", 3, "3.0"]) expect(parameters({ fruit }).fruit).toBe(3);
+		expect(parameters({ cane: "on", procedure: "natural" })).toMatchObject({ cane: 1, procedure: 1 });
+		expect(texts({ v: 2, procedure: "wild" })).toEqual([
+			"procedure: “wild” is none of paper, natural; natural is used.",
+		]);
+		for (const bad of ["", "apple", 6, -1, 1.5, "1e999", true, ["lychee"], {}, Number.NaN, "length", "__proto__"]) {
+			const { specimen, notes } = restore({ v: 2, preset: "longan", fruit: bad });
+			expect(specimen.parameters.fruit).toBe(4);
+			expect(notes).toHaveLength(1);
+			expect(notes[0].text).toMatch(/^fruit: .* is none of grape, currant, .*; longan is used\.$/);
+		}
+	});
+
+	it("takes berries thinned by hand: in base 36 as links list them, as numbers as files do", () => {
+		const thinned = (record: unknown) => restore(record).specimen.thinned;
+		expect(thinned({ thin: "a.1z" })).toEqual([10, 71]);
+		expect(thinned({ thin: "10" })).toEqual([36]);
+		expect(thinned({ thinned: [10, 71] })).toEqual([10, 71]);
+		expect(thinned({ thinned: ["10", "71"] })).toEqual([10, 71]);
+		expect(thinned({ thinned: 10 })).toEqual([10]);
+		expect(texts({ thin: "a.1z.a", thinned: undefined })).toEqual([]);
+		expect(restore({ thin: "b.a.b" })).toMatchObject({ specimen: { thinned: [11, 10] }, notes: [] });
+	});
+
+	it("lets a list of thinned berries replace the one before, and an empty one clear it", () => {
+		const from = { ...specimenFromPreset(), thinned: [1, 2] };
+		expect(restore({ l: 100 }, from).specimen.thinned).toEqual([1, 2]);
+		expect(restore({ thin: "5" }, from).specimen.thinned).toEqual([5]);
+		for (const none of [{ thin: "" }, { thin: " " }, { thinned: [] }]) {
+			expect(restore(none, from)).toMatchObject({ specimen: { thinned: [] }, notes: [] });
+		}
+		expect(from.thinned).toEqual([1, 2]);
+	});
+
+	it("leaves out what is no berry's id and says so", () => {
+		const left = (record: unknown) => restore(record).specimen.thinned;
+		expect(left({ thin: "a.!.b" })).toEqual([10, 11]);
+		expect(texts({ thin: "a.!.b" })).toEqual(["thin: “!” is not the id of a berry; left out."]);
+		expect(texts({ thin: "hra0hs" })).toEqual(["thin: “hra0hs” is not the id of a berry; left out."]);
+		expect(texts({ thinned: [-1, 1.5, 2 ** 30, "x", null, {}] })).toHaveLength(6);
+		expect(left({ thinned: [-0, 2 ** 30 - 1] })).toEqual([0, 2 ** 30 - 1]);
+		expect(texts({ thin: "a..b" })).toEqual(["thin: “” is not the id of a berry; left out."]);
+	});
+
+	it("takes off no more than five hundred", () => {
+		const ids = Array.from({ length: 600 }, (_, id) => id);
+		const { specimen, notes } = restore({ thinned: ids });
+		expect(specimen.thinned).toEqual(ids.slice(0, 500));
+		expect(notes.map(({ text }) => text)).toEqual(["thinned: more than 500 berries; the first 500 are taken off."]);
+		expect(texts({ thinned: [...ids.slice(0, 500), ...ids.slice(0, 500)] })).toEqual([]);
 	});
 
 	it("takes the grammar's inputs, and lets n say what m is", () => {
@@ -145,10 +209,38 @@ describe("restore", () => {
 	});
 
 	it("reads versions and models it does not know as those it does", () => {
-		expect(texts({ v: "1", model: "bunch" })).toEqual([]);
+		for (const v of ["1", 1, "2", 2]) expect(texts({ v, model: "bunch" })).toEqual([]);
 		expect(texts({ v: 3 })).toEqual(["v: made by a newer version (3); read as far as it is known here."]);
 		expect(texts({ v: "x" })).toEqual(["v: “x” is not a version; read as version 1."]);
+		for (const v of [0, -1, 1.5, "", [], true]) expect(texts({ v })[0]).toMatch(/is not a version; read as version 1/);
 		expect(texts({ model: "flower" })).toEqual(["model: “flower” is not known here; bunch is used."]);
+	});
+
+	it("reads a record of version 1, or of none, as the paper's procedure", () => {
+		for (const old of [
+			{ v: 1 },
+			{ v: "1", preset: "duku" },
+			{ preset: "duku" },
+			{ l: 300 },
+			{ parameters: { l: 300 } },
+		]) {
+			expect(restore(old).specimen).toMatchObject({ v: 2, parameters: { procedure: 0 } });
+		}
+		expect(restore({ v: 1, preset: "duku" }).specimen).toEqual({
+			...specimenFromPreset("duku"),
+			parameters: { ...specimenFromPreset("duku").parameters, procedure: 0 },
+		});
+		for (const now of [{ v: 2 }, { v: 3 }, { plum: 1 }]) {
+			expect(restore(now).specimen).toMatchObject({ v: 2, parameters: { procedure: 1 } });
+		}
+	});
+
+	it("does not turn a specimen of now into an old one by adding to it", () => {
+		const from = specimenFromPreset("rubus");
+		expect(restore({ l: 100 }, from).specimen.parameters.procedure).toBe(1);
+		expect(restore({ preset: "duku" }, from).specimen).toEqual(specimenFromPreset("duku"));
+		const old = specimenFromPreset("rubus", 1);
+		expect(restore({ l: 100 }, old).specimen.parameters.procedure).toBe(0);
 	});
 
 	it("keeps notes few and short, however much is wrong", () => {
@@ -164,7 +256,7 @@ describe("restore", () => {
 			'{"__proto__": {"l": 100}, "constructor": 1, "parameters": {"toString": 2, "__proto__": 3}}',
 		);
 		const { specimen, notes } = restore(record);
-		expect(specimen).toEqual(specimenFromPreset());
+		expect(specimen).toEqual(specimenFromPreset(undefined, 2));
 		expect(notes.map((note) => note.key)).toEqual(["__proto__", "constructor", "toString", "__proto__"]);
 	});
 });

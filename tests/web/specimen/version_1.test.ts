@@ -1,21 +1,25 @@
 /** What version 1 of a link means, as published. Where one of these fails, old links have changed: make a new version. */
 import { expect, it } from "vitest";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { decodeLink } from "../../../web/src/specimen/link";
+import { decodeLink, decodeQuery } from "../../../web/src/specimen/link";
 import { PRESETS } from "../../../web/src/specimen/presets/index";
+import { ENTRIES, valueIn } from "../../../web/src/specimen/table";
 
 it("presets and defaults are those that were published", async () => {
-	const lines = PRESETS.map(({ name }) => {
-		const { parameters, look } = specimenFromPreset(name);
-		return `\t${JSON.stringify(name)}: ${JSON.stringify({ ...parameters, ...look })}`;
+	const known = ENTRIES.filter(({ since }) => since === 1);
+	const published = PRESETS.filter(({ kind }) => kind !== "variety");
+	const lines = published.map(({ name }) => {
+		const { specimen, notes } = decodeQuery(`?v=1&preset=${name}`);
+		expect(notes).toEqual([]);
+		expect(specimen.parameters.procedure).toBe(0);
+		const values = Object.fromEntries(known.map((entry) => [entry.key, valueIn(specimen, entry)]));
+		return `\t${JSON.stringify(name)}: ${JSON.stringify(values)}`;
 	});
 	await expect(`{\n${lines.join(",\n")}\n}\n`).toMatchFileSnapshot("version_1.json");
 });
 
 it.each([
-	["?", {}],
-	["?v=1", {}],
-	["?l=300&seed=7", { parameters: { l: 300 }, seed: 7 }],
+	["?v=1", { parameters: { procedure: 0 } }],
+	["?l=300&seed=7", { parameters: { l: 300, procedure: 0 }, seed: 7 }],
 	["?v=1&model=bunch&preset=duku&unit=0.5", { preset: "duku", parameters: { l: 477, unit: 0.5 } }],
 	["?v=1&p3=79,76&p4=116.25,91&p5=101,112&p6=97,103", { parameters: { p3w: 79, p3r: 76, p4w: 116.25, p6r: 103 } }],
 	["?v=1&p3=79%2C76", { parameters: { p3w: 79, p3r: 76 } }],

@@ -3,6 +3,7 @@
  * way; what was typed here is refused where it cannot be used, since a silent change would spoil a series.
  */
 
+import { specimenFromPreset } from "../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../specimen/limits";
 import { decodeLink } from "../specimen/link";
 import type { Note } from "../specimen/notes";
@@ -28,8 +29,7 @@ export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings,
 }
 
 async function readSource(source: string | undefined): Promise<Restored> {
-	if (source === undefined) return restore({});
-	if (presetNamed(source)) return restore({ preset: source });
+	if (source === undefined || presetNamed(source)) return { specimen: specimenFromPreset(source), notes: [] };
 	const query = source.indexOf("?");
 	const hash = source.indexOf("#");
 	const end = hash < 0 ? source.length : hash;
@@ -40,9 +40,12 @@ async function readSource(source: string | undefined): Promise<Restored> {
 	);
 }
 
+/** What --set takes besides the parameters. */
+const SETTABLE = new Set(["m", "n", "thin"]);
+
 function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
 	for (const key of Object.keys(settings)) {
-		const known = key === "m" || key === "n" || entryOf(key) || entriesOfLink(key).length > 0;
+		const known = SETTABLE.has(key) || entryOf(key) || entriesOfLink(key).length > 0;
 		if (!known) throw new UsageError(`--set ${key}: no parameter has that key; see --help`);
 	}
 	const read = typed(settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
@@ -53,7 +56,7 @@ function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
 /** A link's further decimals are rounded without a word; someone who types them means them. */
 function refuseFinerSteps(settings: Call["set"]): void {
 	for (const [key, value] of Object.entries(settings)) {
-		if (entryOf(key)?.kind === "colour") continue;
+		if (key === "thin" || entryOf(key)?.kind === "colour") continue;
 		const fine = readNumbers(value)?.find((number) => onStep(number) !== number);
 		if (fine !== undefined) throw new UsageError(`--set ${key}: ${fine} has more than two decimals`);
 	}

@@ -9,7 +9,10 @@ export class UsageError extends Error {
 
 /** The text of --help. */
 export function usage(): string {
-	const keys = [...byLink].map(([key, entries]) => (entries.length > 1 ? `${key}=W,R` : key));
+	const keys = [...byLink].map(([key, [entry, second]]) => {
+		if (second) return `${key}=W,R`;
+		return entry.kind === "choice" ? `${key}=${entry.options.join("|")}` : key;
+	});
 	return `Grows a grape bunch.
 
   npm run -s grow -- [PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--out FILE]
@@ -19,7 +22,7 @@ export function usage(): string {
   LINK             what Copy link copies, or its part from the ? on
   --seed N         0 … 4294967295; another seed is another bunch of the same shape
   --set KEY=VALUE  as often as needed; KEY is one of
-                   ${wrapped([...keys, "m", "n=N1,N2,…"])}
+                   ${wrapped([...keys, "m", "n=N1,N2,…", "thin=ID.ID.…"])}
   --grammar FILE   grammar text in place of L-system 3
   --out FILE       .glb, .obj (with its .mtl beside it) or .json; without it, JSON goes to standard output
   --help           this

@@ -1,7 +1,7 @@
 /** Specimen → the bytes of a request, as wasm_api/panicle.h lays them out. */
 import { GRAMMAR_BYTES, INPUT_N_LENGTH } from "../specimen/limits";
 import type { Specimen } from "../specimen/specimen";
-import { CORE_ENTRIES, type NumberEntry } from "../specimen/table";
+import { CORE_ENTRIES, type CoreEntry } from "../specimen/table";
 import { CoreError } from "./errors";
 
 const MAGIC = 0x4c434e50; // "PNCL"
@@ -70,7 +70,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 }
 
 /** NaN leaves a `#define` of the text as it stands: one that the person has not moved must not overrule a text's own. */
-function asked(entry: NumberEntry, value: number): number {
+function asked(entry: CoreEntry, value: number): number {
 	if (!Number.isFinite(value)) throw new CoreError("bad request", `${entry.key} is not a number.`);
 	return entry.define !== undefined && value === entry.default ? Number.NaN : value;
 }

@@ -10,3 +10,8 @@ export const INPUT_M = { kind: "integer", min: 1, max: 100 } as const;
 export const INPUT_N = { kind: "integer", min: 0, max: 100 } as const;
 /** Values of `n`: n₁ … n₍m−1₎ of the longest rachis. */
 export const INPUT_N_LENGTH = INPUT_M.max - 1;
+
+/** Ids of berries are below this (wasm_api/panicle.h). */
+export const BERRY_IDS = 2 ** 30;
+/** Berries that can be taken off by hand: a link of as many still fits an address bar. */
+export const MOST_THINNED = 500;

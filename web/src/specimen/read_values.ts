@@ -35,6 +35,13 @@ export function readColour(value: unknown): string | undefined {
 	return /^[0-9a-f]{3}$/.test(digits) ? digits.replace(/./g, "$&$&") : undefined;
 }
 
+/** The place among `options` from an option's name or the place itself. */
+export function readChoice(value: unknown, options: readonly string[]): number | undefined {
+	const named = typeof value === "string" ? options.indexOf(value.trim().toLowerCase()) : -1;
+	const place = named >= 0 ? named : readNumber(value);
+	return place !== undefined && Object.hasOwn(options, place) ? place + 0 : undefined;
+}
+
 /** An object that is neither null nor a list. */
 export function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
 	return typeof value === "object" && value !== null && !Array.isArray(value);

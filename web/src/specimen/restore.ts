@@ -6,9 +6,10 @@ import { specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES, INPUT_M, INPUT_N, INPUT_N_LENGTH, SEED } from "./limits";
 import { type Note, Notes, quote } from "./notes";
 import { presetNamed } from "./presets/index";
-import { isRecord, readColour, readList, readNumber, readNumbers } from "./read_values";
+import { isRecord, readChoice, readColour, readList, readNumber, readNumbers } from "./read_values";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import {
+	type ChoiceEntry,
 	type ColourEntry,
 	type Entry,
 	entriesOfLink,
@@ -19,7 +20,9 @@ import {
 	nearestWithin,
 	type Range,
 	valueIn,
+	writtenIn,
 } from "./table";
+import { readThinned } from "./thinned";
 
 export interface Restored {
 	/** Complete and in range, whatever came in. */
@@ -31,10 +34,19 @@ export interface Restored {
 const GROUPS = ["parameters", "look", "inputs"];
 /** Read before, or not of the specimen itself. */
 const READ_FIRST = new Set(["v", "model", "preset"]);
+/** What a specimen holds besides the parameters of the table. */
+const OWN_KEYS = new Set([...READ_FIRST, "seed", "thin", "thinned", "m", "n", "grammar"]);
+
+/** Whether a key of a link or a table key means something here. */
+export function isKnown(key: string): boolean {
+	return OWN_KEYS.has(key) || entryOf(key) !== undefined || entriesOfLink(key).length > 0;
+}
 
 /**
  * Reads a record of values by link keys (`p3: "79,76"`), table keys (`p3w: 79`), or both; values may be text or JSON's
  * own, and may stand in the groups of a written specimen. Null and undefined are absent.
+ *
+ * A record of an older version gives what it meant then, as a specimen of now.
  *
  * @param record what came in; anything but an object is noted and passed over
  * @param from   the specimen whose values hold where the record is silent; without one, the record's preset
@@ -43,9 +55,11 @@ export function restore(record: unknown, from?: Specimen): Restored {
 	const notes = new Notes();
 	const parts = flatten(record, notes);
 	const named = new Map(parts);
-	readVersion(named.get("v"), notes);
+	// Links from before versions were written are version 1; what says nothing of a specimen is no link.
+	const isLink = from === undefined && parts.some(([key]) => isKnown(key));
+	const version = readVersion(named.get("v"), isLink ? 1 : SPECIMEN_VERSION, notes);
 	readModel(named.get("model"), notes);
-	const specimen = readPreset(named.get("preset"), from, notes);
+	const specimen = readPreset(named.get("preset"), version, from, notes);
 	for (const [key, value] of parts) {
 		if (!READ_FIRST.has(key)) readPart(specimen, key, value, notes);
 	}
@@ -67,14 +81,17 @@ function flatten(record: unknown, notes: Notes): [string, unknown][] {
 		.map(([key, value]) => [key, value]);
 }
 
-function readVersion(value: unknown, notes: Notes): void {
-	if (value === undefined) return; // Links from before versions were written are version 1.
+function readVersion(value: unknown, silent: number, notes: Notes): number {
+	if (value === undefined) return silent;
 	const version = readNumber(value);
 	if (version === undefined || !Number.isInteger(version) || version < 1) {
-		notes.add("v", `${quote(value)} is not a version`, `read as version ${SPECIMEN_VERSION}`);
-	} else if (version > SPECIMEN_VERSION) {
+		notes.add("v", `${quote(value)} is not a version`, "read as version 1");
+		return 1;
+	}
+	if (version > SPECIMEN_VERSION) {
 		notes.add("v", `made by a newer version (${version})`, "read as far as it is known here");
 	}
+	return version;
 }
 
 function readModel(value: unknown, notes: Notes): void {
@@ -83,13 +100,13 @@ function readModel(value: unknown, notes: Notes): void {
 }
 
 /** A copy that may be written to. */
-function readPreset(value: unknown, from: Specimen | undefined, notes: Notes): Specimen {
+function readPreset(value: unknown, version: number, from: Specimen | undefined, notes: Notes): Specimen {
 	const known = typeof value === "string" && presetNamed(value) !== undefined;
-	const base = known || !from ? specimenFromPreset(known ? value : undefined) : from;
+	const base = known || !from ? specimenFromPreset(known ? value : undefined, version) : from;
 	if (value !== undefined && !known) {
 		notes.add("preset", `${quote(value)} is not a preset`, `${base.preset} is used`);
 	}
-	return { ...base, parameters: { ...base.parameters }, look: { ...base.look } };
+	return { ...base, parameters: { ...base.parameters }, look: { ...base.look }, thinned: [...base.thinned] };
 }
 
 function readPart(specimen: Specimen, key: string, value: unknown, notes: Notes): void {
@@ -97,6 +114,7 @@ function readPart(specimen: Specimen, key: string, value: unknown, notes: Notes)
 	const linked = entriesOfLink(key);
 	if (key === "seed") specimen.seed = readWithin(SEED, key, value, specimen.seed, notes) ?? specimen.seed;
 	else if (key === "grammar") readGrammar(specimen, value, notes);
+	else if (key === "thin" || key === "thinned") specimen.thinned = readThinned(key, value, notes);
 	else if (key === "m" || key === "n") readInput(specimen, key, value, notes);
 	else if (entry) readEntry(specimen, entry, key, value, notes);
 	else if (linked.length > 0) readPoint(specimen, linked, key, value, notes);
@@ -104,15 +122,19 @@ function readPart(specimen: Specimen, key: string, value: unknown, notes: Notes)
 }
 
 function readEntry(specimen: Specimen, entry: Entry, name: string, value: unknown, notes: Notes): void {
-	const before = valueIn(specimen, entry);
+	const before = writtenIn(specimen, entry);
 	if (entry.kind === "colour") {
 		const colour = readColour(value);
 		if (colour !== undefined) setValue(specimen, entry, colour);
 		else notes.add(name, `${quote(value)} is not a colour of six hexadecimal digits`, `${before} is used`);
-		return;
+	} else if (entry.kind === "choice") {
+		const choice = readChoice(value, entry.options);
+		if (choice !== undefined) setValue(specimen, entry, choice);
+		else notes.add(name, `${quote(value)} is none of ${entry.options.join(", ")}`, `${before} is used`);
+	} else {
+		const number = readWithin(entry, name, value, before, notes);
+		if (number !== undefined) setValue(specimen, entry, number);
 	}
-	const number = readWithin(entry, name, value, before, notes);
-	if (number !== undefined) setValue(specimen, entry, number);
 }
 
 /** A control point, `w,r`: both or none. */
@@ -206,7 +228,7 @@ function orderRadii(specimen: Specimen, notes: Notes): void {
 	specimen.parameters.rmax = rmin;
 }
 
-function setValue(specimen: Specimen, entry: NumberEntry, value: number): void;
+function setValue(specimen: Specimen, entry: NumberEntry | ChoiceEntry, value: number): void;
 function setValue(specimen: Specimen, entry: ColourEntry, value: string): void;
 function setValue(specimen: Specimen, entry: Entry, value: number | string): void {
 	if (isLook(entry.key)) Object.assign(specimen.look, { [entry.key]: value });

@@ -10,6 +10,7 @@ export function sameSpecimen(a: Specimen, b: Specimen): boolean {
 			a.grammar === b.grammar &&
 			a.inputs?.m === b.inputs?.m &&
 			a.inputs?.n?.join() === b.inputs?.n?.join() &&
+			a.thinned.join() === b.thinned.join() &&
 			ENTRIES.every((entry) => valueIn(a, entry) === valueIn(b, entry)))
 	);
 }

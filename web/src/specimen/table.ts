@@ -7,17 +7,30 @@ interface Common {
 	/** Short key in links; two parameters of one control point share it and are told apart by `slot`. */
 	link: string;
 	slot?: number;
+	/** The link version that first knew it. */
+	since: number;
 }
 
-export interface NumberEntry extends Common {
-	kind: "number" | "integer";
+interface Numeric extends Common {
 	min: number;
 	max: number;
 	/** Between 0 and this lies nothing: a value there is raised to it. */
 	gapBelow?: number;
 	default: number;
+	/** What a link from before `since` means; the preset's value where absent. */
+	before?: number;
 	/** The `#define` of the grammar that it replaces. */
 	define?: string;
+}
+
+export interface NumberEntry extends Numeric {
+	kind: "number" | "integer";
+}
+
+/** One of a few named options; its number is the place among them. */
+export interface ChoiceEntry extends Numeric {
+	kind: "choice";
+	options: readonly string[];
 }
 
 export interface ColourEntry extends Common {
@@ -26,15 +39,15 @@ export interface ColourEntry extends Common {
 	default: string;
 }
 
-export type Entry = NumberEntry | ColourEntry;
+export type Entry = NumberEntry | ChoiceEntry | ColourEntry;
 
 /** Every parameter, in the order of the table, which is the order of links and of the core's request. */
 export const ENTRIES = PARAMETERS as readonly Entry[];
 
+export type CoreEntry = (NumberEntry | ChoiceEntry) & { key: NumberKey };
+
 /** Those that the core reads. */
-export const CORE_ENTRIES = ENTRIES.filter((entry) => !isLook(entry.key)) as readonly (NumberEntry & {
-	key: NumberKey;
-})[];
+export const CORE_ENTRIES = ENTRIES.filter((entry) => !isLook(entry.key)) as readonly CoreEntry[];
 
 /** Whether a parameter only colours the result. */
 export function isLook(key: ParameterKey): key is LookKey {
@@ -70,13 +83,13 @@ function groupByLink(): Map<string, Entry[]> {
 const STEPS_PER_UNIT = 100;
 
 /** What bounds a number. */
-export type Range = Pick<NumberEntry, "kind" | "min" | "max" | "gapBelow">;
+export type Range = Pick<NumberEntry | ChoiceEntry, "kind" | "min" | "max" | "gapBelow">;
 
 /** The nearest value that the range allows and a link can hold. */
 export function nearestWithin(range: Range, value: number): number {
 	const inside = Math.min(Math.max(value, range.min), range.max);
 	const raised = inGap(range, inside) ? range.gapBelow : inside;
-	return onStep(raised, range.kind === "integer" ? 1 : STEPS_PER_UNIT);
+	return onStep(raised, range.kind === "number" ? STEPS_PER_UNIT : 1);
 }
 
 /** The nearest number that a link can hold. */
@@ -92,4 +105,10 @@ export function inGap(range: Range, value: number): range is Range & { gapBelow:
 /** What a specimen holds for a parameter. */
 export function valueIn(specimen: Specimen, entry: Entry): number | string {
 	return isLook(entry.key) ? specimen.look[entry.key] : specimen.parameters[entry.key];
+}
+
+/** What a specimen holds for a parameter, as links and files write it: a choice by the name of its option. */
+export function writtenIn(specimen: Specimen, entry: Entry): number | string {
+	const value = valueIn(specimen, entry);
+	return entry.kind === "choice" ? entry.options[value as number] : value;
 }
