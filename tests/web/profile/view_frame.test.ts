@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { PROCEDURES } from "../../../web/src/core/grown";
 import { HANDLES, handlePosition } from "../../../web/src/profile/handles";
 import { scaleBar, viewExtent, viewFrame } from "../../../web/src/profile/view_frame";
 import { anyShape, DEFAULTS } from "./shape";
@@ -12,9 +13,13 @@ describe("viewExtent", () => {
 		expect(viewExtent(lychee, 300, 300)).toBe(250);
 	});
 
-	it("leaves room for the berries there are", () => {
-		expect(viewExtent({ ...lychee, rmax: 10 }, 300, 300)).toBe(200);
-		expect(viewExtent({ ...lychee, rmax: 60 }, 300, 300)).toBe(300);
+	it("leaves room for the berries there are, as each procedure sizes them", () => {
+		const paper = { ...lychee, procedure: PROCEDURES.indexOf("paper") };
+		expect(viewExtent({ ...paper, rmax: 10 }, 300, 300)).toBe(200);
+		expect(viewExtent({ ...paper, rmax: 60 }, 300, 300)).toBe(300);
+		expect(viewExtent({ ...lychee, rmax: 60, size: 6 }, 300, 300)).toBe(200);
+		expect(viewExtent({ ...lychee, rmax: 10, size: 35 }, 300, 300)).toBe(300);
+		expect(viewExtent({ ...lychee, unit: 1, size: 24 }, 300, 300)).toBe(200);
 	});
 
 	it("uses an element's height where it is higher than wide", () => {

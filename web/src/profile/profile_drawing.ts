@@ -2,7 +2,7 @@
 import { html, nothing, svg, type TemplateResult } from "lit";
 import { guard } from "lit/directives/guard.js";
 import type { Specimen } from "../specimen/specimen";
-import { type DrawnPlan, envelopePath } from "./envelope";
+import { envelopePath } from "./envelope";
 import { type Handle, handleLabel, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
 import { type DrawnBunch, silhouette } from "./silhouette";
 import { scaleBar, type ViewFrame } from "./view_frame";
@@ -21,23 +21,19 @@ export function drawBunch(bunch: DrawnBunch | undefined, view: View, unit: numbe
 		if (!bunch) return nothing;
 		const { berries, stems } = silhouette(bunch, view, unit);
 		return svg`<path d=${stems}></path>${berries.map(
-			({ x, y, radius }) => svg`<circle cx=${x} cy=${y} r=${radius}></circle>`,
+			({ x, y, rx, ry, turn }) =>
+				svg`<ellipse rx=${rx} ry=${ry} transform="translate(${x} ${y}) rotate(${turn})"></ellipse>`,
 		)}`;
 	};
 	return svg`<g class="bunch">${guard([bunch, view, unit], draw)}</g>`;
 }
 
 /** Envelope, the octahedron's outline and its axis, and p1. */
-export function drawOutline(
-	parameters: Specimen["parameters"],
-	view: View,
-	plan: DrawnPlan | undefined,
-	frame: ViewFrame,
-): TemplateResult {
+export function drawOutline(parameters: Specimen["parameters"], view: View, frame: ViewFrame): TemplateResult {
 	const [right, left] = VIEW_SIDES[view].map((handle) => handlePosition(parameters, handle));
 	const { l } = parameters;
 	return svg`
-		<path class="envelope" d=${envelopePath(parameters, view, plan)}></path>
+		<path class="envelope" d=${envelopePath(parameters, view)}></path>
 		<line class="axis" x1="0" y1="0" x2="0" y2=${l}></line>
 		<path class="outline" d="M0 0L${right.x} ${right.y}L0 ${l}L${left.x} ${left.y}Z"></path>
 		<g transform=${pin(frame, 0, 0)}>

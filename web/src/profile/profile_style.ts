@@ -30,7 +30,8 @@ export const profileStyle = css`
 	}
 	path,
 	line,
-	circle {
+	circle,
+	ellipse {
 		vector-effect: non-scaling-stroke;
 	}
 	.bunch {
@@ -42,7 +43,7 @@ export const profileStyle = css`
 		stroke-width: 1px;
 		stroke-linecap: round;
 	}
-	.bunch circle {
+	.bunch ellipse {
 		fill: var(--ground);
 		stroke: currentColor;
 		stroke-width: 0.8px;

@@ -8,7 +8,6 @@ import { classMap } from "lit/directives/class-map.js";
 import type { Specimen } from "../specimen/specimen";
 import { type DragOptions, nearestHandle, nudgeHandle } from "./drag";
 import { DragSession } from "./drag_session";
-import type { DrawnPlan } from "./envelope";
 import {
 	type Handle,
 	handleKeys,
@@ -39,8 +38,6 @@ export class ProfileView extends LitElement {
 	@property({ reflect: true }) view: View = "front";
 	@property({ attribute: false }) parameters?: Parameters;
 	@property({ attribute: false }) locks: Locks = { leftRight: false, frontBack: false };
-	/** The plan that last grew, for the envelope; without one the formulas of section 4.2 stand in. */
-	@property({ attribute: false }) plan?: DrawnPlan;
 	/** The bunch drawn behind; a `Grown` will do. */
 	@property({ attribute: false }) berries?: DrawnBunch;
 	/** What a double click on a handle brings back, if anything. */
@@ -118,7 +115,7 @@ export class ProfileView extends LitElement {
 		>
 			<svg viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}" aria-hidden="true">
 				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#steady.extent, parameters.unit, frame)}
-				${drawOutline(parameters, view, this.plan, frame)}
+				${drawOutline(parameters, view, frame)}
 				${shown.map((handle) => drawGuides(parameters, handle, frame))}
 			</svg>
 			${this.#handles().map((handle) =>

@@ -1,4 +1,6 @@
 /** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
+import { PROCEDURES } from "../core/grown";
+import type { Specimen } from "../specimen/specimen";
 import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
 
 export interface ViewFrame {
@@ -20,9 +22,13 @@ const EXTENTS = [150, 200, 250, 300, 400, 500, VIEW_PIXELS];
 /** Room left below a side handle, in pixels of the profile. */
 const BELOW_SIDE = 20;
 
+/** The parameters that say how much room a bunch takes. */
+export type Roomy = Shape & Pick<Specimen["parameters"], "procedure" | "rmax" | "size" | "unit">;
+
 /** How far pedicel and berry reach beyond the tip and the widths, in pixels of the profile. */
-function beyond(rmax: number): number {
-	return (2 * rmax) / UNITS_PER_PIXEL + 15;
+function beyond({ procedure, rmax, size, unit }: Roomy): number {
+	const berry = PROCEDURES[procedure] === "natural" ? size / unit : 2 * rmax;
+	return berry / UNITS_PER_PIXEL + 15;
 }
 
 /**
@@ -30,8 +36,8 @@ function beyond(rmax: number): number {
  * of 65 would be a speck. Steps rather than a smooth fit: a view that rescaled after every drag would unsettle. Both
  * views of a profile get the same where they are of one size, so that they compare.
  */
-export function viewExtent(shape: Shape & { rmax: number }, width: number, height: number): number {
-	const reach = beyond(shape.rmax);
+export function viewExtent(shape: Roomy, width: number, height: number): number {
+	const reach = beyond(shape);
 	let needHeight = shape.l + reach;
 	let needWidth = 0;
 	for (const side of SIDE_HANDLES) {
