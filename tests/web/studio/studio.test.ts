@@ -1,7 +1,8 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Grown } from "../../../web/src/core/grown";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
-import { Studio } from "../../../web/src/studio/studio";
+import { PLAY, Studio } from "../../../web/src/studio/studio";
 import { FIRST_VISIT } from "../../../web/src/studio/ui_state";
 
 const opened = specimenFromPreset("grape-15c");
@@ -20,6 +21,7 @@ describe("the studio", () => {
 	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
 		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
 		expect(surroundings.grow).toHaveBeenCalledTimes(3);
+		expect(surroundings.grow).toHaveBeenLastCalledWith(studio.state.specimen, { measures: false });
 		expect(surroundings.settled).not.toHaveBeenCalled();
 		studio.settle();
 		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(studio.state.specimen);
@@ -28,6 +30,56 @@ describe("the studio", () => {
 		expect(grownLast()).toEqual(opened);
 		studio.redo();
 		expect(length()).toBe(380);
+	});
+
+	it("measures what is at rest: once after a drag, wherever it ended, and with every step of its own", () => {
+		studio.edit({ parameters: { l: 400 } });
+		studio.settle();
+		expect(surroundings.grow).toHaveBeenCalledTimes(2);
+		expect(surroundings.grow).toHaveBeenLastCalledWith(studio.state.specimen, { measures: true });
+		studio.settle();
+		expect(surroundings.grow).toHaveBeenCalledTimes(2);
+		studio.edit({ parameters: { l: 300 } });
+		studio.edit({ parameters: { l: 400 } });
+		studio.settle();
+		expect(surroundings.grow.mock.lastCall?.[1]).toEqual({ measures: true });
+		surroundings.grow.mockClear();
+		studio.set({ parameters: { l: 390 } });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(studio.state.specimen, { measures: true });
+	});
+
+	it("keeps what was last measured while a drag asks for nothing", () => {
+		const measures = Float32Array.of(1, 2);
+		studio.grew({ measures } as Grown, opened);
+		studio.grew({} as Grown, opened);
+		expect(studio.state.measures).toBe(measures);
+	});
+
+	it("takes berries off by hand, one step each, and puts them all back as one", () => {
+		studio.thin(7, 9);
+		expect(studio.state.marked).toBe(9);
+		studio.thin(3);
+		expect(studio.state.specimen.thinned).toEqual([7, 3]);
+		expect(grownLast().thinned).toEqual([7, 3]);
+		studio.putBack();
+		expect(studio.state.specimen.thinned).toEqual([]);
+		studio.undo();
+		expect(studio.state.specimen.thinned).toEqual([7, 3]);
+		studio.undo();
+		expect(studio.state.specimen.thinned).toEqual([7]);
+		expect(surroundings.settled.mock.lastCall?.[0].thinned).toEqual([7]);
+	});
+
+	it("makes a play one step, and a drag meanwhile another", () => {
+		studio.setPlaying(true);
+		for (const age of [10, 20]) studio.edit({ parameters: { age } }, PLAY);
+		studio.edit({ parameters: { l: 300 } });
+		studio.setPlaying(false);
+		expect(studio.state.history.gesture).toBeDefined();
+		studio.settle();
+		expect(studio.state.history.past).toHaveLength(2);
+		studio.undo();
+		expect(studio.state.specimen.parameters).toMatchObject({ l: opened.parameters.l, age: 20 });
 	});
 
 	it("makes a step of every drag", () => {
@@ -70,7 +122,7 @@ describe("the studio", () => {
 		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
 		expect(studio.state.specimen).toEqual(grammar);
 		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(grammar);
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(grammar, { measures: true });
 		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(grammar);
 		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
 	});

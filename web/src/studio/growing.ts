@@ -1,5 +1,6 @@
 import type { Client } from "../core/client";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
+import type { RequestOptions } from "../core/request";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
 import type { Failure, Remedy } from "./types";
@@ -23,14 +24,14 @@ export class Growing {
 		private readonly studio: () => Studio,
 	) {}
 
-	/** Grows a specimen; a newer call takes its place. */
-	async grow(specimen: Specimen): Promise<void> {
+	/** Grows a specimen, measured unless it says not; a newer call takes its place. */
+	async grow(specimen: Specimen, options: RequestOptions = {}): Promise<void> {
 		const turn = ++this.#newest;
 		this.#cancel ??= new AbortController();
 		this.#timer ??= this.#patience();
 		const start = performance.now();
 		try {
-			const grown = await this.client.grow(specimen, { signal: this.#cancel.signal });
+			const grown = await this.client.grow(specimen, { ...options, signal: this.#cancel.signal });
 			performance.clearMeasures(REGROW);
 			performance.measure(REGROW, { start });
 			if (turn < this.#shown) return;

@@ -3,6 +3,7 @@ import coreUrl from "../../../build/core/panicle.wasm?url";
 import { createClient } from "../core/client";
 import { presetNamed } from "../specimen/presets/index";
 import { readAddress, readWholeAddress, writeAddress } from "./address";
+import { AgePlayer } from "./age_player";
 import { Growing } from "./growing";
 import { listenForShortcuts } from "./shortcuts";
 import { loadScene } from "./solid_view";
@@ -12,6 +13,7 @@ import { loadUi, saveUi } from "./ui_state";
 import "./parts/stage";
 import type { Help } from "./parts/help";
 import type { StudioElement } from "./parts/studio_element";
+import "./parts/age_bar";
 import "./parts/drop";
 import "./parts/gallery";
 import "./parts/help";
@@ -34,7 +36,7 @@ applyTheme(ui.theme);
 
 const opened = readAddress(location);
 const studio = new Studio(opened.specimen, ui, {
-	grow: (specimen) => void growing.grow(specimen),
+	grow: (specimen, options) => void growing.grow(specimen, options),
 	cancel: () => growing.cancel(),
 	settled: (specimen) => void writeAddress(specimen),
 	remember: (next) => {
@@ -51,6 +53,7 @@ const PARTS = [
 	"panicle-view-switch",
 	"panicle-stage",
 	"panicle-profiles",
+	"panicle-age",
 	"panicle-gallery",
 	"panicle-panel",
 	"panicle-notices",
@@ -68,6 +71,7 @@ function start(): void {
 	for (const part of document.querySelectorAll<StudioElement>(PARTS)) part.studio = studio;
 	const help = document.querySelector<Help>("panicle-help");
 	document.addEventListener("panicle-help", () => help?.open());
+	new AgePlayer(studio);
 	listenForShortcuts(studio, () => help?.open());
 	onSystemTheme(() => studio.setUi({}));
 	studio.subscribe(nameTab);

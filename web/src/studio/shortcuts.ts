@@ -1,3 +1,4 @@
+import { procedureOf } from "./panel_groups";
 import type { Studio } from "./studio";
 
 interface Shortcut {
@@ -12,10 +13,13 @@ export const SHORTCUTS: readonly Shortcut[] = [
 	{ keys: ["N"], does: "New variation" },
 	{ keys: ["S"], does: "Stems only, and back" },
 	{ keys: ["O"], does: "Octahedron and its handles in 3-D, and back" },
+	{ keys: ["T"], does: "Thin by hand: a click takes a berry off; and back" },
+	{ keys: ["K"], does: "Play the bunch's life, and pause" },
 	{ keys: ["?"], does: "This help" },
 	{ keys: ["←", "→", "↑", "↓"], does: "In the 3-D view: orbit; with Shift: move" },
 	{ keys: ["+", "−", "0"], does: "In the 3-D view: nearer, further, reset view" },
-	{ keys: ["Delete"], does: "On a slider: the preset's value" },
+	{ keys: ["Page ↑", "Page ↓"], does: "On the age: the next stage, the one before" },
+	{ keys: ["Delete"], does: "On a slider: the preset's value; on the berry's: take it off" },
 ];
 
 /** Keys for the whole page. While text is typed, they are the text's. */
@@ -36,13 +40,17 @@ function commandOf(event: KeyboardEvent, studio: Studio): (() => void) | undefin
 	return undefined;
 }
 
-function letterOf(event: KeyboardEvent, studio: Studio, openHelp: () => void): (() => void) | undefined {
+function letterOf(event: KeyboardEvent, studio: Studio, openHelp: () => void): (() => unknown) | undefined {
 	if (event.altKey || document.querySelector("dialog[open]")) return undefined;
-	const { ui } = studio.state;
-	const actions: Readonly<Record<string, () => void>> = {
+	const { ui, playing, specimen } = studio.state;
+	// Only a natural bunch ages and is thinned.
+	const natural = procedureOf(specimen) === "natural";
+	const actions: Readonly<Record<string, () => unknown>> = {
 		n: () => studio.newVariation(),
 		s: () => studio.setUi({ stems: !ui.stems }),
 		o: () => studio.setUi({ octahedron: !ui.octahedron }),
+		t: () => natural && studio.setUi({ thinning: !ui.thinning }),
+		k: () => natural && studio.setPlaying(!playing),
 		"?": openHelp,
 	};
 	return actions[event.key.toLowerCase()];

@@ -4,6 +4,7 @@ import type { OctahedronColours } from "../profile/octahedron_figure";
 import type { BunchView } from "../scene/bunch_view";
 import type { Studio, StudioState } from "./studio";
 import { isDark } from "./theme";
+import { ThinningPointer } from "./thinning_pointer";
 
 type SceneModule = typeof import("../scene/bunch_view");
 
@@ -31,12 +32,22 @@ export class SolidView {
 	#shown: Pick<StudioState, "grown" | "specimen"> | undefined;
 	#dark: boolean | undefined;
 	#handles: Promise<OctahedronHandles> | undefined;
+	#thinning: ThinningPointer;
 
 	private constructor(
 		readonly view: BunchView,
 		private readonly canvas: HTMLCanvasElement,
 		private readonly studio: Studio,
-	) {}
+	) {
+		this.#thinning = new ThinningPointer(canvas, {
+			berryAt: (x, y) => {
+				const berry = view.pick(x, y);
+				return berry === undefined ? undefined : this.#shown?.grown?.berries.ids[berry];
+			},
+			mark: (id) => studio.mark(id),
+			take: (id) => studio.thin(id),
+		});
+	}
 
 	/** @throws NoWebGL2Error where the browser has none, and whatever the loading of the script throws */
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
@@ -50,12 +61,15 @@ export class SolidView {
 	}
 
 	/** Brings the view to the state; what has not changed costs nothing. */
-	update({ grown, specimen, history, ui }: StudioState): void {
+	update({ grown, specimen, history, marked, ui }: StudioState): void {
 		this.view.holdView(history.gesture !== undefined);
 		if (grown && (grown !== this.#shown?.grown || specimen.look !== this.#shown.specimen.look)) {
 			this.view.show(grown, specimen.look);
 		}
 		this.#shown = { grown, specimen };
+		this.#thinning.enabled = ui.thinning && !ui.stems;
+		const berry = marked === undefined ? -1 : (grown?.berries.ids.indexOf(marked) ?? -1);
+		this.view.highlight(berry < 0 ? undefined : berry);
 		this.view.setMode(ui.stems ? "stems" : "whole");
 		const dark = isDark(ui.theme);
 		if (dark !== this.#dark) this.view.setTheme(dark ? "dark" : "light");
@@ -103,6 +117,7 @@ export class SolidView {
 			requestRender: () => view.requestRender(),
 			setControlsEnabled: (on) => {
 				view.orbiting = on;
+				this.#thinning.blocked = !on;
 			},
 		});
 		handles.onInput = (parameters) => studio.edit({ parameters });

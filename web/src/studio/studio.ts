@@ -1,5 +1,6 @@
 import type { Grown } from "../core/grown";
 import { mirrorFrontBack, mirrorLeftRight } from "../profile/drag";
+import { thin, unthinAll } from "../specimen/edit";
 import { specimenFromPreset } from "../specimen/from_preset";
 import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
@@ -16,6 +17,12 @@ export interface StudioState {
 	readonly grown: Grown | undefined;
 	/** The specimen `grown` grew from: what the exporters write beside it. */
 	readonly grownFrom: Specimen | undefined;
+	/** What was last measured; it stays while a drag asks for none. In the order of MEASURES. */
+	readonly measures: Float32Array | undefined;
+	/** Id of the berry that is pointed at, in the view or on the panel. */
+	readonly marked: number | undefined;
+	/** Whether the age runs by itself. */
+	readonly playing: boolean;
 	/** Whether a growth takes long enough to say so. */
 	readonly growing: boolean;
 	/** Why there is no bunch, in place of one. */
@@ -26,8 +33,8 @@ export interface StudioState {
 
 /** What the studio does outside itself; main.ts wires it. */
 export interface Surroundings {
-	/** Asks for growth; the newest request wins. */
-	grow(specimen: Specimen): void;
+	/** Asks for growth, measured or not; the newest request wins. */
+	grow(specimen: Specimen, options: { measures: boolean }): void;
 	/** Ends a long growth. */
 	cancel(): void;
 	/** The document came to rest: the address bar is to hold it. */
@@ -40,6 +47,8 @@ export interface Surroundings {
 const BRIEF = 4000;
 const MOST_NOTICES = 3;
 const DRAG = "drag";
+/** The gesture of an age that runs by itself: a drag meanwhile is a step of its own. */
+export const PLAY = "play";
 
 /**
  * The one place where the page's state lives. It flows one way: a part calls an action, the action replaces the state,
@@ -50,6 +59,8 @@ export class Studio {
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
 	#noticeId = 0;
+	/** Whether what was last asked for is to be measured. */
+	#measured = true;
 	#preset: Specimen | undefined;
 	/** What `fit` and `vary` were before *as printed*. */
 	#beforePrinted: { fit: number; vary: number } | undefined;
@@ -63,6 +74,9 @@ export class Studio {
 			history: histories.startHistory(specimen),
 			grown: undefined,
 			grownFrom: undefined,
+			measures: undefined,
+			marked: undefined,
+			playing: false,
 			growing: false,
 			failure: undefined,
 			notices: [],
@@ -90,9 +104,9 @@ export class Studio {
 	// The document.
 
 	/** A change while the hand still moves: it grows at once, but becomes an undo step only with `settle`. */
-	edit(change: Change): void {
+	edit(change: Change, gesture = DRAG): void {
 		const next = apply(this.#state.specimen, change, this.#state.ui.locks);
-		this.#go(histories.change(this.#state.history, next, DRAG));
+		this.#go(histories.change(this.#state.history, next, gesture));
 	}
 
 	/** The end of a drag: one undo step, and the address bar follows. */
@@ -103,21 +117,19 @@ export class Studio {
 
 	/** A change that is a step of its own. */
 	set(change: Change): void {
-		this.edit(change);
-		this.settle();
+		this.replace(apply(this.#state.specimen, change, this.#state.ui.locks));
 	}
 
 	/** Another document in place of this one, as one step: a preset, a dropped file, a link. */
 	replace(specimen: Specimen): void {
-		this.#go(histories.change(histories.settle(this.#state.history), specimen));
-		this.settle();
+		this.#travel(histories.change(this.#state.history, specimen));
 	}
 
 	/** Starts with a document from outside: there is nothing before it to go back to. */
 	open(restored: Restored, from: string): void {
 		const { specimen } = restored;
 		this.#update({ specimen, history: histories.startHistory(specimen) });
-		this.#surroundings.grow(specimen);
+		this.#ask();
 		this.#surroundings.settled(specimen);
 		this.#report(restored, from);
 	}
@@ -154,16 +166,33 @@ export class Studio {
 		this.#beforePrinted = on && !isAsPrinted(specimen) ? { fit, vary } : undefined;
 	}
 
-	/** The profile's own m and n again, in place of those a link set. */
-	dropInputs(): void {
-		const { inputs: _, ...specimen } = this.#state.specimen;
+	/** The profile's own m and n again, or the built-in grammar, in place of those a link or a file brought. */
+	drop(key: "inputs" | "grammar"): void {
+		const { [key]: _, ...specimen } = this.#state.specimen;
 		this.replace(specimen);
 	}
 
-	/** The built-in grammar again, in place of the one a link or a file brought. */
-	dropGrammar(): void {
-		const { grammar: _, ...specimen } = this.#state.specimen;
-		this.replace(specimen);
+	/** Takes a berry off by hand; the mark goes on to `next`. */
+	thin(id: number, next?: number): void {
+		this.replace(thin(this.#state.specimen, id));
+		this.mark(next);
+	}
+
+	/** Gives back every berry that was taken off by hand. */
+	putBack(): void {
+		this.replace(unthinAll(this.#state.specimen));
+	}
+
+	/** Points at a berry, or at none. */
+	mark(id: number | undefined): void {
+		if (id !== this.#state.marked) this.#update({ marked: id });
+	}
+
+	/** Lets the age run (age_player.ts drives it), or stops it where it stands: one undo step in all. */
+	setPlaying(playing: boolean): void {
+		if (playing === this.#state.playing) return;
+		this.#update({ playing });
+		if (!playing && this.#state.history.gesture === PLAY) this.settle();
 	}
 
 	undo(): void {
@@ -177,7 +206,8 @@ export class Studio {
 	// Growth, reported by growing.ts.
 
 	grew(grown: Grown, from: Specimen): void {
-		this.#update({ grown, grownFrom: from, failure: undefined });
+		const measures = grown.measures ?? this.#state.measures;
+		this.#update({ grown, grownFrom: from, measures, failure: undefined });
 	}
 
 	setGrowing(growing: boolean): void {
@@ -195,7 +225,7 @@ export class Studio {
 
 	/** Asks again, after a failure. */
 	growAgain(): void {
-		this.#surroundings.grow(this.#state.specimen);
+		this.#ask();
 	}
 
 	// The page.
@@ -251,7 +281,15 @@ export class Studio {
 		const { present } = history;
 		if (history === this.#state.history) return;
 		this.#update({ history, specimen: present });
-		if (!growsAlike(before, present)) this.#surroundings.grow(present);
+		const rests = history.gesture === undefined;
+		if (!growsAlike(before, present) || (rests && !this.#measured)) this.#ask();
+	}
+
+	/** While the hand still moves, only the shape is asked for; what is measured follows when it rests. */
+	#ask(): void {
+		const { specimen, history } = this.#state;
+		this.#measured = history.gesture === undefined;
+		this.#surroundings.grow(specimen, { measures: this.#measured });
 	}
 
 	#update(patch: Partial<StudioState>): void {

@@ -12,6 +12,8 @@ export interface UiState {
 	octahedron: boolean;
 	/** Whether the 3-D view leaves the berries away and marks withered pedicels. */
 	stems: boolean;
+	/** Whether a click in the 3-D view takes a berry off. */
+	thinning: boolean;
 }
 
 const STORAGE_KEY = "panicle.ui";
@@ -20,10 +22,11 @@ const STORAGE_KEY = "panicle.ui";
 export const FIRST_VISIT: UiState = {
 	theme: "system",
 	view: "solid",
-	closed: ["wing", "interaction", "branching", "rates", "between", "look"],
+	closed: ["wing", "look", "procedure", "interaction", "branching", "rates", "between"],
 	locks: { leftRight: false, frontBack: false },
 	octahedron: false,
 	stems: false,
+	thinning: false,
 };
 
 /** Reads what was remembered. Anything missing, foreign or unreadable gives the first visit's value. */

@@ -1,5 +1,5 @@
 /** What `Download` gives. Exporters are loaded when first asked for: they are no part of the first load. */
-import type { Grown } from "../../core/grown";
+import type { Grown, Procedure } from "../../core/grown";
 import type { Specimen } from "../../specimen/specimen";
 import { zip } from "./zip";
 
@@ -9,6 +9,8 @@ export interface Format {
 	readonly about: string;
 	/** After the bunch's name. */
 	readonly suffix: string;
+	/** The one procedure whose bunches it suits; absent where it suits all. */
+	readonly procedure?: Procedure;
 	make(bunch: Bunch): Promise<Blob>;
 }
 
@@ -37,10 +39,18 @@ export const FORMATS: readonly Format[] = [
 		title: "GLB, instanced",
 		about: "All berries in one node; for readers of EXT_mesh_gpu_instancing",
 		suffix: "-instanced.glb",
+		procedure: "paper",
 		make: (bunch) => glb(bunch, true),
 	},
 	{ key: "obj", title: "OBJ with MTL", about: "Both in one .zip", suffix: "-obj.zip", make: obj },
 	{ key: "json", title: "JSON", about: "Every berry and internode as numbers, in metres", suffix: ".json", make: json },
+	{
+		key: "csv",
+		title: "Berries as CSV",
+		about: "One line a berry: place, size, exposure, colour, ripeness",
+		suffix: "-berries.csv",
+		make: csv,
+	},
 	{ key: "png", title: "Picture", about: "The 3-D view as a PNG", suffix: ".png", make: (bunch) => bunch.picture() },
 ];
 
@@ -62,6 +72,11 @@ async function obj({ grown, specimen, name }: Bunch): Promise<Blob> {
 async function json({ grown, specimen }: Bunch): Promise<Blob> {
 	const { exportJson } = await import("../../export/json");
 	return new Blob([`${JSON.stringify(exportJson(grown, specimen), null, "\t")}\n`], { type: "application/json" });
+}
+
+async function csv({ grown, specimen }: Bunch): Promise<Blob> {
+	const { exportCsv } = await import("../../export/csv");
+	return new Blob([exportCsv(grown, specimen)], { type: "text/csv" });
 }
 
 /** "long-conical-7": what a file of this bunch is called. */

@@ -1,5 +1,5 @@
 import { html } from "lit";
-import type { ParameterInfo } from "../../specimen/parameters.generated";
+import type { ColourKey, ParameterInfo } from "../../specimen/parameters.generated";
 import type { Studio } from "../studio";
 import { StudioElement } from "./studio_element";
 
@@ -10,8 +10,8 @@ export class ColourControl extends StudioElement {
 
 	protected override draw(studio: Studio): unknown {
 		const { key, label, help } = this.info;
-		const value = studio.state.specimen.look[key as "skin" | "stem"];
-		const original = studio.preset.look[key as "skin" | "stem"];
+		const value = studio.state.specimen.look[key as ColourKey];
+		const original = studio.preset.look[key as ColourKey];
 		return html`<div class="control colour ${value === original ? "" : "changed"}" data-key=${key}>
 			<label for="slide-${key}" @dblclick=${() => this.#set(original)}>${label}</label>
 			<input
@@ -36,7 +36,7 @@ export class ColourControl extends StudioElement {
 		const colour = field.value.trim().replace("#", "").toLowerCase();
 		if (/^[0-9a-f]{6}$/.test(colour)) this.#set(colour);
 		else this.studio.notify(`“${field.value}” is not a colour`, ["A colour is six hexadecimal digits, like 43264f."]);
-		field.value = this.studio.state.specimen.look[this.info.key as "skin" | "stem"];
+		field.value = this.studio.state.specimen.look[this.info.key as ColourKey];
 	}
 }
 

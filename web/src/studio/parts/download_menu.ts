@@ -11,7 +11,10 @@ export class DownloadMenu extends StudioElement {
 	declare private open: boolean;
 
 	protected override draw(studio: Studio): unknown {
-		const formats = FORMATS.filter(({ key }) => key !== "png" || studio.picture);
+		const grownBy = studio.state.grown?.procedure;
+		const formats = FORMATS.filter(
+			({ key, procedure = grownBy }) => procedure === grownBy && (key !== "png" || studio.picture !== undefined),
+		);
 		return html`<button
 				class="button wine" type="button" aria-label="Download" aria-haspopup="menu" aria-expanded=${Boolean(this.open)}
 				?disabled=${!studio.state.grown} @click=${this.#toggle}
@@ -28,6 +31,8 @@ export class DownloadMenu extends StudioElement {
 	#toggle(): void {
 		this.open = !this.open;
 		if (!this.open) return;
+		// What is saved is at rest, and measured.
+		this.studio.setPlaying(false);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
 		window.addEventListener("pointerdown", this.#outside, { capture: true });
 	}

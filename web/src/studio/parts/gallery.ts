@@ -1,5 +1,5 @@
 import { html } from "lit";
-import { PRESETS } from "../../specimen/presets/index";
+import { PRESETS, type Preset, type PresetKind } from "../../specimen/presets/index";
 import type { Studio } from "../studio";
 import { isDark } from "../theme";
 import { StudioElement } from "./studio_element";
@@ -8,32 +8,39 @@ import { StudioElement } from "./studio_element";
 const pictureOf = (name: string, dark: boolean) =>
 	`${import.meta.env.BASE_URL}gallery/${name}-${dark ? "dark" : "light"}.webp`;
 
-/** The presets as small pictures; choosing one is one undo step. */
+const SECTIONS: readonly (readonly [PresetKind, string])[] = [
+	["shape", "Shapes"],
+	["variety", "Varieties"],
+	["fruit", "Other fruits"],
+];
+
+/** The presets as small pictures, by kind; choosing one is one undo step. */
 export class Gallery extends StudioElement {
 	#revealed: string | undefined;
 
 	protected override draw(studio: Studio): unknown {
 		const { specimen, ui } = studio.state;
-		const chosen = specimen.preset;
 		const dark = isDark(ui.theme);
-		return html`<ul>
-			${PRESETS.map(
-				({ name, title, figure, about }) => html`<li>
-					<button
-						class="preset" type="button" aria-current=${name === chosen} title="${about} (figure ${figure})" data-preset=${name}
-						@click=${() => studio.choosePreset(name)}
-					>
-						<img src=${pictureOf(name, dark)} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">${title}
-					</button>
-				</li>`,
-			)}
-		</ul>`;
+		const item = (preset: Preset) => html`<li>
+			<button
+				class="preset" type="button" aria-current=${preset.name === specimen.preset} title=${described(preset)} data-preset=${preset.name}
+				@click=${() => studio.choosePreset(preset.name)}
+			>
+				<img src=${pictureOf(preset.name, dark)} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">${preset.title}
+			</button>
+		</li>`;
+		return html`<div class="strip">${SECTIONS.map(
+			([kind, title]) => html`<section aria-labelledby="presets-${kind}">
+				<h2 id="presets-${kind}">${title}</h2>
+				<ul>${PRESETS.filter((preset) => preset.kind === kind).map(item)}</ul>
+			</section>`,
+		)}</div>`;
 	}
 
 	/** The chosen preset is in sight, also when a link or a file has chosen it. */
 	protected override updated(): void {
 		const { preset } = this.studio.state.specimen;
-		const strip = this.querySelector("ul");
+		const strip = this.querySelector<HTMLElement>(".strip");
 		const chosen = this.querySelector<HTMLElement>("[aria-current=true]");
 		if (this.#revealed === preset || !strip || !chosen) return;
 		this.#revealed = preset;
@@ -41,12 +48,16 @@ export class Gallery extends StudioElement {
 	}
 }
 
+function described({ about, figure }: Preset): string {
+	return figure === undefined ? about : `${about} (figure ${figure})`;
+}
+
 /** Scrolls the strip, and nothing else, until the preset is in it. */
 function reveal(strip: HTMLElement, preset: HTMLElement): void {
-	const left = preset.offsetLeft - strip.offsetLeft;
-	const right = left + preset.offsetWidth;
-	if (left < strip.scrollLeft) strip.scrollLeft = left;
-	else if (right > strip.scrollLeft + strip.clientWidth) strip.scrollLeft = right - strip.clientWidth;
+	const box = preset.getBoundingClientRect();
+	const shown = strip.getBoundingClientRect();
+	if (box.left < shown.left) strip.scrollLeft -= shown.left - box.left;
+	else if (box.right > shown.right) strip.scrollLeft += box.right - shown.right;
 }
 
 customElements.define("panicle-gallery", Gallery);

@@ -16,6 +16,9 @@ const DRAWINGS = {
 	octahedron: svg`<path d="M10 2.5 16 9l-6 8.5L4 9zM4 9l6 2.5L16 9M10 2.5v9M10 11.5v6"/>`,
 	mirror: svg`<path d="M10 3v14M7.5 6 3 10l4.5 4zM12.5 6l4.5 4-4.5 4z"/>`,
 	again: svg`<rect x="3.5" y="3.5" width="13" height="13" rx="3"/><path d="M7 7v.1M13 7v.1M10 10v.1M7 13v.1M13 13v.1" stroke-width="2"/>`,
+	thin: svg`<circle cx="5" cy="5.5" r="2.2"/><circle cx="5" cy="14.5" r="2.2"/><path d="m6.9 6.8 9.6 7M6.9 13.2l9.6-7"/>`,
+	play: svg`<path d="M6.5 4.2v11.6L16 10z" fill="currentcolor"/>`,
+	pause: svg`<path d="M7 4.5v11M13 4.5v11" stroke-width="2.6"/>`,
 	close: svg`<path d="m5.5 5.5 9 9M14.5 5.5l-9 9"/>`,
 } satisfies Record<string, SVGTemplateResult>;
 

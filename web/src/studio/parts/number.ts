@@ -1,6 +1,7 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
-import type { NumberKey, ParameterInfo } from "../../specimen/parameters.generated";
+import type { ParameterInfo } from "../../specimen/parameters.generated";
+import type { Specimen } from "../../specimen/specimen";
 import { entryOf, type NumberEntry, nearestWithin } from "../../specimen/table";
 import type { Change } from "../types";
 import { StudioElement } from "./studio_element";
@@ -58,20 +59,16 @@ export class NumberControl extends StudioElement {
 	}
 
 	private get value(): number {
-		const { key, look } = this.info;
-		const { specimen } = this.studio.state;
-		return look ? specimen.look.bloom : specimen.parameters[key as NumberKey];
+		return numberIn(this.studio.state.specimen, this.info);
 	}
 
 	private get presetValue(): number {
-		const { key, look } = this.info;
-		const { preset } = this.studio;
-		return look ? preset.look.bloom : preset.parameters[key as NumberKey];
+		return numberIn(this.studio.preset, this.info);
 	}
 
 	#change(value: number): Change {
 		const fitted = nearestWithin(entryOf(this.info.key) as NumberEntry, value);
-		return this.info.look ? { look: { bloom: fitted } } : { parameters: { [this.info.key]: fitted } };
+		return this.info.look ? { look: { [this.info.key]: fitted } } : { parameters: { [this.info.key]: fitted } };
 	}
 
 	#slide(event: Event): void {
@@ -109,6 +106,10 @@ export class NumberControl extends StudioElement {
 	}
 }
 
+function numberIn({ look, parameters }: Specimen, { key }: ParameterInfo): number {
+	return Number({ ...parameters, ...look }[key]);
+}
+
 /** What to say where the number taken is not the one typed. */
 export function complaint(info: ParameterInfo, text: string, typed: number, taken: number): string | undefined {
 	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${info.label} stays ${taken}.`;
@@ -126,6 +127,7 @@ const SPOKEN: Readonly<Record<string, string>> = {
 	mm: "millimetres",
 	"×": "times",
 	"°": "degrees",
+	"%": "percent",
 	u: "units",
 };
 

@@ -9,7 +9,7 @@ export function inputsOverride(studio: Studio): unknown {
 	const given = [m === undefined ? [] : [`m = ${m}`], n === undefined ? [] : [`n = ${n.join(", ")}`]].flat().join("; ");
 	return html`<div class="override">
 		<p>Set by the link in place of the profile: ${given}.</p>
-		<button class="button" type="button" @click=${() => studio.dropInputs()}>Follow the profile</button>
+		<button class="button" type="button" @click=${() => studio.drop("inputs")}>Follow the profile</button>
 	</div>`;
 }
 
@@ -20,6 +20,6 @@ export function grammarOverride(studio: Studio): unknown {
 	return html`<div class="override">
 		<p>This bunch brings a grammar of its own.</p>
 		<pre tabindex="0" aria-label="Grammar">${grammar}</pre>
-		<button class="button" type="button" @click=${() => studio.dropGrammar()}>Use the built-in grammar</button>
+		<button class="button" type="button" @click=${() => studio.drop("grammar")}>Use the built-in grammar</button>
 	</div>`;
 }

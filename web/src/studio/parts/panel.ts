@@ -1,7 +1,10 @@
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { GROUPS, type GroupInfo, PARAMETERS, type ParameterInfo } from "../../specimen/parameters.generated";
+import type { Procedure } from "../../core/grown";
+import type { ParameterInfo } from "../../specimen/parameters.generated";
 import { isAsPrinted } from "../change";
+import { type Explained, explainedBy, FIRST_WORDS, presetInWords } from "../explained";
+import { groupsFor, type PanelGroup, procedureOf } from "../panel_groups";
 import type { Studio } from "../studio";
 import type { Locks } from "../types";
 import { icon } from "./icons";
@@ -9,19 +12,33 @@ import { grammarOverride, inputsOverride } from "./overrides";
 import { readout } from "./readout";
 import { StudioElement } from "./studio_element";
 import { symbol } from "./symbol";
+import "./choice";
 import "./colour";
 import "./number";
+import "./thinning";
 
 /** The controls in their groups, made from the parameter table; which groups are closed is remembered. */
 export class Panel extends StudioElement {
 	static override properties = { ...StudioElement.properties, explained: { state: true } };
-	/** The parameter under the pointer or in focus. */
-	declare private explained: ParameterInfo | undefined;
+	/** What is under the pointer or in focus. */
+	declare private explained: Explained | undefined;
 
 	protected override draw(studio: Studio): unknown {
+		const procedure = procedureOf(studio.state.specimen);
+		const parts = groupsFor(procedure).map((each) => ({
+			key: each.group.key,
+			title: each.group.title,
+			body: controls(studio, each, procedure),
+		}));
+		const everyday = parts.filter(({ key }) => EVERYDAY.includes(key));
+		const constants = parts.filter(({ key }) => !EVERYDAY.includes(key));
+		const numbers = { key: "numbers", title: "Numbers", body: readout(studio.state) };
 		return html`<div class="panel-groups" @pointerover=${this.#explain} @focusin=${this.#explain}>
-				${GROUPS.map((group) => this.#group(studio, group.key, group.title, this.#controls(studio, group)))}
-				${this.#group(studio, "numbers", "Numbers", readout(studio.state))}
+				${repeat(
+					[...everyday, numbers, ...constants],
+					({ key }) => key,
+					({ key, title, body }) => this.#group(studio, key, title, body),
+				)}
 			</div>
 			<p class="explain" aria-hidden="true">${this.explained ? explanation(this.explained, studio) : FIRST_WORDS}</p>`;
 	}
@@ -41,41 +58,39 @@ export class Panel extends StudioElement {
 		this.studio.setGroup(key, open);
 	}
 
-	#controls(studio: Studio, group: GroupInfo): unknown {
-		const infos = PARAMETERS.filter((info) => info.group === group.key);
-		return html`${group.key === "shape" ? nothing : html`<p>${group.help}</p>`}
-			${group.key === "between" ? asPrintedSwitch(studio) : nothing}
-			${group.key === "shape" ? inputsOverride(studio) : nothing}
-			${group.key === "branching" ? grammarOverride(studio) : nothing}
-			${repeat(
-				infos,
-				(info) => info.key,
-				(info) => control(studio, info),
-			)}
-			${group.key === "shape" ? sideActions(studio) : nothing}`;
-	}
-
 	#explain(event: Event): void {
 		const key = (event.target as Element).closest<HTMLElement>("[data-key]")?.dataset.key;
-		const info = PARAMETERS.find((each) => each.key === key);
-		if (info) this.explained = info;
+		this.explained = (key === undefined ? undefined : explainedBy(key)) ?? this.explained;
 	}
 }
 
-const FIRST_WORDS = "Drag a handle or a slider. Double-click a slider to bring its preset's value back.";
+/** What most people touch; the numbers stand between these and the grammar's constants. */
+const EVERYDAY: readonly string[] = ["shape", "berries", "age", "wing", "look"];
 
-function explanation(info: ParameterInfo, studio: Studio): unknown {
-	const { look, parameters } = studio.preset;
-	const preset = { ...look, ...parameters }[info.key];
-	const range = info.kind === "colour" ? "" : `${info.min} … ${info.max} ${info.unit}. `;
-	return html`<strong>${info.label}</strong> ${symbol(info.symbol)}:
-		${info.help} ${range}Double-click for ${preset}.`;
+/** The controls of one group, with what else belongs there. */
+function controls(studio: Studio, { group, infos }: PanelGroup, procedure: Procedure): unknown {
+	const { key } = group;
+	return html`${key === "shape" ? inputsOverride(studio) : html`<p>${group.help}</p>`}
+		${key === "between" && procedure === "paper" ? asPrintedSwitch(studio) : nothing}
+		${key === "branching" ? grammarOverride(studio) : nothing}
+		${repeat(
+			infos,
+			(info) => info.key,
+			(info) => control(studio, info),
+		)}
+		${key === "shape" ? sideActions(studio) : nothing}
+		${key === "berries" && procedure === "natural" ? html`<panicle-thinning .studio=${studio}></panicle-thinning>` : nothing}`;
+}
+
+function explanation({ key, label, symbol: sign, text }: Explained, studio: Studio): unknown {
+	const preset = presetInWords(studio.preset, key);
+	return html`<strong>${label}</strong> ${symbol(sign)}: ${text} ${preset === undefined ? nothing : `Double-click for ${preset}.`}`;
 }
 
 function control(studio: Studio, info: ParameterInfo): unknown {
-	return info.kind === "colour"
-		? html`<panicle-colour .studio=${studio} .info=${info}></panicle-colour>`
-		: html`<panicle-number .studio=${studio} .info=${info}></panicle-number>`;
+	if (info.kind === "colour") return html`<panicle-colour .studio=${studio} .info=${info}></panicle-colour>`;
+	if (info.kind === "choice") return html`<panicle-choice .studio=${studio} .info=${info}></panicle-choice>`;
+	return html`<panicle-number .studio=${studio} .info=${info}></panicle-number>`;
 }
 
 function asPrintedSwitch(studio: Studio): unknown {

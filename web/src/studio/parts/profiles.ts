@@ -17,7 +17,7 @@ export class Profiles extends StudioElement {
 				<h2>${title}</h2>
 				<panicle-profile
 					view=${view} .parameters=${studio.state.specimen.parameters} .locks=${studio.state.ui.locks}
-					.plan=${studio.state.grown?.plan} .berries=${studio.state.grown} .initial=${studio.preset.parameters}
+					.berries=${studio.state.grown} .initial=${studio.preset.parameters}
 					@profile-input=${({ detail }: ProfileEvent) => studio.edit(detail)}
 					@profile-change=${() => studio.settle()} @profile-cancel=${() => studio.settle()}
 				></panicle-profile>

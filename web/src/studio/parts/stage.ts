@@ -1,8 +1,10 @@
 import { html, nothing } from "lit";
+import { classMap } from "lit/directives/class-map.js";
 import { specimenFromPreset } from "../../specimen/from_preset";
 import { DEFAULT_PRESET, presetNamed } from "../../specimen/presets/index";
 import { sameSpecimen } from "../../specimen/same";
 import { growsAlike } from "../change";
+import { procedureOf } from "../panel_groups";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
 import type { Failure } from "../types";
@@ -29,8 +31,9 @@ export class Stage extends StudioElement {
 
 	protected override draw(studio: Studio): unknown {
 		const { failure, growing, grown, ui } = studio.state;
+		const surface = classMap({ "stage-surface": true, handles: ui.octahedron, thinning: ui.thinning && !ui.stems });
 		return html`<canvas
-				class="stage-surface ${ui.octahedron ? "handles" : ""}" tabindex="0" role="img" aria-label=${described(studio)} aria-describedby="stage-keys" @keydown=${this.#press}
+				class=${surface} tabindex="0" role="img" aria-label=${described(studio)} aria-describedby="stage-keys" @keydown=${this.#press}
 			></canvas>
 			<p class="unseen" id="stage-keys">${KEYS}</p>
 			${grown ? caption(studio) : nothing}
@@ -73,7 +76,8 @@ export class Stage extends StudioElement {
 	}
 
 	#tools(studio: Studio): unknown {
-		const { stems, octahedron } = studio.state.ui;
+		const { stems, octahedron, thinning } = studio.state.ui;
+		const natural = procedureOf(studio.state.specimen) === "natural";
 		const tool = (name: IconName, label: string, click: () => void, pressed?: boolean) =>
 			html`<button
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
@@ -82,6 +86,7 @@ export class Stage extends StudioElement {
 			${tool("frame", "Reset view", () => this.#solid?.view.resetView())}
 			${tool("stems", "Show stems only", () => studio.setUi({ stems: !stems }), stems)}
 			${tool("octahedron", "Octahedron", () => studio.setUi({ octahedron: !octahedron }), octahedron)}
+			${natural ? tool("thin", "Thin", () => studio.setUi({ thinning: !thinning }), thinning) : nothing}
 		</div>`;
 	}
 
@@ -128,7 +133,7 @@ function remedies(studio: Studio, failure: Failure): unknown {
 	return failure.remedies.map((remedy) => {
 		if (remedy === "again") return button("Try again", () => studio.growAgain());
 		const { specimen } = studio.state;
-		if (specimen.grammar !== undefined) return button("Use the built-in grammar", () => studio.dropGrammar());
+		if (specimen.grammar !== undefined) return button("Use the built-in grammar", () => studio.drop("grammar"));
 		if (sameSpecimen(specimen, specimenFromPreset(DEFAULT_PRESET))) return nothing;
 		return button("Open the default bunch", () => studio.choosePreset(DEFAULT_PRESET));
 	});

@@ -1,0 +1,89 @@
+/**
+ * The pointer of thinning by hand: it marks the berry it is over, and a click takes that berry off. A pointer that moves
+ * while it is down turns the bunch, as ever, and takes nothing.
+ */
+
+export interface ThinningHost {
+	/** Id of the berry at a point of the canvas, in CSS pixels from its top left corner. */
+	berryAt(x: number, y: number): number | undefined;
+	mark(id: number | undefined): void;
+	take(id: number): void;
+}
+
+/** A click may tremble this much, in CSS pixels; a thumb more. */
+const MOUSE_TREMBLE = 4;
+const TOUCH_TREMBLE = 10;
+
+interface Press {
+	readonly pointer: number;
+	readonly x: number;
+	readonly y: number;
+}
+
+export class ThinningPointer {
+	/** A handle of the octahedron has the pointer. */
+	blocked = false;
+	#enabled = false;
+	#press: Press | undefined;
+	/** Pointers that are down: two of them zoom. */
+	readonly #down = new Set<number>();
+
+	constructor(
+		private readonly canvas: HTMLElement,
+		private readonly host: ThinningHost,
+	) {
+		canvas.addEventListener("pointerdown", this.#onDown);
+		canvas.addEventListener("pointermove", this.#onMove);
+		canvas.addEventListener("pointerup", this.#onUp);
+		canvas.addEventListener("pointercancel", this.#onCancel);
+		canvas.addEventListener("pointerleave", this.#onLeave);
+	}
+
+	set enabled(on: boolean) {
+		if (on === this.#enabled) return;
+		this.#enabled = on;
+		this.#press = undefined;
+		if (!on) this.host.mark(undefined);
+	}
+
+	readonly #onDown = (event: PointerEvent): void => {
+		this.#down.add(event.pointerId);
+		const alone = this.#down.size === 1 && event.button === 0 && !this.blocked;
+		this.#press = alone && this.#enabled ? { pointer: event.pointerId, x: event.clientX, y: event.clientY } : undefined;
+	};
+
+	readonly #onMove = (event: PointerEvent): void => {
+		if (!this.#enabled) return;
+		if (this.#press && !near(this.#press, event)) this.#press = undefined;
+		if (event.buttons === 0 && event.pointerType !== "touch" && !this.blocked) this.host.mark(this.#berryAt(event));
+	};
+
+	readonly #onUp = (event: PointerEvent): void => {
+		this.#down.delete(event.pointerId);
+		const press = this.#press;
+		this.#press = undefined;
+		if (!press || press.pointer !== event.pointerId || !near(press, event)) return;
+		const id = this.#berryAt(event);
+		if (id !== undefined) this.host.take(id);
+	};
+
+	readonly #onCancel = (event: PointerEvent): void => {
+		this.#down.delete(event.pointerId);
+		this.#press = undefined;
+	};
+
+	readonly #onLeave = (event: PointerEvent): void => {
+		this.#onCancel(event);
+		if (this.#enabled) this.host.mark(undefined);
+	};
+
+	#berryAt({ clientX, clientY }: PointerEvent): number | undefined {
+		const { left, top } = this.canvas.getBoundingClientRect();
+		return this.host.berryAt(clientX - left, clientY - top);
+	}
+}
+
+function near({ x, y }: Press, { clientX, clientY, pointerType }: PointerEvent): boolean {
+	const tremble = pointerType === "touch" ? TOUCH_TREMBLE : MOUSE_TREMBLE;
+	return Math.hypot(clientX - x, clientY - y) <= tremble;
+}
