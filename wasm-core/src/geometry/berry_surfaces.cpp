@@ -108,7 +108,8 @@ void Press::clip(std::span<const glm::vec3> slopes) {
   for (auto* values : {&planes_.value, &planes_.x, &planes_.y, &planes_.z})
     std::fill(values->begin(), values->end(), 0.0f);
   const Four soft = four(soft_), per_soft = four(1 / soft_);
-  const Four least = four(nearest_ - soft_);
+  // Below this a plane changes nothing, not even by way of another that it is blended with.
+  const Four least = four(nearest_ - 2 * soft_);
   const auto& [ex, ey, ez] = pattern_.directions;
   for (const glm::vec3& slope : slopes) {
     for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
