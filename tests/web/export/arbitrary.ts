@@ -31,12 +31,23 @@ export const sketch: fc.Arbitrary<GrownSketch> = fc.record({
 
 const colour = fc.integer({ min: 0, max: 0xffffff }).map((bits) => bits.toString(16).padStart(6, "0"));
 
+const share = fc.integer({ min: 0, max: 20 }).map((steps) => steps / 20);
+
 export const specimen: fc.Arbitrary<Specimen> = fc
 	.record({
 		skin: colour,
 		stem: colour,
-		bloom: fc.integer({ min: 0, max: 20 }).map((steps) => steps / 20),
+		bloom: share,
 		seed: fc.nat(),
+		unripe: colour,
+		glow: share,
+		lenticels: share,
+		uneven: share,
+		age: fc.integer({ min: 0, max: 250 }).map((steps) => steps / 2),
+		thinned: fc.uniqueArray(fc.nat(2 ** 30 - 1), { maxLength: 5 }),
 		grammar: fc.option(fc.string({ unit: "grapheme" }), { nil: undefined }),
 	})
-	.map(({ seed, grammar, ...look }) => sampleSpecimen(grammar ? { seed, look, grammar } : { seed, look }));
+	.map(({ seed, grammar, age, thinned, ...look }) => {
+		const sample = sampleSpecimen({ seed, look, thinned, ...(grammar ? { grammar } : {}) });
+		return { ...sample, parameters: { ...sample.parameters, age } };
+	});

@@ -1,8 +1,18 @@
 /** The fingerprint of docs/fingerprint.md, computed from what a growth and its JSON hold. */
-import { type Berries, INTERNODE_KINDS, INTERNODE_STATES, type Internodes } from "../../../web/src/core/grown";
-import type { GrownDocument } from "../../../web/src/export/json";
+import {
+	type Berries,
+	INTERNODE_KINDS,
+	INTERNODE_STATES,
+	type Internodes,
+	type Procedure,
+} from "../../../web/src/core/grown";
+import type { GrownDocument, NaturalBerryRecord } from "../../../web/src/export/json";
 
-export function fingerprintOf({ count, parent, kind, axis, state, ends, radii }: Internodes, berries: Berries): string {
+export function fingerprintOf(
+	{ count, parent, kind, axis, state, ends, radii }: Internodes,
+	berries: Berries,
+	procedure: Procedure,
+): string {
 	const values: number[] = [];
 	for (let i = 0; i < count; i++) {
 		values.push(
@@ -14,11 +24,20 @@ export function fingerprintOf({ count, parent, kind, axis, state, ends, radii }:
 			...radii.subarray(2 * i, 2 * i + 2),
 		);
 	}
-	for (let i = 0; i < berries.count; i++) values.push(...berries.spheres.subarray(4 * i, 4 * i + 4), berries.parent[i]);
+	for (let i = 0; i < berries.count; i++) {
+		values.push(...berries.spheres.subarray(4 * i, 4 * i + 4), berries.parent[i]);
+		if (procedure === "paper") continue;
+		values.push(berries.ids[i], ...berries.traits.subarray(8 * i, 8 * i + 2));
+		values.push(...berries.directions.subarray(3 * i, 3 * i + 3));
+	}
 	return hash(values);
 }
 
-export function fingerprintOfDocument({ internodes, berries }: Pick<GrownDocument, "internodes" | "berries">): string {
+export function fingerprintOfDocument({
+	internodes,
+	berries,
+	procedure,
+}: Pick<GrownDocument, "internodes" | "berries" | "procedure">): string {
 	const values = internodes.flatMap(({ parent, kind, axis, state, start, end, radius, radiusEnd }) => [
 		parent,
 		INTERNODE_KINDS.indexOf(kind),
@@ -29,7 +48,19 @@ export function fingerprintOfDocument({ internodes, berries }: Pick<GrownDocumen
 		radius,
 		radiusEnd,
 	]);
-	return hash([...values, ...berries.flatMap(({ x, y, z, r, parent }) => [x, y, z, r, parent])]);
+	const natural = ({ id, width, length, direction }: NaturalBerryRecord) => [id, width, length, ...direction];
+	const more = procedure === "natural" ? natural : () => [];
+	return hash([
+		...values,
+		...berries.flatMap((berry) => [
+			berry.x,
+			berry.y,
+			berry.z,
+			berry.r,
+			berry.parent,
+			...more(berry as NaturalBerryRecord),
+		]),
+	]);
 }
 
 function hash(values: number[]): string {

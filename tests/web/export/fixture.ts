@@ -1,5 +1,5 @@
 /** Small growths made without the core: a rachis, axes of one internode, pedicels with berries or withered. */
-import type { Grown, Internodes, Mesh, StemMesh, StemPart } from "../../../web/src/core/grown";
+import type { Berries, Grown, Internodes, Mesh, StemMesh, StemPart } from "../../../web/src/core/grown";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { fingerprintOf } from "./fingerprint";
@@ -38,6 +38,12 @@ export const SKETCH: GrownSketch = {
 
 export function sampleSpecimen(changes: Partial<Specimen> = {}): Specimen {
 	return { ...specimenFromPreset(changes.preset), ...changes };
+}
+
+/** A specimen of the paper's procedure, whose growths `makeGrown` makes. */
+export function paperSpecimen(changes: Partial<Specimen> = {}): Specimen {
+	const specimen = sampleSpecimen(changes);
+	return { ...specimen, parameters: { ...specimen.parameters, procedure: 0 } };
 }
 
 interface Node {
@@ -95,14 +101,18 @@ export function makeGrown({ axes, sides = 4, segments = 6, length = 0.012 }: Gro
 		}
 	});
 	const internodes = packInternodes(nodes);
-	const packed = {
+	const packed: Berries = {
 		count: berries.length,
 		spheres: Float32Array.from(berries.flatMap(({ centre, radius }) => [...centre, radius])),
 		directions: Float32Array.from(berries.flatMap(({ direction }) => direction)),
 		parent: Int32Array.from(berries, ({ parent }) => parent),
+		ids: Uint32Array.from(berries, (_, index) => 1000 + 7 * index),
+		traits: Float32Array.from(berries.flatMap(({ radius }) => [2 * radius, 2 * radius, 0.5, 1, 1, 1, 0, 2])),
 	};
 	const pedicels = nodes.filter(({ kind }) => kind === 3).length;
 	return {
+		procedure: "paper",
+		form: { fruit: "grape", taper: 0, blunt: 0 },
 		plan: { m: axes.length + 1, sides: [side(2, 1), side(3, 2), side(4, 3), side(5, 4)], axes: axes.map(() => 1) },
 		counts: {
 			endStructures: axes.length,
@@ -116,14 +126,15 @@ export function makeGrown({ axes, sides = 4, segments = 6, length = 0.012 }: Gro
 		berries: packed,
 		stem: makeStem(nodes, sides),
 		berry: makeBerry(segments),
+		thinned: [],
 		notes: ["l was clamped."],
-		fingerprint: fingerprintOf(internodes, packed),
+		fingerprint: fingerprintOf(internodes, packed, "paper"),
 		timings: { grow: 0.5 },
 	};
 }
 
 const side = (n: number, rd: number) => ({ w: 25 * n, r: 18 * rd, n, rd });
-const along = (from: Vector, direction: Vector, by: number): Vector => [
+export const along = (from: Vector, direction: Vector, by: number): Vector => [
 	from[0] + by * direction[0],
 	from[1] + by * direction[1],
 	from[2] + by * direction[2],
@@ -239,7 +250,7 @@ export function makeBerry(segments: number): Mesh {
 	};
 }
 
-function cross(a: Vector, b: Vector): Vector {
+export function cross(a: Vector, b: Vector): Vector {
 	return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 

@@ -4,11 +4,11 @@ import { Box3, type InstancedMesh, Matrix4, type Mesh, type MeshPhysicalMaterial
 import { describe, expect, it } from "vitest";
 import { exportGlb } from "../../../web/src/export/glb";
 import * as arbitrary from "./arbitrary";
-import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
+import { makeGrown, paperSpecimen, SKETCH } from "./fixture";
 import { complaints, documentOf, load, meshesOf } from "./reading";
 
 const grown = makeGrown(SKETCH);
-const specimen = sampleSpecimen({ preset: "short-conical", seed: 7 });
+const specimen = paperSpecimen({ preset: "short-conical", seed: 7 });
 
 describe("the GLB", () => {
 	it.each([{ instancing: false }, { instancing: true }])(
@@ -103,10 +103,10 @@ describe("the GLB", () => {
 	});
 
 	it("keeps the specimen, its link, the plan and the counts in asset.extras", async () => {
-		const link = "https://example.org/?v=1&preset=short-conical&seed=7";
+		const link = "https://example.org/?v=2&preset=short-conical&seed=7";
 		const { asset } = await load(await exportGlb(grown, specimen, { link }));
-		const { plan, counts, fingerprint } = grown;
-		expect(asset.extras).toEqual({ link, specimen, plan, counts, fingerprint });
+		const { procedure, plan, counts, fingerprint } = grown;
+		expect(asset.extras).toEqual({ link, specimen, procedure, plan, counts, fingerprint });
 		expect(asset.copyright).toBeUndefined();
 		const packed = JSON.parse(readFileSync("package.json", "utf8"));
 		expect(asset.generator).toBe(`Panicle ${packed.version}`);
@@ -114,12 +114,12 @@ describe("the GLB", () => {
 
 	it("writes the query as link where there is no address, and a second bunch's plan where there is one", async () => {
 		const { extras } = documentOf(await exportGlb({ ...grown, second: grown.plan }, specimen)).asset;
-		expect(extras.link).toBe("?v=1&preset=short-conical&seed=7");
+		expect(extras.link).toBe("?v=2&preset=short-conical&seed=7&procedure=paper");
 		expect(extras.plan).toEqual({ ...grown.plan, second: grown.plan });
 	});
 
 	it("colours skin and stem, in linear light", async () => {
-		const coloured = sampleSpecimen({ look: { skin: "ff8000", stem: "007fff", bloom: 0 } });
+		const coloured = paperSpecimen({ look: { ...specimen.look, skin: "ff8000", stem: "007fff", bloom: 0 } });
 		const { materials } = documentOf(await exportGlb(grown, coloured));
 		const factor = (name: string) =>
 			materials?.find((material) => material.name === name)?.pbrMetallicRoughness.baseColorFactor;
@@ -129,14 +129,14 @@ describe("the GLB", () => {
 
 	it("shows bloom as a sheen that grows with it, and none without", async () => {
 		const sheen = async (bloom: number) => {
-			const { scene } = await load(await exportGlb(grown, sampleSpecimen({ look: { ...specimen.look, bloom } })));
+			const { scene } = await load(await exportGlb(grown, paperSpecimen({ look: { ...specimen.look, bloom } })));
 			const skin = meshesOf(scene).at(-1)?.material as MeshPhysicalMaterial;
 			return skin.sheenColor?.b ?? 0;
 		};
 		expect(await sheen(0)).toBe(0);
 		expect(await sheen(1)).toBeGreaterThan(await sheen(0.5));
 		expect(
-			documentOf(await exportGlb(grown, sampleSpecimen({ look: { ...specimen.look, bloom: 0 } }))).extensionsUsed,
+			documentOf(await exportGlb(grown, paperSpecimen({ look: { ...specimen.look, bloom: 0 } }))).extensionsUsed,
 		).toBeUndefined();
 	});
 

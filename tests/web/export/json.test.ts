@@ -1,11 +1,13 @@
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { exportJson } from "../../../web/src/export/json";
+import { exportJson, type NaturalBerryRecord } from "../../../web/src/export/json";
 import { shortFloat } from "../../../web/src/export/numbers";
+import { MEASURE_KEYS } from "../../../web/src/specimen/measures.generated";
 import * as arbitrary from "./arbitrary";
 import { fingerprintOfDocument } from "./fingerprint";
 import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
+import { makeNatural } from "./natural_fixture";
 
 const grown = makeGrown(SKETCH);
 const specimen = sampleSpecimen({ seed: 7 });
@@ -13,7 +15,8 @@ const specimen = sampleSpecimen({ seed: 7 });
 describe("the JSON document", () => {
 	it("has the fields that were promised, and no others", () => {
 		const document = exportJson(grown, specimen);
-		const fields = ["specimen", "plan", "counts", "berries", "internodes", "notes", "fingerprint", "timings"];
+		const fields = ["specimen", "procedure", "form", "plan", "counts", "berries", "thinned", "internodes"];
+		fields.push("notes", "fingerprint", "timings");
 		expect(Object.keys(document)).toEqual(fields);
 		expect(Object.keys(document.plan)).toEqual(["m", "sides", "axes"]);
 		expect(document.plan.sides).toHaveLength(4);
@@ -66,11 +69,15 @@ describe("the JSON document", () => {
 		);
 	});
 
-	it("gives the fingerprint by the function that docs/fingerprint.md prints", () => {
+	it("gives the fingerprint by the function that docs/fingerprint.md prints, and the example's", () => {
 		const page = readFileSync("docs/fingerprint.md", "utf8");
 		const source = page.match(/```js\n([\s\S]*?)```/)?.[1] ?? "";
 		const printed: (document: unknown) => string = new Function(`${source}; return fingerprint;`)();
-		expect(printed(JSON.parse(JSON.stringify(exportJson(grown, specimen))))).toBe(grown.fingerprint);
+		for (const any of [grown, makeNatural(SKETCH)]) {
+			expect(printed(JSON.parse(JSON.stringify(exportJson(any, specimen))))).toBe(any.fingerprint);
+		}
+		const example = JSON.parse(page.match(/```json\n([\s\S]*?)```/)?.[1] ?? "");
+		expect(page).toContain(`whose fingerprint is \`${printed(example)}\``);
 	});
 
 	it("needs no meshes and leaves the growth as it was", () => {
@@ -78,6 +85,43 @@ describe("the JSON document", () => {
 		const before = structuredClone(skeleton);
 		expect(exportJson(skeleton, specimen)).toEqual(exportJson(grown, specimen));
 		expect(skeleton).toEqual(before);
+	});
+});
+
+describe("the JSON document of a natural bunch", () => {
+	const natural = makeNatural(SKETCH, { traits: (i) => ({ turned: i / 3, exposure: 0.1 * i }) });
+
+	it("says of each berry what it is, and of each that is not there why", () => {
+		const document = exportJson(natural, specimen);
+		expect(Object.keys(document.berries[0])).toEqual(
+			"x y z r parent id width length direction exposure turned opened set shrivel seeds".split(" "),
+		);
+		document.berries.forEach((berry, i) => {
+			const [dx, dy, dz] = natural.berries.directions.subarray(3 * i, 3 * i + 3);
+			const { width, length, direction, id, turned } = berry as NaturalBerryRecord;
+			expect([width, length].map(Math.fround)).toEqual([...natural.berries.traits.subarray(8 * i, 8 * i + 2)]);
+			expect(direction.map(Math.fround)).toEqual([dx, dy, dz].map((value) => value + 0));
+			expect([id, Math.fround(turned)]).toEqual([natural.berries.ids[i], Math.fround(i / 3)]);
+		});
+		expect(document.thinned[0]).toEqual({ id: 3, why: "no room", x: 0.001, y: -0.02, z: 0.003 });
+		expect(document).toMatchObject({ procedure: "natural", form: { fruit: "grape", taper: 0.1, blunt: 0 } });
+	});
+
+	it("has every measure by its key, null where one does not apply, and none where none were asked for", () => {
+		const { measures } = exportJson(natural, specimen);
+		expect(Object.keys(measures ?? {})).toEqual(MEASURE_KEYS);
+		expect(measures?.spill).toBe(0.1);
+		expect(measures?.coverage_side).toBeNull();
+		expect("measures" in exportJson({ ...natural, measures: undefined }, specimen)).toBe(false);
+	});
+
+	it("gives the fingerprint again, for any growth", () => {
+		fc.assert(
+			fc.property(arbitrary.sketch, (sketch) => {
+				const any = makeNatural(sketch);
+				expect(fingerprintOfDocument(JSON.parse(JSON.stringify(exportJson(any, specimen))))).toBe(any.fingerprint);
+			}),
+		);
 	});
 });
 

@@ -7,11 +7,11 @@ import { version } from "../../../package.json";
 import type { Grown } from "../../../web/src/core/grown";
 import { exportObj } from "../../../web/src/export/obj";
 import * as arbitrary from "./arbitrary";
-import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
+import { makeGrown, paperSpecimen, SKETCH } from "./fixture";
 import { meshesOf } from "./reading";
 
 const grown = makeGrown(SKETCH);
-const specimen = sampleSpecimen({ preset: "short-conical", seed: 7 });
+const specimen = paperSpecimen({ preset: "short-conical", seed: 7 });
 
 /** As a program would: the materials first, then the meshes that name them. */
 function read({ obj, mtl }: { obj: string; mtl: string }): Mesh[] {
@@ -101,7 +101,7 @@ describe("the OBJ", () => {
 		const { obj } = exportObj(grown, specimen, "my bunch\n");
 		expect(obj.split("\n").slice(0, 3)).toEqual([
 			`# Panicle ${version}: Bunch short-conical, metres, +Y up`,
-			"# ?v=1&preset=short-conical&seed=7",
+			"# ?v=2&preset=short-conical&seed=7&procedure=paper",
 			"mtllib my bunch .mtl",
 		]);
 	});

@@ -2,9 +2,10 @@
  * A writer of binary glTF 2.0 for what Panicle exports: one buffer, geometry only. Small on purpose; why not a library
  * is in docs/export.md.
  */
+import { shortFloat } from "./numbers";
 
 export type AccessorType = "SCALAR" | "VEC2" | "VEC3" | "VEC4";
-export type AccessorData = Float32Array | Uint32Array | Uint16Array | Uint8Array;
+export type AccessorData = Float32Array | Uint32Array | Uint16Array | Int16Array | Uint8Array | Int8Array;
 
 interface Accessor {
 	bufferView: number;
@@ -17,7 +18,10 @@ interface Accessor {
 	max?: number[];
 }
 
-/** How the accessors of one buffer view lie. `target` and `stride` (bytes) only for vertices and indices. */
+/**
+ * How the accessors of one buffer view lie. `target` and `stride` (bytes) only for vertices and indices; data comes
+ * padded to the stride.
+ */
 export interface ViewLayout {
 	target?: "vertices" | "indices";
 	stride?: number;
@@ -47,7 +51,7 @@ export class BinaryGltf {
 
 	/**
 	 * Appends `data` to the view and describes it; returns the accessor's index. `bounds` writes min and max (positions
-	 * must have them), `normalized` reads integers as 0 … 1.
+	 * must have them), `normalized` reads integers as 0 … 1 or −1 … 1.
 	 */
 	add(
 		viewName: string,
@@ -56,15 +60,17 @@ export class BinaryGltf {
 		options: { bounds?: boolean; normalized?: boolean } = {},
 	): number {
 		const view = this.#view(viewName);
+		const { stride } = view.layout;
+		const step = stride ? stride / data.BYTES_PER_ELEMENT : COMPONENTS[type];
 		const accessor: Accessor = {
 			bufferView: view.index,
 			componentType: componentType(data),
-			count: data.length / COMPONENTS[type],
+			count: data.length / step,
 			type,
 		};
 		if (view.bytes > 0) accessor.byteOffset = view.bytes;
 		if (options.normalized) accessor.normalized = true;
-		if (options.bounds) Object.assign(accessor, bounds(data, COMPONENTS[type]));
+		if (options.bounds) Object.assign(accessor, bounds(data, COMPONENTS[type], step));
 		view.chunks.push(data);
 		view.bytes += aligned(data.byteLength);
 		return this.#accessors.push(accessor) - 1;
@@ -134,17 +140,21 @@ function aligned(bytes: number): number {
 function componentType(data: AccessorData): number {
 	if (data instanceof Float32Array) return 5126;
 	if (data instanceof Uint32Array) return 5125;
-	return data instanceof Uint16Array ? 5123 : 5121;
+	if (data instanceof Uint16Array) return 5123;
+	if (data instanceof Int16Array) return 5122;
+	return data instanceof Int8Array ? 5120 : 5121;
 }
 
-function bounds(data: AccessorData, components: number): { min: number[]; max: number[] } {
+/** Of the first `components` of every `step` values, as they are stored. */
+function bounds(data: AccessorData, components: number, step: number): { min: number[]; max: number[] } {
 	const min = new Array<number>(components).fill(Number.POSITIVE_INFINITY);
 	const max = new Array<number>(components).fill(Number.NEGATIVE_INFINITY);
-	for (let i = 0; i < data.length; i++) {
-		const component = i % components;
-		const value = data[i];
-		if (value < min[component]) min[component] = value;
-		if (value > max[component]) max[component] = value;
+	for (let i = 0; i < data.length; i += step) {
+		for (let component = 0; component < components; component++) {
+			const value = data[i + component];
+			if (value < min[component]) min[component] = value;
+			if (value > max[component]) max[component] = value;
+		}
 	}
-	return { min, max };
+	return { min: min.map(shortFloat), max: max.map(shortFloat) };
 }

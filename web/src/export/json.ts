@@ -4,7 +4,7 @@
  * computed again from the document (docs/fingerprint.md).
  */
 import {
-	type Berries,
+	type BerryForm,
 	type Counts,
 	type Grown,
 	INTERNODE_KINDS,
@@ -13,9 +13,14 @@ import {
 	type InternodeState,
 	type Internodes,
 	type Plan,
+	type Procedure,
+	type Thinned,
+	type Trait,
 } from "../core/grown";
 import type { Specimen } from "../specimen/specimen";
+import { measuresOf, type WrittenMeasures } from "./measures";
 import { shortFloat } from "./numbers";
+import { traitOf } from "./traits";
 
 export type Point = [x: number, y: number, z: number];
 
@@ -26,6 +31,28 @@ export interface BerryRecord {
 	r: number;
 	/** Index of its pedicel among `internodes`. */
 	parent: number;
+}
+
+/** Traits that the document names by themselves, in this order; `width` and `length` come before the direction. */
+const STATES = ["exposure", "turned", "opened", "set", "shrivel", "seeds"] as const satisfies readonly Trait[];
+
+/** A berry of the natural procedure; lengths in metres, what they mean is in docs/export.md. */
+export interface NaturalBerryRecord extends BerryRecord, Record<(typeof STATES)[number], number> {
+	id: number;
+	width: number;
+	length: number;
+	/** Unit vector from the pedicel towards the tip scar. */
+	direction: Point;
+}
+
+/** A berry that is not there. */
+export interface ThinnedRecord {
+	id: number;
+	why: Thinned["why"];
+	/** Where its pedicel begins. */
+	x: number;
+	y: number;
+	z: number;
 }
 
 export interface InternodeRecord {
@@ -44,9 +71,15 @@ export interface InternodeRecord {
 
 export interface GrownDocument {
 	specimen: Specimen;
+	procedure: Procedure;
+	form: BerryForm;
 	plan: Plan & { second?: Plan };
 	counts: Counts;
-	berries: BerryRecord[];
+	/** By key; null where one does not apply. Absent where they were not asked for. */
+	measures?: WrittenMeasures;
+	/** Of the natural procedure `NaturalBerryRecord`. */
+	berries: (BerryRecord | NaturalBerryRecord)[];
+	thinned: ThinnedRecord[];
 	internodes: InternodeRecord[];
 	notes: string[];
 	fingerprint: string;
@@ -55,21 +88,44 @@ export interface GrownDocument {
 
 /** The document; `grown` and `specimen` are only read. Needs no meshes. */
 export function exportJson(grown: Grown, specimen: Specimen): GrownDocument {
+	const { procedure, form, counts, berries, thinned, internodes, notes, fingerprint, timings } = grown;
+	const berry = procedure === "natural" ? naturalBerryRecord : berryRecord;
 	return {
 		specimen,
+		procedure,
+		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt) },
 		plan: grown.second ? { ...grown.plan, second: grown.second } : { ...grown.plan },
-		counts: grown.counts,
-		berries: Array.from({ length: grown.berries.count }, (_, index) => berryRecord(grown.berries, index)),
-		internodes: Array.from({ length: grown.internodes.count }, (_, index) => internodeRecord(grown.internodes, index)),
-		notes: grown.notes,
-		fingerprint: grown.fingerprint,
-		timings: grown.timings,
+		counts,
+		...measuresOf(grown),
+		berries: Array.from({ length: berries.count }, (_, index) => berry(grown, index)),
+		thinned: thinned.map(({ id, why, place }) => {
+			const [x, y, z] = place.map(shortFloat);
+			return { id, why, x, y, z };
+		}),
+		internodes: Array.from({ length: internodes.count }, (_, index) => internodeRecord(internodes, index)),
+		notes,
+		fingerprint,
+		timings,
 	};
 }
 
-function berryRecord({ spheres, parent }: Berries, index: number): BerryRecord {
+function berryRecord({ berries: { spheres, parent } }: Grown, index: number): BerryRecord {
 	const float = (offset: number) => shortFloat(spheres[4 * index + offset]);
 	return { x: float(0), y: float(1), z: float(2), r: float(3), parent: parent[index] };
+}
+
+function naturalBerryRecord(grown: Grown, index: number): NaturalBerryRecord {
+	const { berries } = grown;
+	const trait = (name: Trait) => shortFloat(traitOf(berries, index, name));
+	const [x, y, z] = Array.from(berries.directions.subarray(3 * index, 3 * index + 3), shortFloat);
+	return {
+		...berryRecord(grown, index),
+		id: berries.ids[index],
+		width: trait("width"),
+		length: trait("length"),
+		direction: [x, y, z],
+		...(Object.fromEntries(STATES.map((name) => [name, trait(name)])) as Record<(typeof STATES)[number], number>),
+	};
 }
 
 function internodeRecord({ parent, kind, axis, state, ends, radii }: Internodes, index: number): InternodeRecord {

@@ -2,136 +2,141 @@
  * Grown → Wavefront OBJ with MTL, as the paper exports: metres, +Y up, every berry baked. The objects have the names
  * of the GLB's nodes, with underscores for spaces. What is in the files is in docs/export.md.
  */
-import type { Grown, Mesh, StemMesh, StemPart } from "../core/grown";
+import type { BerrySurfaces, Grown, Mesh, StemMesh } from "../core/grown";
 import { encodeQuery } from "../specimen/link";
-import type { Look, Specimen } from "../specimen/specimen";
+import type { Specimen } from "../specimen/specimen";
+import { berryColours } from "./berry_colour";
+import type { Colour } from "./colour";
+import { flowerOf } from "./flowers";
+import { foliageMaterials } from "./foliage";
 import { GENERATOR } from "./generator";
-import { type Material, skinMaterial, srgb, stemMaterial } from "./materials";
-import { requireMeshes } from "./meshes";
-import { berryName, plantName, stemName } from "./names";
-import { rounded } from "./numbers";
+import { pressedSkin, STAMEN, skinMaterial, stemMaterial } from "./materials";
+import { cut, meanWidth, requireMeshes } from "./meshes";
+import { type NamedMaterial, writeMtl } from "./mtl";
+import { berryName, flowerName, foliageNames, plantName, stemName } from "./names";
+import { ObjWriter } from "./obj_writer";
 import { fromUp, type Rows, rows } from "./orientation";
-import { TextBuffer } from "./text_buffer";
+import { stemColours } from "./stem_colour";
+import { traitOf } from "./traits";
+import { meanColour } from "./vertex_colours";
 
-/** Of a metre: a micrometre. */
-const POSITION_DECIMALS = 6;
-/** Of a unit vector, or of a texture's width: a shade no display shows. */
-const SHADE_DECIMALS = 4;
 /** What a vertex is likely to take with its share of the faces, in bytes; only a guess to begin with. */
 const BYTES_PER_VERTEX = 160;
-const SPACE = 0x20;
-const SLASH = 0x2f;
-const LINE_END = 0x0a;
-/** Light that the skin returns as a highlight, for readers that know no physically based values. */
-const SPECULAR = { Skin: 0.25, Stem: 0.04 } as const;
+/** Ripeness is told in steps of this many percent: a material for each, as OBJ knows no colours of vertices. */
+const RIPENESS_STEP = 25;
 
 /**
  * The two texts. `name` is what the files are called without their endings: the OBJ asks for `name.mtl`. Throws when
  * `grown` was asked for without meshes.
  */
 export function exportObj(grown: Grown, specimen: Specimen, name: string): { obj: string; mtl: string } {
-	const { stem, berry } = requireMeshes(grown);
-	const vertices = (stem.positions.length + grown.berries.count * berry.positions.length) / 3;
-	const writer = new ObjWriter(BYTES_PER_VERTEX * vertices);
+	const { stem, berry, surfaces } = requireMeshes(grown);
+	const ofBerries = surfaces?.positions.length ?? grown.berries.count * (berry?.positions.length ?? 0);
+	const writer = new ObjWriter((BYTES_PER_VERTEX * (stem.positions.length + ofBerries)) / 3);
 	writer.line(`# ${GENERATOR}: ${plantName(specimen)}, metres, +Y up`);
 	writer.line(`# ${encodeQuery(specimen)}`);
 	writer.line(`mtllib ${name}.mtl`);
-	for (const part of stem.parts) if (part.indexCount > 0) writer.stem(stem, part);
-	if (grown.berries.count > 0) writer.berries(grown, berry);
-	return { obj: writer.toString(), mtl: writeMtl(specimen.look) };
+	for (const part of stem.parts) {
+		if (part.indexCount > 0) writer.object(stemName(part.axis), cut(stem, part), "Stem");
+	}
+	const skins: NamedMaterial[] = [];
+	if (surfaces) skins.push(...writePressed(writer, grown, surfaces, specimen));
+	else if (berry) skins.push(writeShared(writer, grown, berry, specimen));
+	const stemLook = { name: "Stem", material: stemMaterial(specimen.look, stemColour(grown, stem, specimen)) };
+	const others = [...writeFlowers(writer, grown), ...writeFoliage(writer, grown, specimen)];
+	return { obj: writer.toString(), mtl: writeMtl([...skins, stemLook, ...others]) };
 }
 
 type Vector = [x: number, y: number, z: number];
 
-/** OBJ counts vertices, normals and texture coordinates from 1 through the whole file. */
-class ObjWriter {
-	readonly #out: TextBuffer;
-	#vertices = 0;
-	#uvs = 0;
-
-	constructor(capacity: number) {
-		this.#out = new TextBuffer(capacity);
+/** The paper's berries: one mesh, turned, scaled and moved; all share one run of texture coordinates. */
+function writeShared(writer: ObjWriter, { berries }: Grown, berry: Mesh, { look }: Specimen): NamedMaterial {
+	const firstUv = writer.textureCoordinates(berry.uvs);
+	const turned = new Float64Array(berry.positions.length);
+	for (let i = 0; i < berries.count; i++) {
+		const [x, y, z, radius] = berries.spheres.subarray(4 * i, 4 * i + 4);
+		const turn = turnOf(berries.directions, i);
+		writer.object(berryName(i, berries.count));
+		writer.positions(placed(berry.positions, turn, radius, [x, y, z], turned));
+		writer.normals(placed(berry.normals, turn, 1, [0, 0, 0], turned));
+		writer.faces(berry.indices, "Skin", firstUv);
 	}
+	return { name: "Skin", material: skinMaterial(look) };
+}
 
-	line(text: string): void {
-		this.#out.text(`${text.replace(/[\r\n]+/g, " ")}\n`);
+/** Natural berries as they are. Their skins come in steps of ripeness, each of the mean colour of its berries. */
+function writePressed(writer: ObjWriter, grown: Grown, surfaces: BerrySurfaces, specimen: Specimen): NamedMaterial[] {
+	const { berries, form } = grown;
+	const vertices = surfaces.uvs.length / 2;
+	const colours = berryColours(grown, surfaces, specimen);
+	const firstUv = writer.textureCoordinates(surfaces.uvs);
+	const skins = new Map<string, { sum: Colour; count: number }>();
+	for (let i = 0; i < berries.count; i++) {
+		const [first, last] = [3 * i * vertices, 3 * (i + 1) * vertices];
+		const name = skinName(traitOf(berries, i, "turned"));
+		const skin = skins.get(name) ?? { sum: [0, 0, 0], count: 0 };
+		meanColour(colours.subarray(first, last)).forEach((value, channel) => {
+			skin.sum[channel] += value;
+		});
+		skin.count++;
+		skins.set(name, skin);
+		writer.object(berryName(i, berries.count));
+		writer.positions(surfaces.positions.subarray(first, last));
+		writer.normals(surfaces.normals.subarray(first, last));
+		writer.faces(surfaces.indices, name, firstUv);
 	}
+	return [...skins].map(([name, { sum, count }]) => {
+		const colour = sum.map((value) => value / count) as Colour;
+		return { name, material: pressedSkin(specimen.look, form.fruit, colour, meanWidth(grown)) };
+	});
+}
 
-	stem(stem: StemMesh, part: StemPart): void {
-		const last = part.firstVertex + part.vertexCount;
-		this.#object(stemName(part.axis));
-		this.#vectors("v ", stem.positions.subarray(3 * part.firstVertex, 3 * last), POSITION_DECIMALS);
-		this.#vectors("vn ", stem.normals.subarray(3 * part.firstVertex, 3 * last), SHADE_DECIMALS);
-		const firstUv = this.#textureCoordinates(stem.uvs.subarray(2 * part.firstVertex, 2 * last));
-		this.line("usemtl Stem");
-		const indices = stem.indices.subarray(part.firstIndex, part.firstIndex + part.indexCount);
-		this.#faces(indices, this.#vertices + 1 - part.firstVertex, firstUv - part.firstVertex);
-		this.#vertices += part.vertexCount;
-	}
+/** `Skin` of ripe berries, `Skin_0` … `Skin_75` of others. */
+function skinName(turned: number): string {
+	const percent = RIPENESS_STEP * Math.round((100 * turned) / RIPENESS_STEP);
+	return percent === 100 ? "Skin" : `Skin_${percent}`;
+}
 
-	/** All berries share one run of texture coordinates. */
-	berries({ berries }: Grown, berry: Mesh): void {
-		const firstUv = this.#textureCoordinates(berry.uvs);
-		const turned = new Float64Array(berry.positions.length);
-		for (let i = 0; i < berries.count; i++) {
-			const [x, y, z, radius] = berries.spheres.subarray(4 * i, 4 * i + 4);
-			const [dx, dy, dz] = berries.directions.subarray(3 * i, 3 * i + 3);
-			const turn = rows(fromUp(dx, dy, dz));
-			this.#object(berryName(i, berries.count));
-			this.#vectors("v ", placed(berry.positions, turn, radius, [x, y, z], turned), POSITION_DECIMALS);
-			this.#vectors("vn ", placed(berry.normals, turn, 1, [0, 0, 0], turned), SHADE_DECIMALS);
-			this.line("usemtl Skin");
-			this.#faces(berry.indices, this.#vertices + 1, firstUv);
-			this.#vertices += berry.positions.length / 3;
-		}
-	}
+function stemColour(grown: Grown, stem: StemMesh, specimen: Specimen): Colour | undefined {
+	if (grown.procedure === "paper" || stem.positions.length === 0) return undefined;
+	return meanColour(stemColours(grown, stem, specimen));
+}
 
-	toString(): string {
-		return this.#out.toString();
+function writeFlowers(writer: ObjWriter, grown: Grown): NamedMaterial[] {
+	const flowers = flowerOf(grown);
+	if (!flowers) return [];
+	const { mesh, shares } = flowers;
+	const { count, spheres, directions } = grown.berries;
+	const firstUv = writer.textureCoordinates(mesh.uvs);
+	const turned = new Float64Array(mesh.positions.length);
+	for (const [i, share] of shares) {
+		const [x, y, z, radius] = spheres.subarray(4 * i, 4 * i + 4);
+		const turn = turnOf(directions, i);
+		writer.object(flowerName(i, count));
+		writer.positions(placed(mesh.positions, turn, share * radius, [x, y, z], turned));
+		writer.normals(placed(mesh.normals, turn, 1, [0, 0, 0], turned));
+		writer.faces(mesh.indices, STAMEN.name, firstUv);
 	}
+	return [{ name: STAMEN.name, material: STAMEN }];
+}
 
-	#object(name: string): void {
-		this.line(`o ${name.replaceAll(" ", "_")}`);
-	}
+function writeFoliage(writer: ObjWriter, { foliage }: Grown, specimen: Specimen): NamedMaterial[] {
+	if (!foliage) return [];
+	const materials = foliageMaterials(specimen);
+	const names = foliageNames(foliage.parts);
+	const used = new Map<string, NamedMaterial>();
+	foliage.parts.forEach((part, index) => {
+		if (part.indexCount === 0) return;
+		const material = materials[part.kind];
+		used.set(part.kind, { name: material.name, material });
+		writer.object(names[index], cut(foliage, part), material.name);
+	});
+	return [...used.values()];
+}
 
-	#vectors(keyword: string, values: Float32Array | Float64Array, decimals: number): void {
-		const out = this.#out;
-		for (let i = 0; i < values.length; i += 3) {
-			out.word(keyword);
-			out.fixed(values[i], decimals, SPACE);
-			out.fixed(values[i + 1], decimals, SPACE);
-			out.fixed(values[i + 2], decimals, LINE_END);
-		}
-	}
-
-	/**
-	 * Returns the number of the first. OBJ measures v from the picture's lower edge, Panicle and glTF from the upper one:
-	 * turned over, so that the same picture fits both files.
-	 */
-	#textureCoordinates(uvs: Float32Array): number {
-		const out = this.#out;
-		for (let i = 0; i < uvs.length; i += 2) {
-			out.word("vt ");
-			out.fixed(uvs[i], SHADE_DECIMALS, SPACE);
-			out.fixed(1 - uvs[i + 1], SHADE_DECIMALS, LINE_END);
-		}
-		const first = this.#uvs + 1;
-		this.#uvs += uvs.length / 2;
-		return first;
-	}
-
-	/** Index i is vertex and normal `firstVertex + i`, texture coordinate `firstUv + i` of the file. */
-	#faces(indices: Uint32Array, firstVertex: number, firstUv: number): void {
-		const out = this.#out;
-		for (let i = 0; i < indices.length; i++) {
-			const corner = i % 3;
-			if (corner === 0) out.word("f ");
-			const vertex = firstVertex + indices[i];
-			out.integer(vertex, SLASH);
-			out.integer(firstUv + indices[i], SLASH);
-			out.integer(vertex, corner === 2 ? LINE_END : SPACE);
-		}
-	}
+function turnOf(directions: Float32Array, index: number): Rows {
+	const [x, y, z] = directions.subarray(3 * index, 3 * index + 3);
+	return rows(fromUp(x, y, z));
 }
 
 /** `vectors` turned, scaled and moved, written into `into` and returned. */
@@ -147,32 +152,4 @@ function placed(vectors: Float32Array, turn: Rows, scale: number, centre: Vector
 		into[i + 2] = cz + scale * (g * x + h * y + k * z);
 	}
 	return into;
-}
-
-/** MTL's own values, then the physically based ones that newer readers know (Pr roughness, Pm metallic). */
-function writeMtl(look: Look): string {
-	const blocks = [
-		{ material: skinMaterial(look), hex: look.skin },
-		{ material: stemMaterial(look), hex: look.stem },
-	].map(({ material, hex }) => mtlBlock(material, hex));
-	return [`# ${GENERATOR}\n`, ...blocks].join("\n");
-}
-
-function mtlBlock({ name, roughness, sheen }: Material, hex: string): string {
-	const specular = SPECULAR[name];
-	const lines = [
-		`newmtl ${name}`,
-		`Kd ${srgb(hex)
-			.map((value) => rounded(value, 4))
-			.join(" ")}`,
-		`Ks ${specular} ${specular} ${specular}`,
-		// Blinn–Phong's exponent of the same width of highlight as this roughness.
-		`Ns ${rounded(2 / roughness ** 4 - 2, 1)}`,
-		"d 1",
-		"illum 2",
-		`Pr ${roughness}`,
-		"Pm 0",
-	];
-	if (sheen) lines.push(`Ps ${Math.max(...sheen.colour)}`);
-	return `${lines.join("\n")}\n`;
 }

@@ -1,0 +1,68 @@
+/** Colours as physically based materials want them: linear light, mixed where the eye sees even steps. */
+import { rounded } from "./numbers";
+
+/** Linear, 0 … 1. */
+export type Colour = [red: number, green: number, blue: number];
+
+/** `rrggbb` as three parts of sRGB, 0 … 1. */
+export function srgb(hex: string): Colour {
+	const bits = Number.parseInt(hex, 16);
+	return [(bits >> 16) / 255, ((bits >> 8) & 255) / 255, (bits & 255) / 255];
+}
+
+/** `rrggbb` in sRGB to linear light (IEC 61966-2-1). */
+export function linear(hex: string): Colour {
+	const decode = (c: number) => rounded(c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4, 6);
+	const [red, green, blue] = srgb(hex);
+	return [decode(red), decode(green), decode(blue)];
+}
+
+/** Linear light to sRGB, both 0 … 1. */
+export function encoded(colour: Colour): Colour {
+	return colour.map((c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055)) as Colour;
+}
+
+/** Oklab: perceived lightness 0 … 1, green to red, blue to yellow (Ottosson 2020, "A perceptual color space"). */
+export type Lab = [lightness: number, a: number, b: number];
+
+export function labOf([red, green, blue]: Colour): Lab {
+	const l = Math.cbrt(0.4122214708 * red + 0.5363325363 * green + 0.0514459929 * blue);
+	const m = Math.cbrt(0.2119034982 * red + 0.6806995451 * green + 0.1073969566 * blue);
+	const s = Math.cbrt(0.0883024619 * red + 0.2817188376 * green + 0.6299787005 * blue);
+	return [
+		0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s,
+		1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
+		0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s,
+	];
+}
+
+/** Oklab to linear light, each channel brought back into 0 … 1. */
+export function colourOf([lightness, a, b]: Lab): Colour {
+	const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+	const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+	const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+	return [
+		clamp(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+		clamp(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+		clamp(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s),
+	];
+}
+
+/** The value, brought into 0 … 1. */
+export function clamp(value: number): number {
+	return value < 0 ? 0 : value > 1 ? 1 : value;
+}
+
+export function mix(from: number, to: number, share: number): number {
+	return from + (to - from) * share;
+}
+
+export function mixed(from: Colour, to: Colour, share: number): Colour {
+	return [mix(from[0], to[0], share), mix(from[1], to[1], share), mix(from[2], to[2], share)];
+}
+
+/** Hermite step from 0 at `low` to 1 at `high`. */
+export function smoothstep(low: number, high: number, value: number): number {
+	const t = clamp((value - low) / (high - low));
+	return t * t * (3 - 2 * t);
+}

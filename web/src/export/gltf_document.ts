@@ -1,0 +1,151 @@
+/**
+ * A glTF document while it fills: nodes, meshes, materials and the buffer behind them, each used by another, as
+ * validators ask. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
+ */
+import type { Mesh } from "../core/grown";
+import { type AccessorData, BinaryGltf, type ViewLayout } from "./binary_gltf";
+import { GENERATOR } from "./generator";
+import { gltfMaterial, type Material } from "./materials";
+import { shortFloat } from "./numbers";
+import { quantised, quantisedNormals, relative, wholeBounds } from "./quantise";
+
+export type Json = Record<string, unknown>;
+
+export const QUANTIZATION = "KHR_mesh_quantization";
+
+/** One view for each kind of data, shared by all meshes. Attributes of instances are not vertices: no target there. */
+const VIEWS: Record<string, ViewLayout> = {
+	positions: { target: "vertices", stride: 12 },
+	normals: { target: "vertices", stride: 12 },
+	shortPositions: { target: "vertices", stride: 8 },
+	byteNormals: { target: "vertices", stride: 4 },
+	uvs: { target: "vertices", stride: 8 },
+	colours: { target: "vertices", stride: 4 },
+	shortIndices: { target: "indices" },
+	longIndices: { target: "indices" },
+	translations: {},
+	rotations: {},
+	scales: {},
+};
+
+/** Most vertices 16-bit indices reach; 65535 itself means a restart of the strip. */
+const SHORT_INDEX_VERTICES = 65535;
+
+/** Texture coordinates and triangles that many meshes share. */
+export interface Pattern {
+	uvs: number;
+	indices: number;
+}
+
+export interface MeshOptions {
+	/** Where the mesh's own origin shall be; without one it stays where it is. */
+	centre?: readonly number[];
+	/** 4 × vertices. */
+	colours?: Uint8Array;
+	/** In place of the mesh's own. */
+	pattern?: Pattern;
+}
+
+/** What a node needs to draw a mesh where it was. */
+export interface Placed {
+	mesh: number;
+	translation?: number[];
+	scale?: number[];
+}
+
+export class GltfDocument {
+	readonly #binary = new BinaryGltf(VIEWS);
+	readonly #nodes: Json[] = [];
+	readonly #meshes: Json[] = [];
+	readonly #materials: Json[] = [];
+	readonly #used = new Set<string>();
+	readonly #required = new Set<string>();
+
+	constructor(readonly compact: boolean) {}
+
+	/** Appends a node; returns its index. A list of children may still grow. */
+	node(node: Json): number {
+		return this.#nodes.push(node) - 1;
+	}
+
+	material(material: Material): number {
+		const json = gltfMaterial(material);
+		for (const name of Object.keys(json.extensions ?? {})) this.#used.add(name);
+		return this.#materials.push({ ...json }) - 1;
+	}
+
+	/** An extension without which the file must not be read. */
+	require(extension: string): void {
+		this.#used.add(extension);
+		this.#required.add(extension);
+	}
+
+	/** Attributes of instances: appends to the view of that name, returns the accessor. */
+	instances(view: "translations" | "rotations" | "scales", data: AccessorData): number {
+		return this.#binary.add(view, data, view === "rotations" ? "VEC4" : "VEC3");
+	}
+
+	pattern({ uvs, indices }: Pick<Mesh, "uvs" | "indices">): Pattern {
+		return {
+			uvs: this.#binary.add("uvs", uvs, "VEC2"),
+			indices:
+				uvs.length / 2 <= SHORT_INDEX_VERTICES
+					? this.#binary.add("shortIndices", Uint16Array.from(indices), "SCALAR")
+					: this.#binary.add("longIndices", indices, "SCALAR"),
+		};
+	}
+
+	/** Appends a mesh of one material. `mesh` is only read. */
+	mesh(
+		name: string,
+		mesh: Pick<Mesh, "positions" | "normals"> & Partial<Pick<Mesh, "uvs" | "indices">>,
+		material: number,
+		{ centre, colours, pattern }: MeshOptions = {},
+	): Placed {
+		const { attributes, ...place } = this.compact
+			? this.#compactAttributes(mesh, centre)
+			: this.#fullAttributes(mesh, centre);
+		const { uvs, indices } = pattern ?? this.pattern(mesh as Mesh);
+		attributes.TEXCOORD_0 = uvs;
+		if (colours) attributes.COLOR_0 = this.#binary.add("colours", colours, "VEC4", { normalized: true });
+		const index = this.#meshes.push({ name, primitives: [{ attributes, indices, material }] }) - 1;
+		return { mesh: index, ...place };
+	}
+
+	/** The whole file; `roots` are the scene's nodes. */
+	finish(roots: number[], extras: Json): Uint8Array<ArrayBuffer> {
+		return this.#binary.finish({
+			asset: { version: "2.0", generator: GENERATOR, extras },
+			...filled({ extensionsUsed: [...this.#used], extensionsRequired: [...this.#required] }),
+			scene: 0,
+			scenes: [{ nodes: roots }],
+			nodes: this.#nodes,
+			...filled({ meshes: this.#meshes, materials: this.#materials }),
+		});
+	}
+
+	#fullAttributes({ positions, normals }: Pick<Mesh, "positions" | "normals">, centre?: readonly number[]) {
+		const moved = centre ? relative(positions, centre) : positions;
+		const attributes: Record<string, number> = {
+			POSITION: this.#binary.add("positions", moved, "VEC3", { bounds: true }),
+			NORMAL: this.#binary.add("normals", normals, "VEC3"),
+		};
+		return centre ? { attributes, translation: centre.map(shortFloat) } : { attributes };
+	}
+
+	#compactAttributes({ positions, normals }: Pick<Mesh, "positions" | "normals">, centre?: readonly number[]) {
+		this.require(QUANTIZATION);
+		const origin = (centre ?? wholeBounds(positions)).map(Math.fround).map(shortFloat);
+		const { values, scale } = quantised(positions, origin);
+		const attributes: Record<string, number> = {
+			POSITION: this.#binary.add("shortPositions", values, "VEC3", { bounds: true, normalized: true }),
+			NORMAL: this.#binary.add("byteNormals", quantisedNormals(normals), "VEC3", { normalized: true }),
+		};
+		return { attributes, translation: origin, scale: [scale, scale, scale] };
+	}
+}
+
+/** glTF forbids empty lists: leaves them out. */
+function filled(lists: Record<string, unknown[]>): Json {
+	return Object.fromEntries(Object.entries(lists).filter(([, list]) => list.length > 0));
+}
