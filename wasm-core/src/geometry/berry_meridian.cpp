@@ -10,7 +10,7 @@ namespace panicle {
 namespace {
 
 constexpr float sphere_volume = 4 * pi / 3;
-constexpr float flattest = 8;  // radii of curvature beyond this count as this: superellipses have flat points
+constexpr float flattest = 8;  // radii of curvature beyond this count as this: straight sides have none
 
 // A normal's place among the supports, 0 at the tip to 1 at the seat: quick, and even enough.
 float place_of(const glm::vec2& normal) { return 0.5f - 0.5f * normal.y / (normal.x + std::fabs(normal.y)); }
@@ -29,9 +29,9 @@ BerryForm shaped(const BerryForm& form) {
 
 BerryMeridian::BerryMeridian(const BerryForm& form) {
   const BerryForm own = shaped(form);
-  exponent_ = 2 + 2 * std::clamp(own.blunt, 0.0f, 1.0f);
+  power_ = 2 + 3 * std::clamp(own.blunt, 0.0f, 1.0f);
   shift_ = std::clamp(own.taper, -1.0f, 1.0f) / 3;
-  ball_ = exponent_ == 2 && shift_ == 0;
+  ball_ = power_ == 2 && shift_ == 0;
   volume_ = ball_ ? sphere_volume : sum_volume();
   if (!ball_) tabulate_supports();
 }
@@ -39,37 +39,33 @@ BerryMeridian::BerryMeridian(const BerryForm& form) {
 BerryMeridian::Gauge BerryMeridian::gauge(const glm::vec3& direction) const {
   if (ball_) return {1, direction};
   const float across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-  // Newton's method on F(r) = (r across)^p + |x(r y)|^p − 1, which grows with r, from without.
-  float r = 1.2f, slope_across = 0, slope_along = 1;
+  // Newton's method on F(r) = (r across)² + |x(r y)|^q − 1, which grows with r, from without.
+  float r = 1.3f, slope = 0;
   for (int step = 0; step < 12; ++step) {
     const float y = std::clamp(r * direction.y, -1.5f, 1.5f);
     const float below = 1 - shift_ * y;
     const float x = (y - shift_) / below;
-    const float width = power(r * across, exponent_ - 1);
-    const float height = power(std::fabs(x), exponent_ - 1);
-    slope_across = exponent_ * width;
-    slope_along = exponent_ * (x < 0 ? -height : height) * (1 - shift_ * shift_) / (below * below);
-    const float over = width * r * across + height * std::fabs(x) - 1;
-    const float change = over / (slope_across * across + slope_along * direction.y);
+    const float height = power(std::fabs(x), power_ - 1);
+    slope = power_ * (x < 0 ? -height : height) * (1 - shift_ * shift_) / (below * below);
+    const float over = r * across * r * across + height * std::fabs(x) - 1;
+    const float change = over / (2 * r * across * across + slope * direction.y);
     r = std::clamp(r - change, 0.7f, 1.5f);
     if (std::fabs(change) < 1e-6f) break;
   }
-  const float inverse = across > 0 ? 1 / across : 0;
-  const glm::vec3 normal(slope_across * direction.x * inverse, slope_along, slope_across * direction.z * inverse);
+  const glm::vec3 normal(2 * r * direction.x, slope, 2 * r * direction.z);
   return {1 / r, normal * (1 / (r * glm::dot(normal, direction)))};
 }
 
-// The curve by its parameter, 0 at the tip to π at the seat, and a normal there.
+// The curve by its parameter, 0 at the tip to π at the seat, and the unit normal there.
 glm::vec2 BerryMeridian::point_at(float parameter, glm::vec2& normal) const {
-  const float s = std::max(sine(parameter), 1e-4f);
+  const float width = sine(parameter);
   const float c = cosine(parameter);
-  const float width = power(s, 2 / exponent_);
-  const float height = power(std::max(std::fabs(c), 1e-4f), 2 / exponent_);
+  const float height = power(std::max(std::fabs(c), 1e-4f), 2 / power_);
   const float x = c < 0 ? -height : height;
   const float y = (x + shift_) / (1 + shift_ * x);
   const float below = 1 - shift_ * y;
-  const float slope = c * c / height * (1 - shift_ * shift_) / (below * below);
-  normal = glm::normalize(glm::vec2(s * s / width, c < 0 ? -slope : slope));
+  const float slope = power_ * c * c / height * (1 - shift_ * shift_) / (below * below);
+  normal = glm::normalize(glm::vec2(2 * width, c < 0 ? -slope : slope));
   return {width, y};
 }
 
@@ -109,18 +105,17 @@ BerryMeridian::Support BerryMeridian::support(const glm::vec2& normal) const {
           a.round + (b.round - a.round) * share};
 }
 
-// π ∫ across² dy over x = sin a, where the integrand is smooth and flat at both ends: midpoints are exact to 1e−5.
+// π ∫ across² dy, by the midpoints of 64 strips of x = sin a, where the integrand is smooth and flat at both ends.
 float BerryMeridian::sum_volume() const {
-  constexpr int steps = 64;
+  constexpr int strips = 64;
   float sum = 0;
-  for (int i = 0; i < steps; ++i) {
-    const float a = pi * ((static_cast<float>(i) + 0.5f) / steps - 0.5f);
+  for (int i = 0; i < strips; ++i) {
+    const float a = pi * ((static_cast<float>(i) + 0.5f) / strips - 0.5f);
     const float x = sine(a);
     const float stretch = 1 + shift_ * x;
-    const float width = power(1 - power(std::fabs(x), exponent_), 2 / exponent_);
-    sum += width * cosine(a) * (1 - shift_ * shift_) / (stretch * stretch);
+    sum += (1 - power(std::fabs(x), power_)) * cosine(a) * (1 - shift_ * shift_) / (stretch * stretch);
   }
-  return pi * sum * (pi / steps);
+  return pi * sum * (pi / strips);
 }
 
 float form_volume(const BerryForm& form, float half_width, float half_length) {

@@ -11,8 +11,9 @@ namespace panicle {
 
 // In unit space a berry's centre is the origin, its tip scar lies at +Y, and it reaches from −1 to 1 along y and to 1
 // across; scaling by half_width, half_length, half_width gives its own size. At height y the curve is
-//   across^p + |x|^p = 1,  x = (y − t) / (1 − t y),  p = 2 + 2 blunt,  t = taper / 3,
-// a superellipse (Lamé) whose widest parallel is moved to y = t without changing its extent: an ellipse at 0, 0.
+//   across² + |x|^q = 1,  x = (y − t) / (1 − t y),  q = 2 + 3 blunt,  t = taper / 3:
+// an ellipse at 0, 0; a greater q makes the sides straight and leaves the ends round; t is the height of the widest
+// parallel, moved there without changing the extent.
 class BerryMeridian {
  public:
   explicit BerryMeridian(const BerryForm& form);
@@ -41,14 +42,14 @@ class BerryMeridian {
   void tabulate_supports();
   float sum_volume() const;
 
-  float exponent_, shift_;
+  float power_, shift_;
   bool ball_;
   float volume_, outermost_ = 1;
   std::array<Support, 129> supports_;
 };
 
-// Volume of the free form, in the cube of the half axes' unit: 4π/3 · half_width² · half_length for taper = blunt = 0,
-// up to 1.46 times that (blunt 1, taper 0); taper 1 takes 5 %.
+// Volume of the free form, in the cube of the half axes' unit: 4π/3 · half_width² · half_length where taper and blunt
+// are 0; blunt 1 adds a quarter to it, taper 1 takes a little away.
 float form_volume(const BerryForm& form, float half_width, float half_length);
 
 }  // namespace panicle
