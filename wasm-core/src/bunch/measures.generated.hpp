@@ -5,41 +5,41 @@
 
 namespace panicle::bunch {
 
-// In the order of Grown::measures.
+// In the order of Grown::measures; docs/measures.md has their units.
 enum class Measure : std::uint32_t {
-  coverage,  // 0 … 1
-  spill,  // 0 … 1
-  coverage_front,  // 0 … 1
-  coverage_side,  // 0 … 1
-  spill_front,  // 0 … 1
-  spill_side,  // 0 … 1
-  bunch_length,  // mm
-  bunch_width,  // mm
-  peduncle_length,  // mm
+  coverage,
+  spill,
+  coverage_front,
+  coverage_side,
+  spill_front,
+  spill_side,
+  bunch_length,
+  bunch_width,
+  peduncle_length,
   bunch_shape,
   wings,
-  bunch_weight,  // g
-  berry_volume,  // cm³
-  hull_volume,  // cm³
-  outline_volume,  // cm³
+  bunch_weight,
+  berry_volume,
+  hull_volume,
+  outline_volume,
   density,
-  fill_ratio,  // 0 … 1
-  compactness,  // g/cm²
-  gap,  // mm
+  fill_ratio,
+  compactness,
+  gap,
   contacts,
   berry_count,
-  diameter,  // mm
-  diameter_spread,  // 0 … 1
-  berry_length,  // mm
-  berry_width,  // mm
+  diameter,
+  diameter_spread,
+  berry_length,
+  berry_width,
   uniformity,
   berry_shape,
-  pedicel_length,  // mm
-  berry_weight,  // g
-  visible_front,  // 0 … 1
-  visible_side,  // 0 … 1
-  visible_mean,  // 0 … 1
-  pedicels_seen,  // 0 … 1
+  pedicel_length,
+  berry_weight,
+  visible_front,
+  visible_side,
+  visible_mean,
+  pedicels_seen,
 };
 
 inline constexpr std::uint32_t measure_count = 33;

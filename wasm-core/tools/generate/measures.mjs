@@ -57,9 +57,9 @@ function cplusplus({ measures }) {
 
 namespace panicle::bunch {
 
-// In the order of Grown::measures.
+// In the order of Grown::measures; docs/measures.md has their units.
 enum class Measure : std::uint32_t {
-${measures.map(({ key, unit, kind }) => `  ${key},${unit || kind === "share" ? `  // ${unit || "0 … 1"}` : ""}`).join("\n")}
+${measures.map(({ key }) => `  ${key},`).join("\n")}
 };
 
 inline constexpr std::uint32_t measure_count = ${measures.length};
