@@ -34,7 +34,16 @@ inline bunch::Request request_for(const bunch::Profile& profile, std::uint32_t s
   bunch::Request request;
   request.seed = seed;
   request.meshes = false;
+  set(request, bunch::Parameter::procedure, 0);
   set_profile(request, profile);
+  return request;
+}
+
+// The natural procedure.
+inline bunch::Request natural_request(const bunch::Profile& profile, std::uint32_t seed = 1) {
+  bunch::Request request = request_for(profile, seed);
+  set(request, bunch::Parameter::procedure, 1);
+  request.measures = false;
   return request;
 }
 

@@ -13,10 +13,10 @@ namespace panicle::bunch {
 
 struct Request {
   std::uint32_t seed = 1;
-  std::vector<float> parameters;  // in the order of parameter_table; NaN or missing: the default
-  std::int32_t m = 0;             // rachis segments in place of the profile's; 0: from the profile
-  std::vector<std::int32_t> n;    // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
-  std::string_view grammar;       // empty: the built-in L-system 3
+  std::vector<float> parameters;       // in the order of parameter_table; NaN or missing: the default
+  std::int32_t m = 0;                  // rachis segments in place of the profile's; 0: from the profile
+  std::vector<std::int32_t> n;         // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
+  std::string_view grammar;            // empty: the built-in L-system 3
   std::vector<std::uint32_t> thinned;  // berries taken off by hand, by id
   bool meshes = true;
   bool measures = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bunch/plan.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle::bunch {
@@ -12,16 +13,16 @@ constexpr int slices = 64;  // of a numeric integral over the depth
 
 }  // namespace
 
-Envelope::Envelope(const Profile& profile, const Plan& plan, float pixel, float end_reach)
-    : length_(profile.length * pixel) {
+Envelope::Envelope(const Profile& profile, float pixel, float end_reach) : length_(profile.length * pixel) {
   for (std::size_t i = 0; i < 4; ++i) {
     Side& side = sides_[i];
     side.width = profile.sides[i].width * pixel;
-    side.narrow = plan.sides[i].n > 0 ? std::min(side.width, end_reach) : side.width;
+    side.narrow = profile.sides[i].width >= pixels_per_axis_segment / 2 ? std::min(side.width, end_reach) : side.width;
     side.shoulder = std::min(profile.sides[i].drop * pixel, length_);
     side.rounding = std::min(side.narrow, (length_ - side.shoulder) / 2);
-    const float axis_rd = length_ * static_cast<float>(plan.sides[i].rd + 1) / static_cast<float>(plan.m);
-    side.waist = std::clamp(axis_rd, side.shoulder, std::max(side.shoulder, length_ - side.rounding));
+    const float axis_rd = profile.sides[i].drop * axes_per_pixel_of_drop + static_cast<float>(i) + 1;
+    side.waist = std::clamp(axis_rd * pixels_per_rachis_segment * pixel, side.shoulder,
+                            std::max(side.shoulder, length_ - side.rounding));
   }
 }
 

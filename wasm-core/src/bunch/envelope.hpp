@@ -11,9 +11,10 @@ namespace panicle::bunch {
 
 class Envelope {
  public:
+  // rd is taken before it is rounded, so that the outline moves with every pixel.
   // All in millimetres from here on. `pixel` is the millimetres to a pixel of the profile, `end_reach` how far one end
   // structure reaches sideways.
-  Envelope(const Profile& profile, const Plan& plan, float pixel, float end_reach);
+  Envelope(const Profile& profile, float pixel, float end_reach);
 
   float length() const { return length_; }
   // Half-width of side i (p3 +x, p4 −x, p5 +z, p6 −z) at a depth below p1; 0 outside 0 … length.

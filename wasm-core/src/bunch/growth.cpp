@@ -2,50 +2,10 @@
 
 #include <string_view>
 
+#include "bunch/communication.hpp"
 #include "foundation/random.hpp"
 
 namespace panicle::bunch {
-namespace {
-
-// Where a communication module keeps what it says and hears. Three parameters are L-system 2's (type, θ, l), five are
-// L-system 3's as printed (type, θ, φ, l, w), six carry the berry's radius b as well.
-struct Slots {
-  std::size_t theta = 1, phi = 0, length = 0, width = 0, berry = 0;  // 0: not carried
-};
-
-bool slots_for(std::size_t arity, Slots& slots) {
-  switch (arity) {
-    case 3:
-      slots = {1, 0, 2, 0, 0};
-      return true;
-    case 5:
-      slots = {1, 2, 3, 4, 0};
-      return true;
-    case 6:
-      slots = {1, 2, 3, 4, 5};
-      return true;
-    default:
-      return false;
-  }
-}
-
-// The apex symbols of the paper's grammars tell what an internode is.
-// Links hold it in six letters.
-std::uint32_t berry_id(std::uint64_t seed, std::uint64_t address) {
-  (void)seed;
-  return static_cast<std::uint32_t>(address >> 34);
-}
-
-bool is_rachis(std::string_view symbol) { return symbol.substr(0, 2) == "Ar"; }
-
-Kind kind_of(std::string_view symbol, bool pedicel) {
-  if (pedicel || symbol == "Ap") return Kind::pedicel;
-  if (is_rachis(symbol)) return Kind::rachis;
-  if (symbol == "Ae") return Kind::end;
-  return Kind::axis;
-}
-
-}  // namespace
 
 Growth::Growth(const InteractionOptions& options, const Limits& limits, float largest)
     : options_(options), limits_(limits), structure_(largest) {}
@@ -65,11 +25,7 @@ void Growth::ask(const lsystem::Turtle& turtle, std::span<float> parameters, con
   answered_ = {};
   Slots slots;
   if (!slots_for(parameters.size(), slots)) {
-    if (trouble_.reason == Reason::none)
-      trouble_ = {Reason::bad_input,
-                  "The bunch answers ?E with 3, 5 or 6 parameters: (type, theta, l), "
-                  "(type, theta, phi, l, w) or (type, theta, phi, l, w, b).",
-                  0, 0};
+    if (trouble_.reason == Reason::none) trouble_ = wrong_arity();
     return;
   }
   const bool pedicel = parameters[0] == 1;
@@ -139,7 +95,7 @@ void Growth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem:
   internode.end = after.position;
   internode.radius_end = after.width * 0.5f;
   internode.radius = answered_.pending ? answered_.width * 0.5f : internode.radius_end;
-  label(internode, lineage);
+  internode.axis = axis_of(internode, internodes, rachis_depth_, first_axis_, lineage);
 
   const std::int32_t above = internode.parent < 0 ? 0 : rachis_depth_[internode.parent];
   rachis_depth_.push_back(above + (internode.kind == Kind::rachis ? 1 : 0));
@@ -148,24 +104,12 @@ void Growth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem:
   answered_ = {};
 }
 
-// A first-order axis is what leaves the rachis, but for the end structure in which the rachis itself ends. It has the
-// number of the rachis internode whose tip it leaves.
-void Growth::label(Internode& internode, const lsystem::Lineage& lineage) const {
-  internode.axis = -1;
-  if (internode.parent < 0 || internode.kind == Kind::rachis) return;
-  const Internode& parent = internodes[internode.parent];
-  if (parent.kind != Kind::rachis)
-    internode.axis = parent.axis;
-  else if (!(internode.kind == Kind::end && is_rachis(lineage.grandparent)))
-    internode.axis = first_axis_ + rachis_depth_[internode.parent] - 1;
-}
-
 void Growth::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
   if (turtle.line < 0 || !within(berries.size(), limits_.spheres, "berries")) return;
   const std::int32_t pedicel = first_internode_ + turtle.line;
   if (static_cast<std::size_t>(pedicel) >= internodes.size()) return;
   internodes[pedicel].kind = Kind::pedicel;
-  berries.push_back({turtle.position, radius, turtle.heading, pedicel, berry_id(seed_, lineage.address)});
+  berries.push_back({turtle.position, radius, turtle.heading, pedicel, berry_id(lineage.address, first_axis_ > 0)});
 }
 
 void Growth::cut(const lsystem::Turtle&) { answered_ = {}; }

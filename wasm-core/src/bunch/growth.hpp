@@ -69,7 +69,6 @@ class Growth final : public lsystem::Listener {
   };
 
   const Laid* find_laid(std::uint64_t address) const;
-  void label(Internode& internode, const lsystem::Lineage& lineage) const;
   bool within(std::size_t count, std::uint32_t limit, const char* what);
 
   InteractionOptions options_;

@@ -5,11 +5,6 @@
 namespace panicle::bunch {
 namespace {
 
-// Pixels to segments; the paper's constants for a 600 × 600 view (section 5).
-constexpr float pixels_per_rachis_segment = 29.0f;  // C_l
-constexpr float pixels_per_axis_segment = 25.0f;    // C_w
-constexpr float axes_per_pixel_of_drop = 0.056f;    // C_r
-
 // Rounds halves up. Arguments here are never negative, so truncation is the floor.
 std::int32_t nearest(float x) { return static_cast<std::int32_t>(x + 0.5f); }
 

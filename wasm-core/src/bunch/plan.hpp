@@ -7,6 +7,11 @@
 
 namespace panicle::bunch {
 
+// Pixels to segments; the paper's constants for a 600 × 600 view (section 5).
+inline constexpr float pixels_per_rachis_segment = 29.0f;  // C_l
+inline constexpr float pixels_per_axis_segment = 25.0f;    // C_w
+inline constexpr float axes_per_pixel_of_drop = 0.056f;    // C_r
+
 // A side point of the profile, in pixels of the paper's 600 × 600 view.
 struct SidePoint {
   float width = 0;  // w: distance from the axis

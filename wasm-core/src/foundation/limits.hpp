@@ -13,6 +13,7 @@ struct Limits {
   std::uint32_t depth = 100'000;           // open brackets while interpreting
   std::uint32_t spheres = 100'000;         // spheres in one environment
   std::uint32_t internodes = 100'000;      // internodes in one result
+  std::uint32_t berries = 3000;            // of a natural bunch
 };
 
 }  // namespace panicle

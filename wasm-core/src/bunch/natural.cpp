@@ -1,0 +1,387 @@
+#include "bunch/natural.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bunch/builtin_grammars.hpp"
+#include "bunch/exposure.hpp"
+#include "bunch/foliage.hpp"
+#include "bunch/fruit_set.hpp"
+#include "bunch/measures.hpp"
+#include "bunch/natural_plan.hpp"
+#include "bunch/ripening.hpp"
+#include "bunch/sprouting.hpp"
+#include "bunch/stock.hpp"
+#include "bunch/swelling.hpp"
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+#include "geometry/flower.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float metres_per_millimetre = 0.001f;
+constexpr float units_per_pixel = 50.0f / 29.0f;
+constexpr float least_share = 0.55f;  // width of a berry over the mean one
+constexpr float most_share = 1.5f;
+constexpr float stub = 0.3f;          // of the pedicel, left where a berry was
+constexpr float unset_size = 0.075f;  // width of a flower's ovary over a ripe berry's
+
+float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
+
+class NaturalGrowth {
+ public:
+  NaturalGrowth(const Request& request, const Values& values, const Limits& limits, Grown& grown)
+      : request_(request), values_(values), limits_(limits), grown_(grown), sprouts_(limits) {}
+
+  Diagnostic run() {
+    const Diagnostic trouble = sprout();
+    if (trouble.reason != Reason::none) return trouble;
+    look_at_flowers();
+    choose();
+    swell_berries();
+    write_internodes();
+    write_berries();
+    write_unset();
+    ripen();
+    remark();
+    return {};
+  }
+
+ private:
+  float value(Parameter key) const { return values_[key]; }
+  float chance(std::string_view stream, std::uint64_t address, std::uint32_t bunch) const {
+    return random_unit(bunch ? second_seed(request_.seed) : request_.seed, hash_text(stream), address);
+  }
+
+  Diagnostic sprout() {
+    using enum Parameter;
+    const Profile profile = values_.profile();
+    Diagnostic trouble = sprout_one(profile, request_.seed, 0, 0, 0);
+    if (trouble.reason != Reason::none || !(value(wing) > 0)) return trouble;
+    return sprout_one(scaled(profile, value(wing)), second_seed(request_.seed), 1,
+                      static_cast<std::int32_t>(plans_[0].arm.size()), value(wing_angle));
+  }
+
+  // Derives one bunch and interprets it.
+  Diagnostic sprout_one(const Profile& profile, std::uint64_t seed, std::uint32_t index, std::int32_t first_axis,
+                        float lean) {
+    plans_.push_back(make_natural_plan(profile, values_));
+    const NaturalPlan& plan = plans_.back();
+    (index ? grown_.second.emplace() : grown_.plan) = plan.plan;
+    bounds_.push_back({plan.envelope, lean});
+    const std::string_view grammar = request_.grammar.empty() ? builtin_grammar(4) : request_.grammar;
+    auto stock = derive_stock(grammar, seed, inputs_for(plan, profile, values_), limits_);
+    if (!stock) return stock.error();
+    stock->first_axis = first_axis;
+    stock->lean = lean;
+    sprouts_.begin(*stock->program, index, first_axis);
+    const Diagnostic trouble = interpret(stock.value(), limits_, sprouts_);
+    return trouble.reason == Reason::none ? sprouts_.trouble() : trouble;
+  }
+
+  // Skeleton to millimetres; how far along the bunch and how much in the sun each flower is.
+  void look_at_flowers() {
+    for (Internode& internode : sprouts_.internodes) {
+      internode.start *= value(Parameter::unit);
+      internode.end *= value(Parameter::unit);
+      internode.radius *= value(Parameter::unit);
+      internode.radius_end *= value(Parameter::unit);
+    }
+    const float size = value(Parameter::size);
+    const glm::vec3 sun = towards_sun();
+    for (const Flower& flower : sprouts_.flowers) {
+      const Internode& pedicel = sprouts_.internodes[static_cast<std::size_t>(flower.pedicel)];
+      const glm::vec3 place = pedicel.end + flower.heading * (0.5f * size);
+      const Bound& bound = bounds_[flower.bunch];
+      const SinCos lean = sincos_degrees(bound.lean);
+      const glm::vec3 own{place.x * lean.cosine - place.y * lean.sine, place.x * lean.sine + place.y * lean.cosine,
+                          place.z};
+      const float length = bound.envelope.length();
+      const float depth = std::clamp(-own.y, 0.0f, length);
+      const float x = std::max(1.0f, bound.envelope.half_width(own.x >= 0 ? 0 : 1, depth)) / 1;
+      const float z = std::max(1.0f, bound.envelope.half_width(own.z >= 0 ? 2 : 3, depth)) / 1;
+      const float out = std::sqrt(own.x / x * (own.x / x) + own.z / z * (own.z / z));
+      const float beyond =
+          std::max(0.0f, -own.y - depth) + std::max(0.0f, own.y) + std::max(0.0f, out - 1) * std::min(x, z);
+      const glm::vec3 outward = glm::vec3(place.x / x, 0.3f, place.z / z);
+      const float facing = glm::dot(outward, sun) / std::max(1e-3f, glm::length(outward));
+      buds_.push_back({place, turn_of(flower), beyond / size, flower.strength});
+      lit_.push_back(std::clamp(0.5f + 0.5f * facing * std::min(1.0f, out), 0.0f, 1.0f));
+      along_.push_back(depth / std::max(1.0f, length));
+    }
+  }
+
+  // A flower's turn to set, 0 … 1: spread evenly over an axis and over each end structure, so that what sets is.
+  float turn_of(const Flower& flower) const {
+    constexpr float golden = 0.618034f;
+    const float sum = golden * golden * static_cast<float>(flower.axis + 1) +
+                      golden * static_cast<float>(flower.depth) + static_cast<float>(flower.place) / 3 +
+                      0.15f * chance("set", flower.address, flower.bunch) + chance("set", 0, flower.bunch);
+    return sum - std::floor(sum);
+  }
+
+  glm::vec3 towards_sun() const {
+    const SinCos height = sincos_degrees(value(Parameter::sun_height)), round = sincos_degrees(value(Parameter::sun));
+    return {height.cosine * round.sine, height.sine, height.cosine * round.cosine};
+  }
+
+  float wanted() const {
+    float berries = 0;
+    for (const NaturalPlan& plan : plans_) berries += plan.berries;
+    if (value(Parameter::count) > 0) berries = value(Parameter::count);
+    return std::clamp(berries, 1.0f, static_cast<float>(limits_.berries));
+  }
+
+  void choose() {
+    set_ = choose_set(buds_, wanted(), value(Parameter::size));
+    std::vector<float> shares;
+    float sum = 0, weights = 0;
+    for (std::size_t i = 0; i < buds_.size(); ++i) {
+      if (!(set_[i] > 0)) continue;
+      chosen_.push_back(static_cast<std::uint32_t>(i));
+      shares.push_back(share_of(i));
+      sum += shares.back() * set_[i];
+      weights += set_[i];
+    }
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      shares_.push_back(shares[k] * weights / sum * cube_root(set_[chosen_[k]]));
+  }
+
+  // A berry's width over the mean one: its luck, its light and how far the sap has come.
+  float share_of(std::size_t i) const {
+    const Flower& flower = sprouts_.flowers[i];
+    float luck = -6;
+    for (std::uint64_t k = 0; k < 12; ++k)
+      luck += random_unit(request_.seed, hash_text("size"), hash_combine(flower.address, k + 12 * flower.bunch));
+    const float sun = 0.14f * value(Parameter::sunlight) * (lit_[i] - 0.5f);
+    const float fed = 0.25f * (1 - value(Parameter::vigour)) * (0.5f - along_[i]);
+    return std::clamp((1 + value(Parameter::spread) / 100 * luck) * (1 + sun + fed), least_share, most_share);
+  }
+
+  void swell_berries() {
+    branch_of_.assign(sprouts_.internodes.size(), -1);
+    std::vector<Branch> branches;
+    const float bending = value(Parameter::bend);
+    for (std::size_t i = 0; i < sprouts_.internodes.size(); ++i) {
+      const Internode& internode = sprouts_.internodes[i];
+      if (internode.kind == Kind::pedicel) continue;
+      const std::int32_t parent = internode.parent < 0 ? -1 : branch_of_[static_cast<std::size_t>(internode.parent)];
+      const float give = internode.kind == Kind::rachis ? 0.1f : internode.kind == Kind::axis ? 0.7f : 0.8f;
+      branch_of_[i] = static_cast<std::int32_t>(branches.size());
+      branches.push_back({internode.start, internode.end, parent, internode.radius, give * bending});
+    }
+    std::vector<Swelling> berries;
+    const float half = value(Parameter::size) / 2;
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+      const Flower& flower = sprouts_.flowers[chosen_[k]];
+      const Internode& pedicel = sprouts_.internodes[static_cast<std::size_t>(flower.pedicel)];
+      Swelling berry;
+      const std::int32_t parent = pedicel.parent < 0 ? -1 : branch_of_[static_cast<std::size_t>(pedicel.parent)];
+      berry.branch = parent < 0 ? 0 : static_cast<std::uint32_t>(parent);
+      berry.heading = flower.heading;
+      berry.stalk = glm::length(pedicel.end - pedicel.start);
+      berry.half_width = half * shares_[k];
+      berry.half_length = berry.half_width * value(Parameter::elongation);
+      berry.bunch = flower.bunch;
+      berry.taken = std::find(request_.thinned.begin(), request_.thinned.end(), flower.id) != request_.thinned.end();
+      berries.push_back(berry);
+    }
+    if (branches.empty()) berries.clear();
+    swollen_ = swell(branches, berries, bounds_, sizes_until(value(Parameter::age)));
+    for (std::size_t k = 0; k < berries.size(); ++k)
+      if (swollen_.lost[k] != Why{})
+        grown_.thinned.push_back({sprouts_.flowers[chosen_[k]].id, swollen_.lost[k],
+                                  swollen_.ends[berries[k].branch] * metres_per_millimetre});
+    size_now_ = size_at(value(Parameter::age));
+  }
+
+  // Bends the skeleton to where the swelling left it, and leaves out what bears nothing any more.
+  void write_internodes() {
+    std::vector<Internode>& internodes = sprouts_.internodes;
+    std::vector<std::uint8_t> bears(internodes.size(), 0);
+    const auto bear = [&](std::size_t i) { bears[i] = 1; };
+    berry_of_.assign(internodes.size(), -1);
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+      const std::int32_t pedicel = sprouts_.flowers[chosen_[k]].pedicel;
+      berry_of_[static_cast<std::size_t>(pedicel)] = static_cast<std::int32_t>(k);
+      bear(static_cast<std::size_t>(pedicel));
+    }
+    for (std::size_t i = 0; i < buds_.size(); ++i)
+      if (!(set_[i] > 0) && hangs(i)) bear(static_cast<std::size_t>(sprouts_.flowers[i].pedicel));
+    for (std::size_t i = internodes.size(); i-- > 0;) {
+      if (internodes[i].kind == Kind::rachis) bear(i);
+      if (bears[i] && internodes[i].parent >= 0) bear(static_cast<std::size_t>(internodes[i].parent));
+    }
+    place_.assign(internodes.size(), -1);
+    const float girth = 0.55f + 0.45f * std::min(1.0f, size_now_ / 0.64f);
+    for (std::size_t i = 0; i < internodes.size(); ++i) {
+      if (!bears[i]) continue;
+      Internode internode = internodes[i];
+      const std::int32_t branch = branch_of_[i];
+      if (internode.parent >= 0) {
+        const std::int32_t above = branch_of_[static_cast<std::size_t>(internode.parent)];
+        if (above >= 0) internode.start = swollen_.ends[static_cast<std::size_t>(above)];
+        internode.parent = place_[static_cast<std::size_t>(internode.parent)];
+      }
+      if (branch >= 0)
+        internode.end = swollen_.ends[static_cast<std::size_t>(branch)];
+      else
+        set_pedicel(internode, internodes[i], berry_of_[i]);
+      internode.start *= metres_per_millimetre;
+      internode.end *= metres_per_millimetre;
+      internode.radius *= girth * metres_per_millimetre;
+      internode.radius_end *= girth * metres_per_millimetre;
+      place_[i] = static_cast<std::int32_t>(grown_.internodes.size());
+      grown_.internodes.push_back(internode);
+    }
+  }
+
+  // A pedicel ends where its berry sits; one that lost it is a stub.
+  void set_pedicel(Internode& pedicel, const Internode& grown, std::int32_t berry) {
+    const glm::vec3 full = grown.end - grown.start;
+    if (berry < 0) {
+      pedicel.end = pedicel.start + full * stalk_share();
+      return;
+    }
+    const auto k = static_cast<std::size_t>(berry);
+    if (swollen_.lost[k] != Why{}) {
+      pedicel.state = State::withered;
+      pedicel.end = pedicel.start + full * stub;
+      return;
+    }
+    pedicel.end = swollen_.centres[k] - swollen_.directions[k] * (0.96f * half_length(k));
+    pedicel.radius_end *= 1.35f;
+  }
+
+  float stalk_share() const { return stalk_at(size_now_); }
+  float half_width(std::size_t k) const { return value(Parameter::size) / 2 * shares_[k] * size_now_; }
+  float half_length(std::size_t k) const { return half_width(k) * value(Parameter::elongation); }
+
+  // Whether a flower that does not set is still there.
+  bool hangs(std::size_t i) const {
+    const Flower& flower = sprouts_.flowers[i];
+    return value(Parameter::age) < falls_at(chance("fall", flower.address, flower.bunch));
+  }
+
+  void write_berries() {
+    for (std::size_t k = 0; k < chosen_.size(); ++k)
+      if (swollen_.lost[k] == Why{})
+        add_berry(chosen_[k], swollen_.centres[k], swollen_.directions[k], half_width(k), half_length(k));
+  }
+
+  void write_unset() {
+    const float half = value(Parameter::size) / 2 * unset_size;
+    for (std::size_t i = 0; i < buds_.size(); ++i) {
+      if (set_[i] > 0) continue;
+      const Flower& flower = sprouts_.flowers[i];
+      const std::int32_t place = place_[static_cast<std::size_t>(flower.pedicel)];
+      if (place < 0) {
+        const Internode& pedicel = sprouts_.internodes[static_cast<std::size_t>(flower.pedicel)];
+        grown_.thinned.push_back({flower.id, Why::not_set, pedicel.start * metres_per_millimetre});
+        continue;
+      }
+      const glm::vec3 end = grown_.internodes[static_cast<std::size_t>(place)].end / metres_per_millimetre;
+      add_berry(static_cast<std::uint32_t>(i), end + flower.heading * half, flower.heading, half, half);
+    }
+  }
+
+  void add_berry(std::uint32_t i, const glm::vec3& centre, const glm::vec3& direction, float half_w, float half_l) {
+    const Flower& flower = sprouts_.flowers[i];
+    const float ball = half_w * cube_root(half_l / half_w);
+    grown_.berries.push_back({centre * metres_per_millimetre, ball * metres_per_millimetre, direction,
+                              place_[static_cast<std::size_t>(flower.pedicel)], flower.id});
+    bodies_.push_back({centre, direction, half_w, half_l, 0, flower.id});
+    bearers_.push_back(i);
+  }
+
+  void ripen() {
+    const std::vector<float> exposure = sun_exposure(bodies_, towards_sun());
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      const std::uint32_t i = bearers_[k];
+      const Flower& flower = sprouts_.flowers[i];
+      const float luck = chance("ripen", flower.address, flower.bunch);
+      const Stage stage = stage_at(
+          value(Parameter::age), {along_[i], luck, exposure[k], value(Parameter::sunlight), value(Parameter::vigour)});
+      const float seeds = std::floor(
+          4.99f * std::clamp(0.15f + 0.5f * luck + 0.3f * chance("seeds", flower.address, flower.bunch), 0.0f, 1.0f));
+      bodies_[k].shrivel = stage.shrivel;
+      Traits traits{2 * bodies_[k].half_width * metres_per_millimetre,
+                    2 * bodies_[k].half_length * metres_per_millimetre,
+                    exposure[k],
+                    stage.turned,
+                    stage.opened,
+                    set_[i] > 0 ? stage.set : 0,
+                    stage.shrivel,
+                    seeds};
+      grown_.traits.push_back(traits);
+    }
+    grown_.form = {value(Parameter::taper), value(Parameter::blunt),
+                   static_cast<Fruit>(static_cast<int>(value(Parameter::fruit)))};
+    if (request_.meshes) make_meshes();
+    if (request_.measures) {
+      std::vector<HungEnvelope> envelopes;
+      for (const Bound& bound : bounds_) envelopes.push_back({bound.envelope, bound.lean});
+      grown_.measures = measure(grown_, envelopes);
+    }
+  }
+
+  void make_meshes() {
+    BerryOptions options;
+    if (request_.berry_segments) options.segments = std::clamp(request_.berry_segments, 6u, 128u);
+    grown_.surfaces = press_berries(bodies_, grown_.form, options);
+    for (float& x : grown_.surfaces->positions) x *= metres_per_millimetre;
+    const bool flowers =
+        std::any_of(grown_.traits.begin(), grown_.traits.end(), [](const Traits& t) { return t.set < 1; });
+    if (flowers) grown_.flower = make_flower();
+    const auto leaves = static_cast<std::uint32_t>(value(Parameter::leaves));
+    if (leaves == 0 && value(Parameter::cane) == 0) return;
+    const Envelope& envelope = bounds_[0].envelope;
+    const float width = envelope.half_width(0, envelope.length() / 3) + envelope.half_width(1, envelope.length() / 3);
+    const float girth = grown_.internodes.empty() ? 0.002f : grown_.internodes[0].radius;
+    grown_.foliage =
+        grow_foliage({request_.seed, leaves, true, value(Parameter::age), girth, width * metres_per_millimetre});
+  }
+
+  void remark() {
+    if (sprouts_.internodes.empty()) grown_.notes.push_back("The grammar drew nothing.");
+    std::uint32_t lost = 0;
+    for (const Thinned& one : grown_.thinned) lost += one.why == Why::no_room || one.why == Why::outside;
+    const auto asked = static_cast<std::uint32_t>(value(Parameter::count));
+    if (asked == 0) return;
+    const auto kept = static_cast<std::uint32_t>(chosen_.size()) - lost;
+    if (static_cast<float>(kept) >= 0.97f * static_cast<float>(asked)) return;
+    grown_.notes.push_back("Of the " + std::to_string(asked) + " berries asked for " + std::to_string(kept) +
+                           " found room; smaller berries or a larger profile leave room for more.");
+  }
+
+  const Request& request_;
+  const Values& values_;
+  const Limits& limits_;
+  Grown& grown_;
+  Sprouting sprouts_;
+  std::vector<NaturalPlan> plans_;
+  std::vector<Bound> bounds_;
+  std::vector<Bud> buds_;              // one a flower
+  std::vector<float> lit_, along_;     // likewise
+  std::vector<float> set_;             // likewise: volume of its berry over that of a full one; 0: not set
+  std::vector<std::uint32_t> chosen_;  // flowers that set
+  std::vector<float> shares_;          // of those: width over the mean
+  std::vector<std::int32_t> branch_of_, berry_of_, place_;  // per internode: branch, chosen berry, place in the result
+  std::vector<BerryBody> bodies_;                           // of the result, millimetres
+  std::vector<std::uint32_t> bearers_;                      // their flowers
+  Swollen swollen_;
+  float size_now_ = 1;
+};
+
+}  // namespace
+
+Diagnostic grow_natural(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
+  return NaturalGrowth(request, values, limits, grown).run();
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,36 @@
+// What age does to a berry: a function of age and of what the berry is, so that scrubbing back gives the same picture.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace panicle::bunch {
+
+// Ages in percent: 0 the first flowers open, 10 fruit set, 60 colouring begins, 100 ripe, 125 shrivelled.
+
+// Width of a berry over that of the ripe one: a double sigmoid, as berries grow (OENO One 2132), then drying.
+float size_at(float age);
+
+// Sizes through which berries swell, step by step, up to that of an age.
+std::vector<float> sizes_until(float age);
+
+struct Fortune {
+  float along = 0;     // 0 at the base … 1 at the tip of the bunch
+  float luck = 0.5f;   // 0 … 1, the berry's own
+  float exposure = 0;  // 0 … 1
+  float sunlight = 0;  // 0 … 1: how much exposure counts
+  float vigour = 1;    // 0 … 1
+};
+
+struct Stage {
+  float opened = 1, set = 1, turned = 1, shrivel = 0;
+};
+
+// Flowers open in the middle, then at the base, then at the tip (Huang et al. 2013, section 3); berries colour one by
+// one, those in the sun first.
+Stage stage_at(float age, const Fortune& fortune);
+
+// The age at which a flower that does not set falls.
+float falls_at(float luck);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,37 @@
+// One bunch of the specimen, derived and ready to be interpreted.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::bunch {
+
+struct Stock {
+  std::shared_ptr<const lsystem::Program> program;
+  std::shared_ptr<const lsystem::String> string;
+  std::uint64_t seed = 0;
+  std::int32_t first_axis = 0;
+  float lean = 0;  // degrees that the whole bunch leans to the left
+};
+
+Result<Stock> derive_stock(std::string_view grammar, std::uint64_t seed, const lsystem::Inputs& inputs,
+                           const Limits& limits);
+
+// The seed of the second bunch of a specimen.
+std::uint64_t second_seed(std::uint64_t seed);
+
+// Walks the derived string from p1 on. Returns what the interpretation itself ran into.
+Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener);
+
+// A note for each of `defines` that the text does not know, so that its parameter changes nothing.
+void remark_unknown(const lsystem::Program& program, const std::vector<lsystem::Inputs::Scalar>& defines,
+                    std::vector<std::string>& notes);
+
+}  // namespace panicle::bunch
