@@ -3,6 +3,7 @@ import { run } from "../../../web/src/cli/run";
 import { withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { encodeLink } from "../../../web/src/specimen/link";
+import { restore } from "../../../web/src/specimen/restore";
 import { memoryWorld } from "./world";
 
 async function grow(words: string[], files?: Parameters<typeof memoryWorld>[0]) {
@@ -11,6 +12,9 @@ async function grow(words: string[], files?: Parameters<typeof memoryWorld>[0]) 
 	const [text = ""] = memory.printed;
 	return { status, ...memory, json: text.startsWith("{") ? JSON.parse(text) : undefined };
 }
+
+/** The specimen that a document's own brings back. */
+const meant = (json: { specimen: unknown }) => restore(json.specimen).specimen;
 
 /** The one line that a call which cannot be used leaves on standard error. */
 async function complaint(words: string[], files?: Parameters<typeof memoryWorld>[0]): Promise<string> {
@@ -25,14 +29,13 @@ async function complaint(words: string[], files?: Parameters<typeof memoryWorld>
 
 describe("the JSON", () => {
 	it("is all that standard output gets, and has every field", async () => {
-		const { status, json, printed, said } = await grow(["shouldered-conical"]);
+		const { status, json, printed, said } = await grow(["shouldered-conical", "--set", "procedure=paper"]);
 		expect(status).toBe(0);
 		expect(printed).toHaveLength(1);
 		expect(said).toEqual([]);
-		expect(Object.keys(json).sort()).toEqual(
-			["specimen", "plan", "counts", "berries", "internodes", "notes", "fingerprint", "timings"].sort(),
-		);
-		expect(json.specimen).toEqual(specimenFromPreset("shouldered-conical"));
+		const fields = ["specimen", "plan", "counts", "berries", "internodes", "notes", "fingerprint", "timings"];
+		expect(Object.keys(json)).toEqual(expect.arrayContaining(fields));
+		expect(meant(json)).toEqual(specimenFromPreset("shouldered-conical", 1));
 		expect(json.plan).toMatchObject({ m: 13, sides: [{ w: 190, r: 130, n: 8, rd: 7 }, {}, {}, {}] });
 		expect(json.plan.axes).toHaveLength(12);
 		expect(json.berries).toHaveLength(json.counts.berries);
@@ -42,12 +45,15 @@ describe("the JSON", () => {
 	});
 
 	it("has the second bunch's plan where there is one", async () => {
-		expect((await grow(["double-bunch-winged"])).json.plan.second.m).toBe(10);
-		expect((await grow(["cylindrical"])).json.plan).not.toHaveProperty("second");
+		expect((await grow(["?v=1&preset=double-bunch-winged"])).json.plan.second.m).toBe(10);
+		expect((await grow(["?v=1&preset=cylindrical"])).json.plan).not.toHaveProperty("second");
 	});
 
 	it("is the default preset's without a word said", async () => {
-		expect((await grow([])).json.specimen).toEqual(specimenFromPreset());
+		const { json, said } = await grow([]);
+		expect(meant(json)).toEqual(specimenFromPreset());
+		expect([json.notes, said]).toEqual([[], []]);
+		expect(json.counts.berries).toBeGreaterThan(100);
 	});
 });
 
@@ -57,17 +63,17 @@ describe("what is asked for", () => {
 		const link = await encodeLink(specimen);
 		for (const each of [link, `https://example.org/panicle/${link}`, `http://localhost:5173/index.html${link}#top`]) {
 			const { json } = await grow([each]);
-			expect(json.specimen).toEqual(specimen);
+			expect(meant(json)).toEqual(specimen);
 			expect(json.notes).toEqual([]);
 		}
-		expect((await grow(["https://example.org/panicle/"])).json.specimen).toEqual(specimenFromPreset());
+		expect(meant((await grow(["https://example.org/panicle/"])).json)).toEqual(specimenFromPreset());
 	});
 
 	it("may be a link with a grammar", async () => {
-		const specimen = { ...specimenFromPreset(), grammar: "axiom: F(10)[+F(5)]F(10)\n" };
+		const specimen = { ...specimenFromPreset(undefined, 1), grammar: "axiom: F(10)[+F(5)]F(10)\n" };
 		const link = await encodeLink(specimen);
 		const { json } = await grow([`https://example.org/${link}`]);
-		expect(json.specimen).toEqual(specimen);
+		expect(meant(json)).toEqual(specimen);
 		expect(json.counts.internodes).toBe(3);
 		expect((await grow([link.slice(link.indexOf("#"))])).json.counts.internodes).toBe(3);
 	});
@@ -83,8 +89,61 @@ describe("what is asked for", () => {
 		expect(said).toEqual([]);
 	});
 
+	it("is the paper's procedure where an old link says it, natural where a preset is named", async () => {
+		for (const old of ["?preset=rubus", "?v=1&preset=rubus"]) {
+			expect(meant((await grow([old])).json)).toEqual(specimenFromPreset("rubus", 1));
+		}
+		for (const now of ["rubus", "?v=2&preset=rubus"]) {
+			expect(meant((await grow([now])).json)).toEqual(specimenFromPreset("rubus"));
+		}
+	});
+
+	it("takes choices by name and by number", async () => {
+		const { json } = await grow(["rubus", "--set", "procedure=paper", "--set", "fruit=2", "--set", "cane=on"]);
+		expect(meant(json).parameters).toMatchObject({ procedure: 0, fruit: 2, cane: 1 });
+	});
+
+	it("takes berries off that are named", async () => {
+		const whole = (await grow(["rubus"])).json;
+		const id: number = whole.berries[0].id;
+		const { json } = await grow(["rubus", "--set", `thin=${id.toString(36)}`]);
+		expect(meant(json).thinned).toEqual([id]);
+		expect(json.counts.berries).toBe(whole.counts.berries - 1);
+		expect(meant((await grow(["?v=2&thin=a.b", "--set", "thin="])).json).thinned).toEqual([]);
+	});
+
+	it("says what the procedure does not heed", async () => {
+		const { status, json } = await grow([
+			"--set",
+			"rmin=10",
+			"--set",
+			"m=3",
+			"--set",
+			"size=15",
+			"--set",
+			"skin=ffffff",
+		]);
+		expect(status).toBe(0);
+		expect(json.notes).toEqual([
+			"rmin: procedure=natural does not heed it; --set procedure=paper does.",
+			"m: procedure=natural does not heed it; --set procedure=paper does.",
+		]);
+		expect((await grow(["?v=1", "--set", "rmin=10", "--set", "size=15"])).json.notes).toEqual([
+			"size: procedure=paper does not heed it; --set procedure=natural does.",
+		]);
+	});
+
 	it("takes seed and settings on top of preset or link", async () => {
-		const words = ["--set", "p3=79,76", "?l=300&seed=2&vary=0", "--seed", "9", "--set", "p4w=100", "--set=skin=ffffff"];
+		const words = [
+			"--set",
+			"p3=79,76",
+			"?v=2&l=300&seed=2&vary=0",
+			"--seed",
+			"9",
+			"--set",
+			"p4w=100",
+			"--set=skin=ffffff",
+		];
 		const { json } = await grow(words);
 		expect(json.specimen).toMatchObject({
 			seed: 9,
@@ -104,14 +163,14 @@ describe("what is asked for", () => {
 	});
 
 	it("takes the grammar's inputs", async () => {
-		const { json } = await grow(["--set", "m=3", "--set", "n=1,2"]);
+		const { json } = await grow(["--set", "m=3", "--set", "n=1,2", "--set", "procedure=paper"]);
 		expect(json.specimen.inputs).toEqual({ m: 3, n: [1, 2] });
 		expect(json.plan).toMatchObject({ m: 3, axes: [2, 1] });
 	});
 
 	it("takes a grammar from a file", async () => {
 		const grammar = "\ufeffaxiom: F(10)[+F(5)][-F(5)]\n";
-		const { json } = await grow(["--grammar", "mine.lsys"], { "mine.lsys": grammar });
+		const { json } = await grow(["--grammar", "mine.lsys", "--set", "procedure=paper"], { "mine.lsys": grammar });
 		expect(json.counts.internodes).toBe(3);
 		expect(json.specimen.grammar).toBe(grammar.slice(1));
 	});
@@ -149,7 +208,7 @@ describe("files", () => {
 
 describe("what cannot be used", () => {
 	it("is said in one line: preset and options", async () => {
-		expect(await complaint(["plum"])).toMatch(/^“plum” is neither a preset nor a link; presets: short-conical /);
+		expect(await complaint(["plum"])).toBe("“plum” is neither a preset nor a link; --help lists the presets");
 		expect(await complaint(["duku", "rubus"])).toMatch(/“rubus” is one too many/);
 		expect(await complaint(["--sed", "3"])).toBe("Unknown option --sed; see --help");
 		expect(await complaint(["--seed"])).toMatch(/^Option --seed <value> argument missing; see --help$/);
@@ -165,7 +224,7 @@ describe("what cannot be used", () => {
 		const set = (...settings: string[]) => complaint(settings.flatMap((setting) => ["--set", setting]));
 		expect(await set("l")).toBe("--set l: write KEY=VALUE, as in --set l=300");
 		expect(await set("=3")).toMatch(/write KEY=VALUE/);
-		for (const key of ["length", "seed", "preset", "v", "grammar", "toString", "__proto__"]) {
+		for (const key of ["length", "seed", "preset", "v", "grammar", "thinned", "toString", "__proto__"]) {
 			expect(await set(`${key}=1`)).toBe(`--set ${key}: no parameter has that key; see --help`);
 		}
 		expect(await set("l=abc")).toBe("--set l: “abc” is not a number");
@@ -178,6 +237,10 @@ describe("what cannot be used", () => {
 		expect(await set("m=2", "n=1,2")).toBe("--set n: m = 2 needs 1 value, not 2");
 		expect(await set("l=300.123")).toBe("--set l: 300.123 has more than two decimals");
 		expect(await set("p3=79,76.005")).toBe("--set p3: 76.005 has more than two decimals");
+		expect(await set("procedure=wild")).toBe("--set procedure: “wild” is none of paper, natural");
+		expect(await set("cane=2")).toBe("--set cane: “2” is none of off, on");
+		expect(await set("thin=a.!")).toBe("--set thin: “!” is not the id of a berry");
+		expect(await set("thin=zzzzzz")).toBe("--set thin: “zzzzzz” is not the id of a berry");
 		expect(await set("skin=red")).toMatch(/^--set skin: “red” is not a colour/);
 		expect(await set("l=300", "l=x")).toMatch(/not a number/);
 	});
@@ -204,7 +267,9 @@ it("--help says all there is, and grows nothing", async () => {
 	const { status, printed } = await grow(["--help"]);
 	expect(status).toBe(0);
 	expect(printed[0]).toContain("--set KEY=VALUE");
-	expect(printed[0]).toContain("double-bunch-winged");
+	for (const word of ["double-bunch-winged", "pinot-noir", "procedure=paper|natural", "cane=off|on", "thin=ID.ID"]) {
+		expect(printed[0]).toContain(word);
+	}
 	for (const line of printed[0].split("\n")) expect(line.length).toBeLessThan(120);
 });
 

@@ -6,6 +6,7 @@ import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { encodeRequest } from "../../../web/src/core/request";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { restore } from "../../../web/src/specimen/restore";
 import { freshCore } from "../core/wasm";
 
 const repository = fileURLToPath(new URL("../../../", import.meta.url));
@@ -40,7 +41,9 @@ it("grows what the core grows, and prints the JSON alone", async () => {
 	expect({ status, err }).toEqual({ status: 0, err: "" });
 	const specimen = { ...specimenFromPreset("short-conical"), seed: 7 };
 	const { fingerprint, counts } = (await freshCore()).grow(encodeRequest(specimen));
-	expect(JSON.parse(out)).toMatchObject({ specimen, fingerprint, counts });
+	const printed = JSON.parse(out);
+	expect(printed).toMatchObject({ fingerprint, counts });
+	expect(restore(printed.specimen).specimen).toEqual(specimen);
 });
 
 it("writes files", async () => {

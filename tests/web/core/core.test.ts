@@ -1,12 +1,13 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
 import { CoreError, CoreTrap, UnsupportedError } from "../../../web/src/core/errors";
-import { type Grown, INTERNODE_KINDS } from "../../../web/src/core/grown";
+import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../web/src/core/grown";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import { buffersOf } from "../../../web/src/core/read_grown";
 import { encodeRequest } from "../../../web/src/core/request";
 import { withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { BERRY_IDS } from "../../../web/src/specimen/limits";
 import { PRESETS } from "../../../web/src/specimen/presets/index";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { TABLE_3 } from "../specimen/table_3";
@@ -18,12 +19,24 @@ beforeAll(async () => {
 });
 
 const grow = (specimen: Specimen, meshes = false) => core.grow(encodeRequest(specimen, { meshes }));
-const growPreset = (name: string) => grow(specimenFromPreset(name));
+/** As links of version 1 mean it: by the paper's procedure. */
+const paper = (name?: string) => specimenFromPreset(name, 1);
+const PROCEDURES = [
+	["natural", (name?: string) => specimenFromPreset(name)],
+	["paper", paper],
+] as const;
 
 /** All that came back but how long it took, as bytes. */
 function bytesOf({ timings: _, ...grown }: Omit<Grown, "timings"> & Partial<Grown>): Buffer {
 	const plain = JSON.stringify(grown, (_key, value) => (ArrayBuffer.isView(value) ? value.byteLength : value));
 	return Buffer.concat([Buffer.from(plain), ...buffersOf(grown as Grown).map((buffer) => Buffer.from(buffer))]);
+}
+
+/** How many typed arrays there are in it, at any depth. */
+function viewsIn(value: unknown): number {
+	if (ArrayBuffer.isView(value)) return 1;
+	if (typeof value !== "object" || value === null) return 0;
+	return Object.values(value).reduce((sum, part) => sum + viewsIn(part), 0);
 }
 
 function refusal(action: () => unknown): CoreError {
@@ -40,7 +53,8 @@ describe("growing", () => {
 	it("gives the same bytes every time, from the same instance and from another", async () => {
 		const request = encodeRequest(specimenFromPreset("shouldered-conical"));
 		const first = bytesOf(core.grow(request));
-		growPreset("duku");
+		grow(specimenFromPreset("duku"));
+		grow(paper("duku"));
 		expect(bytesOf(core.grow(request)).equals(first)).toBe(true);
 		expect(bytesOf((await freshCore()).grow(request)).equals(first)).toBe(true);
 	});
@@ -49,34 +63,55 @@ describe("growing", () => {
 		const prints = [
 			specimenFromPreset(),
 			{ ...specimenFromPreset(), seed: 2 },
-			withParameters(specimenFromPreset(), { rmax: 31 }),
+			withParameters(specimenFromPreset(), { size: 17 }),
 			specimenFromPreset("cylindrical"),
+			paper(),
+			withParameters(paper(), { rmax: 31 }),
 		].map((specimen) => grow(specimen).fingerprint);
-		expect(new Set(prints).size).toBe(4);
+		expect(new Set(prints).size).toBe(6);
 		for (const print of prints) expect(print).toMatch(/^[0-9a-f]{16}$/);
 	});
 
-	it.each(PRESETS.map(({ name }) => name))("%s gives lists that agree with its counts", (name) => {
-		const { counts, internodes, berries, plan } = growPreset(name);
-		expect(internodes.count).toBe(counts.internodes);
-		expect(internodes.ends.length).toBe(6 * internodes.count);
-		expect(internodes.radii.length).toBe(2 * internodes.count);
-		expect(berries.count).toBe(counts.berries);
-		expect(berries.directions.length).toBe(3 * berries.count);
-		expect(counts.berries + counts.withered).toBe(counts.pedicels);
-		expect(counts.berries).toBeGreaterThan(0);
-		expect(plan.axes).toHaveLength(plan.m - 1);
-		const pedicel = INTERNODE_KINDS.indexOf("pedicel");
-		expect(internodes.kind.filter((kind) => kind === pedicel)).toHaveLength(counts.pedicels);
-		for (const parent of berries.parent) expect(internodes.kind[parent]).toBe(pedicel);
-		internodes.parent.forEach((parent, index) => {
-			expect(parent).toBeLessThan(index);
+	describe.each(PROCEDURES)("by procedure=%s", (procedure, start) => {
+		it.each(PRESETS.map(({ name }) => name))("%s gives lists that agree with its counts", (name) => {
+			const grown = grow(start(name));
+			const { counts, internodes, berries } = grown;
+			expect(grown.procedure).toBe(procedure);
+			expect(internodes.count).toBe(counts.internodes);
+			expect(internodes.ends.length).toBe(6 * internodes.count);
+			expect(internodes.radii.length).toBe(2 * internodes.count);
+			expect(berries.count).toBe(counts.berries);
+			expect(berries.directions.length).toBe(3 * berries.count);
+			expect(berries.parent.length).toBe(berries.count);
+			expect(berries.traits.length).toBe(TRAITS.length * berries.count);
+			expect(new Set(berries.ids).size).toBe(berries.count);
+			for (const id of berries.ids) expect(id).toBeLessThan(BERRY_IDS);
+			expect(counts.berries).toBeGreaterThan(0);
+			const pedicel = INTERNODE_KINDS.indexOf("pedicel");
+			expect(internodes.kind.filter((kind) => kind === pedicel)).toHaveLength(counts.pedicels);
+			for (const parent of berries.parent) expect(internodes.kind[parent]).toBe(pedicel);
+			internodes.parent.forEach((parent, index) => {
+				expect(parent).toBeLessThan(index);
+			});
 		});
+
+		it("says nothing about a specimen that is in range", () => {
+			for (const { name } of PRESETS) expect(grow(start(name)).notes).toEqual([]);
+		});
+	});
+
+	it("bears a berry or withers on every pedicel of the paper's procedure", () => {
+		for (const { name } of PRESETS) {
+			const { counts, plan, thinned } = grow(paper(name));
+			expect(counts.berries + counts.withered).toBe(counts.pedicels);
+			expect(plan.axes).toHaveLength(plan.m - 1);
+			expect(thinned).toEqual([]);
+		}
 	});
 
 	it("reproduces Table 3 but for the one value that print and formula disagree on", () => {
 		const differing = TABLE_3.flatMap(({ name, m, sides }) => {
-			const { plan } = growPreset(name);
+			const { plan } = grow(paper(name));
 			const derived = [
 				["m", plan.m, m],
 				...sides.flatMap(([, , n, rd], side) => [
@@ -90,39 +125,36 @@ describe("growing", () => {
 	});
 
 	it("grows a second bunch where there is one", () => {
-		expect(growPreset("long-conical").second).toBeUndefined();
-		const { plan, second, internodes } = growPreset("double-bunch-winged");
+		expect(grow(paper("long-conical")).second).toBeUndefined();
+		const { plan, second, internodes } = grow(paper("double-bunch-winged"));
 		expect(second?.m).toBeLessThan(plan.m);
 		expect(Math.max(...internodes.axis)).toBeGreaterThanOrEqual(plan.m - 1);
 	});
 
 	it("finds room for the second bunch, whatever the seed", () => {
 		for (let seed = 1; seed <= 20; seed++) {
-			const { plan, internodes, berries } = grow({ ...specimenFromPreset("double-bunch-winged"), seed });
+			const { plan, internodes, berries } = grow({ ...paper("double-bunch-winged"), seed });
 			const ofSecond = berries.parent.filter((pedicel) => internodes.axis[pedicel] >= plan.m - 1);
 			expect(ofSecond.length).toBeGreaterThan(15);
 		}
 	});
 
 	it("takes the grammar's inputs in place of the profile's", () => {
-		const { plan, counts } = grow({ ...specimenFromPreset(), inputs: { m: 3, n: [1, 2] } });
+		const { plan, counts } = grow({ ...paper(), inputs: { m: 3, n: [1, 2] } });
 		expect([plan.m, plan.axes]).toEqual([3, [2, 1]]);
 		expect(counts.endStructures).toBe(4);
-	});
-
-	it("says nothing about a specimen that is in range", () => {
-		for (const { name } of PRESETS) expect(growPreset(name).notes).toEqual([]);
 	});
 });
 
 describe("meshes", () => {
-	it("come only when asked for, and change nothing else", () => {
-		const bare = grow(specimenFromPreset());
-		expect([bare.stem, bare.berry, bare.meshFingerprint]).toEqual([undefined, undefined, undefined]);
-		const { stem, berry, meshFingerprint, ...rest } = grow(specimenFromPreset(), true);
+	it.each(PROCEDURES)("of procedure=%s come only when asked for, and change nothing else", (procedure, start) => {
+		const bare = grow(start());
+		expect([bare.stem, bare.berry, bare.surfaces, bare.meshFingerprint]).toEqual(Array(4).fill(undefined));
+		const { stem, berry, surfaces, meshFingerprint, ...rest } = grow(start(), true);
 		expect(bytesOf(rest).equals(bytesOf(bare))).toBe(true);
 		expect(meshFingerprint).toMatch(/^[0-9a-f]{16}$/);
-		for (const mesh of [stem, berry]) {
+		expect([berry !== undefined, surfaces !== undefined]).toEqual([procedure === "paper", procedure === "natural"]);
+		for (const mesh of procedure === "paper" ? [stem, berry] : [stem]) {
 			if (!mesh) throw new Error("no mesh");
 			const vertices = mesh.positions.length / 3;
 			expect(mesh.normals.length).toBe(3 * vertices);
@@ -135,7 +167,7 @@ describe("meshes", () => {
 	});
 
 	it("have parts that cover the stem from end to end", () => {
-		const { stem } = grow(specimenFromPreset(), true);
+		const { stem } = grow(paper(), true);
 		let vertex = 0;
 		let index = 0;
 		for (const part of stem?.parts ?? []) {
@@ -149,7 +181,7 @@ describe("meshes", () => {
 
 	it("are as fine as asked for", () => {
 		const vertices = (stemSides: number, berrySegments: number) => {
-			const grown = core.grow(encodeRequest(specimenFromPreset(), { stemSides, berrySegments }));
+			const grown = core.grow(encodeRequest(paper(), { stemSides, berrySegments }));
 			return [grown.stem?.positions.length ?? 0, grown.berry?.positions.length ?? 0];
 		};
 		const coarse = vertices(5, 8);
@@ -160,19 +192,26 @@ describe("meshes", () => {
 });
 
 describe("the border", () => {
-	it("lets no view of the core's memory out: every buffer is its own and can be given away", () => {
-		const grown = grow(specimenFromPreset(), true);
-		const buffers = buffersOf(grown);
-		expect(buffers).toHaveLength(18);
-		expect(new Set(buffers).size).toBe(buffers.length);
-		const moved = structuredClone(grown, { transfer: buffers });
-		expect(grown.internodes.ends.length).toBe(0);
-		expect(bytesOf(moved).equals(bytesOf(grow(specimenFromPreset(), true)))).toBe(true);
-	});
+	it.each([
+		["paper", paper()],
+		["natural", withParameters(specimenFromPreset(), { age: 5, leaves: 1 })],
+	] as const)(
+		"lets no view of the core's memory out of procedure=%s: every buffer can be given away",
+		(_, specimen) => {
+			const measured = () => core.grow(encodeRequest(specimen));
+			const grown = measured();
+			const buffers = buffersOf(grown);
+			expect(buffers).toHaveLength(viewsIn(grown));
+			expect(new Set(buffers).size).toBe(buffers.length);
+			const moved = structuredClone(grown, { transfer: buffers });
+			expect(grown.internodes.ends.length).toBe(0);
+			expect(bytesOf(moved).equals(bytesOf(measured()))).toBe(true);
+		},
+	);
 
 	it("keeps nothing: memory stays level over 500 growths", async () => {
 		const fresh = await freshCore();
-		const requests = PRESETS.map(({ name }) => encodeRequest(specimenFromPreset(name)));
+		const requests = PRESETS.map(({ name }) => encodeRequest(paper(name), { meshes: false }));
 		const grammar = encodeRequest({ ...specimenFromPreset(), grammar: "axiom: F(" });
 		for (const request of requests) fresh.grow(request);
 		refusal(() => fresh.grow(grammar));
@@ -192,7 +231,7 @@ describe("the border", () => {
 		expect(refusal(() => core.grow(new Uint8Array(8 << 20))).reason).toBe("limit");
 		const cut = encodeRequest(specimenFromPreset()).slice(0, -4);
 		expect(refusal(() => core.grow(cut)).reason).toBe("bad request");
-		expect(growPreset("rubus").counts.berries).toBeGreaterThan(0);
+		expect(grow(specimenFromPreset("rubus")).counts.berries).toBeGreaterThan(0);
 	});
 
 	it("refuses any bytes whatever as values, never as traps", () => {

@@ -6,12 +6,12 @@
 import { specimenFromPreset } from "../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../specimen/limits";
 import { decodeLink } from "../specimen/link";
-import type { Note } from "../specimen/notes";
-import { PRESETS, presetNamed } from "../specimen/presets/index";
+import { type Note, Notes } from "../specimen/notes";
+import { presetNamed } from "../specimen/presets/index";
 import { readNumbers } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
-import { entriesOfLink, entryOf, onStep } from "../specimen/table";
+import { entriesOfLink, entryOf, onStep, procedureOf } from "../specimen/table";
 import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
@@ -22,10 +22,11 @@ export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings,
 	let specimen = start;
 	if (call.seed !== undefined) specimen = typed({ seed: call.seed }, specimen, (note) => `--seed: ${note.problem}`);
 	specimen = readSettings(call.set, specimen);
+	const idle = idleSettings(call.set, specimen);
 	if (call.grammarFile !== undefined) {
 		specimen = { ...specimen, grammar: await readGrammar(call.grammarFile, readFile) };
 	}
-	return { specimen, notes };
+	return { specimen, notes: [...notes, ...idle] };
 }
 
 async function readSource(source: string | undefined): Promise<Restored> {
@@ -35,9 +36,7 @@ async function readSource(source: string | undefined): Promise<Restored> {
 	const end = hash < 0 ? source.length : hash;
 	if (query >= 0 && query < end) return decodeLink(source.slice(query, end), source.slice(end));
 	if (hash >= 0 || source.includes("://")) return decodeLink("", source.slice(end));
-	throw new UsageError(
-		`“${source}” is neither a preset nor a link; presets: ${PRESETS.map(({ name }) => name).join(" ")}`,
-	);
+	throw new UsageError(`“${source}” is neither a preset nor a link; --help lists the presets`);
 }
 
 /** What --set takes besides the parameters. */
@@ -51,6 +50,23 @@ function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
 	const read = typed(settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
 	refuseFinerSteps(settings);
 	return read;
+}
+
+/** Inputs of the paper's grammars; the natural procedure has others (wasm-core/grammars/grape-bunch-4.lsys). */
+const PAPER_INPUTS = new Set(["m", "n"]);
+
+/** What was typed and is right, but nothing comes of it: not refused, so that a series may vary the procedure. */
+function idleSettings(settings: Call["set"], specimen: Specimen): Note[] {
+	const notes = new Notes();
+	const used = procedureOf(specimen);
+	for (const key of Object.keys(settings)) {
+		const entry = entryOf(key) ?? entriesOfLink(key)[0];
+		const heeding = PAPER_INPUTS.has(key) ? "paper" : entry?.kind === "colour" ? undefined : entry?.procedure;
+		if (heeding && heeding !== used) {
+			notes.add(key, `procedure=${used} does not heed it`, `--set procedure=${heeding} does`);
+		}
+	}
+	return notes.all();
 }
 
 /** A link's further decimals are rounded without a word; someone who types them means them. */

@@ -23,7 +23,7 @@ export function usage(): string {
   --seed N         0 … 4294967295; another seed is another bunch of the same shape
   --set KEY=VALUE  as often as needed; KEY is one of
                    ${wrapped([...keys, "m", "n=N1,N2,…", "thin=ID.ID.…"])}
-  --grammar FILE   grammar text in place of L-system 3
+  --grammar FILE   grammar text in place of the procedure's own
   --out FILE       .glb, .obj (with its .mtl beside it) or .json; without it, JSON goes to standard output
   --help           this
 

@@ -51,9 +51,9 @@ export function readGrown(sections: Sections, grow: number): Grown {
 	if (!sections.isEmpty(SECTION.surfacePositions)) grown.surfaces = readSurfaces(sections);
 	if (!sections.isEmpty(SECTION.flowerPositions)) grown.flower = readMesh(sections, SECTION.flowerPositions);
 	if (!sections.isEmpty(SECTION.foliagePositions)) grown.foliage = readFoliage(sections);
-	if (!sections.isEmpty(SECTION.berryPositions)) {
+	if (!sections.isEmpty(SECTION.berryPositions)) grown.berry = readMesh(sections, SECTION.berryPositions);
+	if (grown.berry || grown.surfaces || !sections.isEmpty(SECTION.stemPositions)) {
 		grown.stem = readStem(sections);
-		grown.berry = readMesh(sections, SECTION.berryPositions);
 		grown.meshFingerprint = hexadecimal(prints[2], prints[3]);
 	}
 	return grown;

@@ -1,4 +1,5 @@
 /** The parameter table (wasm-core/parameters/bunch.json), typed for look-up, and the one rule by which a value fits it. */
+import type { Procedure } from "../core/grown";
 import { LOOK_KEYS, type LookKey, type NumberKey, PARAMETERS, type ParameterKey } from "./parameters.generated";
 import type { Specimen } from "./specimen";
 
@@ -21,6 +22,8 @@ interface Numeric extends Common {
 	before?: number;
 	/** The `#define` of the grammar that it replaces. */
 	define?: string;
+	/** The one procedure that heeds it; absent where both do. */
+	procedure?: Procedure;
 }
 
 export interface NumberEntry extends Numeric {
@@ -111,4 +114,9 @@ export function valueIn(specimen: Specimen, entry: Entry): number | string {
 export function writtenIn(specimen: Specimen, entry: Entry): number | string {
 	const value = valueIn(specimen, entry);
 	return entry.kind === "choice" ? entry.options[value as number] : value;
+}
+
+/** By which procedure a specimen grows. */
+export function procedureOf(specimen: Specimen): Procedure {
+	return writtenIn(specimen, entryOf("procedure") as Entry) as Procedure;
 }
