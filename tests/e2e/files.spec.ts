@@ -5,7 +5,7 @@ import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
 test("GLB: valid, and dropped back it restores its bunch", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=short-conical&seed=7&l=260");
+	const studio = await new StudioPage(page).open("?v=2&preset=short-conical&seed=7&l=260&procedure=paper");
 	const first = await studio.fingerprint.innerText();
 	for (const format of ["glb", "glb-instanced"]) {
 		const { name, bytes } = await studio.download(format);
@@ -19,8 +19,31 @@ test("GLB: valid, and dropped back it restores its bunch", async ({ page }) => {
 	}
 });
 
+test("a natural bunch's GLB is valid, and brings its age and thinning back", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir&age=90");
+	await studio.slider("Berry").focus();
+	await studio.regrown(() => page.keyboard.press("Delete"));
+	const first = await studio.fingerprint.innerText();
+	const { name, bytes } = await studio.download("glb");
+	const { issues } = await validateBytes(new Uint8Array(bytes));
+	expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
+	await studio.regrown(() => page.getByRole("button", { name: "Riesling" }).click());
+	await studio.drop(name, bytes);
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(page).toHaveURL(/preset=pinot-noir&age=90&thin=/);
+});
+
+test("berries as CSV: one line each, in millimetres", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir");
+	const { name, bytes } = await studio.download("csv");
+	expect(name).toBe("pinot-noir-1-berries.csv");
+	const [header, ...lines] = bytes.toString().trimEnd().split("\r\n");
+	expect(header.split(",")).toEqual(expect.arrayContaining(["x_mm", "width_mm", "exposure"]));
+	expect(lines).toHaveLength(Number(await studio.readout("Berries").innerText()));
+});
+
 test("JSON: the numbers of the page, and it restores its bunch from the picker", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=rubus");
+	const studio = await new StudioPage(page).open("?v=2&preset=rubus");
 	const first = await studio.fingerprint.innerText();
 	const { name, bytes } = await studio.download("json");
 	const document = JSON.parse(bytes.toString());
@@ -34,7 +57,7 @@ test("JSON: the numbers of the page, and it restores its bunch from the picker",
 });
 
 test("OBJ with its MTL in one archive", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=lychee");
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	const { name, bytes } = await studio.download("obj");
 	expect(name).toBe("lychee-1-obj.zip");
 	const packed = bytes.readUInt32LE(18);
@@ -45,7 +68,7 @@ test("OBJ with its MTL in one archive", async ({ page }) => {
 });
 
 test("the picture is a PNG of the view", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=lychee");
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0);
 	const { bytes } = await studio.download("png");
 	expect(bytes.subarray(1, 4).toString()).toBe("PNG");

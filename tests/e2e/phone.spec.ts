@@ -33,7 +33,7 @@ test("one view at a time, chosen by a switch", async ({ page }) => {
 });
 
 test("a thumb drags a handle, and that is one undo step", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const first = await studio.fingerprint.innerText();
 	await page.getByRole("radio", { name: "Front" }).check();
 	const grip = await studio.grip("Front", "p3");
@@ -44,12 +44,22 @@ test("a thumb drags a handle, and that is one undo step", async ({ page }) => {
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
+test("the age is at hand, whatever of the sheet is in sight", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await page.locator(".sheet").evaluate((sheet) => sheet.scrollBy(0, 900));
+	await expect(studio.slider("Age")).toBeInViewport();
+	await studio.regrown(() => studio.button("Play").tap());
+	await expect(studio.button("Pause")).toBeInViewport();
+	await studio.button("Pause").tap();
+});
+
 test("the sheet holds the gallery and every group, with targets for a thumb", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	await studio.regrown(() => page.getByRole("button", { name: "Cylindrical", exact: true }).tap());
-	await studio.openGroup("Rates");
-	await page.getByRole("slider", { name: "Pedicel", exact: true }).scrollIntoViewIfNeeded();
-	await expect(page.getByRole("slider", { name: "Pedicel", exact: true })).toBeInViewport();
+	await studio.openGroup("Branching");
+	await studio.slider("Yaw").scrollIntoViewIfNeeded();
+	await expect(studio.slider("Yaw")).toBeInViewport();
+	await studio.openGroup("Look");
 	for (const target of await page.locator("button:visible, input[type=range]:visible, summary:visible").all()) {
 		const box = await target.boundingBox();
 		const name = await target.evaluate((element) => element.ariaLabel ?? element.textContent ?? element.id);

@@ -12,7 +12,16 @@ test("every preset grows in Chromium what it grows in Node, to the bit", async (
 		await expect(studio.fingerprint, name).toHaveText(fingerprint);
 		await expect(studio.readout("Berries"), name).toHaveText(String(berries));
 	}
-	expect(module.grownInNode).toHaveLength(15);
+	expect(module.grownInNode.length).toBeGreaterThanOrEqual(15 + 12);
+});
+
+test("the gallery tells shapes, varieties and other fruits apart", async ({ page }) => {
+	await new StudioPage(page).open();
+	const strip = page.getByRole("navigation", { name: "Presets" });
+	const names = (section: string) => strip.getByRole("region", { name: section }).getByRole("button");
+	await expect(names("Shapes")).toHaveCount(10);
+	await expect(names("Other fruits")).toHaveText(["Redcurrant", "Rubus", "Lychee", "Longan", "Duku"]);
+	expect(await names("Varieties").count()).toBeGreaterThanOrEqual(12);
 });
 
 test("every preset has its picture, in both themes", async ({ page }) => {

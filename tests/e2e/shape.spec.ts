@@ -15,7 +15,7 @@ async function dragBy(studio: StudioPage, handle: string, dx: number, dy: number
 const value = (page: Page, name: string) => page.getByRole("slider", { name, exact: true }).inputValue();
 
 test("dragging a handle regrows the bunch and is one step, in the address and in the history", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => dragBy(studio, "p3", 30, 10));
 	await expect(page).toHaveURL(/[?&]p3=\d+,\d+/);
@@ -30,7 +30,7 @@ test("dragging a handle regrows the bunch and is one step, in the address and in
 });
 
 test("a pen drags a handle, and that is one undo step", async ({ page, context }) => {
-	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const { x, y } = await studio.grip("Front", "p4");
 	const seen = page.evaluate(
 		() => new Promise((told) => addEventListener("pointerdown", (event) => told(event.pointerType), { once: true })),
@@ -52,7 +52,7 @@ test("a pen drags a handle, and that is one undo step", async ({ page, context }
 });
 
 test("a drag that ends where it began leaves no step and keeps what can be redone", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	await studio.regrown(() => studio.button("New variation").click());
 	await studio.regrown(() => studio.button("Undo").click());
 	const first = await studio.fingerprint.innerText();
@@ -69,7 +69,7 @@ test("a drag that ends where it began leaves no step and keeps what can be redon
 });
 
 test("the tip's handle makes the bunch longer under the mouse, before it is let go", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=cylindrical&l=300");
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&l=300");
 	const { x, y } = await studio.grip("Front", "p2");
 	await page.mouse.move(x, y);
 	await page.mouse.down();
@@ -81,7 +81,7 @@ test("the tip's handle makes the bunch longer under the mouse, before it is let 
 });
 
 test("sliders work by keyboard, say their unit, and a held key is one step", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=cylindrical");
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const slider = studio.slider("Length");
 	await expect(slider).toHaveAttribute("aria-valuetext", "523 pixels");
 	await slider.focus();
@@ -118,13 +118,13 @@ test("typed values are taken, clamped with a word, or refused with one", async (
 });
 
 test("a double click on a slider's name brings the preset's value back", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=cylindrical&l=300");
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&l=300");
 	await page.locator("label", { hasText: "Length" }).first().dblclick();
 	await expect(studio.slider("Length")).toHaveValue("523");
 });
 
 test("mirror, locks and reset", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=short-conical");
+	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => studio.button("Mirror left–right").click());
 	expect([await value(page, "Right width"), await value(page, "Left width")]).toEqual(["116", "79"]);
@@ -158,7 +158,7 @@ test("a new variation is another bunch of the same shape; typing its seed brings
 });
 
 test("as printed sets fit and vary to 0 and back", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
+	const studio = await new StudioPage(page).open("?v=2&procedure=paper");
 	await studio.openGroup("Between the integers");
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => page.getByRole("switch", { name: "As printed" }).click());

@@ -2,7 +2,7 @@ import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
 test("the 3-D view turns by mouse and keys, and comes back", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=short-conical");
+	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	const front = await studio.canvas.screenshot();
 	await studio.canvas.focus();
@@ -35,7 +35,7 @@ test("stems only leaves the berries away", async ({ page }) => {
 });
 
 test("the octahedron's handles can be dragged in 3-D, as one undo step", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?preset=grape-15b");
+	const studio = await new StudioPage(page).open("?v=2&preset=grape-15b");
 	const first = await studio.fingerprint.innerText();
 	await studio.button("Octahedron").click();
 	await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "true");

@@ -25,7 +25,17 @@ export class StudioPage {
 
 	/** A line of the read-out, by its words. */
 	readout(words: string): Locator {
-		return this.page.locator(".readout dt", { hasText: words }).locator("+ dd");
+		return this.page.locator(".readout dt", { hasText: new RegExp(`^${words}`) }).locator("+ dd");
+	}
+
+	/** A measure of the read-out, by its key. */
+	measure(key: string): Locator {
+		return this.page.locator(`[data-measure=${key}]`);
+	}
+
+	/** How many berries are not there for one reason. */
+	missing(why: string): Locator {
+		return this.page.locator(`[data-why="${why}"]`);
 	}
 
 	slider(name: string): Locator {

@@ -84,7 +84,7 @@ function controls(studio: Studio, { group, infos }: PanelGroup, procedure: Proce
 
 function explanation({ key, label, symbol: sign, text }: Explained, studio: Studio): unknown {
 	const preset = presetInWords(studio.preset, key);
-	return html`<strong>${label}</strong> ${symbol(sign)}: ${text} ${preset === undefined ? nothing : `Double-click for ${preset}.`}`;
+	return html`<strong>${label}</strong>${symbol(sign)}: ${text} ${preset === undefined ? nothing : `Double-click for ${preset}.`}`;
 }
 
 function control(studio: Studio, info: ParameterInfo): unknown {

@@ -1,0 +1,110 @@
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+const NATURAL = "?v=2&preset=short-conical";
+
+/** Where on the page the thumb of the age's slider is, at an age. */
+async function thumb(studio: StudioPage, age: number): Promise<{ x: number; y: number }> {
+	const box = await studio.slider("Age").boundingBox();
+	if (!box) throw new Error("no age");
+	return { x: box.x + 7 + ((box.width - 14) * age) / 125, y: box.y + box.height / 2 };
+}
+
+test("scrubbing the age and back gives the same bunch and leaves no step", async ({ page }) => {
+	const studio = await new StudioPage(page).open(NATURAL);
+	const first = await studio.fingerprint.innerText();
+	const [ripe, green] = [await thumb(studio, 100), await thumb(studio, 40)];
+	await page.mouse.move(ripe.x, ripe.y);
+	await page.mouse.down();
+	await studio.regrown(() => page.mouse.move(green.x, green.y, { steps: 4 }));
+	await expect(studio.slider("Age")).toHaveAttribute("aria-valuetext", /^Green, /);
+	await page.mouse.move(ripe.x, ripe.y, { steps: 4 });
+	await page.mouse.up();
+	await expect(studio.slider("Age")).toHaveValue("100");
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("an age is one step, in the address and in the history, by stage, key and number", async ({ page }) => {
+	const studio = await new StudioPage(page).open(NATURAL);
+	const age = studio.slider("Age");
+	const first = await studio.fingerprint.innerText();
+	const set = await studio.regrown(() => studio.button("Fruit set").click());
+	await expect(age).toHaveValue("10");
+	await expect(page).toHaveURL(/[?&]age=10\b/);
+	await age.focus();
+	await studio.regrown(() => page.keyboard.press("PageUp"));
+	await expect(age).toHaveAttribute("aria-valuetext", "Green, 30 percent");
+	await studio.regrown(() => page.keyboard.press("PageDown"));
+	await expect(studio.fingerprint).toHaveText(set);
+	const field = page.getByRole("textbox", { name: "Age in percent" });
+	await field.fill("200");
+	await field.press("Enter");
+	await expect(field).toHaveValue("125");
+	await expect(studio.notices).toContainText("200 became 125");
+	await age.focus();
+	await studio.regrown(() => page.keyboard.press("Delete"));
+	await expect(studio.fingerprint).toHaveText(first);
+	for (const value of ["125", "10", "30", "10", "100"]) {
+		await studio.button("Undo").click();
+		await expect(age).toHaveValue(value);
+	}
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("play runs from the flower on, by key or button, and a pause is one step", async ({ page }) => {
+	const studio = await new StudioPage(page).open(NATURAL);
+	const age = studio.slider("Age");
+	await page.waitForTimeout(300);
+	await expect(age).toHaveValue("100"); // Nothing plays by itself.
+	await studio.regrown(() => studio.button("Play").click());
+	await expect(studio.button("Pause")).toBeVisible();
+	await expect.poll(async () => Number(await age.inputValue())).toBeLessThan(100);
+	await expect.poll(async () => Number(await age.inputValue())).toBeGreaterThan(5);
+	await studio.button("Pause").click();
+	await expect(studio.button("Play")).toBeVisible();
+	const stopped = await age.inputValue();
+	await expect(page).toHaveURL(/[?&]age=/);
+	await page.waitForTimeout(300);
+	await expect(age).toHaveValue(stopped);
+	await age.focus();
+	await page.keyboard.press("k");
+	await expect(studio.button("Pause")).toBeVisible();
+	await page.keyboard.press(" ");
+	await expect(studio.button("Play")).toBeVisible();
+	await studio.button("Undo").click();
+	await expect(age).toHaveValue(stopped);
+	await studio.button("Undo").click();
+	await expect(age).toHaveValue("100");
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("where motion is unwelcome, play goes from stage to stage", async ({ page }) => {
+	await page.emulateMedia({ reducedMotion: "reduce" });
+	const studio = await new StudioPage(page).open(`${NATURAL}&age=30`);
+	const seen = page.evaluate(
+		() =>
+			new Promise<string[]>((resolve) => {
+				const values = new Set<string>();
+				const look = () => {
+					values.add(document.querySelector<HTMLInputElement>("#slide-age")?.value ?? "");
+					if (values.has("100")) resolve([...values]);
+					else requestAnimationFrame(look);
+				};
+				look();
+			}),
+	);
+	await studio.button("Play").click();
+	expect(await seen).toEqual(["30", "60", "100"]);
+});
+
+test("a handle can be dragged at any age", async ({ page }) => {
+	const studio = await new StudioPage(page).open(`${NATURAL}&age=30`);
+	const { x, y } = await studio.grip("Front", "p3");
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	await studio.regrown(() => page.mouse.move(x + 12, y, { steps: 3 }));
+	await page.mouse.up();
+	await expect(page).toHaveURL(/p3=.*age=30/);
+	await expect(studio.slider("Age")).toHaveValue("30");
+});

@@ -1,0 +1,71 @@
+import { readFileSync } from "node:fs";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+/** What links of version 1 gave before there was another procedure. */
+const PAPER = JSON.parse(readFileSync("tests/golden/bunch.json", "utf8"))["short-conical 1"].fingerprint;
+
+const group = (studio: StudioPage, key: string) => studio.page.locator(`details[data-group=${key}]`);
+
+test("a link of version 1 keeps the paper's bunch, to the bit, and says nothing of it", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=1&preset=short-conical");
+	await expect(studio.fingerprint).toHaveText(PAPER);
+	await expect(page).toHaveURL(/\?v=2&preset=short-conical&.*procedure=paper/);
+	await expect(studio.notices.getByRole("listitem")).toHaveCount(0);
+	await page.reload();
+	await expect(studio.fingerprint).toHaveText(PAPER);
+});
+
+test("each procedure brings the controls that it heeds", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
+	const natural = await studio.fingerprint.innerText();
+	await expect(studio.slider("Density")).toBeVisible();
+	await expect(studio.slider("Age")).toBeVisible();
+	await expect(studio.button("Thin")).toBeVisible();
+	await expect(group(studio, "interaction")).toHaveCount(0);
+	await studio.openGroup("Procedure");
+	await page.getByRole("radio", { name: "Paper" }).check();
+	await expect(studio.fingerprint).toHaveText(PAPER);
+	await expect(page.getByRole("radio", { name: "Paper" })).toBeFocused();
+	for (const name of ["Density", "Age", "Sunlight"]) await expect(studio.slider(name)).toHaveCount(0);
+	await expect(studio.button("Thin")).toHaveCount(0);
+	await expect(group(studio, "age")).toHaveCount(0);
+	await studio.openGroup("Interaction");
+	await expect(studio.slider("Sag")).toBeVisible();
+	await expect(studio.slider("Smallest radius")).toBeVisible();
+	await page.getByRole("radio", { name: "Paper" }).press("ArrowRight");
+	await expect(studio.fingerprint).toHaveText(natural);
+	await expect(studio.button("Undo")).toBeEnabled();
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(PAPER);
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(natural);
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("a choice drops down, is a link, and comes back by a double click or Delete", async ({ page }) => {
+	await new StudioPage(page).open("?v=2&preset=short-conical");
+	const fruit = page.getByRole("combobox", { name: "Fruit" });
+	await expect(fruit).toHaveAccessibleDescription(/skin and surface/);
+	await fruit.selectOption("Lychee");
+	await expect(page).toHaveURL(/[?&]fruit=lychee/);
+	await page.getByText("Fruit", { exact: true }).dblclick();
+	await expect(fruit).toHaveValue("0");
+	await fruit.selectOption("Duku");
+	await fruit.press("Delete");
+	await expect(fruit).toHaveValue("0");
+	await expect(page).not.toHaveURL(/fruit=/);
+});
+
+test("instances are offered where all berries share one mesh", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
+	const instanced = page.locator("[data-format=glb-instanced]");
+	await studio.button("Download").click();
+	await expect(page.locator("[data-format=glb]")).toBeVisible();
+	await expect(instanced).toHaveCount(0);
+	await page.keyboard.press("Escape");
+	await studio.openGroup("Procedure");
+	await studio.regrown(() => page.getByRole("radio", { name: "Paper" }).check());
+	await studio.button("Download").click();
+	await expect(instanced).toBeVisible();
+});
