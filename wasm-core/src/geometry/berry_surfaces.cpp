@@ -1,244 +1,55 @@
 #include "geometry/berry_surfaces.hpp"
 
 #include <algorithm>
-#include <array>
-#include <glm/geometric.hpp>
+#include <optional>
 
-#include "foundation/lanes.hpp"
-#include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "geometry/berry_contacts.hpp"
-#include "geometry/berry_meridian.hpp"
-#include "geometry/berry_pattern.hpp"
-#include "geometry/fruit_skin.hpp"
+#include "geometry/berry_gauge.hpp"
+#include "geometry/berry_press.hpp"
 
 namespace panicle {
 namespace {
 
-constexpr float most_bulge = 1.25f;  // how much further than its free form a berry may bulge
-constexpr float softest = 0.12f;     // how far round a rim the surface bends, over the berry's radius
-constexpr float volume_error = 1e-3f;
+constexpr float hardly_shrivelled = 0.02f;
 
-Four maximum(const Four& a, const Four& b) { return a > b ? a : b; }
-Four four(float v) { return Four{v, v, v, v}; }
-
-// A function of direction and its gradient at the pattern's directions: a gauge, 1 / distance of a surface.
-struct Gauge {
-  std::vector<float> value, x, y, z;
-
-  explicit Gauge(std::size_t padded) : value(padded), x(padded), y(padded), z(padded) {}
-};
-
-// The greater of two values, rounded off where they are within `soft` of each other by a cubic: never less than
-// either, with a continuous second derivative; and the first one's share in its derivatives.
-struct Blend {
-  Four value, share;
-};
-
-Blend soft_maximum(const Four& a, const Four& b, const Four& soft, const Four& per_soft) {
-  const Four zero = four(0);
-  const Four difference = a - b;
-  const Four near = maximum(zero, 1 - maximum(difference, -difference) * per_soft);
-  const Four half = near * near * 0.5f;
-  return {maximum(a, b) + near * half * soft * (1 / 3.0f), difference > zero ? 1 - half : half};
-}
-
-// The form and skin that all berries share.
-Gauge free_gauge(const BerryPattern& pattern, const BerryMeridian& meridian, Fruit fruit) {
-  constexpr float step = 4e-3f;
-  Gauge gauge(pattern.padded());
-  for (std::size_t i = 0; i < pattern.padded(); ++i) {
-    const glm::vec3 e(pattern.directions[0][i], pattern.directions[1][i], pattern.directions[2][i]);
-    const BerryMeridian::Gauge form = meridian.gauge(e);
-    const float height = skin_height(fruit, e);
-    const glm::vec3 right = glm::normalize(std::fabs(e.y) < 0.9f ? glm::vec3(e.z, 0, -e.x) : glm::vec3(0, e.z, -e.y));
-    glm::vec3 slope(0);
-    for (const glm::vec3& t : {right, glm::cross(e, right)}) {
-      const float ahead = skin_height(fruit, glm::normalize(e + t * step));
-      const float behind = skin_height(fruit, glm::normalize(e - t * step));
-      slope += t * ((ahead - behind) / (2 * step));
-    }
-    const glm::vec3 gradient = (form.gradient - slope * (form.value / height)) / height;
-    gauge.value[i] = form.value / height;
-    gauge.x[i] = gradient.x;
-    gauge.y[i] = gradient.y;
-    gauge.z[i] = gradient.z;
-  }
-  return gauge;
-}
-
-// Presses one berry after the other, all in unit space: the surface in direction e lies at 1 / gauge(e), where the
-// gauge is the soft maximum of the free form's over a bulge and of those of the planes.
-class Press {
- public:
-  Press(const BerryPattern& pattern, const Gauge& free)
-      : pattern_(pattern), free_(free), planes_(pattern.padded()), radius_(pattern.padded()) {
-    nearest_ = *std::min_element(free.value.begin(), free.value.end()) / most_bulge;
-  }
-
-  // Fits the berry between its planes so that it holds `volume`, or as near to that as they allow.
-  void fit(std::span<const glm::vec3> slopes, float volume) {
-    soft_ = softest;
-    for (int tries = 0; tries < 3; ++tries, soft_ *= 0.4f) {
-      clip(slopes);
-      if (bulge_to(volume)) return;
-    }
-  }
-
-  void write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const;
-
- private:
-  struct Volume {
-    float value, slope;  // and its derivative by the logarithm of the bulge
-  };
-
-  void clip(std::span<const glm::vec3> slopes);
-  bool bulge_to(float volume);
-  Volume rough_volume();
-  float exact_volume() const;
-
-  const BerryPattern& pattern_;
-  const Gauge& free_;
-  Gauge planes_;
-  std::vector<float> radius_;
-  float nearest_, soft_ = softest, bulge_ = 1;
-};
-
-void Press::clip(std::span<const glm::vec3> slopes) {
-  for (auto* values : {&planes_.value, &planes_.x, &planes_.y, &planes_.z})
-    std::fill(values->begin(), values->end(), 0.0f);
-  const Four soft = four(soft_), per_soft = four(1 / soft_);
-  // Below this a plane changes nothing, not even by way of another that it is blended with.
-  const Four least = four(nearest_ - 2 * soft_);
-  const auto& [ex, ey, ez] = pattern_.directions;
-  for (const glm::vec3& slope : slopes) {
-    for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
-      const Four plane = load(&ex[i]) * slope.x + load(&ey[i]) * slope.y + load(&ez[i]) * slope.z;
-      if (all(plane < least)) continue;
-      const Blend blend = soft_maximum(plane, load(&planes_.value[i]), soft, per_soft);
-      const Four rest = 1 - blend.share;
-      store(&planes_.value[i], blend.value);
-      store(&planes_.x[i], slope.x * blend.share + load(&planes_.x[i]) * rest);
-      store(&planes_.y[i], slope.y * blend.share + load(&planes_.y[i]) * rest);
-      store(&planes_.z[i], slope.z * blend.share + load(&planes_.z[i]) * rest);
-    }
-  }
-}
-
-// Sums up the vertices' cones, which is quick and a little too much where the surface is flat.
-Press::Volume Press::rough_volume() {
-  const Four soft = four(soft_), per_soft = four(1 / soft_), shrink = four(1 / bulge_);
-  Four sum = four(0), slope = four(0);
-  for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
-    const Four own = load(&free_.value[i]) * shrink;
-    const Blend blend = soft_maximum(own, load(&planes_.value[i]), soft, per_soft);
-    const Four radius = 1 / blend.value;
-    const Four part = load(&pattern_.shares[i]) * radius * radius * radius;
-    store(&radius_[i], radius);
-    sum += part;
-    slope += part * radius * blend.share * own;
-  }
-  return {sum[0] + sum[1] + (sum[2] + sum[3]), 3 * (slope[0] + slope[1] + (slope[2] + slope[3]))};
-}
-
-float Press::exact_volume() const {
-  float sum = 0;
-  const std::uint32_t* corner = pattern_.indices.data();
-  for (const float cell : pattern_.cells) {
-    sum += cell * radius_[corner[0]] * radius_[corner[1]] * radius_[corner[2]];
-    corner += 3;
-  }
-  return sum;
-}
-
-// Newton's method on the rough volume, aimed so that the exact one comes out right. False where there is no room.
-bool Press::bulge_to(float volume) {
-  bulge_ = 1.01f;
-  float aim = volume;
-  for (int round = 0; round < 3; ++round) {
-    Volume rough{0, 0};
-    for (int step = 0; step < 8; ++step) {
-      rough = rough_volume();
-      const float missing = aim - rough.value;
-      if (std::fabs(missing) < 0.3f * volume_error * aim || (missing > 0 && bulge_ >= most_bulge)) break;
-      const float change = missing / std::max(rough.slope, 0.05f * aim);
-      bulge_ = std::clamp(bulge_ * (1 + std::clamp(change, -0.1f, 0.1f)), 0.8f, most_bulge);
-    }
-    const float exact = exact_volume();
-    if (std::fabs(exact - volume) < volume_error * volume) return true;
-    if (bulge_ >= most_bulge && exact < volume) return exact > 0.99f * volume;
-    aim = volume * rough.value / exact;
-  }
-  return true;
-}
-
-void Press::write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const {
-  const Four soft = four(soft_), per_soft = four(1 / soft_), shrink = four(1 / bulge_);
-  const glm::mat3& m = frame.axes;
-  // Normals go by the inverse transposed: the axes are at right angles.
-  const glm::mat3 n(m[0] / glm::dot(m[0], m[0]), m[1] / glm::dot(m[1], m[1]), m[2] / glm::dot(m[2], m[2]));
-  const auto& [ex, ey, ez] = pattern_.directions;
-  const auto write_four = [](float* out, const Four& x, const Four& y, const Four& z) {
-    store(out, Four{x[0], y[0], z[0], x[1]});
-    store(out + 4, Four{y[1], z[1], x[2], y[2]});
-    store(out + 8, Four{z[2], x[3], y[3], z[3]});
-  };
-  for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
-    const Four own = load(&free_.value[i]) * shrink, plane = load(&planes_.value[i]);
-    const Blend blend = soft_maximum(own, plane, soft, per_soft);
-    const Four radius = 1 / blend.value;
-    const Four dx = load(&ex[i]), dy = load(&ey[i]), dz = load(&ez[i]);
-    const Four x = dx * radius, y = dy * radius, z = dz * radius;
-    write_four(positions + 3 * i, frame.centre.x + m[0].x * x + m[1].x * y + m[2].x * z,
-               frame.centre.y + m[0].y * x + m[1].y * y + m[2].y * z,
-               frame.centre.z + m[0].z * x + m[1].z * y + m[2].z * z);
-
-    // What the rounding adds to the gradient lies along the direction: just enough for Euler's identity.
-    const Four mine = blend.share * shrink, rest = 1 - blend.share;
-    Four gx = load(&free_.x[i]) * mine + load(&planes_.x[i]) * rest;
-    Four gy = load(&free_.y[i]) * mine + load(&planes_.y[i]) * rest;
-    Four gz = load(&free_.z[i]) * mine + load(&planes_.z[i]) * rest;
-    const Four lacking = blend.value - (gx * dx + gy * dy + gz * dz);
-    gx += lacking * dx;
-    gy += lacking * dy;
-    gz += lacking * dz;
-    const Four nx = n[0].x * gx + n[1].x * gy + n[2].x * gz;
-    const Four ny = n[0].y * gx + n[1].y * gy + n[2].y * gz;
-    const Four nz = n[0].z * gx + n[1].z * gy + n[2].z * gz;
-    const Four per_length = 1 / square_root(nx * nx + ny * ny + nz * nz);
-    write_four(normals + 3 * i, nx * per_length, ny * per_length, nz * per_length);
-
-    const Four depth = 1 + (plane - own) * (1 / (0.5f * softest));
-    const Four inside = maximum(four(0), depth > four(1) ? four(1) : depth);
-    const Four share = inside * inside * (3 - 2 * inside) * 255 + 0.5f;
-    for (int lane = 0; lane < 4; ++lane) pressed[i + lane] = static_cast<std::uint8_t>(share[lane]);
-  }
+std::vector<BerryFrame> frames_of(std::span<const BerryBody> bodies) {
+  std::vector<BerryFrame> frames;
+  frames.reserve(bodies.size());
+  for (const BerryBody& body : bodies) frames.push_back(frame_of(body, 360 * random_unit(body.id, 0, 0)));
+  return frames;
 }
 
 }  // namespace
 
 BerrySurfaces press_berries(std::span<const BerryBody> bodies, const BerryForm& form, const BerryOptions& options) {
+  const auto shrivelled = [](const BerryBody& body) { return body.shrivel > hardly_shrivelled; };
+  const bool furrowed = std::any_of(bodies.begin(), bodies.end(), shrivelled);
+  const std::uint32_t segments = std::clamp(options.segments, 6u, 128u);
   const BerryMeridian meridian(form);
-  const BerryPattern pattern = make_berry_pattern(skin_meridians(form.fruit, std::clamp(options.segments, 6u, 128u)));
-  const Gauge free = free_gauge(pattern, meridian, form.fruit);
+  const FruitSkin skin(form.fruit);
+  const BerryPattern pattern = make_berry_pattern(std::max(skin.meridians(segments), furrowed ? segments * 9 / 4 : 0));
+  const GaugeTable free = free_gauge(pattern, meridian, skin);
+  const std::optional<Furrows> furrows = furrowed ? std::optional<Furrows>(pattern) : std::nullopt;
+  const std::vector<BerryFrame> frames = frames_of(bodies);
+  const BerryContacts contacts = find_contacts(frames, meridian, BerryPress::most_bulge * skin.highest());
 
-  std::vector<BerryFrame> frames;
-  frames.reserve(bodies.size());
-  for (const BerryBody& body : bodies) frames.push_back(frame_of(body, 360 * random_unit(body.id, 0, 0)));
-  const BerryContacts contacts = find_contacts(frames, meridian, most_bulge * highest_skin(form.fruit));
-
-  BerrySurfaces surfaces;
-  surfaces.uvs = pattern.uvs;
-  surfaces.indices = pattern.indices;
   const std::size_t each = pattern.vertices;
-  const std::size_t room = each * bodies.size() + 3;  // four at once are written
-  surfaces.positions.resize(3 * room);
-  surfaces.normals.resize(3 * room);
-  surfaces.pressed.resize(room);
-  Press press(pattern, free);
+  const std::size_t room = each * bodies.size() + 3;  // the press writes four at once
+  BerrySurfaces surfaces{pattern.uvs, pattern.indices, std::vector<float>(3 * room), std::vector<float>(3 * room),
+                         std::vector<std::uint8_t>(room)};
+  BerryPress press(pattern);
+  GaugeTable dried(furrowed ? pattern.padded() : 0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const std::uint32_t first = contacts.first[i];
-    press.fit(std::span(contacts.slopes).subspan(first, contacts.first[i + 1] - first), meridian.volume());
+    const auto slopes =
+        std::span(contacts.slopes).subspan(contacts.first[i], contacts.first[i + 1] - contacts.first[i]);
+    if (shrivelled(bodies[i])) {
+      const float shrivel = std::min(bodies[i].shrivel, 1.0f);
+      furrows->carve(free, bodies[i].id, shrivel, dried);
+      press.fit(dried, slopes, meridian.volume() * (1 - furrowed_volume * shrivel));
+    } else {
+      press.fit(free, slopes, meridian.volume());
+    }
     press.write(frames[i], &surfaces.positions[3 * each * i], &surfaces.normals[3 * each * i],
                 &surfaces.pressed[each * i]);
   }

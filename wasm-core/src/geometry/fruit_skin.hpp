@@ -3,18 +3,31 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "geometry/berry_body.hpp"
+#include "geometry/wrinkles.hpp"
 
 namespace panicle {
 
-// How far the surface lies in a direction (unit vector, tip +Y) over how far the free form does.
-float skin_height(Fruit fruit, const glm::vec3& direction);
+class FruitSkin {
+ public:
+  explicit FruitSkin(Fruit fruit);
 
-// The most that skin_height gives.
-float highest_skin(Fruit fruit);
+  // How far the surface lies in a direction (unit vector in unit space, tip +Y) over how far the free form does.
+  float height(const glm::vec3& direction) const;
 
-// Segments round the widest ring that show the relief, for `segments` of a smooth berry of ours.
-std::uint32_t skin_meridians(Fruit fruit, std::uint32_t segments);
+  float highest() const;  // no height is above this
+
+  // Segments round the widest ring that show the relief, where `segments` do for a berry without any.
+  std::uint32_t meridians(std::uint32_t segments) const;
+
+ private:
+  float bumps(const glm::vec3& direction) const;
+
+  Fruit fruit_;
+  Wrinkles leather_;
+  std::vector<glm::vec3> bumps_;  // the middles of drupelets or tubercles, spread evenly
+};
 
 }  // namespace panicle

@@ -1,0 +1,159 @@
+#include "geometry/berry_press.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/lanes.hpp"
+
+namespace panicle {
+namespace {
+
+constexpr float softest = 0.12f;  // how far round a rim the surface bends, over the berry's radius
+constexpr float volume_error = 1e-3f;
+
+Four maximum(const Four& a, const Four& b) { return a > b ? a : b; }
+Four four(float v) { return Four{v, v, v, v}; }
+
+// The greater of two values, rounded off where they are within `soft` of each other by a cubic: never less than
+// either, with a continuous second derivative; and the first one's share in its derivatives.
+struct Blend {
+  Four value, share;
+};
+
+Blend soft_maximum(const Four& a, const Four& b, const Four& soft, const Four& per_soft) {
+  const Four zero = four(0);
+  const Four difference = a - b;
+  const Four near = maximum(zero, 1 - maximum(difference, -difference) * per_soft);
+  const Four half = near * near * 0.5f;
+  return {maximum(a, b) + near * half * soft * (1 / 3.0f), difference > zero ? 1 - half : half};
+}
+
+}  // namespace
+
+BerryPress::BerryPress(const BerryPattern& pattern)
+    : pattern_(pattern), planes_(pattern.padded()), radius_(pattern.padded()) {}
+
+void BerryPress::fit(const GaugeTable& free, std::span<const glm::vec3> slopes, float volume) {
+  free_ = &free;
+  nearest_ = *std::min_element(free.value.begin(), free.value.end()) / most_bulge;
+  soft_ = softest;
+  for (int tries = 0; tries < 3; ++tries, soft_ *= 0.4f) {
+    clip(slopes);
+    if (bulge_to(volume)) return;
+  }
+  soft_ /= 0.4f;
+}
+
+void BerryPress::clip(std::span<const glm::vec3> slopes) {
+  for (auto* values : {&planes_.value, &planes_.x, &planes_.y, &planes_.z})
+    std::fill(values->begin(), values->end(), 0.0f);
+  const Four soft = four(soft_), per_soft = four(1 / soft_);
+  // Below this a plane changes nothing, not even by way of another that it is blended with.
+  const Four least = four(nearest_ - 2 * soft_);
+  const auto& [ex, ey, ez] = pattern_.directions;
+  for (const glm::vec3& slope : slopes) {
+    for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
+      const Four plane = load(&ex[i]) * slope.x + load(&ey[i]) * slope.y + load(&ez[i]) * slope.z;
+      if (all(plane < least)) continue;
+      const Blend blend = soft_maximum(plane, load(&planes_.value[i]), soft, per_soft);
+      const Four rest = 1 - blend.share;
+      store(&planes_.value[i], blend.value);
+      store(&planes_.x[i], slope.x * blend.share + load(&planes_.x[i]) * rest);
+      store(&planes_.y[i], slope.y * blend.share + load(&planes_.y[i]) * rest);
+      store(&planes_.z[i], slope.z * blend.share + load(&planes_.z[i]) * rest);
+    }
+  }
+}
+
+// Sums up the vertices' cones, which is quick and a little too much where the surface is flat.
+BerryPress::Volume BerryPress::rough_volume() {
+  const Four soft = four(soft_), per_soft = four(1 / soft_), shrink = four(1 / bulge_);
+  Four sum = four(0), slope = four(0);
+  for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
+    const Four own = load(&free_->value[i]) * shrink;
+    const Blend blend = soft_maximum(own, load(&planes_.value[i]), soft, per_soft);
+    const Four radius = 1 / blend.value;
+    const Four part = load(&pattern_.shares[i]) * radius * radius * radius;
+    store(&radius_[i], radius);
+    sum += part;
+    slope += part * radius * blend.share * own;
+  }
+  return {sum[0] + sum[1] + (sum[2] + sum[3]), 3 * (slope[0] + slope[1] + (slope[2] + slope[3]))};
+}
+
+float BerryPress::exact_volume() const {
+  float sum = 0;
+  const std::uint32_t* corner = pattern_.indices.data();
+  for (const float cell : pattern_.cells) {
+    sum += cell * radius_[corner[0]] * radius_[corner[1]] * radius_[corner[2]];
+    corner += 3;
+  }
+  return sum;
+}
+
+// Newton's method on the rough volume, aimed so that the exact one comes out right. False where there is no room.
+bool BerryPress::bulge_to(float volume) {
+  bulge_ = 1.01f;
+  float aim = volume;
+  for (int round = 0; round < 3; ++round) {
+    Volume rough{0, 0};
+    for (int step = 0; step < 8; ++step) {
+      rough = rough_volume();
+      const float missing = aim - rough.value;
+      if (std::fabs(missing) < 0.3f * volume_error * aim || (missing > 0 && bulge_ >= most_bulge)) break;
+      const float change = missing / std::max(rough.slope, 0.05f * aim);
+      bulge_ = std::clamp(bulge_ * (1 + std::clamp(change, -0.1f, 0.1f)), 0.8f, most_bulge);
+    }
+    const float exact = exact_volume();
+    if (std::fabs(exact - volume) < volume_error * volume) return true;
+    if (bulge_ >= most_bulge && exact < volume) return exact > 0.99f * volume;
+    aim = volume * rough.value / exact;
+  }
+  return true;
+}
+
+void BerryPress::write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const {
+  const Four soft = four(soft_), per_soft = four(1 / soft_), shrink = four(1 / bulge_);
+  const glm::mat3& m = frame.axes;
+  // Normals go by the inverse transposed: the axes are at right angles.
+  const glm::mat3 n(m[0] / glm::dot(m[0], m[0]), m[1] / glm::dot(m[1], m[1]), m[2] / glm::dot(m[2], m[2]));
+  const auto& [ex, ey, ez] = pattern_.directions;
+  const auto write_four = [](float* out, const Four& x, const Four& y, const Four& z) {
+    store(out, Four{x[0], y[0], z[0], x[1]});
+    store(out + 4, Four{y[1], z[1], x[2], y[2]});
+    store(out + 8, Four{z[2], x[3], y[3], z[3]});
+  };
+  for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
+    const Four own = load(&free_->value[i]) * shrink, plane = load(&planes_.value[i]);
+    const Blend blend = soft_maximum(own, plane, soft, per_soft);
+    const Four radius = 1 / blend.value;
+    const Four dx = load(&ex[i]), dy = load(&ey[i]), dz = load(&ez[i]);
+    const Four x = dx * radius, y = dy * radius, z = dz * radius;
+    write_four(positions + 3 * i, frame.centre.x + m[0].x * x + m[1].x * y + m[2].x * z,
+               frame.centre.y + m[0].y * x + m[1].y * y + m[2].y * z,
+               frame.centre.z + m[0].z * x + m[1].z * y + m[2].z * z);
+
+    // What the rounding adds to the gradient lies along the direction: just enough for Euler's identity.
+    const Four mine = blend.share * shrink, rest = 1 - blend.share;
+    Four gx = load(&free_->x[i]) * mine + load(&planes_.x[i]) * rest;
+    Four gy = load(&free_->y[i]) * mine + load(&planes_.y[i]) * rest;
+    Four gz = load(&free_->z[i]) * mine + load(&planes_.z[i]) * rest;
+    const Four lacking = blend.value - (gx * dx + gy * dy + gz * dz);
+    gx += lacking * dx;
+    gy += lacking * dy;
+    gz += lacking * dz;
+    const Four nx = n[0].x * gx + n[1].x * gy + n[2].x * gz;
+    const Four ny = n[0].y * gx + n[1].y * gy + n[2].y * gz;
+    const Four nz = n[0].z * gx + n[1].z * gy + n[2].z * gz;
+    const Four per_length = 1 / square_root(nx * nx + ny * ny + nz * nz);
+    write_four(normals + 3 * i, nx * per_length, ny * per_length, nz * per_length);
+
+    const Four depth = 1 + (plane - own) * (1 / (0.5f * softest));
+    const Four inside = maximum(four(0), depth > four(1) ? four(1) : depth);
+    const Four share = inside * inside * (3 - 2 * inside) * 255 + 0.5f;
+    for (int lane = 0; lane < 4; ++lane) pressed[i + lane] = static_cast<std::uint8_t>(share[lane]);
+  }
+}
+
+}  // namespace panicle

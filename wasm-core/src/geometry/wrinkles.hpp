@@ -1,0 +1,31 @@
+// A smooth field on the sphere without any order, for folds and relief.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace panicle {
+
+// A sum of waves, about 0 and seldom beyond ±1.5. The waves run rather across the axis (Y) than along it, as a berry
+// folds that dries.
+class Wrinkles {
+ public:
+  // `which` tells fields apart; a crest is about 2π / pitch radians from the next.
+  Wrinkles(std::uint64_t which, float pitch);
+
+  struct Value {
+    float value;
+    glm::vec3 slope;  // along the sphere
+  };
+  Value at(const glm::vec3& direction) const;
+
+ private:
+  struct Wave {
+    glm::vec3 way{0};
+    float phase = 0;
+  };
+  std::array<Wave, 6> waves_;
+};
+
+}  // namespace panicle
