@@ -69,8 +69,8 @@ void add_sizes(Table& table, const Subject& subject, const Grown& grown) {
   table[diameter_spread] = means.spread;
   table[berry_length] = means.length;
   table[berry_width] = means.width;
-  table[uniformity] = bunch::uniformity(means.spread);
-  table[berry_shape] = bunch::berry_shape(grown.form, means.length / means.width);
+  table[uniformity] = uniformity_note(means.spread);
+  table[berry_shape] = berry_shape_note(grown.form, means.length / means.width);
   table[pedicel_length] = means.pedicel;
 }
 
@@ -96,7 +96,7 @@ void add_closeness(Table& table, const Subject& subject) {
   table[visible_mean] = seen.mean;
   const bool pedicels = !subject.pedicels.empty();
   if (pedicels) table[pedicels_seen] = seen.pedicels;
-  const Compactness close = bunch::compactness(subject);
+  const Compactness close = measure_compactness(subject);
   table[gap] = close.gap;
   table[contacts] = close.contacts;
   table[density] = density_note(subject, close, pedicels ? seen.pedicels : 0);
@@ -109,7 +109,7 @@ std::vector<float> measure(const Grown& grown, std::span<const HungEnvelope> env
   Table table;
   const Subject subject(grown);
   table[berry_count] = static_cast<float>(grown.berries.size());
-  if (!grown.internodes.empty()) table[peduncle_length] = bunch::peduncle_length(grown);
+  if (!grown.internodes.empty()) table[peduncle_length] = length_of_peduncle(grown);
   if (!envelopes.empty()) {
     table[outline_volume] = 0;
     for (const HungEnvelope& hung : envelopes) table[outline_volume] += hung.envelope.volume() * to_cubic_centimetres;

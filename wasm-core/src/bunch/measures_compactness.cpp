@@ -38,7 +38,7 @@ float share(float value, float whole) { return std::clamp(value / whole, 0.0f, 1
 
 }  // namespace
 
-Compactness compactness(const Subject& subject) {
+Compactness measure_compactness(const Subject& subject) {
   const float diameter = 2 * subject.mean_radius;
   float furthest = 0;
   std::vector<glm::vec3> centres;

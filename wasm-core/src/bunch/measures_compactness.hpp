@@ -12,7 +12,7 @@ struct Compactness {
 };
 
 // Means over all berries; meaningless without any. A gap counts for one mean diameter at most.
-Compactness compactness(const Subject& subject);
+Compactness measure_compactness(const Subject& subject);
 
 // 1 (very loose) … 9 (very dense), not rounded. The descriptor's words go from berries that are apart and pedicels that
 // are seen (1), over berries that touch and hide them (5) and that cannot be moved (7), to those pressed out of shape

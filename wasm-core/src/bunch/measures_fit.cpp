@@ -10,7 +10,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float pixels_to_radius = 10;  // of the mean berry
+constexpr float pixels_to_radius = 14;  // of the mean berry
 constexpr float most_pixels = 1200;     // across the picture; coarser pixels beyond
 
 constexpr View front_view{};
@@ -69,6 +69,17 @@ Box box_of(const Subject& subject, std::span<const HungEnvelope> envelopes) {
   return box;
 }
 
+bool all_finite(const Subject& subject) {
+  float sum = 0;
+  for (const BerryBody& berry : subject.berries)
+    for (const float x : {berry.centre.x, berry.centre.y, berry.centre.z, berry.half_width, berry.half_length})
+      sum += std::abs(x);
+  for (const Stem& stem : subject.stems)
+    for (const float x : {stem.start.x, stem.start.y, stem.start.z, stem.end.x, stem.end.y, stem.end.z})
+      sum += std::abs(x);
+  return std::isfinite(sum);
+}
+
 void draw_upright(BitImage& image, const PixelGrid& grid, const Envelope& envelope, std::size_t side) {
   for (std::int32_t row = 0; row < grid.rows; ++row) {
     const float depth = -grid.row_height(row);
@@ -113,8 +124,11 @@ void draw_leaning_side(BitImage& image, const PixelGrid& grid, const HungEnvelop
     const float before = envelope.half_width(2, depth), behind = envelope.half_width(3, depth);
     const float centre = depth * hang.down().y, ends[] = {centre + slant * right, centre - slant * left};
     const float high = std::max(ends[0], ends[1]), low = std::min(ends[0], ends[1]);
-    for (std::int32_t row = grid.first_row(high); row < grid.end_row(low); ++row) {
-      const float across = (grid.row_height(row) - centre) / slant;
+    const float half_pixel = grid.pitch / 2;
+    for (std::int32_t row = grid.first_row(high + half_pixel); row < grid.end_row(low - half_pixel); ++row) {
+      const float up = grid.row_height(row) - centre;
+      const float beyond = std::max(0.0f, std::abs(up) - half_pixel);
+      const float across = (up > 0 ? beyond : -beyond) / slant;
       const float share = across / std::max(across > 0 ? right : left, 1e-6f);
       const float width = std::sqrt(std::max(0.0f, 1 - share * share));
       image.fill(row, grid.first_column(-behind * width), grid.end_column(before * width));
@@ -160,13 +174,12 @@ BitImage silhouette(const Subject& subject, const PixelGrid& grid, const View& v
 }  // namespace
 
 bool fit(const Subject& subject, std::span<const HungEnvelope> envelopes, Fitted& fitted) {
-  if (!(subject.mean_radius > 0)) return false;
+  if (!(subject.mean_radius > 0) || !all_finite(subject)) return false;
   const Box box = box_of(subject, envelopes);
   const glm::vec2 size = box.high - box.low;
-  if (!std::isfinite(size.x + size.y)) return false;
   const float pitch = std::max(subject.mean_radius / pixels_to_radius, std::max(size.x, size.y) / most_pixels);
   const float radius = subject.mean_radius / pitch;
-  const PixelGrid grid = PixelGrid::over(box.low, box.high, pitch, static_cast<std::int32_t>(radius) + 2);
+  const PixelGrid grid = PixelGrid::over(box.low, box.high, pitch, static_cast<std::int32_t>(radius) + 3);
   const float lowest = lowest_of(envelopes);
   std::array<BitImage, 2> closed;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -174,9 +187,10 @@ bool fit(const Subject& subject, std::span<const HungEnvelope> envelopes, Fitted
     closed[i] = bunch.closed(radius);
     const BitImage wanted = outline(grid, envelopes, 2 * i);
     const auto area = [&](std::int64_t pixels) { return static_cast<float>(pixels) * pitch * pitch; };
+    // The outermost pixels' centres lie half a pixel within the outline, on average.
     ViewFit& one = i == 0 ? fitted.front : fitted.side;
     one = {area(wanted.count()), area(closed[i].count_common(wanted)), area(bunch.count()),
-           area(bunch.count() - bunch.count_common(wanted.dilated(radius)))};
+           area(bunch.count() - bunch.count_common(wanted.dilated(radius + 0.5f)))};
   }
   std::int64_t sections = 0;
   for (std::int32_t row = 0; row < grid.rows; ++row)

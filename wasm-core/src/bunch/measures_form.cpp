@@ -121,7 +121,7 @@ BunchForm bunch_form(const Subject& subject) {
   return {high - low, greatest_width(subject), shape_of(reaches), wings};
 }
 
-float peduncle_length(const Grown& grown) {
+float length_of_peduncle(const Grown& grown) {
   std::vector<std::uint32_t> children(grown.internodes.size(), 0);
   std::vector<std::size_t> child(grown.internodes.size(), 0);
   for (std::size_t i = 0; i < grown.internodes.size(); ++i) {
@@ -156,7 +156,7 @@ BerryMeans berry_means(const Subject& subject) {
   return means;
 }
 
-float berry_shape(const BerryForm& form, float length_over_width) {
+float berry_shape_note(const BerryForm& form, float length_over_width) {
   constexpr float tapered = 0.25f, blunt = 0.4f, finger = 2;
   if (length_over_width >= finger) return 10;
   if (form.taper <= -tapered) return form.blunt >= blunt ? 6 : 7;
@@ -167,6 +167,6 @@ float berry_shape(const BerryForm& form, float length_over_width) {
   return length_over_width < 1.4f ? 3 : 4;
 }
 
-float uniformity(float spread) { return spread <= uniform_spread ? 2 : 1; }
+float uniformity_note(float spread) { return spread <= uniform_spread ? 2 : 1; }
 
 }  // namespace panicle::bunch

@@ -17,7 +17,7 @@ struct BunchForm {
 BunchForm bunch_form(const Subject& subject);
 
 // From the root to where it first branches, mm; 0 without a stem.
-float peduncle_length(const Grown& grown);
+float length_of_peduncle(const Grown& grown);
 
 // Means over all berries, mm; meaningless without any.
 struct BerryMeans {
@@ -31,9 +31,9 @@ BerryMeans berry_means(const Subject& subject);
 
 // OIV 223: 1 obloid, 2 globose, 3 broad ellipsoid, 4 narrow ellipsoid, 5 cylindrical, 6 obtuse ovoid, 7 ovoid,
 // 8 obovoid, 10 finger-shaped. No berry of the core's is curved, so none is 9, horn-shaped.
-float berry_shape(const BerryForm& form, float length_over_width);
+float berry_shape_note(const BerryForm& form, float length_over_width);
 
 // OIV 222: 1 not uniform, 2 uniform.
-float uniformity(float spread);
+float uniformity_note(float spread);
 
 }  // namespace panicle::bunch
