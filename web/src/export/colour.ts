@@ -38,14 +38,19 @@ export function labOf([red, green, blue]: Colour): Lab {
 
 /** Oklab to linear light, each channel brought back into 0 … 1. */
 export function colourOf([lightness, a, b]: Lab): Colour {
-	const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
-	const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
-	const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+	const l = cubed(lightness + 0.3963377774 * a + 0.2158037573 * b);
+	const m = cubed(lightness - 0.1055613458 * a - 0.0638541728 * b);
+	const s = cubed(lightness - 0.0894841775 * a - 1.291485548 * b);
 	return [
 		clamp(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
 		clamp(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
 		clamp(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s),
 	];
+}
+
+/** `value ** 3` takes ten times as long. */
+function cubed(value: number): number {
+	return value * value * value;
 }
 
 /** The value, brought into 0 … 1. */

@@ -10,16 +10,27 @@ export function hashFraction(id: number, stream: number): number {
 
 /** Smooth noise, 0 … 1, that changes over about one unit; `seed` is a whole number. */
 export function noise(x: number, y: number, z: number, seed: number): number {
-	const [cx, cy, cz] = [Math.floor(x), Math.floor(y), Math.floor(z)];
-	const [fx, fy, fz] = [eased(x - cx), eased(y - cy), eased(z - cz)];
-	let sum = 0;
-	for (let corner = 0; corner < 8; corner++) {
-		const [dx, dy, dz] = [corner & 1, (corner >> 1) & 1, corner >> 2];
-		const weight = (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy) * (dz ? fz : 1 - fz);
-		const cell = Math.imul(cx + dx, 0x1f1f1f1f) ^ Math.imul(cy + dy, 0x27d4eb2f) ^ Math.imul(cz + dz, 0x165667b1);
-		sum += weight * hashFraction(cell, seed);
-	}
-	return sum;
+	const cx = Math.floor(x);
+	const cy = Math.floor(y);
+	const cz = Math.floor(z);
+	const fx = eased(x - cx);
+	const fy = eased(y - cy);
+	const fz = eased(z - cz);
+	const near = plane(cx, cy, cz, fx, fy, seed);
+	return near + fz * (plane(cx, cy, cz + 1, fx, fy, seed) - near);
+}
+
+/** Between the four corners of a cell that have the same z. */
+function plane(cx: number, cy: number, cz: number, fx: number, fy: number, seed: number): number {
+	const a = corner(cx, cy, cz, seed);
+	const b = corner(cx, cy + 1, cz, seed);
+	const low = a + fx * (corner(cx + 1, cy, cz, seed) - a);
+	const high = b + fx * (corner(cx + 1, cy + 1, cz, seed) - b);
+	return low + fy * (high - low);
+}
+
+function corner(x: number, y: number, z: number, seed: number): number {
+	return hashFraction(Math.imul(x, 0x1f1f1f1f) ^ Math.imul(y, 0x27d4eb2f) ^ Math.imul(z, 0x165667b1), seed);
 }
 
 function eased(t: number): number {

@@ -1,7 +1,7 @@
 /** The colours of natural stems, vertex by vertex: green first, woody with age from the peduncle outwards. */
 import { type Grown, INTERNODE_KINDS, INTERNODE_STATES, type InternodeKind, type StemMesh } from "../core/grown";
 import type { Specimen } from "../specimen/specimen";
-import { type Colour, clamp, colourOf, labOf, linear, mix, smoothstep } from "./colour";
+import { clamp, colourOf, labOf, linear, mix, smoothstep } from "./colour";
 import { noise } from "./noise";
 
 /** How far each kind has turned to wood in a ripe bunch. */
@@ -27,16 +27,18 @@ export function stemColours({ internodes }: Grown, stem: StemMesh, { look, param
 	});
 	const green = labOf(linear(look.stem));
 	const colours = new Float32Array(stem.positions.length);
-	for (let vertex = 0; vertex < stem.internode.length; vertex++) {
-		const [x, y, z] = stem.positions.subarray(3 * vertex, 3 * vertex + 3);
-		const mottle = noise(MOTTLES * x, MOTTLES * y, MOTTLES * z, 0) - 0.5;
+	const { positions } = stem;
+	for (let vertex = 0, at = 0; vertex < stem.internode.length; vertex++, at += 3) {
+		const mottle = noise(MOTTLES * positions[at], MOTTLES * positions[at + 1], MOTTLES * positions[at + 2], 0) - 0.5;
 		const share = clamp(woody[stem.internode[vertex]] * (1 + 0.7 * mottle));
-		const colour: Colour = colourOf([
+		const colour = colourOf([
 			mix(green[0], WOOD[0], share) * (1 + 0.12 * mottle),
 			mix(green[1], WOOD[1], share),
 			mix(green[2], WOOD[2], share),
 		]);
-		colours.set(colour, 3 * vertex);
+		colours[at] = colour[0];
+		colours[at + 1] = colour[1];
+		colours[at + 2] = colour[2];
 	}
 	return colours;
 }
