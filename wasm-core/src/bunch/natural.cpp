@@ -130,15 +130,10 @@ class NaturalGrowth {
     return {height.cosine * round.sine, height.sine, height.cosine * round.cosine};
   }
 
-  float wanted() const {
-    float berries = 0;
-    for (const NaturalPlan& plan : plans_) berries += plan.berries;
-    if (value(Parameter::count) > 0) berries = value(Parameter::count);
-    return std::clamp(berries, 1.0f, static_cast<float>(limits_.berries));
-  }
-
   void choose() {
-    set_ = choose_set(buds_, wanted(), value(Parameter::size));
+    const float berries = value(Parameter::count), size = value(Parameter::size);
+    set_ =
+        berries > 0 ? choose_count(buds_, berries, size) : choose_set(buds_, fill_of(value(Parameter::density)), size);
     std::vector<float> shares;
     float sum = 0, weights = 0;
     for (std::size_t i = 0; i < buds_.size(); ++i) {

@@ -17,8 +17,12 @@ constexpr float standard_aim = 60;                // α_y
 constexpr float most_upward = 100;                // degrees from straight down
 constexpr float flowers_per_end = 3;
 constexpr float least_arm = 0.4f;  // of a first-order axis, in its steps
-// Flowers that a vine has for each berry it keeps; more to choose from than are needed, as in nature.
-constexpr float flowers_per_berry = 1.8f;
+// Flowers for each berry there is to be, at least: more to choose from than are needed, as in nature.
+constexpr float flowers_per_berry = 1.1f;
+constexpr float most_flowers = 20000;
+constexpr float base_closer = 0.7f;
+constexpr float middling_size = 18;
+constexpr float middling_fill = 0.52f;
 
 // How far along `angle` from a node at `depth` the outline of a side lies.
 float reach(const Envelope& envelope, std::size_t side, float depth, float angle) {
@@ -108,17 +112,21 @@ NaturalPlan make_natural_plan(const Profile& asked, const Values& values) {
   plan.girth = values[wi] / 15 * std::clamp(0.2f * width, 1.2f, 7.0f);
   plan.fine = values[wi] / 15 * std::clamp(0.07f * width, 0.4f, 3.0f);
   plan.length = std::max(0.3f * envelope.length(), envelope.length() - plan.twig - plan.stalk - 0.9f * width);
-  plan.spacing = plan.step = 0.55f * width;
 
   const float spread_share = values[spread] / 100;
   const float berry = pi / 6 * width * width * width * values[elongation] * (1 + 3 * spread_share * spread_share);
   plan.berries = values[Parameter::count] > 0 ? values[Parameter::count]
                                               : std::max(1.0f, fill_of(values[density]) * envelope.volume() / berry);
-  const float flowers = lay_axes(plan, profile, pixel, width);
-  const float closer = std::clamp(std::sqrt(flowers / (flowers_per_berry * plan.berries)), 0.15f, 1.4f);
-  plan.spacing *= closer;
-  plan.step *= closer;
-  lay_axes(plan, profile, pixel, width);
+  // Nodes as near as berries of that size and density want them in a bunch of middling width, whatever the profile, so
+  // that dragging moves no node; nearer by steps where that bears too few flowers.
+  const float fill = values[Parameter::count] > 0 ? middling_fill : fill_of(values[density]);
+  float closer = std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), 0.2f, 1.4f);
+  for (int tries = 0; tries < 16; ++tries) {
+    plan.spacing = plan.step = closer * 0.55f * width;
+    const float flowers = lay_axes(plan, profile, pixel, width);
+    if (!(values[Parameter::count] > 0) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
+    closer *= 0.85f;
+  }
   return plan;
 }
 

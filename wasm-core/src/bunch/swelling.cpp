@@ -15,8 +15,8 @@ namespace {
 constexpr int projections = 2;        // of all constraints in a step
 constexpr int settling = 12;          // steps at the last size
 constexpr int refresh = 4;            // steps between two searches for neighbours
-constexpr float contact_give = 1.0f;  // compliance of two berries' skins: how much they flatten
-constexpr float bound_give = 1.5f;    // of the outline: berries may be pushed out a little
+constexpr float contact_give = 2.0f;  // compliance of two berries' skins: how much they flatten
+constexpr float bound_give = 2.5f;    // of the outline: berries may be pushed out a little
 constexpr float bound_inset = 0.55f;  // how far inside it centres stay, in half-widths
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
 constexpr float straighten = 0.2f;    // share of the way back to where its pedicel points, a step: pedicels are springs
