@@ -22,35 +22,35 @@ export function encoded(colour: Colour): Colour {
 	return colour.map((c) => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055)) as Colour;
 }
 
-/** Oklab: perceived lightness 0 … 1, green to red, blue to yellow (Ottosson 2020, "A perceptual color space"). */
-export type Lab = [lightness: number, a: number, b: number];
+/** OKLCh: perceived lightness 0 … 1, chroma, hue in radians (Ottosson 2020, "A perceptual color space"). */
+export interface Lch {
+	lightness: number;
+	chroma: number;
+	hue: number;
+}
 
-export function labOf([red, green, blue]: Colour): Lab {
+export function toLch([red, green, blue]: Colour): Lch {
 	const l = Math.cbrt(0.4122214708 * red + 0.5363325363 * green + 0.0514459929 * blue);
 	const m = Math.cbrt(0.2119034982 * red + 0.6806995451 * green + 0.1073969566 * blue);
 	const s = Math.cbrt(0.0883024619 * red + 0.2817188376 * green + 0.6299787005 * blue);
-	return [
-		0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s,
-		1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
-		0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s,
-	];
+	const a = 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s;
+	const b = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
+	const lightness = 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s;
+	return { lightness, chroma: Math.hypot(a, b), hue: Math.atan2(b, a) };
 }
 
-/** Oklab to linear light, each channel brought back into 0 … 1. */
-export function colourOf([lightness, a, b]: Lab): Colour {
-	const l = cubed(lightness + 0.3963377774 * a + 0.2158037573 * b);
-	const m = cubed(lightness - 0.1055613458 * a - 0.0638541728 * b);
-	const s = cubed(lightness - 0.0894841775 * a - 1.291485548 * b);
+/** To linear light, each channel brought back into 0 … 1. */
+export function fromLch({ lightness, chroma, hue }: Lch): Colour {
+	const a = chroma * Math.cos(hue);
+	const b = chroma * Math.sin(hue);
+	const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+	const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+	const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
 	return [
 		clamp(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
 		clamp(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
 		clamp(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s),
 	];
-}
-
-/** `value ** 3` takes ten times as long. */
-function cubed(value: number): number {
-	return value * value * value;
 }
 
 /** The value, brought into 0 … 1. */

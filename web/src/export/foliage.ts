@@ -1,19 +1,19 @@
 /** Leaves and cane in a GLB: one node for each, so that a leaf can be taken off or turned by itself. */
-import type { Foliage } from "../core/grown";
-import type { Specimen } from "../specimen/specimen";
+import type { Foliage, FoliagePart, Grown } from "../core/grown";
 import type { GltfDocument } from "./gltf_document";
-import { CANE, leafMaterial, type Material, stemMaterial } from "./materials";
-import { cut } from "./meshes";
+import { CANE, leafMaterial, type Material, PETIOLE } from "./materials";
+import { cut, meanOf } from "./meshes";
 import { foliageNames } from "./names";
 
 /** What each kind of part is made of. */
-export function foliageMaterials({ look, parameters }: Specimen): Record<Foliage["parts"][number]["kind"], Material> {
-	return { cane: CANE, leaf: leafMaterial(parameters.age), petiole: { ...stemMaterial(look), name: "Petiole" } };
+export function foliageMaterials(grown: Grown): Record<FoliagePart["kind"], Material> {
+	// Leaves turn as berries dry.
+	return { cane: CANE, leaf: leafMaterial(meanOf(grown, "shrivel")), petiole: PETIOLE };
 }
 
 /** Appends a node for each part that has triangles; returns their indices. */
-export function addFoliage(document: GltfDocument, foliage: Foliage, specimen: Specimen): number[] {
-	const values = foliageMaterials(specimen);
+export function addFoliage(document: GltfDocument, grown: Grown, foliage: Foliage): number[] {
+	const values = foliageMaterials(grown);
 	const materials = new Map<string, number>();
 	const names = foliageNames(foliage.parts);
 	return foliage.parts.flatMap((part, index) => {

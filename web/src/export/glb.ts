@@ -48,7 +48,7 @@ export async function exportGlb(
 	const children = addStems(document, grown, meshes.stem, specimen);
 	if (meshes.surfaces) children.push(addPressedBerries(document, grown, meshes.surfaces, specimen));
 	else if (meshes.berry) children.push(addSharedBerries(document, grown, meshes.berry, specimen.look, instancing));
-	if (grown.foliage) children.push(...addFoliage(document, grown.foliage, specimen));
+	if (grown.foliage) children.push(...addFoliage(document, grown, grown.foliage));
 	if (children.length > 0) root.children = children;
 	return document.finish(roots, extrasOf(grown, specimen, link));
 }

@@ -1,7 +1,7 @@
 /** The materials of a bunch as physically based values, shared by GLB and OBJ. Why each is so is in docs/export.md. */
 import type { Fruit } from "../core/grown";
 import type { Look } from "../specimen/specimen";
-import { type Colour, colourOf, labOf, linear, mix, smoothstep } from "./colour";
+import { type Colour, linear, mix, mixed, smoothstep, toLch } from "./colour";
 import { rounded } from "./numbers";
 
 export interface Material {
@@ -89,8 +89,7 @@ const LEAST_PASSING = 0.04;
 /** One way through a mean berry leaves the flesh's own colour. */
 function flesh(look: Look, width: number, thickness: number): Pick<Material, "flesh"> {
 	const skin = linear(look.skin);
-	const [lightness] = labOf(skin);
-	const factor = rounded(MOST_PASSING * look.glow * smoothstep(0.5, 0.75, lightness), 3);
+	const factor = rounded(MOST_PASSING * look.glow * smoothstep(0.5, 0.75, toLch(skin).lightness), 3);
 	if (factor < LEAST_PASSING) return {};
 	const brightest = Math.max(...skin);
 	const colour = skin.map((value) => rounded(Math.max(0.02, value / brightest), 4)) as Colour;
@@ -108,25 +107,24 @@ export function stemMaterial(look: Look, colour: Colour = linear(look.stem)): Ma
 	return { name: "Stem", colour, roughness: STEM_ROUGHNESS };
 }
 
-const LEAF_YOUNG = labOf(linear("9dbb55"));
-const LEAF = labOf(linear("55793a"));
-const LEAF_LATE = labOf(linear("b99a3c"));
+/** Leaves, petioles, cane and stamens have the colours that the app draws them in. */
+const LEAF = linear("4f7430");
+const LEAF_LATE: Colour = [0.42, 0.27, 0.045];
 
-/** @param age of the bunch, percent: leaves are grown when it colours, and turn when it shrivels */
-export function leafMaterial(age: number): Material {
-	const grown = smoothstep(0, 50, age);
-	const late = 0.8 * smoothstep(100, 125, age);
-	const lab = LEAF.map((value, i) => mix(mix(LEAF_YOUNG[i], value, grown), LEAF_LATE[i], late));
-	const colour = colourOf([lab[0], lab[1], lab[2]]).map((value) => rounded(value, 6)) as Colour;
+/** @param autumn 0 … 1: how far leaves have turned */
+export function leafMaterial(autumn: number): Material {
+	const late = smoothstep(0.35, 0.85, autumn);
+	const colour = mixed(LEAF, LEAF_LATE, late).map((value) => rounded(value, 6)) as Colour;
 	return { name: "Leaf", colour, roughness: 0.6, doubleSided: true };
 }
 
+export const PETIOLE: Material = { name: "Petiole", colour: linear("8c8f4a"), roughness: STEM_ROUGHNESS };
 /** A year old cane's bark. */
-export const CANE: Material = { name: "Cane", colour: linear("80603f"), roughness: 0.9 };
-/** Filaments are nearly white; anthers are told by the vertices' colours. */
-export const STAMEN: Material = { name: "Stamen", colour: linear("eef0cf"), roughness: 0.7 };
+export const CANE: Material = { name: "Cane", colour: linear("7a5a3c"), roughness: 0.9 };
+/** Filaments; anthers are told by the vertices' colours. */
+export const STAMEN: Material = { name: "Stamen", colour: linear("e3e6bd"), roughness: 0.7 };
 /** What anthers leave of that colour: pollen. */
-export const ANTHER_TINT: Colour = [0.86, 0.66, 0.2];
+export const ANTHER_TINT: Colour = linear("e6d37c").map((value, k) => Math.min(1, value / STAMEN.colour[k])) as Colour;
 
 /** As glTF has it; keys of `extensions` are the extensions' names, all ratified. */
 export function gltfMaterial(material: Material): { extensions?: object } {

@@ -1,4 +1,4 @@
-import type { BerrySurfaces, Grown, Mesh, StemMesh, StemPart } from "../core/grown";
+import type { BerrySurfaces, Grown, Mesh, StemMesh, StemPart, Trait } from "../core/grown";
 import { traitOf } from "./traits";
 
 /** What the stems and berries are drawn with: one berry for all (paper), or each its own surface (natural). */
@@ -29,9 +29,9 @@ export function cut(mesh: Mesh, part: Omit<StemPart, "axis">): Mesh {
 	};
 }
 
-/** Of all berries, metres. */
-export function meanWidth({ berries }: Grown): number {
+/** The mean of a trait over all berries, `without` where there are none. */
+export function meanOf({ berries }: Grown, trait: Trait, without = 0): number {
 	let sum = 0;
-	for (let i = 0; i < berries.count; i++) sum += traitOf(berries, i, "width");
-	return sum / berries.count;
+	for (let i = 0; i < berries.count; i++) sum += traitOf(berries, i, trait);
+	return berries.count > 0 ? sum / berries.count : without;
 }

@@ -11,7 +11,7 @@ import { flowerOf } from "./flowers";
 import { foliageMaterials } from "./foliage";
 import { GENERATOR } from "./generator";
 import { pressedSkin, STAMEN, skinMaterial, stemMaterial } from "./materials";
-import { cut, meanWidth, requireMeshes } from "./meshes";
+import { cut, meanOf, requireMeshes } from "./meshes";
 import { type NamedMaterial, writeMtl } from "./mtl";
 import { berryName, flowerName, foliageNames, plantName, stemName } from "./names";
 import { ObjWriter } from "./obj_writer";
@@ -43,7 +43,7 @@ export function exportObj(grown: Grown, specimen: Specimen, name: string): { obj
 	if (surfaces) skins.push(...writePressed(writer, grown, surfaces, specimen));
 	else if (berry) skins.push(writeShared(writer, grown, berry, specimen));
 	const stemLook = { name: "Stem", material: stemMaterial(specimen.look, stemColour(grown, stem, specimen)) };
-	const others = [...writeFlowers(writer, grown), ...writeFoliage(writer, grown, specimen)];
+	const others = [...writeFlowers(writer, grown), ...writeFoliage(writer, grown)];
 	return { obj: writer.toString(), mtl: writeMtl([...skins, stemLook, ...others]) };
 }
 
@@ -87,7 +87,7 @@ function writePressed(writer: ObjWriter, grown: Grown, surfaces: BerrySurfaces, 
 	}
 	return [...skins].map(([name, { sum, count }]) => {
 		const colour = sum.map((value) => value / count) as Colour;
-		return { name, material: pressedSkin(specimen.look, form.fruit, colour, meanWidth(grown)) };
+		return { name, material: pressedSkin(specimen.look, form.fruit, colour, meanOf(grown, "width")) };
 	});
 }
 
@@ -120,9 +120,10 @@ function writeFlowers(writer: ObjWriter, grown: Grown): NamedMaterial[] {
 	return [{ name: STAMEN.name, material: STAMEN }];
 }
 
-function writeFoliage(writer: ObjWriter, { foliage }: Grown, specimen: Specimen): NamedMaterial[] {
+function writeFoliage(writer: ObjWriter, grown: Grown): NamedMaterial[] {
+	const { foliage } = grown;
 	if (!foliage) return [];
-	const materials = foliageMaterials(specimen);
+	const materials = foliageMaterials(grown);
 	const names = foliageNames(foliage.parts);
 	const used = new Map<string, NamedMaterial>();
 	foliage.parts.forEach((part, index) => {

@@ -8,7 +8,7 @@ import { berryColours } from "./berry_colour";
 import { type Flowers, flowerOf } from "./flowers";
 import type { GltfDocument, Json } from "./gltf_document";
 import { ANTHER_TINT, pressedSkin, STAMEN } from "./materials";
-import { meanWidth } from "./meshes";
+import { meanOf } from "./meshes";
 import { berryName, flowerName } from "./names";
 import { rounded, shortFloat } from "./numbers";
 import { fromUp } from "./orientation";
@@ -30,7 +30,7 @@ export function addPressedBerries(
 	const { count, spheres } = grown.berries;
 	const vertices = surfaces.uvs.length / 2;
 	const { base, bytes } = vertexColours(berryColours(grown, surfaces, specimen));
-	const width = meanWidth(grown);
+	const width = meanOf(grown, "width");
 	// Compact meshes reach from −1 to 1, each scaled by its own node.
 	const thickness = document.compact ? 2 : width;
 	const material = document.material(pressedSkin(specimen.look, grown.form.fruit, base, width, thickness));
