@@ -26,8 +26,8 @@ class Reaches {
     if (!(low_ < high_)) return;
     for (std::size_t i = 0; i < subject.berries.size(); ++i) {
       if (!subject.first[i]) continue;
-      add(project(subject.berries[i], View{}), 0);
-      add(project(subject.berries[i], View{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}), 2);
+      add(project(subject.berries[i], View{}), 0, subject.mean_radius);
+      add(project(subject.berries[i], View{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}), 2, subject.mean_radius);
     }
   }
 
@@ -44,11 +44,12 @@ class Reaches {
     return sum / static_cast<float>(count);
   }
 
-  // Whether a side has a branch that stands out from it.
-  bool winged(std::size_t side) const {
+  // Whether a side has a branch that stands out from it, by two berries or more.
+  bool winged(std::size_t side, float berry) const {
     std::array<float, slices> sorted = sides_[side];
     std::sort(sorted.begin(), sorted.end());
-    return sorted.back() > standing_out * sorted[slices / 2];
+    const float median = sorted[slices / 2];
+    return sorted.back() > std::max(standing_out * median, median + 2 * berry);
   }
 
  private:
@@ -58,10 +59,11 @@ class Reaches {
     high_ = std::max(high_, seen.centre.y + seen.half.y);
   }
 
-  void add(const ProjectedBerry& seen, std::size_t side) {
-    const float slice = (high_ - low_) / slices;
+  // Every berry counts as higher by `more` at its top and bottom: gaps between neighbours are no waists.
+  void add(const ProjectedBerry& seen, std::size_t side, float more) {
+    const float slice = (high_ - low_) / slices, shrink = seen.half.y / (seen.half.y + more);
     for (std::size_t k = 0; k < slices; ++k) {
-      const float up = high_ - (static_cast<float>(k) + 0.5f) * slice - seen.centre.y;
+      const float up = shrink * (high_ - (static_cast<float>(k) + 0.5f) * slice - seen.centre.y);
       if (std::abs(up) > seen.half.y) continue;
       const float lean = -seen.uv * up;
       const float half = std::sqrt(std::max(0.0f, lean * lean - seen.uu * (seen.vv * up * up - 1)));
@@ -117,7 +119,7 @@ BunchForm bunch_form(const Subject& subject) {
   }
   const Reaches reaches(subject);
   float wings = 0;
-  for (std::size_t side = 0; side < 4; ++side) wings += reaches.winged(side);
+  for (std::size_t side = 0; side < 4; ++side) wings += reaches.winged(side, 2 * subject.mean_radius);
   return {high - low, greatest_width(subject), shape_of(reaches), wings};
 }
 
