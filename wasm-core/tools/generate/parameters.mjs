@@ -143,7 +143,7 @@ export interface ParameterInfo {
 	readonly help: string;
 	/** The link version that first knew it. */
 	readonly since: number;
-	/** What a link from before \`since\` means; the default where absent. */
+	/** What a link from before \`since\` means; the preset's value where absent. */
 	readonly before?: number;
 	/** The grammar's \`#define\` that it replaces. */
 	readonly define?: string;
@@ -211,7 +211,7 @@ function markdown(table) {
 # Parameters of the bunch
 
 *Key* is what the custom \`--set\` of \`npm run grow\` and the programming interfaces call it, *in the link* what the address bar
-does; what it means to a link from before it was known is its default, but for \`procedure\`, which is \`paper\` there. *In the
+does; to a link from before it was known it means what the preset says, but for \`procedure\`, which is \`paper\` there. *In the
 grammar* names the \`#define\` that a value other than the default replaces. Units: px is a pixel of the paper's
 600 × 600 view, u one unit of its grammars, of \`unit\` millimetres.
 
