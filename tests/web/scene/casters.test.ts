@@ -3,14 +3,14 @@ import { CAST_RECORD, CASTERS, Casters, type Lamp } from "../../../web/src/scene
 import { lampHidden } from "../../../web/src/scene/occlusion";
 import { packReceivers, RECORD, receiverTexels } from "../../../web/src/scene/receivers";
 import { berryTint, skinOf } from "../../../web/src/scene/skin";
-import { sampleBunch } from "./sample_bunch";
+import { LOOK, RIPE, sampleBunch } from "./sample_bunch";
 
-const skin = skinOf({ skin: "43264f", stem: "7d7a3f", bloom: 0.5 });
+const skin = skinOf(LOOK);
 const key: Lamp = { direction: [-0.566, 0.602, 0.564], spread: 0.17 };
 const rim: Lamp = { direction: [0.8, 0, -0.6], spread: 0.2 };
 
 const bunch = sampleBunch(90);
-const receivers = packReceivers(bunch, (b) => berryTint(skin, b), new Float32Array(4 * receiverTexels(bunch)));
+const receivers = packReceivers(bunch, (b) => berryTint(skin, b, RIPE), new Float32Array(4 * receiverTexels(bunch)));
 const records = new Float32Array(receivers.count * CAST_RECORD * 4);
 new Casters().cast(receivers, key, rim, records);
 

@@ -1,12 +1,16 @@
 import { describe, expect, it } from "vitest";
 import type { Grown } from "../../../web/src/core/grown";
-import { NEIGHBOURS, packReceivers, RECORD, receiverTexels } from "../../../web/src/scene/receivers";
+import { FAR, NEIGHBOURS, packReceivers, RECORD, receiverTexels } from "../../../web/src/scene/receivers";
 import { berryTint, skinOf } from "../../../web/src/scene/skin";
-import { sampleBunch } from "./sample_bunch";
+import { pressedBunch } from "./pressed_bunch";
+import { LOOK, RIPE, ripeTraits, sampleBunch } from "./sample_bunch";
 
-const skin = skinOf({ skin: "43264f", stem: "7d7a3f", bloom: 0.5 });
+const skin = skinOf(LOOK);
 const pack = (grown: Grown, records = new Float32Array(4 * receiverTexels(grown))) =>
-	packReceivers(grown, (berry) => berryTint(skin, berry), records);
+	packReceivers(grown, (berry) => berryTint(skin, berry, RIPE), records);
+
+/** Floats before the list of neighbours. */
+const NEAR = 4 * (FAR + 1);
 
 /** A bunch of bare spheres. */
 function spheres(...list: [x: number, y: number, z: number, r: number][]): Grown {
@@ -18,6 +22,8 @@ function spheres(...list: [x: number, y: number, z: number, r: number][]): Grown
 			spheres: Float32Array.from(list.flat()),
 			directions: Float32Array.from(list.flatMap(() => [0, -1, 0])),
 			parent: Int32Array.from(list, (_, i) => i),
+			ids: Uint32Array.from(list, (_, i) => i),
+			traits: ripeTraits(list.flat()),
 		},
 		internodes: { ...bunch.internodes, count: 0, ends: new Float32Array(0), radii: new Float32Array(0) },
 	};
@@ -33,6 +39,29 @@ describe("packReceivers", () => {
 			expect([...records.subarray(at, at + 4)]).toEqual([...bunch.berries.spheres.subarray(4 * i, 4 * i + 4)]);
 			expect([...records.subarray(at + 4, at + 7)]).toEqual([...bunch.berries.directions.subarray(3 * i, 3 * i + 3)]);
 		}
+	});
+
+	it("writes half width, half length and what age has done to a berry", () => {
+		const bunch = pressedBunch({ count: 8, elongation: 1.5, turned: 0.25, shrivel: 0.5, seeds: 2 });
+		const { records } = pack(bunch);
+		const [width, length] = bunch.berries.traits;
+		expect(records[3]).toBeCloseTo(length / 2, 7);
+		expect(records[15]).toBe(0.25);
+		expect([...records.subarray(16, 20)]).toEqual([
+			expect.closeTo(width / 2, 7),
+			expect.closeTo(length / 2, 7),
+			0.5,
+			2,
+		]);
+	});
+
+	it("lets a long berry hide light along its whole length, but not its own", () => {
+		const long = pressedBunch({ count: 1, elongation: 2.5 });
+		const { owner, index, records } = pack(long);
+		expect([...owner]).toEqual([0, 0, 0]);
+		expect(index.count).toBe(3);
+		expect(records[NEAR + 3]).toBe(0);
+		expect(records[4 * FAR]).toBe(0);
 	});
 
 	it("writes each internode's middle, half axis, radius and state", () => {
@@ -52,7 +81,7 @@ describe("packReceivers", () => {
 
 	it("lists the touching spheres first, relative to the centre, and ends the list with a zero", () => {
 		const { records } = pack(spheres([0, 0, 0, 1], [2, 0, 0, 1], [0, -2, 0, 1], [9, 0, 0, 1]));
-		const list = Array.from({ length: 4 }, (_, k) => [...records.subarray(16 + 4 * k, 20 + 4 * k)]);
+		const list = Array.from({ length: 4 }, (_, k) => [...records.subarray(NEAR + 4 * k, NEAR + 4 * k + 4)]);
 		expect(list.slice(0, 2)).toEqual(
 			expect.arrayContaining([
 				[2, 0, 0, 1],
@@ -72,8 +101,8 @@ describe("packReceivers", () => {
 		]);
 		const { records } = pack(spheres([0, 0, 0, 1], ...ring, [0, 4, 0, 1]));
 		// sin²α = 1/16: a quarter of it all round, half of it along +Y.
-		expect(records[12]).toBeCloseTo(1 / 64, 6);
-		expect([...records.subarray(13, 16)]).toEqual([0, expect.closeTo(1 / 32, 6), 0]);
+		expect(records[4 * FAR]).toBeCloseTo(1 / 64, 6);
+		expect([...records.subarray(4 * FAR + 1, 4 * FAR + 4)]).toEqual([0, expect.closeTo(1 / 32, 6), 0]);
 	});
 
 	it("leaves nothing of a larger bunch behind when its memory is used again", () => {
@@ -91,8 +120,8 @@ describe("packReceivers", () => {
 function usedParts(records: Float32Array): number[] {
 	const parts: number[] = [];
 	for (let at = 0; at < records.length; at += 4 * RECORD) {
-		parts.push(...records.subarray(at, at + 16));
-		for (let k = 4; k < RECORD && records[at + 4 * k + 3] > 0; k++) {
+		parts.push(...records.subarray(at, at + NEAR));
+		for (let k = FAR + 1; k < RECORD && records[at + 4 * k + 3] > 0; k++) {
 			parts.push(...records.subarray(at + 4 * k, at + 4 * k + 4));
 		}
 	}

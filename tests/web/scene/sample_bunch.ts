@@ -1,5 +1,19 @@
 import { CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
 import type { Grown, Internodes, Mesh, Plan, StemMesh } from "../../../web/src/core/grown";
+import type { Look } from "../../../web/src/specimen/specimen";
+
+export const LOOK: Look = {
+	skin: "43264f",
+	unripe: "8ea552",
+	stem: "7d7a3f",
+	bloom: 0.5,
+	glow: 0.5,
+	uneven: 0.5,
+	lenticels: 0.4,
+};
+
+/** The state of a berry that is ripe and stands half in the sun. */
+export const RIPE = { exposure: 0.5, set: 1, shrivel: 0 };
 
 /** A plausible bunch without botany: berries packed on a cone round a rachis, each on a straight pedicel. */
 export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
@@ -61,6 +75,8 @@ export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
 	const side = { w: 0, r: 0, n: 0, rd: 0 };
 	const plan: Plan = { m: steps, sides: [side, side, side, side], axes: [] };
 	return {
+		procedure: "paper",
+		form: { fruit: "grape", taper: 0, blunt: 0 },
 		plan,
 		counts: { endStructures: 0, internodes: n, pedicels: n - steps, berries: spheres.length / 4, withered: 0, cut: 0 },
 		internodes,
@@ -69,13 +85,23 @@ export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
 			spheres: Float32Array.from(spheres),
 			directions: Float32Array.from(directions),
 			parent: Int32Array.from(parents),
+			ids: Uint32Array.from(parents),
+			traits: ripeTraits(spheres),
 		},
 		stem: tubes(skeleton),
 		berry: meshOf(new SphereGeometry(1, 24, 16)),
+		thinned: [],
 		notes: [],
 		fingerprint: "0000000000000000",
 		timings: { grow: 0 },
 	};
+}
+
+/** The traits of ripe, round berries: width, length, exposure, turned, opened, set, shrivel, seeds. */
+export function ripeTraits(spheres: ArrayLike<number>): Float32Array {
+	const traits: number[] = [];
+	for (let i = 3; i < spheres.length; i += 4) traits.push(2 * spheres[i], 2 * spheres[i], 0.5, 1, 1, 1, 0, 3);
+	return Float32Array.from(traits);
 }
 
 /** A small linear congruential generator: the sample is the same on every machine. */

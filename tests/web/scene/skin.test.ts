@@ -2,8 +2,9 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { fromHex, fromLch, toLch } from "../../../web/src/scene/colour";
 import { berryTint, hashFraction, skinOf } from "../../../web/src/scene/skin";
+import { LOOK, RIPE } from "./sample_bunch";
 
-const of = (skin: string, bloom = 0.3) => skinOf({ skin, stem: "7d7a3f", bloom });
+const of = (skin: string, bloom = 0.3) => skinOf({ ...LOOK, skin, bloom }, "grape", true);
 
 describe("skinOf", () => {
 	it("lets light through pale and vivid skins, less through dark ones, hardly through rinds", () => {
@@ -15,20 +16,20 @@ describe("skinOf", () => {
 			"ae8747",
 			"b4473f",
 		].map((hex) => of(hex));
-		expect(white.translucency).toBeGreaterThan(0.5);
-		expect(redcurrant.translucency).toBeGreaterThan(0.5);
-		expect(dark.translucency).toBeLessThan(0.3);
+		expect(white.ripeFlesh.translucency).toBeGreaterThan(0.5);
+		expect(redcurrant.ripeFlesh.translucency).toBeGreaterThan(0.5);
+		expect(dark.ripeFlesh.translucency).toBeLessThan(0.3);
 		for (const rind of [duku, longan, lychee]) {
-			expect(rind.roughness).toBeGreaterThan(0.5);
-			expect(rind.translucency).toBeLessThan(0.35);
+			expect(rind.fruit.rind).toBeGreaterThan(0.5);
+			expect(rind.ripeFlesh.translucency).toBeLessThan(0.35);
 		}
-		for (const taut of [white, redcurrant, dark, of("c2a551"), of("9c3a4e")]) expect(taut.roughness).toBeLessThan(0.1);
+		for (const taut of [white, redcurrant, dark, of("c2a551"), of("9c3a4e")]) expect(taut.fruit.rind).toBeLessThan(0.1);
 	});
 
 	it("passes red best through dark flesh and green best through a white grape", () => {
-		const [r, g, b] = of("2c2a4f").absorption;
+		const [r, g, b] = of("2c2a4f").ripeFlesh.absorption;
 		expect(r).toBeLessThan(Math.min(g, b));
-		const white = of("9fae55").absorption;
+		const white = of("9fae55").ripeFlesh.absorption;
 		expect(white[1]).toBeLessThan(Math.min(white[0], white[2]));
 	});
 
@@ -37,11 +38,30 @@ describe("skinOf", () => {
 		fc.assert(
 			fc.property(hex, fc.double(), (colour, bloom) => {
 				const skin = of(colour, bloom);
-				const numbers = [...skin.base, ...skin.absorption, ...skin.wax, skin.translucency, skin.roughness];
+				const numbers = [
+					...skin.ripe,
+					...skin.ripeFlesh.absorption,
+					...skin.wax,
+					skin.ripeFlesh.translucency,
+					skin.fruit.rind,
+				];
 				for (const value of numbers) expect(Number.isFinite(value) && value >= 0).toBe(true);
-				expect(skin.translucency).toBeLessThanOrEqual(1);
+				expect(skin.ripeFlesh.translucency).toBeLessThanOrEqual(1);
 			}),
 		);
+	});
+
+	it("lets more light through the higher `glow`, none at 0", () => {
+		const at = (glow: number) => skinOf({ ...LOOK, skin: "c2b05a", glow }).ripeFlesh.translucency;
+		expect(at(0)).toBe(0);
+		expect(at(0.3)).toBeLessThan(at(0.6));
+	});
+
+	it("knows a natural fruit's rind by its kind, not by its colour", () => {
+		expect(skinOf({ ...LOOK, skin: "b4473f" }, "grape").fruit.rind).toBe(0);
+		const lychee = skinOf({ ...LOOK, skin: "b4473f" }, "lychee");
+		expect(lychee.fruit.rind).toBeGreaterThan(0.5);
+		expect(lychee.ripeFlesh.translucency).toBeLessThan(0.15);
 	});
 
 	it("draws grey where the colour cannot be read", () => {
@@ -53,19 +73,43 @@ describe("skinOf", () => {
 describe("berryTint", () => {
 	const skin = of("43264f");
 	it("gives a berry the same tint for ever, and its neighbour another", () => {
-		expect(berryTint(skin, 17)).toEqual(berryTint(of("43264f"), 17));
-		expect(berryTint(skin, 17)).not.toEqual(berryTint(skin, 18));
+		expect(berryTint(skin, 17, RIPE)).toEqual(berryTint(of("43264f"), 17, RIPE));
+		expect(berryTint(skin, 17, RIPE)).not.toEqual(berryTint(skin, 18, RIPE));
 	});
 
 	it("stays near the skin's colour", () => {
-		const own = toLch(skin.base);
+		const own = toLch(skin.ripe);
 		for (let i = 0; i < 500; i++) {
-			const { colour, bloom, phase } = berryTint(skin, i);
-			const lch = toLch(colour);
+			const { ripe, bloom, phase } = berryTint(skin, i, RIPE);
+			const lch = toLch(ripe);
 			expect(Math.abs(lch.lightness - own.lightness)).toBeLessThan(0.1);
 			expect(bloom).toBeGreaterThan(0.4);
 			expect(bloom).toBeLessThan(1.6);
 			expect(phase >= 0 && phase < 1).toBe(true);
+		}
+	});
+
+	it("is the look's own colour, in sun and shade alike, where nothing is uneven", () => {
+		const even = skinOf({ ...LOOK, uneven: 0 });
+		for (const exposure of [0, 1]) {
+			const { ripe, unripe } = berryTint(even, 5, { ...RIPE, exposure });
+			ripe.forEach((channel, k) => expect(channel).toBeCloseTo(even.ripe[k], 4));
+			unripe.forEach((channel, k) => expect(channel).toBeCloseTo(even.unripe[k], 4));
+		}
+	});
+
+	it("turns pale berries golden in the sun", () => {
+		const pale = of("a9b04e");
+		const hue = (exposure: number) => toLch(berryTint(pale, 3, { ...RIPE, exposure }).ripe).hue;
+		expect(hue(1)).toBeLessThan(hue(0));
+	});
+
+	it("makes a raisin brown, dull and rid of most wax, of a pale berry as of a dark one", () => {
+		for (const colour of ["a9b04e", "43264f"]) {
+			const fresh = berryTint(of(colour), 8, RIPE);
+			const raisin = berryTint(of(colour), 8, { ...RIPE, shrivel: 1 });
+			expect(raisin.bloom).toBeLessThan(fresh.bloom);
+			expect(raisin.ripe[0]).toBeGreaterThan(raisin.ripe[2]);
 		}
 	});
 

@@ -1,5 +1,4 @@
 import {
-	BufferAttribute,
 	BufferGeometry,
 	DynamicDrawUsage,
 	Group,
@@ -8,59 +7,73 @@ import {
 	Mesh,
 	type PerspectiveCamera,
 	type ShaderMaterial,
-	type TypedArray,
 	Vector3,
 } from "three";
-import type { Grown, StemMesh } from "../core/grown";
-import { capMesh } from "./berry_material";
+import type { BerrySurfaces, Foliage, Grown, StemMesh } from "../core/grown";
+import { packVertices, surfacesOf, VERTICES_PER_ROW } from "./berry_skins";
+import { openFlowers } from "./flowers";
+import { RecordTexture } from "./record_texture";
+import { fill, fillStreams } from "./streams";
 
-const NEAREST_FIRST = new Vector3();
+const EYE = new Vector3();
 
-/** The meshes of a bunch: all berries as instances of one, all stems as one. Buffers are kept from bunch to bunch. */
+/** The materials of a bunch's parts. */
+export interface PartMaterials {
+	berry: ShaderMaterial;
+	stem: ShaderMaterial;
+	flower: ShaderMaterial;
+	foliage: ShaderMaterial;
+}
+
+/**
+ * The meshes of a bunch: all berries as instances of one pattern whose vertices stand in a texture, all open flowers as
+ * instances of one, all stems as one, all leaves as one. Buffers are kept from bunch to bunch.
+ */
 export class BunchSurface {
 	readonly group = new Group();
 	readonly #berries: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+	readonly #flowers: Mesh<InstancedBufferGeometry, ShaderMaterial>;
 	readonly #stems: Mesh<BufferGeometry, ShaderMaterial>;
+	readonly #foliage: Mesh<BufferGeometry, ShaderMaterial>;
+	readonly #vertices = new RecordTexture(1, "words", VERTICES_PER_ROW);
 	#spheres: Float32Array = new Float32Array(0);
-	#count = 0;
 	#depths = new Float64Array(0);
 	#order: number[] = [];
+	#berriesShown = true;
 
-	constructor(
-		readonly berryMaterial: ShaderMaterial,
-		readonly stemMaterial: ShaderMaterial,
-	) {
-		this.#berries = new Mesh(new InstancedBufferGeometry(), berryMaterial);
-		this.#berries.name = "berries";
-		this.#stems = new Mesh(new BufferGeometry(), stemMaterial);
-		this.#stems.name = "stems";
+	constructor(readonly materials: PartMaterials) {
+		this.#berries = this.#part("berries", new InstancedBufferGeometry(), materials.berry);
+		this.#flowers = this.#part("flowers", new InstancedBufferGeometry(), materials.flower);
+		this.#stems = this.#part("stems", new BufferGeometry(), materials.stem);
+		this.#foliage = this.#part("foliage", new BufferGeometry(), materials.foliage);
 		// After the berries, which hide most of them.
 		this.#stems.renderOrder = 1;
-		for (const mesh of [this.#berries, this.#stems]) {
-			// Their vertex shaders place them; three's bounds would not know where.
-			mesh.frustumCulled = false;
-			mesh.visible = false;
-			this.group.add(mesh);
-		}
 	}
 
 	/** Puts a bunch's geometry in place of the last one's. */
 	show(grown: Grown): void {
-		this.#showBerries(grown);
+		const surfaces = surfacesOf(grown);
+		this.#spheres = grown.berries.spheres;
+		this.#showBerries(surfaces, surfaces ? grown.berries.count : 0);
+		this.#showFlowers(grown);
 		this.#stems.visible = grown.stem !== undefined && grown.stem.indices.length > 0;
 		if (grown.stem) this.#showStems(grown.stem);
-		this.stemMaterial.uniforms.firstInternode.value = grown.berries.count;
+		this.#foliage.visible = grown.foliage !== undefined && grown.foliage.indices.length > 0;
+		if (grown.foliage) this.#showFoliage(grown.foliage);
+		this.materials.stem.uniforms.firstInternode.value = grown.berries.count;
 	}
 
-	set berriesVisible(shown: boolean) {
-		this.#berries.visible = shown && this.#count > 0;
+	set berriesShown(shown: boolean) {
+		this.#berriesShown = shown;
+		this.#berries.visible = shown && this.#order.length > 0;
+		this.#flowers.visible = shown && this.#flowers.geometry.instanceCount > 0;
 	}
 
 	/** Sorts the berries nearest first, so that the depth test spares the pixels of those behind. */
 	sort(camera: PerspectiveCamera): void {
-		const eye = NEAREST_FIRST.setFromMatrixPosition(camera.matrixWorld);
+		const eye = EYE.setFromMatrixPosition(camera.matrixWorld);
 		const s = this.#spheres;
-		for (let i = 0; i < this.#count; i++) {
+		for (let i = 0; i < this.#order.length; i++) {
 			this.#depths[i] = (s[4 * i] - eye.x) ** 2 + (s[4 * i + 1] - eye.y) ** 2 + (s[4 * i + 2] - eye.z) ** 2;
 		}
 		this.#order.sort((a, b) => this.#depths[a] - this.#depths[b]);
@@ -71,76 +84,98 @@ export class BunchSurface {
 	}
 
 	dispose(): void {
-		this.#berries.geometry.dispose();
-		this.#stems.geometry.dispose();
-		this.berryMaterial.dispose();
-		this.stemMaterial.dispose();
+		for (const part of [this.#berries, this.#flowers, this.#stems, this.#foliage]) {
+			part.geometry.dispose();
+			part.material.dispose();
+		}
+		this.#vertices.dispose();
 	}
 
-	#showBerries({ berries }: Grown): void {
-		const room = this.#berries.geometry.getAttribute("receiver")?.count ?? 0;
-		if (berries.count > room) {
-			this.#berries.geometry.dispose();
-			this.#berries.geometry = berryGeometry(Math.max(berries.count, Math.ceil(1.5 * room)));
-		}
-		if (berries.count !== this.#count) {
-			this.#count = berries.count;
-			this.#depths = new Float64Array(berries.count);
-			this.#order = Array.from({ length: berries.count }, (_, i) => i);
-		}
-		this.#spheres = berries.spheres;
-		this.#berries.geometry.instanceCount = berries.count;
+	#part<G extends BufferGeometry>(name: string, geometry: G, material: ShaderMaterial): Mesh<G, ShaderMaterial> {
+		const part = new Mesh(geometry, material);
+		part.name = name;
+		// Their vertex shaders place them; three's bounds would not know where.
+		part.frustumCulled = false;
+		part.visible = false;
+		this.group.add(part);
+		return part;
 	}
 
-	#showStems(stem: StemMesh): void {
-		const streams: [name: string, array: TypedArray, size: number][] = [
-			["position", stem.positions, 3],
-			["normal", stem.normals, 3],
-			["uv", stem.uvs, 2],
-			["internode", stem.internode, 1],
-		];
-		let { geometry } = this.#stems;
-		const fits = (old: BufferAttribute | undefined, array: TypedArray) => (old?.array.length ?? -1) >= array.length;
-		const roomy = streams.every(([name, array]) => fits(attributeOf(geometry, name), array));
-		if (!roomy || !fits(geometry.index ?? undefined, stem.indices)) {
-			geometry.dispose();
-			geometry = new BufferGeometry();
-			for (const [name, array, size] of streams) geometry.setAttribute(name, roomyAttribute(array, size));
-			geometry.setIndex(roomyAttribute(stem.indices, 1));
-			this.#stems.geometry = geometry;
+	#showBerries(surfaces: BerrySurfaces | undefined, count: number): void {
+		if (count !== this.#order.length) {
+			this.#depths = new Float64Array(count);
+			this.#order = Array.from({ length: count }, (_, i) => i);
 		}
-		for (const [name, array] of streams) fill(attributeOf(geometry, name), array);
-		fill(geometry.index ?? undefined, stem.indices);
-		geometry.setDrawRange(0, stem.indices.length);
+		const { geometry, material } = this.#berries;
+		reserveInstances(geometry, "receiver", count, 1);
+		geometry.instanceCount = count;
+		this.berriesShown = this.#berriesShown;
+		if (!surfaces) return;
+		this.#vertices.reserve(surfaces.pressed.length);
+		packVertices(surfaces, this.#vertices.words);
+		this.#vertices.changed();
+		material.uniforms.vertexRecords.value = this.#vertices.texture;
+		material.uniforms.patternVertices.value = surfaces.uvs.length / 2;
+		fillStreams(geometry, [["uv", surfaces.uvs, 2]], surfaces.indices);
+	}
+
+	#showFlowers({ flower, berries }: Grown): void {
+		const { geometry } = this.#flowers;
+		const open = flower ? openFlowers(berries) : new Float32Array(0);
+		geometry.instanceCount = open.length / 2;
+		this.berriesShown = this.#berriesShown;
+		if (!flower || open.length === 0) return;
+		reserveInstances(geometry, "bloomed", open.length / 2, 2);
+		const { positions, normals, uvs, indices } = flower;
+		fillStreams(
+			geometry,
+			[
+				["position", positions, 3],
+				["normal", normals, 3],
+				["uv", uvs, 2],
+			],
+			indices,
+		);
+		const attribute = geometry.getAttribute("bloomed");
+		if (attribute instanceof InstancedBufferAttribute) fill(attribute, open);
+	}
+
+	#showStems({ positions, normals, uvs, internode, indices }: StemMesh): void {
+		fillStreams(
+			this.#stems.geometry,
+			[
+				["position", positions, 3],
+				["normal", normals, 3],
+				["uv", uvs, 2],
+				["internode", internode, 1],
+			],
+			indices,
+		);
+	}
+
+	#showFoliage({ positions, normals, uvs, indices, parts }: Foliage): void {
+		const blade = new Float32Array(positions.length / 3);
+		for (const { kind, firstVertex, vertexCount } of parts) {
+			blade.fill(kind === "leaf" ? 1 : kind === "petiole" ? 0.5 : 0, firstVertex, firstVertex + vertexCount);
+		}
+		fillStreams(
+			this.#foliage.geometry,
+			[
+				["position", positions, 3],
+				["normal", normals, 3],
+				["uv", uvs, 2],
+				["blade", blade, 1],
+			],
+			indices,
+		);
 	}
 }
 
-function attributeOf(geometry: BufferGeometry, name: string): BufferAttribute | undefined {
-	const attribute = geometry.getAttribute(name);
-	return attribute instanceof BufferAttribute ? attribute : undefined;
-}
-
-/** An attribute with half as much room again as its first content needs. */
-function roomyAttribute(like: TypedArray, size: number): BufferAttribute {
-	const length = Math.ceil((1.5 * like.length) / size) * size;
-	const array = like instanceof Uint32Array ? new Uint32Array(length) : new Float32Array(length);
-	return new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
-}
-
-function fill(attribute: BufferAttribute | undefined, array: TypedArray): void {
-	if (!attribute) return;
-	attribute.array.set(array);
-	attribute.clearUpdateRanges();
-	attribute.addUpdateRange(0, array.length);
-	attribute.needsUpdate = true;
-}
-
-function berryGeometry(room: number): InstancedBufferGeometry {
-	const geometry = new InstancedBufferGeometry();
-	const { positions, indices } = capMesh();
-	geometry.setAttribute("position", new BufferAttribute(positions, 3));
-	geometry.setIndex(new BufferAttribute(indices, 1));
-	const receivers = new InstancedBufferAttribute(new Float32Array(room), 1).setUsage(DynamicDrawUsage);
-	geometry.setAttribute("receiver", receivers);
-	return geometry;
+/** Room for that many instances' values in an attribute. */
+function reserveInstances(geometry: InstancedBufferGeometry, name: string, count: number, size: number): void {
+	const room = geometry.getAttribute(name)?.count ?? 0;
+	if (count <= room) return;
+	geometry.dispose();
+	const array = new Float32Array(size * Math.max(count, Math.ceil(1.5 * room)));
+	geometry.setAttribute(name, new InstancedBufferAttribute(array, size).setUsage(DynamicDrawUsage));
 }

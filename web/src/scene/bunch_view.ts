@@ -12,6 +12,7 @@ import { type Spindle, spindleOf } from "./camera_fit";
 import { FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
 import { NoWebGL2Error } from "./no_webgl2";
+import { pickBerry } from "./picking";
 import { type Mode, Stage } from "./stage";
 import { Turntable, type ViewName } from "./turntable";
 
@@ -36,6 +37,7 @@ export class BunchView {
 	readonly #stage = new Stage();
 	readonly #turntable: Turntable;
 	readonly #loop: FrameLoop;
+	#grown: Grown | undefined;
 	#spindle: Spindle | undefined;
 	#held = false;
 	#lost = false;
@@ -60,6 +62,7 @@ export class BunchView {
 	/** Shows a bunch in place of the last. Cheap enough for every step of a drag: buffers and programs are reused. */
 	show(grown: Grown, look: Look): void {
 		this.#stage.show(grown, look);
+		this.#grown = grown;
 		this.#spindle = spindleOf(grown.berries.spheres, grown.internodes.ends);
 		this.#turntable.follow(this.#spindle, this.#held);
 		this.#loop.request(true);
@@ -136,6 +139,26 @@ export class BunchView {
 		this.camera.updateMatrixWorld();
 		const at = new Vector3().copy(point).project(this.camera);
 		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
+	}
+
+	/**
+	 * The berry under a point of the canvas (CSS pixels from its top left corner), as its index in `grown.berries`;
+	 * undefined where there is none. Stems hide nothing.
+	 */
+	pick(x: number, y: number): number | undefined {
+		if (!this.#grown || this.#stage.mode !== "whole") return undefined;
+		this.camera.updateMatrixWorld();
+		const { width, height } = this.#size;
+		const eye = this.camera.position;
+		const through = new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0).unproject(this.camera).sub(eye);
+		return pickBerry(this.#grown.berries, { origin: eye.toArray(), direction: through.toArray() });
+	}
+
+	/** Marks the berry pointed at, by index; none where undefined. A new bunch starts without a mark. */
+	highlight(berry: number | undefined): void {
+		if (berry === this.#stage.highlighted) return;
+		this.#stage.highlighted = berry;
+		this.#loop.request();
 	}
 
 	/** Asks for a frame; for overlays that have changed. */

@@ -13,7 +13,7 @@ import {
 	WebGLRenderTarget,
 	ZeroFactor,
 } from "three";
-import { type LightUniforms, RECORD_CHUNK } from "./light_shader";
+import { RECORD_CHUNK, type SharedUniforms } from "./light_shader";
 
 /** Pixels along the target's shorter side; the shadow is soft, so more would show nothing new. */
 const RESOLUTION = 104;
@@ -40,8 +40,9 @@ void main() {
 	vec4 middle = receiver_texel(receiver, 0);
 	vec4 axis = receiver_texel(receiver, 1);
 	bool round = receiver < berries;
-	vec3 along = round ? vec3(0.0) : axis.xyz;
-	float radius = round ? middle.w : axis.w;
+	vec4 form = receiver_texel(receiver, 4);
+	vec3 along = round ? axis.xyz * max(0.0, form.y - form.x) : axis.xyz;
+	float radius = round ? form.x : axis.w;
 	float way, other;
 	vec2 from = landing((viewMatrix * vec4(middle.xyz - along, 1.0)).xyz, way);
 	vec2 to = landing((viewMatrix * vec4(middle.xyz + along, 1.0)).xyz, other);
@@ -82,7 +83,7 @@ export class CastShadow {
 	readonly #geometry = new InstancedBufferGeometry();
 	readonly #scene = new Scene();
 
-	constructor(shared: LightUniforms & Record<string, { value: unknown }>) {
+	constructor(shared: SharedUniforms) {
 		this.#material = new ShaderMaterial({
 			name: "cast-shadow",
 			vertexShader: VERTEX,

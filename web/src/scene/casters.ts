@@ -40,6 +40,7 @@ export class Casters {
 
 	#share(receivers: Receivers, lamp: Lamp, records: Float32Array, channel: 0 | 1, list: boolean): void {
 		const { spheres } = receivers.index;
+		const { owner } = receivers;
 		const column = new Column(spheres, lamp.direction, this.#ensure(spheres.length));
 		for (let i = 0; i < receivers.count; i++) {
 			const at = i * 4 * RECORD;
@@ -51,7 +52,7 @@ export class Casters {
 			let kept = 0;
 			for (let f = 0; f < count; f++) {
 				const j = this.#found[f];
-				if (j === i) continue;
+				if (owner[j] === i) continue;
 				const along = column.along(j, x, y, z);
 				const radius = spheres[4 * j + 3];
 				if (along <= -radius) continue;

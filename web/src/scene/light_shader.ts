@@ -10,7 +10,7 @@ import {
 	spreadOf,
 	type Window,
 } from "./light";
-import { RECORD } from "./receivers";
+import { FAR, RECORD } from "./receivers";
 import { RECORDS_PER_ROW } from "./record_texture";
 
 const LOBES = 4;
@@ -52,6 +52,9 @@ export function lightUniforms() {
 }
 
 export type LightUniforms = ReturnType<typeof lightUniforms>;
+
+/** What every material of the scene is made with: the light, and what else they share. */
+export type SharedUniforms = LightUniforms & Record<string, { value: unknown }>;
 
 function setWindow(to: ReturnType<typeof windowUniforms>, window: Window): void {
 	to.toFrame.copy(frameOf(window));
@@ -103,7 +106,7 @@ vec4 caster_texel(int receiver, int texel) {
  */
 export const LIGHT_CHUNK = /* glsl */ `
 struct Window { mat3 toFrame; vec3 extent; vec3 irradiance; vec3 radiance; float spread; };
-struct Nearby { float sky; float mirror; float through; float gap; };
+struct Nearby { float sky; float mirror; float through; };
 uniform vec4 diffuseLobes[${LOBES}];
 uniform vec3 diffuseColours[${LOBES}];
 uniform vec4 glossLobes[${LOBES}];
@@ -148,16 +151,16 @@ float sky_hidden(float sine, float cosine) {
 }
 
 // What the nearest spheres and the far ones leave of the sky, of the mirror lobe and of what is seen through the flesh
-// along \`bent\`, and the gap to the nearest.
+// along \`bent\`.
 Nearby nearby(int receiver, int neighbours, vec3 p, vec3 n, vec3 r, vec3 bent, float blur) {
-	Nearby result = Nearby(1.0, 1.0, 1.0, 1e3);
+	Nearby result = Nearby(1.0, 1.0, 1.0);
 	if (berriesShown < 0.5) return result;
-	vec4 far = receiver_texel(receiver, 3);
+	vec4 far = receiver_texel(receiver, ${FAR});
 	result.sky = exp(-max(0.0, far.x + dot(far.yzw, n)));
 	result.mirror = exp(-max(0.0, far.x + dot(far.yzw, r)));
 	result.through = exp(-2.0 * max(0.0, far.x + dot(far.yzw, bent)));
 	for (int i = 0; i < neighbours; i++) {
-		vec4 s = receiver_texel(receiver, 4 + i);
+		vec4 s = receiver_texel(receiver, ${FAR + 1} + i);
 		if (s.w <= 0.0) break;
 		vec3 d = s.xyz - p;
 		float away = max(length(d), s.w * 1.001);
@@ -167,7 +170,6 @@ Nearby nearby(int receiver, int neighbours, vec3 p, vec3 n, vec3 r, vec3 bent, f
 		float edge = sqrt(1.0 - sine * sine);
 		result.mirror *= 1.0 - smoothstep(edge - blur, edge + blur, dot(r, d));
 		result.through *= 1.0 - smoothstep(edge - 0.35, edge + 0.35, dot(bent, d));
-		result.gap = min(result.gap, away - s.w);
 	}
 	return result;
 }

@@ -1,11 +1,15 @@
-import type { Grown } from "../core/grown";
+import type { Berries, Grown } from "../core/grown";
+import { type Occluders, occludersOf } from "./occluders";
 import type { BerryTint } from "./skin";
 import { SphereIndex } from "./sphere_index";
+import { halvesOf, traitOf } from "./traits";
 
 /** Spheres whose occlusion is evaluated per pixel; twelve is how many equal spheres can touch one. */
 export const NEIGHBOURS = 12;
-/** Texels of one receiver's record; see `packReceivers`. */
-export const RECORD = 4 + NEIGHBOURS;
+/** Where in a record the far occlusion stands; the neighbours follow it. */
+export const FAR = 5;
+/** Texels of one receiver's record; see `Receivers`. */
+export const RECORD = FAR + 1 + NEIGHBOURS;
 
 /** Farther than this many radii of the greatest berry, a sphere no longer counts towards the occlusion. */
 const HORIZON = 9;
@@ -14,18 +18,20 @@ const MAX_FOUND = 1024;
 /**
  * What receives light: berries first, then internodes. Each has a record of RECORD texels of four floats:
  *
- *     berry       0 centre, radius      1 direction, phase       2 colour (linear), bloom
- *     internode   0 middle, half length 1 half axis, radius      2 state, kind, 0, 0
- *     both        3 far occlusion: constant, then the vector of its cosine part
- *                 4… the NEIGHBOURS spheres that hide most, relative to the centre, with radius; 0 ends the list
+ *     berry       0 centre, reach       1 direction, phase       2 ripe colour (linear), bloom
+ *                 3 unripe colour, turned                        4 half width, half length, shrivel, seeds
+ *     internode   0 middle, half length 1 half axis, radius      2 state, kind; zeros up to 5
+ *     both        5 far occlusion: constant, then the vector of its cosine part
+ *                 6… the NEIGHBOURS spheres that hide most, relative to the centre, with radius; 0 ends the list
  */
 export interface Receivers {
 	/** Berries, then internodes. */
 	count: number;
 	berries: number;
 	records: Float32Array;
-	/** The index of the berries, for whoever casts shadows. */
+	/** The berries as spheres, for whoever casts shadows, and the berry each belongs to. */
 	index: SphereIndex;
+	owner: Uint32Array;
 }
 
 /** Texels the records of a bunch need. */
@@ -39,11 +45,14 @@ class Surroundings {
 	readonly #weights = new Float64Array(NEIGHBOURS);
 	readonly #nearest = new Int32Array(NEIGHBOURS);
 
-	constructor(readonly index: SphereIndex) {}
+	constructor(
+		readonly index: SphereIndex,
+		readonly owner: Uint32Array,
+	) {}
 
 	/**
-	 * Fills texels 3… of the record at `at` (in floats).
-	 * @param self index of the receiver's own sphere, −1 for none
+	 * Fills texels FAR… of the record at `at` (in floats).
+	 * @param self the berry that the receiver is, −1 for none
 	 * @param extent radius of the receiver about its centre
 	 */
 	survey(records: Float32Array, at: number, self: number, extent: number): void {
@@ -53,7 +62,7 @@ class Surroundings {
 		let kept = 0;
 		for (let f = 0; f < count; f++) {
 			const j = this.#found[f];
-			if (j === self) continue;
+			if (this.owner[j] === self) continue;
 			const dx = spheres[4 * j] - x;
 			const dy = spheres[4 * j + 1] - y;
 			const dz = spheres[4 * j + 2] - z;
@@ -62,8 +71,8 @@ class Surroundings {
 			const gap = Math.max(Math.sqrt(dx * dx + dy * dy + dz * dz) - extent, 0.05 * r);
 			kept = this.#keep(j, r / gap, kept);
 		}
-		this.#writeNear(records, at + 16, kept, x, y, z);
-		this.#writeFar(records, at + 12, count, self, kept, x, y, z);
+		this.#writeNear(records, at + 4 * (FAR + 1), kept, x, y, z);
+		this.#writeFar(records, at + 4 * FAR, count, self, kept, x, y, z);
 	}
 
 	/** Insertion into the short list, greatest weight first. */
@@ -111,7 +120,7 @@ class Surroundings {
 		let [constant, ax, ay, az] = [0, 0, 0, 0];
 		for (let f = 0; f < count; f++) {
 			const j = this.#found[f];
-			if (j === self || this.#isNear(j, kept)) continue;
+			if (this.owner[j] === self || this.#isNear(j, kept)) continue;
 			const dx = spheres[4 * j] - x;
 			const dy = spheres[4 * j + 1] - y;
 			const dz = spheres[4 * j + 2] - z;
@@ -139,26 +148,35 @@ class Surroundings {
 /** Writes the records of a bunch into `records` (at least `receiverTexels` × 4 floats), reusing its memory. */
 export function packReceivers(grown: Grown, tint: (berry: number) => BerryTint, records: Float32Array): Receivers {
 	const { berries, internodes } = grown;
-	const index = new SphereIndex(berries.spheres.subarray(0, 4 * berries.count));
-	const around = new Surroundings(index);
+	const { spheres, owner }: Occluders = occludersOf(berries);
+	const index = new SphereIndex(spheres);
+	const around = new Surroundings(index, owner);
 	const stride = 4 * RECORD;
 	for (let i = 0; i < berries.count; i++) {
-		const at = i * stride;
-		records.set(berries.spheres.subarray(4 * i, 4 * i + 4), at);
-		records.set(berries.directions.subarray(3 * i, 3 * i + 3), at + 4);
-		// A berry keeps its tint with its pedicel: the pedicel's place in the list is steadier than the berry's own.
-		const { colour, bloom, phase } = tint(berries.parent[i] ?? i);
-		records[at + 7] = phase;
-		records.set(colour, at + 8);
-		records[at + 11] = bloom;
-		around.survey(records, at, i, berries.spheres[4 * i + 3]);
+		packBerry(berries, i, tint(i), records, i * stride);
+		around.survey(records, i * stride, i, berries.spheres[4 * i + 3]);
 	}
 	for (let i = 0; i < internodes.count; i++) {
 		const at = (berries.count + i) * stride;
 		const half = packInternode(grown, i, records, at);
 		around.survey(records, at, -1, half);
 	}
-	return { count: berries.count + internodes.count, berries: berries.count, records, index };
+	return { count: berries.count + internodes.count, berries: berries.count, records, index, owner };
+}
+
+function packBerry(berries: Berries, i: number, tint: BerryTint, records: Float32Array, at: number): void {
+	const halves = halvesOf(berries, i);
+	records.set(berries.spheres.subarray(4 * i, 4 * i + 3), at);
+	records[at + 3] = Math.max(...halves);
+	records.set(berries.directions.subarray(3 * i, 3 * i + 3), at + 4);
+	records[at + 7] = tint.phase;
+	records.set(tint.ripe, at + 8);
+	records[at + 11] = tint.bloom;
+	records.set(tint.unripe, at + 12);
+	records[at + 15] = traitOf(berries, i, "turned");
+	records.set(halves, at + 16);
+	records[at + 18] = traitOf(berries, i, "shrivel");
+	records[at + 19] = traitOf(berries, i, "seeds");
 }
 
 function packInternode({ internodes }: Grown, i: number, records: Float32Array, at: number): number {
@@ -174,7 +192,6 @@ function packInternode({ internodes }: Grown, i: number, records: Float32Array, 
 	records[at + 7] = 0.5 * (radii[2 * i] + radii[2 * i + 1]);
 	records[at + 8] = state[i];
 	records[at + 9] = kind[i];
-	records[at + 10] = 0;
-	records[at + 11] = 0;
+	records.fill(0, at + 10, at + 4 * FAR);
 	return records[at + 3];
 }

@@ -1,32 +1,48 @@
-import { DataTexture, FloatType, NearestFilter, RGBAFormat } from "three";
+import { DataTexture, FloatType, NearestFilter, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from "three";
 
 /** Records side by side in one row of a texture; keeps the greatest bunches inside every device's texture limits. */
 export const RECORDS_PER_ROW = 64;
 
+/** Of what a texel's four words are; shaders read `words` through a `usampler2D`. */
+export type TexelKind = "floats" | "words";
+
 /**
- * A growing array of records of four-float texels that shaders read by index. Memory is kept between bunches and
+ * A growing array of records of four-word texels that shaders read by index. Memory is kept between bunches and
  * grows by halves, so that dragging neither allocates nor rebuilds.
  */
 export class RecordTexture {
 	texture: DataTexture;
 	#capacity = 0;
 
-	/** @param texels per record */
-	constructor(readonly texels: number) {
+	/**
+	 * @param texels per record
+	 * @param perRow records side by side
+	 */
+	constructor(
+		readonly texels: number,
+		readonly kind: TexelKind = "floats",
+		readonly perRow = RECORDS_PER_ROW,
+	) {
 		this.texture = this.#make(1);
 	}
 
 	/** Room for `count` records; `data` and `texture` may be new afterwards. */
 	reserve(count: number): void {
 		if (count <= this.#capacity) return;
-		const rows = Math.ceil(Math.max(count, 1.5 * this.#capacity) / RECORDS_PER_ROW);
+		const rows = Math.ceil(Math.max(count, 1.5 * this.#capacity) / this.perRow);
 		this.texture.dispose();
 		this.texture = this.#make(rows);
 	}
 
-	/** The records, one after another. */
+	/** The records as floats, one after another. */
 	get data(): Float32Array {
-		return this.texture.image.data as Float32Array;
+		const { buffer } = this.texture.image.data as Float32Array | Uint32Array;
+		return new Float32Array(buffer);
+	}
+
+	/** The same memory as words. */
+	get words(): Uint32Array {
+		return new Uint32Array(this.data.buffer);
 	}
 
 	/** Sends the records to the GPU with the next draw. */
@@ -39,9 +55,13 @@ export class RecordTexture {
 	}
 
 	#make(rows: number): DataTexture {
-		this.#capacity = rows * RECORDS_PER_ROW;
-		const width = RECORDS_PER_ROW * this.texels;
-		const texture = new DataTexture(new Float32Array(width * rows * 4), width, rows, RGBAFormat, FloatType);
+		this.#capacity = rows * this.perRow;
+		const width = this.perRow * this.texels;
+		const length = width * rows * 4;
+		const texture =
+			this.kind === "floats"
+				? new DataTexture(new Float32Array(length), width, rows, RGBAFormat, FloatType)
+				: new DataTexture(new Uint32Array(length), width, rows, RGBAIntegerFormat, UnsignedIntType);
 		texture.magFilter = NearestFilter;
 		texture.minFilter = NearestFilter;
 		return texture;

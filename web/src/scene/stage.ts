@@ -2,10 +2,12 @@ import { type PerspectiveCamera, Scene, type WebGLRenderer } from "three";
 import type { Grown } from "../core/grown";
 import type { Look } from "../specimen/specimen";
 import { Backdrop } from "./backdrop";
-import { berryMaterial, setSkin } from "./berry_material";
+import { berryMaterial, NONE, setSkin } from "./berry_material";
 import { BunchSurface } from "./bunch_surface";
 import { CastShadow } from "./cast_shadow";
 import { CAST_RECORD, Casters } from "./casters";
+import { flowerMaterial } from "./flower_material";
+import { foliageMaterial } from "./foliage_material";
 import { type LightRig, rigOf, spreadOf, type Theme } from "./light";
 import { aimLamps, lightUniforms, setRig } from "./light_shader";
 import { packReceivers, RECORD, type Receivers } from "./receivers";
@@ -13,6 +15,10 @@ import { RecordTexture } from "./record_texture";
 import { REHEARSAL, REHEARSAL_LOOK } from "./rehearsal";
 import { berryTint, skinOf } from "./skin";
 import { setStem, stemMaterial } from "./stem_material";
+import { meanOf, traitOf } from "./traits";
+
+/** The paper's bunches have no age; theirs is a ripe one's wood. */
+const PAPER_WOOD = 0.55;
 
 export type Mode = "whole" | "stems";
 
@@ -28,13 +34,19 @@ export class Stage {
 		casterRecords: { value: this.#casterRecords.texture },
 		berriesShown: { value: 1 },
 	};
-	readonly #surface = new BunchSurface(berryMaterial(this.#shared), stemMaterial(this.#shared));
+	readonly #surface = new BunchSurface({
+		berry: berryMaterial(this.#shared),
+		stem: stemMaterial(this.#shared),
+		flower: flowerMaterial(this.#shared),
+		foliage: foliageMaterial(this.#shared),
+	});
 	readonly #shadow = new CastShadow(this.#shared);
 	readonly #backdrop = new Backdrop(this.#shadow.target.texture);
 	readonly #casters = new Casters();
 	#receivers: Receivers | undefined;
 	#rig: LightRig = rigOf("light");
 	#mode: Mode = "whole";
+	#highlighted: number | undefined;
 
 	constructor() {
 		this.scene.add(this.#surface.group, this.#backdrop.mesh);
@@ -57,19 +69,39 @@ export class Stage {
 	}
 
 	show(grown: Grown, look: Look): void {
-		const skin = skinOf(look);
-		setSkin(this.#surface.berryMaterial, skin);
-		setStem(this.#surface.stemMaterial, look.stem);
-		const count = grown.berries.count + grown.internodes.count;
+		this.highlighted = undefined;
+		const { berries } = grown;
+		const { materials } = this.#surface;
+		const skin = skinOf(look, grown.form.fruit, grown.procedure === "paper");
+		setSkin(materials.berry, skin);
+		setStem(materials.stem, look.stem, woodOf(grown));
+		materials.foliage.uniforms.autumn.value = meanOf(berries, "shrivel", 0);
+		const count = berries.count + grown.internodes.count;
 		this.#receiverRecords.reserve(count);
 		this.#casterRecords.reserve(count);
 		this.#shared.receiverRecords.value = this.#receiverRecords.texture;
 		this.#shared.casterRecords.value = this.#casterRecords.texture;
-		this.#receivers = packReceivers(grown, (berry) => berryTint(skin, berry), this.#receiverRecords.data);
+		const tint = (i: number) =>
+			berryTint(skin, berries.ids[i], {
+				exposure: traitOf(berries, i, "exposure"),
+				set: traitOf(berries, i, "set"),
+				shrivel: traitOf(berries, i, "shrivel"),
+			});
+		this.#receivers = packReceivers(grown, tint, this.#receiverRecords.data);
 		this.#receiverRecords.changed();
 		this.#surface.show(grown);
 		this.#surface.group.visible = true;
 		this.#showBerries();
+	}
+
+	/** The berry pointed at, by index. */
+	get highlighted(): number | undefined {
+		return this.#highlighted;
+	}
+
+	set highlighted(berry: number | undefined) {
+		this.#highlighted = berry;
+		this.#surface.materials.berry.uniforms.highlighted.value = berry ?? NONE;
 	}
 
 	get mode(): Mode {
@@ -117,8 +149,14 @@ export class Stage {
 
 	#showBerries(): void {
 		const shown = this.#mode === "whole";
-		this.#surface.berriesVisible = shown;
+		this.#surface.berriesShown = shown;
 		this.#shared.berriesShown.value = shown ? 1 : 0;
-		this.#surface.stemMaterial.uniforms.marking.value = shown ? 0 : 1;
+		this.#surface.materials.stem.uniforms.marking.value = shown ? 0 : 1;
 	}
+}
+
+/** How far a bunch's stems have turned woody, 0 … 1: they do as the berries colour, and go on as these dry. */
+function woodOf({ berries, procedure }: Grown): number {
+	if (procedure === "paper") return PAPER_WOOD;
+	return 0.55 * meanOf(berries, "turned", 1) + 0.45 * meanOf(berries, "shrivel", 0);
 }

@@ -1,6 +1,6 @@
 import { ShaderMaterial, Vector3 } from "three";
 import { fromHex } from "./colour";
-import { LIGHT_CHUNK, type LightUniforms, NOISE_CHUNK, RECORD_CHUNK } from "./light_shader";
+import { LIGHT_CHUNK, NOISE_CHUNK, RECORD_CHUNK, type SharedUniforms } from "./light_shader";
 
 /** Stems look up fewer spheres than berries do: those that matter most. */
 const NEIGHBOURS_OF_STEM = 6;
@@ -17,17 +17,18 @@ uniform float marking;
 varying vec3 light;
 varying vec3 sheen;
 varying vec3 bark;
-varying vec2 state;
+varying vec3 state;
 ${RECORD_CHUNK}
 ${LIGHT_CHUNK}
 void main() {
 	int receiver = firstInternode + int(internode);
 	vec4 middle = receiver_texel(receiver, 0);
 	vec4 axis = receiver_texel(receiver, 1);
-	float withered = receiver_texel(receiver, 2).x;
+	vec2 nature = receiver_texel(receiver, 2).xy;
+	float withered = nature.x;
 	vec3 point = position - middle.xyz;
-	// How near the internode's ends: 0 in the middle, 1 at a node.
-	state = vec2(withered, abs(dot(point, axis.xyz)) / max(dot(axis.xyz, axis.xyz), 1e-12));
+	// How near the internode's ends, 0 in the middle, 1 at a node; and how early its kind turns to wood.
+	state = vec3(withered, abs(dot(point, axis.xyz)) / max(dot(axis.xyz, axis.xyz), 1e-12), 1.0 - 0.3 * nature.y);
 	bark = vec3(uv.x * 14.0, uv.y * 3.0, position.y * 90.0);
 
 	Nearby around = nearby(receiver, ${NEIGHBOURS_OF_STEM}, point, normal, normal, normal, 0.5);
@@ -53,18 +54,23 @@ const FRAGMENT = /* glsl */ `
 varying vec3 light;
 varying vec3 sheen;
 varying vec3 bark;
-varying vec2 state;
+varying vec3 state;
 uniform vec3 green;
 uniform vec3 marked;
 uniform float marking;
+uniform float wood;
 ${NOISE_CHUNK}
 void main() {
 	float mottle = noise(bark);
 	float withered = state.x;
 	float node = smoothstep(0.72, 1.0, state.y) * 0.45;
-	float brown = clamp(node + 0.5 * smoothstep(0.45, 0.85, mottle) + 0.75 * withered * (1.0 - marking), 0.0, 1.0);
-	vec3 wood = green * vec3(0.92, 0.62, 0.5) * mix(0.85, 0.5, withered);
-	vec3 skin = mix(green, wood, brown) * (0.92 + 0.42 * mottle);
+	// Wood spreads from the nodes and along the bark's streaks, on the rachis first, on pedicels last.
+	float aged = wood * state.z;
+	float brown = node * (0.3 + 0.7 * wood) + 0.5 * smoothstep(0.45, 0.85, mottle) * (0.4 + 0.6 * wood);
+	brown = clamp(brown + 0.75 * withered * (1.0 - marking) + 0.9 * smoothstep(0.35, 1.1, aged + 0.3 * mottle), 0.0, 1.0);
+	vec3 bark_ = green * mix(vec3(0.92, 0.62, 0.5), vec3(0.8, 0.48, 0.36), aged) * mix(0.85, 0.5, withered);
+	vec3 young = mix(green * vec3(0.82, 1.12, 0.72), green, min(1.0, 1.6 * wood));
+	vec3 skin = mix(young, bark_, brown) * (0.92 + 0.42 * mottle);
 	skin = mix(skin, marked, marking * withered);
 	gl_FragColor = vec4(skin * light + sheen, 1.0);
 	#include <tonemapping_fragment>
@@ -73,7 +79,7 @@ void main() {
 `;
 
 /** The one material of all stems. */
-export function stemMaterial(shared: LightUniforms & Record<string, { value: unknown }>): ShaderMaterial {
+export function stemMaterial(shared: SharedUniforms): ShaderMaterial {
 	return new ShaderMaterial({
 		name: "stem",
 		vertexShader: VERTEX,
@@ -84,11 +90,16 @@ export function stemMaterial(shared: LightUniforms & Record<string, { value: unk
 			green: { value: new Vector3() },
 			marked: { value: new Vector3(...fromHex("c2334f")) },
 			marking: { value: 0 },
+			wood: { value: 0 },
 		},
 	});
 }
 
-/** @param hex the look's stem colour */
-export function setStem(material: ShaderMaterial, hex: string): void {
+/**
+ * @param hex the look's stem colour
+ * @param wood how far the stems have turned woody, 0 … 1
+ */
+export function setStem(material: ShaderMaterial, hex: string, wood: number): void {
 	material.uniforms.green.value.fromArray(fromHex(hex));
+	material.uniforms.wood.value = wood;
 }

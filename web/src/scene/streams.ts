@@ -1,0 +1,45 @@
+import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type TypedArray } from "three";
+
+/** One attribute's content: its name, numbers and how many of them make one item. */
+export type Stream = readonly [name: string, array: TypedArray, size: number];
+
+/**
+ * Puts content into a geometry, into the buffers it has where they are large enough; else into new ones with half as
+ * much room again, so that dragging hardly ever allocates. Draws all of `index`.
+ */
+export function fillStreams(geometry: BufferGeometry, streams: readonly Stream[], index: TypedArray): void {
+	const roomy = streams.every(([name, array]) => fits(attributeOf(geometry, name), array));
+	if (!roomy || !fits(geometry.index ?? undefined, index)) {
+		// three forgets a disposed geometry's buffers and takes it up anew.
+		geometry.dispose();
+		for (const [name, array, size] of streams) geometry.setAttribute(name, roomyAttribute(array, size));
+		geometry.setIndex(roomyAttribute(index, 1));
+	}
+	for (const [name, array] of streams) fill(attributeOf(geometry, name), array);
+	fill(geometry.index ?? undefined, index);
+	geometry.setDrawRange(0, index.length);
+}
+
+function attributeOf(geometry: BufferGeometry, name: string): BufferAttribute | undefined {
+	const attribute = geometry.getAttribute(name);
+	return attribute instanceof BufferAttribute ? attribute : undefined;
+}
+
+function fits(old: BufferAttribute | undefined, array: TypedArray): boolean {
+	return (old?.array.length ?? -1) >= array.length;
+}
+
+function roomyAttribute(like: TypedArray, size: number): BufferAttribute {
+	const length = Math.ceil((1.5 * like.length) / size) * size;
+	const array = like instanceof Uint32Array ? new Uint32Array(length) : new Float32Array(length);
+	return new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
+}
+
+/** Writes an attribute's first items and has only those sent to the GPU. */
+export function fill(attribute: BufferAttribute | undefined, array: TypedArray): void {
+	if (!attribute) return;
+	attribute.array.set(array);
+	attribute.clearUpdateRanges();
+	attribute.addUpdateRange(0, array.length);
+	attribute.needsUpdate = true;
+}
