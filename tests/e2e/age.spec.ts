@@ -70,6 +70,7 @@ test("play runs from the flower on, by key or button, and a pause is one step", 
 	await age.focus();
 	await page.keyboard.press("k");
 	await expect(studio.button("Pause")).toBeVisible();
+	await expect.poll(async () => Number(await age.inputValue())).toBeGreaterThan(Number(stopped));
 	await page.keyboard.press(" ");
 	await expect(studio.button("Play")).toBeVisible();
 	await studio.button("Undo").click();
