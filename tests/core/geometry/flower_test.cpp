@@ -7,8 +7,9 @@
 using namespace panicle;
 using namespace panicle::test;
 
-TEST_CASE("the open flower is sixteen closed pieces facing outwards: a style, "
-          "five filaments, ten lobes") {
+TEST_CASE(
+    "the open flower is sixteen closed pieces facing outwards: a style, "
+    "five filaments, ten lobes") {
   const Mesh flower = make_flower();
   check_sound(flower);
   CHECK(share_turned(flower) == 0);
@@ -16,9 +17,8 @@ TEST_CASE("the open flower is sixteen closed pieces facing outwards: a style, "
   std::vector<std::size_t> first = {0};
   std::uint32_t furthest = 0;
   for (std::size_t t = 0; t < flower.indices.size(); t += 3) {
-    const std::uint32_t *corner = &flower.indices[t];
-    if (t > 0 && std::min({corner[0], corner[1], corner[2]}) > furthest)
-      first.push_back(t);
+    const std::uint32_t* corner = &flower.indices[t];
+    if (t > 0 && std::min({corner[0], corner[1], corner[2]}) > furthest) first.push_back(t);
     furthest = std::max({furthest, corner[0], corner[1], corner[2]});
   }
   first.push_back(flower.indices.size());
@@ -42,8 +42,7 @@ TEST_CASE("it stands round the ovary and opens towards +Y") {
     const double v = flower.uvs[2 * i + 1];
     CHECK(v >= 0);
     CHECK(v <= 1);
-    if (v > 0.5)
-      anthers_low = std::min(anthers_low, p.y);
+    if (v > 0.5) anthers_low = std::min(anthers_low, p.y);
   }
   CHECK(low > -1);
   CHECK(high > 2);

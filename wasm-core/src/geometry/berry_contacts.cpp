@@ -117,10 +117,11 @@ class Pair {
   glm::vec3 between_;
 };
 
-// A plane: at right angles to `direction`, `from_a` beyond the first centre and `from_b` before the second.
+// A plane: at right angles to `direction`, `from_a` beyond the first centre and `from_b` before the second, whose free
+// forms reach to `end_a` and `end_b`.
 struct Plane {
   glm::vec3 direction;
-  float from_a, from_b;
+  float from_a, from_b, end_a, end_b;
 };
 
 // None where the bodies are well apart, or at one place.
@@ -145,9 +146,9 @@ std::optional<Plane> plane_between(const BerryFrame& a, const BerryFrame& b, con
   }
   const float radius_a = m.a.curvature_radius(), radius_b = m.b.curvature_radius();
   const float share = std::clamp(radius_b / (radius_a + radius_b), 0.2f, 0.8f);
-  const float from_a = glm::dot(m.a.point, m.direction) + m.apart * share;
-  const float kept = std::clamp(from_a, 0.15f * distance, 0.85f * distance);
-  return Plane{m.direction, kept, distance - kept};
+  const float end_a = glm::dot(m.a.point, m.direction), end_b = -glm::dot(m.b.point, m.direction);
+  const float from_a = std::clamp(end_a + m.apart * share, 0.15f * distance, 0.85f * distance);
+  return Plane{m.direction, from_a, distance - from_a, end_a, end_b};
 }
 
 }  // namespace
@@ -188,12 +189,12 @@ BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMerid
   }
   for (std::size_t i = 0; i < frames.size(); ++i) result.first[i + 1] += result.first[i];
   // Pairs come by their first, then their second: so each berry meets its neighbours in ascending order.
-  result.slopes.resize(result.first.back());
+  result.planes.resize(result.first.back());
   std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
   for (const Contact& contact : contacts) {
-    const Plane& plane = contact.plane;
-    result.slopes[next[contact.a]++] = plane.direction * frames[contact.a].axes / plane.from_a;
-    result.slopes[next[contact.b]++] = -plane.direction * frames[contact.b].axes / plane.from_b;
+    const Plane& p = contact.plane;
+    result.planes[next[contact.a]++] = {p.direction * frames[contact.a].axes / p.from_a, p.end_a / p.from_a - 1};
+    result.planes[next[contact.b]++] = {-p.direction * frames[contact.b].axes / p.from_b, p.end_b / p.from_b - 1};
   }
   return result;
 }

@@ -21,11 +21,17 @@ struct BerryFrame {
 // `roll` turns the berry about its direction, in degrees.
 BerryFrame frame_of(const BerryBody& body, float roll);
 
-// For each berry the half-spaces it keeps to, in its own unit space: slope · point ≤ 1. Berry i has those from
-// first[i] to first[i + 1], ordered by the neighbour's index.
+// A half-space that a berry keeps to, in its own unit space: slope · point ≤ 1. The plane dents the free form by
+// `depth`, over the plane's distance from the centre; below 0 it lies off.
+struct BerryPlane {
+  glm::vec3 slope;
+  float depth;
+};
+
+// Berry i has the planes from first[i] to first[i + 1], ordered by the neighbour's index.
 struct BerryContacts {
   std::vector<std::uint32_t> first;
-  std::vector<glm::vec3> slopes;
+  std::vector<BerryPlane> planes;
 };
 
 // A plane for every pair whose free forms, `reach` times as large, could meet: at right angles to the direction in

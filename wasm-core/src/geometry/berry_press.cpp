@@ -9,7 +9,10 @@
 namespace panicle {
 namespace {
 
-constexpr float softest = 0.12f;  // how far round a rim the surface bends, over the berry's radius
+// How far round a rim the surface bends, over the berry's radius: as far as the dent is deep, so that even a shallow
+// one touches its plane, between these.
+constexpr float softest = 0.12f, hardest = 0.015f;
+constexpr float rubbed = 0.03f;  // a skin this near to a plane is marked, over the berry's radius
 constexpr float volume_error = 1e-3f;
 
 Four maximum(const Four& a, const Four& b) { return a > b ? a : b; }
@@ -21,10 +24,10 @@ struct Blend {
   Four value, share;
 };
 
-Blend soft_maximum(const Four& a, const Four& b, const Four& soft, const Four& per_soft) {
+Blend soft_maximum(const Four& a, const Four& b, const Four& soft) {
   const Four zero = four(0);
   const Four difference = a - b;
-  const Four near = maximum(zero, 1 - maximum(difference, -difference) * per_soft);
+  const Four near = maximum(zero, 1 - maximum(difference, -difference) / soft);
   const Four half = near * near * 0.5f;
   return {maximum(a, b) + near * half * soft * (1 / 3.0f), difference > zero ? 1 - half : half};
 }
@@ -32,47 +35,50 @@ Blend soft_maximum(const Four& a, const Four& b, const Four& soft, const Four& p
 }  // namespace
 
 BerryPress::BerryPress(const BerryPattern& pattern)
-    : pattern_(pattern), planes_(pattern.padded()), radius_(pattern.padded()) {}
+    : pattern_(pattern), planes_(pattern.padded()), soft_(pattern.padded()), radius_(pattern.padded()) {}
 
-void BerryPress::fit(const GaugeTable& free, std::span<const glm::vec3> slopes, float volume) {
+void BerryPress::fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume) {
   free_ = &free;
   nearest_ = *std::min_element(free.value.begin(), free.value.end()) / most_bulge;
-  soft_ = softest;
-  for (int tries = 0; tries < 3; ++tries, soft_ *= 0.4f) {
-    clip(slopes);
+  // Where there is no room for round rims, sharper ones leave a little more.
+  for (const float softness : {1.0f, 0.5f}) {
+    clip(planes, softness);
     if (bulge_to(volume)) return;
   }
-  soft_ /= 0.4f;
 }
 
-void BerryPress::clip(std::span<const glm::vec3> slopes) {
-  for (auto* values : {&planes_.value, &planes_.x, &planes_.y, &planes_.z})
+void BerryPress::clip(std::span<const BerryPlane> planes, float softness) {
+  for (auto* values : {&planes_.value, &planes_.x, &planes_.y, &planes_.z}) {
     std::fill(values->begin(), values->end(), 0.0f);
-  const Four soft = four(soft_), per_soft = four(1 / soft_);
+  }
+  std::fill(soft_.begin(), soft_.end(), softest);
   // Below this a plane changes nothing, not even by way of another that it is blended with.
-  const Four least = four(nearest_ - 2 * soft_);
+  const Four least = four(nearest_ - 2 * softest);
   const auto& [ex, ey, ez] = pattern_.directions;
-  for (const glm::vec3& slope : slopes) {
+  for (const auto& [slope, depth] : planes) {
+    const Four own_soft = four(softness * std::clamp(depth, hardest, softest));
     for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
       const Four plane = load(&ex[i]) * slope.x + load(&ey[i]) * slope.y + load(&ez[i]) * slope.z;
       if (all(plane < least)) continue;
-      const Blend blend = soft_maximum(plane, load(&planes_.value[i]), soft, per_soft);
+      const Four soft = load(&soft_[i]);
+      const Blend blend = soft_maximum(plane, load(&planes_.value[i]), own_soft < soft ? own_soft : soft);
       const Four rest = 1 - blend.share;
       store(&planes_.value[i], blend.value);
       store(&planes_.x[i], slope.x * blend.share + load(&planes_.x[i]) * rest);
       store(&planes_.y[i], slope.y * blend.share + load(&planes_.y[i]) * rest);
       store(&planes_.z[i], slope.z * blend.share + load(&planes_.z[i]) * rest);
+      store(&soft_[i], own_soft * blend.share + soft * rest);
     }
   }
 }
 
 // Sums up the vertices' cones, which is quick and a little too much where the surface is flat.
 BerryPress::Volume BerryPress::rough_volume() {
-  const Four soft = four(soft_), per_soft = four(1 / soft_), shrink = four(1 / bulge_);
+  const Four shrink = four(1 / bulge_);
   Four sum = four(0), slope = four(0);
   for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
     const Four own = load(&free_->value[i]) * shrink;
-    const Blend blend = soft_maximum(own, load(&planes_.value[i]), soft, per_soft);
+    const Blend blend = soft_maximum(own, load(&planes_.value[i]), load(&soft_[i]));
     const Four radius = 1 / blend.value;
     const Four part = load(&pattern_.shares[i]) * radius * radius * radius;
     store(&radius_[i], radius);
@@ -114,7 +120,7 @@ bool BerryPress::bulge_to(float volume) {
 }
 
 void BerryPress::write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const {
-  const Four soft = four(soft_), per_soft = four(1 / soft_), shrink = four(1 / bulge_);
+  const Four shrink = four(1 / bulge_);
   const glm::mat3& m = frame.axes;
   // Normals go by the inverse transposed: the axes are at right angles.
   const glm::mat3 n(m[0] / glm::dot(m[0], m[0]), m[1] / glm::dot(m[1], m[1]), m[2] / glm::dot(m[2], m[2]));
@@ -126,7 +132,7 @@ void BerryPress::write(const BerryFrame& frame, float* positions, float* normals
   };
   for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
     const Four own = load(&free_->value[i]) * shrink, plane = load(&planes_.value[i]);
-    const Blend blend = soft_maximum(own, plane, soft, per_soft);
+    const Blend blend = soft_maximum(own, plane, load(&soft_[i]));
     const Four radius = 1 / blend.value;
     const Four dx = load(&ex[i]), dy = load(&ey[i]), dz = load(&ez[i]);
     const Four x = dx * radius, y = dy * radius, z = dz * radius;
@@ -149,7 +155,7 @@ void BerryPress::write(const BerryFrame& frame, float* positions, float* normals
     const Four per_length = 1 / square_root(nx * nx + ny * ny + nz * nz);
     write_four(normals + 3 * i, nx * per_length, ny * per_length, nz * per_length);
 
-    const Four depth = 1 + (plane - own) * (1 / (0.5f * softest));
+    const Four depth = 1 + (plane - own) * (1 / rubbed);
     const Four inside = maximum(four(0), depth > four(1) ? four(1) : depth);
     const Four share = inside * inside * (3 - 2 * inside) * 255 + 0.5f;
     for (int lane = 0; lane < 4; ++lane) pressed[i + lane] = static_cast<std::uint8_t>(share[lane]);

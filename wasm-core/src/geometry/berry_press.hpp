@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -21,9 +20,9 @@ class BerryPress {
 
   explicit BerryPress(const BerryPattern& pattern);
 
-  // Fits a berry between its planes (slope · point ≤ 1) so that its triangles hold `volume`, or as near to that as
-  // they allow. `free` is kept by reference until `write`.
-  void fit(const GaugeTable& free, std::span<const glm::vec3> slopes, float volume);
+  // Fits a berry between its planes so that its triangles hold `volume`, or as near to that as they allow. `free` is
+  // kept by reference until `write`.
+  void fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume);
 
   // The berry last fitted, in world space. Writes up to three vertices more than the pattern has, of no meaning.
   void write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const;
@@ -33,7 +32,7 @@ class BerryPress {
     float value, slope;  // and its derivative by the logarithm of the bulge
   };
 
-  void clip(std::span<const glm::vec3> slopes);
+  void clip(std::span<const BerryPlane> planes, float softness);
   bool bulge_to(float volume);
   Volume rough_volume();
   float exact_volume() const;
@@ -41,8 +40,9 @@ class BerryPress {
   const BerryPattern& pattern_;
   const GaugeTable* free_ = nullptr;
   GaugeTable planes_;
+  std::vector<float> soft_;  // how round the rim is that a vertex may lie on
   std::vector<float> radius_;
-  float nearest_ = 0, soft_ = 0, bulge_ = 1;
+  float nearest_ = 0, bulge_ = 1;
 };
 
 }  // namespace panicle

@@ -41,14 +41,14 @@ BerrySurfaces press_berries(std::span<const BerryBody> bodies, const BerryForm& 
   BerryPress press(pattern);
   GaugeTable dried(furrowed ? pattern.padded() : 0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const auto slopes =
-        std::span(contacts.slopes).subspan(contacts.first[i], contacts.first[i + 1] - contacts.first[i]);
+    const auto planes =
+        std::span(contacts.planes).subspan(contacts.first[i], contacts.first[i + 1] - contacts.first[i]);
     if (shrivelled(bodies[i])) {
       const float shrivel = std::min(bodies[i].shrivel, 1.0f);
       furrows->carve(free, bodies[i].id, shrivel, dried);
-      press.fit(dried, slopes, meridian.volume() * (1 - furrowed_volume * shrivel));
+      press.fit(dried, planes, meridian.volume() * (1 - furrowed_volume * shrivel));
     } else {
-      press.fit(free, slopes, meridian.volume());
+      press.fit(free, planes, meridian.volume());
     }
     press.write(frames[i], &surfaces.positions[3 * each * i], &surfaces.normals[3 * each * i],
                 &surfaces.pressed[each * i]);
