@@ -16,7 +16,7 @@ const core = `/@fs${new URL("../../build/core/panicle.wasm", import.meta.url).pa
 /** Runs in the page, where Vite serves the sources. */
 async function draw({ address, name, size, oversampling, quality, theme, views }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
-	const { renderPicture } = await at("scene/picture.ts");
+	const { BunchView } = await at("scene/bunch_view.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
 	const { encodeRequest } = await at("core/request.ts");
@@ -25,10 +25,17 @@ async function draw({ address, name, size, oversampling, quality, theme, views }
 	globalThis.core ??= await Core.instantiate(await compileCore(address));
 	const specimen = specimenFromPreset(name);
 	const grown = globalThis.core.grow(encodeRequest(specimen));
-	const large = { width: size.width * oversampling, height: size.height * oversampling, theme };
+	const [width, height] = [size.width * oversampling, size.height * oversampling];
+	// One view for all: building its programs takes longer than drawing.
+	if (!globalThis.view) {
+		const canvas = Object.assign(document.createElement("canvas"), { width, height });
+		globalThis.view = new BunchView(canvas, { still: true, reducedMotion: true, theme });
+	}
+	globalThis.view.show(grown, specimen.look);
 	const pictures = {};
 	for (const view of views) {
-		const image = await createImageBitmap(await renderPicture(grown, specimen.look, { ...large, view }));
+		globalThis.view.resetView(view);
+		const image = await createImageBitmap(await globalThis.view.snapshot(width, height));
 		const small = new OffscreenCanvas(size.width, size.height);
 		const context = small.getContext("2d");
 		context.imageSmoothingQuality = "high";
