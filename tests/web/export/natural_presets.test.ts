@@ -59,18 +59,6 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 		}
 	});
 
-	it("comes back from OBJ with the GLB's triangles and bounds", async () => {
-		const grown = grow(specimen, COARSE);
-		const { obj, mtl } = exportObj(grown, specimen, name);
-		const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
-		const { scene } = await load(await exportGlb(grown, specimen));
-		const corners = (root: typeof group) =>
-			meshesOf(root).reduce((sum, { geometry }) => sum + (geometry.index ?? geometry.attributes.position).count, 0);
-		expect(corners(group)).toBe(corners(scene));
-		const [box, expected] = [new Box3().setFromObject(group, true), new Box3().setFromObject(scene, true)];
-		expect(box.min.distanceTo(expected.min) + box.max.distanceTo(expected.max)).toBeLessThan(4e-6);
-	});
-
 	it("gives its fingerprint again from the JSON, and its specimen from every file that holds it", async () => {
 		const grown = grow(specimen, COARSE);
 		const json = JSON.stringify(exportJson(grown, specimen));
@@ -82,6 +70,22 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 });
 
 describe("a natural bunch", () => {
+	it.each(["redcurrant", "rubus", "pizzutello"])(
+		"of %s comes back from OBJ with the GLB's triangles and bounds",
+		async (name) => {
+			const specimen = natural(name);
+			const grown = grow(specimen, COARSE);
+			const { obj, mtl } = exportObj(grown, specimen, name);
+			const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
+			const { scene } = await load(await exportGlb(grown, specimen));
+			const corners = (root: typeof group) =>
+				meshesOf(root).reduce((sum, { geometry }) => sum + (geometry.index ?? geometry.attributes.position).count, 0);
+			expect(corners(group)).toBe(corners(scene));
+			const [box, expected] = [new Box3().setFromObject(group, true), new Box3().setFromObject(scene, true)];
+			expect(box.min.distanceTo(expected.min) + box.max.distanceTo(expected.max)).toBeLessThan(4e-6);
+		},
+	);
+
 	it.each([0, 5, 15, 50, 80, 110, 125])(
 		"of age %d with leaves is a valid GLB with cane, leaves and flowers",
 		async (age) => {
@@ -93,7 +97,8 @@ describe("a natural bunch", () => {
 				const names = documentOf(glb).nodes.map((node) => node.name);
 				expect(names.filter((each) => each.startsWith("Leaf "))).toHaveLength(3);
 				expect(names).toContain("Cane");
-				expect(names.some((each) => each.startsWith("Flower "))).toBe(age === 5);
+				// The first flowers open; by fruit set all stamens have fallen.
+				expect(names.some((each) => each.startsWith("Flower "))).toBe(age <= 5);
 			}
 		},
 	);
