@@ -22,7 +22,7 @@ constexpr float flowers_per_berry = 1.1f;
 constexpr float most_flowers = 20000;
 constexpr float base_closer = 0.7f;
 constexpr float middling_size = 18;
-constexpr float middling_fill = 0.52f;
+constexpr float middling_fill = 0.6f;
 
 // How far along `angle` from a node at `depth` the outline of a side lies.
 float reach(const Envelope& envelope, std::size_t side, float depth, float angle) {
@@ -91,7 +91,7 @@ float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float siz
 
 float fill_of(float density) {
   // Loose bunches leave three quarters of their outline to air, the densest pack as spheres at random do (0.64).
-  constexpr float fills[] = {0.14f, 0.20f, 0.26f, 0.33f, 0.40f, 0.46f, 0.52f, 0.58f, 0.65f};
+  constexpr float fills[] = {0.16f, 0.24f, 0.33f, 0.42f, 0.52f, 0.62f, 0.72f, 0.84f, 1.0f};
   const float place = std::clamp(density - 1, 0.0f, 7.999f);
   const auto below = static_cast<std::size_t>(place);
   return fills[below] + (fills[below + 1] - fills[below]) * (place - static_cast<float>(below));

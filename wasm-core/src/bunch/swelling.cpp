@@ -19,10 +19,10 @@ constexpr float contact_give = 2.0f;  // compliance of two berries' skins: how m
 constexpr float bound_give = 2.5f;    // of the outline: berries may be pushed out a little
 constexpr float bound_inset = 0.55f;  // how far inside it centres stay, in half-widths
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
-constexpr float straighten = 0.2f;    // share of the way back to where its pedicel points, a step: pedicels are springs
+constexpr float straighten = 0.3f;    // share of the way back to where its pedicel points, a step: pedicels are springs
 constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
 constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
-constexpr float most_pressed = 0.20f;   // of a berry's volume, by caps beyond its contacts: more and it is lost
+constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts: more and it is lost
 constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
 
 struct Pair {
