@@ -199,6 +199,14 @@ describe("files", () => {
 		expect(ours).toEqual(printed);
 	});
 
+	it("are a table of the berries", async () => {
+		const { written, json } = await grow(["rubus", "--out", "rubus.csv"]);
+		expect(json).toBeUndefined();
+		const [header, ...rows] = (written.get("rubus.csv") as string).trimEnd().split("\r\n");
+		expect(header).toMatch(/^preset,seed,berry,id,x_mm/);
+		expect(rows).toHaveLength((await grow(["rubus"])).json.berries.length);
+	});
+
 	it("leave notes to standard error", async () => {
 		const { status, said } = await grow(["?l=1", "--out", "x.json"]);
 		expect(status).toBe(0);
@@ -258,7 +266,9 @@ describe("what cannot be used", () => {
 	});
 
 	it("is said in one line: files", async () => {
-		expect(await complaint(["--out", "bunch.fbx"])).toBe("--out bunch.fbx: the name must end in .glb, .obj or .json");
+		expect(await complaint(["--out", "bunch.fbx"])).toBe(
+			"--out bunch.fbx: the name must end in .glb, .obj, .json or .csv",
+		);
 		expect(await complaint(["--out", "nowhere/bunch.glb"])).toBe("--out nowhere/bunch.glb: no such file or folder");
 	});
 });

@@ -2,7 +2,7 @@
 import { parseArgs } from "node:util";
 import { UsageError } from "./usage";
 
-export const OUTPUTS = ["glb", "obj", "json"] as const;
+export const OUTPUTS = ["glb", "obj", "json", "csv"] as const;
 export type Output = (typeof OUTPUTS)[number];
 
 export interface Call {
@@ -64,7 +64,7 @@ function readSetting(setting: string): [string, string] {
 function readOut(file: string | undefined): Call["out"] {
 	if (file === undefined) return undefined;
 	const as = OUTPUTS.find((ending) => file.toLowerCase().endsWith(`.${ending}`));
-	if (!as) throw new UsageError(`--out ${file}: the name must end in .glb, .obj or .json`);
+	if (!as) throw new UsageError(`--out ${file}: the name must end in .glb, .obj, .json or .csv`);
 	return { file, as };
 }
 

@@ -3,6 +3,7 @@ import { basename } from "node:path";
 import { CoreError } from "../core/errors";
 import type { Grown } from "../core/grown";
 import { encodeRequest } from "../core/request";
+import { exportCsv } from "../export/csv";
 import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
@@ -68,6 +69,7 @@ async function filesOf(
 ): Promise<[file: string, data: string | Uint8Array][]> {
 	if (as === "glb") return [[file, await exportGlb(grown, specimen)]];
 	if (as === "json") return [[file, jsonOf(grown, specimen)]];
+	if (as === "csv") return [[file, exportCsv(grown, specimen)]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl } = exportObj(grown, specimen, basename(stem));
 	return [

@@ -24,7 +24,8 @@ export function usage(): string {
   --set KEY=VALUE  as often as needed; KEY is one of
                    ${wrapped([...keys, "m", "n=N1,N2,…", "thin=ID.ID.…"])}
   --grammar FILE   grammar text in place of the procedure's own
-  --out FILE       .glb, .obj (with its .mtl beside it) or .json; without it, JSON goes to standard output
+  --out FILE       .glb, .obj (with its .mtl beside it), .json or .csv (berries); without it, JSON goes to
+                   standard output
   --help           this
 
 Exit status: 0 grown, 1 the core broke or is missing, 2 something in the call cannot be used.
