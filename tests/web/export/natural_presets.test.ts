@@ -49,10 +49,10 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 			scene.updateMatrixWorld(true);
 			const berries = meshesOf(scene).filter(({ userData }) => userData.name.startsWith("Berry "));
 			expect(berries).toHaveLength(grown.berries.count);
-			berries.forEach((berry, i) => {
-				const centre = new Vector3(...grown.berries.spheres.subarray(4 * i, 4 * i + 3));
-				expect(new Vector3().setFromMatrixPosition(berry.matrixWorld).distanceTo(centre)).toBeLessThan(1e-6);
-			});
+			const apart = berries.map(({ matrixWorld }, i) =>
+				new Vector3().setFromMatrixPosition(matrixWorld).distanceTo(new Vector3().fromArray(grown.berries.spheres, 4 * i)),
+			);
+			expect(Math.max(0, ...apart)).toBeLessThan(1e-6);
 			const drawn = new Box3().setFromObject(scene, true);
 			const grew = new Box3().setFromArray([...(grown.stem?.positions ?? []), ...(grown.surfaces?.positions ?? [])]);
 			expect(drawn.min.distanceTo(grew.min) + drawn.max.distanceTo(grew.max)).toBeLessThan(1e-5);
@@ -124,7 +124,7 @@ describe("a natural bunch", () => {
 				expect(await complaints(await exportGlb(grown, specimen, { compact }))).toEqual([]);
 				expect(fingerprintOfDocument(exportJson(grown, specimen))).toBe(grown.fingerprint);
 			}),
-			{ numRuns: 25 },
+			{ numRuns: 15 },
 		);
 	}, 60_000);
 
