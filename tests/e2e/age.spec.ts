@@ -29,12 +29,12 @@ test("an age is one step, in the address and in the history, by stage, key and n
 	const studio = await new StudioPage(page).open(NATURAL);
 	const age = studio.slider("Age");
 	const first = await studio.fingerprint.innerText();
-	const set = await studio.regrown(() => studio.button("Fruit set").click());
-	await expect(age).toHaveValue("10");
-	await expect(page).toHaveURL(/[?&]age=10\b/);
+	const set = await studio.regrown(() => studio.button("Green").click());
+	await expect(age).toHaveValue("30");
+	await expect(page).toHaveURL(/[?&]age=30\b/);
 	await age.focus();
 	await studio.regrown(() => page.keyboard.press("PageUp"));
-	await expect(age).toHaveAttribute("aria-valuetext", "Green, 30 percent");
+	await expect(age).toHaveAttribute("aria-valuetext", "Colouring, 60 percent");
 	await studio.regrown(() => page.keyboard.press("PageDown"));
 	await expect(studio.fingerprint).toHaveText(set);
 	const field = page.getByRole("textbox", { name: "Age in percent" });
@@ -45,7 +45,7 @@ test("an age is one step, in the address and in the history, by stage, key and n
 	await age.focus();
 	await studio.regrown(() => page.keyboard.press("Delete"));
 	await expect(studio.fingerprint).toHaveText(first);
-	for (const value of ["125", "10", "30", "10", "100"]) {
+	for (const value of ["125", "30", "60", "30", "100"]) {
 		await studio.button("Undo").click();
 		await expect(age).toHaveValue(value);
 	}

@@ -21,7 +21,7 @@ test("everything that can be worked has a name, and the page its landmarks", asy
 	for (const name of ["Variation", "Notices"]) await expect(page.getByRole("region", { name })).toHaveCount(1);
 	const names = ["Length", ...["Right", "Left", "Front", "Back"].flatMap((side) => [`${side} width`, `${side} drop`])];
 	for (const name of names) await expect(page.getByRole("slider", { name, exact: true })).toHaveCount(1);
-	for (const summary of await page.locator("summary").all()) {
+	for (const summary of await page.locator(".group > summary").all()) {
 		if (!(await summary.evaluate((element) => (element.parentElement as HTMLDetailsElement).open)))
 			await summary.click();
 	}
@@ -40,7 +40,7 @@ test("the keyboard reaches the controls first by the skip link", async ({ page }
 	await expect(page.getByRole("link", { name: "Skip to the controls" })).toBeFocused();
 	await page.keyboard.press("Enter");
 	await page.keyboard.press("Tab");
-	await expect(page.locator("summary").first()).toBeFocused();
+	await expect(page.locator(".group > summary").first()).toBeFocused();
 });
 
 for (const [width, height] of [

@@ -6,17 +6,19 @@ export interface Stage {
 	readonly name: string;
 }
 
-export const STAGES: readonly Stage[] = [
-	{ at: 0, name: "Flowering" },
-	{ at: 10, name: "Fruit set" },
-	{ at: 30, name: "Green" },
-	{ at: 60, name: "Colouring" },
-	{ at: 100, name: "Ripe" },
-	{ at: 125, name: "Shrivelled" },
-];
-
+/** From here on there are berries. */
+export const FRUIT_SET = 10;
 /** Where the play ends. */
 export const RIPE = 100;
+
+export const STAGES: readonly Stage[] = [
+	{ at: 0, name: "Flowering" },
+	{ at: FRUIT_SET, name: "Fruit set" },
+	{ at: 30, name: "Green" },
+	{ at: 60, name: "Colouring" },
+	{ at: RIPE, name: "Ripe" },
+	{ at: 125, name: "Shrivelled" },
+];
 
 /** Past ripe, a bunch is named for where it goes from here on. */
 const SHRIVELLING = 110;

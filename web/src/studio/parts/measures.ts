@@ -3,7 +3,7 @@ import { classOf, measureText, skinClass } from "../../specimen/measures";
 import { MEASURE_GROUPS, MEASURES, type MeasureInfo, SKIN_COLOUR } from "../../specimen/measures.generated";
 import type { Look } from "../../specimen/specimen";
 
-/** What is shown where everything is: the rest unfolds. */
+/** What a row needs of a measure, or of the skin's colour, which is of the look. */
 type Row = Pick<MeasureInfo, "key" | "help" | "label" | "oiv" | "unchecked"> | typeof SKIN_COLOUR;
 
 /**
@@ -12,7 +12,7 @@ type Row = Pick<MeasureInfo, "key" | "help" | "label" | "oiv" | "unchecked"> | t
  * @param measures in the order of MEASURES
  */
 export function measured(measures: Float32Array, look: Look): unknown {
-	return MEASURE_GROUPS.map(({ key: group, title }) => {
+	return GROUPS.map(({ key: group, title }) => {
 		const rows = MEASURES.flatMap((info, index) => {
 			const value = measures[index];
 			if (info.group !== group || !Number.isFinite(value)) return [];
@@ -26,6 +26,9 @@ export function measured(measures: Float32Array, look: Look): unknown {
 		return rows.length === 0 ? nothing : html`<section class="measures"><h3>${title}</h3>${rows}</section>`;
 	});
 }
+
+/** The bunch first; how well it follows the handles is read by fewer. */
+const GROUPS = [...MEASURE_GROUPS].sort((a, b) => Number(a.key === "outline") - Number(b.key === "outline"));
 
 function row(
 	{ key, label, help, oiv, unchecked }: Row,

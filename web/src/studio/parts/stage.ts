@@ -1,5 +1,6 @@
 import { html, nothing } from "lit";
 import { classMap } from "lit/directives/class-map.js";
+import { withParameters } from "../../specimen/edit";
 import { specimenFromPreset } from "../../specimen/from_preset";
 import { DEFAULT_PRESET, presetNamed } from "../../specimen/presets/index";
 import { sameSpecimen } from "../../specimen/same";
@@ -111,7 +112,10 @@ function caption(studio: Studio): unknown {
 	const { grown, grownFrom } = studio.state;
 	if (!grown || !grownFrom) return nothing;
 	const title = presetNamed(grownFrom.preset)?.title;
-	const altered = !growsAlike({ ...grownFrom, seed: studio.preset.seed }, studio.preset);
+	// Another seed or another age is no other shape.
+	const { seed, parameters } = studio.preset;
+	const alike = withParameters({ ...grownFrom, seed }, { age: parameters.age });
+	const altered = !growsAlike(alike, studio.preset);
 	return html`<div class="caption">
 		<h2>${title}${altered ? ", altered" : nothing}</h2>
 		<p>${studio.state.ui.stems ? stemsInWords(grown) : bunchInWords(grown, grownFrom)}</p>

@@ -32,7 +32,7 @@ export class Thinning extends StudioElement {
 					@input=${this.#slide} @focus=${() => this.#mark(this.#at)} @keydown=${this.#keyDown}
 				>
 				<p class="marked">${words}</p>
-				<span class="unseen" id="help-berry">Arrow keys go from berry to berry, from the top down; Delete takes it off.</span>
+				<span class="unseen" id="help-berry">Arrow keys go from berry to berry, from the top down; Delete takes it off. 1 … ${grown.berries.count}.</span>
 			</div>
 			<div class="actions">
 				<button class="button" type="button" ?disabled=${berry === undefined} @click=${this.#remove}>${icon("thin")}Remove</button>
