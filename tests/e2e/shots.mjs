@@ -14,27 +14,41 @@ const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile:
 /** name, device, address, and what is done before the picture is taken. */
 const SHOTS = [
 	["desktop", DESKTOP, ""],
-	["desktop-shouldered", DESKTOP, "?preset=shouldered-conical&seed=4"],
-	["desktop-double", DESKTOP, "?preset=double-bunch-winged"],
-	[
-		"desktop-stems",
-		DESKTOP,
-		"?preset=grape-15b",
-		(page) => page.getByRole("button", { name: "Show stems only" }).click(),
-	],
-	[
-		"desktop-octahedron",
-		DESKTOP,
-		"?preset=winged-cylindrical",
-		(page) => page.getByRole("button", { name: "Octahedron" }).click(),
-	],
-	["desktop-menu", DESKTOP, "?preset=lychee&l=900", (page) => page.getByRole("button", { name: "Download" }).click()],
-	["desktop-help", DESKTOP, "?preset=redcurrant", (page) => page.keyboard.press("?")],
+	["desktop-shouldered", DESKTOP, "?v=2&preset=shouldered-conical&seed=4"],
+	["desktop-double", DESKTOP, "?v=2&preset=double-bunch-winged"],
+	["desktop-paper", DESKTOP, "?v=1&preset=grape-15b"],
+	["desktop-flower", DESKTOP, "?v=2&preset=riesling&age=6"],
+	["desktop-colouring", DESKTOP, "?v=2&preset=tempranillo&age=72"],
+	["desktop-numbers", DESKTOP, "?v=2&preset=pinot-noir", (page) => onlyGroup(page, "numbers")],
+	["desktop-thin", DESKTOP, "?v=2&preset=red-globe", thin],
+	["desktop-stems", DESKTOP, "?v=2&preset=grape-15b", (page) => press(page, "Show stems only")],
+	["desktop-octahedron", DESKTOP, "?v=2&preset=winged-cylindrical", (page) => press(page, "Octahedron")],
+	["desktop-menu", DESKTOP, "?v=2&preset=lychee&l=900", (page) => press(page, "Download")],
+	["desktop-help", DESKTOP, "?v=2&preset=redcurrant", (page) => page.keyboard.press("?")],
 	["laptop", LAPTOP, ""],
 	["phone", PHONE, ""],
-	["phone-front", PHONE, "?preset=grape-15c", (page) => page.getByRole("radio", { name: "Front" }).check()],
+	["phone-front", PHONE, "?v=2&preset=grape-15c", (page) => page.getByRole("radio", { name: "Front" }).check()],
 	["phone-sheet", PHONE, "", (page) => page.locator(".sheet").evaluate((sheet) => sheet.scrollBy(0, 420))],
+	["phone-numbers", PHONE, "?v=2&preset=shine-muscat&age=80", (page) => onlyGroup(page, "numbers")],
 ];
+
+const press = (page, name) => page.getByRole("button", { name, exact: true }).click();
+
+/** Closes every group but one, and brings that into sight. */
+async function onlyGroup(page, key) {
+	for (const group of await page.locator("details.group").all()) {
+		const open = (await group.getAttribute("open")) !== null;
+		if (open !== ((await group.getAttribute("data-group")) === key)) await group.locator("> summary").click();
+	}
+	await page.locator(`details[data-group=${key}]`).evaluate((group) => group.scrollIntoView());
+}
+
+/** The mode for thinning, and the pointer over a berry. */
+async function thin(page) {
+	await press(page, "Thin");
+	const { x, y, width, height } = await page.locator("canvas").boundingBox();
+	await page.mouse.move(x + width / 2, y + height / 2);
+}
 
 await build({ logLevel: "warn" });
 const server = await preview({ preview: { host: "localhost", port: 0 }, logLevel: "warn" });
