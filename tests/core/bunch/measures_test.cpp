@@ -12,6 +12,7 @@
 #include "bunch/measures_form.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
+#include "specimens.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;
@@ -328,6 +329,32 @@ TEST_CASE("a small move is a small change of the fit") {
     before = after;
   }
   CHECK(worst < 0.006f);
+}
+
+TEST_CASE("grown bunches: density follows its control, the second outline hangs where the second bunch does") {
+  const auto grown = [](Parameter key, float value) {
+    Request request = tests::natural_request(tests::table3[2].profile());
+    request.measures = true;
+    tests::set(request, key, value);
+    const auto result = grow(request);
+    REQUIRE(result);
+    REQUIRE(result->measures.size() == measure_count);
+    return result->measures;
+  };
+  const auto of = [](const std::vector<float>& measures, Measure key) {
+    return measures[static_cast<std::size_t>(key)];
+  };
+  float before = 0;
+  for (const float asked : {1.0f, 3.0f, 5.0f, 7.0f, 9.0f}) {
+    const float note = of(grown(Parameter::density, asked), density);
+    CHECK(note > before + 0.5f);
+    CHECK(std::abs(note - asked) < 2);
+    before = note;
+  }
+  const std::vector<float> twofold = grown(Parameter::wing, 0.6f);
+  CHECK(of(twofold, coverage_front) > 0.85f);
+  CHECK(of(twofold, coverage_side) > 0.85f);
+  CHECK(of(twofold, spill_front) < 0.06f);
 }
 
 TEST_CASE("wild bunches give shares between 0 and 1 or no numbers") {
