@@ -494,7 +494,7 @@ export const MEASURES: readonly MeasureInfo[] = [
 		kind: "share",
 		unit: "",
 		decimals: 0,
-		help: "How many of the berries are seen from the right side, at least a twentieth of each.",
+		help: "How many of the berries are seen from the side, as the side view shows them, at least a twentieth of each.",
 		source: "Panicle's own",
 	},
 	{
