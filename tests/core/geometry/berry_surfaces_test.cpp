@@ -60,9 +60,7 @@ BerryBody ball(glm::vec3 centre, float radius) { return {centre, {0, -1, 0}, rad
 
 }  // namespace
 
-TEST_CASE(
-    "heaps of berries that overlap by 15 % of a radius pass through each "
-    "other nowhere and keep their volume") {
+TEST_CASE("heaps of berries that overlap by 15 % of a radius pass through each other nowhere and keep their volume") {
   struct Kind {
     float aspect, spread, taper, blunt;
   };
@@ -82,9 +80,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "however deep berries overlap, none passes through another and all "
-    "stay sound") {
+TEST_CASE("however deep berries overlap, none passes through another and all stay sound") {
   for (const float overlap : {0.3f, 0.6f, 1.0f}) {
     CAPTURE(overlap);
     Heap heap{3, 20, 1.4f, 0.3f};
@@ -111,9 +107,7 @@ TEST_CASE("every fruit is sound, keeps to its side and to its volume") {
   }
 }
 
-TEST_CASE(
-    "a berry alone is its form with scar and seat, no matter where and "
-    "how large it is") {
+TEST_CASE("a berry alone is its form with scar and seat, no matter where and how large it is") {
   const BerryForm form{-0.4f, 0.3f, Fruit::grape};
   for (const float size : {1e-3f, 8.0f, 500.0f}) {
     BerryBody body{{3 * size, -2 * size, size}, {0.6f, 0, 0.8f}, size, 1.5f * size, 0, 77};
@@ -143,9 +137,7 @@ TEST_CASE("berries hang in every direction, straight up too") {
   }
 }
 
-TEST_CASE(
-    "two balls meet in the plane of the circle they share: flat and "
-    "marked there, free elsewhere") {
+TEST_CASE("two balls meet in the plane of the circle they share: flat and marked there, free elsewhere") {
   const std::vector<BerryBody> bodies = {ball({0, 0, 0}, 10), ball({14, 0, 0}, 5)};
   const BerrySurfaces surfaces = press_berries(bodies, {}, {48});
   const Mesh large = mesh_of(surfaces, 0), small = mesh_of(surfaces, 1);
@@ -182,22 +174,35 @@ TEST_CASE("a berry that is pressed bulges where it is free") {
   CHECK(free < 11);
 }
 
-TEST_CASE("a berry walled in falls short instead of breaking out") {
+namespace {
+
+// A ball of radius 10 with six more about it, their centres so far off.
+std::vector<BerryBody> walled_in(float distance) {
   std::vector<BerryBody> bodies = {ball({0, 0, 0}, 10)};
   for (const float side : {-1.0f, 1.0f}) {
-    bodies.push_back(ball({side * 13, 0, 0}, 10));
-    bodies.push_back(ball({0, side * 13, 0}, 10));
-    bodies.push_back(ball({0, 0, side * 13}, 10));
+    bodies.push_back(ball({side * distance, 0, 0}, 10));
+    bodies.push_back(ball({0, side * distance, 0}, 10));
+    bodies.push_back(ball({0, 0, side * distance}, 10));
   }
-  const Mesh middle = mesh_of(press_berries(bodies, {}, {}), 0);
-  const double volume = surface_of(middle, 0, middle.indices.size()).volume;
-  CHECK(volume < 13.0 * 13 * 13);
-  CHECK(volume > 0.8 * 13 * 13 * 13);
+  return bodies;
 }
 
-TEST_CASE(
-    "shrivelled berries are furrowed, each its own way, and lose what "
-    "the furrows take") {
+}  // namespace
+
+TEST_CASE("where one has no room its neighbours make some: half of what parts them is too little for the middle one") {
+  const Pressed pressed = check_pressed(walled_in(15.6f), {}, 0.01, 24);
+  CHECK(pressed.worst_volume < 0.03);
+  CHECK(pressed.deepest < 1e-4);
+}
+
+TEST_CASE("a berry without any room falls short instead of breaking out") {
+  const Pressed pressed = check_pressed(walled_in(10), {}, 0.02, 24);
+  CHECK(pressed.worst_volume > 0.05);
+  CHECK(pressed.worst_volume < 0.9);
+  CHECK(pressed.deepest < 1e-4);
+}
+
+TEST_CASE("shrivelled berries are furrowed, each its own way, and lose what the furrows take") {
   std::vector<BerryBody> bodies = {ball({0, 0, 0}, 8), ball({30, 0, 0}, 8), ball({60, 0, 0}, 8)};
   bodies[0].shrivel = bodies[1].shrivel = 1;
   bodies[1].id = 9;
@@ -225,9 +230,7 @@ TEST_CASE(
   CHECK(differ > 0.5);
 }
 
-TEST_CASE(
-    "the same bodies give the same bytes, and a body knows only its "
-    "neighbours") {
+TEST_CASE("the same bodies give the same bytes, and a body knows only its neighbours") {
   const std::vector<BerryBody> bodies = heap_of({6, 30});
   const BerrySurfaces once = press_berries(bodies, {}, {}), again = press_berries(bodies, {}, {});
   CHECK(once.positions == again.positions);

@@ -166,6 +166,17 @@ BerryFrame frame_of(const BerryBody& body, float roll) {
                                  (right * turn.sine + ahead * turn.cosine) * width)};
 }
 
+void BerryContacts::move(std::size_t plane, float distance) {
+  const auto shift = [](BerryPlane& p, float by) {
+    const float scale = p.from / (p.from + by);
+    p.slope *= scale;
+    p.depth = (1 + p.depth) * scale - 1;
+    p.from += by;
+  };
+  shift(planes[plane], distance);
+  shift(planes[planes[plane].twin], -distance);
+}
+
 BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMeridian& meridian, float reach) {
   std::vector<Ball> balls;
   balls.reserve(frames.size());
@@ -193,8 +204,11 @@ BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMerid
   std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
   for (const Contact& contact : contacts) {
     const Plane& p = contact.plane;
-    result.planes[next[contact.a]++] = {p.direction * frames[contact.a].axes / p.from_a, p.end_a / p.from_a - 1};
-    result.planes[next[contact.b]++] = {-p.direction * frames[contact.b].axes / p.from_b, p.end_b / p.from_b - 1};
+    const std::uint32_t at_a = next[contact.a]++, at_b = next[contact.b]++;
+    result.planes[at_a] = {p.direction * frames[contact.a].axes / p.from_a, p.from_a, p.end_a / p.from_a - 1, contact.b,
+                           at_b};
+    result.planes[at_b] = {-p.direction * frames[contact.b].axes / p.from_b, p.from_b, p.end_b / p.from_b - 1,
+                           contact.a, at_a};
   }
   return result;
 }

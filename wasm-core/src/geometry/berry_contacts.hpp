@@ -21,17 +21,26 @@ struct BerryFrame {
 // `roll` turns the berry about its direction, in degrees.
 BerryFrame frame_of(const BerryBody& body, float roll);
 
-// A half-space that a berry keeps to, in its own unit space: slope · point ≤ 1. The plane dents the free form by
-// `depth`, over the plane's distance from the centre; below 0 it lies off.
+// A half-space that a berry keeps to, in its own unit space: slope · point ≤ 1. The plane lies `from` its centre in
+// world space; it dents the free form by `depth` times that, below 0 it lies off.
 struct BerryPlane {
-  glm::vec3 slope;
-  float depth;
+  glm::vec3 slope{0};
+  float from = 0, depth = 0;
+  std::uint32_t neighbour = 0;
+  std::uint32_t twin = 0;  // the same plane among the neighbour's
 };
 
 // Berry i has the planes from first[i] to first[i + 1], ordered by the neighbour's index.
 struct BerryContacts {
   std::vector<std::uint32_t> first;
   std::vector<BerryPlane> planes;
+
+  std::span<const BerryPlane> of(std::size_t berry) const {
+    return std::span(planes).subspan(first[berry], first[berry + 1] - first[berry]);
+  }
+
+  // Moves a plane away from its berry, towards the neighbour: both have it where it then is.
+  void move(std::size_t plane, float distance);
 };
 
 // A plane for every pair whose free forms, `reach` times as large, could meet: at right angles to the direction in

@@ -37,26 +37,25 @@ Blend soft_maximum(const Four& a, const Four& b, const Four& soft) {
 BerryPress::BerryPress(const BerryPattern& pattern)
     : pattern_(pattern), planes_(pattern.padded()), soft_(pattern.padded()), radius_(pattern.padded()) {}
 
-void BerryPress::fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume) {
+float BerryPress::fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume) {
   free_ = &free;
   nearest_ = *std::min_element(free.value.begin(), free.value.end()) / most_bulge;
-  // Where there is no room for round rims, sharper ones leave a little more.
-  for (const float softness : {1.0f, 0.5f}) {
-    clip(planes, softness);
-    if (bulge_to(volume)) return;
-  }
+  clip(planes);
+  return bulge_to(volume);
 }
 
-void BerryPress::clip(std::span<const BerryPlane> planes, float softness) {
+void BerryPress::clip(std::span<const BerryPlane> planes) {
   for (auto* values : {&planes_.value, &planes_.x, &planes_.y, &planes_.z}) {
     std::fill(values->begin(), values->end(), 0.0f);
   }
   std::fill(soft_.begin(), soft_.end(), softest);
   // Below this a plane changes nothing, not even by way of another that it is blended with.
-  const Four least = four(nearest_ - 2 * softest);
+  const float least = nearest_ - 2 * softest;
   const auto& [ex, ey, ez] = pattern_.directions;
-  for (const auto& [slope, depth] : planes) {
-    const Four own_soft = four(softness * std::clamp(depth, hardest, softest));
+  for (const BerryPlane& face : planes) {
+    const glm::vec3& slope = face.slope;
+    if (glm::dot(slope, slope) < least * least) continue;
+    const Four own_soft = four(std::clamp(face.depth, hardest, softest));
     for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
       const Four plane = load(&ex[i]) * slope.x + load(&ey[i]) * slope.y + load(&ez[i]) * slope.z;
       if (all(plane < least)) continue;
@@ -98,8 +97,9 @@ float BerryPress::exact_volume() const {
   return sum;
 }
 
-// Newton's method on the rough volume, aimed so that the exact one comes out right. False where there is no room.
-bool BerryPress::bulge_to(float volume) {
+// Newton's method on the rough volume, aimed so that the exact one comes out right. Returns the share of it that
+// there is no room for.
+float BerryPress::bulge_to(float volume) {
   bulge_ = 1.01f;
   float aim = volume;
   for (int round = 0; round < 3; ++round) {
@@ -112,54 +112,64 @@ bool BerryPress::bulge_to(float volume) {
       bulge_ = std::clamp(bulge_ * (1 + std::clamp(change, -0.1f, 0.1f)), 0.8f, most_bulge);
     }
     const float exact = exact_volume();
-    if (std::fabs(exact - volume) < volume_error * volume) return true;
-    if (bulge_ >= most_bulge && exact < volume) return exact > 0.99f * volume;
+    if (std::fabs(exact - volume) < volume_error * volume) return 0;
+    if (bulge_ >= most_bulge && exact < volume) return 1 - exact / volume;
     aim = volume * rough.value / exact;
   }
-  return true;
+  return 0;
 }
 
 void BerryPress::write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const {
+  const std::size_t whole = pattern_.vertices / 4 * 4, rest = pattern_.vertices - whole;
+  for (std::size_t i = 0; i < whole; i += 4) write_four(frame, i, positions + 3 * i, normals + 3 * i, pressed + i);
+  if (rest == 0) return;
+  float last_positions[12], last_normals[12];
+  std::uint8_t last_pressed[4];
+  write_four(frame, whole, last_positions, last_normals, last_pressed);
+  std::copy_n(last_positions, 3 * rest, positions + 3 * whole);
+  std::copy_n(last_normals, 3 * rest, normals + 3 * whole);
+  std::copy_n(last_pressed, rest, pressed + whole);
+}
+
+void BerryPress::write_four(const BerryFrame& frame, std::size_t i, float* positions, float* normals,
+                            std::uint8_t* pressed) const {
   const Four shrink = four(1 / bulge_);
   const glm::mat3& m = frame.axes;
   // Normals go by the inverse transposed: the axes are at right angles.
   const glm::mat3 n(m[0] / glm::dot(m[0], m[0]), m[1] / glm::dot(m[1], m[1]), m[2] / glm::dot(m[2], m[2]));
   const auto& [ex, ey, ez] = pattern_.directions;
-  const auto write_four = [](float* out, const Four& x, const Four& y, const Four& z) {
+  const auto put = [](float* out, const Four& x, const Four& y, const Four& z) {
     store(out, Four{x[0], y[0], z[0], x[1]});
     store(out + 4, Four{y[1], z[1], x[2], y[2]});
     store(out + 8, Four{z[2], x[3], y[3], z[3]});
   };
-  for (std::size_t i = 0; i < pattern_.padded(); i += 4) {
-    const Four own = load(&free_->value[i]) * shrink, plane = load(&planes_.value[i]);
-    const Blend blend = soft_maximum(own, plane, load(&soft_[i]));
-    const Four radius = 1 / blend.value;
-    const Four dx = load(&ex[i]), dy = load(&ey[i]), dz = load(&ez[i]);
-    const Four x = dx * radius, y = dy * radius, z = dz * radius;
-    write_four(positions + 3 * i, frame.centre.x + m[0].x * x + m[1].x * y + m[2].x * z,
-               frame.centre.y + m[0].y * x + m[1].y * y + m[2].y * z,
-               frame.centre.z + m[0].z * x + m[1].z * y + m[2].z * z);
+  const Four own = load(&free_->value[i]) * shrink, plane = load(&planes_.value[i]);
+  const Blend blend = soft_maximum(own, plane, load(&soft_[i]));
+  const Four radius = 1 / blend.value;
+  const Four dx = load(&ex[i]), dy = load(&ey[i]), dz = load(&ez[i]);
+  const Four x = dx * radius, y = dy * radius, z = dz * radius;
+  put(positions, frame.centre.x + m[0].x * x + m[1].x * y + m[2].x * z,
+      frame.centre.y + m[0].y * x + m[1].y * y + m[2].y * z, frame.centre.z + m[0].z * x + m[1].z * y + m[2].z * z);
 
-    // What the rounding adds to the gradient lies along the direction: just enough for Euler's identity.
-    const Four mine = blend.share * shrink, rest = 1 - blend.share;
-    Four gx = load(&free_->x[i]) * mine + load(&planes_.x[i]) * rest;
-    Four gy = load(&free_->y[i]) * mine + load(&planes_.y[i]) * rest;
-    Four gz = load(&free_->z[i]) * mine + load(&planes_.z[i]) * rest;
-    const Four lacking = blend.value - (gx * dx + gy * dy + gz * dz);
-    gx += lacking * dx;
-    gy += lacking * dy;
-    gz += lacking * dz;
-    const Four nx = n[0].x * gx + n[1].x * gy + n[2].x * gz;
-    const Four ny = n[0].y * gx + n[1].y * gy + n[2].y * gz;
-    const Four nz = n[0].z * gx + n[1].z * gy + n[2].z * gz;
-    const Four per_length = 1 / square_root(nx * nx + ny * ny + nz * nz);
-    write_four(normals + 3 * i, nx * per_length, ny * per_length, nz * per_length);
+  // What the rounding adds to the gradient lies along the direction: just enough for Euler's identity.
+  const Four mine = blend.share * shrink, rest = 1 - blend.share;
+  Four gx = load(&free_->x[i]) * mine + load(&planes_.x[i]) * rest;
+  Four gy = load(&free_->y[i]) * mine + load(&planes_.y[i]) * rest;
+  Four gz = load(&free_->z[i]) * mine + load(&planes_.z[i]) * rest;
+  const Four lacking = blend.value - (gx * dx + gy * dy + gz * dz);
+  gx += lacking * dx;
+  gy += lacking * dy;
+  gz += lacking * dz;
+  const Four nx = n[0].x * gx + n[1].x * gy + n[2].x * gz;
+  const Four ny = n[0].y * gx + n[1].y * gy + n[2].y * gz;
+  const Four nz = n[0].z * gx + n[1].z * gy + n[2].z * gz;
+  const Four per_length = 1 / square_root(nx * nx + ny * ny + nz * nz);
+  put(normals, nx * per_length, ny * per_length, nz * per_length);
 
-    const Four depth = 1 + (plane - own) * (1 / rubbed);
-    const Four inside = maximum(four(0), depth > four(1) ? four(1) : depth);
-    const Four share = inside * inside * (3 - 2 * inside) * 255 + 0.5f;
-    for (int lane = 0; lane < 4; ++lane) pressed[i + lane] = static_cast<std::uint8_t>(share[lane]);
-  }
+  const Four depth = 1 + (plane - own) * (1 / rubbed);
+  const Four inside = maximum(four(0), depth > four(1) ? four(1) : depth);
+  const Four share = inside * inside * (3 - 2 * inside) * 255 + 0.5f;
+  for (int lane = 0; lane < 4; ++lane) pressed[lane] = static_cast<std::uint8_t>(share[lane]);
 }
 
 }  // namespace panicle

@@ -21,10 +21,10 @@ class BerryPress {
   explicit BerryPress(const BerryPattern& pattern);
 
   // Fits a berry between its planes so that its triangles hold `volume`, or as near to that as they allow. `free` is
-  // kept by reference until `write`.
-  void fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume);
+  // kept by reference until `write`. Returns the share of `volume` that it lacks.
+  float fit(const GaugeTable& free, std::span<const BerryPlane> planes, float volume);
 
-  // The berry last fitted, in world space. Writes up to three vertices more than the pattern has, of no meaning.
+  // The berry last fitted, in world space: as many vertices as the pattern has.
   void write(const BerryFrame& frame, float* positions, float* normals, std::uint8_t* pressed) const;
 
  private:
@@ -32,8 +32,10 @@ class BerryPress {
     float value, slope;  // and its derivative by the logarithm of the bulge
   };
 
-  void clip(std::span<const BerryPlane> planes, float softness);
-  bool bulge_to(float volume);
+  void write_four(const BerryFrame& frame, std::size_t i, float* positions, float* normals,
+                  std::uint8_t* pressed) const;
+  void clip(std::span<const BerryPlane> planes);
+  float bulge_to(float volume);
   Volume rough_volume();
   float exact_volume() const;
 
