@@ -20,6 +20,7 @@ constexpr float least_arm = 0.4f;  // of a first-order axis, in its steps
 // Flowers for each berry there is to be, at least: more to choose from than are needed, as in nature.
 constexpr float flowers_per_berry = 1.1f;
 constexpr float most_flowers = 20000;
+constexpr float least_nodes = 12;  // of a rachis: three axes to each side, however short it is
 constexpr float base_closer = 0.7f;
 constexpr float middling_size = 18;
 constexpr float middling_fill = 0.6f;
@@ -122,7 +123,8 @@ NaturalPlan make_natural_plan(const Profile& asked, const Values& values) {
   const float fill = values[Parameter::count] > 0 ? middling_fill : fill_of(values[density]);
   float closer = std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), 0.2f, 1.4f);
   for (int tries = 0; tries < 16; ++tries) {
-    plan.spacing = plan.step = closer * 0.55f * width;
+    plan.step = closer * 0.55f * width;
+    plan.spacing = std::min(plan.step, plan.length / least_nodes);
     const float flowers = lay_axes(plan, profile, pixel, width);
     if (!(values[Parameter::count] > 0) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
     closer *= 0.85f;
