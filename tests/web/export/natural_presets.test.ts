@@ -50,7 +50,9 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 			const berries = meshesOf(scene).filter(({ userData }) => userData.name.startsWith("Berry "));
 			expect(berries).toHaveLength(grown.berries.count);
 			const apart = berries.map(({ matrixWorld }, i) =>
-				new Vector3().setFromMatrixPosition(matrixWorld).distanceTo(new Vector3().fromArray(grown.berries.spheres, 4 * i)),
+				new Vector3()
+					.setFromMatrixPosition(matrixWorld)
+					.distanceTo(new Vector3().fromArray(grown.berries.spheres, 4 * i)),
 			);
 			expect(Math.max(0, ...apart)).toBeLessThan(1e-6);
 			const drawn = new Box3().setFromObject(scene, true);

@@ -13,7 +13,7 @@ import { traitOf } from "./traits";
 const SCAR: Colour = [0.09, 0.05, 0.028];
 /** From this v on lies the scar; a ring of vertices before, its edge. */
 const SCAR_V: Record<Fruit, number> = {
-	grape: 0.965,
+	grape: 0.98,
 	currant: 0.915,
 	bramble: 1,
 	lychee: 0.985,

@@ -15,7 +15,7 @@ import { cut, meanOf, requireMeshes } from "./meshes";
 import { type NamedMaterial, writeMtl } from "./mtl";
 import { berryName, flowerName, foliageNames, plantName, stemName } from "./names";
 import { ObjWriter } from "./obj_writer";
-import { fromUp, type Rows, rows } from "./orientation";
+import { type Rows, rows, turnOf } from "./orientation";
 import { stemColours } from "./stem_colour";
 import { traitOf } from "./traits";
 import { meanColour } from "./vertex_colours";
@@ -55,7 +55,7 @@ function writeShared(writer: ObjWriter, { berries }: Grown, berry: Mesh, { look 
 	const turned = new Float64Array(berry.positions.length);
 	for (let i = 0; i < berries.count; i++) {
 		const [x, y, z, radius] = berries.spheres.subarray(4 * i, 4 * i + 4);
-		const turn = turnOf(berries.directions, i);
+		const turn = rows(turnOf(berries.directions, i));
 		writer.object(berryName(i, berries.count));
 		writer.positions(placed(berry.positions, turn, radius, [x, y, z], turned));
 		writer.normals(placed(berry.normals, turn, 1, [0, 0, 0], turned));
@@ -111,7 +111,7 @@ function writeFlowers(writer: ObjWriter, grown: Grown): NamedMaterial[] {
 	const turned = new Float64Array(mesh.positions.length);
 	for (const [i, share] of shares) {
 		const [x, y, z, radius] = spheres.subarray(4 * i, 4 * i + 4);
-		const turn = turnOf(directions, i);
+		const turn = rows(turnOf(directions, i));
 		writer.object(flowerName(i, count));
 		writer.positions(placed(mesh.positions, turn, share * radius, [x, y, z], turned));
 		writer.normals(placed(mesh.normals, turn, 1, [0, 0, 0], turned));
@@ -133,11 +133,6 @@ function writeFoliage(writer: ObjWriter, grown: Grown): NamedMaterial[] {
 		writer.object(names[index], cut(foliage, part), material.name);
 	});
 	return [...used.values()];
-}
-
-function turnOf(directions: Float32Array, index: number): Rows {
-	const [x, y, z] = directions.subarray(3 * index, 3 * index + 3);
-	return rows(fromUp(x, y, z));
 }
 
 /** `vectors` turned, scaled and moved, written into `into` and returned. */

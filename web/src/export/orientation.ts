@@ -1,4 +1,5 @@
 /** How the shared berry, tip scar towards +Y, is turned to stand on its pedicel. */
+import { rounded } from "./numbers";
 
 /** A unit quaternion. */
 export interface Quaternion {
@@ -20,6 +21,19 @@ export function fromUp(x: number, y: number, z: number): Quaternion {
 	const length = Math.sqrt(lift * lift + across);
 	if (length === 0) return { x: 0, y: 0, z: 0, w: 1 };
 	return { x: lift / length, y: x / length, z: 0, w: z / length };
+}
+
+/** The rotation that takes +Y to the direction of berry `index`; `directions` as in `Berries`. */
+export function turnOf(directions: Float32Array, index: number): Quaternion {
+	return fromUp(directions[3 * index], directions[3 * index + 1], directions[3 * index + 2]);
+}
+
+/** Well inside what validators allow a quaternion to be off its unit length. */
+const DECIMALS = 7;
+
+/** As a glTF node has it. */
+export function writtenTurn({ x, y, z, w }: Quaternion): number[] {
+	return [x, y, z, w].map((value) => rounded(value, DECIMALS));
 }
 
 /** A 3 × 3 matrix, row by row. */

@@ -10,12 +10,11 @@ import type { GltfDocument, Json } from "./gltf_document";
 import { ANTHER_TINT, pressedSkin, STAMEN } from "./materials";
 import { meanOf } from "./meshes";
 import { berryName, flowerName } from "./names";
-import { rounded, shortFloat } from "./numbers";
-import { fromUp } from "./orientation";
+import { shortFloat } from "./numbers";
+import { turnOf, writtenTurn } from "./orientation";
 import { traitOf } from "./traits";
 import { vertexColours } from "./vertex_colours";
 
-const ROTATION_DECIMALS = 7;
 const ORIGIN = [0, 0, 0];
 /** Where filaments end and anthers begin (geometry/flower.hpp). */
 const ANTHER_V = 0.5;
@@ -81,14 +80,12 @@ function addFlowers(document: GltfDocument, grown: Grown, flowers: Flowers, node
 	const flower = document.mesh("Flower", mesh, document.material(STAMEN), options);
 	const { count, spheres, directions } = grown.berries;
 	for (const [i, share] of shares) {
-		const [dx, dy, dz] = directions.subarray(3 * i, 3 * i + 3);
-		const { x, y, z, w } = fromUp(dx, dy, dz);
 		const [own, above] = [flower.scale?.[0] ?? 1, (nodes[i].scale as number[] | undefined)?.[0] ?? 1];
 		const size = shortFloat(Math.fround((share * spheres[4 * i + 3] * own) / above));
 		const child = document.node({
 			name: flowerName(i, count),
 			mesh: flower.mesh,
-			rotation: [x, y, z, w].map((value) => rounded(value, ROTATION_DECIMALS)),
+			rotation: writtenTurn(turnOf(directions, i)),
 			scale: [size, size, size],
 		});
 		nodes[i].children = [child];

@@ -4,13 +4,11 @@ import type { Look } from "../specimen/specimen";
 import type { GltfDocument, Json, Placed } from "./gltf_document";
 import { SCAR_TINT, skinMaterial } from "./materials";
 import { berryName } from "./names";
-import { rounded, shortFloat } from "./numbers";
-import { fromUp, type Quaternion } from "./orientation";
+import { shortFloat } from "./numbers";
+import { turnOf, writtenTurn } from "./orientation";
 import { scarShare } from "./scar";
 
 const INSTANCING = "EXT_mesh_gpu_instancing";
-/** Well inside what validators allow a quaternion to be off its unit length. */
-const ROTATION_DECIMALS = 7;
 const ORIGIN = [0, 0, 0];
 
 /** Appends the node `Berries`, a group of one node per berry or the instances themselves; returns its index. */
@@ -35,14 +33,13 @@ export function addSharedBerries(
 function berryNode({ berries, internodes }: Grown, index: number, { mesh, scale = [1] }: Placed): Json {
 	const { count, spheres, parent } = berries;
 	const [x, y, z, radius] = Array.from(spheres.subarray(4 * index, 4 * index + 4), shortFloat);
-	const turn = turnOf(berries.directions, index);
 	const size = scale[0] === 1 ? radius : shortFloat(Math.fround(radius * scale[0]));
 	const pedicel = parent[index];
 	return {
 		name: berryName(index, count),
 		mesh,
 		translation: [x, y, z],
-		rotation: [turn.x, turn.y, turn.z, turn.w].map((value) => rounded(value, ROTATION_DECIMALS)),
+		rotation: writtenTurn(turnOf(berries.directions, index)),
 		scale: [size, size, size],
 		extras: { pedicel, axis: internodes.axis[pedicel] },
 	};
@@ -66,11 +63,6 @@ function instances(document: GltfDocument, { berries }: Grown, { scale = [1] }: 
 		SCALE: document.instances("scales", scales),
 	};
 	return { extensions: { [INSTANCING]: { attributes } } };
-}
-
-function turnOf(directions: Float32Array, index: number): Quaternion {
-	const [x, y, z] = directions.subarray(3 * index, 3 * index + 3);
-	return fromUp(x, y, z);
 }
 
 /** Colours to multiply the skin with: white, brown at the tip scar. Four bytes a vertex. */
