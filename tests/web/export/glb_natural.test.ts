@@ -2,10 +2,10 @@ import fc from "fast-check";
 import { type BufferAttribute, Matrix4, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { Grown } from "../../../web/src/core/grown";
-import { canInstance, exportGlb, type GlbOptions } from "../../../web/src/export/glb";
+import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
 import { MEASURE_KEYS } from "../../../web/src/specimen/measures.generated";
 import * as arbitrary from "./arbitrary";
-import { makeGrown, SKETCH } from "./fixture";
+import { SKETCH } from "./fixture";
 import { makeNatural } from "./natural_fixture";
 import { placeOf, read, shade, specimen } from "./natural_reading";
 import { complaints, documentOf } from "./reading";
@@ -131,7 +131,6 @@ describe("the GLB of a natural bunch", () => {
 	});
 
 	it("cannot be drawn as instances of one berry, and is written as ever where that is asked for", async () => {
-		expect([canInstance(grown), canInstance(makeGrown(SKETCH))]).toEqual([false, true]);
 		expect(await exportGlb(grown, specimen, { instancing: true })).toEqual(await exportGlb(grown, specimen));
 	});
 });

@@ -18,18 +18,14 @@ import { vertexColours } from "./vertex_colours";
 export interface GlbOptions {
 	/**
 	 * One node `Berries` drawn with EXT_mesh_gpu_instancing in place of one node per berry: smaller and faster, for
-	 * readers that know the extension; others refuse the file. Passed over where berries share no mesh (`canInstance`).
+	 * readers that know the extension; others refuse the file. Passed over for natural bunches, whose berries
+	 * share no mesh.
 	 */
 	instancing?: boolean;
 	/** Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about half as large; readers must know it. */
 	compact?: boolean;
 	/** The link that brings the specimen back; without it the query alone, `?v=2&…`. */
 	link?: string;
-}
-
-/** Whether the berries share one mesh, so that instances can draw them: the paper's do, natural ones are each their own. */
-export function canInstance({ surfaces }: Grown): boolean {
-	return surfaces === undefined;
 }
 
 /**
