@@ -22,7 +22,7 @@ export interface GlbOptions {
 	 * share no mesh.
 	 */
 	instancing?: boolean;
-	/** Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about half as large; readers must know it. */
+	/** Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about two thirds the size; readers must know it. */
 	compact?: boolean;
 	/** The link that brings the specimen back; without it the query alone, `?v=2&…`. */
 	link?: string;
