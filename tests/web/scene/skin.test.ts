@@ -93,8 +93,8 @@ describe("berryTint", () => {
 		const even = skinOf({ ...LOOK, uneven: 0 });
 		for (const exposure of [0, 1]) {
 			const { ripe, unripe } = berryTint(even, 5, { ...RIPE, exposure });
-			ripe.forEach((channel, k) => expect(channel).toBeCloseTo(even.ripe[k], 4));
-			unripe.forEach((channel, k) => expect(channel).toBeCloseTo(even.unripe[k], 4));
+			for (let k = 0; k < 3; k++) expect(ripe[k]).toBeCloseTo(even.ripe[k], 4);
+			for (let k = 0; k < 3; k++) expect(unripe[k]).toBeCloseTo(even.unripe[k], 4);
 		}
 	});
 

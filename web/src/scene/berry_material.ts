@@ -22,15 +22,14 @@ export function berryMaterial(shared: SharedUniforms): ShaderMaterial {
 			unripeAbsorption: { value: new Vector3() },
 			translucency: { value: new Vector2() },
 			wax: { value: new Vector3() },
-			between: { value: new Vector3() },
-			scarColour: { value: new Vector3(0.09, 0.05, 0.028) },
+			grooves: { value: new Vector3() },
+			grooveDepth: { value: new Vector2() },
+			scarColour: { value: new Vector3(0.14, 0.08, 0.04) },
 			scar: { value: 1 },
 			bloom: { value: 0 },
 			lenticels: { value: 0 },
 			uneven: { value: 0 },
 			rind: { value: 0 },
-			rows: { value: 0 },
-			relief: { value: 0 },
 			veins: { value: 0 },
 			seedsSeen: { value: 0 },
 		},
@@ -44,9 +43,10 @@ export function setSkin({ uniforms }: ShaderMaterial, skin: Skin): void {
 	uniforms.unripeAbsorption.value.fromArray(unripeFlesh.absorption);
 	uniforms.translucency.value.set(ripeFlesh.translucency, unripeFlesh.translucency);
 	uniforms.wax.value.fromArray(skin.wax);
-	uniforms.between.value.fromArray(fruit.between);
+	uniforms.grooves.value.fromArray(fruit.grooves);
+	uniforms.grooveDepth.value.fromArray(fruit.depth);
 	for (const key of ["bloom", "lenticels", "uneven"] as const) uniforms[key].value = skin[key];
-	for (const key of ["rind", "rows", "relief", "veins", "scar"] as const) uniforms[key].value = fruit[key];
+	for (const key of ["rind", "veins", "scar"] as const) uniforms[key].value = fruit[key];
 	// Only clear flesh lets seeds be seen; where none can be, the shader does not look for them.
 	uniforms.seedsSeen.value = smoothstep(0.35, 0.85, Math.max(ripeFlesh.translucency, unripeFlesh.translucency));
 }

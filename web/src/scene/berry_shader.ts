@@ -4,16 +4,29 @@ import { LIGHT_CHUNK, NOISE_CHUNK, RECORD_CHUNK } from "./light_shader";
 import { NEIGHBOURS } from "./receivers";
 import { SKIN_CHUNK } from "./skin_shader";
 
-/** An instance is a berry: `uv` is its pattern's, its vertices are fetched from a texture (packVertices). */
+/** What a vertex hands to the pixels: whatever is smooth enough over a berry to be settled at its few hundred vertices. */
+const VARYINGS = /* glsl */ `
+flat varying int berry;
+flat varying vec4 pose;
+flat varying vec4 ripe;
+flat varying vec4 unripe;
+flat varying vec4 form;
+varying vec4 place;
+varying vec4 facing;
+varying vec4 chart;
+varying vec4 glow;
+`;
+
+/** An instance is a berry: \`uv\` is its pattern's, its vertices are fetched from a texture (packVertices). */
 export const BERRY_VERTEX = /* glsl */ `
 attribute float receiver;
-flat varying int berry;
-varying vec3 place;
-varying vec3 facing;
-varying vec3 chart;
+${VARYINGS}
 uniform highp usampler2D vertexRecords;
 uniform int patternVertices;
 ${RECORD_CHUNK}
+${LIGHT_CHUNK}
+${NOISE_CHUNK}
+${FLESH_CHUNK}
 vec3 octahedral(uint word) {
 	vec2 at = vec2((word >> 8u) & 0xfffu, word >> 20u) / ${(4095 / 2).toFixed(1)} - 1.0;
 	vec3 n = vec3(at, 1.0 - abs(at.x) - abs(at.y));
@@ -23,84 +36,94 @@ vec3 octahedral(uint word) {
 }
 void main() {
 	berry = int(receiver);
-	int at = berry * patternVertices + gl_VertexID;
-	uvec4 record = texelFetch(vertexRecords, ivec2(at % ${VERTICES_PER_ROW}, at / ${VERTICES_PER_ROW}), 0);
+	int index = berry * patternVertices + gl_VertexID;
+	uvec4 record = texelFetch(vertexRecords, ivec2(index % ${VERTICES_PER_ROW}, index / ${VERTICES_PER_ROW}), 0);
 	vec3 point = uintBitsToFloat(record.xyz);
-	place = point - receiver_texel(berry, 0).xyz;
-	facing = octahedral(record.w);
-	chart = vec3(uv, float(record.w & 0xffu) / 255.0);
+	vec3 n = octahedral(record.w);
+	vec2 lamps = caster_texel(berry, 0).xy;
+	pose = receiver_texel(berry, 1);
+	ripe = receiver_texel(berry, 2);
+	unripe = receiver_texel(berry, 3);
+	form = receiver_texel(berry, 4);
+	place = vec4(point - receiver_texel(berry, 0).xyz, lamps.y);
+	facing = vec4(n, 1.0);
+	chart = vec4(uv, float(record.w & 0xffu) / 255.0, 0.5);
+	glow = vec4(0.0);
 	gl_Position = projectionMatrix * viewMatrix * vec4(point, 1.0);
+
+	vec3 v = normalize(cameraPosition - point);
+	// Out of sight, and so is every triangle it is a corner of.
+	if (dot(n, v) < -0.3) return;
+	vec3 at = in_ball(place.xyz, pose.xyz, form);
+	chart.w = noise(at * 1.7 + pose.w * 61.0);
+	vec3 bent = refract(-v, n, 0.73);
+	Nearby around = nearby(berry, ${NEIGHBOURS}, place.xyz, n, reflect(-v, n), bent, 0.19);
+	facing.w = around.mirror;
+	glow.w = around.sky;
+	float turned = turned_at(unripe.w, dot(at, pose.xyz), chart.w, 0.5);
+	if (clearness(turned, form) > 0.03) {
+		Path path = path_inside(at, bent, pose.xyz, form);
+		vec3 absorption = mix(unripeAbsorption, ripeAbsorption, turned);
+		vec3 keyward = towards_in_ball(keyDirection, pose.xyz, form);
+		vec3 rimward = towards_in_ball(rimDirection, pose.xyz, form);
+		glow.rgb = 0.15 * mix(0.35, 1.0, around.sky) * scattered(path, absorption, keyward, key.irradiance * lamps.x, rimward, rim.irradiance * lamps.y);
+		glow.rgb += gloss_surroundings(mat3(viewMatrix) * bent) * exp(-absorption * path.run) * mix(0.03, 0.4, around.through);
+	}
 }
 `;
 
 /** The skin, the flesh behind it and the wax on it. */
 export const BERRY_FRAGMENT = /* glsl */ `
-flat varying int berry;
-varying vec3 place;
-varying vec3 facing;
-varying vec3 chart;
-uniform vec3 ripeAbsorption;
-uniform vec3 unripeAbsorption;
-uniform vec2 translucency;
+${VARYINGS}
 uniform vec3 wax;
-uniform vec3 between;
+uniform vec3 grooves;
+uniform vec2 grooveDepth;
 uniform vec3 scarColour;
 uniform float scar;
 uniform float bloom;
-uniform float rind;
 uniform float seedsSeen;
 uniform int highlighted;
 ${RECORD_CHUNK}
 ${LIGHT_CHUNK}
 ${NOISE_CHUNK}
-${SKIN_CHUNK}
 ${FLESH_CHUNK}
+${SKIN_CHUNK}
 
 void main() {
-	vec4 centre = receiver_texel(berry, 0);
-	vec4 pose = receiver_texel(berry, 1);
-	vec4 ripe = receiver_texel(berry, 2);
-	vec4 unripe = receiver_texel(berry, 3);
-	vec4 form = receiver_texel(berry, 4);
-	vec2 lamps = caster_texel(berry, 0).xy;
 	vec3 axis = pose.xyz;
 	float phase = pose.w;
 	float shrivel = form.z;
-	float slender = form.x / form.y;
 	float pressed = chart.z;
-	vec3 v = normalize(cameraPosition - centre.xyz - place);
-	vec3 n = normalize(facing);
-	vec3 at = (place + axis * (dot(place, axis) * (slender - 1.0))) / form.x;
-	float coarse = noise(at * 1.7 + phase * 61.0);
+	float coarse = chart.w;
+	vec3 v = normalize(cameraPosition - receiver_texel(berry, 0).xyz - place.xyz);
+	vec3 n = normalize(facing.xyz);
+	vec3 at = in_ball(place.xyz, axis, form);
 	float fine = noise(at * 9.0 + phase * 23.0);
 
 	// The skin's relief.
-	float high = 1.0;
-	if (rows > 0.0) high = humps(n, chart.xy, axis);
-	float furrows = max(0.6 * rind, 0.35 * shrivel);
+	float high = smoothstep(grooveDepth.x, grooveDepth.y, length(at));
+	float furrows = max(0.5 * rind, 0.15 * shrivel);
 	if (furrows > 0.02) n = rough(n, at * mix(13.0, 7.0, step(rind, 0.1)) + phase * 41.0, furrows);
 	float nv = clamp(dot(n, v), 0.0, 1.0);
 	vec3 r = reflect(-v, n);
 	float dull = mix(0.07, 0.5, max(rind, 0.6 * shrivel));
-	vec3 bent = refract(-v, n, 0.73);
-	Nearby around = nearby(berry, ${NEIGHBOURS}, place, n, r, bent, 0.12 + dull);
-	float open = around.sky * (1.0 - 0.55 * pressed) * mix(0.45, 1.0, high);
+	float open = glow.w * (1.0 - 0.55 * pressed) * mix(0.6, 1.0, high);
 
-	// Its colour: turned or not, mottled, marked where pedicel and style were. Pigment absorbs, so colours mix as depths do.
+	// Its colour: turned or not, mottled, marked where pedicel and style were. Pigment absorbs: colours mix as logarithms do.
 	float along = dot(at, axis);
 	float turned = turned_at(unripe.w, along, coarse, fine);
-	vec3 skin = exp(mix(log(unripe.rgb + 0.004), log(ripe.rgb + 0.004), turned));
+	vec3 skin = exp(mix(unripe.rgb, ripe.rgb, turned));
 	skin *= (0.86 + 0.28 * mix(0.5, coarse, 0.4 + 1.2 * uneven)) * (0.94 + 0.12 * fine);
-	skin = mix(skin * between, skin, high);
+	skin = mix(skin * grooves, skin, high);
 	skin = mix(skin, skin * (0.72 + 0.45 * fine), rind);
 	float dots = lenticels > 0.0 ? lenticels * lenticel(at, phase) : 0.0;
 	skin = mix(skin, 0.55 * skin + vec3(0.17, 0.145, 0.1), 0.8 * dots);
-	float marked = smoothstep(scar - 0.012, scar, chart.y + 0.012 * (fine - 0.5));
-	float halo = smoothstep(scar - 0.1, scar - 0.01, chart.y) * (1.0 - marked);
+	float marked = smoothstep(scar - 0.006, scar, chart.y + 0.01 * (fine - 0.5));
+	float halo = smoothstep(scar - 0.06, scar - 0.005, chart.y) * (1.0 - marked);
 	float seat = smoothstep(0.13, 0.03, chart.y + 0.03 * (fine - 0.5));
 	skin = mix(skin, skin * 1.25 + 0.02, 0.4 * halo);
 	skin = mix(skin, skin * 0.75 + vec3(0.05, 0.055, 0.02), 0.7 * seat);
-	skin = mix(skin, scarColour * (0.6 + 0.8 * fine), marked * 0.9);
+	skin = mix(skin, scarColour * (0.6 + 0.8 * fine) + 0.12 * skin, marked * 0.85);
 
 	// Where wax lies: all over, thinner below, patchy, rubbed off where berries touch and where something brushed by.
 	float rubbed = (1.0 - smoothstep(0.02, 0.5, pressed + 0.25 * (fine - 0.5))) * smoothstep(0.16, 0.34, coarse + 0.22 * fine);
@@ -109,32 +132,26 @@ void main() {
 	float waxed = (1.0 - exp(-depth / (0.25 + nv))) * (1.0 - marked);
 
 	// Light on the skin.
-	float lit = key_light(berry, place);
+	float lit = key_light(berry, place.xyz);
 	float nk = dot(n, keyDirection);
 	float nb = dot(n, rimDirection);
-	float clear = mix(translucency.y, translucency.x, turned) * (1.0 - 0.6 * shrivel) * (1.0 - marked);
+	float clear = clearness(turned, form) * (1.0 - marked);
 	vec3 soft = clear * (0.25 + 0.35 * sqrt(skin));
 	vec3 dN = mat3(viewMatrix) * n;
 	vec3 sky = diffuse_surroundings(dN);
 	vec3 keyed = key.irradiance * (lit / 3.14159);
-	vec3 rimmed = rim.irradiance * (lamps.y / 3.14159);
+	vec3 rimmed = rim.irradiance * (place.w / 3.14159);
 	vec3 white = keyed * clamp((nk + 0.1) / 1.1, 0.0, 1.0) + rimmed * clamp((nb + 0.1) / 1.1, 0.0, 1.0);
 	vec3 wrapped = keyed * clamp((nk + soft) / (1.0 + soft), 0.0, 1.0) + rimmed * clamp((nb + soft) / (1.0 + soft), 0.0, 1.0);
 	vec3 colour = skin * (wrapped + sky * bounced(open, skin));
 
-	// Light through the flesh: scattered in it, or from what stands behind the berry.
+	// Light through the flesh, less where seeds stand in its way.
 	if (clear > 0.03) {
-		vec3 absorption = mix(unripeAbsorption, ripeAbsorption, turned);
-		vec3 inside = at * min(1.0, 0.998 / length(at));
-		vec3 inward = normalize(bent + axis * (dot(bent, axis) * (slender - 1.0)));
-		vec3 keyward = normalize(keyDirection + axis * (dot(keyDirection, axis) * (slender - 1.0)));
-		vec3 rimward = normalize(rimDirection + axis * (dot(rimDirection, axis) * (slender - 1.0)));
-		float run = way_out(inside, inward);
-		vec3 glow = scattered(inside, inward, run, absorption, keyward, key.irradiance * lamps.x, rimward, rim.irradiance * lamps.y);
-		vec3 behind = gloss_surroundings(mat3(viewMatrix) * bent) * exp(-absorption * run);
-		vec3 through = 0.2 * glow * mix(0.35, 1.0, open) + behind * mix(0.04, 0.5, around.through);
-		if (seedsSeen * form.w > 0.0) through *= 1.0 - seedsSeen * seed_shade(inside, inward, axis, form.w, phase, slender) * vec3(0.6, 0.7, 0.75);
-		through *= 1.0 + 0.45 * veins * (vein(chart.xy, fine) - 0.3);
+		vec3 through = glow.rgb * (1.0 + 0.45 * veins * (vein(chart.xy, fine) - 0.3));
+		if (seedsSeen * form.w > 0.0) {
+			float shade = seed_shade(path_inside(at, refract(-v, n, 0.73), axis, form), axis, form, phase);
+			through *= 1.0 - seedsSeen * shade * vec3(0.6, 0.7, 0.75);
+		}
 		colour = mix(colour, colour * 0.35, clear * 0.6) + clear * through * (1.0 - 0.5 * dots);
 	}
 	colour = mix(colour, wax * (white + sky * open), waxed);
@@ -144,8 +161,8 @@ void main() {
 	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - marked) * (1.0 - 0.6 * dots) * (1.0 - 0.7 * pressed);
 	vec3 dR = mat3(viewMatrix) * r;
 	float blur = dull + 0.3 * waxed;
-	vec3 mirror = key.radiance * (reflected_window(dR, key, blur) * lit) + rim.radiance * (reflected_window(dR, rim, 0.15 + blur) * lamps.y);
-	mirror += gloss_surroundings(dR) * mix(0.15 * skin, vec3(1.0), around.mirror);
+	vec3 mirror = key.radiance * (reflected_window(dR, key, blur) * lit) + rim.radiance * (reflected_window(dR, rim, 0.15 + blur) * place.w);
+	mirror += gloss_surroundings(dR) * mix(0.15 * skin, vec3(1.0), facing.w);
 	colour += mirror * fresnel * taut;
 
 	// The berry pointed at: lifted, with a bright outline.

@@ -48,7 +48,8 @@ export class BunchView {
 	constructor(canvas: HTMLCanvasElement, options: BunchViewOptions = {}) {
 		this.#canvas = canvas;
 		this.#renderer = createRenderer(canvas);
-		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio);
+		const slow = drawsBySoftware(this.#renderer.getContext());
+		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio, slow);
 		this.#turntable = new Turntable(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
 		if (options.still) this.#turntable.controls.disconnect();
 		this.setTheme(options.theme ?? "light");
@@ -256,6 +257,14 @@ function createRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
 	// Asking whether a program is sound waits until it is built: only where someone may have broken one.
 	renderer.debug.checkShaderErrors = import.meta.env.DEV;
 	return renderer;
+}
+
+/** Whether pictures are drawn without a graphics card: the first ones then start coarse. */
+function drawsBySoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean {
+	const names = gl.getExtension("WEBGL_debug_renderer_info");
+	return (
+		names !== null && /swiftshader|llvmpipe|software|basic render/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL))
+	);
 }
 
 /** Settles when the GPU has done all that was asked of it so far; asks now and then rather than block the page. */

@@ -1,6 +1,6 @@
 import { DoubleSide, ShaderMaterial, Vector3 } from "three";
 import { fromHex } from "./colour";
-import { LIGHT_CHUNK, NOISE_CHUNK, type SharedUniforms } from "./light_shader";
+import { LIGHT_CHUNK, NOISE_CHUNK, RECORD_CHUNK, type SharedUniforms } from "./light_shader";
 
 const VERTEX = /* glsl */ `
 attribute float blade;
@@ -25,6 +25,7 @@ uniform vec3 lower;
 uniform vec3 cane;
 uniform vec3 petiole;
 uniform float autumn;
+${RECORD_CHUNK}
 ${LIGHT_CHUNK}
 ${NOISE_CHUNK}
 

@@ -23,17 +23,22 @@ export class FrameLoop {
 	#moving = false;
 	#stopped = false;
 
-	/** @param draw draws one frame; true asks for another at once (a movement goes on) */
+	/**
+	 * @param draw draws one frame; true asks for another at once (a movement goes on)
+	 * @param device `devicePixelRatio`
+	 * @param slow whether frames are known to come slowly
+	 */
 	constructor(
 		readonly draw: (frame: Frame) => boolean,
 		device: number,
+		readonly slow = false,
 	) {
-		this.#ratio = new PixelRatio(device);
+		this.#ratio = new PixelRatio(device, slow);
 	}
 
 	/** For a screen of another density. */
 	setDevice(device: number): void {
-		this.#ratio = new PixelRatio(device);
+		this.#ratio = new PixelRatio(device, this.slow);
 	}
 
 	get rest(): number {

@@ -5,12 +5,10 @@ import type { Rgb } from "./colour";
 export interface FruitSkin {
 	/** 0: taut and glossy, flesh shines through; 1: a dull rind. */
 	rind: number;
-	/** Rows of drupelets or tubercles from pole to pole; 0 for a smooth skin. */
-	rows: number;
-	/** How high these rise: the tangent of their steepest slope. */
-	relief: number;
-	/** Colour between the rows' humps as a factor on the skin's. */
-	between: Rgb;
+	/** Colour in the grooves between drupelets or tubercles as a factor on the skin's. */
+	grooves: Rgb;
+	/** Where they lie: nearer the centre than the first of these (in radii) all groove, beyond the second none. */
+	depth: [groove: number, top: number];
 	/** 0 … 1: meridian veins seen in the flesh. */
 	veins: number;
 	/** From this v on lies the tip's scar or what is left of the flower. */
@@ -19,14 +17,14 @@ export interface FruitSkin {
 	flesh: number;
 }
 
-const SMOOTH: FruitSkin = { rind: 0, rows: 0, relief: 0, between: [1, 1, 1], veins: 0.3, scar: 0.965, flesh: 1 };
+const SMOOTH: FruitSkin = { rind: 0, grooves: [1, 1, 1], depth: [0, 0.01], veins: 0.3, scar: 0.98, flesh: 1 };
 
-/** Estimates by eye; the core gives the forms, these only dress them. */
+/** Estimates by eye. The core gives the relief, these only dress it. */
 export const FRUIT_SKINS: Record<Fruit, FruitSkin> = {
 	grape: SMOOTH,
-	currant: { ...SMOOTH, veins: 1, scar: 0.915, flesh: 1.6 },
-	bramble: { ...SMOOTH, rows: 0, relief: 0.9, between: [0.3, 0.2, 0.25], veins: 0, scar: 1, flesh: 0.8 },
-	lychee: { ...SMOOTH, rind: 0.75, relief: 0.5, between: [1.15, 1.5, 1.3], veins: 0, scar: 0.985, flesh: 0.08 },
-	longan: { ...SMOOTH, rind: 0.9, veins: 0, scar: 0.985, flesh: 0.08 },
-	duku: { ...SMOOTH, rind: 0.8, veins: 0, scar: 0.97, flesh: 0.12 },
+	currant: { ...SMOOTH, veins: 1, scar: 0.955, flesh: 1.5 },
+	bramble: { ...SMOOTH, grooves: [0.35, 0.2, 0.25], depth: [0.8, 0.95], veins: 0, scar: 1.1, flesh: 0.6 },
+	lychee: { ...SMOOTH, rind: 0.75, grooves: [1.5, 2.4, 1.9], depth: [0.955, 1.005], veins: 0, scar: 0.99, flesh: 0.08 },
+	longan: { ...SMOOTH, rind: 0.9, veins: 0, scar: 0.99, flesh: 0.08 },
+	duku: { ...SMOOTH, rind: 0.8, veins: 0, scar: 0.98, flesh: 0.12 },
 };

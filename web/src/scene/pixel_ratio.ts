@@ -15,10 +15,13 @@ export class PixelRatio {
 	#smoothed = 0;
 	#frames = 0;
 
-	/** @param device `devicePixelRatio` */
-	constructor(device: number) {
+	/**
+	 * @param device `devicePixelRatio`
+	 * @param slow whether frames are known to come slowly, before any has been timed
+	 */
+	constructor(device: number, slow = false) {
 		this.rest = Math.min(Math.max(device, 1), MOST);
-		this.#moving = this.rest;
+		this.#moving = slow ? LEAST : this.rest;
 	}
 
 	get moving(): number {

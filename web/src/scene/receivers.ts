@@ -1,4 +1,5 @@
 import type { Berries, Grown } from "../core/grown";
+import type { Rgb } from "./colour";
 import { type Occluders, occludersOf } from "./occluders";
 import type { BerryTint } from "./skin";
 import { SphereIndex } from "./sphere_index";
@@ -18,8 +19,8 @@ const MAX_FOUND = 1024;
 /**
  * What receives light: berries first, then internodes. Each has a record of RECORD texels of four floats:
  *
- *     berry       0 centre, reach       1 direction, phase       2 ripe colour (linear), bloom
- *                 3 unripe colour, turned                        4 half width, half length, shrivel, seeds
+ *     berry       0 centre, reach       1 direction, phase       2 log of ripe colour, bloom
+ *                 3 log of unripe colour, turned                 4 half width, half length, shrivel, seeds
  *     internode   0 middle, half length 1 half axis, radius      2 state, kind; zeros up to 5
  *     both        5 far occlusion: constant, then the vector of its cosine part
  *                 6… the NEIGHBOURS spheres that hide most, relative to the centre, with radius; 0 ends the list
@@ -170,13 +171,18 @@ function packBerry(berries: Berries, i: number, tint: BerryTint, records: Float3
 	records[at + 3] = Math.max(...halves);
 	records.set(berries.directions.subarray(3 * i, 3 * i + 3), at + 4);
 	records[at + 7] = tint.phase;
-	records.set(tint.ripe, at + 8);
+	records.set(logarithmOf(tint.ripe), at + 8);
 	records[at + 11] = tint.bloom;
-	records.set(tint.unripe, at + 12);
+	records.set(logarithmOf(tint.unripe), at + 12);
 	records[at + 15] = traitOf(berries, i, "turned");
 	records.set(halves, at + 16);
 	records[at + 18] = traitOf(berries, i, "shrivel");
 	records[at + 19] = traitOf(berries, i, "seeds");
+}
+
+/** Pigment absorbs, so a turning skin's colours mix as their logarithms do. */
+function logarithmOf(colour: Rgb): Rgb {
+	return [Math.log(colour[0] + 0.004), Math.log(colour[1] + 0.004), Math.log(colour[2] + 0.004)];
 }
 
 function packInternode({ internodes }: Grown, i: number, records: Float32Array, at: number): number {

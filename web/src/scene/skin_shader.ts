@@ -1,20 +1,11 @@
 /**
  * What the skin itself is like at a point, without light. `at` is the point in ball space (the berry scaled to the unit
- * ball), `chart` its u and v, `axis` towards the tip.
+ * ball), `chart` its u and v.
  */
 export const SKIN_CHUNK = /* glsl */ `
-uniform float uneven;
+uniform float rind;
 uniform float lenticels;
-uniform float rows;
-uniform float relief;
 uniform float veins;
-
-// How far the colour has turned here: it starts at the tip and in patches, and runs over the berry unevenly.
-float turned_at(float turned, float along, float coarse, float fine) {
-	float width = 0.35 + 0.5 * uneven;
-	float late = 0.5 - 0.32 * along + 0.75 * uneven * (coarse - 0.5) + 0.3 * uneven * (fine - 0.5);
-	return smoothstep(0.0, 1.0, (turned * (1.0 + width) - clamp(late, 0.0, 1.0)) / width);
-}
 
 // The normal of a rind with low bumps: uphill is where the noise grows.
 vec3 rough(vec3 n, vec3 at, float height) {
@@ -24,17 +15,6 @@ vec3 rough(vec3 n, vec3 at, float height) {
 		slope += noise(at + step) * (i == 0 ? vec3(-1.0) : vec3(i == 1, i == 2, i == 3));
 	}
 	return normalize(n - height * (slope - n * dot(n, slope)));
-}
-
-// Drupelets or tubercles in staggered rows: tilts the normal, gives the height, 1 on top and 0 between them.
-float humps(inout vec3 n, vec2 chart, vec3 axis) {
-	float row = floor(chart.y * rows);
-	float round_ = max(3.0, floor(2.0 * rows * sin(3.14159 * (row + 0.5) / rows)));
-	vec2 cell = 2.0 * fract(vec2(chart.x * round_ + 0.5 * mod(row, 2.0), chart.y * rows)) - 1.0;
-	float away = min(1.0, dot(cell, cell));
-	vec3 north = normalize(axis - n * dot(axis, n) + 1e-5);
-	n = normalize(n + relief * away * (cell.x * cross(n, north) + cell.y * north));
-	return 1.0 - away * away;
 }
 
 // Small corky dots; too small to see, they fade.

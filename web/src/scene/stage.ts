@@ -17,6 +17,8 @@ import { berryTint, skinOf } from "./skin";
 import { setStem, stemMaterial } from "./stem_material";
 import { meanOf, traitOf } from "./traits";
 
+/** The paper's berries know no sun: none stands out. */
+const HALF = 0.5;
 /** The paper's bunches have no age; theirs is a ripe one's wood. */
 const PAPER_WOOD = 0.55;
 
@@ -72,7 +74,8 @@ export class Stage {
 		this.highlighted = undefined;
 		const { berries } = grown;
 		const { materials } = this.#surface;
-		const skin = skinOf(look, grown.form.fruit, grown.procedure === "paper");
+		const paper = grown.procedure === "paper";
+		const skin = skinOf(look, grown.form.fruit, paper);
 		setSkin(materials.berry, skin);
 		setStem(materials.stem, look.stem, woodOf(grown));
 		materials.foliage.uniforms.autumn.value = meanOf(berries, "shrivel", 0);
@@ -83,7 +86,7 @@ export class Stage {
 		this.#shared.casterRecords.value = this.#casterRecords.texture;
 		const tint = (i: number) =>
 			berryTint(skin, berries.ids[i], {
-				exposure: traitOf(berries, i, "exposure"),
+				exposure: paper ? HALF : traitOf(berries, i, "exposure"),
 				set: traitOf(berries, i, "set"),
 				shrivel: traitOf(berries, i, "shrivel"),
 			});
