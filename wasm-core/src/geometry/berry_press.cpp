@@ -11,7 +11,7 @@ namespace {
 
 // How far round a rim the surface bends, over the berry's radius: as far as the dent is deep, so that even a shallow
 // one touches its plane, between these.
-constexpr float softest = 0.12f, hardest = 0.015f;
+constexpr float softest = 0.12f, hardest = 0.03f;
 constexpr float rubbed = 0.03f;  // a skin this near to a plane is marked, over the berry's radius
 constexpr float volume_error = 1e-3f;
 
