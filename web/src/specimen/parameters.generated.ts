@@ -87,7 +87,7 @@ export interface ParameterInfo {
 	readonly help: string;
 	/** The link version that first knew it. */
 	readonly since: number;
-	/** What a link from before `since` means; the default where absent. */
+	/** What a link from before `since` means; the preset's value where absent. */
 	readonly before?: number;
 	/** The grammar's `#define` that it replaces. */
 	readonly define?: string;
