@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Grown } from "../../../web/src/core/grown";
+import { leafDiscs } from "../../../web/src/scene/leaf_discs";
 import { FAR, NEIGHBOURS, packReceivers, RECORD, receiverTexels } from "../../../web/src/scene/receivers";
 import { berryTint, skinOf } from "../../../web/src/scene/skin";
 import { pressedBunch } from "./pressed_bunch";
@@ -128,3 +129,29 @@ function usedParts(records: Float32Array): number[] {
 	// Minus zero is zero.
 	return parts.map((value) => value + 0);
 }
+
+describe("leafDiscs", () => {
+	it("lays discs over each leaf, within its extent, and none over the cane; they come after all else", () => {
+		const square = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
+		const part = { firstIndex: 0, indexCount: 0, vertexCount: 4 };
+		const foliage = {
+			positions: Float32Array.from([...square, ...square]),
+			normals: new Float32Array(24),
+			uvs: new Float32Array(16),
+			indices: new Uint32Array(0),
+			parts: [
+				{ ...part, kind: "cane" as const, firstVertex: 0 },
+				{ ...part, kind: "leaf" as const, firstVertex: 4 },
+			],
+		};
+		const discs = leafDiscs(foliage);
+		expect(discs).toHaveLength(4 * 4);
+		const bunch = sampleBunch(5);
+		const records = new Float32Array(4 * receiverTexels(bunch, discs)).fill(7);
+		const { count } = packReceivers(bunch, (i) => berryTint(skin, i, RIPE), records, discs);
+		expect(count).toBe(bunch.berries.count + bunch.internodes.count + 4);
+		const last = records.subarray(4 * RECORD * (count - 1));
+		expect([...last.subarray(0, 8)]).toEqual([0, 1, 0, discs[3], 0, 0, 0, discs[3]]);
+		expect(last.subarray(8).every((value) => value === 0)).toBe(true);
+	});
+});

@@ -158,7 +158,7 @@ void main() {
 
 	// The mirror of the skin.
 	float fresnel = 0.035 + 0.6 * pow(1.0 - nv, 5.0);
-	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - marked) * (1.0 - 0.6 * dots) * (1.0 - 0.7 * pressed);
+	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - marked) * (1.0 - 0.6 * dots) * (1.0 - 0.85 * pressed) * (1.0 - 0.8 * halo);
 	vec3 dR = mat3(viewMatrix) * r;
 	float blur = dull + 0.3 * waxed;
 	vec3 mirror = key.radiance * (reflected_window(dR, key, blur) * lit) + rim.radiance * (reflected_window(dR, rim, 0.15 + blur) * place.w);

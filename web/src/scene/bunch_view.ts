@@ -16,6 +16,9 @@ import { pickBerry } from "./picking";
 import { type Mode, Stage } from "./stage";
 import { Turntable, type ViewName } from "./turntable";
 
+/** Of so many points of the foliage, one counts for the fit. */
+const LEAF_POINTS = 8;
+
 export interface BunchViewOptions {
 	/** No gliding, no damping. */
 	reducedMotion?: boolean;
@@ -64,7 +67,7 @@ export class BunchView {
 	show(grown: Grown, look: Look): void {
 		this.#stage.show(grown, look);
 		this.#grown = grown;
-		this.#spindle = spindleOf(grown.berries.spheres, grown.internodes.ends);
+		this.#spindle = spindleOf(grown.berries.spheres, pointsOf(grown));
 		this.#turntable.follow(this.#spindle, this.#held);
 		this.#loop.request(true);
 	}
@@ -257,6 +260,16 @@ function createRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
 	// Asking whether a program is sound waits until it is built: only where someone may have broken one.
 	renderer.debug.checkShaderErrors = import.meta.env.DEV;
 	return renderer;
+}
+
+/** Where the bunch is besides its berries: its stems' ends and some of its leaves' points. */
+function pointsOf({ internodes, foliage }: Grown): Float32Array {
+	if (!foliage) return internodes.ends;
+	const leaves = foliage.positions.filter((_, i) => Math.floor(i / 3) % LEAF_POINTS === 0);
+	const points = new Float32Array(internodes.ends.length + leaves.length);
+	points.set(internodes.ends);
+	points.set(leaves, internodes.ends.length);
+	return points;
 }
 
 /** Whether pictures are drawn without a graphics card: the first ones then start coarse. */

@@ -17,16 +17,17 @@ const HORIZON = 9;
 const MAX_FOUND = 1024;
 
 /**
- * What receives light: berries first, then internodes. Each has a record of RECORD texels of four floats:
+ * What receives light and casts the shadow on the paper: berries first, then internodes, then discs of leaves. Each has a record of RECORD texels of four floats:
  *
  *     berry       0 centre, reach       1 direction, phase       2 log of ripe colour, bloom
  *                 3 log of unripe colour, turned                 4 half width, half length, shrivel, seeds
  *     internode   0 middle, half length 1 half axis, radius      2 state, kind; zeros up to 5
- *     both        5 far occlusion: constant, then the vector of its cosine part
+ *     disc        0 centre, radius      1 0, 0, 0, radius        zeros up to 5
+ *     all         5 far occlusion: constant, then the vector of its cosine part
  *                 6… the NEIGHBOURS spheres that hide most, relative to the centre, with radius; 0 ends the list
  */
 export interface Receivers {
-	/** Berries, then internodes. */
+	/** Berries, internodes and discs. */
 	count: number;
 	berries: number;
 	records: Float32Array;
@@ -36,9 +37,11 @@ export interface Receivers {
 }
 
 /** Texels the records of a bunch need. */
-export function receiverTexels(grown: Grown): number {
-	return (grown.berries.count + grown.internodes.count) * RECORD;
+export function receiverTexels({ berries, internodes }: Grown, discs: Float32Array = NO_DISCS): number {
+	return (berries.count + internodes.count + discs.length / 4) * RECORD;
 }
+
+const NO_DISCS = new Float32Array(0);
 
 /** Finds out, for one receiver, what hides its sky. Holds the scratch memory of the search. */
 class Surroundings {
@@ -147,7 +150,12 @@ class Surroundings {
 }
 
 /** Writes the records of a bunch into `records` (at least `receiverTexels` × 4 floats), reusing its memory. */
-export function packReceivers(grown: Grown, tint: (berry: number) => BerryTint, records: Float32Array): Receivers {
+export function packReceivers(
+	grown: Grown,
+	tint: (berry: number) => BerryTint,
+	records: Float32Array,
+	discs: Float32Array = NO_DISCS,
+): Receivers {
 	const { berries, internodes } = grown;
 	const { spheres, owner }: Occluders = occludersOf(berries);
 	const index = new SphereIndex(spheres);
@@ -162,7 +170,14 @@ export function packReceivers(grown: Grown, tint: (berry: number) => BerryTint, 
 		const half = packInternode(grown, i, records, at);
 		around.survey(records, at, -1, half);
 	}
-	return { count: berries.count + internodes.count, berries: berries.count, records, index, owner };
+	const bodies = berries.count + internodes.count;
+	for (let i = 0; i < discs.length / 4; i++) {
+		const at = (bodies + i) * stride;
+		const [x, y, z, radius] = discs.subarray(4 * i, 4 * i + 4);
+		records.fill(0, at, at + stride);
+		records.set([x, y, z, radius, 0, 0, 0, radius], at);
+	}
+	return { count: bodies + discs.length / 4, berries: berries.count, records, index, owner };
 }
 
 function packBerry(berries: Berries, i: number, tint: BerryTint, records: Float32Array, at: number): void {

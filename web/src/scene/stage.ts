@@ -8,9 +8,10 @@ import { CastShadow } from "./cast_shadow";
 import { CAST_RECORD, Casters } from "./casters";
 import { flowerMaterial } from "./flower_material";
 import { foliageMaterial } from "./foliage_material";
+import { leafDiscs } from "./leaf_discs";
 import { type LightRig, rigOf, spreadOf, type Theme } from "./light";
 import { aimLamps, lightUniforms, setRig } from "./light_shader";
-import { packReceivers, RECORD, type Receivers } from "./receivers";
+import { packReceivers, RECORD, type Receivers, receiverTexels } from "./receivers";
 import { RecordTexture } from "./record_texture";
 import { REHEARSAL, REHEARSAL_LOOK } from "./rehearsal";
 import { berryTint, skinOf } from "./skin";
@@ -79,7 +80,8 @@ export class Stage {
 		setSkin(materials.berry, skin);
 		setStem(materials.stem, look.stem, woodOf(grown));
 		materials.foliage.uniforms.autumn.value = meanOf(berries, "shrivel", 0);
-		const count = berries.count + grown.internodes.count;
+		const discs = grown.foliage && leafDiscs(grown.foliage);
+		const count = receiverTexels(grown, discs) / RECORD;
 		this.#receiverRecords.reserve(count);
 		this.#casterRecords.reserve(count);
 		this.#shared.receiverRecords.value = this.#receiverRecords.texture;
@@ -90,7 +92,7 @@ export class Stage {
 				set: traitOf(berries, i, "set"),
 				shrivel: traitOf(berries, i, "shrivel"),
 			});
-		this.#receivers = packReceivers(grown, tint, this.#receiverRecords.data);
+		this.#receivers = packReceivers(grown, tint, this.#receiverRecords.data, discs);
 		this.#receiverRecords.changed();
 		this.#surface.show(grown);
 		this.#surface.group.visible = true;
