@@ -28,7 +28,9 @@ export async function benchBrowser() {
 	try {
 		const address = server.resolvedUrls.local[0];
 		benchSizes(await benchLoad(browser, address));
-		await benchDrag(address);
+		await benchDrag("natural, long-conical", `${address}?v=2&preset=long-conical`);
+		await benchDrag("natural, 500 berries", `${address}?v=2&preset=long-conical&count=500&size=11`);
+		await benchDrag("the paper's, winged-cylindrical", `${address}?v=1&preset=winged-cylindrical`);
 	} finally {
 		await browser.close();
 		await server.close();
@@ -85,10 +87,10 @@ function benchSizes(asked) {
  * SwiftShader, whose frames would be all that is timed. Each regrowth counts from two beginnings: from asking the worker, and from the newest
  * pointer event before that, which waits for a frame to take it up and so for the frame being drawn.
  */
-async function benchDrag(address) {
+async function benchDrag(bunch, address) {
 	const browser = await launch(["--disable-gpu"]);
 	const page = await browser.newPage({ viewport });
-	await page.goto(`${address}?v=1&preset=winged-cylindrical`);
+	await page.goto(address);
 	await page.waitForFunction(() => performance.getEntriesByName("regrow").length > 0);
 	const handle = page.getByRole("button", { name: /^p3, right/ }).first();
 	const box = await handle.boundingBox();
@@ -103,14 +105,11 @@ async function benchDrag(address) {
 	await page.waitForTimeout(500);
 	const regrowths = await page.evaluate(() => window.regrowths);
 	await browser.close();
-	printTable(
-		`Drag of winged-cylindrical before drawing, ${regrowths.length} regrowths (aim: within ${FRAME.toFixed(1)} ms)`,
-		[
-			["ms", "median", "95th percentile", "within one 60 Hz frame"],
-			["asked → buffers", ...spread(regrowths.map(({ asked }) => asked))],
-			["event → buffers", ...spread(regrowths.map(({ event }) => event))],
-		],
-	);
+	printTable(`Drag before drawing, ${bunch}, ${regrowths.length} regrowths (aim: within ${FRAME.toFixed(1)} ms)`, [
+		["ms", "median", "95th percentile", "within one 60 Hz frame"],
+		["asked → buffers", ...spread(regrowths.map(({ asked }) => asked))],
+		["event → buffers", ...spread(regrowths.map(({ event }) => event))],
+	]);
 }
 
 /** In the page: keeps how long each regrowth took, in milliseconds up to the arrival of its buffers. */

@@ -1,12 +1,13 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out.
+ * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- browser` all but that.
  */
 import { join } from "node:path";
 import { runnerImport } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { benchBrowser } from "./browser.mjs";
 import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
+import { benchNatural } from "./natural.mjs";
 import { peerModules } from "./peer.mjs";
 import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
 
@@ -27,6 +28,8 @@ const DERIVE_STEPS = 16;
 const digits = (number, count) => number.toFixed(count);
 const source = async (path) => (await runnerImport(join(repository, path))).module;
 
+const PAPER = 1; // links of version 1 mean the paper's procedure
+
 const { encodeRequest } = await source("web/src/core/request.ts");
 const { Core } = await source("web/src/core/core.ts");
 const { PRESETS } = await source("web/src/specimen/presets/index.ts");
@@ -35,14 +38,19 @@ const core = await loadBenchCore();
 const reader = await Core.instantiate(benchModule());
 const ratios = [];
 
-benchPresets();
-benchTable2();
-benchKernels();
-benchScale();
-console.log(
-	`\nwasm / native, geometric mean of ${ratios.length}: ${digits(geometricMean(ratios), 2)} (aim 1.35 at the most)`,
-);
+if (process.argv[2] !== "browser") benchCore();
 if (process.argv[2] !== "core") await benchBrowser();
+
+function benchCore() {
+	ratios.push(...benchNatural({ core, reader, encodeRequest, presets: PRESETS, specimenFromPreset }));
+	benchPresets();
+	benchTable2();
+	benchKernels();
+	benchScale();
+	console.log(
+		`\nwasm / native, geometric mean of ${ratios.length}: ${digits(geometricMean(ratios), 2)} (aim 1.35 at the most)`,
+	);
+}
 
 /** Wasm and native microseconds of one request, and their ratio. */
 function timeGrow(request) {
@@ -55,10 +63,10 @@ function benchPresets() {
 	const rows = [
 		["growing a preset", "internodes", "berries", "wasm µs", "native µs", "ratio", "with meshes µs", "vertices"],
 	];
-	for (const { name } of PRESETS) {
-		const specimen = specimenFromPreset(name);
-		const bare = encodeRequest(specimen, { meshes: false });
-		const whole = encodeRequest(specimen);
+	for (const { name } of PRESETS.filter(({ kind }) => kind !== "variety")) {
+		const specimen = specimenFromPreset(name, PAPER);
+		const bare = encodeRequest(specimen, { meshes: false, measures: false });
+		const whole = encodeRequest(specimen, { measures: false });
 		const { counts, stem } = reader.grow(whole);
 		const { wasm, native, ratio } = timeGrow(bare);
 		const meshed = microseconds(10, RUNS, grower(core, whole));
@@ -74,17 +82,17 @@ function benchPresets() {
 			stem.positions.length / 3,
 		]);
 	}
-	printTable(`Growing, medians of ${RUNS} runs of 20 (aim: the largest in about 1000 µs)`, rows);
+	printTable(`The paper's procedure, medians of ${RUNS} runs of 20 (aim: the largest in about 1000 µs)`, rows);
 }
 
 function benchTable2() {
 	const rows = [["paper: internodes", "berries", "ms", "ours: radius", "internodes", "berries", "wasm ms"]];
 	RADII.forEach((radius, i) => {
 		const grown = Array.from({ length: 20 }, (_, seed) => {
-			const specimen = specimenFromPreset("shouldered-conical");
+			const specimen = specimenFromPreset("shouldered-conical", PAPER);
 			specimen.seed = seed + 1;
 			Object.assign(specimen.parameters, { fit: 0, vary: 0, rmin: radius * 0.8, rmax: radius * 1.2 });
-			const request = encodeRequest(specimen, { meshes: false });
+			const request = encodeRequest(specimen, { meshes: false, measures: false });
 			return { counts: reader.grow(request).counts, time: microseconds(5, 3, grower(core, request)) };
 		});
 		const mean = (pick) => grown.reduce((sum, one) => sum + pick(one), 0) / grown.length;
@@ -171,5 +179,5 @@ function benchScale() {
 			digits(ratio, 2),
 		]);
 	}
-	printTable("Cost as the plan grows", rows);
+	printTable("Cost as the paper's plan grows", rows);
 }

@@ -10,14 +10,18 @@ export function geometricMean(ratios) {
 	return Math.exp(ratios.reduce((sum, ratio) => sum + Math.log(ratio), 0) / ratios.length);
 }
 
-/** Median microseconds of one call of `work(rounds)` per round, over `runs` runs after one to warm up. */
+/**
+ * Median microseconds of one call of `work(rounds)` per round, over `runs` runs after one to warm up. Of this process's
+ * time on a processor, so that what else the machine does counts little.
+ */
 export function microseconds(rounds, runs, work) {
 	work(rounds);
 	return median(
 		Array.from({ length: runs }, () => {
-			const begin = performance.now();
+			const before = process.cpuUsage();
 			work(rounds);
-			return ((performance.now() - begin) * 1000) / rounds;
+			const { user, system } = process.cpuUsage(before);
+			return (user + system) / rounds;
 		}),
 	);
 }

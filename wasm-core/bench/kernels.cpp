@@ -25,13 +25,14 @@ double derive(std::uint32_t steps) {
   return derived ? static_cast<double>(derived->modules_written) : -1;
 }
 
-// The same bunch over and over down a longer rachis: lengths and widths are kept from shrinking, else the tip's would
-// vanish.
+// The paper's procedure: the same bunch over and over down a longer rachis: lengths and widths are kept from shrinking,
+// else the tip's would vanish.
 bunch::Request longer_bunch(std::uint32_t factor) {
   constexpr std::int32_t axes[] = {8, 4, 6, 6, 3, 2, 3, 3, 1, 1, 1, 1};  // shouldered conical
   bunch::Request request;
-  request.meshes = false;
+  request.meshes = request.measures = false;
   request.parameters.assign(bunch::parameter_count, std::numeric_limits<float>::quiet_NaN());
+  request.parameters[static_cast<std::size_t>(bunch::Parameter::procedure)] = 0;
   for (const auto rate : {bunch::Parameter::rw, bunch::Parameter::rrr, bunch::Parameter::rff})
     request.parameters[static_cast<std::size_t>(rate)] = 1;
   for (std::uint32_t i = 0; i < factor; ++i) request.n.insert(request.n.end(), std::begin(axes), std::end(axes));
