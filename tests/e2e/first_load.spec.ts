@@ -48,7 +48,7 @@ for (const [width, height] of [
 	[1024, 640],
 	[390, 844],
 ]) {
-	test(`nothing sticks out sideways at ${width} × ${height}`, async ({ page }) => {
+	test(`nothing sticks out of the window at ${width} × ${height}`, async ({ page }) => {
 		await page.setViewportSize({ width, height });
 		const studio = await new StudioPage(page).open();
 		expect(await studio.overflow()).toBeLessThanOrEqual(0);

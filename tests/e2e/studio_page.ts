@@ -145,8 +145,11 @@ export class StudioPage {
 		return { width, data: Buffer.from(base64, "base64") };
 	}
 
-	/** Pixels by which the page is wider than its window. */
+	/** Pixels by which the page is wider or higher than its window. */
 	overflow(): Promise<number> {
-		return this.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+		return this.page.evaluate(() => {
+			const { scrollWidth, scrollHeight } = document.documentElement;
+			return Math.max(scrollWidth - window.innerWidth, scrollHeight - window.innerHeight);
+		});
 	}
 }
