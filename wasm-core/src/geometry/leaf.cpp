@@ -24,6 +24,18 @@ constexpr Row rows[] = {{0.08f, 1},  {0.17f, 2},  {0.28f, 4},  {0.40f, 6}, {0.53
                         {0.66f, 10}, {0.79f, 14}, {0.90f, 16}, {1, 32}};
 static_assert(rows[std::size(rows) - 1].parts == 4 * leaf_teeth);
 
+// The petiole's point and the rows; a fan within the first row, then as many triangles as both rows have parts.
+constexpr std::uint32_t count_vertices() {
+  std::uint32_t count = 1;
+  for (const Row& row : rows) count += leaf_sectors * row.parts + 1;
+  return count;
+}
+constexpr std::uint32_t count_triangles() {
+  std::uint32_t count = 0;
+  for (const Row& row : rows) count += 2 * leaf_sectors * row.parts;
+  return count - leaf_sectors * rows[std::size(rows) - 1].parts;
+}
+
 // How one leaf differs from the flat blade; lengths in midribs.
 struct Relief {
   float bulge;                   // of the blade between two veins
@@ -72,7 +84,12 @@ glm::vec3 raise(const Relief& relief, const glm::vec2& flat, float degrees, floa
 
 class Blade {
  public:
-  explicit Blade(const LeafOptions& options) : outline_(options.seed), relief_(relief_of(options)) {}
+  explicit Blade(const LeafOptions& options) : outline_(options.seed), relief_(relief_of(options)) {
+    mesh_.positions.resize(3 * count_vertices());
+    mesh_.normals.resize(3 * count_vertices());
+    mesh_.uvs.resize(2 * count_vertices());
+    mesh_.indices.resize(3 * count_triangles());
+  }
 
   Mesh make() {
     vertex(glm::vec2(0), 0, 0);
@@ -104,13 +121,14 @@ class Blade {
 
   void vertex(const glm::vec2& flat, float degrees, float share) {
     const glm::vec3 point = raise(relief_, flat, degrees, share);
-    mesh_.positions.insert(mesh_.positions.end(), {point.x, point.y, point.z});
-    mesh_.uvs.insert(mesh_.uvs.end(),
-                     {leaf_petiole_u + leaf_chart_scale * flat.x, leaf_petiole_v + leaf_chart_scale * flat.y});
+    for (int axis = 0; axis < 3; ++axis) mesh_.positions[3 * vertices_ + axis] = point[axis];
+    mesh_.uvs[2 * vertices_] = leaf_petiole_u + leaf_chart_scale * flat.x;
+    mesh_.uvs[2 * vertices_ + 1] = leaf_petiole_v + leaf_chart_scale * flat.y;
+    ++vertices_;
   }
 
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
+    for (const std::uint32_t corner : {a, b, c}) mesh_.indices[indices_++] = corner;
   }
 
   // Between two rows that begin and end together: always to the vertex that comes next.
@@ -133,7 +151,6 @@ class Blade {
 
   // Normals: the mean of the triangles' by area.
   void shade() {
-    mesh_.normals.assign(mesh_.positions.size(), 0);
     for (std::size_t t = 0; t < mesh_.indices.size(); t += 3) {
       const std::uint32_t* corner = &mesh_.indices[t];
       const glm::vec3 a = position(corner[0]);
@@ -152,6 +169,7 @@ class Blade {
   LeafOutline outline_;
   Relief relief_;
   Mesh mesh_;
+  std::uint32_t vertices_ = 0, indices_ = 0;  // written so far
 };
 
 }  // namespace
