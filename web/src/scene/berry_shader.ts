@@ -66,7 +66,7 @@ void main() {
 		vec3 absorption = mix(unripeAbsorption, ripeAbsorption, turned);
 		vec3 keyward = towards_in_ball(keyDirection, pose.xyz, form);
 		vec3 rimward = towards_in_ball(rimDirection, pose.xyz, form);
-		glow.rgb = 0.15 * mix(0.35, 1.0, around.sky) * scattered(path, absorption, keyward, key.irradiance * lamps.x, rimward, rim.irradiance * lamps.y);
+		glow.rgb = 0.11 * mix(0.35, 1.0, around.sky) * scattered(path, absorption, keyward, key.irradiance * lamps.x, rimward, rim.irradiance * lamps.y);
 		glow.rgb += gloss_surroundings(mat3(viewMatrix) * bent) * exp(-absorption * path.run) * mix(0.03, 0.4, around.through);
 	}
 }
@@ -129,7 +129,7 @@ void main() {
 	float rubbed = (1.0 - smoothstep(0.02, 0.5, pressed + 0.25 * (fine - 0.5))) * smoothstep(0.16, 0.34, coarse + 0.22 * fine);
 	float patches = smoothstep(0.12, 0.75, 0.7 * coarse + 0.4 * fine);
 	float depth = 1.2 * bloom * ripe.w * mix(0.12, 1.0, rubbed) * mix(0.35, 1.0, patches) * (0.6 + 0.4 * n.y);
-	float waxed = (1.0 - exp(-depth / (0.25 + nv))) * (1.0 - marked);
+	float waxed = (1.0 - exp(-depth / (0.25 + nv))) * (1.0 - marked) * (1.0 - 0.6 * shrivel);
 
 	// Light on the skin.
 	float lit = key_light(berry, place.xyz);

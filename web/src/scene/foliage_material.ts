@@ -72,7 +72,7 @@ void main() {
 	vec3 light = (key.irradiance * max(nk, 0.0) + rim.irradiance * max(nb, 0.0)) / 3.14159 + sky;
 	// What comes through a blade is its own colour twice over, yellower.
 	vec3 through = (key.irradiance * max(-nk, 0.0) + rim.irradiance * max(-nb, 0.0)) / 3.14159 + 0.6 * diffuse_surroundings(mat3(viewMatrix) * -n);
-	vec3 colour = skin * light + clear * sqrt(skin) * skin * vec3(1.5, 1.6, 0.8) * through;
+	vec3 colour = skin * light + clear * sqrt(skin) * skin * vec3(1.1, 1.2, 0.6) * through;
 	vec3 r = mat3(viewMatrix) * reflect(-v, n);
 	float fresnel = 0.03 + 0.3 * pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 5.0);
 	float shine = leaf * (gl_FrontFacing ? 1.0 : 0.35) + 0.2 * (1.0 - leaf);
@@ -91,7 +91,7 @@ export function foliageMaterial(shared: SharedUniforms): ShaderMaterial {
 		fragmentShader: FRAGMENT,
 		uniforms: {
 			...shared,
-			upper: { value: new Vector3(...fromHex("4f7430")) },
+			upper: { value: new Vector3(...fromHex("476a2e")) },
 			lower: { value: new Vector3(...fromHex("7f9a63")) },
 			cane: { value: new Vector3(...fromHex("7a5a3c")) },
 			petiole: { value: new Vector3(...fromHex("8c8f4a")) },

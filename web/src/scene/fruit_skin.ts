@@ -22,7 +22,7 @@ const SMOOTH: FruitSkin = { rind: 0, grooves: [1, 1, 1], depth: [0, 0.01], veins
 /** Estimates by eye. The core gives the relief, these only dress it. */
 export const FRUIT_SKINS: Record<Fruit, FruitSkin> = {
 	grape: SMOOTH,
-	currant: { ...SMOOTH, veins: 1, scar: 0.955, flesh: 1.5 },
+	currant: { ...SMOOTH, veins: 0.6, scar: 0.955, flesh: 1.2 },
 	bramble: { ...SMOOTH, grooves: [0.35, 0.2, 0.25], depth: [0.8, 0.95], veins: 0, scar: 1.1, flesh: 0.6 },
 	lychee: { ...SMOOTH, rind: 0.75, grooves: [1.5, 2.4, 1.9], depth: [0.955, 1.005], veins: 0, scar: 0.99, flesh: 0.08 },
 	longan: { ...SMOOTH, rind: 0.9, veins: 0, scar: 0.99, flesh: 0.08 },
