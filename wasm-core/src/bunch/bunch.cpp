@@ -71,6 +71,7 @@ void add_mesh(Fingerprint& print, const Mesh& mesh) {
 // Stems, the paper's berry, and the fingerprint of all there is.
 void add_meshes(Grown& grown, const Request& request) {
   TubeOptions tubes;
+  if (grown.natural) tubes.sides = 8;  // hundreds of thin pedicels, most of them hidden
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
   BerryOptions berry;
   if (request.berry_segments) berry.segments = std::clamp(request.berry_segments, 6u, 128u);

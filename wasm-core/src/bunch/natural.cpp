@@ -31,6 +31,11 @@ constexpr float most_share = 1.5f;
 constexpr float stub = 0.3f;          // of the pedicel, left where a berry was
 constexpr float unset_size = 0.075f;  // width of a flower's ovary over a ripe berry's
 
+// The more berries, the smaller each is in the picture: finer patterns would not be seen, but cost.
+std::uint32_t segments_for(std::size_t berries) {
+  return berries <= 80 ? 24 : berries <= 160 ? 20 : berries <= 320 ? 18 : 16;
+}
+
 float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
 
 class NaturalGrowth {
@@ -103,14 +108,17 @@ class NaturalGrowth {
                           place.z};
       const float length = bound.envelope.length();
       const float depth = std::clamp(-own.y, 0.0f, length);
-      const float x = std::max(1.0f, bound.envelope.half_width(own.x >= 0 ? 0 : 1, depth)) / 1;
-      const float z = std::max(1.0f, bound.envelope.half_width(own.z >= 0 ? 2 : 3, depth)) / 1;
+      const float x = std::max(1.0f, bound.envelope.half_width(own.x >= 0 ? 0 : 1, depth));
+      const float z = std::max(1.0f, bound.envelope.half_width(own.z >= 0 ? 2 : 3, depth));
       const float out = std::sqrt(own.x / x * (own.x / x) + own.z / z * (own.z / z));
       const float beyond =
           std::max(0.0f, -own.y - depth) + std::max(0.0f, own.y) + std::max(0.0f, out - 1) * std::min(x, z);
       const glm::vec3 outward = glm::vec3(place.x / x, 0.3f, place.z / z);
       const float facing = glm::dot(outward, sun) / std::max(1e-3f, glm::length(outward));
-      buds_.push_back({place, turn_of(flower), beyond / size, flower.strength});
+      // A raceme is as wide as its pedicels are long, whatever was drawn.
+      const bool raceme =
+          pedicel.parent >= 0 && sprouts_.internodes[static_cast<std::size_t>(pedicel.parent)].kind == Kind::rachis;
+      buds_.push_back({place, turn_of(flower), raceme ? 0 : beyond / size, flower.strength});
       lit_.push_back(std::clamp(0.5f + 0.5f * facing * std::min(1.0f, out), 0.0f, 1.0f));
       along_.push_back(depth / std::max(1.0f, length));
     }
@@ -119,7 +127,8 @@ class NaturalGrowth {
   // A flower's turn to set, 0 … 1: spread evenly over an axis and over each end structure, so that what sets is.
   float turn_of(const Flower& flower) const {
     constexpr float golden = 0.618034f;
-    const float sum = golden * golden * static_cast<float>(flower.axis + 1) +
+    // Twice the square: so that axis and depth together, in a raceme, are spread evenly as well.
+    const float sum = 2 * golden * golden * static_cast<float>(flower.axis + 1) +
                       golden * static_cast<float>(flower.depth) + static_cast<float>(flower.place) / 3 +
                       0.15f * chance("set", flower.address, flower.bunch) + chance("set", 0, flower.bunch);
     return sum - std::floor(sum);
@@ -327,6 +336,7 @@ class NaturalGrowth {
 
   void make_meshes() {
     BerryOptions options;
+    options.segments = segments_for(bodies_.size());
     if (request_.berry_segments) options.segments = std::clamp(request_.berry_segments, 6u, 128u);
     grown_.surfaces = press_berries(bodies_, grown_.form, options);
     for (float& x : grown_.surfaces->positions) x *= metres_per_millimetre;
