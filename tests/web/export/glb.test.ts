@@ -3,6 +3,7 @@ import fc from "fast-check";
 import { Box3, type InstancedMesh, Matrix4, type Mesh, type MeshPhysicalMaterial, Quaternion, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { exportGlb } from "../../../web/src/export/glb";
+import { writtenSpecimen } from "../../../web/src/specimen/written";
 import * as arbitrary from "./arbitrary";
 import { makeGrown, paperSpecimen, SKETCH } from "./fixture";
 import { complaints, documentOf, load, meshesOf } from "./reading";
@@ -106,7 +107,7 @@ describe("the GLB", () => {
 		const link = "https://example.org/?v=2&preset=short-conical&seed=7";
 		const { asset } = await load(await exportGlb(grown, specimen, { link }));
 		const { procedure, plan, counts, fingerprint } = grown;
-		expect(asset.extras).toEqual({ link, specimen, procedure, plan, counts, fingerprint });
+		expect(asset.extras).toEqual({ link, specimen: writtenSpecimen(specimen), procedure, plan, counts, fingerprint });
 		expect(asset.copyright).toBeUndefined();
 		const packed = JSON.parse(readFileSync("package.json", "utf8"));
 		expect(asset.generator).toBe(`Panicle ${packed.version}`);

@@ -4,6 +4,7 @@ import { describe, expect, it } from "vitest";
 import { exportJson, type NaturalBerryRecord } from "../../../web/src/export/json";
 import { shortFloat } from "../../../web/src/export/numbers";
 import { MEASURE_KEYS } from "../../../web/src/specimen/measures.generated";
+import { writtenSpecimen } from "../../../web/src/specimen/written";
 import * as arbitrary from "./arbitrary";
 import { fingerprintOfDocument } from "./fingerprint";
 import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
@@ -37,7 +38,7 @@ describe("the JSON document", () => {
 	it("says what the growth says", () => {
 		const { specimen: written, plan, counts, notes, fingerprint, timings } = exportJson(grown, specimen);
 		expect({ written, plan, counts, notes, fingerprint, timings }).toEqual({
-			written: specimen,
+			written: writtenSpecimen(specimen),
 			plan: grown.plan,
 			counts: grown.counts,
 			notes: grown.notes,

@@ -68,7 +68,7 @@ void add_mesh(Fingerprint& print, const Mesh& mesh) {
   print.add(std::span<const std::uint32_t>(mesh.indices));
 }
 
-// Stems, the paper's berry, and the fingerprint of all there is.
+// Stems, the paper's one berry, and the fingerprint of everything that has triangles.
 void add_meshes(Grown& grown, const Request& request) {
   TubeOptions tubes;
   if (grown.natural) tubes.sides = 8;  // hundreds of thin pedicels, most of them hidden

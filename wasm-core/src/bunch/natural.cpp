@@ -25,7 +25,6 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float metres_per_millimetre = 0.001f;
-constexpr float units_per_pixel = 50.0f / 29.0f;
 constexpr float least_share = 0.55f;  // width of a berry over the mean one
 constexpr float most_share = 1.5f;
 constexpr float stub = 0.3f;          // of the pedicel, left where a berry was
@@ -346,7 +345,9 @@ class NaturalGrowth {
     const auto leaves = static_cast<std::uint32_t>(value(Parameter::leaves));
     if (leaves == 0 && value(Parameter::cane) == 0) return;
     const Envelope& envelope = bounds_[0].envelope;
-    const float width = envelope.half_width(0, envelope.length() / 3) + envelope.half_width(1, envelope.length() / 3);
+    float width = 0;
+    for (std::size_t side = 0; side < 4; ++side)
+      width = std::max(width, 2 * envelope.half_width(side, envelope.length() / 3));
     const float girth = grown_.internodes.empty() ? 0.002f : grown_.internodes[0].radius;
     grown_.foliage =
         grow_foliage({request_.seed, leaves, true, value(Parameter::age), girth, width * metres_per_millimetre});

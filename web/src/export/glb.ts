@@ -4,6 +4,7 @@
 import type { Grown, StemMesh } from "../core/grown";
 import { encodeLink } from "../specimen/link";
 import type { Specimen } from "../specimen/specimen";
+import { writtenSpecimen } from "../specimen/written";
 import { addFoliage } from "./foliage";
 import { GltfDocument, type Json } from "./gltf_document";
 import { stemMaterial } from "./materials";
@@ -52,7 +53,15 @@ export async function exportGlb(
 /** Where the file came from: enough to grow it again and to check that it is the same. */
 function extrasOf(grown: Grown, specimen: Specimen, link: string): Json {
 	const { procedure, plan, second, counts, fingerprint } = grown;
-	return { link, specimen, procedure, plan: { ...plan, second }, counts, ...measuresOf(grown), fingerprint };
+	return {
+		link,
+		specimen: writtenSpecimen(specimen),
+		procedure,
+		plan: { ...plan, second },
+		counts,
+		...measuresOf(grown),
+		fingerprint,
+	};
 }
 
 function addStems(document: GltfDocument, grown: Grown, stem: StemMesh, specimen: Specimen): number[] {

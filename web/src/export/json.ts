@@ -18,6 +18,7 @@ import {
 	type Trait,
 } from "../core/grown";
 import type { Specimen } from "../specimen/specimen";
+import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { measuresOf, type WrittenMeasures } from "./measures";
 import { shortFloat } from "./numbers";
 import { traitOf } from "./traits";
@@ -70,7 +71,7 @@ export interface InternodeRecord {
 }
 
 export interface GrownDocument {
-	specimen: Specimen;
+	specimen: WrittenSpecimen;
 	procedure: Procedure;
 	form: BerryForm;
 	plan: Plan & { second?: Plan };
@@ -91,7 +92,7 @@ export function exportJson(grown: Grown, specimen: Specimen): GrownDocument {
 	const { procedure, form, counts, berries, thinned, internodes, notes, fingerprint, timings } = grown;
 	const berry = procedure === "natural" ? naturalBerryRecord : berryRecord;
 	return {
-		specimen,
+		specimen: writtenSpecimen(specimen),
 		procedure,
 		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt) },
 		plan: grown.second ? { ...grown.plan, second: grown.second } : { ...grown.plan },
