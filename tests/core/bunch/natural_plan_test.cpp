@@ -57,7 +57,8 @@ TEST_CASE("axes bring their berries to the outline, and none is longer than that
         CHECK(row.profile().sides[k % 4].width < 12.5f);
         continue;
       }
-      const float depth = std::min(plan.length, static_cast<float>(k + 1) * plan.spacing);
+      if (plan.length - static_cast<float>(k + 1) * plan.spacing < 0.4f * plan.length) break;  // nodes draw together
+      const float depth = static_cast<float>(k + 1) * plan.spacing;
       const SinCos way = sincos_degrees(plan.aim[k]);
       const float reach = plan.arm[k] + plan.twig + plan.stalk + 0.75f * 18;
       if (plan.arm[k] > 0.4f * plan.step + 0.01f)

@@ -9,7 +9,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float ramp = 0.06f;         // of the ranks that set: those whose berries are smaller
+constexpr float ramp = 0.09f;         // of the ranks that set: those whose berries are smaller
 constexpr float least_share = 0.01f;  // of a berry's volume; less does not count as one
 constexpr float near = 1.3f;          // reach of a bud's crowd, in berry widths
 

@@ -20,7 +20,9 @@ constexpr float least_arm = 0.4f;  // of a first-order axis, in its steps
 // Flowers for each berry there is to be, at least: more to choose from than are needed, as in nature.
 constexpr float flowers_per_berry = 1.1f;
 constexpr float most_flowers = 20000;
-constexpr float least_nodes = 12;  // of a rachis: three axes to each side, however short it is
+constexpr float least_nodes = 12;    // of a rachis: three axes to each side, however short it is
+constexpr float tip_spacing = 0.6f;  // of the rachis's nodes at its tip, over that above; `near` of L-system 4
+constexpr float tip_share = 0.4f;    // of the rachis over which they draw together; `tip` of L-system 4
 constexpr float base_closer = 0.7f;
 constexpr float middling_size = 18;
 constexpr float middling_fill = 0.6f;
@@ -69,22 +71,21 @@ float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float siz
   plan.aim.clear();
   float flowers = 0;
   const float end = plan.twig + plan.stalk + 0.75f * size;
+  float left = plan.length, apart = plan.spacing;
   for (std::size_t k = 0;; ++k) {
-    const float before = static_cast<float>(k) * plan.spacing;
-    if (before > plan.length + plan.spacing) return flowers;
-    const float share = std::clamp((plan.length - before) / plan.spacing, 0.0f, 1.0f);
-    const float depth = before + share * plan.spacing;
+    // The text reckons the same; a node beyond the last is there for its rounding.
+    const float share = std::clamp(left / apart, 0.0f, 1.0f);
+    const float depth = plan.length - left + share * apart;
+    left -= apart;
+    apart = plan.spacing * std::min(1.0f, tip_spacing + (1 - tip_spacing) * left / (tip_share * plan.length));
     const std::size_t side = k % 4;
     const float angle = aim_at(plan.envelope, profile, pixel, side, k / 4, depth, plan.length - depth, plan.spacing);
     plan.aim.push_back(angle);
-    if (plan.plan.sides[side].n == 0) {
-      plan.arm.push_back(-1);
-      flowers += share;
-      continue;
-    }
-    const float arm = std::max(least_arm * plan.step, reach(plan.envelope, side, depth, angle) - end);
+    const bool raceme = plan.plan.sides[side].n == 0;
+    const float arm = raceme ? -1 : std::max(least_arm * plan.step, reach(plan.envelope, side, depth, angle) - end);
     plan.arm.push_back(arm);
-    flowers += share * flowers_per_end * std::max(1.0f, arm / plan.step);
+    flowers += share * (raceme ? 1 : flowers_per_end * std::max(1.0f, arm / plan.step));
+    if (share <= 0) return flowers;
   }
 }
 

@@ -15,12 +15,12 @@ namespace {
 constexpr int projections = 2;        // of all constraints in a step
 constexpr int settling = 12;          // steps at the last size
 constexpr int refresh = 4;            // steps between two searches for neighbours
-constexpr float contact_give = 2.0f;  // compliance of two berries' skins: how much they flatten
+constexpr float contact_give = 3.0f;  // compliance of two berries' skins: how much they flatten
 constexpr float bound_give = 4.0f;    // of the outline: berries may be pushed out a little
 constexpr float bound_inset = 0.55f;  // how far inside it centres stay, in half-widths
 constexpr float furthest_out = 1.0f;  // beyond that inset, in half-widths, and no further
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
-constexpr float straighten = 0.3f;    // share of the way back to where its pedicel points, a step: pedicels are springs
+constexpr float straighten = 0.4f;    // share of the way back to where its pedicel points, a step: pedicels are springs
 constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
 constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
 constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts: more and it is lost
