@@ -17,7 +17,7 @@ NaturalPlan plan_for(const Profile& profile, Parameter key = Parameter::unit, fl
   Request request = natural_request(profile);
   set(request, key, value);
   std::vector<std::string> notes;
-  return make_natural_plan(profile, Values(request.parameters, notes));
+  return make_natural_plan(profile, Values(request.parameters, notes), 3000);
 }
 
 constexpr float pixel = 0.25f * 50 / 29;

@@ -171,6 +171,23 @@ TEST_CASE("a count asked for is given within 3 %, or a note says why not") {
   CHECK(noted <= 8);
 }
 
+TEST_CASE("a profile that would hold more berries than there may be grows the most, and says so") {
+  for (const float count : {0.0f, 3000.0f}) {
+    Request request = natural_request(random_profile(3));
+    set(request, Parameter::size, 3);
+    set(request, Parameter::unit, 2);
+    set(request, Parameter::density, 9);
+    set(request, Parameter::count, count);
+    const Grown bunch = grown(request);
+    CHECK(bunch.counts.berries <= 3000);
+    CHECK(bunch.counts.berries > 1500);
+    if (count == 0) {
+      REQUIRE(bunch.notes.size() == 1);
+      CHECK(bunch.notes[0].find("3000 berries at the most") != std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("density sets how full a bunch is, size how large its berries are, spread how unlike") {
   const auto bunch = [](Parameter key, float value) {
     Request request = natural_request(table3[2].profile());

@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-Words small_request(std::uint32_t outputs = 0) { return {0x4c434e50, 1, 1, outputs, 1, 0, 0, 0, 0, 0, 0}; }
+Words small_request(std::uint32_t outputs = 0) { return {0x4c434e50, 2, 1, outputs, 1, 0, 0, 0, 0, 0, 0, 0}; }
 
 struct Answer {
   explicit Answer(const Words& request)
@@ -56,9 +56,30 @@ TEST_CASE("the smallest request grows the default bunch, section by section") {
   CHECK(answer.bytes(PANICLE_SECTION_STEM_POSITIONS) == vertices * 12);
   CHECK(answer.bytes(PANICLE_SECTION_STEM_NORMALS) == vertices * 12);
   CHECK(answer.bytes(PANICLE_SECTION_STEM_UVS) == vertices * 8);
-  CHECK(answer.bytes(PANICLE_SECTION_STEM_PARTS) == 18 * 20);
-  CHECK(answer.bytes(PANICLE_SECTION_BERRY_POSITIONS) > 0);
+  CHECK(answer.bytes(PANICLE_SECTION_STEM_PARTS) > 0);
+  CHECK(answer.word(PANICLE_SECTION_PROCEDURE, 0) == 1);
+  CHECK(answer.bytes(PANICLE_SECTION_BERRY_IDS) == berries * 4);
+  CHECK(answer.bytes(PANICLE_SECTION_BERRY_TRAITS) == berries * 32);
+  CHECK(answer.bytes(PANICLE_SECTION_THINNED) % 20 == 0);
+  const std::uint32_t pattern = answer.bytes(PANICLE_SECTION_SURFACE_UVS) / 8;
+  CHECK(pattern > 0);
+  CHECK(answer.bytes(PANICLE_SECTION_SURFACE_POSITIONS) == berries * pattern * 12);
+  CHECK(answer.bytes(PANICLE_SECTION_SURFACE_NORMALS) == berries * pattern * 12);
+  CHECK(answer.bytes(PANICLE_SECTION_SURFACE_PRESSED) == berries * pattern);
+  CHECK(answer.bytes(PANICLE_SECTION_BERRY_POSITIONS) == 0);
+  CHECK(answer.bytes(PANICLE_SECTION_MEASURES) == 0);
+  CHECK(Answer(small_request(2)).bytes(PANICLE_SECTION_MEASURES) > 0);
   CHECK(panicle_section(answer.result, PANICLE_SECTION_COUNT) == nullptr);
+}
+
+TEST_CASE("a berry thinned by hand is told by its id") {
+  const Answer whole(small_request());
+  Words request = small_request();
+  request[11] = 1;
+  request.push_back(whole.word(PANICLE_SECTION_BERRY_IDS, 5));
+  const Answer less(request);
+  REQUIRE(less.reason() == panicle::Reason::none);
+  CHECK(less.word(PANICLE_SECTION_COUNTS, 3) == whole.word(PANICLE_SECTION_COUNTS, 3) - 1);
 }
 
 TEST_CASE("meshes come only when asked for and change no skeleton") {
@@ -83,7 +104,7 @@ TEST_CASE("a request that is not in the agreed form is refused in words") {
     request[word] += 7;
     refused(request);
   }
-  for (const std::size_t count : {7, 9, 10}) {
+  for (const std::size_t count : {7, 9, 10, 11}) {
     Words request = small_request();
     for (const std::uint32_t many : {1u, 5u, 0x40000000u, 0xffffffffu}) {
       request[count] = many;
@@ -103,7 +124,7 @@ TEST_CASE("no bytes of a request can do harm") {
     for (std::uint64_t i = 0; i < panicle::bunch::parameter_count + 8; ++i)
       request.push_back(static_cast<std::uint32_t>(panicle::random_bits(round, 1, i)));
     const auto at = panicle::random_bits(round, 2, 0) % request.size();
-    if (round % 2) request[10] = 0, request.resize(11 + panicle::bunch::parameter_count);
+    if (round % 2) request[10] = 0, request.resize(12 + panicle::bunch::parameter_count);
     if (at != 8 && at < request.size()) request[at] = static_cast<std::uint32_t>(panicle::random_bits(round, 3, 0));
     const Answer answer(request);
     CHECK(answer.bytes(PANICLE_SECTION_STATUS) == 12);

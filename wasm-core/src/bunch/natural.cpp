@@ -74,7 +74,7 @@ class NaturalGrowth {
   // Derives one bunch and interprets it.
   Diagnostic sprout_one(const Profile& profile, std::uint64_t seed, std::uint32_t index, std::int32_t first_axis,
                         float lean) {
-    plans_.push_back(make_natural_plan(profile, values_));
+    plans_.push_back(make_natural_plan(profile, values_, static_cast<float>(limits_.berries)));
     const NaturalPlan& plan = plans_.back();
     (index ? grown_.second.emplace() : grown_.plan) = plan.plan;
     bounds_.push_back({plan.envelope, lean});
@@ -139,9 +139,19 @@ class NaturalGrowth {
   }
 
   void choose() {
-    const float berries = value(Parameter::count), size = value(Parameter::size);
-    set_ =
-        berries > 0 ? choose_count(buds_, berries, size) : choose_set(buds_, fill_of(value(Parameter::density)), size);
+    const float size = value(Parameter::size), most = static_cast<float>(limits_.berries);
+    const float count = value(Parameter::count) > 0 ? std::min(value(Parameter::count), most) : most;
+    const bool overfull =
+        std::any_of(plans_.begin(), plans_.end(), [](const NaturalPlan& plan) { return plan.overfull; });
+    if (value(Parameter::count) > 0 || overfull)
+      set_ = choose_count(buds_, count, size);
+    else
+      set_ = choose_set(buds_, fill_of(value(Parameter::density)), size);
+    const auto setting = std::count_if(set_.begin(), set_.end(), [](float share) { return share > 0; });
+    if (setting > static_cast<std::ptrdiff_t>(limits_.berries)) set_ = choose_count(buds_, most, size);
+    if (overfull || setting > static_cast<std::ptrdiff_t>(limits_.berries))
+      grown_.notes.push_back("A bunch has " + std::to_string(limits_.berries) +
+                             " berries at the most; larger berries or a smaller profile fill the outline.");
     std::vector<float> shares;
     float sum = 0, weights = 0;
     for (std::size_t i = 0; i < buds_.size(); ++i) {

@@ -99,16 +99,16 @@ float fill_of(float density) {
   return fills[below] + (fills[below + 1] - fills[below]) * (place - static_cast<float>(below));
 }
 
-NaturalPlan make_natural_plan(const Profile& asked, const Values& values) {
+NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float most_berries) {
   using enum Parameter;
   const float pixel = values[unit] * units_per_pixel;
   const float width = values[Parameter::size];
-  Profile profile = asked;
+  Profile profile = drawn;
   for (SidePoint& side : profile.sides) side.width = std::max(side.width, width / 2 / pixel);
   const float end_reach = sincos_degrees(standard_aim).sine * (0.35f * width + values[pedicel]) + width;
-  Plan counts = make_plan(asked);
+  Plan counts = make_plan(drawn);
   Envelope envelope(profile, pixel, end_reach);
-  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, 0};
+  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, 0, false};
   plan.twig = 0.35f * width;
   plan.stalk = values[pedicel];
   plan.girth = values[wi] / 15 * std::clamp(0.2f * width, 1.2f, 7.0f);
@@ -117,17 +117,20 @@ NaturalPlan make_natural_plan(const Profile& asked, const Values& values) {
 
   const float spread_share = values[spread] / 100;
   const float berry = pi / 6 * width * width * width * values[elongation] * (1 + 3 * spread_share * spread_share);
-  plan.berries = values[Parameter::count] > 0 ? values[Parameter::count]
-                                              : std::max(1.0f, fill_of(values[density]) * envelope.volume() / berry);
+  const bool asked = values[Parameter::count] > 0;
+  const float filling = std::max(1.0f, fill_of(values[density]) * envelope.volume() / berry);
+  plan.overfull = !asked && filling > most_berries;
+  plan.berries = std::min(asked ? values[Parameter::count] : filling, most_berries);
   // Nodes as near as berries of that size and density want them in a bunch of middling width, whatever the profile, so
-  // that dragging moves no node; nearer by steps where that bears too few flowers.
-  const float fill = values[Parameter::count] > 0 ? middling_fill : fill_of(values[density]);
+  // that dragging moves no node; nearer by steps where that bears too few flowers for a count.
+  const float fill = asked ? middling_fill : fill_of(values[density]);
   float closer = std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), 0.2f, 1.4f);
+  closer *= std::sqrt(std::max(1.0f, filling / most_berries));
   for (int tries = 0; tries < 16; ++tries) {
     plan.step = closer * 0.55f * width;
     plan.spacing = std::min(plan.step, plan.length / least_nodes);
     const float flowers = lay_axes(plan, profile, pixel, width);
-    if (!(values[Parameter::count] > 0) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
+    if (!(asked || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
     closer *= 0.85f;
   }
   return plan;

@@ -22,11 +22,11 @@ struct NaturalPlan {
   float girth = 0, fine = 0;  // widths of the rachis and of a pedicel
   std::vector<float> arm;     // of each axis from the top; below 0 a raceme's single pedicel
   std::vector<float> aim;     // its angle to the rachis
-  float berries = 0;          // that fill the outline to the density asked for
+  float berries = 0;          // how many there are to be: asked for, or that fill the outline to the density asked for
+  bool overfull = false;      // whether the density would take more than there may be
 };
 
-// `pixel`: millimetres to a pixel of the profile.
-NaturalPlan make_natural_plan(const Profile& profile, const Values& values);
+NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries);
 
 // The share of the outline's volume that berries of a density (OIV 204, 1 … 9) fill.
 float fill_of(float density);
