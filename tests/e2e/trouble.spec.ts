@@ -149,7 +149,7 @@ test("a link whose grammar has an error says that there is no bunch, and offers 
 	const studio = new StudioPage(page);
 	await expect(studio.canvas).toHaveAccessibleName(/berries/);
 	await expect(alert(page)).toHaveCount(0);
-	await expect(page).toHaveURL(/\?v=1&preset=duku$/);
+	await expect(page).toHaveURL(/\?v=2&preset=duku&procedure=paper$/);
 });
 
 test("a trap on the very first growth says that there is no bunch, and grows when asked again", async ({ page }) => {

@@ -5,7 +5,11 @@ import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { fileName } from "../../../web/src/studio/files/formats";
 import { bunchInWords, lengthInWords, stemsInWords } from "../../../web/src/studio/words";
 
-const berries = (count: number) => ({ procedure: "natural", counts: { berries: count } }) as Grown;
+/** So many berries of a natural bunch, the highest and the lowest 22 cm apart from end to end. */
+const berries = (count: number) => {
+	const spheres = Float32Array.of(0, 0.01, 0, 0.01, 0, -0.19, 0, 0.01);
+	return { procedure: "natural", counts: { berries: count }, berries: { count: 2, spheres } } as Grown;
+};
 
 it("says a bunch in plain words, in the units of a ruler", () => {
 	const conical = specimenFromPreset("long-conical");
@@ -14,7 +18,10 @@ it("says a bunch in plain words, in the units of a ruler", () => {
 	const counts = { pedicels: 120, withered: 34 };
 	expect(stemsInWords({ procedure: "paper", counts } as Grown)).toBe("120 pedicels, 34 withered");
 	expect(stemsInWords({ procedure: "natural", counts } as Grown)).toBe("120 pedicels");
-	expect(lengthInWords(specimenFromPreset("lychee"))).toBe("6.7 cm");
+	expect(lengthInWords(0.067)).toBe("6.7 cm");
+	const longer = withParameters(conical, { l: 580 });
+	expect(bunchInWords({ ...berries(73), procedure: "paper" }, longer)).toBe("73 berries, 25 cm long");
+	expect(bunchInWords(berries(73), longer)).toBe("73 berries, 22 cm long");
 });
 
 it("calls berries flowers until they have set, where they come from flowers", () => {

@@ -37,7 +37,7 @@ std::vector<float> ranks_of(std::span<const Bud> buds, float size) {
 
 std::vector<float> shares_below(std::vector<float> ranks, float limit) {
   for (float& rank : ranks) {
-    const float share = std::clamp((limit - rank) / (ramp * limit), 0.0f, 1.0f);
+    const float share = limit > 0 ? std::clamp((limit - rank) / (ramp * limit), 0.0f, 1.0f) : rank <= limit;
     rank = share < least_share ? 0 : share;
   }
   return ranks;

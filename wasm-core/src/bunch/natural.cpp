@@ -25,6 +25,7 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float metres_per_millimetre = 0.001f;
+constexpr float farthest = 1e5f;      // millimetres from p1 that anything may be
 constexpr float least_share = 0.55f;  // width of a berry over the mean one
 constexpr float most_share = 1.5f;
 constexpr float stub = 0.3f;          // of the pedicel, left where a berry was
@@ -45,8 +46,9 @@ class NaturalGrowth {
   Diagnostic run() {
     const Diagnostic trouble = sprout();
     if (trouble.reason != Reason::none) return trouble;
+    if (const Diagnostic astray = to_millimetres(); astray.reason != Reason::none) return astray;
     look_at_flowers();
-    choose();
+    set_berries();
     swell_berries();
     write_internodes();
     write_berries();
@@ -88,14 +90,22 @@ class NaturalGrowth {
     return trouble.reason == Reason::none ? sprouts_.trouble() : trouble;
   }
 
-  // Skeleton to millimetres; how far along the bunch and how much in the sun each flower is.
-  void look_at_flowers() {
+  Diagnostic to_millimetres() {
     for (Internode& internode : sprouts_.internodes) {
       internode.start *= value(Parameter::unit);
       internode.end *= value(Parameter::unit);
       internode.radius *= value(Parameter::unit);
       internode.radius_end *= value(Parameter::unit);
+      const glm::vec3& end = internode.end;
+      if (!(std::abs(end.x) < farthest && std::abs(end.y) < farthest && std::abs(end.z) < farthest))
+        return {Reason::limit,
+                "The grammar draws farther than 100 m from where the bunch hangs; make its lengths smaller.", 0, 0};
     }
+    return {};
+  }
+
+  // How far along the bunch and how much in the sun each flower is.
+  void look_at_flowers() {
     const float size = value(Parameter::size);
     const glm::vec3 sun = towards_sun();
     for (const Flower& flower : sprouts_.flowers) {
@@ -138,20 +148,33 @@ class NaturalGrowth {
     return {height.cosine * round.sine, height.sine, height.cosine * round.cosine};
   }
 
-  void choose() {
-    const float size = value(Parameter::size), most = static_cast<float>(limits_.berries);
-    const float count = value(Parameter::count) > 0 ? std::min(value(Parameter::count), most) : most;
-    const bool overfull =
-        std::any_of(plans_.begin(), plans_.end(), [](const NaturalPlan& plan) { return plan.overfull; });
-    if (value(Parameter::count) > 0 || overfull)
-      set_ = choose_count(buds_, count, size);
-    else
+  float most_berries() const {
+    float room = 0;
+    for (const NaturalPlan& plan : plans_) room += plan.room;
+    return std::min(room, static_cast<float>(limits_.berries));
+  }
+
+  // Decides which flowers set: by density, or as many as were asked for.
+  void set_berries() {
+    const float size = value(Parameter::size), asked = value(Parameter::count), most = most_berries();
+    bool full = std::any_of(plans_.begin(), plans_.end(), [](const NaturalPlan& plan) { return plan.overfull; });
+    if (asked > 0 || full) {
+      set_ = choose_count(buds_, asked > 0 ? std::min(asked, most) : most, size);
+    } else {
       set_ = choose_set(buds_, fill_of(value(Parameter::density)), size);
-    const auto setting = std::count_if(set_.begin(), set_.end(), [](float share) { return share > 0; });
-    if (setting > static_cast<std::ptrdiff_t>(limits_.berries)) set_ = choose_count(buds_, most, size);
-    if (overfull || setting > static_cast<std::ptrdiff_t>(limits_.berries))
+      const auto setting = std::count_if(set_.begin(), set_.end(), [](float share) { return share > 0; });
+      full = setting > static_cast<std::ptrdiff_t>(limits_.berries);
+      if (full) set_ = choose_count(buds_, most, size);
+    }
+    if (full)
       grown_.notes.push_back("A bunch has " + std::to_string(limits_.berries) +
                              " berries at the most; larger berries or a smaller profile fill the outline.");
+  }
+
+  // The berries of the flowers that set, and their widths.
+  void size_berries() {
+    chosen_.clear();
+    shares_.clear();
     std::vector<float> shares;
     float sum = 0, weights = 0;
     for (std::size_t i = 0; i < buds_.size(); ++i) {
@@ -177,6 +200,32 @@ class NaturalGrowth {
   }
 
   void swell_berries() {
+    const std::vector<Branch> branches = branches_of_skeleton();
+    std::vector<Branch> all;
+    std::vector<Swelling> berries;
+    const float asked = std::min(value(Parameter::count), most_berries());
+    float wanted = asked;
+    // Where some of a count find no room, others of the flowers may.
+    for (int tries = 0;; ++tries) {
+      size_berries();
+      all = branches;
+      berries = berries_on(all);
+      swollen_ = swell(all, berries, bounds_, sizes_until(value(Parameter::age)));
+      const auto lost = static_cast<float>(std::count(swollen_.lost.begin(), swollen_.lost.end(), Why::no_room));
+      const float kept = static_cast<float>(chosen_.size()) - lost;
+      if (kept >= 0.98f * asked || tries >= 2 || wanted >= std::min(most_berries(), static_cast<float>(buds_.size())))
+        break;
+      wanted = std::min(wanted + 1.5f * (asked - kept) + 1, most_berries());
+      set_ = choose_count(buds_, wanted, value(Parameter::size));
+    }
+    for (std::size_t k = 0; k < berries.size(); ++k)
+      if (swollen_.lost[k] != Why{})
+        grown_.thinned.push_back({sprouts_.flowers[chosen_[k]].id, swollen_.lost[k],
+                                  swollen_.ends[berries[k].branch] * metres_per_millimetre});
+    size_now_ = size_at(value(Parameter::age));
+  }
+
+  std::vector<Branch> branches_of_skeleton() {
     branch_of_.assign(sprouts_.internodes.size(), -1);
     std::vector<Branch> branches;
     const float bending = value(Parameter::bend);
@@ -188,29 +237,31 @@ class NaturalGrowth {
       branch_of_[i] = static_cast<std::int32_t>(branches.size());
       branches.push_back({internode.start, internode.end, parent, internode.radius, give * bending});
     }
+    return branches;
+  }
+
+  // A pedicel that grows from no stem gets a point to hang from, added to `branches`.
+  std::vector<Swelling> berries_on(std::vector<Branch>& branches) const {
+    std::vector<std::uint32_t> taken = request_.thinned;
+    std::sort(taken.begin(), taken.end());
     std::vector<Swelling> berries;
     const float half = value(Parameter::size) / 2;
     for (std::size_t k = 0; k < chosen_.size(); ++k) {
       const Flower& flower = sprouts_.flowers[chosen_[k]];
       const Internode& pedicel = sprouts_.internodes[static_cast<std::size_t>(flower.pedicel)];
-      Swelling berry;
       const std::int32_t parent = pedicel.parent < 0 ? -1 : branch_of_[static_cast<std::size_t>(pedicel.parent)];
-      berry.branch = parent < 0 ? 0 : static_cast<std::uint32_t>(parent);
+      Swelling berry;
+      berry.branch = parent < 0 ? static_cast<std::uint32_t>(branches.size()) : static_cast<std::uint32_t>(parent);
+      if (parent < 0) branches.push_back({pedicel.start, pedicel.start, -1, 0, 0});
       berry.heading = flower.heading;
       berry.stalk = glm::length(pedicel.end - pedicel.start);
       berry.half_width = half * shares_[k];
       berry.half_length = berry.half_width * value(Parameter::elongation);
       berry.bunch = flower.bunch;
-      berry.taken = std::find(request_.thinned.begin(), request_.thinned.end(), flower.id) != request_.thinned.end();
+      berry.taken = std::binary_search(taken.begin(), taken.end(), flower.id);
       berries.push_back(berry);
     }
-    if (branches.empty()) berries.clear();
-    swollen_ = swell(branches, berries, bounds_, sizes_until(value(Parameter::age)));
-    for (std::size_t k = 0; k < berries.size(); ++k)
-      if (swollen_.lost[k] != Why{})
-        grown_.thinned.push_back({sprouts_.flowers[chosen_[k]].id, swollen_.lost[k],
-                                  swollen_.ends[berries[k].branch] * metres_per_millimetre});
-    size_now_ = size_at(value(Parameter::age));
+    return berries;
   }
 
   // Bends the skeleton to where the swelling left it, and leaves out what bears nothing any more.
@@ -365,14 +416,18 @@ class NaturalGrowth {
 
   void remark() {
     if (sprouts_.internodes.empty()) grown_.notes.push_back("The grammar drew nothing.");
-    std::uint32_t lost = 0;
-    for (const Thinned& one : grown_.thinned) lost += one.why == Why::no_room || one.why == Why::outside;
+    const auto lost = static_cast<std::uint32_t>(std::count_if(
+        grown_.thinned.begin(), grown_.thinned.end(), [](const Thinned& one) { return one.why == Why::no_room; }));
     const auto asked = static_cast<std::uint32_t>(value(Parameter::count));
-    if (asked == 0) return;
     const auto kept = static_cast<std::uint32_t>(chosen_.size()) - lost;
-    if (static_cast<float>(kept) >= 0.97f * static_cast<float>(asked)) return;
-    grown_.notes.push_back("Of the " + std::to_string(asked) + " berries asked for " + std::to_string(kept) +
-                           " found room; smaller berries or a larger profile leave room for more.");
+    if (asked == 0 || static_cast<float>(kept) >= 0.97f * static_cast<float>(asked)) return;
+    const std::string wish = std::to_string(asked) + " berries asked for";
+    if (buds_.size() < asked)
+      grown_.notes.push_back("The grammar bears " + std::to_string(buds_.size()) + " flowers, fewer than the " + wish +
+                             ".");
+    else
+      grown_.notes.push_back("Of the " + wish + " " + std::to_string(kept) +
+                             " found room; smaller berries or a larger profile leave room for more.");
   }
 
   const Request& request_;

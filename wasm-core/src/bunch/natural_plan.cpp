@@ -19,7 +19,7 @@ constexpr float flowers_per_end = 3;
 constexpr float least_arm = 0.4f;  // of a first-order axis, in its steps
 // Flowers for each berry there is to be, at least: more to choose from than are needed, as in nature.
 constexpr float flowers_per_berry = 1.1f;
-constexpr float most_flowers = 20000;
+constexpr float most_flowers = 10000;
 constexpr float least_nodes = 12;    // of a rachis: three axes to each side, however short it is
 constexpr float tip_spacing = 0.6f;  // of the rachis's nodes at its tip, over that above; `near` of L-system 4
 constexpr float tip_share = 0.4f;    // of the rachis over which they draw together; `tip` of L-system 4
@@ -66,11 +66,11 @@ float aim_at(const Envelope& envelope, const Profile& profile, float pixel, std:
 
 // Lays the axes for the spacings in `plan`; returns how many flowers they bear, an axis counting by how much of it
 // there is.
-float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float size) {
+float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float size, float elongation) {
   plan.arm.clear();
   plan.aim.clear();
   float flowers = 0;
-  const float end = plan.twig + plan.stalk + 0.75f * size;
+  const float end = plan.twig + plan.stalk + 0.75f * size * std::max(1.0f, elongation);
   float left = plan.length, apart = plan.spacing;
   for (std::size_t k = 0;; ++k) {
     // The text reckons the same; a node beyond the last is there for its rounding.
@@ -108,7 +108,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float end_reach = sincos_degrees(standard_aim).sine * (0.35f * width + values[pedicel]) + width;
   Plan counts = make_plan(drawn);
   Envelope envelope(profile, pixel, end_reach);
-  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, 0, false};
+  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, 0, 0, false};
   plan.twig = 0.35f * width;
   plan.stalk = values[pedicel];
   plan.girth = values[wi] / 15 * std::clamp(0.2f * width, 1.2f, 7.0f);
@@ -117,6 +117,10 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
 
   const float spread_share = values[spread] / 100;
   const float berry = pi / 6 * width * width * width * values[elongation] * (1 + 3 * spread_share * spread_share);
+  // A raceme's berries hang outside what is drawn.
+  const bool raceme =
+      std::any_of(plan.plan.sides.begin(), plan.plan.sides.end(), [](const SidePlan& side) { return side.n == 0; });
+  plan.room = raceme ? most_berries : std::max(12.0f, 1.2f * envelope.volume() / berry);
   const bool asked = values[Parameter::count] > 0;
   const float filling = std::max(1.0f, fill_of(values[density]) * envelope.volume() / berry);
   plan.overfull = !asked && filling > most_berries;
@@ -129,7 +133,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   for (int tries = 0; tries < 16; ++tries) {
     plan.step = closer * 0.55f * width;
     plan.spacing = std::min(plan.step, plan.length / least_nodes);
-    const float flowers = lay_axes(plan, profile, pixel, width);
+    const float flowers = lay_axes(plan, profile, pixel, width, values[elongation]);
     if (!(asked || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
     closer *= 0.85f;
   }

@@ -6,6 +6,11 @@
 #include "bunch/communication.hpp"
 
 namespace panicle::bunch {
+namespace {
+
+constexpr float least_strength = 0.001f;
+
+}  // namespace
 
 void Sprouting::begin(const lsystem::Program& program, std::uint32_t bunch, std::int32_t first_axis) {
   width_ = lsystem::constant(program, "w", 1);
@@ -45,7 +50,7 @@ void Sprouting::line(std::int32_t, const lsystem::Turtle& before, const lsystem:
 }
 
 void Sprouting::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
-  if (turtle.line < 0 || !within(flowers.size(), limits_.spheres, "flowers")) return;
+  if (turtle.line < 0 || !within(flowers.size(), limits_.flowers, "flowers")) return;
   const std::int32_t pedicel = first_internode_ + turtle.line;
   if (static_cast<std::size_t>(pedicel) >= internodes.size()) return;
   internodes[static_cast<std::size_t>(pedicel)].kind = Kind::pedicel;
@@ -59,7 +64,7 @@ void Sprouting::sphere(const lsystem::Turtle& turtle, float radius, const lsyste
   flower.axis = internode.axis;
   flower.depth = depth_[static_cast<std::size_t>(pedicel)];
   if (internode.parent >= 0) flower.place = borne_[static_cast<std::size_t>(internode.parent)]++;
-  flower.strength = std::min(1.0f, radius);
+  flower.strength = std::clamp(radius, least_strength, 1.0f);
   flowers.push_back(flower);
 }
 

@@ -18,12 +18,15 @@ constexpr int refresh = 4;            // steps between two searches for neighbou
 constexpr float contact_give = 3.0f;  // compliance of two berries' skins: how much they flatten
 constexpr float bound_give = 4.0f;    // of the outline: berries may be pushed out a little
 constexpr float bound_inset = 0.55f;  // how far inside it centres stay, in half-widths
+constexpr float core_inset = 0.8f;    // the same for the core of a long berry, in half-lengths of it
 constexpr float furthest_out = 1.0f;  // beyond that inset, in half-widths, and no further
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
 constexpr float straighten = 0.4f;    // share of the way back to where its pedicel points, a step: pedicels are springs
 constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
 constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
 constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts: more and it is lost
+constexpr std::size_t most_pairs = 64;  // neighbours of a berry, on average, that are looked at
+constexpr int most_rounds = 64;         // of thinning, where far too many have set
 constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
 
 struct Pair {
@@ -62,6 +65,11 @@ class Solver {
     if (scale >= thinning_from && index % refresh == refresh - 1) thin();
   }
 
+  // Until nobody is pressed harder than berries can be.
+  void thin_out() {
+    for (int round = 0; round < most_rounds && thin(); ++round) continue;
+  }
+
   void take_by_hand() {
     for (std::size_t i = 0; i < berries_.size(); ++i)
       if (berries_[i].taken && !gone(i)) lost_[i] = Why::by_hand;
@@ -95,6 +103,16 @@ class Solver {
     }
   }
 
+  // From the nearest point of one berry's core to that of another's.
+  glm::vec3 between_cores(std::size_t i, std::size_t j) const {
+    const glm::vec3 between = centres_[j] - centres_[i];
+    const float p = core(i), q = core(j);
+    if (!(p + q > 0)) return between;
+    float s, t;
+    closest(between, headings_[i], p, headings_[j], q, s, t);
+    return between + headings_[j] * t - headings_[i] * s;
+  }
+
   void find_neighbours() {
     aim();
     float widest = 0;
@@ -113,7 +131,7 @@ class Solver {
       const std::uint32_t i = alive_[at];
       grid.visit(points_[at], [&](std::uint32_t other) {
         const std::uint32_t j = alive_[other];
-        if (j <= i) return;
+        if (j <= i || pairs_.size() >= most_pairs * alive_.size()) return;
         const float near = ball(i) + core(i) + ball(j) + core(j) + margin;
         const glm::vec3 between = points_[other] - points_[at];
         if (glm::dot(between, between) < near * near) pairs_.push_back({i, j});
@@ -194,14 +212,8 @@ class Solver {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t at = backwards ? count - 1 - k : k;
       const auto [i, j] = pairs_[at];
-      glm::vec3 between = centres_[j] - centres_[i];
-      const float p = core(i), q = core(j);
-      if (p + q > 0) {
-        float s, t;
-        closest(between, headings_[i], p, headings_[j], q, s, t);
-        between += headings_[j] * t - headings_[i] * s;
-      }
-      const float reach = (ball(i) + ball(j));
+      const glm::vec3 between = between_cores(i, j);
+      const float reach = ball(i) + ball(j);
       const float square = glm::dot(between, between);
       if (square >= reach * reach && pushes_[at] == 0) continue;
       const float far = std::sqrt(square);
@@ -243,11 +255,14 @@ class Solver {
       glm::vec3 c = centres_[i];
       c = {c.x * lean.cosine - c.y * lean.sine, c.x * lean.sine + c.y * lean.cosine, c.z};
       const glm::vec3 before = c;
-      const float inset = bound_inset * half_width(i), length = bound.envelope.length();
-      const float depth = std::clamp(-c.y, inset, std::max(inset, length - inset));
+      // A long berry reaches as far as its core leans.
+      const float upright = headings_[i].y * headings_[i].y, inset = bound_inset * half_width(i);
+      const float lying = inset + core_inset * core(i) * (1 - upright);
+      const float standing = inset + core_inset * core(i) * upright, length = bound.envelope.length();
+      const float depth = std::clamp(-c.y, standing, std::max(standing, length - standing));
       c.y = -depth;
-      const float x = std::max(0.05f * length / 10, bound.envelope.half_width(c.x >= 0 ? 0 : 1, depth) - inset);
-      const float z = std::max(0.05f * length / 10, bound.envelope.half_width(c.z >= 0 ? 2 : 3, depth) - inset);
+      const float x = std::max(0.005f * length, bound.envelope.half_width(c.x >= 0 ? 0 : 1, depth) - lying);
+      const float z = std::max(0.005f * length, bound.envelope.half_width(c.z >= 0 ? 2 : 3, depth) - lying);
       const float out = (c.x / x) * (c.x / x) + (c.z / z) * (c.z / z);
       if (out > 1) {
         const float back = 1 / std::sqrt(out);
@@ -268,25 +283,19 @@ class Solver {
 
   // Of what each berry would have to give up to its neighbours, as a share of its volume; the ball's cap is the
   // measure.
-  void thin() {
+  bool thin() {
     pressed_.assign(berries_.size(), 0);
     for (const auto [i, j] : pairs_) {
       if (gone(i) || gone(j)) continue;
-      glm::vec3 between = centres_[j] - centres_[i];
-      const float p = core(i), q = core(j);
-      if (p + q > 0) {
-        float s, t;
-        closest(between, headings_[i], p, headings_[j], q, s, t);
-        between += headings_[j] * t - headings_[i] * s;
-      }
+      const glm::vec3 between = between_cores(i, j);
       const float deep = (ball(i) + ball(j) - glm::length(between)) / 2;
       if (deep <= 0) continue;
       const auto cap = [deep](float r, float c) {
         const float h = std::min(deep, r);
         return h * h * (3 * r - h) / (4 * r * r * r + 6 * r * r * c);
       };
-      pressed_[i] += cap(ball(i), p);
-      pressed_[j] += cap(ball(j), q);
+      pressed_[i] += cap(ball(i), core(i));
+      pressed_[j] += cap(ball(j), core(j));
     }
     // The most pressed of a neighbourhood goes; its neighbours then have room.
     keeps_.assign(berries_.size(), 0);
@@ -294,9 +303,14 @@ class Solver {
       if (gone(i) || gone(j)) continue;
       (pressed_[i] > pressed_[j] ? keeps_[j] : keeps_[i]) = 1;
     }
+    bool any = false;
     for (std::size_t i = 0; i < berries_.size(); ++i)
-      if (!gone(i) && pressed_[i] > most_pressed && !keeps_[i]) lost_[i] = Why::no_room;
-    drop_pairs();
+      if (!gone(i) && pressed_[i] > most_pressed && !keeps_[i]) {
+        lost_[i] = Why::no_room;
+        any = true;
+      }
+    if (any) drop_pairs();
+    return any;
   }
 
   void drop_pairs() {
@@ -328,6 +342,7 @@ Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berrie
   Solver solver(branches, berries, bounds);
   int index = 0;
   for (const float scale : scales) solver.step(scale, index++);
+  if (!scales.empty() && scales.back() >= thinning_from) solver.thin_out();
   solver.take_by_hand();
   for (int k = 0; k < settling && !scales.empty(); ++k) solver.step(scales.back(), index++);
   return solver.take();

@@ -13,7 +13,8 @@ struct Limits {
   std::uint32_t depth = 100'000;           // open brackets while interpreting
   std::uint32_t spheres = 100'000;         // spheres in one environment
   std::uint32_t internodes = 100'000;      // internodes in one result
-  std::uint32_t berries = 3000;            // of a natural bunch
+  std::uint32_t flowers = 20'000;          // of a natural bunch
+  std::uint32_t berries = 3000;            // likewise
 };
 
 }  // namespace panicle
