@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bunch/measures.generated.hpp"
+#include "geometry/berry_meridian.hpp"
 #include "specimens.hpp"
 
 using namespace panicle;
@@ -329,5 +330,31 @@ TEST_CASE("a count beyond what the outline holds leaves what has room, not an im
     const Grown bunch = grown(request);
     CHECK(bunch.notes.size() == 1);
     CHECK(bunch.measures[static_cast<std::size_t>(Measure::fill_ratio)] < 0.8f);
+  }
+}
+
+TEST_CASE("pressed berries hold their volume within 3 %, however dense the bunch") {
+  for (const float density : {5.0f, 7.0f, 9.0f}) {
+    Request request = natural_request(table3[0].profile());
+    set(request, Parameter::density, density);
+    request.meshes = true;
+    const Grown bunch = grown(request);
+    const BerrySurfaces& surfaces = *bunch.surfaces;
+    const std::size_t vertices = surfaces.uvs.size() / 2;
+    double worst = 0;
+    for (std::size_t i = 0; i < bunch.berries.size(); ++i) {
+      const auto at = [&](std::size_t k) {
+        const float* const p = surfaces.positions.data() + 3 * (i * vertices + surfaces.indices[k]);
+        return glm::dvec3(p[0], p[1], p[2]) - glm::dvec3(bunch.berries[i].centre);
+      };
+      double volume = 0;
+      for (std::size_t k = 0; k < surfaces.indices.size(); k += 3)
+        volume += glm::dot(at(k), glm::cross(at(k + 1), at(k + 2))) / 6;
+      const double free = form_volume(bunch.form, bunch.traits[i].width / 2, bunch.traits[i].length / 2);
+      worst = std::max(worst, std::abs(volume / free - 1));
+    }
+    MESSAGE("density " << density << ", " << bunch.berries.size() << " berries: volume off by " << 100 * worst
+                       << " % at the most");
+    CHECK(worst < 0.03);
   }
 }

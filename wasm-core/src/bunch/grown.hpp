@@ -75,10 +75,10 @@ struct Grown {
   std::vector<Thinned> thinned;  // the natural procedure's
   std::vector<float> measures;   // in the order of measures.generated.hpp; NaN: does not apply; empty: not asked for
   std::optional<StemMesh> stem;
-  std::optional<Mesh> berry;               // the shared berry, unit radius
-  std::optional<BerrySurfaces> surfaces;   // the natural procedure's berries, each with its own surface
-  std::optional<Mesh> flower;              // the shared open flower, where a berry has not yet set
-  std::optional<Foliage> foliage;          // leaves and cane, where they were asked for
+  std::optional<Mesh> berry;              // the shared berry, unit radius
+  std::optional<BerrySurfaces> surfaces;  // the natural procedure's berries, each with its own surface
+  std::optional<Mesh> flower;             // the shared open flower, where a berry has not yet set
+  std::optional<Foliage> foliage;         // leaves and cane, where they were asked for
   std::vector<std::string> notes;
   std::uint64_t fingerprint = 0;       // skeleton and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // 0 without meshes

@@ -17,7 +17,7 @@ struct BerrySurfaces {
   std::vector<std::uint32_t> indices;  // 3 × pattern triangles
   std::vector<float> positions;        // 3 × pattern vertices × berries, in the bodies' unit
   std::vector<float> normals;          // likewise
-  std::vector<std::uint8_t> pressed;  // pattern vertices × berries: 0 free … 255 in contact, where bloom is rubbed off
+  std::vector<std::uint8_t> pressed;   // pattern vertices × berries: 0 free … 255 in contact, where bloom is rubbed off
 };
 
 // Each surface is closed, stays on its own side of the plane between it and any neighbour (so two never pass through

@@ -64,9 +64,9 @@ enum {
   PANICLE_SECTION_MEASURES = 27,          /* float32 × measures of parameters/measures.json; NaN: does not apply */
   PANICLE_SECTION_SURFACE_POSITIONS = 28, /* the berries' own surfaces (geometry/berry_surfaces.hpp); empty for paper */
   PANICLE_SECTION_SURFACE_NORMALS = 29,
-  PANICLE_SECTION_SURFACE_UVS = 30,     /* of the pattern that all surfaces share */
-  PANICLE_SECTION_SURFACE_INDICES = 31, /* likewise */
-  PANICLE_SECTION_SURFACE_PRESSED = 32, /* uint8 per vertex */
+  PANICLE_SECTION_SURFACE_UVS = 30,      /* of the pattern that all surfaces share */
+  PANICLE_SECTION_SURFACE_INDICES = 31,  /* likewise */
+  PANICLE_SECTION_SURFACE_PRESSED = 32,  /* uint8 per vertex */
   PANICLE_SECTION_FLOWER_POSITIONS = 33, /* the shared open flower: unit berry radius, its face towards +Y */
   PANICLE_SECTION_FLOWER_NORMALS = 34,
   PANICLE_SECTION_FLOWER_UVS = 35,

@@ -14,7 +14,20 @@ constexpr std::uint32_t output_meshes = 1, output_measures = 2;
 constexpr std::size_t header_words = 12;
 constexpr std::uint32_t most_numbers = 100'000;  // parameters, values of n, thinned berries
 
-enum Word { w_magic, w_layout, w_model, w_outputs, w_seed, w_sides, w_segments, w_parameters, w_m, w_n, w_grammar, w_thinned };
+enum Word {
+  w_magic,
+  w_layout,
+  w_model,
+  w_outputs,
+  w_seed,
+  w_sides,
+  w_segments,
+  w_parameters,
+  w_m,
+  w_n,
+  w_grammar,
+  w_thinned
+};
 
 Diagnostic refused(const char* why) { return {Reason::bad_request, why, 0, 0}; }
 
@@ -33,8 +46,10 @@ Result<bunch::Request> read_request(std::span<const std::uint8_t> bytes) {
   if (word(bytes, w_model) != model_bunch) return refused("The request asks for a model that is not known.");
   const std::uint32_t parameters = word(bytes, w_parameters), n = word(bytes, w_n), grammar = word(bytes, w_grammar);
   const std::uint32_t thinned = word(bytes, w_thinned);
-  if (parameters > most_numbers || n > most_numbers || thinned > most_numbers) return refused("The request has more numbers than are allowed.");
-  const std::uint64_t whole = (header_words + parameters + std::uint64_t{n} + thinned + (std::uint64_t{grammar} + 3) / 4) * 4;
+  if (parameters > most_numbers || n > most_numbers || thinned > most_numbers)
+    return refused("The request has more numbers than are allowed.");
+  const std::uint64_t whole =
+      (header_words + parameters + std::uint64_t{n} + thinned + (std::uint64_t{grammar} + 3) / 4) * 4;
   if (bytes.size() != whole) return refused("The request's length is not what its header says.");
 
   bunch::Request request;
@@ -48,8 +63,7 @@ Result<bunch::Request> read_request(std::span<const std::uint8_t> bytes) {
     request.parameters.push_back(bit_cast<float>(word(bytes, header_words + i)));
   for (std::size_t i = 0; i < n; ++i)
     request.n.push_back(static_cast<std::int32_t>(word(bytes, header_words + parameters + i)));
-  for (std::size_t i = 0; i < thinned; ++i)
-    request.thinned.push_back(word(bytes, header_words + parameters + n + i));
+  for (std::size_t i = 0; i < thinned; ++i) request.thinned.push_back(word(bytes, header_words + parameters + n + i));
   const std::size_t text = (header_words + parameters + n + thinned) * 4;
   request.grammar = {reinterpret_cast<const char*>(bytes.data()) + text, grammar};
   return request;
