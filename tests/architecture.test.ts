@@ -22,7 +22,7 @@ function read(file: string): string {
 	}
 }
 
-const coreRooms = ["foundation", "geometry", "environment", "lsystem", "bunch", "wasm_api"];
+const coreRooms = ["foundation", "geometry", "environment", "lsystem", "models", "boundary"];
 
 /** What each room of web/src may import besides itself; `element` is a room to come. */
 const webRooms: Record<string, string[]> = {

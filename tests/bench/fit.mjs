@@ -18,14 +18,14 @@ const WAYS = ["natural", "paper", "octahedron"];
 const AIMS = { mean: { coverage: 0.92, spill: 0.03 }, worst: { coverage: 0.85, spill: 0.06 } };
 
 const source = async (path) => (await runnerImport(join(repository, path))).module;
-const { encodeRequest } = await source("web/src/core/request.ts");
+const { encodeRequest } = await source("web/src/models/bunch/request.ts");
 const { Core } = await source("web/src/core/core.ts");
-const { PROCEDURES } = await source("web/src/core/grown.ts");
-const { PRESETS } = await source("web/src/specimen/presets/index.ts");
+const { PROCEDURES } = await source("web/src/models/bunch/grown.ts");
+const { PRESETS } = await source("web/src/models/bunch/presets/index.ts");
 const { specimenFromPreset } = await source("web/src/specimen/from_preset.ts");
-const { measureOf } = await source("web/src/specimen/measures.ts");
-const { envelopePath } = await source("web/src/profile/envelope.ts");
-const { metresPerPixel } = await source("web/src/profile/handles.ts");
+const { measureOf } = await source("web/src/models/bunch/measures.ts");
+const { envelopePath } = await source("web/src/models/bunch/profile/envelope.ts");
+const { metresPerPixel } = await source("web/src/models/bunch/profile/handles.ts");
 
 await buildCore();
 const core = await Core.instantiate(new WebAssembly.Module(readFileSync(coreModule)));

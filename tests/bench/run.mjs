@@ -30,9 +30,9 @@ const source = async (path) => (await runnerImport(join(repository, path))).modu
 
 const PAPER = 1; // links of version 1 mean the paper's procedure
 
-const { encodeRequest } = await source("web/src/core/request.ts");
+const { encodeRequest } = await source("web/src/models/bunch/request.ts");
 const { Core } = await source("web/src/core/core.ts");
-const { PRESETS } = await source("web/src/specimen/presets/index.ts");
+const { PRESETS } = await source("web/src/models/bunch/presets/index.ts");
 const { specimenFromPreset } = await source("web/src/specimen/from_preset.ts");
 const core = await loadBenchCore();
 const reader = await Core.instantiate(benchModule());

@@ -77,7 +77,7 @@ test("inputs that a link sets are shown, and can follow the profile again", asyn
 });
 
 test("a link with a grammar of its own opens without a step to undo, and grows by it", async ({ page }) => {
-	const text = `/* mine */\n${readFileSync("wasm-core/grammars/grape-bunch-3.lsys", "utf8")}`;
+	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
 	const studio = await new StudioPage(page).open(`?preset=duku#g=${await compressText(text)}`);
 	await studio.openGroup("Branching");
 	await expect(page.getByText("This bunch brings a grammar of its own.")).toBeVisible();

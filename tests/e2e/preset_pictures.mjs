@@ -19,9 +19,9 @@ async function draw({ address, name, size, oversampling, quality, theme, views }
 	const { BunchView } = await at("scene/bunch_view.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
-	const { encodeRequest } = await at("core/request.ts");
+	const { encodeRequest } = await at("models/bunch/request.ts");
 	const { specimenFromPreset } = await at("specimen/from_preset.ts");
-	const { MEASURE_KEYS } = await at("specimen/measures.generated.ts");
+	const { MEASURE_KEYS } = await at("models/bunch/measures.generated.ts");
 	globalThis.core ??= await Core.instantiate(await compileCore(address));
 	const specimen = specimenFromPreset(name);
 	const grown = globalThis.core.grow(encodeRequest(specimen));
@@ -49,7 +49,7 @@ async function draw({ address, name, size, oversampling, quality, theme, views }
 }
 
 async function listPresets() {
-	const { PRESETS } = await import(/* @vite-ignore */ "/src/specimen/presets/index.ts");
+	const { PRESETS } = await import(/* @vite-ignore */ "/src/models/bunch/presets/index.ts");
 	return PRESETS.map(({ name, title, kind, figure, about }) => ({ name, title, kind, figure, about }));
 }
 

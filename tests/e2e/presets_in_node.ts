@@ -1,9 +1,9 @@
 /** Every preset as Node grows it. Loaded through Vite, which reads the app's modules as the app's bundle does. */
 import { readFileSync } from "node:fs";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
-import { encodeRequest } from "../../web/src/core/request";
+import { encodeRequest } from "../../web/src/models/bunch/request";
 import { specimenFromPreset } from "../../web/src/specimen/from_preset";
-import { PRESETS } from "../../web/src/specimen/presets/index";
+import { PRESETS } from "../../web/src/models/bunch/presets/index";
 
 const core = await loadCoreFromBytes(readFileSync("build/core/panicle.wasm"));
 

@@ -8,10 +8,10 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
 import type { Core } from "../../web/src/core/core";
-import type { Grown } from "../../web/src/core/grown";
-import { encodeRequest } from "../../web/src/core/request";
+import type { Grown } from "../../web/src/models/bunch/grown";
+import { encodeRequest } from "../../web/src/models/bunch/request";
 import { specimenFromPreset } from "../../web/src/specimen/from_preset";
-import { PRESETS } from "../../web/src/specimen/presets/index";
+import { PRESETS } from "../../web/src/models/bunch/presets/index";
 import { freshCore } from "../web/core/wasm";
 
 type Golden = ReturnType<typeof digest>;

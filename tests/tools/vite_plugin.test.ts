@@ -9,7 +9,7 @@ vi.mock("../../wasm-core/tools/core.mjs", () => ({ buildCore: vi.fn() }));
 vi.mock("../../wasm-core/tools/generate.mjs", () => ({ generate: vi.fn() }));
 
 const build = vi.mocked(buildCore);
-const source = join(coreFolder, "src/bunch/plan.cpp");
+const source = join(coreFolder, "src/models/bunch/plan.cpp");
 
 /** What the plugin sees of Vite's server: a watcher, a line to the page and a log. */
 function fakeServer() {
@@ -60,13 +60,13 @@ it("builds again and loads the page again when a source changes", async () => {
 
 it("builds once for several writes in a row, and not for what is no source of the core", async () => {
 	const server = await serving();
-	for (const path of [source, source, join(coreFolder, "grammars/grape-bunch-3.lsys")]) {
+	for (const path of [source, source, join(coreFolder, "grammars/bunch/grape-bunch-3.lsys")]) {
 		server.watcher.emit("all", "change", path);
 	}
 	await settled();
 	expect(build).toHaveBeenCalledTimes(1);
 	server.watcher.emit("all", "change", join(repository, "web/src/studio/main.ts"));
-	server.watcher.emit("all", "change", join(coreFolder, "src/bunch/plan.cpp.swp"));
+	server.watcher.emit("all", "change", join(coreFolder, "src/models/bunch/plan.cpp.swp"));
 	await settled();
 	expect(build).toHaveBeenCalledTimes(1);
 });

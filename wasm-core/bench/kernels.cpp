@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "bunch/bunch.hpp"
-#include "bunch/interaction.hpp"
-#include "bunch/parameters.generated.hpp"
+#include "models/bunch/bunch.hpp"
+#include "models/bunch/paper/interaction.hpp"
+#include "models/bunch/parameters.generated.hpp"
 #include "foundation/random.hpp"
 #include "geometry/tubes.hpp"
 #include "lsystem/lsystem.hpp"

@@ -1,5 +1,5 @@
 // core_bench_native KERNEL SIZE ROUNDS RUNS   times a kernel
-// core_bench_native grow ROUNDS RUNS < request  times panicle_grow on one request (wasm_api/panicle.h)
+// core_bench_native grow ROUNDS RUNS < request  times panicle_grow on one request (boundary/panicle.h)
 // Prints one line of JSON: the work of one round and the microseconds of a round, one number a run.
 #ifndef __EMSCRIPTEN__
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "kernels.hpp"
-#include "wasm_api/panicle.h"
+#include "boundary/panicle.h"
 
 namespace {
 

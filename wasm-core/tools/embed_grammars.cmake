@@ -9,9 +9,9 @@ foreach(input IN LISTS INPUTS)
   file(READ ${input} text)
   string(APPEND cases "    case ${number}:\n      return R\"lsys(${text})lsys\";\n")
 endforeach()
-file(WRITE ${OUTPUT} "// Made from grammars/*.lsys by tools/embed_grammars.cmake.\n\
-#include \"bunch/builtin_grammars.hpp\"\n\n\
-namespace panicle::bunch {\n\n\
+file(WRITE ${OUTPUT} "// Made from grammars/${MODEL}/*.lsys by tools/embed_grammars.cmake.\n\
+#include \"models/${MODEL}/builtin_grammars.hpp\"\n\n\
+namespace panicle::${MODEL} {\n\n\
 std::string_view builtin_grammar(int number) {\n\
   switch (number) {\n\
 ${cases}\
@@ -19,4 +19,4 @@ ${cases}\
       return {};\n\
   }\n\
 }\n\n\
-}  // namespace panicle::bunch\n")
+}  // namespace panicle::${MODEL}\n")

@@ -1,11 +1,11 @@
-// A request (wasm_api/panicle.h) from the standard input, grown natively; every section to the standard output as
+// A request (boundary/panicle.h) from the standard input, grown natively; every section to the standard output as
 // id, bytes (uint32 each) and contents. Tests compare it with what the wasm gives.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <vector>
 
-#include "wasm_api/panicle.h"
+#include "boundary/panicle.h"
 
 int main() {
   std::vector<std::uint8_t> request;

@@ -1,15 +1,15 @@
 # panicle.wasm and, where there is a bench, panicle-bench.wasm: standalone modules that export the functions of
-# wasm_api/panicle.h. The caller runs `_initialize` once.
+# boundary/panicle.h. The caller runs `_initialize` once.
 
 # The header is the one list of exports.
-file(STRINGS src/wasm_api/panicle.h declarations REGEX "^[A-Za-z].* \\*?panicle_[a-z_]+\\(")
+file(STRINGS src/boundary/panicle.h declarations REGEX "^[A-Za-z].* \\*?panicle_[a-z_]+\\(")
 set(exports "")
 foreach(declaration IN LISTS declarations)
   string(REGEX MATCH "panicle_[a-z_]+" name "${declaration}")
   list(APPEND exports "_${name}")
 endforeach()
 list(JOIN exports "," exports)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/wasm_api/panicle.h)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/boundary/panicle.h)
 
 # The stack's option changed its name in 3.1.25, its default from 5 MB to 64 kB in 3.1.27.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.27)
@@ -28,7 +28,7 @@ function(panicle_wasm name exported)
 endfunction()
 
 file(WRITE ${CMAKE_BINARY_DIR}/empty.cpp "")
-file(GLOB api_sources CONFIGURE_DEPENDS src/wasm_api/*.cpp)
+file(GLOB api_sources CONFIGURE_DEPENDS src/boundary/*.cpp)
 if(api_sources)
   panicle_wasm(panicle "${exports}" ${CMAKE_BINARY_DIR}/empty.cpp)
 endif()

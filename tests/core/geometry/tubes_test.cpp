@@ -8,7 +8,7 @@
 #include "foundation/fingerprint.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "surface.hpp"
+#include "geometry/surface.hpp"
 
 using namespace panicle;
 using namespace panicle::test;

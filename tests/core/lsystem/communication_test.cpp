@@ -1,5 +1,5 @@
 // ?E: asked during interpretation, answered by the listener, applied in place (Měch and Prusinkiewicz 1996).
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

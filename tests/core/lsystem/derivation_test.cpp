@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

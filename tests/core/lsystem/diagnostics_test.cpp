@@ -1,5 +1,5 @@
 // What cannot be read says where, and what to do.
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

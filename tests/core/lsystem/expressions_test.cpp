@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "foundation/mathematics.hpp"
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

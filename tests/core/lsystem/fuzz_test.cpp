@@ -1,7 +1,7 @@
 // Texts put together from tokens at random, and good texts with tokens changed: each ends in a value or a diagnostic,
 // whatever it is. Meant for the sanitizers; the seeds are fixed, so a failure comes again.
 #include "foundation/random.hpp"
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

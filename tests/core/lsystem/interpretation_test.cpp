@@ -1,4 +1,4 @@
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

@@ -1,5 +1,5 @@
 // Work that would never end ends in a value, with the count that was reached.
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

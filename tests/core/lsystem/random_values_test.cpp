@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

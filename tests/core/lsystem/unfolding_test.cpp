@@ -1,7 +1,7 @@
 // Derivation depth first must end where derivation step by step ends.
 #include <string>
 
-#include "grammars.hpp"
+#include "lsystem/grammars.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;

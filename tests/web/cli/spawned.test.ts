@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { encodeRequest } from "../../../web/src/core/request";
+import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { restore } from "../../../web/src/specimen/restore";
 import { freshCore } from "../core/wasm";

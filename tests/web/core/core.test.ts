@@ -1,14 +1,14 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
 import { CoreError, CoreTrap, UnsupportedError } from "../../../web/src/core/errors";
-import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../web/src/core/grown";
+import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../web/src/models/bunch/grown";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import { buffersOf } from "../../../web/src/core/read_grown";
-import { encodeRequest } from "../../../web/src/core/request";
+import { buffersOf } from "../../../web/src/models/bunch/read_grown";
+import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { BERRY_IDS } from "../../../web/src/specimen/limits";
-import { PRESETS } from "../../../web/src/specimen/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { TABLE_3 } from "../specimen/table_3";
 import { freshCore } from "./wasm";

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, vi } from "vitest";
 import { type Client, type ClientOptions, createClient } from "../../../web/src/core/client";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 

@@ -1,11 +1,11 @@
 /** What the natural procedure says across the border; whether a bunch is right is for the core's own tests. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
-import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../web/src/core/grown";
-import { encodeRequest } from "../../../web/src/core/request";
+import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../web/src/models/bunch/grown";
+import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { thin, withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { PRESETS } from "../../../web/src/specimen/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { type ChoiceEntry, entryOf } from "../../../web/src/specimen/table";
 import { freshCore } from "./wasm";

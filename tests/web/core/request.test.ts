@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { CoreError } from "../../../web/src/core/errors";
-import { encodeRequest } from "../../../web/src/core/request";
+import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { NUMBER_KEYS, type NumberKey } from "../../../web/src/specimen/parameters.generated";
+import { NUMBER_KEYS, type NumberKey } from "../../../web/src/models/bunch/parameters.generated";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 
 const HEADER = 12;

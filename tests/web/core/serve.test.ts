@@ -1,6 +1,6 @@
 import { beforeAll, expect, it } from "vitest";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
-import { encodeRequest } from "../../../web/src/core/request";
+import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { serve } from "../../../web/src/core/serve";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { wasmBytes } from "./wasm";

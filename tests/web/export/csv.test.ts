@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { exportCsv, exportMeasuresCsv } from "../../../web/src/export/csv";
-import { MEASURES } from "../../../web/src/specimen/measures.generated";
+import { MEASURES } from "../../../web/src/models/bunch/measures.generated";
 import * as arbitrary from "./arbitrary";
 import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
 import { makeNatural } from "./natural_fixture";

@@ -5,7 +5,7 @@ import {
 	INTERNODE_STATES,
 	type Internodes,
 	type Procedure,
-} from "../../../web/src/core/grown";
+} from "../../../web/src/models/bunch/grown";
 import type { GrownDocument, NaturalBerryRecord } from "../../../web/src/export/json";
 
 export function fingerprintOf(

@@ -1,5 +1,5 @@
 /** Small growths made without the core: a rachis, axes of one internode, pedicels with berries or withered. */
-import type { Berries, Grown, Internodes, Mesh, StemMesh, StemPart } from "../../../web/src/core/grown";
+import type { Berries, Grown, Internodes, Mesh, StemMesh, StemPart } from "../../../web/src/models/bunch/grown";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { fingerprintOf } from "./fingerprint";

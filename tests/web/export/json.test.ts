@@ -3,7 +3,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { exportJson, type NaturalBerryRecord } from "../../../web/src/export/json";
 import { shortFloat } from "../../../web/src/export/numbers";
-import { MEASURE_KEYS } from "../../../web/src/specimen/measures.generated";
+import { MEASURE_KEYS } from "../../../web/src/models/bunch/measures.generated";
 import { writtenSpecimen } from "../../../web/src/specimen/written";
 import * as arbitrary from "./arbitrary";
 import { fingerprintOfDocument } from "./fingerprint";

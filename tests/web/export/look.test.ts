@@ -1,7 +1,7 @@
 /** How a natural bunch looks to whoever opens its GLB. */
 import { Color, type MeshPhysicalMaterial } from "three";
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { SKETCH } from "./fixture";
 import { makeNatural, type NaturalChanges } from "./natural_fixture";
 import { around, brightness, looking, read, shade } from "./natural_reading";

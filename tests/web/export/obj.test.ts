@@ -4,7 +4,7 @@ import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
 import { version } from "../../../package.json";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { exportObj } from "../../../web/src/export/obj";
 import * as arbitrary from "./arbitrary";
 import { makeGrown, paperSpecimen, SKETCH } from "./fixture";

@@ -2,7 +2,7 @@ import { Box3, type Mesh, type MeshPhongMaterial } from "three";
 import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { exportGlb } from "../../../web/src/export/glb";
 import { exportObj } from "../../../web/src/export/obj";
 import { SKETCH } from "./fixture";

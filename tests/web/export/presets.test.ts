@@ -5,15 +5,15 @@ import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import { encodeRequest, type RequestOptions } from "../../../web/src/core/request";
+import { encodeRequest, type RequestOptions } from "../../../web/src/models/bunch/request";
 import { exportGlb } from "../../../web/src/export/glb";
 import { exportJson } from "../../../web/src/export/json";
 import { exportObj } from "../../../web/src/export/obj";
 import { specimenFromFile } from "../../../web/src/export/restore";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { PRESETS } from "../../../web/src/specimen/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import { fingerprintOfDocument } from "./fingerprint";
 import { complaints, documentOf, load, meshesOf } from "./reading";
 

@@ -1,5 +1,5 @@
 import { SphereGeometry, Vector3 } from "three";
-import { type BerrySurfaces, type Fruit, type Grown, TRAITS, type Trait } from "../../../web/src/core/grown";
+import { type BerrySurfaces, type Fruit, type Grown, TRAITS, type Trait } from "../../../web/src/models/bunch/grown";
 import { sampleBunch } from "./sample_bunch";
 
 export interface PressedOptions extends Partial<Record<Trait, number>> {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { leafDiscs } from "../../../web/src/scene/leaf_discs";
 import { FAR, NEIGHBOURS, packReceivers, RECORD, receiverTexels } from "../../../web/src/scene/receivers";
 import { berryTint, skinOf } from "../../../web/src/scene/skin";

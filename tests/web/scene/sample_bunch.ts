@@ -1,5 +1,5 @@
 import { CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
-import type { Grown, Internodes, Mesh, Plan, StemMesh } from "../../../web/src/core/grown";
+import type { Grown, Internodes, Mesh, Plan, StemMesh } from "../../../web/src/models/bunch/grown";
 import type { Look } from "../../../web/src/specimen/specimen";
 
 export const LOOK: Look = {

@@ -4,7 +4,7 @@ import { thin, unthin, unthinAll, withLook, withParameters, withSeed } from "../
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { change, startHistory, undo } from "../../../web/src/specimen/history";
 import { MOST_THINNED } from "../../../web/src/specimen/limits";
-import { NUMBER_KEYS } from "../../../web/src/specimen/parameters.generated";
+import { NUMBER_KEYS } from "../../../web/src/models/bunch/parameters.generated";
 import { sameSpecimen } from "../../../web/src/specimen/same";
 import { anySpecimen, faults } from "./arbitrary";
 

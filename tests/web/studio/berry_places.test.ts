@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type Berries, TRAITS } from "../../../web/src/core/grown";
+import { type Berries, TRAITS } from "../../../web/src/models/bunch/grown";
 import { fromTheTop, placeInWords, widthInWords } from "../../../web/src/studio/berry_places";
 
 /** Berries at these places in centimetres, of these widths in millimetres. */

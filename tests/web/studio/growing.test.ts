@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { Growing } from "../../../web/src/studio/growing";
 import type { Studio } from "../../../web/src/studio/studio";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { PROCEDURES } from "../../../web/src/core/grown";
-import { PARAMETERS } from "../../../web/src/specimen/parameters.generated";
+import { PROCEDURES } from "../../../web/src/models/bunch/grown";
+import { PARAMETERS } from "../../../web/src/models/bunch/parameters.generated";
 import { groupsFor } from "../../../web/src/studio/panel_groups";
 
 const keys = (procedure: (typeof PROCEDURES)[number]) =>

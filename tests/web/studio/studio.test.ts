@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { PLAY, Studio } from "../../../web/src/studio/studio";

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Grown } from "../../../web/src/core/grown";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { fileName } from "../../../web/src/studio/files/formats";

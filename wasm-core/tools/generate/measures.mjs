@@ -11,8 +11,8 @@ export function outputs() {
 	const table = JSON.parse(readFileSync(join(coreFolder, "parameters/measures.json"), "utf8"));
 	checkMeasures(table, source);
 	return [
-		{ path: "wasm-core/src/bunch/measures.generated.hpp", text: cplusplus(table) },
-		{ path: "web/src/specimen/measures.generated.ts", text: typescript(table) },
+		{ path: "wasm-core/src/models/bunch/measures/measures.generated.hpp", text: cplusplus(table) },
+		{ path: "web/src/models/bunch/measures.generated.ts", text: typescript(table) },
 		{ path: "docs/measures.md", text: markdown(table) },
 	];
 }

@@ -12,8 +12,8 @@ export function outputs() {
 	const table = JSON.parse(readFileSync(join(coreFolder, "parameters/bunch.json"), "utf8"));
 	checkTable(table, source);
 	return [
-		{ path: "wasm-core/src/bunch/parameters.generated.hpp", text: cplusplus(table) },
-		{ path: "web/src/specimen/parameters.generated.ts", text: typescript(table) },
+		{ path: "wasm-core/src/models/bunch/parameters.generated.hpp", text: cplusplus(table) },
+		{ path: "web/src/models/bunch/parameters.generated.ts", text: typescript(table) },
 		{ path: "docs/parameters.md", text: markdown(table) },
 	];
 }

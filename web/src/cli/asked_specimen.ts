@@ -7,7 +7,7 @@ import { specimenFromPreset } from "../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../specimen/limits";
 import { decodeLink } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
-import { presetNamed } from "../specimen/presets/index";
+import { presetNamed } from "../models/bunch/presets/index";
 import { readNumbers } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
@@ -52,7 +52,7 @@ function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
 	return read;
 }
 
-/** Inputs of the paper's grammars; the natural procedure has others (wasm-core/grammars/grape-bunch-4.lsys). */
+/** Inputs of the paper's grammars; the natural procedure has others (wasm-core/grammars/bunch/grape-bunch-4.lsys). */
 const PAPER_INPUTS = new Set(["m", "n"]);
 
 /** What was typed and is right, but nothing comes of it: not refused, so that a series may vary the procedure. */

@@ -1,8 +1,8 @@
 /** The command: grows one specimen and writes it. */
 import { basename } from "node:path";
 import { CoreError } from "../core/errors";
-import type { Grown } from "../core/grown";
-import { encodeRequest } from "../core/request";
+import type { Grown } from "../models/bunch/grown";
+import { encodeRequest } from "../models/bunch/request";
 import { exportCsv } from "../export/csv";
 import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";

@@ -1,5 +1,5 @@
 /** What the command says about itself. */
-import { DEFAULT_PRESET, PRESETS } from "../specimen/presets/index";
+import { DEFAULT_PRESET, PRESETS } from "../models/bunch/presets/index";
 import { byLink } from "../specimen/table";
 
 /** A mistake in how the command was called: one line, and exit status 2. */

@@ -4,9 +4,9 @@
  */
 import type { Specimen } from "../specimen/specimen";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "./errors";
-import type { Grown } from "./grown";
+import type { Grown } from "../models/bunch/grown";
 import { compileCore } from "./loader";
-import { encodeRequest, type RequestOptions } from "./request";
+import { encodeRequest, type RequestOptions } from "../models/bunch/request";
 import { Seat } from "./seat";
 import { spawnWorker } from "./spawn";
 

@@ -1,8 +1,8 @@
 /** One instance of the core: the only code that touches its memory. */
 import { CoreError, CoreTrap, UnsupportedError } from "./errors";
 import { ABI, areCoreExports, type CoreExports } from "./exports";
-import type { Grown } from "./grown";
-import { readGrown } from "./read_grown";
+import type { Grown } from "../models/bunch/grown";
+import { readGrown } from "../models/bunch/read_grown";
 import { Sections } from "./sections";
 
 /** Bytes of the largest request: the header, the parameters, `n` and the longest grammar stay far below. */
@@ -33,7 +33,7 @@ export class Core {
 	}
 
 	/**
-	 * Grows a request (core/request.ts). What comes back is the caller's own; nothing is kept.
+	 * Grows a request (models/bunch/request.ts). What comes back is the caller's own; nothing is kept.
 	 *
 	 * @throws CoreError where the request cannot be grown; the instance stays good
 	 * @throws CoreTrap where the core broke; the instance must be thrown away

@@ -1,4 +1,4 @@
-/** The core's exports and the sections of its results, by the names and numbers of wasm_api/panicle.h. */
+/** The core's exports and the sections of its results, by the names and numbers of boundary/panicle.h. */
 
 type Pointer = number;
 

@@ -1,6 +1,6 @@
 /** What the page and the worker say to each other. */
 import type { CoreReason } from "./errors";
-import type { Grown } from "./grown";
+import type { Grown } from "../models/bunch/grown";
 
 /** To the worker: the compiled core, once; then requests. */
 export type ToWorker =

@@ -2,7 +2,7 @@
 import { Core } from "./core";
 import { CoreError } from "./errors";
 import type { FromWorker, ToWorker } from "./messages";
-import { buffersOf } from "./read_grown";
+import { buffersOf } from "../models/bunch/read_grown";
 
 /** @returns what to call with every message; `post` sends an answer, moving the buffers instead of copying them */
 export function serve(

@@ -2,7 +2,7 @@
  * The colours of natural berries, vertex by vertex: what a picture of the skin would show, so that any viewer does.
  * How ripe each is and what the sun did to it comes from the core; unevenness and bloom from the look.
  */
-import type { BerrySurfaces, Fruit, Grown } from "../core/grown";
+import type { BerrySurfaces, Fruit, Grown } from "../models/bunch/grown";
 import type { Look, Specimen } from "../specimen/specimen";
 import { type BerryTint, berryTint, waxColour } from "./berry_tint";
 import { type Colour, clamp, mix, smoothstep } from "./colour";

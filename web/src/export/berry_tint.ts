@@ -2,7 +2,7 @@
  * How one berry's colours differ from the bunch's: by chance, which its id decides for ever, by the sun it had and by how
  * far it has dried. The same rules by which the app draws it (scene/skin.ts).
  */
-import type { Grown } from "../core/grown";
+import type { Grown } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 import { type Colour, clamp, fromLch, type Lch, linear, mixed, smoothstep, toLch } from "./colour";
 import { hashFraction } from "./noise";

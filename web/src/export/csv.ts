@@ -2,8 +2,8 @@
  * Grown → tables for a spreadsheet or a data frame: RFC 4180, comma and CRLF, one header row with the unit in each
  * name. Needs no meshes. What the columns mean is in docs/export.md.
  */
-import type { Grown } from "../core/grown";
-import { classOf } from "../specimen/measures";
+import type { Grown } from "../models/bunch/grown";
+import { classOf } from "../models/bunch/measures";
 import type { Specimen } from "../specimen/specimen";
 import { measureValues } from "./measures";
 import { rounded } from "./numbers";

@@ -1,5 +1,5 @@
 /** Which berries still show their flower's stamens, and how large. */
-import type { Grown, Mesh } from "../core/grown";
+import type { Grown, Mesh } from "../models/bunch/grown";
 import { traitOf } from "./traits";
 
 /** Stamens smaller than this share of open ones are hidden in the bud, or have fallen. */

@@ -1,5 +1,5 @@
 /** Leaves and cane in a GLB: one node for each, so that a leaf can be taken off or turned by itself. */
-import type { Foliage, FoliagePart, Grown } from "../core/grown";
+import type { Foliage, FoliagePart, Grown } from "../models/bunch/grown";
 import type { GltfDocument } from "./gltf_document";
 import { CANE, leafMaterial, type Material, PETIOLE } from "./materials";
 import { cut, meanOf } from "./meshes";

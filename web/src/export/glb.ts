@@ -1,7 +1,7 @@
 /**
  * Grown → binary glTF 2.0, in metres, +Y up. What is in the file, and why it is so, is in docs/export.md.
  */
-import type { Grown, StemMesh } from "../core/grown";
+import type { Grown, StemMesh } from "../models/bunch/grown";
 import { encodeLink } from "../specimen/link";
 import type { Specimen } from "../specimen/specimen";
 import { writtenSpecimen } from "../specimen/written";

@@ -2,7 +2,7 @@
  * A glTF document while it fills: nodes, meshes, materials and the buffer behind them, each used by another, as
  * validators ask. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
  */
-import type { Mesh } from "../core/grown";
+import type { Mesh } from "../models/bunch/grown";
 import { type AccessorData, BinaryGltf, type ViewLayout } from "./binary_gltf";
 import { GENERATOR } from "./generator";
 import { gltfMaterial, type Material } from "./materials";

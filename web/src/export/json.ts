@@ -16,7 +16,7 @@ import {
 	type Procedure,
 	type Thinned,
 	type Trait,
-} from "../core/grown";
+} from "../models/bunch/grown";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { measuresOf, type WrittenMeasures } from "./measures";

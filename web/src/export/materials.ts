@@ -1,5 +1,5 @@
 /** The materials of a bunch as physically based values, shared by GLB and OBJ. Why each is so is in docs/export.md. */
-import type { Fruit } from "../core/grown";
+import type { Fruit } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 import { type Colour, linear, mix, mixed, smoothstep, toLch } from "./colour";
 import { rounded } from "./numbers";

@@ -1,6 +1,6 @@
 /** The measures of a growth by their keys. */
-import type { Grown } from "../core/grown";
-import { MEASURES, type MeasureInfo, type MeasureKey } from "../specimen/measures.generated";
+import type { Grown } from "../models/bunch/grown";
+import { MEASURES, type MeasureInfo, type MeasureKey } from "../models/bunch/measures.generated";
 import { shortFloat } from "./numbers";
 
 /** A measure's description and its value: null where it does not apply to this bunch. */

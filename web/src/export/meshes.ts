@@ -1,4 +1,4 @@
-import type { BerrySurfaces, Grown, Mesh, StemMesh, StemPart, Trait } from "../core/grown";
+import type { BerrySurfaces, Grown, Mesh, StemMesh, StemPart, Trait } from "../models/bunch/grown";
 import { traitOf } from "./traits";
 
 /** What the stems and berries are drawn with: one berry for all (paper), or each its own surface (natural). */

@@ -2,7 +2,7 @@
  * The names a reader of an export sees in an outliner: the same in GLB and OBJ. Numbers start at 1, as people count,
  * and are padded so that sorting by name keeps their order.
  */
-import type { FoliagePart } from "../core/grown";
+import type { FoliagePart } from "../models/bunch/grown";
 import type { Specimen } from "../specimen/specimen";
 
 /** Node of the whole plant, e.g. `Bunch long-conical`. */

@@ -2,7 +2,7 @@
  * Grown → Wavefront OBJ with MTL, as the paper exports: metres, +Y up, every berry baked. The objects have the names
  * of the GLB's nodes, with underscores for spaces. What is in the files is in docs/export.md.
  */
-import type { BerrySurfaces, Grown, Mesh, StemMesh } from "../core/grown";
+import type { BerrySurfaces, Grown, Mesh, StemMesh } from "../models/bunch/grown";
 import { encodeQuery } from "../specimen/link";
 import type { Specimen } from "../specimen/specimen";
 import { berryColours } from "./berry_colour";

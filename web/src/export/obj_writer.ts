@@ -1,5 +1,5 @@
 /** The statements of an OBJ, object by object: positions, normals, then the faces between them. */
-import type { Mesh } from "../core/grown";
+import type { Mesh } from "../models/bunch/grown";
 import { TextBuffer } from "./text_buffer";
 
 /** Of a metre: a micrometre. */

@@ -2,7 +2,7 @@
  * Natural berries in a GLB: each its own mesh about its own centre, so that it can be moved; texture coordinates and
  * triangles of one pattern; one material; flowers that have not set as children of their berries.
  */
-import type { BerrySurfaces, Grown, Mesh } from "../core/grown";
+import type { BerrySurfaces, Grown, Mesh } from "../models/bunch/grown";
 import type { Specimen } from "../specimen/specimen";
 import { berryColours } from "./berry_colour";
 import { type Flowers, flowerOf } from "./flowers";
@@ -16,7 +16,7 @@ import { traitOf } from "./traits";
 import { vertexColours } from "./vertex_colours";
 
 const ORIGIN = [0, 0, 0];
-/** Where filaments end and anthers begin (geometry/flower.hpp). */
+/** Where filaments end and anthers begin (models/bunch/fruit/flower.hpp). */
 const ANTHER_V = 0.5;
 
 /** Appends the group `Berries`; returns its index. */

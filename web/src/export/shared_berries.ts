@@ -1,5 +1,5 @@
 /** The paper's berries in a GLB: one mesh of unit radius, drawn by a node each or by instances. */
-import type { Grown, Mesh } from "../core/grown";
+import type { Grown, Mesh } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 import type { GltfDocument, Json, Placed } from "./gltf_document";
 import { SCAR_TINT, skinMaterial } from "./materials";

@@ -2,7 +2,7 @@
  * The colours of natural stems, vertex by vertex: green first, woody as the berries turn and dry, from the nodes, the
  * rachis first and pedicels last. The same rules by which the app draws them (scene/stem_material.ts).
  */
-import { type Grown, INTERNODE_KINDS, INTERNODE_STATES, type StemMesh } from "../core/grown";
+import { type Grown, INTERNODE_KINDS, INTERNODE_STATES, type StemMesh } from "../models/bunch/grown";
 import type { Specimen } from "../specimen/specimen";
 import { clamp, linear, mix, smoothstep } from "./colour";
 import { meanOf } from "./meshes";

@@ -1,5 +1,5 @@
 /** The traits of one berry by name. */
-import { type Berries, TRAITS, type Trait } from "../core/grown";
+import { type Berries, TRAITS, type Trait } from "../models/bunch/grown";
 
 const PLACE = Object.fromEntries(TRAITS.map((trait, index) => [trait, index])) as Record<Trait, number>;
 

@@ -1,4 +1,4 @@
-import type { Berries, BerrySurfaces, Grown, Mesh } from "../core/grown";
+import type { Berries, BerrySurfaces, Grown, Mesh } from "../models/bunch/grown";
 
 /** Texels of vertices side by side in one row of their texture. */
 export const VERTICES_PER_ROW = 1024;

@@ -9,7 +9,7 @@ import {
 	type ShaderMaterial,
 	Vector3,
 } from "three";
-import type { BerrySurfaces, Foliage, Grown, StemMesh } from "../core/grown";
+import type { BerrySurfaces, Foliage, Grown, StemMesh } from "../models/bunch/grown";
 import { packVertices, surfacesOf, VERTICES_PER_ROW } from "./berry_skins";
 import { openFlowers } from "./flowers";
 import { RecordTexture } from "./record_texture";

@@ -6,7 +6,7 @@ import {
 	Vector3,
 	WebGLRenderer,
 } from "three";
-import type { Grown } from "../core/grown";
+import type { Grown } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 import { type Spindle, spindleOf } from "./camera_fit";
 import { FrameLoop } from "./frame_loop";

@@ -1,4 +1,4 @@
-import type { Berries } from "../core/grown";
+import type { Berries } from "../models/bunch/grown";
 import { traitOf } from "./traits";
 
 /** The open flowers: berry and how far its stamens stand out, 0 … 1; two numbers each. They wither as the berry sets. */

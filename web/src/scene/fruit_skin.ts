@@ -1,4 +1,4 @@
-import type { Fruit } from "../core/grown";
+import type { Fruit } from "../models/bunch/grown";
 import type { Rgb } from "./colour";
 
 /** How the skin of a kind of fruit is made, whatever its colour. */

@@ -1,4 +1,4 @@
-import type { Foliage } from "../core/grown";
+import type { Foliage } from "../models/bunch/grown";
 
 /** Discs that a leaf's shadow is laid with. */
 const DISCS = 28;

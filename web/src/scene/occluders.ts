@@ -1,4 +1,4 @@
-import type { Berries } from "../core/grown";
+import type { Berries } from "../models/bunch/grown";
 import { halvesOf } from "./traits";
 
 /** From these lengths over widths on, a berry stands in the light as two spheres, as three. */

@@ -1,4 +1,4 @@
-import type { Berries } from "../core/grown";
+import type { Berries } from "../models/bunch/grown";
 import { halvesOf } from "./traits";
 
 export type Vector = readonly [x: number, y: number, z: number];

@@ -1,4 +1,4 @@
-import type { Grown } from "../core/grown";
+import type { Grown } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 import { BunchView } from "./bunch_view";
 import type { Theme } from "./light";

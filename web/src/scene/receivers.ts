@@ -1,4 +1,4 @@
-import type { Berries, Grown } from "../core/grown";
+import type { Berries, Grown } from "../models/bunch/grown";
 import type { Rgb } from "./colour";
 import { type Occluders, occludersOf } from "./occluders";
 import type { BerryTint } from "./skin";

@@ -1,4 +1,4 @@
-import { type Grown, type Mesh, type PlanSide, TRAITS } from "../core/grown";
+import { type Grown, type Mesh, type PlanSide, TRAITS } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 
 const side: PlanSide = { w: 0, r: 0, n: 0, rd: 0 };

@@ -1,4 +1,4 @@
-import type { Fruit } from "../core/grown";
+import type { Fruit } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 import { clamp, fromHex, fromLch, mix, mixRgb, type Rgb, smoothstep, toLch } from "./colour";
 import { FRUIT_SKINS, type FruitSkin } from "./fruit_skin";

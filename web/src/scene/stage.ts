@@ -1,5 +1,5 @@
 import { type PerspectiveCamera, Scene, type WebGLRenderer } from "three";
-import type { Grown } from "../core/grown";
+import type { Grown } from "../models/bunch/grown";
 import type { Look } from "../specimen/specimen";
 import { Backdrop } from "./backdrop";
 import { berryMaterial, NONE, setSkin } from "./berry_material";

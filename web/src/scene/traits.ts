@@ -1,4 +1,4 @@
-import { type Berries, TRAITS, type Trait } from "../core/grown";
+import { type Berries, TRAITS, type Trait } from "../models/bunch/grown";
 
 const PLACE = Object.fromEntries(TRAITS.map((trait, at) => [trait, at])) as Record<Trait, number>;
 

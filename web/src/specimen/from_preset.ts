@@ -1,5 +1,5 @@
-import type { LookKey, NumberKey } from "./parameters.generated";
-import { DEFAULT_PRESET, presetNamed } from "./presets/index";
+import type { LookKey, NumberKey } from "../models/bunch/parameters.generated";
+import { DEFAULT_PRESET, presetNamed } from "../models/bunch/presets/index";
 import { type Look, SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { CORE_ENTRIES, ENTRIES, isLook } from "./table";
 

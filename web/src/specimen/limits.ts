@@ -11,7 +11,7 @@ export const INPUT_N = { kind: "integer", min: 0, max: 100 } as const;
 /** Values of `n`: n₁ … n₍m−1₎ of the longest rachis. */
 export const INPUT_N_LENGTH = INPUT_M.max - 1;
 
-/** Ids of berries are below this (wasm_api/panicle.h). */
+/** Ids of berries are below this (boundary/panicle.h). */
 export const BERRY_IDS = 2 ** 30;
 /** Berries that can be taken off by hand: a link of as many still fits an address bar. */
 export const MOST_THINNED = 500;

@@ -7,7 +7,7 @@ import { compressText, expandText } from "./compressed_text";
 import { DEFAULT_SEED, specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES } from "./limits";
 import { Notes } from "./notes";
-import { DEFAULT_PRESET } from "./presets/index";
+import { DEFAULT_PRESET } from "../models/bunch/presets/index";
 import { type Restored, restore } from "./restore";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { byLink, writtenIn } from "./table";

@@ -5,7 +5,7 @@
 import { specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES, INPUT_M, INPUT_N, INPUT_N_LENGTH, SEED } from "./limits";
 import { type Note, Notes, quote } from "./notes";
-import { presetNamed } from "./presets/index";
+import { presetNamed } from "../models/bunch/presets/index";
 import { isRecord, readChoice, readColour, readList, readNumber, readNumbers } from "./read_values";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import {

@@ -1,4 +1,4 @@
-import type { ColourKey, LookKey, NumberKey } from "./parameters.generated";
+import type { ColourKey, LookKey, NumberKey } from "../models/bunch/parameters.generated";
 
 /** The version of what a link means. A new default is a new version; an old one never changes its meaning. */
 export const SPECIMEN_VERSION = 2;

@@ -1,4 +1,4 @@
-import type { NumberKey } from "./parameters.generated";
+import type { NumberKey } from "../models/bunch/parameters.generated";
 import type { Specimen } from "./specimen";
 import { CORE_ENTRIES, writtenIn } from "./table";
 

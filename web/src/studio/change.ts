@@ -1,9 +1,9 @@
 /** The pure half of the store: what a control's change makes of the document. */
-import { withOpposites } from "../profile/drag";
-import { SIDES } from "../profile/handles";
+import { withOpposites } from "../models/bunch/profile/drag";
+import { SIDES } from "../models/bunch/profile/handles";
 import { withLook, withParameters, withSeed } from "../specimen/edit";
 import { specimenFromPreset } from "../specimen/from_preset";
-import { LOOK_KEYS } from "../specimen/parameters.generated";
+import { LOOK_KEYS } from "../models/bunch/parameters.generated";
 import { sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import type { Change, Locks } from "./types";

@@ -1,6 +1,6 @@
 /** One sentence about whatever of the panel is under the pointer or in focus: a parameter or a measure. */
-import { MEASURES } from "../specimen/measures.generated";
-import { PARAMETERS, type ParameterInfo } from "../specimen/parameters.generated";
+import { MEASURES } from "../models/bunch/measures.generated";
+import { PARAMETERS, type ParameterInfo } from "../models/bunch/parameters.generated";
 import type { Specimen } from "../specimen/specimen";
 
 export interface Explained {

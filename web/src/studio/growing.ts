@@ -1,6 +1,6 @@
 import type { Client } from "../core/client";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
-import type { RequestOptions } from "../core/request";
+import type { RequestOptions } from "../models/bunch/request";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
 import type { Failure, Remedy } from "./types";

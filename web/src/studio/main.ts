@@ -1,7 +1,7 @@
 /** The application's start: wires the store to the worker, the address bar and the page, and nothing else. */
 import coreUrl from "../../../build/core/panicle.wasm?url";
 import { createClient } from "../core/client";
-import { presetNamed } from "../specimen/presets/index";
+import { presetNamed } from "../models/bunch/presets/index";
 import { readAddress, readWholeAddress, writeAddress } from "./address";
 import { AgePlayer } from "./age_player";
 import { Growing } from "./growing";

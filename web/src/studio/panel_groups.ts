@@ -1,6 +1,6 @@
 /** Which of the table's groups and parameters the panel shows: those that the chosen procedure heeds. */
-import { PROCEDURES, type Procedure } from "../core/grown";
-import { GROUPS, type GroupInfo, PARAMETERS, type ParameterInfo } from "../specimen/parameters.generated";
+import { PROCEDURES, type Procedure } from "../models/bunch/grown";
+import { GROUPS, type GroupInfo, PARAMETERS, type ParameterInfo } from "../models/bunch/parameters.generated";
 import type { Specimen } from "../specimen/specimen";
 
 /** Those with a control of their own elsewhere: the age stands below the view, at hand on every screen. */

@@ -1,6 +1,6 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
-import type { OctahedronHandles } from "../profile/octahedron";
-import type { OctahedronColours } from "../profile/octahedron_figure";
+import type { OctahedronHandles } from "../models/bunch/profile/octahedron";
+import type { OctahedronColours } from "../models/bunch/profile/octahedron_figure";
 import type { BunchView } from "../scene/bunch_view";
 import type { Studio, StudioState } from "./studio";
 import { isDark } from "./theme";
@@ -109,7 +109,7 @@ export class SolidView {
 	}
 
 	async #createHandles(): Promise<OctahedronHandles> {
-		const { OctahedronHandles } = await import("../profile/octahedron");
+		const { OctahedronHandles } = await import("../models/bunch/profile/octahedron");
 		const { view, canvas, studio } = this;
 		const handles = new OctahedronHandles({
 			canvas,

@@ -1,5 +1,5 @@
-import type { Grown } from "../core/grown";
-import { mirrorFrontBack, mirrorLeftRight } from "../profile/drag";
+import type { Grown } from "../models/bunch/grown";
+import { mirrorFrontBack, mirrorLeftRight } from "../models/bunch/profile/drag";
 import { thin, unthinAll } from "../specimen/edit";
 import { specimenFromPreset } from "../specimen/from_preset";
 import * as histories from "../specimen/history";

@@ -1,5 +1,5 @@
-import type { Locks } from "../profile/handles";
-import type { NumberKey } from "../specimen/parameters.generated";
+import type { Locks } from "../models/bunch/profile/handles";
+import type { NumberKey } from "../models/bunch/parameters.generated";
 import type { Look } from "../specimen/specimen";
 
 export type { Locks };

@@ -1,6 +1,6 @@
 /** The bunch in a few plain words: for the caption, the picture's description and the screen reader. */
-import type { Grown } from "../core/grown";
-import { metresPerPixel } from "../profile/handles";
+import type { Grown } from "../models/bunch/grown";
+import { metresPerPixel } from "../models/bunch/profile/handles";
 import type { Specimen } from "../specimen/specimen";
 import { FRUIT_SET } from "./age";
 

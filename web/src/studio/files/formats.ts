@@ -1,5 +1,5 @@
 /** What `Download` gives. Exporters are loaded when first asked for: they are no part of the first load. */
-import type { Grown, Procedure } from "../../core/grown";
+import type { Grown, Procedure } from "../../models/bunch/grown";
 import type { Specimen } from "../../specimen/specimen";
 import { zip } from "./zip";
 

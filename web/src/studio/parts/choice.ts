@@ -1,6 +1,6 @@
 import { html } from "lit";
 import { live } from "lit/directives/live.js";
-import type { NumberKey, ParameterInfo } from "../../specimen/parameters.generated";
+import type { NumberKey, ParameterInfo } from "../../models/bunch/parameters.generated";
 import { StudioElement } from "./studio_element";
 
 /** As many options as stand side by side; more of them drop down. */

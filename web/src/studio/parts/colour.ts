@@ -1,5 +1,5 @@
 import { html } from "lit";
-import type { ColourKey, ParameterInfo } from "../../specimen/parameters.generated";
+import type { ColourKey, ParameterInfo } from "../../models/bunch/parameters.generated";
 import type { Studio } from "../studio";
 import { StudioElement } from "./studio_element";
 

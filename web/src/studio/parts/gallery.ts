@@ -1,5 +1,5 @@
 import { html } from "lit";
-import { PRESETS, type Preset, type PresetKind } from "../../specimen/presets/index";
+import { PRESETS, type Preset, type PresetKind } from "../../models/bunch/presets/index";
 import type { Studio } from "../studio";
 import { isDark } from "../theme";
 import { StudioElement } from "./studio_element";

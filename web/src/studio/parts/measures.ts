@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
-import { classOf, measureText, skinClass } from "../../specimen/measures";
-import { MEASURE_GROUPS, MEASURES, type MeasureInfo, SKIN_COLOUR } from "../../specimen/measures.generated";
+import { classOf, measureText, skinClass } from "../../models/bunch/measures";
+import { MEASURE_GROUPS, MEASURES, type MeasureInfo, SKIN_COLOUR } from "../../models/bunch/measures.generated";
 import type { Look } from "../../specimen/specimen";
 
 /** What a row needs of a measure, or of the skin's colour, which is of the look. */

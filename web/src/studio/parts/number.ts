@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
-import type { ParameterInfo } from "../../specimen/parameters.generated";
+import type { ParameterInfo } from "../../models/bunch/parameters.generated";
 import type { Specimen } from "../../specimen/specimen";
 import { entryOf, type NumberEntry, nearestWithin } from "../../specimen/table";
 import type { Change } from "../types";

@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import type { Procedure } from "../../core/grown";
-import type { ParameterInfo } from "../../specimen/parameters.generated";
+import type { Procedure } from "../../models/bunch/grown";
+import type { ParameterInfo } from "../../models/bunch/parameters.generated";
 import { isAsPrinted } from "../change";
 import { type Explained, explainedBy, FIRST_WORDS, presetInWords } from "../explained";
 import { groupsFor, type PanelGroup, procedureOf } from "../panel_groups";

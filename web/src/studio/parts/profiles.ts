@@ -1,8 +1,8 @@
 import { html } from "lit";
-import type { ProfileEvent } from "../../profile/profile_view";
+import type { ProfileEvent } from "../../models/bunch/profile/profile_view";
 import type { Studio } from "../studio";
 import { StudioElement } from "./studio_element";
-import "../../profile/profile_view";
+import "../../models/bunch/profile/profile_view";
 
 const VIEWS = [
 	["front", "Front"],

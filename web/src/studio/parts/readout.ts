@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { type Grown, type Plan, THINNED_WHY } from "../../core/grown";
+import { type Grown, type Plan, THINNED_WHY } from "../../models/bunch/grown";
 import type { StudioState } from "../studio";
 import { VERSION } from "../version";
 import { measured } from "./measures";

@@ -1,5 +1,5 @@
 import { html } from "lit";
-import type { Grown } from "../../core/grown";
+import type { Grown } from "../../models/bunch/grown";
 import type { Studio } from "../studio";
 import { bunchInWords } from "../words";
 import { StudioElement } from "./studio_element";

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
-import type { Berries, Grown } from "../../core/grown";
+import type { Berries, Grown } from "../../models/bunch/grown";
 import { fromTheTop, placeInWords, widthInWords } from "../berry_places";
 import type { Studio } from "../studio";
 import { icon } from "./icons";

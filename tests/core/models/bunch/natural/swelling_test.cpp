@@ -1,0 +1,109 @@
+#include "models/bunch/natural/swelling.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "models/bunch/natural/ripening.hpp"
+#include "foundation/mathematics.hpp"
+
+using namespace panicle;
+using namespace panicle::bunch;
+
+namespace {
+
+const std::vector<float> ripe = sizes_until(100);
+
+// A roomy outline: a drum 200 mm long and as wide.
+const std::vector<Bound> roomy{{Envelope(Profile{400, {{{230, 40}, {230, 40}, {230, 40}, {230, 40}}}}, 0.5f, 110), 0}};
+
+Swelling berry_at(std::uint32_t branch, const glm::vec3& heading, float half = 8) {
+  Swelling berry;
+  berry.branch = branch;
+  berry.heading = heading;
+  berry.stalk = 8;
+  berry.half_width = berry.half_length = half;
+  return berry;
+}
+
+}  // namespace
+
+TEST_CASE("a berry alone hangs at its pedicel's end, straight ahead") {
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 2, 0}};
+  const std::vector<Swelling> berries{berry_at(0, {1, 0, 0})};
+  const Swollen one = swell(branches, berries, roomy, ripe);
+  CHECK(one.lost[0] == Why{});
+  const float far = glm::length(one.centres[0] - one.ends[0]);
+  CHECK(far <= 16.01f);
+  CHECK(far >= 0.6f * 8 + 8 - 0.01f);
+  CHECK(one.directions[0].x > 0.9f);
+  CHECK(one.centres[0].y < -100.0f);  // gravity
+}
+
+TEST_CASE("two berries side by side part, and overlap by little") {
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
+  const std::vector<Swelling> berries{berry_at(0, glm::normalize(glm::vec3(1, 0.3f, 0))),
+                                      berry_at(0, glm::normalize(glm::vec3(1, -0.3f, 0)))};
+  const Swollen two = swell(branches, berries, roomy, ripe);
+  CHECK(glm::length(two.centres[0] - two.centres[1]) > 0.8f * 16);
+}
+
+TEST_CASE("fingers part by their sides, not by their middles") {
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}, {{0, 0, 0}, {12, -100, 0}, -1, 1, 0}};
+  std::vector<Swelling> berries{berry_at(0, {0, -1, 0}), berry_at(1, {0, -1, 0})};
+  for (Swelling& berry : berries) berry.half_length = 20;
+  const Swollen two = swell(branches, berries, roomy, ripe);
+  const float apart = glm::length(two.centres[0] - two.centres[1]);
+  CHECK(apart > 11.5f);
+  CHECK(apart < 20);
+}
+
+TEST_CASE("a loaded branch gives way, a stiff one does not") {
+  for (const float give : {0.0f, 0.8f}) {
+    const std::vector<Branch> branches{{{0, 0, 0}, {0, -60, 0}, -1, 2, 0}, {{0, -60, 0}, {30, -60, 0}, 0, 1, give}};
+    // Two berries on two branches want one place.
+    const std::vector<Branch> all{branches[0], branches[1], {{0, -60, 0}, {30, -64, 0}, 0, 1, give}};
+    const std::vector<Swelling> berries{berry_at(1, {1, 0, 0}, 12), berry_at(2, {1, 0, 0}, 12)};
+    const Swollen bent = swell(all, berries, roomy, ripe);
+    const float moved = glm::length(bent.ends[1] - all[1].end);
+    CHECK((give > 0 ? moved > 0.01f : moved == 0));
+  }
+}
+
+TEST_CASE("berries keep to the outline as far as they may") {
+  const std::vector<Bound> narrow{{Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
+  const std::vector<Swelling> berries{berry_at(0, {1, 0, 0}), berry_at(0, {-1, 0, 0})};
+  const Swollen kept = swell(branches, berries, narrow, ripe);
+  for (const glm::vec3& centre : kept.centres) CHECK(std::abs(centre.x) < 20 + 0.5f * 8);
+}
+
+TEST_CASE("a berry that cannot get room is lost, and only then; one taken by hand is") {
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
+  std::vector<Swelling> berries;
+  for (int k = 0; k < 40; ++k) {
+    const SinCos turn = sincos_degrees(static_cast<float>(k) * 137.5f);
+    const float y = 1 - (static_cast<float>(k) + 0.5f) / 20;
+    const float out = std::sqrt(1 - y * y);
+    berries.push_back(berry_at(0, {out * turn.cosine, y, out * turn.sine}, 14));
+  }
+  const Swollen crowd = swell(branches, berries, roomy, ripe);
+  int lost = 0;
+  for (const Why why : crowd.lost) lost += why == Why::no_room;
+  CHECK(lost > 0);
+  CHECK(lost < 36);
+
+  std::vector<Swelling> few{berries[0], berries[7]};
+  few[1].taken = true;
+  const Swollen taken = swell(branches, few, roomy, ripe);
+  CHECK(taken.lost[0] == Why{});
+  CHECK(taken.lost[1] == Why::by_hand);
+}
+
+TEST_CASE("nothing to swell is no trouble") {
+  CHECK(swell({}, {}, roomy, ripe).centres.empty());
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, 0, 0}, -1, 1, 0}};
+  const std::vector<Swelling> berries{berry_at(0, {0, -1, 0})};
+  CHECK(swell(branches, berries, roomy, {}).centres.size() == 1);
+}

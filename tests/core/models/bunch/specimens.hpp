@@ -1,0 +1,96 @@
+// Requests and checks that the bunch's tests share.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "models/bunch/builtin_grammars.hpp"
+#include "models/bunch/bunch.hpp"
+#include "models/bunch/parameters.generated.hpp"
+#include "foundation/random.hpp"
+#include "models/bunch/table3.hpp"
+
+namespace panicle::tests {
+
+inline void set(bunch::Request& request, bunch::Parameter key, float value) {
+  request.parameters.resize(bunch::parameter_count, std::numeric_limits<float>::quiet_NaN());
+  request.parameters[static_cast<std::size_t>(key)] = value;
+}
+
+inline void set_profile(bunch::Request& request, const bunch::Profile& profile) {
+  set(request, bunch::Parameter::l, profile.length);
+  const auto first = static_cast<std::uint32_t>(bunch::Parameter::p3w);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    set(request, static_cast<bunch::Parameter>(first + 2 * i), profile.sides[i].width);
+    set(request, static_cast<bunch::Parameter>(first + 2 * i + 1), profile.sides[i].drop);
+  }
+}
+
+inline bunch::Request request_for(const bunch::Profile& profile, std::uint32_t seed = 1) {
+  bunch::Request request;
+  request.seed = seed;
+  request.meshes = false;
+  set(request, bunch::Parameter::procedure, 0);
+  set_profile(request, profile);
+  return request;
+}
+
+// The natural procedure.
+inline bunch::Request natural_request(const bunch::Profile& profile, std::uint32_t seed = 1) {
+  bunch::Request request = request_for(profile, seed);
+  set(request, bunch::Parameter::procedure, 1);
+  request.measures = false;
+  return request;
+}
+
+// The paper's letter: whole segments, no variation.
+inline bunch::Request as_printed(const bunch::Profile& profile, std::uint32_t seed = 1) {
+  bunch::Request request = request_for(profile, seed);
+  set(request, bunch::Parameter::fit, 0);
+  set(request, bunch::Parameter::vary, 0);
+  return request;
+}
+
+inline void set_radius(bunch::Request& request, float low, float high) {
+  set(request, bunch::Parameter::rmin, low);
+  set(request, bunch::Parameter::rmax, high);
+}
+
+inline bunch::Profile random_profile(std::uint64_t seed) {
+  const auto pick = [seed](std::uint64_t k, std::int32_t low, std::int32_t high) {
+    return static_cast<float>(random_integer(seed, hash_text("profile"), k, low, high));
+  };
+  bunch::Profile profile{pick(0, 29, 580), {}};
+  for (std::uint64_t i = 0; i < 4; ++i) profile.sides[i] = {pick(1 + i, 0, 290), pick(5 + i, 0, 580)};
+  return profile;
+}
+
+// The built-in L-system 3 with one passage replaced wherever it stands; empty if it stands nowhere.
+inline std::string edited(std::string_view from, std::string_view to) {
+  std::string text(bunch::builtin_grammar(3));
+  bool found = false;
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+    found = true;
+  }
+  return found ? text : std::string();
+}
+
+// Greatest depth by which two berries overlap, in metres; 0 if none do.
+inline double worst_overlap(const bunch::Grown& grown) {
+  double worst = 0;
+  for (std::size_t a = 0; a < grown.berries.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const Berry &p = grown.berries[a], &q = grown.berries[b];
+      const double x = double(p.centre.x) - q.centre.x, y = double(p.centre.y) - q.centre.y,
+                   z = double(p.centre.z) - q.centre.z;
+      worst = std::fmax(worst, double(p.radius) + q.radius - std::sqrt(x * x + y * y + z * z));
+    }
+  return worst;
+}
+
+}  // namespace panicle::tests

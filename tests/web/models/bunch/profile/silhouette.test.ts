@@ -1,0 +1,59 @@
+import { describe, expect, it } from "vitest";
+import { TRAITS } from "../../../../../web/src/models/bunch/grown";
+import { metresPerPixel } from "../../../../../web/src/models/bunch/profile/handles";
+import { type DrawnBunch, silhouette } from "../../../../../web/src/models/bunch/profile/silhouette";
+
+const PIXEL = metresPerPixel(0.25);
+const inPixels = (...values: number[]) => Float32Array.from(values, (value) => value * PIXEL);
+
+/** Traits of berries of these widths and lengths, in pixels. */
+function sized(...sizes: [width: number, length: number][]): Float32Array {
+	const rest = new Array<number>(TRAITS.length - 2).fill(0);
+	return Float32Array.from(sizes.flatMap(([width, length]) => [width * PIXEL, length * PIXEL, ...rest]));
+}
+
+/** Berry 0 at the right and in front, berry 1 at the left and behind; one internode between two corners. */
+const bunch: DrawnBunch = {
+	berries: {
+		count: 2,
+		spheres: inPixels(30, -100, 40, 12, -50, -200, -60, 15),
+		// Hanging straight down; end on to the front view.
+		directions: Float32Array.of(0, -1, 0, 0, 0, 1),
+		parent: new Int32Array(2),
+		ids: Uint32Array.of(0, 1),
+		traits: sized([24, 24], [30, 40]),
+	},
+	internodes: {
+		count: 1,
+		parent: Int32Array.of(-1),
+		kind: new Uint8Array(1),
+		axis: Int32Array.of(-1),
+		state: new Uint8Array(1),
+		ends: inPixels(0, 0, 0, 3, -29, 5),
+		radii: new Float32Array(2),
+	},
+};
+
+describe("silhouette", () => {
+	it("shows the front view from +Z: p3's side (+X) at the right, what is far first", () => {
+		const { berries, stems } = silhouette(bunch, "front", 0.25);
+		expect(berries).toEqual([
+			{ x: -50, y: 200, rx: 15, ry: 15, turn: 0 },
+			{ x: 30, y: 100, rx: 12, ry: 12, turn: 90 },
+		]);
+		expect(stems).toBe("M0 0L3 29");
+	});
+
+	it("shows the side view from −X: p5's side (+Z) at the right, what is far first", () => {
+		const { berries, stems } = silhouette(bunch, "side", 0.25);
+		expect(berries).toEqual([
+			{ x: 40, y: 100, rx: 12, ry: 12, turn: 90 },
+			{ x: -60, y: 200, rx: 20, ry: 15, turn: 0 },
+		]);
+		expect(stems).toBe("M0 0L5 29");
+	});
+
+	it("follows the scale, so that the drawing stays on the profile", () => {
+		expect(silhouette(bunch, "front", 0.5).berries[1]).toMatchObject({ x: 15, y: 50, rx: 6, ry: 6 });
+	});
+});

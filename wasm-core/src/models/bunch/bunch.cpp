@@ -1,0 +1,109 @@
+#include "models/bunch/bunch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "models/bunch/natural/natural.hpp"
+#include "models/bunch/paper/paper.hpp"
+#include "models/bunch/values.hpp"
+#include "foundation/fingerprint.hpp"
+#include "foundation/random.hpp"
+#include "models/bunch/fruit/berry.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+void count(Grown& grown) {
+  Counts& counts = grown.counts;
+  counts.internodes = static_cast<std::uint32_t>(grown.internodes.size());
+  counts.berries = static_cast<std::uint32_t>(grown.berries.size());
+  for (const Internode& internode : grown.internodes) {
+    counts.end_structures += internode.kind == Kind::end;
+    counts.pedicels += internode.kind == Kind::pedicel;
+    counts.withered += internode.state == State::withered;
+  }
+}
+
+// docs/fingerprint.md has the order.
+std::uint64_t fingerprint(const Grown& grown) {
+  Fingerprint print;
+  const auto point = [&print](const glm::vec3& p) {
+    print.add(p.x);
+    print.add(p.y);
+    print.add(p.z);
+  };
+  for (const Internode& internode : grown.internodes) {
+    print.add(static_cast<float>(internode.parent));
+    print.add(static_cast<float>(internode.kind));
+    print.add(static_cast<float>(internode.axis));
+    print.add(static_cast<float>(internode.state));
+    point(internode.start);
+    point(internode.end);
+    print.add(internode.radius);
+    print.add(internode.radius_end);
+  }
+  for (std::size_t i = 0; i < grown.berries.size(); ++i) {
+    const Berry& berry = grown.berries[i];
+    point(berry.centre);
+    print.add(berry.radius);
+    print.add(static_cast<float>(berry.parent));
+    if (!grown.natural) continue;
+    print.add(static_cast<float>(berry.id));
+    print.add(grown.traits[i].width);
+    print.add(grown.traits[i].length);
+    point(berry.direction);
+  }
+  return print.value();
+}
+
+void add_mesh(Fingerprint& print, const Mesh& mesh) {
+  print.add(std::span<const float>(mesh.positions));
+  print.add(std::span<const float>(mesh.normals));
+  print.add(std::span<const float>(mesh.uvs));
+  print.add(std::span<const std::uint32_t>(mesh.indices));
+}
+
+// Stems, the paper's one berry, and the fingerprint of everything that has triangles.
+void add_meshes(Grown& grown, const Request& request) {
+  TubeOptions tubes;
+  if (grown.natural) tubes.sides = 8;  // hundreds of thin pedicels, most of them hidden
+  if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
+  BerryOptions berry;
+  if (request.berry_segments) berry.segments = std::clamp(request.berry_segments, 6u, 128u);
+  grown.stem = sweep_stems(grown.internodes, tubes, 1.0f);
+  Fingerprint print;
+  add_mesh(print, grown.stem->mesh);
+  if (grown.surfaces) {
+    print.add(std::span<const float>(grown.surfaces->positions));
+    print.add(std::span<const float>(grown.surfaces->normals));
+    print.add(std::span<const std::uint32_t>(grown.surfaces->indices));
+  } else {
+    grown.berry = make_berry(berry);
+    add_mesh(print, *grown.berry);
+  }
+  if (grown.flower) add_mesh(print, *grown.flower);
+  if (grown.foliage) add_mesh(print, grown.foliage->mesh);
+  grown.mesh_fingerprint = print.value();
+}
+
+}  // namespace
+
+Result<Grown> grow(const Request& request, const Limits& limits) {
+  Grown grown;
+  const Values values(request.parameters, grown.notes);
+  grown.natural = values[Parameter::procedure] == 1;
+  const Diagnostic trouble =
+      grown.natural ? grow_natural(request, values, limits, grown) : grow_paper(request, values, limits, grown);
+  if (trouble.reason != Reason::none) return trouble;
+  count(grown);
+  grown.fingerprint = fingerprint(grown);
+  if (request.meshes) add_meshes(grown, request);
+  return grown;
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,30 @@
+// grow(request) → grown bunch. No files, no clock, no state: the same request gives the same bytes.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "models/bunch/grown.hpp"
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+
+namespace panicle::bunch {
+
+struct Request {
+  std::uint32_t seed = 1;
+  std::vector<float> parameters;       // in the order of parameter_table; NaN or missing: the default
+  std::int32_t m = 0;                  // rachis segments in place of the profile's; 0: from the profile
+  std::vector<std::int32_t> n;         // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
+  std::string_view grammar;            // empty: the built-in L-system 3
+  std::vector<std::uint32_t> thinned;  // berries taken off by hand, by id
+  bool meshes = true;
+  bool measures = true;
+  std::uint32_t stem_sides = 0;      // 0: default
+  std::uint32_t berry_segments = 0;  // 0: default
+};
+
+// Parameters out of range are clamped with a note; a grammar that cannot be used is an error with line and column.
+Result<Grown> grow(const Request& request, const Limits& limits = {});
+
+}  // namespace panicle::bunch

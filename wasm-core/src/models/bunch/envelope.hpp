@@ -1,0 +1,36 @@
+// The outline the handles mean: what a fitted bunch fills. Per side from p1 by a quarter ellipse to (w, r), straight to
+// what one end structure reaches sideways at the height of axis rd, constant from there to the tip, rounded there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "models/bunch/plan.hpp"
+
+namespace panicle::bunch {
+
+class Envelope {
+ public:
+  // rd is taken before it is rounded, so that the outline moves with every pixel.
+  // All in millimetres from here on. `pixel` is the millimetres to a pixel of the profile, `end_reach` how far one end
+  // structure reaches sideways.
+  Envelope(const Profile& profile, float pixel, float end_reach);
+
+  float length() const { return length_; }
+  // Half-width of side i (p3 +x, p4 −x, p5 +z, p6 −z) at a depth below p1; 0 outside 0 … length.
+  float half_width(std::size_t side, float depth) const;
+  // Between two neighbouring sides the outline is a quarter ellipse at every depth. Area of such a slice and volume.
+  float section(float depth) const;
+  float volume() const;
+  // The silhouette's area in a view from the front (sides 0, 1) or from the side (2, 3).
+  float area(std::size_t first_side) const;
+
+ private:
+  struct Side {
+    float width = 0, shoulder = 0, waist = 0, narrow = 0, rounding = 0;
+  };
+  float length_ = 0;
+  std::array<Side, 4> sides_ = {};
+};
+
+}  // namespace panicle::bunch

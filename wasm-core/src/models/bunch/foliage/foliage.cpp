@@ -1,0 +1,214 @@
+#include "models/bunch/foliage/foliage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <iterator>
+
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+#include "models/bunch/foliage/leaf.hpp"
+#include "geometry/tubes.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr std::uint32_t most_leaves = 5;
+constexpr std::uint32_t sides = 12;
+constexpr float between_berries_and_leaf = 0.008f;
+constexpr float blade_in_midribs = 1.25f;  // its length from the petiole sinus to the tip
+
+float within(float value, float least, float most) {
+  return value >= least ? std::min(value, most) : least;  // not a number: the least
+}
+
+float smooth(float t) {
+  t = within(t, 0, 1);
+  return t * t * (3 - 2 * t);
+}
+
+// Where a leaf stands: at which node of the cane (−1, 0, 1, before the sides are drawn), how far its blade is from
+// there, where its tip points and its upper face looks. Blades hang beside and behind the bunch's shoulders or stand
+// above them, overlap like roof tiles, and look up and to the front, where the light is. In the order in which leaves
+// are added.
+struct Stand {
+  int node;
+  glm::vec3 blade;  // metres
+  glm::vec2
+      by_bunch;  // and in half-widths of the bunch more: outwards, along x, where that is wide; backwards, along −z
+  glm::vec3 tip, upwards;
+  float size;  // share of the largest; those of lateral shoots are smaller
+};
+constexpr Stand stands[most_leaves] = {
+    {1, {0.014f, 0.024f, 0.012f}, {0.9f, 0}, {0.62f, -0.78f, 0.05f}, {0.18f, 0.45f, 0.88f}, 1},
+    {-1, {0.020f, 0.012f, -0.018f}, {0, 1}, {-0.42f, -0.90f, -0.05f}, {-0.20f, 0.32f, 0.92f}, 0.98f},
+    {0, {-0.008f, 0.050f, -0.034f}, {0, 0}, {-0.80f, 0.05f, -0.20f}, {0.05f, 0.60f, 0.80f}, 0.92f},
+    {1, {-0.030f, 0.046f, -0.046f}, {0, 0}, {0.50f, 0.42f, -0.40f}, {0.10f, 0.70f, 0.70f}, 0.80f},
+    {-1, {-0.026f, 0.048f, -0.030f}, {0.5f, 0}, {-0.92f, -0.25f, -0.05f}, {-0.28f, 0.50f, 0.82f}, 0.84f},
+};
+
+class Shoot {
+ public:
+  explicit Shoot(const FoliageOptions& options)
+      : seed_(options.seed),
+        leaves_(std::min(options.leaves, most_leaves)),
+        age_(within(options.age, 0, 125)),
+        rachis_radius_(within(options.peduncle_radius, 0.0005f, 0.01f)),
+        bunch_radius_(within(options.bunch_width, 0, 1) / 2),
+        mirror_(random_unit(seed_, hash_text("foliage side"), 0) < 0.5f ? -1.0f : 1.0f),
+        grown_(0.62f + 0.38f * smooth(age_ / 50)) {}
+
+  Foliage grow() {
+    lay_cane();
+    for (std::uint32_t k = 0; k < leaves_; ++k) place_leaf(k);
+    lay_peduncle();
+    sweep();
+    for (std::uint32_t k = 0; k < leaves_; ++k) append(leaf_meshes_[k], FoliagePart::Kind::leaf);
+    return std::move(foliage_);
+  }
+
+ private:
+  float between(std::string_view what, std::uint64_t address, float low, float high) const {
+    return low + (high - low) * random_unit(seed_, hash_text(what), address);
+  }
+
+  void internode(std::int32_t parent, std::int32_t axis, const glm::vec3& from, const glm::vec3& to, float radius,
+                 float radius_end) {
+    skeleton_.push_back(
+        {parent, axis < 0 ? Kind::rachis : Kind::axis, State::grown, axis, from, to, radius, radius_end});
+  }
+
+  // From one cut end to the other by three nodes, between which it goes a little to and fro, as shoots do.
+  void lay_cane() {
+    const float height = between("cane", 0, 0.030f, 0.046f);
+    const float rise = between("cane", 1, -0.06f, 0.12f);  // along x
+    const float arch = between("cane", 2, 0.2f, 0.6f);     // down to both ends, per metre
+    const float turn = between("cane", 3, -0.15f, 0.15f);
+    const float radius = 0.5f * between("cane", 4, 0.0064f, 0.0088f) * (0.8f + 0.2f * smooth(age_ / 60));
+    const float ends[] = {-between("cane", 5, 0.085f, 0.118f), -between("cane", 6, 0.062f, 0.075f), 0,
+                          between("cane", 7, 0.062f, 0.075f), between("cane", 8, 0.085f, 0.118f)};
+    for (std::size_t i = 0; i < std::size(ends); ++i) {
+      const float x = ends[i] * mirror_;
+      const float zigzag = i % 2 == 0 ? -0.0015f : 0.0015f;
+      places_[i] = {x, height + rise * ends[i] - arch * x * x + zigzag, turn * x - 0.004f};
+    }
+    for (std::size_t i = 0; i + 1 < std::size(ends); ++i) {
+      const float taper = 1 - 0.05f * static_cast<float>(i);
+      const float start = i == 0 ? 0.8f * radius : radius * taper;  // ends are drawn wider than nodes
+      internode(static_cast<std::int32_t>(i) - 1, -1, places_[i], places_[i + 1], start, radius * (taper - 0.05f));
+    }
+  }
+
+  // It comes out of the middle node and ends within the rachis, which is as thick there.
+  void lay_peduncle() {
+    const glm::vec3 from = places_[2];
+    const glm::vec3 to(0, -0.5f * rachis_radius_, 0);
+    const glm::vec3 middle = from + 0.5f * (to - from) + glm::vec3(between("peduncle", 0, -0.003f, 0.003f), 0, 0.003f);
+    const auto axis = static_cast<std::int32_t>(leaves_);
+    internode(1, axis, from, middle, 1.15f * rachis_radius_, 1.1f * rachis_radius_);
+    internode(static_cast<std::int32_t>(skeleton_.size()) - 1, axis, middle, to, 1.1f * rachis_radius_,
+              1.1f * rachis_radius_);
+  }
+
+  void place_leaf(std::uint32_t k) {
+    const Stand& stand = stands[k];
+    const auto vary = [&](std::uint64_t i, float by) { return between("leaf stand", 16 * k + i, -by, by); };
+    const auto sided = [&](glm::vec3 v) { return glm::vec3(v.x * mirror_, v.y, v.z); };
+    const float suited = within(0.045f + 1.0f * bunch_radius_, 0.08f, 0.14f);
+    const float blade = within(suited * stand.size * (1 + vary(0, 0.08f)), 0.08f, 0.14f) * grown_;
+    const float late = smooth((age_ - 95) / 30);
+
+    Mesh mesh = make_leaf({hash_combine(seed_, k), 0.25f + 0.75f * smooth(age_ / 30), late});
+    const glm::vec3 upwards =
+        glm::normalize(sided(stand.upwards) + glm::vec3(vary(1, 0.18f), vary(2, 0.15f), vary(3, 0.1f)));
+    glm::vec3 tip = sided(stand.tip) + glm::vec3(vary(4, 0.15f), vary(5, 0.18f) - 0.25f * late, vary(6, 0.1f));
+    tip = glm::normalize(tip - upwards * glm::dot(upwards, tip));
+    const glm::vec3 right = glm::cross(tip, upwards);
+
+    const int at = 2 + stand.node;
+    glm::vec3 base = sided(stand.blade) + glm::vec3(vary(7, 0.006f), vary(8, 0.006f), vary(9, 0.006f));
+    base *= blade / 0.105f;  // petioles grow as blades do
+    base.x += stand.by_bunch.x * static_cast<float>(stand.node) * mirror_ * std::max(0.0f, bunch_radius_ - 0.05f);
+    base.z -= stand.by_bunch.y * bunch_radius_;
+    base += places_[at];
+    const float midrib = blade / blade_in_midribs;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+      turn(&mesh.positions[i], right * midrib, tip * midrib, upwards * midrib);
+      turn(&mesh.normals[i], right, tip, upwards);
+    }
+    base.y += lift(mesh, base);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] += base[i % 3];
+    lay_petiole(k, at, base, upwards, midrib);
+    leaf_meshes_[k] = std::move(mesh);
+  }
+
+  static void turn(float* v, const glm::vec3& x, const glm::vec3& y, const glm::vec3& z) {
+    const glm::vec3 turned = x * v[0] + y * v[1] + z * v[2];
+    for (int axis = 0; axis < 3; ++axis) v[axis] = turned[axis];
+  }
+
+  // How much higher a leaf must stand to be clear of the berries, and not to hide them from the front.
+  float lift(const Mesh& mesh, const glm::vec3& base) const {
+    const float room = bunch_radius_ + between_berries_and_leaf;
+    float wanted = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+      const glm::vec3 p = base + glm::vec3(mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]);
+      const bool above_berries = p.x * p.x + p.z * p.z < room * room;
+      const bool in_front = p.z > 0 && std::fabs(p.x) < room;
+      if (above_berries || in_front) wanted = std::max(wanted, between_berries_and_leaf - p.y);
+    }
+    return wanted;
+  }
+
+  // It rises from the node and comes to the blade from below.
+  void lay_petiole(std::uint32_t k, int at, const glm::vec3& base, const glm::vec3& upwards, float midrib) {
+    const glm::vec3 from = places_[at];
+    const float length = glm::length(base - from);
+    const glm::vec3 middle = from + 0.55f * (base - from) + length * (glm::vec3(0, 0.10f, 0) - 0.14f * upwards);
+    const float radius = within(0.019f * midrib, 0.0009f, 0.0018f);
+    const auto axis = static_cast<std::int32_t>(k);
+    internode(at - 1, axis, from, middle, 1.3f * radius, radius);
+    internode(static_cast<std::int32_t>(skeleton_.size()) - 1, axis, middle, base, radius, 0.9f * radius);
+  }
+
+  void sweep() {
+    StemMesh stem = sweep_stems(skeleton_, {sides}, 1);
+    for (const StemPart& part : stem.parts) {
+      const auto kind = part.axis < 0 ? FoliagePart::Kind::cane : FoliagePart::Kind::petiole;
+      foliage_.parts.push_back({kind, part.first_vertex, part.vertex_count, part.first_index, part.index_count});
+    }
+    foliage_.mesh = std::move(stem.mesh);
+  }
+
+  void append(const Mesh& part, FoliagePart::Kind kind) {
+    Mesh& whole = foliage_.mesh;
+    const auto first_vertex = static_cast<std::uint32_t>(whole.positions.size() / 3);
+    const auto first_index = static_cast<std::uint32_t>(whole.indices.size());
+    foliage_.parts.push_back({kind, first_vertex, static_cast<std::uint32_t>(part.positions.size() / 3), first_index,
+                              static_cast<std::uint32_t>(part.indices.size())});
+    whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
+    whole.normals.insert(whole.normals.end(), part.normals.begin(), part.normals.end());
+    whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
+    for (const std::uint32_t i : part.indices) whole.indices.push_back(first_vertex + i);
+  }
+
+  const std::uint64_t seed_;
+  const std::uint32_t leaves_;
+  const float age_, rachis_radius_, bunch_radius_;
+  const float mirror_;        // which way round the whole stands
+  const float grown_;         // how large leaves are by now
+  glm::vec3 places_[5] = {};  // cut end, three nodes, cut end
+  std::vector<Internode> skeleton_;
+  Mesh leaf_meshes_[most_leaves];
+  Foliage foliage_;
+};
+
+}  // namespace
+
+Foliage grow_foliage(const FoliageOptions& options) {
+  if (options.leaves == 0 && !options.cane) return {};
+  return Shoot(options).grow();
+}
+
+}  // namespace panicle::bunch

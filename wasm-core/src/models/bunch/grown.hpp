@@ -1,0 +1,87 @@
+// What a growth gives back: the one thing that scene, exporters and panels read, in metres.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/bunch/plan.hpp"
+#include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/fruit/berry_surfaces.hpp"
+#include "geometry/mesh.hpp"
+#include "geometry/skeleton.hpp"
+#include "geometry/tubes.hpp"
+
+namespace panicle::bunch {
+
+struct Counts {
+  std::uint32_t end_structures = 0;
+  std::uint32_t internodes = 0;
+  std::uint32_t pedicels = 0;
+  std::uint32_t berries = 0;
+  std::uint32_t withered = 0;
+  std::uint32_t cut = 0;  // internodes that found no room; they and what they would have borne are in no other count
+};
+
+// What a berry is besides its place. All floats: they cross the border as they stand, in this order.
+struct Traits {
+  float width = 0;     // across its direction, metres
+  float length = 0;    // along it, metres
+  float exposure = 0;  // 0 … 1: share of the sun's light that reaches it
+  float turned = 1;    // 0 … 1: from the unripe colour to the ripe one
+  float opened = 1;    // 0 … 1: the flower, from closed bud to open; 1 for ever after
+  float set = 1;       // 0 … 1: from open flower (stamens) to berry
+  float shrivel = 0;   // 0 … 1
+  float seeds = 0;     // 0 … 4
+};
+
+// Why a pedicel bears no berry.
+enum class Why : std::uint32_t {
+  not_set = 1,  // its flower did not set: more flowers than berries are wanted
+  no_room = 2,  // pressed harder than berries can be
+  outside = 3,  // could not be kept within the outline
+  by_hand = 4,  // the request says so
+};
+
+struct Thinned {
+  std::uint32_t id = 0;
+  Why why = Why::not_set;
+  glm::vec3 place{0};  // where its pedicel begins, metres
+};
+
+// A contiguous run of the foliage's mesh.
+struct FoliagePart {
+  enum class Kind : std::uint32_t { cane = 0, leaf = 1, petiole = 2 };
+  Kind kind = Kind::cane;
+  std::uint32_t first_vertex = 0, vertex_count = 0;
+  std::uint32_t first_index = 0, index_count = 0;
+};
+
+struct Foliage {
+  Mesh mesh;  // metres
+  std::vector<FoliagePart> parts;
+};
+
+struct Grown {
+  bool natural = false;  // by which procedure
+  BerryForm form;
+  Plan plan;
+  std::optional<Plan> second;
+  Counts counts;
+  std::vector<Internode> internodes;  // parents first
+  std::vector<Berry> berries;
+  std::vector<Traits> traits;    // one a berry
+  std::vector<Thinned> thinned;  // the natural procedure's
+  std::vector<float> measures;   // in the order of measures.generated.hpp; NaN: does not apply; empty: not asked for
+  std::optional<StemMesh> stem;
+  std::optional<Mesh> berry;              // the shared berry, unit radius
+  std::optional<BerrySurfaces> surfaces;  // the natural procedure's berries, each with its own surface
+  std::optional<Mesh> flower;             // the shared open flower, where a berry has not yet set
+  std::optional<Foliage> foliage;         // leaves and cane, where they were asked for
+  std::vector<std::string> notes;
+  std::uint64_t fingerprint = 0;       // skeleton and organs (docs/fingerprint.md)
+  std::uint64_t mesh_fingerprint = 0;  // 0 without meshes
+};
+
+}  // namespace panicle::bunch

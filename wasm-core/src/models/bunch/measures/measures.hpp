@@ -1,0 +1,22 @@
+// What is measured on a grown bunch: the numbers a viticulturist reads, and how well it follows its outline.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "models/bunch/envelope.hpp"
+#include "models/bunch/grown.hpp"
+
+namespace panicle::bunch {
+
+// An outline as it hangs: the second bunch's leans to the left (about z), as its stock does.
+struct HungEnvelope {
+  Envelope envelope;
+  float lean = 0;  // degrees
+};
+
+// All measures in the order of measures.generated.hpp; NaN where one does not apply. Reads internodes, berries and
+// traits of `grown`, in metres.
+std::vector<float> measure(const Grown& grown, std::span<const HungEnvelope> envelopes);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,202 @@
+#include "models/bunch/measures/measures_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "foundation/mathematics.hpp"
+#include "models/bunch/measures/silhouette.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float pixels_to_radius = 14;  // of the mean berry
+constexpr float most_pixels = 1200;     // across the picture; coarser pixels beyond
+
+constexpr View front_view{};
+constexpr View side_view{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
+
+// How an outline hangs: a place of its own (x, z across, d down along its axis) is x · across + z · front + d · down.
+struct Hang {
+  explicit Hang(float lean) : turn(sincos_degrees(lean)) {}
+  SinCos turn;
+
+  glm::vec2 across() const { return {turn.cosine, -turn.sine}; }  // in (x, y)
+  glm::vec2 down() const { return {-turn.sine, -turn.cosine}; }
+};
+
+struct Box {
+  glm::vec2 low{1e30f}, high{-1e30f};
+
+  void add(glm::vec2 centre, glm::vec2 half) {
+    low = {std::min(low.x, centre.x - half.x), std::min(low.y, centre.y - half.y)};
+    high = {std::max(high.x, centre.x + half.x), std::max(high.y, centre.y + half.y)};
+  }
+};
+
+glm::vec2 seen(const View& view, const glm::vec3& p) {
+  return {p.x * view.right.x + p.y * view.right.y + p.z * view.right.z, p.y};
+}
+
+float widest(const Envelope& envelope, std::size_t side) {
+  float most = 0;
+  constexpr int samples = 64;
+  for (int k = 0; k <= samples; ++k)
+    most = std::max(most, envelope.half_width(side, envelope.length() * static_cast<float>(k) / samples));
+  return most;
+}
+
+// All that is drawn in either view: (x, y) and (z, y) have their rows in common, so one box holds both.
+Box box_of(const Subject& subject, std::span<const HungEnvelope> envelopes) {
+  Box box;
+  for (const BerryBody& berry : subject.berries)
+    for (const View& view : {front_view, side_view}) {
+      const float reach = std::max(berry.half_width, berry.half_length);
+      box.add(seen(view, berry.centre), glm::vec2(reach));
+    }
+  for (const Stem& stem : subject.stems)
+    for (const View& view : {front_view, side_view}) {
+      box.add(seen(view, stem.start), glm::vec2(stem.radius));
+      box.add(seen(view, stem.end), glm::vec2(stem.radius_end));
+    }
+  for (const HungEnvelope& hung : envelopes) {
+    float reach = 0;
+    for (std::size_t side = 0; side < 4; ++side) reach = std::max(reach, widest(hung.envelope, side));
+    box.add(glm::vec2(0), glm::vec2(reach));
+    box.add(hung.envelope.length() * Hang(hung.lean).down(), glm::vec2(reach));
+    box.add({0, hung.envelope.length() * Hang(hung.lean).down().y}, glm::vec2(reach));
+  }
+  return box;
+}
+
+bool all_finite(const Subject& subject) {
+  float sum = 0;
+  for (const BerryBody& berry : subject.berries)
+    for (const float x : {berry.centre.x, berry.centre.y, berry.centre.z, berry.half_width, berry.half_length})
+      sum += std::abs(x);
+  for (const Stem& stem : subject.stems)
+    for (const float x : {stem.start.x, stem.start.y, stem.start.z, stem.end.x, stem.end.y, stem.end.z})
+      sum += std::abs(x);
+  return std::isfinite(sum);
+}
+
+void draw_upright(BitImage& image, const PixelGrid& grid, const Envelope& envelope, std::size_t side) {
+  for (std::int32_t row = 0; row < grid.rows; ++row) {
+    const float depth = -grid.row_height(row);
+    if (depth < 0 || depth > envelope.length()) continue;
+    image.fill(row, grid.first_column(-envelope.half_width(side + 1, depth)),
+               grid.end_column(envelope.half_width(side, depth)));
+  }
+}
+
+// A leaning outline from the front: every pixel is turned back and looked up by its depth.
+void draw_leaning_front(BitImage& image, const PixelGrid& grid, const HungEnvelope& hung) {
+  const Hang hang(hung.lean);
+  const float length = hung.envelope.length();
+  const auto steps = static_cast<std::size_t>(2 * length / grid.pitch) + 2;
+  std::vector<std::array<float, 2>> widths(steps);
+  for (std::size_t k = 0; k < steps; ++k) {
+    const float depth = std::min(length, static_cast<float>(k) * grid.pitch / 2);
+    widths[k] = {hung.envelope.half_width(0, depth), hung.envelope.half_width(1, depth)};
+  }
+  for (std::int32_t row = 0; row < grid.rows; ++row) {
+    const float y = grid.row_height(row);
+    for (std::int32_t column = 0; column < grid.columns; ++column) {
+      const float x = grid.left + (static_cast<float>(column) + 0.5f) * grid.pitch;
+      const float depth = x * hang.down().x + y * hang.down().y;
+      if (depth < 0 || depth > length) continue;
+      const float across = x * hang.across().x + y * hang.across().y;
+      const auto& [right, left] = widths[static_cast<std::size_t>(2 * depth / grid.pitch + 0.5f)];
+      if (across <= right && across >= -left) image.fill(row, column, column + 1);
+    }
+  }
+}
+
+// A leaning outline from the side: its sections, of four quarter ellipses, are seen aslant and together cover it.
+void draw_leaning_side(BitImage& image, const PixelGrid& grid, const HungEnvelope& hung) {
+  const Hang hang(hung.lean);
+  const Envelope& envelope = hung.envelope;
+  const float slant = hang.across().y;  // height gained to a step across
+  const auto steps = static_cast<std::int32_t>(2 * envelope.length() / grid.pitch) + 1;
+  for (std::int32_t k = 0; k < steps; ++k) {
+    const float depth = (static_cast<float>(k) + 0.5f) * envelope.length() / static_cast<float>(steps);
+    const float right = envelope.half_width(0, depth), left = envelope.half_width(1, depth);
+    const float before = envelope.half_width(2, depth), behind = envelope.half_width(3, depth);
+    const float centre = depth * hang.down().y, ends[] = {centre + slant * right, centre - slant * left};
+    const float high = std::max(ends[0], ends[1]), low = std::min(ends[0], ends[1]);
+    const float half_pixel = grid.pitch / 2;
+    for (std::int32_t row = grid.first_row(high + half_pixel); row < grid.end_row(low - half_pixel); ++row) {
+      const float up = grid.row_height(row) - centre;
+      const float beyond = std::max(0.0f, std::abs(up) - half_pixel);
+      const float across = (up > 0 ? beyond : -beyond) / slant;
+      const float share = across / std::max(across > 0 ? right : left, 1e-6f);
+      const float width = std::sqrt(std::max(0.0f, 1 - share * share));
+      image.fill(row, grid.first_column(-behind * width), grid.end_column(before * width));
+    }
+  }
+}
+
+BitImage outline(const PixelGrid& grid, std::span<const HungEnvelope> envelopes, std::size_t side) {
+  BitImage image(grid.columns, grid.rows);
+  constexpr float upright = 0.1f;  // degrees
+  for (const HungEnvelope& hung : envelopes) {
+    if (std::abs(hung.lean) < upright)
+      draw_upright(image, grid, hung.envelope, side);
+    else if (side == 0)
+      draw_leaning_front(image, grid, hung);
+    else
+      draw_leaning_side(image, grid, hung);
+  }
+  return image;
+}
+
+float lowest_of(std::span<const HungEnvelope> envelopes) {
+  float lowest = 0;
+  for (const HungEnvelope& hung : envelopes)
+    lowest = std::min(lowest, hung.envelope.length() * Hang(hung.lean).down().y);
+  return lowest;
+}
+
+// The peduncle above p1 and what hangs below the tip are no berries' room.
+bool within_height(const Stem& stem, float lowest) {
+  return std::max(stem.start.y, stem.end.y) <= 1e-3f && std::min(stem.start.y, stem.end.y) >= lowest;
+}
+
+BitImage silhouette(const Subject& subject, const PixelGrid& grid, const View& view, float lowest) {
+  BitImage image(grid.columns, grid.rows);
+  for (const BerryBody& berry : subject.berries) draw(image, grid, project(berry, view));
+  for (const Stem& stem : subject.stems)
+    if (within_height(stem, lowest))
+      draw_stem(image, grid, seen(view, stem.start), stem.radius, seen(view, stem.end), stem.radius_end);
+  return image;
+}
+
+}  // namespace
+
+bool fit(const Subject& subject, std::span<const HungEnvelope> envelopes, Fitted& fitted) {
+  if (!(subject.mean_radius > 0) || !all_finite(subject)) return false;
+  const Box box = box_of(subject, envelopes);
+  const glm::vec2 size = box.high - box.low;
+  const float pitch = std::max(subject.mean_radius / pixels_to_radius, std::max(size.x, size.y) / most_pixels);
+  const float radius = subject.mean_radius / pitch;
+  const PixelGrid grid = PixelGrid::over(box.low, box.high, pitch, static_cast<std::int32_t>(radius) + 3);
+  const float lowest = lowest_of(envelopes);
+  std::array<BitImage, 2> closed;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const BitImage bunch = silhouette(subject, grid, i == 0 ? front_view : side_view, lowest);
+    closed[i] = bunch.closed(radius);
+    const BitImage wanted = outline(grid, envelopes, 2 * i);
+    const auto area = [&](std::int64_t pixels) { return static_cast<float>(pixels) * pitch * pitch; };
+    // The outermost pixels' centres lie half a pixel within the outline, on average.
+    ViewFit& one = i == 0 ? fitted.front : fitted.side;
+    one = {area(wanted.count()), area(closed[i].count_common(wanted)), area(bunch.count()),
+           area(bunch.count() - bunch.count_common(wanted.dilated(radius + 0.5f)))};
+  }
+  std::int64_t sections = 0;
+  for (std::int32_t row = 0; row < grid.rows; ++row)
+    sections += static_cast<std::int64_t>(closed[0].count_row(row)) * closed[1].count_row(row);
+  fitted.hull = pi / 4 * static_cast<float>(sections) * pitch * pitch * pitch;
+  return true;
+}
+
+}  // namespace panicle::bunch

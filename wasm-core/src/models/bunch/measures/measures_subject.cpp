@@ -1,0 +1,48 @@
+#include "models/bunch/measures/measures_subject.hpp"
+
+#include "foundation/mathematics.hpp"
+#include "models/bunch/fruit/berry_meridian.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float millimetres = 1000;  // to a metre
+constexpr float unit_ball = 4 * pi / 3;
+
+float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
+
+// Which internodes hang from the first root; parents come before their children.
+std::vector<std::uint8_t> of_first_root(const std::vector<Internode>& internodes) {
+  std::vector<std::uint8_t> first(internodes.size(), 0);
+  for (std::size_t i = 0; i < internodes.size(); ++i) {
+    const std::int32_t parent = internodes[i].parent;
+    first[i] = parent < 0 ? i == 0 : first[static_cast<std::size_t>(parent)];
+  }
+  return first;
+}
+
+}  // namespace
+
+Subject::Subject(const Grown& grown) {
+  for (const Internode& one : grown.internodes)
+    stems.push_back(
+        {millimetres * one.start, millimetres * one.end, millimetres * one.radius, millimetres * one.radius_end});
+  const std::vector<std::uint8_t> of_first = of_first_root(grown.internodes);
+  const bool natural = grown.traits.size() == grown.berries.size();
+  const float form = form_volume(grown.form, 1, 1);
+  for (std::size_t i = 0; i < grown.berries.size(); ++i) {
+    const Berry& berry = grown.berries[i];
+    const float width = millimetres * (natural ? grown.traits[i].width / 2 : berry.radius);
+    const float length = millimetres * (natural ? grown.traits[i].length / 2 : berry.radius);
+    berries.push_back({millimetres * berry.centre, berry.direction, width, length, 0, berry.id});
+    volumes.push_back(form * width * width * length);
+    balls.push_back(cube_root(volumes.back() / unit_ball));
+    mean_radius += balls.back();
+    const bool borne = berry.parent >= 0 && static_cast<std::size_t>(berry.parent) < stems.size();
+    first.push_back(borne ? of_first[static_cast<std::size_t>(berry.parent)] : 1);
+    if (borne) pedicels.push_back(stems[static_cast<std::size_t>(berry.parent)]);
+  }
+  if (!berries.empty()) mean_radius /= static_cast<float>(berries.size());
+}
+
+}  // namespace panicle::bunch

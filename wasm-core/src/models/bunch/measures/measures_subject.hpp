@@ -1,0 +1,29 @@
+// A grown bunch as the measures see it: millimetres, berries as bodies, what belongs to the first bunch.
+#pragma once
+
+#include <vector>
+
+#include "models/bunch/grown.hpp"
+#include "models/bunch/fruit/berry_body.hpp"
+
+namespace panicle::bunch {
+
+// A stem, a berry's pedicel among others, in millimetres.
+struct Stem {
+  glm::vec3 start{0}, end{0};
+  float radius = 0, radius_end = 0;
+};
+
+struct Subject {
+  explicit Subject(const Grown& grown);
+
+  std::vector<BerryBody> berries;   // in the bunch's order
+  std::vector<float> volumes;       // mm³, one a berry, of its free form
+  std::vector<float> balls;         // mm, the radius of the ball of that volume
+  float mean_radius = 0;            // of these; 0 without berries
+  std::vector<std::uint8_t> first;  // whether a berry is of the first bunch, and not of the one that leans beside it
+  std::vector<Stem> stems;          // one an internode
+  std::vector<Stem> pedicels;       // those that bear a berry; as many as there are berries with a parent
+};
+
+}  // namespace panicle::bunch

@@ -1,0 +1,38 @@
+// What a natural bunch is to be before it grows: lengths fitted to the outline, and how many berries fill it.
+#pragma once
+
+#include <vector>
+
+#include "models/bunch/envelope.hpp"
+#include "models/bunch/plan.hpp"
+#include "models/bunch/values.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::bunch {
+
+// Millimetres and degrees. Everything but the number of axes changes smoothly with the profile; an axis more begins
+// with no length.
+struct NaturalPlan {
+  Plan plan;  // the paper's counts, for those who read them
+  Envelope envelope;
+  float length = 0;   // of the rachis
+  float spacing = 0;  // between its nodes
+  float step = 0;     // between the nodes of a first-order axis
+  float twig = 0, stalk = 0;
+  float girth = 0, fine = 0;  // widths of the rachis and of a pedicel
+  std::vector<float> arm;     // of each axis from the top; below 0 a raceme's single pedicel
+  std::vector<float> aim;     // its angle to the rachis
+  float berries = 0;          // how many there are to be: asked for, or that fill the outline to the density asked for
+  float room = 0;             // more than so many can never be: somewhat more than the outline's volume
+  bool overfull = false;      // whether the density would take more than there may be
+};
+
+NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries);
+
+// The share of the outline's volume that berries of a density (OIV 204, 1 … 9) fill.
+float fill_of(float density);
+
+// Inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`.
+lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, const Values& values);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,56 @@
+#include "models/bunch/natural/ripening.hpp"
+
+#include <algorithm>
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float flower_size = 0.08f;
+constexpr int steps_to_ripe = 36;
+constexpr int steps_of_drying = 5;
+
+// 0 until `from`, 1 after `to`, an S between.
+float ease(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+float size_at(float age) {
+  const float fresh = flower_size + 0.56f * ease(8, 48, age) + (0.44f - flower_size) * ease(58, 100, age);
+  return fresh * (1 - 0.13f * ease(102, 125, age));
+}
+
+std::vector<float> sizes_until(float age) {
+  std::vector<float> sizes;
+  const float last = size_at(age), largest = age > 100 ? 1 : last;
+  for (int k = 0; k <= steps_to_ripe; ++k) {
+    const float size = flower_size + (1 - flower_size) * static_cast<float>(k) / steps_to_ripe;
+    if (size < largest) sizes.push_back(size);
+  }
+  sizes.push_back(largest);
+  if (age > 100)
+    for (int k = 1; k <= steps_of_drying; ++k)
+      sizes.push_back(1 + (last - 1) * static_cast<float>(k) / steps_of_drying);
+  return sizes;
+}
+
+Stage stage_at(float age, const Fortune& fortune) {
+  const float middle = 0.45f;
+  const float order =
+      fortune.along < middle ? 0.6f * (middle - fortune.along) / middle : (fortune.along - middle) / (1 - middle);
+  const float opens = 4.5f * order + 1.5f * fortune.luck - 0.8f;
+  const float turns =
+      60 + 20 * fortune.luck + 8 * (fortune.sunlight * (0.5f - fortune.exposure)) + 4 * (1 - fortune.vigour);
+  Stage stage;
+  stage.opened = ease(opens, opens + 1, age);
+  stage.set = ease(7.5f + 0.4f * opens, 10 + 0.4f * opens, age);
+  stage.turned = ease(turns, turns + 14, age);
+  stage.shrivel = std::min(1.0f, ease(102, 125, age) * (0.6f + 0.7f * fortune.luck));
+  return stage;
+}
+
+float falls_at(float luck) { return 8.5f + 3 * luck; }
+
+}  // namespace panicle::bunch

@@ -1,0 +1,122 @@
+#include "models/bunch/paper/interaction.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr glm::vec3 down{0, -1, 0};
+constexpr float degrees_per_radian = 180.0f / pi;
+
+// Where the newborn would stand, placed by the turtle's own turns: what is probed and what is drawn agree bit for bit.
+struct Pose {
+  float theta = 0;
+  float phi = 0;
+  glm::vec3 heading{0};
+  Sphere sphere;
+};
+
+// The part of a vector across a heading.
+struct Across {
+  glm::vec3 direction{0};  // unit
+  float strength = 0;
+};
+
+class Search {
+ public:
+  Search(const SphereGrid& structure, const lsystem::Turtle& turtle, const Newborn& newborn,
+         const InteractionOptions& options)
+      : structure_(structure), turtle_(turtle), newborn_(newborn), options_(options) {}
+
+  Room run() const {
+    glm::vec3 heading = turtle_.heading;
+    float turned = 0;
+    for (std::uint32_t adjustments = 0;; ++adjustments) {
+      // The heading alone will do on the way; only where it seems free are the turns worked out that lead there.
+      Push push = probe(sphere_towards(heading));
+      if (push.contacts == 0) {
+        const Pose free = adjustments == 0 ? posed(0, 0) : posed_towards(heading);
+        push = probe(free.sphere);
+        if (push.contacts == 0) return room(sagged(free));
+        heading = free.heading;
+      }
+      if (adjustments >= options_.tries) return {};
+      if (!newborn_.pedicel && turned >= options_.delta) return {};
+
+      // Equation 2: the push's parts along left and up, each times δ, are the turns; together they are one turn of
+      // δ |F⊥| towards F⊥.
+      Across way = across(heading, push.force);
+      const float force = glm::length(push.force);
+      if (way.strength <= 1e-3f * force) way = {across(heading, newborn_.tie).direction, force};
+      const float turn = options_.delta * way.strength;
+      if (!(turn > 0)) return {};
+      turned += turn;
+      heading = bent(heading, way.direction, turn);
+    }
+  }
+
+ private:
+  Push probe(const Sphere& sphere) const { return structure_.probe(sphere, newborn_.parent, newborn_.tie); }
+
+  static Room room(const Pose& pose) { return {true, pose.theta, pose.phi, pose.sphere}; }
+
+  Sphere sphere_towards(const glm::vec3& heading) const {
+    const float distance = newborn_.length + (newborn_.pedicel ? newborn_.radius : 0);
+    return {turtle_.position + heading * distance, newborn_.radius};
+  }
+
+  Pose posed(float theta, float phi) const {
+    lsystem::Turtle turtle = turtle_;
+    lsystem::turn(turtle, theta);
+    lsystem::pitch(turtle, phi);
+    turtle.position = lsystem::ahead(turtle, newborn_.length);
+    const glm::vec3 centre = newborn_.pedicel ? lsystem::ahead(turtle, newborn_.radius) : turtle.position;
+    return {theta, phi, turtle.heading, {centre, newborn_.radius}};
+  }
+
+  Pose posed_towards(const glm::vec3& heading) const {
+    const float forward = glm::dot(heading, turtle_.heading);
+    const float right = -glm::dot(heading, turtle_.left);
+    const float theta = arc_tangent(right, forward) * degrees_per_radian;
+    const float phi = newborn_.flat ? 0 : arc_sine(glm::dot(heading, turtle_.up)) * degrees_per_radian;
+    return posed(theta, phi);
+  }
+
+  Across across(const glm::vec3& heading, const glm::vec3& vector) const {
+    glm::vec3 side = vector - heading * glm::dot(vector, heading);
+    if (newborn_.flat) side -= turtle_.up * glm::dot(side, turtle_.up);
+    const float strength = glm::length(side);
+    return {strength > 0 ? side / strength : side, strength};
+  }
+
+  static glm::vec3 bent(const glm::vec3& heading, const glm::vec3& direction, float degrees) {
+    const SinCos angle = sincos_degrees(degrees);
+    return heading * angle.cosine + direction * angle.sine;
+  }
+
+  // Bends a free pose towards gravity, unless it would collide there. Not counted in the accumulated rotation.
+  Pose sagged(const Pose& free) const {
+    const Across pull = across(free.heading, down);
+    if (options_.sag <= 0 || pull.strength <= 1e-6f) return free;
+    const float upright = arc_tangent(pull.strength, glm::dot(free.heading, down)) * degrees_per_radian;
+    const Pose lower = posed_towards(bent(free.heading, pull.direction, std::min(options_.sag, upright)));
+    return probe(lower.sphere).contacts == 0 ? lower : free;
+  }
+
+  const SphereGrid& structure_;
+  const lsystem::Turtle& turtle_;
+  const Newborn& newborn_;
+  const InteractionOptions& options_;
+};
+
+}  // namespace
+
+Room find_room(const SphereGrid& structure, const lsystem::Turtle& turtle, const Newborn& newborn,
+               const InteractionOptions& options) {
+  return Search(structure, turtle, newborn, options).run();
+}
+
+}  // namespace panicle::bunch

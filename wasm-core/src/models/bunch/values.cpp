@@ -1,0 +1,45 @@
+#include "models/bunch/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace panicle::bunch {
+namespace {
+
+float admitted(float value, const ParameterInfo& info, std::vector<std::string>& notes) {
+  float fitting = std::clamp(value, info.min, info.max);
+  if (fitting > 0 && fitting < info.gap_below) fitting = info.gap_below;
+  if (info.whole) fitting = std::floor(fitting + 0.5f);
+  if (fitting != value) notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
+  return fitting;
+}
+
+}  // namespace
+
+Values::Values(const std::vector<float>& asked, std::vector<std::string>& notes) {
+  for (std::uint32_t i = 0; i < parameter_count; ++i) {
+    const ParameterInfo& info = parameter_table[i];
+    given_[i] = i < asked.size() && asked[i] == asked[i];
+    values_[i] = given_[i] ? admitted(asked[i], info, notes) : info.standard;
+  }
+}
+
+std::vector<lsystem::Inputs::Scalar> Values::defines() const {
+  std::vector<lsystem::Inputs::Scalar> scalars;
+  for (std::uint32_t i = 0; i < parameter_count; ++i)
+    if (given_[i] && !parameter_table[i].define.empty())
+      scalars.push_back({std::string(parameter_table[i].define), values_[i]});
+  return scalars;
+}
+
+Profile Values::profile() const {
+  using enum Parameter;
+  const Values& values = *this;
+  return {values[l],
+          {{{values[p3w], values[p3r]},
+            {values[p4w], values[p4r]},
+            {values[p5w], values[p5r]},
+            {values[p6w], values[p6r]}}}};
+}
+
+}  // namespace panicle::bunch

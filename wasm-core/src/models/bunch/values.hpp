@@ -1,0 +1,31 @@
+// A request's parameters, complete and in range.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "models/bunch/parameters.generated.hpp"
+#include "models/bunch/plan.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::bunch {
+
+class Values {
+ public:
+  // What is missing or NaN has its default; what is out of range is brought into it, with a note.
+  Values(const std::vector<float>& asked, std::vector<std::string>& notes);
+
+  float operator[](Parameter key) const { return values_[static_cast<std::uint32_t>(key)]; }
+
+  // The values that replace a #define: those given, and no others, so that a text's own constants stand.
+  std::vector<lsystem::Inputs::Scalar> defines() const;
+
+  Profile profile() const;
+
+ private:
+  std::array<float, parameter_count> values_ = {};
+  std::array<bool, parameter_count> given_ = {};
+};
+
+}  // namespace panicle::bunch

@@ -1,0 +1,198 @@
+/**
+ * What a growth gives back: plain typed arrays copied out of the core, in metres, +Y up, the bunch hanging
+ * down from p1 at the origin; p3 is +X, p4 −X, p5 +Z, p6 −Z. Scene, exporters, panels and the command line all
+ * read this one shape; none of them computes botany. The layout in bytes is in boundary/panicle.h.
+ */
+
+/** Kinds of internode, by code: `INTERNODE_KINDS[kind[i]]`. */
+export const INTERNODE_KINDS = ["rachis", "axis", "end", "pedicel"] as const;
+export type InternodeKind = (typeof INTERNODE_KINDS)[number];
+
+/** States of internode, by code. */
+export const INTERNODE_STATES = ["grown", "withered"] as const;
+export type InternodeState = (typeof INTERNODE_STATES)[number];
+
+export const PROCEDURES = ["paper", "natural"] as const;
+export type Procedure = (typeof PROCEDURES)[number];
+
+/** Whose surface a berry has, by code. */
+export const FRUITS = ["grape", "currant", "bramble", "lychee", "longan", "duku"] as const;
+export type Fruit = (typeof FRUITS)[number];
+
+/** Why a pedicel bears no berry, by code: not set (more flowers than berries are wanted), no room, outside, by hand. */
+export const THINNED_WHY = ["", "not set", "no room", "outside", "by hand"] as const;
+
+/** What the berries of a bunch share in form (models/bunch/fruit/berry_body.hpp). */
+export interface BerryForm {
+	fruit: Fruit;
+	/** −1 … 1: below 0 the pedicel's end is the wider, above 0 the tip's. */
+	taper: number;
+	/** 0 … 1: from an ellipse to a cylinder with round ends. */
+	blunt: number;
+}
+
+/** One side of the profile: what the person drew (pixels) and what the grammar gets (counts). */
+export interface PlanSide {
+	w: number;
+	r: number;
+	n: number;
+	rd: number;
+}
+
+/** The parameters of the grammar that follow from the profile (paper section 4.2). */
+export interface Plan {
+	/** Rachis segments. */
+	m: number;
+	/** p3, p4, p5, p6. */
+	sides: [PlanSide, PlanSide, PlanSide, PlanSide];
+	/** n(0) … n(m−2), from the top axis to the one nearest the tip. */
+	axes: number[];
+}
+
+export interface Counts {
+	endStructures: number;
+	internodes: number;
+	pedicels: number;
+	berries: number;
+	withered: number;
+	/** Internodes that found no room and were cut with all they would have borne. */
+	cut: number;
+}
+
+/** The skeleton; parents come first. */
+export interface Internodes {
+	count: number;
+	/** Index of the parent internode, −1 at the root. */
+	parent: Int32Array;
+	kind: Uint8Array;
+	/** First-order axis s (0 at the top; a second bunch's go on after the first's), −1 for the rachis. */
+	axis: Int32Array;
+	state: Uint8Array;
+	/** 6 × count: start x y z, end x y z. */
+	ends: Float32Array;
+	/** 2 × count: radius at the start, at the end. */
+	radii: Float32Array;
+}
+
+export interface Berries {
+	count: number;
+	/** 4 × count: centre x y z, radius of the ball of the berry's volume. */
+	spheres: Float32Array;
+	/** 3 × count: unit vector from the pedicel towards the tip scar. */
+	directions: Float32Array;
+	/** Index of the pedicel's internode. */
+	parent: Int32Array;
+	/** Below 2^30; the same while handles move. `thinned` of a specimen lists those taken off by hand. */
+	ids: Uint32Array;
+	/** TRAITS.length × count, in the order of `TRAITS`. */
+	traits: Float32Array;
+}
+
+/**
+ * What a berry is besides its place: whole width and length in metres; exposure to the sun 0 … 1; turned 0 (unripe
+ * colour) … 1 (ripe colour); opened 0 (closed bud) … 1; set 0 (open flower with stamens) … 1 (berry); shrivel 0 … 1;
+ * seeds 0 … 4.
+ */
+export const TRAITS = ["width", "length", "exposure", "turned", "opened", "set", "shrivel", "seeds"] as const;
+export type Trait = (typeof TRAITS)[number];
+
+/** A berry that is not there. */
+export interface Thinned {
+	id: number;
+	why: (typeof THINNED_WHY)[number];
+	/** Where its pedicel begins, metres. */
+	place: [x: number, y: number, z: number];
+}
+
+/**
+ * The berries' own surfaces, flattened where they meet. All follow one pattern of vertices: berry i has those from
+ * i × V on, V = uvs.length / 2; uvs and indices (0 … V − 1) serve every berry.
+ */
+export interface BerrySurfaces {
+	/** 2 × V: u round, v from the pedicel's seat (0) to the tip scar (1). */
+	uvs: Float32Array;
+	/** 3 × triangles of one berry. */
+	indices: Uint32Array;
+	/** 3 × V × berries, metres. */
+	positions: Float32Array;
+	/** 3 × V × berries. */
+	normals: Float32Array;
+	/** V × berries: 0 free … 255 in contact with a neighbour, where bloom is rubbed off. */
+	pressed: Uint8Array;
+}
+
+export const FOLIAGE_KINDS = ["cane", "leaf", "petiole"] as const;
+
+/** A contiguous run of the foliage's mesh. */
+export interface FoliagePart {
+	kind: (typeof FOLIAGE_KINDS)[number];
+	firstVertex: number;
+	vertexCount: number;
+	firstIndex: number;
+	indexCount: number;
+}
+
+export interface Foliage extends Mesh {
+	parts: FoliagePart[];
+}
+
+/** Triangles; normals are of unit length, indices go counter-clockwise seen from outside. */
+export interface Mesh {
+	/** 3 × vertices. */
+	positions: Float32Array;
+	/** 3 × vertices. */
+	normals: Float32Array;
+	/** 2 × vertices. */
+	uvs: Float32Array;
+	/** 3 × triangles. */
+	indices: Uint32Array;
+}
+
+/** A contiguous run of the stem mesh: the rachis (axis −1) or one first-order axis with its pedicels. */
+export interface StemPart {
+	axis: number;
+	firstVertex: number;
+	vertexCount: number;
+	/** Into `indices`; the indices themselves count from the whole mesh's first vertex. */
+	firstIndex: number;
+	indexCount: number;
+}
+
+export interface StemMesh extends Mesh {
+	/** The internode each vertex belongs to. */
+	internode: Uint32Array;
+	parts: StemPart[];
+}
+
+export interface Grown {
+	procedure: Procedure;
+	form: BerryForm;
+	plan: Plan;
+	/** The second bunch's plan, where there is one. */
+	second?: Plan;
+	counts: Counts;
+	internodes: Internodes;
+	berries: Berries;
+	/** Absent when only the skeleton was asked for. */
+	stem?: StemMesh;
+	/** The one mesh all berries of the paper's procedure share: unit radius, centred, tip scar towards +Y. */
+	berry?: Mesh;
+	/** Each berry's own surface; absent for the paper's procedure, whose berries are `berry` at their spheres. */
+	surfaces?: BerrySurfaces;
+	/** Stamens about an ovary of unit radius facing +Y, for berries whose trait `set` is below 1; absent without any. */
+	flower?: Mesh;
+	/** Leaves and cane, where they were asked for. */
+	foliage?: Foliage;
+	/** Berries that are not there, and why; of the natural procedure. */
+	thinned: Thinned[];
+	/** In the order of MEASURES (models/bunch/measures.generated.ts); NaN where one does not apply; absent if not asked for. */
+	measures?: Float32Array;
+	/** What the core has to say about the request, in plain words. */
+	notes: string[];
+	/** 16 hexadecimal digits over skeleton and organs (docs/fingerprint.md). */
+	fingerprint: string;
+	/** The same over the meshes; may change from version to version. */
+	meshFingerprint?: string;
+	/** Wall time measured by the caller, in milliseconds. */
+	timings: { grow: number };
+}

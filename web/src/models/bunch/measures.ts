@@ -1,0 +1,55 @@
+/** Measures in words: a value with its unit, the class of a descriptor it falls into. */
+import { MEASURE_KEYS, type MeasureClass, type MeasureInfo, type MeasureKey, SKIN_COLOUR } from "./measures.generated";
+import type { Look } from "../../specimen/specimen";
+
+/** What a bunch measures by one key: NaN where that does not apply or was not asked for. */
+export function measureOf(measures: Float32Array | undefined, key: MeasureKey): number {
+	return measures?.[MEASURE_KEYS.indexOf(key)] ?? Number.NaN;
+}
+
+/** The class a value falls into; none where the measure has no classes or does not apply. */
+export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number): MeasureClass | undefined {
+	if (!classes || !Number.isFinite(value)) return undefined;
+	return classes.reduce((best, one) => {
+		if (one.from !== undefined) return value >= one.from ? one : best;
+		return Math.abs(value - (one.at ?? 0)) < Math.abs(value - (best.at ?? 0)) ? one : best;
+	});
+}
+
+/** A value as it is read: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
+export function measureText(info: MeasureInfo, value: number): string {
+	if (!Number.isFinite(value)) return "–";
+	if (info.kind === "note") return classOf(info, value)?.words ?? "–";
+	if (info.kind === "share") return `${(100 * value).toFixed(info.decimals)} %`;
+	const text = value.toFixed(info.decimals);
+	return info.unit ? `${text} ${info.unit}` : text;
+}
+
+/** The class as a table shows it: `7 long`; empty without one. */
+export function classText(info: MeasureInfo, value: number): string {
+	const found = classOf(info, value);
+	return found ? `${found.note} ${found.words}` : "";
+}
+
+/** CIELAB coordinates (D65) of six hexadecimal digits of sRGB. */
+function lab(colour: string): [number, number, number] {
+	const [r, g, b] = [0, 2, 4].map((at) => {
+		const value = Number.parseInt(colour.slice(at, at + 2), 16) / 255;
+		return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+	});
+	const f = (t: number) => (t > 216 / 24389 ? Math.cbrt(t) : (24389 / 27) * (t / 116) + 16 / 116);
+	const x = f((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047);
+	const y = f(0.2126729 * r + 0.7151522 * g + 0.072175 * b);
+	const z = f((0.0193339 * r + 0.119192 * g + 0.9503041 * b) / 1.08883);
+	return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
+
+export type SkinClass = (typeof SKIN_COLOUR.classes)[number];
+
+/** The class of skin colour (OIV 225): that of the nearest colour, in CIELAB, to the ripe skin's. */
+export function skinClass(look: Pick<Look, "skin">): SkinClass {
+	const skin = lab(look.skin);
+	const distance = (colour: string) => Math.hypot(...lab(colour).map((value, i) => value - skin[i]));
+	const nearest = ({ like }: SkinClass) => Math.min(...like.map(distance));
+	return [...SKIN_COLOUR.classes].sort((a, b) => nearest(a) - nearest(b))[0];
+}

@@ -1,0 +1,148 @@
+/**
+ * What a drag or an arrow key does to the profile: pure functions from parameters to new parameters, in pixels of the
+ * profile (handles.ts), clamped to the table's ranges and rounded to whole pixels.
+ */
+import { PARAMETERS } from "../parameters.generated";
+import {
+	type Handle,
+	handleKeys,
+	handlePosition,
+	isSide,
+	type Locks,
+	type Point,
+	type Shape,
+	type ShapeKey,
+	SIDE_HANDLES,
+	SIDES,
+} from "./handles";
+
+export interface DragOptions {
+	/** Pairs whose opposite handle follows, to stay mirror images of each other. */
+	locks?: Locks;
+	/** Moves the opposite handle this once as if its pair were locked. */
+	mirror?: boolean;
+}
+
+/** The arrow keys, as steps of one pixel. */
+const ARROWS: Readonly<Record<string, Point>> = {
+	ArrowLeft: { x: -1, y: 0 },
+	ArrowRight: { x: 1, y: 0 },
+	ArrowUp: { x: 0, y: -1 },
+	ArrowDown: { x: 0, y: 1 },
+};
+
+const ranges = new Map(PARAMETERS.map(({ key, min = -Infinity, max = Infinity }) => [key as string, { min, max }]));
+
+/** The nearest whole pixel in the table's range. */
+export function clampPixels(key: ShapeKey, value: number): number {
+	const { min, max } = ranges.get(key) as { min: number; max: number };
+	return Math.min(Math.max(Math.round(value), min), max) + 0; // −0 is 0
+}
+
+/** Sets one number of the profile as its slider does: clamped, and its opposite too where the pair is locked. */
+export function setShapeValue<P extends Shape>(
+	parameters: P,
+	key: ShapeKey,
+	value: number,
+	{ locks, mirror = false }: DragOptions = {},
+): P {
+	if (!Number.isFinite(value)) return parameters;
+	const changed: Partial<Shape> = { [key]: clampPixels(key, value) };
+	return { ...parameters, ...withOpposites(changed, mirror ? BOTH_LOCKED : locks) };
+}
+
+const BOTH_LOCKED: Locks = { leftRight: true, frontBack: true };
+
+/** What a change of some numbers is with its locks: a side that it leaves out takes its opposite's number. */
+export function withOpposites<C extends Partial<Shape>>(changed: C, locks?: Locks): C {
+	const followed = { ...changed };
+	for (const side of SIDE_HANDLES) {
+		const { opposite, lock } = SIDES[side];
+		if (!locks?.[lock]) continue;
+		for (const axis of ["w", "r"] as const) {
+			const value = changed[`${side}${axis}`];
+			if (value !== undefined && changed[`${opposite}${axis}`] === undefined) followed[`${opposite}${axis}`] = value;
+		}
+	}
+	return followed;
+}
+
+/**
+ * Moves a handle to a point of its view. A side handle stays on its side of the axis (w ≥ 0), p2 on the axis. The
+ * drop of a side may pass the tip: the table allows it and rd is held at m − 1 (section 4.2). A coordinate that is
+ * not a number leaves what it would set.
+ */
+export function dragHandle<P extends Shape>(parameters: P, handle: Handle, { x, y }: Point, options?: DragOptions): P {
+	if (!isSide(handle)) return setShapeValue(parameters, "l", y, options);
+	const widened = setShapeValue(parameters, `${handle}w`, SIDES[handle].sign * x, options);
+	return setShapeValue(widened, `${handle}r`, y, options);
+}
+
+/** One arrow key's step of `pixels`; undefined for another key, or one along which the handle cannot move. */
+export function nudgeHandle<P extends Shape>(
+	parameters: P,
+	handle: Handle,
+	key: string,
+	pixels: number,
+	options?: DragOptions,
+): P | undefined {
+	const arrow = ARROWS[key];
+	if (!arrow || (!isSide(handle) && arrow.y === 0)) return undefined;
+	const { x, y } = handlePosition(parameters, handle);
+	// The other coordinate goes in as "not a number", so that a step to the side leaves a fractional drop alone.
+	const to = { x: arrow.x ? x + arrow.x * pixels : Number.NaN, y: arrow.y ? y + arrow.y * pixels : Number.NaN };
+	return dragHandle(parameters, handle, to, options);
+}
+
+/** A handle in hand: where it was, and how far from it the pointer took hold, so that it does not jump. */
+export interface Grab {
+	handle: Handle;
+	from: Point;
+	offset: Point;
+}
+
+export function grabHandle(shape: Shape, handle: Handle, pointer: Point): Grab {
+	const from = handlePosition(shape, handle);
+	return { handle, from, offset: { x: from.x - pointer.x, y: from.y - pointer.y } };
+}
+
+/** Where the pointer has pulled the handle; `straight` keeps it on the level or the plumb line it started from. */
+export function pullHandle({ from, offset }: Grab, pointer: Point, straight = false): Point {
+	const to = { x: pointer.x + offset.x, y: pointer.y + offset.y };
+	if (!straight) return to;
+	return Math.abs(to.x - from.x) >= Math.abs(to.y - from.y) ? { x: to.x, y: from.y } : { x: from.x, y: to.y };
+}
+
+/** The handle nearest to the pointer within `reach`; `positions` in the same pixels as the pointer. */
+export function nearestHandle(
+	positions: ReadonlyMap<Handle, Point>,
+	pointer: Point,
+	reach: number,
+): Handle | undefined {
+	let nearest: Handle | undefined;
+	let least = reach;
+	for (const [handle, { x, y }] of positions) {
+		const distance = Math.hypot(x - pointer.x, y - pointer.y);
+		if (!(distance <= least)) continue;
+		least = distance;
+		nearest = handle;
+	}
+	return nearest;
+}
+
+/** Whether two profiles are the same in every number that the handles set. */
+export function sameShape(a: Shape, b: Shape, handles: readonly Handle[]): boolean {
+	return handles.every((handle) => handleKeys(handle).every((key) => a[key] === b[key]));
+}
+
+/** Swaps the right and the left side (p3 and p4). */
+export function mirrorLeftRight<P extends Shape>(parameters: P): P {
+	const { p3w, p3r, p4w, p4r } = parameters;
+	return { ...parameters, p3w: p4w, p3r: p4r, p4w: p3w, p4r: p3r };
+}
+
+/** Swaps the front and the back side (p5 and p6). */
+export function mirrorFrontBack<P extends Shape>(parameters: P): P {
+	const { p5w, p5r, p6w, p6r } = parameters;
+	return { ...parameters, p5w: p6w, p5r: p6r, p6w: p5w, p6r: p5r };
+}

@@ -1,0 +1,88 @@
+/**
+ * The octahedron's control points (paper section 4.2, figure 5a): p1 fixed at the top, p2 below it at the bunch's
+ * length, p3 right and p4 left in the front view, p5 front and p6 back in the side view. Everything here is in pixels
+ * of the paper's 600 × 600 view: x away from the axis to the right, y down from p1. The side view is the bunch seen
+ * from its left, so p5 stands at the right as p3 does in front.
+ */
+import type { NumberKey } from "../parameters.generated";
+
+export type View = "front" | "side";
+export type SideHandle = "p3" | "p4" | "p5" | "p6";
+export type Handle = "p2" | SideHandle;
+export type ShapeKey = Extract<NumberKey, "l" | `${SideHandle}${"w" | "r"}`>;
+
+/** What the handles set; a specimen's parameters are one. */
+export type Shape = Record<ShapeKey, number>;
+
+export interface Point {
+	x: number;
+	y: number;
+}
+
+/** Whether the two sides of a view move as one. */
+export interface Locks {
+	leftRight: boolean;
+	frontBack: boolean;
+}
+
+interface Side {
+	/** The word of its sliders: `Right width`. */
+	name: "right" | "left" | "front" | "back";
+	view: View;
+	/** On which side of the axis it stands in its view. */
+	sign: 1 | -1;
+	opposite: SideHandle;
+	lock: keyof Locks;
+}
+
+export const SIDES: Record<SideHandle, Side> = {
+	p3: { name: "right", view: "front", sign: 1, opposite: "p4", lock: "leftRight" },
+	p4: { name: "left", view: "front", sign: -1, opposite: "p3", lock: "leftRight" },
+	p5: { name: "front", view: "side", sign: 1, opposite: "p6", lock: "frontBack" },
+	p6: { name: "back", view: "side", sign: -1, opposite: "p5", lock: "frontBack" },
+};
+
+export const SIDE_HANDLES = ["p3", "p4", "p5", "p6"] as const;
+export const HANDLES = ["p2", ...SIDE_HANDLES] as const;
+
+/** The two side handles of a view, the one at the right first. */
+export const VIEW_SIDES: Record<View, readonly [SideHandle, SideHandle]> = { front: ["p3", "p4"], side: ["p5", "p6"] };
+
+/** Width and height of the paper's view, in pixels. */
+export const VIEW_PIXELS = 600;
+
+/** Units of the paper to one pixel: a rachis segment is 50 units long and C_l = 29 pixels of the profile. */
+export const UNITS_PER_PIXEL = 50 / 29;
+
+/** Metres to one pixel of the profile; `unit` is the specimen's scale in millimetres per unit of the paper. */
+export function metresPerPixel(unit: number): number {
+	return (UNITS_PER_PIXEL * unit) / 1000;
+}
+
+export function isSide(handle: Handle): handle is SideHandle {
+	return handle !== "p2";
+}
+
+/** The parameters a handle sets. */
+export function handleKeys(handle: Handle): ShapeKey[] {
+	return isSide(handle) ? [`${handle}w`, `${handle}r`] : ["l"];
+}
+
+/** Where a handle stands in its view. */
+export function handlePosition(shape: Shape, handle: Handle): Point {
+	if (!isSide(handle)) return { x: 0, y: shape.l };
+	// −0 is 0
+	return { x: SIDES[handle].sign * shape[`${handle}w`] + 0, y: shape[`${handle}r`] };
+}
+
+/** What a handle says of itself: "p3, right: 150 px wide, 150 px down". */
+export function handleLabel(shape: Shape, handle: Handle): string {
+	return isSide(handle)
+		? `${handle}, ${SIDES[handle].name}: ${handleValue(shape, handle)}`
+		: `p2, length: ${handleValue(shape, handle)}`;
+}
+
+/** The numbers of a handle in words: "150 px wide, 150 px down". */
+export function handleValue(shape: Shape, handle: Handle): string {
+	return isSide(handle) ? `${shape[`${handle}w`]} px wide, ${shape[`${handle}r`]} px down` : `${shape.l} px`;
+}

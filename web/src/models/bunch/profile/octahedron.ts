@@ -1,0 +1,202 @@
+/**
+ * The profile in the 3-D view: the octahedron's outline and faint faces, with five handles that can be dragged there
+ * as in the flat views. In metres, in the bunch's frame: add `object` where the bunch is.
+ */
+import { type Camera, type Group, Matrix4, Raycaster, Vector2, Vector3 } from "three";
+import type { Specimen } from "../../../specimen/specimen";
+import { type DragOptions, nearestHandle } from "./drag";
+import { DragSession } from "./drag_session";
+import { type Freedom, handleVector, type Ray, rayToView, visibleFreedom } from "./handle_ray";
+import { HANDLES, type Handle, type Locks, type Point } from "./handles";
+import { type OctahedronColours, OctahedronFigure } from "./octahedron_figure";
+
+type Parameters = Specimen["parameters"];
+
+/** What the handles need of the view they live in. */
+export interface OctahedronHost {
+	readonly canvas: HTMLCanvasElement;
+	readonly camera: Camera;
+	requestRender(): void;
+	/** Orbit, zoom and pan rest while a handle is held. */
+	setControlsEnabled(on: boolean): void;
+}
+
+/** How near to a handle, in CSS pixels, a mouse or pen and a finger take hold of it. */
+const MOUSE_REACH = 16;
+const TOUCH_REACH = 26;
+
+export class OctahedronHandles {
+	/** Live while a handle is dragged, once a frame at most; also with what was before, when Escape calls it off. */
+	onInput?: (parameters: Parameters) => void;
+	/** A drag is over: with what it made, or, when it was called off, with what was before. */
+	onChange?: (parameters: Parameters) => void;
+	locks: Locks = { leftRight: false, frontBack: false };
+
+	readonly #host: OctahedronHost;
+	readonly #figure: OctahedronFigure;
+	readonly #raycaster = new Raycaster();
+	/** What of its handle's freedom each pointer sees. */
+	readonly #freedoms = new Map<number, Freedom>();
+	readonly #drags: DragSession<Parameters>;
+	#parameters?: Parameters;
+	#hovered?: Handle;
+
+	constructor(host: OctahedronHost) {
+		this.#host = host;
+		this.#figure = new OctahedronFigure(host.canvas);
+		const tell = (parameters: Parameters, listener?: (parameters: Parameters) => void) => {
+			this.update(parameters);
+			listener?.(parameters);
+		};
+		this.#drags = new DragSession<Parameters>({
+			handles: () => HANDLES,
+			get: () => this.#parameters as Parameters,
+			input: (parameters) => tell(parameters, this.onInput),
+			change: (parameters) => tell(parameters, this.onChange),
+			cancel: (parameters) => {
+				tell(parameters, this.onInput);
+				this.onChange?.(parameters);
+			},
+			schedule: (callback) => requestAnimationFrame(callback),
+		});
+		// In the capturing phase, so that the controls are at rest before they hear of a pointer that took a handle.
+		host.canvas.addEventListener("pointerdown", this.#onPointerDown, { capture: true });
+		host.canvas.addEventListener("pointermove", this.#onPointerMove);
+		host.canvas.addEventListener("pointerleave", this.#onPointerLeave);
+		host.canvas.addEventListener("pointerup", this.#onPointerEnd);
+		host.canvas.addEventListener("lostpointercapture", this.#onPointerEnd);
+	}
+
+	/** The outline, faces and handles; place it as the bunch is placed. */
+	get object(): Group {
+		return this.#figure.object;
+	}
+
+	update(parameters: Parameters): void {
+		this.#parameters = parameters;
+		this.#figure.update(parameters);
+		this.#host.requestRender();
+	}
+
+	setColours(colours: OctahedronColours): void {
+		this.#figure.setColours(colours);
+		this.#host.requestRender();
+	}
+
+	/** Hidden handles cannot be dragged. */
+	setVisible(visible: boolean): void {
+		if (!visible) this.#cancel();
+		this.object.visible = visible;
+		if (!visible) this.#hover(undefined);
+		this.#host.requestRender();
+	}
+
+	dispose(): void {
+		this.setVisible(false);
+		const { canvas } = this.#host;
+		canvas.removeEventListener("pointerdown", this.#onPointerDown, { capture: true });
+		canvas.removeEventListener("pointermove", this.#onPointerMove);
+		canvas.removeEventListener("pointerleave", this.#onPointerLeave);
+		canvas.removeEventListener("pointerup", this.#onPointerEnd);
+		canvas.removeEventListener("lostpointercapture", this.#onPointerEnd);
+		this.object.removeFromParent();
+		this.#figure.dispose();
+	}
+
+	readonly #onPointerDown = (event: PointerEvent): void => {
+		if (event.button !== 0 || !this.#parameters) return;
+		const handle = this.#handleAt(event);
+		if (!handle) return;
+		const freedom = visibleFreedom(handle, this.#ray(event));
+		this.#freedoms.set(event.pointerId, freedom);
+		const at = this.#point(event, handle);
+		if (!at || !this.#drags.begin(event.pointerId, handle, at)) return;
+		this.#host.setControlsEnabled(false);
+		this.#host.canvas.setPointerCapture(event.pointerId);
+		window.addEventListener("keydown", this.#onEscape, { capture: true });
+		this.#hover(handle);
+	};
+
+	readonly #onPointerMove = (event: PointerEvent): void => {
+		const handle = this.#drags.heldBy(event.pointerId);
+		if (handle) {
+			const at = this.#point(event, handle);
+			const options: DragOptions = { locks: this.locks, mirror: event.altKey };
+			if (at) this.#drags.move(event.pointerId, at, event.shiftKey, options);
+		} else if (event.buttons === 0 && event.pointerType !== "touch") {
+			this.#hover(this.#handleAt(event));
+		}
+	};
+
+	readonly #onPointerLeave = (): void => {
+		if (!this.#drags.active) this.#hover(undefined);
+	};
+
+	readonly #onPointerEnd = (event: PointerEvent): void => {
+		if (!this.#drags.heldBy(event.pointerId)) return;
+		this.#drags.end(event.pointerId);
+		this.#released();
+		this.#hover(event.pointerType === "touch" ? undefined : this.#handleAt(event));
+	};
+
+	readonly #onEscape = (event: KeyboardEvent): void => {
+		if (event.key !== "Escape") return;
+		event.preventDefault();
+		event.stopPropagation();
+		this.#cancel();
+	};
+
+	#cancel(): void {
+		if (!this.#drags.active) return;
+		this.#drags.cancel();
+		this.#released();
+	}
+
+	#released(): void {
+		if (this.#drags.active) return;
+		this.#freedoms.clear();
+		this.#host.setControlsEnabled(true);
+		window.removeEventListener("keydown", this.#onEscape, { capture: true });
+	}
+
+	#hover(handle: Handle | undefined): void {
+		this.#host.canvas.style.cursor = this.#drags.active ? "grabbing" : handle ? "grab" : "";
+		if (handle === this.#hovered) return;
+		this.#hovered = handle;
+		this.#figure.highlight(handle);
+		this.#host.requestRender();
+	}
+
+	/** The free handle under a pointer. */
+	#handleAt(event: PointerEvent): Handle | undefined {
+		if (!this.#parameters || !this.object.visible) return undefined;
+		const box = this.#host.canvas.getBoundingClientRect();
+		const places = new Map<Handle, Point>();
+		for (const handle of HANDLES) {
+			if (this.#drags.holds(handle)) continue;
+			const place = new Vector3(...handleVector(this.#parameters, handle, this.#parameters.unit));
+			this.object.localToWorld(place).project(this.#host.camera);
+			if (Math.abs(place.z) > 1) continue;
+			places.set(handle, { x: ((place.x + 1) / 2) * box.width, y: ((1 - place.y) / 2) * box.height });
+		}
+		const pointer = { x: event.clientX - box.left, y: event.clientY - box.top };
+		return nearestHandle(places, pointer, event.pointerType === "touch" ? TOUCH_REACH : MOUSE_REACH);
+	}
+
+	/** What the pointer means in the flat view of its handle. */
+	#point(event: PointerEvent, handle: Handle): Point | undefined {
+		const parameters = this.#parameters as Parameters;
+		const freedom = this.#freedoms.get(event.pointerId) ?? "plane";
+		return rayToView(parameters, handle, freedom, this.#ray(event), parameters.unit);
+	}
+
+	/** The pointer's ray in the bunch's frame. */
+	#ray({ clientX, clientY }: PointerEvent): Ray {
+		const box = this.#host.canvas.getBoundingClientRect();
+		const x = ((clientX - box.left) / box.width) * 2 - 1;
+		const y = 1 - ((clientY - box.top) / box.height) * 2;
+		this.#raycaster.setFromCamera(new Vector2(x, y), this.#host.camera);
+		const ray = this.#raycaster.ray.clone().applyMatrix4(new Matrix4().copy(this.object.matrixWorld).invert());
+		return { origin: ray.origin.toArray(), direction: ray.direction.toArray() };
+	}
+}

@@ -1,0 +1,115 @@
+/** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
+import { html, nothing, svg, type TemplateResult } from "lit";
+import { guard } from "lit/directives/guard.js";
+import type { Specimen } from "../../../specimen/specimen";
+import { envelopePath } from "./envelope";
+import { type Handle, handleLabel, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
+import { type DrawnBunch, silhouette } from "./silhouette";
+import { scaleBar, type ViewFrame } from "./view_frame";
+
+/** Radius within which a handle can be taken hold of, in CSS pixels: half of 44, the least for a thumb. */
+export const HANDLE_REACH = 22;
+
+/** Puts content that keeps its size on the screen at a point of the profile. */
+function pin(frame: ViewFrame, x: number, y: number): string {
+	return `translate(${x} ${y}) scale(${1 / frame.scale})`;
+}
+
+/** The grown bunch, drawn again only when it or the scale changed. */
+export function drawBunch(bunch: DrawnBunch | undefined, view: View, unit: number): TemplateResult {
+	const draw = () => {
+		if (!bunch) return nothing;
+		const { berries, stems } = silhouette(bunch, view, unit);
+		return svg`<path d=${stems}></path>${berries.map(
+			({ x, y, rx, ry, turn }) =>
+				svg`<ellipse rx=${rx} ry=${ry} transform="translate(${x} ${y}) rotate(${turn})"></ellipse>`,
+		)}`;
+	};
+	return svg`<g class="bunch">${guard([bunch, view, unit], draw)}</g>`;
+}
+
+/** Envelope, the octahedron's outline and its axis, and p1. */
+export function drawOutline(parameters: Specimen["parameters"], view: View, frame: ViewFrame): TemplateResult {
+	const [right, left] = VIEW_SIDES[view].map((handle) => handlePosition(parameters, handle));
+	const { l } = parameters;
+	return svg`
+		<path class="envelope" d=${envelopePath(parameters, view)}></path>
+		<line class="axis" x1="0" y1="0" x2="0" y2=${l}></line>
+		<path class="outline" d="M0 0L${right.x} ${right.y}L0 ${l}L${left.x} ${left.y}Z"></path>
+		<g transform=${pin(frame, 0, 0)}>
+			<circle class="root" r="2.5"></circle>
+			<text class="name" y="-6" text-anchor="middle"><tspan class="symbol">p</tspan><tspan class="subscript" dy="2">1</tspan></text>
+		</g>`;
+}
+
+export interface HandleState {
+	held: boolean;
+	disabled: boolean;
+}
+
+/**
+ * One handle, over the SVG rather than in it: `touch-action` has no effect on the shapes of an SVG, and a button is
+ * one to assistive technology. `data-handle` names it to the event handlers; 44 pixels across, the dot in its middle.
+ * Its place is set as a property: a `style` attribute would need a looser content security policy.
+ */
+export function drawHandle(
+	shape: Shape,
+	handle: Handle,
+	frame: ViewFrame,
+	{ held, disabled }: HandleState,
+): TemplateResult {
+	const { x, y } = handlePosition(shape, handle);
+	const across = (x - frame.left) * frame.scale;
+	const down = (y - frame.top) * frame.scale;
+	// The name moves out where the handle stands close to the axis, clear of p1's and of its opposite's.
+	const aside = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
+	return html`<button
+		type="button"
+		class=${held ? "handle held" : "handle"}
+		data-handle=${handle}
+		?disabled=${disabled}
+		aria-roledescription="handle"
+		aria-label=${handleLabel(shape, handle)}
+		aria-describedby="help"
+		.style=${`transform: translate(${across}px, ${down}px); --aside: ${aside}px`}
+	>
+		<span class="name"><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>
+	</button>`;
+}
+
+/** The numbers of a handle on lines from the axis and from the level of p1. */
+export function drawGuides(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
+	const { x, y } = handlePosition(shape, handle);
+	if (!isSide(handle)) {
+		const text = drawValue("l", "", shape.l, -6, 4, "end");
+		return svg`<line class="guide" x1="0" y1="0" x2="0" y2=${y}></line>
+			<g transform=${pin(frame, 0, y * 0.62)}>${text}</g>`;
+	}
+	const { sign } = SIDES[handle];
+	const index = handle.slice(1);
+	const w = drawValue("w", index, shape[`${handle}w`], 0, 13, "middle");
+	const r = drawValue("r", index, shape[`${handle}r`], -6 * sign, 4, sign > 0 ? "end" : "start");
+	return svg`<line class="guide" x1="0" y1=${y} x2=${x} y2=${y}></line>
+		<line class="guide" x1="0" y1="0" x2=${x} y2="0"></line>
+		<line class="guide" x1=${x} y1="0" x2=${x} y2=${y}></line>
+		<g transform=${pin(frame, x / 2, y)}>${w}</g>
+		<g transform=${pin(frame, x, y / 2)}>${r}</g>`;
+}
+
+function drawValue(symbol: string, index: string, value: number, x: number, y: number, anchor: string): TemplateResult {
+	return svg`<text class="value" x=${x} y=${y} text-anchor=${anchor}><tspan class="symbol">${symbol}</tspan><tspan class="subscript" dy="2"
+		>${index}</tspan><tspan dy=${index ? -2 : 0}> ${value}</tspan></text>`;
+}
+
+/** A scale bar at the lower left, as on a plate. */
+export function drawScale(extent: number, unit: number, frame: ViewFrame): TemplateResult {
+	const { length, label } = scaleBar(extent, unit);
+	const pixels = length * frame.scale;
+	const corner = pin(frame, frame.left + 8 / frame.scale, frame.top + frame.height - 8 / frame.scale);
+	return svg`<g class="scale" transform=${corner}>
+		<line x1="0" y1="0" x2=${pixels} y2="0"></line>
+		<line x1="0" y1="-3" x2="0" y2="0"></line>
+		<line x1=${pixels} y1="-3" x2=${pixels} y2="0"></line>
+		<text x=${pixels / 2} y="-6" text-anchor="middle">${label}</text>
+	</g>`;
+}

@@ -1,0 +1,75 @@
+/** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
+import { PROCEDURES } from "../grown";
+import type { Specimen } from "../../../specimen/specimen";
+import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
+
+export interface ViewFrame {
+	/** The SVG's viewBox, in pixels of the profile. */
+	left: number;
+	top: number;
+	width: number;
+	height: number;
+	/** Screen (CSS) pixels to one pixel of the profile. */
+	scale: number;
+}
+
+/** Screen pixels left free around the paper's view, so that a handle at its edge is not cut. */
+const MARGIN = 14;
+
+/** Sides of the square a view may show, in pixels of the profile: the paper's, and less for small bunches. */
+const EXTENTS = [150, 200, 250, 300, 400, 500, VIEW_PIXELS];
+
+/** Room left below a side handle, in pixels of the profile. */
+const BELOW_SIDE = 20;
+
+/** The parameters that say how much room a bunch takes. */
+export type Roomy = Shape & Pick<Specimen["parameters"], "procedure" | "rmax" | "size" | "unit">;
+
+/** How far pedicel and berry reach beyond the tip and the widths, in pixels of the profile. */
+function beyond({ procedure, rmax, size, unit }: Roomy): number {
+	const berry = PROCEDURES[procedure] === "natural" ? size / unit : 2 * rmax;
+	return berry / UNITS_PER_PIXEL + 15;
+}
+
+/**
+ * The least of the extents at which an element of that size holds the whole bunch; in the paper's 600 pixels a lychee
+ * of 65 would be a speck. Steps rather than a smooth fit: a view that rescaled after every drag would unsettle. Both
+ * views of a profile get the same where they are of one size, so that they compare.
+ */
+export function viewExtent(shape: Roomy, width: number, height: number): number {
+	const reach = beyond(shape);
+	let needHeight = shape.l + reach;
+	let needWidth = 0;
+	for (const side of SIDE_HANDLES) {
+		needHeight = Math.max(needHeight, shape[`${side}r`] + BELOW_SIDE);
+		needWidth = Math.max(needWidth, 2 * (shape[`${side}w`] + reach));
+	}
+	const fits = (extent: number) => {
+		const { scale } = viewFrame(width, height, extent);
+		return needWidth * scale <= width - 2 * MARGIN && needHeight * scale <= height - 2 * MARGIN;
+	};
+	return EXTENTS.find(fits) ?? VIEW_PIXELS;
+}
+
+/** Fits a square of `extent` profile pixels into an element of CSS pixels, p1 at its top centre. */
+export function viewFrame(width: number, height: number, extent: number): ViewFrame {
+	const scale = Math.max(Math.min(width, height) - 2 * MARGIN, 1) / extent;
+	return { left: -width / (2 * scale), top: -MARGIN / scale, width: width / scale, height: height / scale, scale };
+}
+
+export interface ScaleBar {
+	/** Pixels of the profile. */
+	length: number;
+	/** "5 cm". */
+	label: string;
+}
+
+/** The longest round length (1, 2 or 5 times a power of ten) that takes at most a quarter of the view. */
+export function scaleBar(extent: number, unit: number): ScaleBar {
+	const millimetres = UNITS_PER_PIXEL * unit;
+	const most = (extent / 4) * millimetres;
+	const decade = 10 ** Math.floor(Math.log10(most));
+	const length = decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);
+	const label = length >= 10 ? `${length / 10} cm` : `${length} mm`;
+	return { length: length / millimetres, label };
+}
