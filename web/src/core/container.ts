@@ -1,0 +1,160 @@
+/**
+ * The one thing that crosses the border, both ways: a directory of named arrays and their data in a single block of
+ * bytes (layout: wasm-core/src/boundary/panicle.h). A request is one, and so is what comes back.
+ */
+
+/** What an array is made of, by the numbers of the layout. */
+export const ELEMENTS = ["text", "uint8", "int32", "uint32", "float32"] as const;
+export type Element = (typeof ELEMENTS)[number];
+
+export type ColumnData = Uint8Array | Int32Array | Uint32Array | Float32Array;
+
+/** A named array on its way to the core: numbers, or a text. */
+export interface Block {
+	readonly name: string;
+	readonly data: ColumnData | string;
+	/** How many elements make one row; 1 where absent. */
+	readonly width?: number;
+}
+
+const MAGIC = 0x4c434e50; // "PNCL"
+const LAYOUT = 3;
+const HEADER_WORDS = 4;
+const ENTRY_WORDS = 6;
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+/** Lays blocks out as bytes. Names are unique. */
+export function writeContainer(blocks: readonly Block[]): Uint8Array<ArrayBuffer> {
+	const entries = blocks.map(({ name, data, width = 1 }) => ({
+		name: encoder.encode(name),
+		element: elementOf(data),
+		bytes: typeof data === "string" ? encoder.encode(data) : bytesOf(data),
+		count: typeof data === "string" ? undefined : data.length / width,
+		width,
+	}));
+	let at = 4 * (HEADER_WORDS + ENTRY_WORDS * entries.length);
+	const placed = entries.map((entry) => {
+		const name = at;
+		const data = name + padded(entry.name.length);
+		at = data + padded(entry.bytes.length);
+		return { ...entry, nameAt: name, dataAt: data };
+	});
+	const whole = new Uint8Array(at);
+	const words = new Uint32Array(whole.buffer);
+	words.set([MAGIC, LAYOUT, entries.length, at]);
+	placed.forEach(({ name, nameAt, element, width, count, bytes, dataAt }, index) => {
+		const row = HEADER_WORDS + ENTRY_WORDS * index;
+		words.set([nameAt, name.length, element, width, count ?? bytes.length, dataAt], row);
+		whole.set(name, nameAt);
+		whole.set(bytes, dataAt);
+	});
+	return whole;
+}
+
+interface Column {
+	readonly element: Element;
+	readonly width: number;
+	readonly data: ColumnData;
+}
+
+/** What is in a container, by name. Arrays are views of its bytes: whoever has the container has them. */
+export class Columns {
+	readonly #columns = new Map<string, Column>();
+
+	/**
+	 * @param bytes as `writeContainer` or the core lays them out; the view must begin at a multiple of four
+	 * @throws RangeError where the bytes are no container
+	 */
+	constructor(readonly bytes: Uint8Array<ArrayBuffer>) {
+		if (bytes.byteOffset % 4 !== 0 || bytes.length < 4 * HEADER_WORDS) throw new RangeError("No container.");
+		const words = new Uint32Array(bytes.buffer, bytes.byteOffset, Math.floor(bytes.length / 4));
+		const [magic, layout, count, length] = words;
+		if (magic !== MAGIC || layout !== LAYOUT || length !== bytes.length) throw new RangeError("No container.");
+		for (let row = HEADER_WORDS; row < HEADER_WORDS + ENTRY_WORDS * count; row += ENTRY_WORDS) {
+			const [nameAt, nameLength, element, width, rows, dataAt] = words.subarray(row, row + ENTRY_WORDS);
+			const name = decoder.decode(bytes.subarray(nameAt, nameAt + nameLength));
+			this.#columns.set(name, { element: ELEMENTS[element], width, data: view(bytes, element, width * rows, dataAt) });
+		}
+	}
+
+	has(name: string): boolean {
+		return this.#columns.has(name);
+	}
+
+	get names(): string[] {
+		return [...this.#columns.keys()];
+	}
+
+	/** Elements to a row of a column. */
+	width(name: string): number {
+		return this.#column(name).width;
+	}
+
+	text(name: string): string {
+		return decoder.decode(this.#of(name, "text"));
+	}
+
+	/** The lines of a text; none where there is no such text. */
+	lines(name: string): string[] {
+		return this.has(name) ? this.text(name).split("\n").filter(Boolean) : [];
+	}
+
+	floats(name: string): Float32Array<ArrayBuffer> {
+		return this.#of(name, "float32") as Float32Array<ArrayBuffer>;
+	}
+
+	ints(name: string): Int32Array<ArrayBuffer> {
+		return this.#of(name, "int32") as Int32Array<ArrayBuffer>;
+	}
+
+	words(name: string): Uint32Array<ArrayBuffer> {
+		return this.#of(name, "uint32") as Uint32Array<ArrayBuffer>;
+	}
+
+	octets(name: string): Uint8Array<ArrayBuffer> {
+		return this.#of(name, "uint8") as Uint8Array<ArrayBuffer>;
+	}
+
+	/** A column whatever it is made of. */
+	any(name: string): ColumnData {
+		return this.#column(name).data;
+	}
+
+	#column(name: string): Column {
+		const column = this.#columns.get(name);
+		if (!column) throw new RangeError(`There is no column “${name}”.`);
+		return column;
+	}
+
+	#of(name: string, element: Element): ColumnData {
+		const column = this.#column(name);
+		if (column.element !== element) throw new RangeError(`Column “${name}” is ${column.element}, not ${element}.`);
+		return column.data;
+	}
+}
+
+function elementOf(data: Block["data"]): number {
+	if (typeof data === "string") return 0;
+	if (data instanceof Uint8Array) return 1;
+	if (data instanceof Int32Array) return 2;
+	return data instanceof Uint32Array ? 3 : 4;
+}
+
+function bytesOf({ buffer, byteOffset, byteLength }: ColumnData): Uint8Array {
+	return new Uint8Array(buffer, byteOffset, byteLength);
+}
+
+function view({ buffer, byteOffset }: Uint8Array<ArrayBuffer>, element: number, length: number, at: number): ColumnData {
+	const from = byteOffset + at;
+	if (element === 2) return new Int32Array(buffer, from, length);
+	if (element === 3) return new Uint32Array(buffer, from, length);
+	if (element === 4) return new Float32Array(buffer, from, length);
+	return new Uint8Array(buffer, from, length);
+}
+
+/** Everything begins at a word. */
+function padded(bytes: number): number {
+	return (bytes + 3) & ~3;
+}

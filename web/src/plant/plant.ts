@@ -1,0 +1,79 @@
+/** What every model gives back, typed: the plant that scene, exporters and panels read. Metres, +Y up. */
+
+/** Triangles; normals are of unit length, indices go counter-clockwise seen from outside. */
+export interface Mesh {
+	/** 3 × vertices. */
+	positions: Float32Array;
+	/** 3 × vertices. */
+	normals: Float32Array;
+	/** 2 × vertices. */
+	uvs: Float32Array;
+	/** 3 × triangles. */
+	indices: Uint32Array;
+}
+
+/** The modules that were drawn, one each, unmerged; parents come first. */
+export interface Segments {
+	count: number;
+	/** Index of the segment it grows from, −1 at a root. */
+	parent: Int32Array;
+	/** Index into `tags`: what it is. */
+	tag: Uint8Array;
+	/** The model's names for what segments are. */
+	tags: readonly string[];
+	/** 6 × count: start x y z, end x y z. */
+	ends: Float32Array;
+	/** 2 × count: radius at the start, at the end. */
+	radii: Float32Array;
+}
+
+/** What is borne: leaves, fruits, flowers, one mesh many times. */
+export interface Organs {
+	count: number;
+	/** Index into `tags`: what it is. */
+	tag: Uint8Array;
+	tags: readonly string[];
+	/** Index of the segment that bears it, −1 for none. */
+	segment: Int32Array;
+	/** Index into `Plant.meshes`, −1 for what has no mesh of its own. */
+	mesh: Int32Array;
+	/** 8 × count: position x y z, rotation as a unit quaternion x y z w, scale. */
+	transforms: Float32Array;
+}
+
+/** A contiguous run of a mesh with a name of its own. */
+export interface MeshRun {
+	name: string;
+	firstVertex: number;
+	vertexCount: number;
+	/** Into `indices`; the indices themselves count from the whole mesh's first vertex. */
+	firstIndex: number;
+	indexCount: number;
+}
+
+/** A mesh of the plant: what it is made of, and what else is known at each vertex. */
+export interface PlantMesh extends Mesh {
+	name: string;
+	/** Kind of material: stem, bark, blade, petal, skin … */
+	material: string;
+	runs: MeshRun[];
+}
+
+/** A grown plant of any model. Models add what is theirs by extending it. */
+export interface Plant {
+	segments: Segments;
+	organs: Organs;
+	meshes: PlantMesh[];
+	/** By name, in the order of the model. */
+	counts: Record<string, number>;
+	/** In the order of the model's table of measures; NaN where one does not apply; absent if not asked for. */
+	measures?: Float32Array;
+	/** What the core has to say about the request, in plain words. */
+	notes: string[];
+	/** 16 hexadecimal digits over segments and organs (docs/fingerprint.md). */
+	fingerprint: string;
+	/** The same over the meshes; absent if not asked for. */
+	meshFingerprint?: string;
+	/** Wall time measured by the caller, in milliseconds. */
+	timings: { grow: number };
+}
