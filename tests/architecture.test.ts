@@ -121,7 +121,7 @@ describe("the arrow between the rooms", () => {
 		expect(core("web/src/specimen/link")).toBe(false);
 		expect(core("web/src/specimen/specimen", true)).toBe(true);
 		expect(core(tablesOfSpecimen[0])).toBe(true);
-		expect(isAllowed({ from: "web/src/scene/x.ts", to: "build/core/panicle.wasm", typeOnly: false })).toBe(false);
+		expect(isAllowed({ from: "web/src/scene/x.ts", to: "build/core/bunch.wasm", typeOnly: false })).toBe(false);
 	});
 });
 

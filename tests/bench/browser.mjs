@@ -76,7 +76,7 @@ function benchSizes(asked) {
 	const kilobytes = (bytes) => (bytes / 1000).toFixed(1);
 	printTable("Size, gzipped, kB (aims: core 100, first load 400)", [
 		["file", "kB"],
-		["core, panicle.wasm", kilobytes(gzipped(join(modulesFolder, "panicle.wasm")))],
+		["core, bunch.wasm", kilobytes(gzipped(join(modulesFolder, "bunch.wasm")))],
 		...files.filter(({ bytes }) => bytes > 500).map(({ path, bytes }) => [`  ${path}`, kilobytes(bytes)]),
 		["first load", kilobytes(total)],
 	]);

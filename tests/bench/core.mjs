@@ -1,5 +1,5 @@
 /**
- * The core as the bench sees it: panicle-bench.wasm in this process and core_bench_native beside it, the same sources
+ * The core as the bench sees it: core-bench.wasm in this process and core_bench_native beside it, the same sources
  * and the same kernels (wasm-core/bench/kernels.hpp).
  */
 import { execFileSync } from "node:child_process";
@@ -27,7 +27,7 @@ export async function loadBenchCore() {
 
 /** What loadBenchCore has built. */
 export function benchModule() {
-	return new WebAssembly.Module(readFileSync(join(modulesFolder, "panicle-bench.wasm")));
+	return new WebAssembly.Module(readFileSync(join(modulesFolder, "core-bench.wasm")));
 }
 
 /** Copies a request in; gives a function that grows it `rounds` times. */

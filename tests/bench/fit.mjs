@@ -6,7 +6,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { runnerImport } from "vite";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
-import { coreModule, repository } from "../../wasm-core/tools/repository.mjs";
+import { moduleOf, repository } from "../../wasm-core/tools/repository.mjs";
 import { octahedronFit } from "./octahedron_fit.mjs";
 
 const PAGE = join(repository, "docs/fit.md");
@@ -28,7 +28,7 @@ const { envelopePath } = await source("web/src/models/bunch/profile/envelope.ts"
 const { metresPerPixel } = await source("web/src/models/bunch/profile/handles.ts");
 
 await buildCore();
-const core = await Core.instantiate(new WebAssembly.Module(readFileSync(coreModule)));
+const core = await Core.instantiate(new WebAssembly.Module(readFileSync(moduleOf("bunch"))));
 
 const shapes = PRESETS.filter(({ kind, parameters }) => kind === "shape" && !parameters.wing).map(
 	({ name, title }) => ({

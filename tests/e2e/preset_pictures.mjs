@@ -2,7 +2,7 @@
 import { createServer } from "vite";
 import { launch } from "./browser.mjs";
 
-const core = `/@fs${new URL("../../build/core/panicle.wasm", import.meta.url).pathname}`;
+const core = `/@fs${new URL("../../build/core/bunch.wasm", import.meta.url).pathname}`;
 
 /**
  * @typedef {object} Asked

@@ -7,22 +7,26 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
+import { type Block, Columns, writeContainer } from "../../web/src/core/container";
 import type { Core } from "../../web/src/core/core";
 import type { Grown } from "../../web/src/models/bunch/grown";
-import { encodeRequest } from "../../web/src/models/bunch/request";
-import { specimenFromPreset } from "../../web/src/specimen/from_preset";
 import { PRESETS } from "../../web/src/models/bunch/presets/index";
+import { readGrown } from "../../web/src/models/bunch/read_grown";
+import { encodeRequest } from "../../web/src/models/bunch/request";
+import { readPlant } from "../../web/src/plant/read_plant";
+import { specimenFromPreset } from "../../web/src/specimen/from_preset";
 import { freshCore } from "../web/core/wasm";
 
 type Golden = ReturnType<typeof digest>;
 
 const SEEDS = [1, 2, 4294967295];
-const FINGERPRINTS_SECTION = 12;
 const nativeGrow = new URL("../../build/asan/native_grow", import.meta.url);
 
+/** Everything that a digest has in it. */
+const WHOLE = { meshFingerprint: true };
 /** Presets of the paper, as links of version 1 mean them. */
-const paper = (name: string, seed: number) => encodeRequest({ ...specimenFromPreset(name, 1), seed });
-const natural = (name: string, seed: number) => encodeRequest({ ...specimenFromPreset(name), seed });
+const paper = (name: string, seed: number) => encodeRequest({ ...specimenFromPreset(name, 1), seed }, WHOLE);
+const natural = (name: string, seed: number) => encodeRequest({ ...specimenFromPreset(name), seed }, WHOLE);
 
 function digest(grown: Grown) {
 	const { internodes, berries, stem, berry, surfaces, counts, fingerprint, meshFingerprint } = grown;
@@ -40,24 +44,15 @@ function digest(grown: Grown) {
 }
 
 /** The fingerprints that the native build gives for the same bytes. */
-function growNatively(request: Uint8Array): { fingerprint: string; meshFingerprint: string } {
-	const { stdout, status } = spawnSync(nativeGrow.pathname, { input: request, maxBuffer: 64 * 1024 * 1024 });
+function growNatively(blocks: readonly Block[]): { fingerprint: string; meshFingerprint: string | undefined } {
+	const input = writeContainer(blocks);
+	const { stdout, status } = spawnSync(nativeGrow.pathname, { input, maxBuffer: 64 * 1024 * 1024 });
 	expect(status).toBe(0);
-	const view = new DataView(stdout.buffer, stdout.byteOffset, stdout.byteLength);
-	for (let at = 0; at < view.byteLength; ) {
-		const section = view.getUint32(at, true);
-		const bytes = view.getUint32(at + 4, true);
-		if (section === FINGERPRINTS_SECTION) {
-			const word = (i: number) =>
-				view
-					.getUint32(at + 8 + i * 4, true)
-					.toString(16)
-					.padStart(8, "0");
-			return { fingerprint: word(1) + word(0), meshFingerprint: word(3) + word(2) };
-		}
-		at += 8 + bytes;
-	}
-	throw new Error("The native result has no fingerprints.");
+	const { fingerprint, meshFingerprint } = readPlant({
+		columns: new Columns(Uint8Array.from(stdout)),
+		milliseconds: 0,
+	});
+	return { fingerprint, meshFingerprint };
 }
 
 let core: Core;
@@ -75,7 +70,7 @@ describe.each([
 
 	beforeAll(() => {
 		for (const { name } of presets)
-			for (const seed of SEEDS) found[`${name} ${seed}`] = digest(core.grow(requestFor(name, seed)));
+			for (const seed of SEEDS) found[`${name} ${seed}`] = digest(readGrown(core.grow(requestFor(name, seed))));
 		if (procedure === "natural" && process.env.UPDATE_GOLDENS)
 			writeFileSync(goldenFile, `${JSON.stringify(found, null, "\t")}\n`);
 	});
@@ -85,7 +80,8 @@ describe.each([
 	});
 
 	it("a second growth in the same instance gives the same", () => {
-		for (const { name } of presets) expect(digest(core.grow(requestFor(name, 1)))).toEqual(found[`${name} 1`]);
+		for (const { name } of presets)
+			expect(digest(readGrown(core.grow(requestFor(name, 1))))).toEqual(found[`${name} 1`]);
 	});
 
 	it("native and wasm agree to the bit", { timeout: 300_000 }, () => {

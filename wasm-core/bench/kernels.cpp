@@ -5,12 +5,12 @@
 #include <limits>
 #include <vector>
 
-#include "models/bunch/bunch.hpp"
-#include "models/bunch/paper/interaction.hpp"
-#include "models/bunch/parameters.generated.hpp"
 #include "foundation/random.hpp"
 #include "geometry/tubes.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/bunch.hpp"
+#include "models/bunch/paper/interaction.hpp"
+#include "models/bunch/parameters.generated.hpp"
 
 namespace panicle::bench {
 namespace {

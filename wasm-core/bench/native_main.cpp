@@ -9,8 +9,8 @@
 #include <ctime>
 #include <vector>
 
-#include "kernels.hpp"
 #include "boundary/panicle.h"
+#include "kernels.hpp"
 
 namespace {
 
@@ -42,7 +42,7 @@ int main(int count, char** arguments) {
     const std::vector<std::uint8_t> request = standard_input();
     time_runs(std::atol(arguments[2]), std::atol(arguments[3]), [&request](long rounds) {
       for (long round = 0; round < rounds; ++round)
-        panicle_free(panicle_grow(request.data(), static_cast<std::uint32_t>(request.size())));
+        panicle_release(panicle_grow(request.data(), static_cast<std::uint32_t>(request.size())));
       return 1.0;
     });
     return 0;

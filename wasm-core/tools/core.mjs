@@ -1,5 +1,5 @@
 /**
- * Builds the core: `node wasm-core/tools/core.mjs` makes build/core/panicle.wasm, `core.mjs asan core_tests` a native
+ * Builds the core: `node wasm-core/tools/core.mjs` makes build/core/<model>.wasm for each model, `core.mjs asan core_tests` a native
  * target of a preset. Quick when nothing has changed. All it says goes to standard error.
  */
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { withLock } from "./lock.mjs";
 import { run } from "./process.mjs";
-import { buildFolder, coreFolder, modulesFolder } from "./repository.mjs";
+import { buildFolder, coreFolder, models, modulesFolder } from "./repository.mjs";
 import { emscriptenEnvironment, emscriptenIdentity, prepare, ToolchainError } from "./toolchain.mjs";
 
 /** The compiler's own words on what does not compile. */
@@ -64,12 +64,12 @@ function publish(name) {
 }
 
 /**
- * Builds `targets` (default: all; of wasm, the app's module alone) of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a
+ * Builds `targets` (default: all; of wasm, the models alone) of a preset of wasm-core/CMakePresets.json. Throws a ToolchainError or a
  * CoreBuildError; modules built before then stay as they are.
  *
  * @param {string} [preset]
  * @param {string[]} [targets]
- * @returns {Promise<{ changed: boolean }>} whether panicle.wasm is another one than before
+ * @returns {Promise<{ changed: boolean }>} whether a model's module is another one than before
  */
 export async function buildCore(preset = "wasm", targets = []) {
 	if (!presets.includes(preset)) throw new ToolchainError(`No preset ${preset}; there are ${presets.join(", ")}.`);
@@ -78,7 +78,7 @@ export async function buildCore(preset = "wasm", targets = []) {
 	return withLock(join(buildFolder, `${preset}.lock`), async () => {
 		await configure(preset, tools, env);
 		const jobs = String(availableParallelism());
-		const chosen = targets.length > 0 ? targets : preset === "wasm" ? ["panicle"] : ["all"];
+		const chosen = targets.length > 0 ? targets : preset === "wasm" ? ["models"] : ["all"];
 		const output = await step(
 			tools.cmake,
 			["--build", join(buildFolder, preset), "--parallel", jobs, "--target", ...chosen],
@@ -88,8 +88,8 @@ export async function buildCore(preset = "wasm", targets = []) {
 		);
 		if (/warning:/.test(output)) console.error(essence(output));
 		if (preset !== "wasm") return { changed: false };
-		publish("panicle-bench.wasm");
-		return { changed: publish("panicle.wasm") };
+		publish("core-bench.wasm");
+		return { changed: models().filter((model) => publish(`${model}.wasm`)).length > 0 };
 	});
 }
 

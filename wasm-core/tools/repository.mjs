@@ -1,4 +1,5 @@
 /** Where things are. Paths are absolute. */
+import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -8,4 +9,7 @@ export const coreFolder = join(repository, "wasm-core");
 export const buildFolder = join(repository, "build");
 /** The finished modules; what is here is always whole. */
 export const modulesFolder = join(buildFolder, "core");
-export const coreModule = join(modulesFolder, "panicle.wasm");
+/** The module of one model. */
+export const moduleOf = (model) => join(modulesFolder, `${model}.wasm`);
+/** The models, by the folders that hold them. */
+export const models = () => readdirSync(join(coreFolder, "src/models")).sort();

@@ -1,5 +1,5 @@
-# panicle.wasm and, where there is a bench, panicle-bench.wasm: standalone modules that export the functions of
-# boundary/panicle.h. The caller runs `_initialize` once.
+# <model>.wasm for each model and, where there is a bench, core-bench.wasm with all of them: standalone modules that export
+# the functions of boundary/panicle.h. The caller runs `_initialize` once.
 
 # The header is the one list of exports.
 file(STRINGS src/boundary/panicle.h declarations REGEX "^[A-Za-z].* \\*?panicle_[a-z_]+\\(")
@@ -18,22 +18,24 @@ else()
   set(stack_option -sSTACK_SIZE=1048576)
 endif()
 
-function(panicle_wasm name exported)
+function(panicle_wasm name library)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE panicle_core)
+  target_link_libraries(${name} PRIVATE ${library})
   set_target_properties(${name} PROPERTIES SUFFIX .wasm)
   target_link_options(${name} PRIVATE
     --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 ${stack_option}
-    -sEXPORTED_FUNCTIONS=${exported})
+    -sEXPORTED_FUNCTIONS=${exports})
 endfunction()
 
 file(WRITE ${CMAKE_BINARY_DIR}/empty.cpp "")
-file(GLOB api_sources CONFIGURE_DEPENDS src/boundary/*.cpp)
-if(api_sources)
-  panicle_wasm(panicle "${exports}" ${CMAKE_BINARY_DIR}/empty.cpp)
-endif()
+foreach(model IN LISTS models)
+  panicle_linked(panicle_linked_${model} ${model})
+  panicle_wasm(${model} panicle_linked_${model} ${CMAKE_BINARY_DIR}/empty.cpp)
+endforeach()
+add_custom_target(models DEPENDS ${models})
+
 file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
-if(api_sources AND bench_sources)
+if(bench_sources)
   # Functions of the bench are marked EMSCRIPTEN_KEEPALIVE (or __attribute__((export_name))) where they stand.
-  panicle_wasm(panicle-bench "${exports}" ${bench_sources})
+  panicle_wasm(core-bench panicle_core ${bench_sources})
 endif()

@@ -1,132 +1,159 @@
 #include <doctest/doctest.h>
 
-#include <bit>
-#include <cstring>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "models/bunch/parameters.generated.hpp"
+#include "boundary/panicle.h"
+#include "foundation/container.hpp"
 #include "foundation/random.hpp"
 #include "foundation/result.hpp"
-#include "boundary/panicle.h"
+#include "models/bunch/parameters.generated.hpp"
+
+using namespace panicle;
 
 namespace {
 
-using Words = std::vector<std::uint32_t>;
-
-Words small_request(std::uint32_t outputs = 0) { return {0x4c434e50, 2, 1, outputs, 1, 0, 0, 0, 0, 0, 0, 0}; }
+// A request as a page writes it; blocks may be added before it is sent.
+struct Asked {
+  explicit Asked(std::string_view outputs = "", std::string_view model = "bunch") {
+    writer.add("model", model);
+    writer.add("outputs", outputs);
+  }
+  ContainerWriter writer;
+};
 
 struct Answer {
-  explicit Answer(const Words& request)
-      : result(panicle_grow(reinterpret_cast<const std::uint8_t*>(request.data()),
-                            static_cast<std::uint32_t>(request.size() * 4))) {}
-  ~Answer() { panicle_free(result); }
-  std::uint32_t bytes(std::uint32_t section) const { return panicle_section_bytes(result, section); }
-  std::uint32_t word(std::uint32_t section, std::size_t index) const {
-    REQUIRE(bytes(section) >= (index + 1) * 4);
-    std::uint32_t value;
-    std::memcpy(&value, static_cast<const char*>(panicle_section(result, section)) + index * 4, 4);
-    return value;
+  explicit Answer(const Asked& asked) {
+    std::uint8_t* const request = asked.writer.write();
+    send({request, container_bytes(request)});
+    std::free(request);
   }
-  panicle::Reason reason() const { return static_cast<panicle::Reason>(word(PANICLE_SECTION_STATUS, 0)); }
-  std::string message() const {
-    return {static_cast<const char*>(panicle_section(result, PANICLE_SECTION_MESSAGE)), bytes(PANICLE_SECTION_MESSAGE)};
+  explicit Answer(std::span<const std::uint8_t> bytes) { send(bytes); }
+  ~Answer() { panicle_release(block); }
+  Answer(const Answer&) = delete;
+  Answer& operator=(const Answer&) = delete;
+
+  const ColumnView* find(std::string_view name) const {
+    for (const ColumnView& column : columns)
+      if (column.name == name) return &column;
+    return nullptr;
   }
-  PanicleResult* result;
+  const ColumnView& column(std::string_view name) const {
+    const ColumnView* const found = find(name);
+    REQUIRE_MESSAGE(found != nullptr, name);
+    return *found;
+  }
+  std::uint32_t rows(std::string_view name) const { return column(name).rows; }
+  std::uint32_t word(std::string_view name, std::size_t index) const { return column(name).as<std::uint32_t>()[index]; }
+  Reason reason() const { return static_cast<Reason>(word("status", 0)); }
+  std::string message() const { return std::string(column("message").text()); }
+
+  std::uint8_t* block = nullptr;
+  std::vector<ColumnView> columns;
+
+ private:
+  void send(std::span<const std::uint8_t> bytes) {
+    block = panicle_grow(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    REQUIRE(block != nullptr);
+    auto read = read_container({block, container_bytes(block)});
+    REQUIRE(read);
+    columns = read.value();
+  }
 };
 
 }  // namespace
 
-TEST_CASE("the smallest request grows the default bunch, section by section") {
-  const Answer answer(small_request(1));
-  REQUIRE(answer.reason() == panicle::Reason::none);
-  const std::uint32_t internodes = answer.word(PANICLE_SECTION_COUNTS, 1),
-                      berries = answer.word(PANICLE_SECTION_COUNTS, 3);
-  CHECK(answer.word(PANICLE_SECTION_PLAN, 16) == 18);
-  CHECK(answer.bytes(PANICLE_SECTION_PLAN) == (16 + 1 + 17) * 4);
-  CHECK(answer.bytes(PANICLE_SECTION_SECOND) == 0);
-  CHECK(answer.bytes(PANICLE_SECTION_INTERNODES) == internodes * 16);
-  CHECK(answer.bytes(PANICLE_SECTION_INTERNODE_ENDS) == internodes * 24);
-  CHECK(answer.bytes(PANICLE_SECTION_INTERNODE_RADII) == internodes * 8);
-  CHECK(answer.bytes(PANICLE_SECTION_BERRIES) == berries * 16);
-  CHECK(answer.bytes(PANICLE_SECTION_BERRY_DIRECTIONS) == berries * 12);
-  CHECK(answer.bytes(PANICLE_SECTION_BERRY_PARENTS) == berries * 4);
-  const std::uint32_t vertices = answer.bytes(PANICLE_SECTION_STEM_INTERNODES) / 4;
+TEST_CASE("the smallest request grows the default bunch, column by column") {
+  const Answer answer(Asked("meshes"));
+  REQUIRE(answer.reason() == Reason::none);
+  const std::uint32_t internodes = answer.word("counts", 1), berries = answer.word("counts", 3);
+  CHECK(answer.column("counts.names").text().substr(0, 25) == "endStructures\ninternodes\n");
+  CHECK(answer.column("plan.axes").as<std::int32_t>()[0] == 18);
+  CHECK(answer.rows("plan.axes") == 1 + 17);
+  CHECK(answer.rows("plan.sides") == 4);
+  CHECK(answer.find("second.axes") == nullptr);
+  for (const auto name : {"segments.parent", "segments.tag", "segments.ends", "segments.radii", "segments.axis"})
+    CHECK(answer.rows(name) == internodes);
+  CHECK(answer.column("segments.tags").text() == "rachis\naxis\nend\npedicel");
+  for (const auto name : {"berries.spheres", "berries.directions", "berries.parent", "berries.id", "berries.exposure"})
+    CHECK(answer.rows(name) == berries);
+  const std::uint32_t vertices = answer.rows("mesh.stems.segment");
   CHECK(vertices > 0);
-  CHECK(answer.bytes(PANICLE_SECTION_STEM_POSITIONS) == vertices * 12);
-  CHECK(answer.bytes(PANICLE_SECTION_STEM_NORMALS) == vertices * 12);
-  CHECK(answer.bytes(PANICLE_SECTION_STEM_UVS) == vertices * 8);
-  CHECK(answer.bytes(PANICLE_SECTION_STEM_PARTS) > 0);
-  CHECK(answer.word(PANICLE_SECTION_PROCEDURE, 0) == 1);
-  CHECK(answer.bytes(PANICLE_SECTION_BERRY_IDS) == berries * 4);
-  CHECK(answer.bytes(PANICLE_SECTION_BERRY_TRAITS) == berries * 32);
-  CHECK(answer.bytes(PANICLE_SECTION_THINNED) % 20 == 0);
-  const std::uint32_t pattern = answer.bytes(PANICLE_SECTION_SURFACE_UVS) / 8;
+  CHECK(answer.rows("mesh.stems.positions") == vertices);
+  CHECK(answer.rows("mesh.stems.normals") == vertices);
+  CHECK(answer.rows("mesh.stems.uvs") == vertices);
+  CHECK(answer.rows("mesh.stems.runs") == answer.rows("mesh.stems.axis"));
+  CHECK(answer.column("mesh.stems.material").text() == "stem");
+  CHECK(answer.column("procedure").text() == "natural");
+  CHECK(answer.rows("thinned.id") == answer.rows("thinned.places"));
+  const std::uint32_t pattern = answer.rows("berries.pattern.uvs");
   CHECK(pattern > 0);
-  CHECK(answer.bytes(PANICLE_SECTION_SURFACE_POSITIONS) == berries * pattern * 12);
-  CHECK(answer.bytes(PANICLE_SECTION_SURFACE_NORMALS) == berries * pattern * 12);
-  CHECK(answer.bytes(PANICLE_SECTION_SURFACE_PRESSED) == berries * pattern);
-  CHECK(answer.bytes(PANICLE_SECTION_BERRY_POSITIONS) == 0);
-  CHECK(answer.bytes(PANICLE_SECTION_MEASURES) == 0);
-  CHECK(Answer(small_request(2)).bytes(PANICLE_SECTION_MEASURES) > 0);
-  CHECK(panicle_section(answer.result, PANICLE_SECTION_COUNT) == nullptr);
+  for (const auto name : {"berries.positions", "berries.normals", "berries.pressed"})
+    CHECK(answer.rows(name) == berries * pattern);
+  CHECK(answer.column("meshes").text() == "stems");
+  CHECK(answer.find("measures") == nullptr);
+  CHECK(Answer(Asked("measures")).rows("measures") > 0);
 }
 
 TEST_CASE("a berry thinned by hand is told by its id") {
-  const Answer whole(small_request());
-  Words request = small_request();
-  request[11] = 1;
-  request.push_back(whole.word(PANICLE_SECTION_BERRY_IDS, 5));
-  const Answer less(request);
-  REQUIRE(less.reason() == panicle::Reason::none);
-  CHECK(less.word(PANICLE_SECTION_COUNTS, 3) == whole.word(PANICLE_SECTION_COUNTS, 3) - 1);
+  const Answer whole{Asked()};
+  Asked asked;
+  const std::uint32_t id = whole.word("berries.id", 5);
+  asked.writer.add("thinned", std::span<const std::uint32_t>(&id, 1));
+  const Answer less(asked);
+  REQUIRE(less.reason() == Reason::none);
+  CHECK(less.word("counts", 3) == whole.word("counts", 3) - 1);
 }
 
-TEST_CASE("meshes come only when asked for and change no skeleton") {
-  const Answer bare(small_request(0)), whole(small_request(1));
-  CHECK(bare.bytes(PANICLE_SECTION_STEM_POSITIONS) == 0);
-  CHECK(bare.word(PANICLE_SECTION_FINGERPRINTS, 0) == whole.word(PANICLE_SECTION_FINGERPRINTS, 0));
-  CHECK(bare.word(PANICLE_SECTION_FINGERPRINTS, 1) == whole.word(PANICLE_SECTION_FINGERPRINTS, 1));
-  CHECK(bare.word(PANICLE_SECTION_FINGERPRINTS, 2) == 0);
-  CHECK(whole.word(PANICLE_SECTION_FINGERPRINTS, 2) != 0);
+TEST_CASE("meshes and their fingerprint come only when asked for and change no skeleton") {
+  const Answer bare{Asked()}, whole(Asked("meshes")), printed(Asked("measures meshes mesh_fingerprint"));
+  CHECK(bare.find("mesh.stems.positions") == nullptr);
+  CHECK(bare.word("fingerprint", 0) == whole.word("fingerprint", 0));
+  CHECK(bare.word("fingerprint", 1) == whole.word("fingerprint", 1));
+  CHECK(whole.find("mesh_fingerprint") == nullptr);
+  CHECK(printed.word("mesh_fingerprint", 0) != 0);
 }
 
 TEST_CASE("a request that is not in the agreed form is refused in words") {
-  const auto refused = [](const Words& request) {
-    const Answer answer(request);
-    CHECK(answer.reason() == panicle::Reason::bad_request);
-    CHECK(answer.message().size() > 20);
+  const auto refused = [](const Answer& answer, std::string_view word) {
+    CHECK(answer.reason() == Reason::bad_request);
+    CHECK_MESSAGE(answer.message().find(word) != std::string::npos, answer.message());
   };
-  refused({});
-  refused(Words(10, 0));
-  for (const std::size_t word : {0, 1, 2}) {
-    Words request = small_request();
-    request[word] += 7;
-    refused(request);
-  }
-  for (const std::size_t count : {7, 9, 10, 11}) {
-    Words request = small_request();
-    for (const std::uint32_t many : {1u, 5u, 0x40000000u, 0xffffffffu}) {
-      request[count] = many;
-      refused(request);
-    }
-  }
-  Words longer = small_request();
-  longer.push_back(0);
-  refused(longer);
+  refused(Answer(std::span<const std::uint8_t>()), "shorter");
+  const std::vector<std::uint32_t> zeros(10, 0);
+  refused(Answer({reinterpret_cast<const std::uint8_t*>(zeros.data()), 40}), "magic");
+  refused(Answer(Asked("", "grapes")), "model");
+  Asked unknown;
+  unknown.writer.add("thined", std::span<const std::uint32_t>());
+  refused(Answer(unknown), "“thined”");
+  Asked other;
+  other.writer.add("seed", "1");
+  refused(Answer(other), "“seed”");
+  Asked many;
+  const std::vector<float> numbers(200'000, 0.0f);
+  many.writer.add("parameters", numbers);
+  refused(Answer(many), "more values");
 }
 
 TEST_CASE("no bytes of a request can do harm") {
+  std::vector<std::uint32_t> parameters(bunch::parameter_count);
   for (std::uint64_t round = 0; round < 300; ++round) {
-    Words request = small_request(0);
-    request[7] = panicle::bunch::parameter_count;
-    request[10] = 8 * 4;
-    for (std::uint64_t i = 0; i < panicle::bunch::parameter_count + 8; ++i)
-      request.push_back(static_cast<std::uint32_t>(panicle::random_bits(round, 1, i)));
-    const auto at = panicle::random_bits(round, 2, 0) % request.size();
-    if (round % 2) request[10] = 0, request.resize(12 + panicle::bunch::parameter_count);
-    if (at != 8 && at < request.size()) request[at] = static_cast<std::uint32_t>(panicle::random_bits(round, 3, 0));
-    const Answer answer(request);
-    CHECK(answer.bytes(PANICLE_SECTION_STATUS) == 12);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      parameters[i] = static_cast<std::uint32_t>(random_bits(round, 1, i));
+    Asked asked;
+    asked.writer.add("parameters", std::span(reinterpret_cast<const float*>(parameters.data()), parameters.size()));
+    if (round % 2) asked.writer.add("grammar", "axiom: F(1)S(2)\nF(x) --> F(x)[+F(x/2)]");
+    std::uint8_t* const block = asked.writer.write();
+    const std::uint32_t bytes = container_bytes(block);
+    // One byte of header, directory, names or data is another one.
+    const auto at = static_cast<std::uint32_t>(random_bits(round, 2, 0) % bytes);
+    block[at] = static_cast<std::uint8_t>(random_bits(round, 3, 0));
+    const Answer answer({block, bytes - static_cast<std::uint32_t>(round % 3)});
+    CHECK(answer.rows("status") == 3);
+    std::free(block);
   }
 }

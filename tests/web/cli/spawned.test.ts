@@ -4,10 +4,9 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { restore } from "../../../web/src/specimen/restore";
-import { freshCore } from "../core/wasm";
+import { freshCore, growBunch } from "../core/wasm";
 
 const repository = fileURLToPath(new URL("../../../", import.meta.url));
 let folder = "";
@@ -40,7 +39,7 @@ it("grows what the core grows, and prints the JSON alone", async () => {
 	const { status, out, err } = await grow("short-conical", "--seed", "7");
 	expect({ status, err }).toEqual({ status: 0, err: "" });
 	const specimen = { ...specimenFromPreset("short-conical"), seed: 7 };
-	const { fingerprint, counts } = (await freshCore()).grow(encodeRequest(specimen));
+	const { fingerprint, counts } = growBunch(await freshCore(), specimen);
 	const printed = JSON.parse(out);
 	expect(printed).toMatchObject({ fingerprint, counts });
 	expect(restore(printed.specimen).specimen).toEqual(specimen);

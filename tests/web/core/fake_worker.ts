@@ -1,8 +1,9 @@
 import { afterEach, beforeEach, vi } from "vitest";
-import { type Client, type ClientOptions, createClient } from "../../../web/src/core/client";
-import type { Grown } from "../../../web/src/models/bunch/grown";
+import { Client, type ClientOptions } from "../../../web/src/core/client";
+import { type Block, Columns, writeContainer } from "../../../web/src/core/container";
+import type { Answer } from "../../../web/src/core/core";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import type { Order } from "../../../web/src/core/pool";
 
 /** A worker that does what the test tells it to. */
 export class FakeWorker {
@@ -36,7 +37,7 @@ export class FakeWorker {
 
 	/** Requests given to it, by seed. */
 	get seeds(): number[] {
-		return this.requests.map(({ request }) => new DataView(request.buffer).getUint32(16, true));
+		return this.requests.map(({ blocks }) => seedIn(blocks));
 	}
 
 	get requests() {
@@ -44,13 +45,19 @@ export class FakeWorker {
 	}
 
 	finish(): void {
-		const { id, request } = this.requests.at(-1) as { id: number; request: Uint8Array };
-		this.say({ type: "grown", id, grown: grownWith(new DataView(request.buffer).getUint32(16, true)) });
+		const { id, blocks } = this.requests.at(-1) as { id: number; blocks: readonly Block[] };
+		const container = writeContainer([{ name: "seed", data: Uint32Array.of(seedIn(blocks)) }]);
+		this.say({ type: "grown", id, container, milliseconds: 1 });
 	}
 }
 
-export const grownWith = (seed: number) => ({ fingerprint: String(seed) }) as Grown;
-export const withSeed = (seed: number) => ({ ...specimenFromPreset(), seed });
+const seedIn = (blocks: readonly Block[]) => new Columns(writeContainer(blocks)).words("seed")[0];
+/** What a request with that seed grows into. */
+export const seedOf = ({ columns }: Answer) => columns.words("seed")[0];
+export const withSeed = (seed: number, wasm = "bunch.wasm"): Order => ({
+	wasm,
+	blocks: [{ name: "seed", data: Uint32Array.of(seed) }],
+});
 /** Lets everything that is due happen; wants fake timers. */
 export const settled = () => vi.advanceTimersByTimeAsync(0);
 /** What stands for the compiled core. */
@@ -61,12 +68,12 @@ export let client: Client;
 
 /** Starts it; whoever uses it calls `useFakeWorkers` first. */
 export function start(options: Partial<ClientOptions> = {}): void {
-	client = createClient({
-		wasmUrl: "panicle.wasm",
+	client = new Client({
 		workerFactory: () => new FakeWorker() as unknown as Worker,
 		compile: async () => module,
 		...options,
 	});
+	client.warm("bunch.wasm");
 }
 
 /** Before each test no worker and no real time, after each no client. */

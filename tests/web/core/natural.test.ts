@@ -2,20 +2,19 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
 import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../web/src/models/bunch/grown";
-import { encodeRequest } from "../../../web/src/models/bunch/request";
+import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import { thin, withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { type ChoiceEntry, entryOf } from "../../../web/src/specimen/table";
-import { freshCore } from "./wasm";
+import { freshCore, growBunch } from "./wasm";
 
 let core: Core;
 beforeAll(async () => {
 	core = await freshCore();
 });
 
-const grow = (specimen: Specimen) => core.grow(encodeRequest(specimen));
+const grow = (specimen: Specimen) => growBunch(core, specimen);
 const small = () => specimenFromPreset("short-conical");
 
 it("the names of choices are those of the table", () => {
@@ -27,7 +26,7 @@ describe("a natural bunch", () => {
 	it("says whose berries it has, and their form", () => {
 		for (const { name } of PRESETS.filter(({ kind }) => kind === "fruit")) {
 			const { parameters } = specimenFromPreset(name);
-			const { form } = core.grow(encodeRequest(specimenFromPreset(name), { meshes: false }));
+			const { form } = growBunch(core, specimenFromPreset(name), { meshes: false });
 			expect(form.fruit).toBe(FRUITS[parameters.fruit]);
 		}
 		const { form } = grow(withParameters(small(), { taper: -0.5, blunt: 0.25 }));
@@ -75,7 +74,7 @@ describe("a natural bunch", () => {
 	});
 
 	it("measures only when asked", () => {
-		expect(core.grow(encodeRequest(small(), { measures: false })).measures).toBeUndefined();
-		expect(core.grow(encodeRequest(small(), { meshes: false })).fingerprint).toBe(grow(small()).fingerprint);
+		expect(growBunch(core, small(), { measures: false }).measures).toBeUndefined();
+		expect(growBunch(core, small(), { meshes: false }).fingerprint).toBe(grow(small()).fingerprint);
 	});
 });

@@ -1,30 +1,32 @@
 import { describe, expect, it } from "vitest";
+import { Columns, writeContainer } from "../../../web/src/core/container";
 import { CoreError } from "../../../web/src/core/errors";
+import { NUMBER_KEYS, type NumberKey } from "../../../web/src/models/bunch/parameters.generated";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { withParameters } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { NUMBER_KEYS, type NumberKey } from "../../../web/src/models/bunch/parameters.generated";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 
-const HEADER = 12;
-const view = (specimen: Specimen, options?: Parameters<typeof encodeRequest>[1]) =>
-	new DataView(encodeRequest(specimen, options).buffer);
-const word = (data: DataView, index: number) => data.getUint32(index * 4, true);
+const columns = (specimen: Specimen, options?: Parameters<typeof encodeRequest>[1]) =>
+	new Columns(writeContainer(encodeRequest(specimen, options)));
 const parameter = (specimen: Specimen, key: NumberKey) =>
-	view(specimen).getFloat32((HEADER + NUMBER_KEYS.indexOf(key)) * 4, true);
+	columns(specimen).floats("parameters")[NUMBER_KEYS.indexOf(key)];
 
 describe("a request", () => {
-	it("begins with its header", () => {
-		const data = view(
-			{ ...specimenFromPreset(), seed: 0xfffffffe },
-			{ meshes: false, measures: false, stemSides: 7, berrySegments: 20 },
+	it("names its model, its seed and what it wants", () => {
+		const fine = { meshes: false, measures: false, stemSides: 7, berrySegments: 20 };
+		const asked = columns({ ...specimenFromPreset(), seed: 0xfffffffe }, fine);
+		expect(asked.text("model")).toBe("bunch");
+		expect([...asked.words("seed")]).toEqual([0xfffffffe]);
+		expect([...asked.words("stem_sides"), ...asked.words("berry_segments")]).toEqual([7, 20]);
+		expect(asked.floats("parameters")).toHaveLength(NUMBER_KEYS.length);
+		expect(asked.text("outputs")).toBe("");
+		expect(columns(specimenFromPreset()).text("outputs")).toBe("meshes measures");
+		expect(columns(specimenFromPreset(), { measures: false }).text("outputs")).toBe("meshes");
+		expect(columns(specimenFromPreset(), { meshFingerprint: true }).text("outputs")).toBe(
+			"meshes measures mesh_fingerprint",
 		);
-		const header = Array.from({ length: HEADER }, (_, index) => word(data, index));
-		expect(header).toEqual([0x4c434e50, 2, 1, 0, 0xfffffffe, 7, 20, NUMBER_KEYS.length, 0, 0, 0, 0]);
-		expect(data.byteLength).toBe((HEADER + NUMBER_KEYS.length) * 4);
-		expect(word(view(specimenFromPreset()), 3)).toBe(1 | 2);
-		expect(word(view(specimenFromPreset(), { measures: false }), 3)).toBe(1);
-		expect(word(view(specimenFromPreset(), { meshes: false }), 3)).toBe(2);
+		expect(asked.has("grammar")).toBe(false);
 	});
 
 	it("leaves a grammar's constants alone unless they were moved; the profile is always given", () => {
@@ -36,24 +38,17 @@ describe("a request", () => {
 		expect(parameter(specimen, "wing")).toBe(0);
 	});
 
-	it("holds inputs and grammar, padded to a word", () => {
-		const data = view({ ...specimenFromPreset(), inputs: { m: 3, n: [1, 2] }, grammar: "äxiom" });
-		expect([word(data, 8), word(data, 9), word(data, 10)]).toEqual([3, 2, 6]);
-		const n = HEADER + NUMBER_KEYS.length;
-		expect([word(data, n), word(data, n + 1)]).toEqual([1, 2]);
-		expect(data.byteLength).toBe((n + 2 + 2) * 4);
-		const text = new Uint8Array(data.buffer, (n + 2) * 4);
-		expect(new TextDecoder().decode(text)).toBe("äxiom\0\0");
+	it("holds inputs, grammar and the ids of thinned berries", () => {
+		const thinned = [7, 2 ** 30 - 1];
+		const asked = columns({ ...specimenFromPreset(), thinned, inputs: { m: 3, n: [1, 2] }, grammar: "äxiom" });
+		expect([...asked.ints("m"), ...asked.ints("n")]).toEqual([3, 1, 2]);
+		expect(asked.text("grammar")).toBe("äxiom");
+		expect([...asked.words("thinned")]).toEqual(thinned);
 	});
 
-	it("holds a choice by its place, and the ids of thinned berries after n and before the grammar", () => {
+	it("holds a choice by its place", () => {
 		const specimen = withParameters(specimenFromPreset(), { procedure: 0, fruit: 4 });
 		expect([parameter(specimen, "procedure"), parameter(specimen, "fruit")]).toEqual([0, 4]);
-		const data = view({ ...specimen, thinned: [7, 2 ** 30 - 1], inputs: { m: 2, n: [5] }, grammar: "abcd" });
-		expect([word(data, 9), word(data, 10), word(data, 11)]).toEqual([1, 4, 2]);
-		const n = HEADER + NUMBER_KEYS.length;
-		expect([0, 1, 2].map((at) => word(data, n + at))).toEqual([5, 7, 2 ** 30 - 1]);
-		expect(new TextDecoder().decode(new Uint8Array(data.buffer, (n + 3) * 4))).toBe("abcd");
 	});
 
 	it("is not made of a specimen that is none", () => {

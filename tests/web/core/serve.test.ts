@@ -1,7 +1,9 @@
 import { beforeAll, expect, it } from "vitest";
+import { Columns } from "../../../web/src/core/container";
 import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
-import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { serve } from "../../../web/src/core/serve";
+import { encodeRequest } from "../../../web/src/models/bunch/request";
+import { readPlant } from "../../../web/src/plant/read_plant";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { wasmBytes } from "./wasm";
 
@@ -16,20 +18,27 @@ function worker() {
 	return { said, tell: (message: ToWorker) => tell(message) };
 }
 
+const wasm = "bunch.wasm";
+
 it("is ready once the core lives, and answers even what came before", async () => {
 	const { said, tell } = worker();
-	const request = encodeRequest(specimenFromPreset("rubus"));
-	await Promise.all([tell({ type: "start", module }), tell({ type: "grow", id: 4, request })]);
+	const blocks = encodeRequest(specimenFromPreset("rubus"));
+	await Promise.all([tell({ type: "start", wasm, module }), tell({ type: "grow", id: 4, wasm, blocks })]);
 	expect(said.map(({ message }) => message.type)).toEqual(["ready", "grown"]);
-	expect(said[1].message).toMatchObject({ id: 4, grown: { counts: { berries: expect.any(Number) } } });
-	expect(said[1].transfer.length).toBeGreaterThan(10);
+	const [, { message, transfer }] = said;
+	if (message.type !== "grown") throw new Error("not grown");
+	expect(message.id).toBe(4);
+	expect(transfer).toEqual([message.container.buffer]);
+	const plant = readPlant({ columns: new Columns(message.container), milliseconds: message.milliseconds });
+	expect(plant.counts.berries).toBeGreaterThan(0);
 });
 
 it("tells why something cannot be grown, and goes on", async () => {
 	const { said, tell } = worker();
-	await tell({ type: "start", module });
-	await tell({ type: "grow", id: 1, request: encodeRequest({ ...specimenFromPreset(), grammar: "axiom: (" }) });
-	await tell({ type: "grow", id: 2, request: encodeRequest(specimenFromPreset("lychee")) });
+	await tell({ type: "start", wasm, module });
+	const grammar = encodeRequest({ ...specimenFromPreset(), grammar: "axiom: (" });
+	await tell({ type: "grow", id: 1, wasm, blocks: grammar });
+	await tell({ type: "grow", id: 2, wasm, blocks: encodeRequest(specimenFromPreset("lychee")) });
 	expect(said[1].message).toMatchObject({
 		type: "failed",
 		id: 1,
@@ -40,10 +49,21 @@ it("tells why something cannot be grown, and goes on", async () => {
 	expect(said[2].message).toMatchObject({ type: "grown", id: 2 });
 });
 
+it("keeps a core for each module", async () => {
+	const { said, tell } = worker();
+	await tell({ type: "start", wasm, module });
+	await tell({ type: "grow", id: 1, wasm: "leaf.wasm", blocks: encodeRequest(specimenFromPreset("rubus")) });
+	expect(said[1].message).toMatchObject({ type: "trapped", id: 1 });
+	await tell({ type: "start", wasm: "leaf.wasm", module });
+	await tell({ type: "grow", id: 2, wasm: "leaf.wasm", blocks: encodeRequest(specimenFromPreset("rubus")) });
+	expect(said[3].message).toMatchObject({ type: "grown", id: 2 });
+});
+
 it("tells when the core is none", async () => {
 	const { said, tell } = worker();
-	await tell({ type: "start", module: await WebAssembly.compile(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)) });
+	const empty = await WebAssembly.compile(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
+	await tell({ type: "start", wasm, module: empty });
 	expect(said.map(({ message }) => message.type)).toEqual(["broken"]);
-	await tell({ type: "grow", id: 1, request: new Uint8Array(44) });
+	await tell({ type: "grow", id: 1, wasm, blocks: [] });
 	expect(said[1].message).toMatchObject({ type: "trapped", id: 1 });
 });

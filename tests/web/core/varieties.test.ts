@@ -1,11 +1,10 @@
 /** Named varieties come out with the counts and weights of docs/varieties.md: the mean of a few seeds. */
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
-import { encodeRequest } from "../../../web/src/models/bunch/request";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { MEASURE_KEYS, type MeasureKey } from "../../../web/src/models/bunch/measures.generated";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
-import { freshCore } from "./wasm";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { freshCore, growBunch } from "./wasm";
 
 type Range = [least: number, most: number];
 
@@ -41,9 +40,7 @@ it("every variety is looked after", () => {
 });
 
 it.each(Object.entries(KNOWN))("%s weighs and counts what it should", (name, known) => {
-	const bunches = SEEDS.map((seed) =>
-		core.grow(encodeRequest({ ...specimenFromPreset(name), seed }, { meshes: false })),
-	);
+	const bunches = SEEDS.map((seed) => growBunch(core, { ...specimenFromPreset(name), seed }, { meshes: false }));
 	const mean = (key: MeasureKey) => {
 		const sum = bunches.reduce(
 			(total, { measures }) => total + (measures?.[MEASURE_KEYS.indexOf(key)] ?? Number.NaN),

@@ -1,9 +1,17 @@
 import { readFile } from "node:fs/promises";
 import type { Core } from "../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
+import type { Grown } from "../../../web/src/models/bunch/grown";
+import { readGrown } from "../../../web/src/models/bunch/read_grown";
+import { encodeRequest, type RequestOptions } from "../../../web/src/models/bunch/request";
+import type { Specimen } from "../../../web/src/specimen/specimen";
 
 /** The bytes of the core as it was last built. */
-export const wasmBytes = () => readFile(new URL("../../../build/core/panicle.wasm", import.meta.url));
+export const wasmBytes = () => readFile(new URL("../../../build/core/bunch.wasm", import.meta.url));
 
 /** A fresh instance of it. */
 export const freshCore = async (): Promise<Core> => loadCoreFromBytes(await wasmBytes());
+
+/** Grows a bunch on an instance, as the page and the command do. */
+export const growBunch = (core: Core, specimen: Specimen, options?: RequestOptions): Grown =>
+	readGrown(core.grow(encodeRequest(specimen, options)));

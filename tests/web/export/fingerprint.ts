@@ -1,4 +1,6 @@
 /** The fingerprint of docs/fingerprint.md, computed from what a growth and its JSON hold. */
+
+import type { GrownDocument, NaturalBerryRecord } from "../../../web/src/export/json";
 import {
 	type Berries,
 	INTERNODE_KINDS,
@@ -6,7 +8,6 @@ import {
 	type Internodes,
 	type Procedure,
 } from "../../../web/src/models/bunch/grown";
-import type { GrownDocument, NaturalBerryRecord } from "../../../web/src/export/json";
 
 export function fingerprintOf(
 	{ count, parent, kind, axis, state, ends, radii }: Internodes,

@@ -1,5 +1,6 @@
 /** Small growths made without the core: a rachis, axes of one internode, pedicels with berries or withered. */
 import type { Berries, Grown, Internodes, Mesh, StemMesh, StemPart } from "../../../web/src/models/bunch/grown";
+import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { fingerprintOf } from "./fingerprint";
@@ -111,6 +112,7 @@ export function makeGrown({ axes, sides = 4, segments = 6, length = 0.012 }: Gro
 	};
 	const pedicels = nodes.filter(({ kind }) => kind === 3).length;
 	return {
+		...EMPTY_PLANT,
 		procedure: "paper",
 		form: { fruit: "grape", taper: 0, blunt: 0 },
 		plan: { m: axes.length + 1, sides: [side(2, 1), side(3, 2), side(4, 3), side(5, 4)], axes: axes.map(() => 1) },

@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { type BufferAttribute, Matrix4, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import type { Grown } from "../../../web/src/models/bunch/grown";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { MEASURE_KEYS } from "../../../web/src/models/bunch/measures.generated";
 import * as arbitrary from "./arbitrary";
 import { SKETCH } from "./fixture";

@@ -7,26 +7,27 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import { encodeRequest, type RequestOptions } from "../../../web/src/models/bunch/request";
 import { exportCsv } from "../../../web/src/export/csv";
 import { exportGlb } from "../../../web/src/export/glb";
 import { exportJson } from "../../../web/src/export/json";
 import { exportObj } from "../../../web/src/export/obj";
 import { specimenFromFile } from "../../../web/src/export/restore";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import type { NumberKey } from "../../../web/src/models/bunch/parameters.generated";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import type { RequestOptions } from "../../../web/src/models/bunch/request";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
+import { growBunch } from "../core/wasm";
 import { fingerprintOfDocument } from "./fingerprint";
 import { complaints, documentOf, load, meshesOf } from "./reading";
 
 let core: Core;
 
 beforeAll(async () => {
-	core = await loadCoreFromBytes(readFileSync("build/core/panicle.wasm"));
+	core = await loadCoreFromBytes(readFileSync("build/core/bunch.wasm"));
 });
 
-const grow = (specimen: Specimen, options?: RequestOptions) => core.grow(encodeRequest(specimen, options));
+const grow = (specimen: Specimen, options?: RequestOptions) => growBunch(core, specimen, options);
 const natural = (name: string, parameters: Partial<Record<NumberKey, number>> = {}): Specimen => {
 	const specimen = specimenFromPreset(name);
 	return { ...specimen, parameters: { ...specimen.parameters, ...parameters, procedure: 1 } };

@@ -1,7 +1,7 @@
 /** Natural bunches as three.js reads them back. */
 import { Color, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
-import type { Grown } from "../../../web/src/models/bunch/grown";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import type { Look, Specimen } from "../../../web/src/specimen/specimen";
 import { sampleSpecimen } from "./fixture";
 import { load, meshesOf } from "./reading";

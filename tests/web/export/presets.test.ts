@@ -5,26 +5,27 @@ import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
-import type { Grown } from "../../../web/src/models/bunch/grown";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import { encodeRequest, type RequestOptions } from "../../../web/src/models/bunch/request";
 import { exportGlb } from "../../../web/src/export/glb";
 import { exportJson } from "../../../web/src/export/json";
 import { exportObj } from "../../../web/src/export/obj";
 import { specimenFromFile } from "../../../web/src/export/restore";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import type { Grown } from "../../../web/src/models/bunch/grown";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import type { RequestOptions } from "../../../web/src/models/bunch/request";
+import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { growBunch } from "../core/wasm";
 import { fingerprintOfDocument } from "./fingerprint";
 import { complaints, documentOf, load, meshesOf } from "./reading";
 
 let core: Core;
 
 beforeAll(async () => {
-	core = await loadCoreFromBytes(readFileSync("build/core/panicle.wasm"));
+	core = await loadCoreFromBytes(readFileSync("build/core/bunch.wasm"));
 });
 
 const specimenOf = (name: string) => specimenFromPreset(name, 1);
-const grow = (name: string, options?: RequestOptions) => core.grow(encodeRequest(specimenOf(name), options));
+const grow = (name: string, options?: RequestOptions) => growBunch(core, specimenOf(name), options);
 /** Fewer triangles where only the way of writing them is looked at: reading OBJ takes its time. */
 const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
 

@@ -1,5 +1,6 @@
 import { CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
 import type { Grown, Internodes, Mesh, Plan, StemMesh } from "../../../web/src/models/bunch/grown";
+import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import type { Look } from "../../../web/src/specimen/specimen";
 
 export const LOOK: Look = {
@@ -75,6 +76,7 @@ export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
 	const side = { w: 0, r: 0, n: 0, rd: 0 };
 	const plan: Plan = { m: steps, sides: [side, side, side, side], axes: [] };
 	return {
+		...EMPTY_PLANT,
 		procedure: "paper",
 		form: { fruit: "grape", taper: 0, blunt: 0 },
 		plan,

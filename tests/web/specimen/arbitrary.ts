@@ -1,7 +1,7 @@
 import fc from "fast-check";
+import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { BERRY_IDS, MOST_THINNED } from "../../../web/src/specimen/limits";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { type ChoiceEntry, ENTRIES, isLook, type NumberEntry } from "../../../web/src/specimen/table";
 

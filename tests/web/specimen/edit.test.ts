@@ -1,10 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { NUMBER_KEYS } from "../../../web/src/models/bunch/parameters.generated";
 import { thin, unthin, unthinAll, withLook, withParameters, withSeed } from "../../../web/src/specimen/edit";
 import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import { change, startHistory, undo } from "../../../web/src/specimen/history";
 import { MOST_THINNED } from "../../../web/src/specimen/limits";
-import { NUMBER_KEYS } from "../../../web/src/models/bunch/parameters.generated";
 import { sameSpecimen } from "../../../web/src/specimen/same";
 import { anySpecimen, faults } from "./arbitrary";
 

@@ -1,7 +1,7 @@
 /** What version 1 of a link means, as published. Where one of these fails, old links have changed: make a new version. */
 import { expect, it } from "vitest";
-import { decodeLink, decodeQuery } from "../../../web/src/specimen/link";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { decodeLink, decodeQuery } from "../../../web/src/specimen/link";
 import { ENTRIES, valueIn } from "../../../web/src/specimen/table";
 
 it("presets and defaults are those that were published", async () => {

@@ -1,31 +1,41 @@
 #include "boundary/panicle.h"
 
 #include <cstdlib>
-#include <new>
+#include <span>
+#include <string>
 #include <utility>
 
-#include "models/bunch/bunch.hpp"
-#include "boundary/request.hpp"
-#include "boundary/sections.hpp"
-
-struct PanicleResult {
-  panicle::boundary::Sections sections;
-};
+#include "boundary/answer.hpp"
+#include "boundary/models.hpp"
+#include "foundation/container.hpp"
+#include "plant/request.hpp"
 
 namespace {
 
+using namespace panicle;
+
 constexpr std::uint32_t most_request_bytes = 16 * 1024 * 1024;
 
-template <class Outcome>
-PanicleResult* result_of(Outcome&& outcome) {
-  return new (std::nothrow) PanicleResult{panicle::boundary::Sections(std::forward<Outcome>(outcome))};
+const Model* find_model(std::string_view name) {
+  for (const Model* model : boundary::linked_models())
+    if (model->name == name) return model;
+  return nullptr;
+}
+
+Result<Plant> grow(std::span<const std::uint8_t> bytes) {
+  const auto blocks = read_container(bytes);
+  if (!blocks) return blocks.error();
+  Request request(blocks.value(), nullptr);
+  const Model* const model = find_model(request.text("model"));
+  if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
+  return model->grow(request, Limits{});
 }
 
 }  // namespace
 
 extern "C" {
 
-std::uint32_t panicle_abi(void) { return 2; }
+std::uint32_t panicle_abi(void) { return 3; }
 
 void* panicle_allocate(std::uint32_t bytes) {
   return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;
@@ -33,22 +43,9 @@ void* panicle_allocate(std::uint32_t bytes) {
 
 void panicle_release(void* memory) { std::free(memory); }
 
-PanicleResult* panicle_grow(const std::uint8_t* bytes, std::uint32_t length) {
-  const auto request = panicle::boundary::read_request({bytes, length});
-  if (!request) return result_of(request.error());
-  auto grown = panicle::bunch::grow(request.value());
-  if (!grown) return result_of(grown.error());
-  return result_of(std::move(grown.value()));
+std::uint8_t* panicle_grow(const std::uint8_t* request, std::uint32_t bytes) {
+  const auto plant = grow({request, bytes});
+  return plant ? boundary::write_plant(plant.value()) : boundary::write_failure(plant.error());
 }
-
-const void* panicle_section(const PanicleResult* result, std::uint32_t section) {
-  return result ? result->sections.section(section).data() : nullptr;
-}
-
-std::uint32_t panicle_section_bytes(const PanicleResult* result, std::uint32_t section) {
-  return result ? static_cast<std::uint32_t>(result->sections.section(section).size()) : 0;
-}
-
-void panicle_free(PanicleResult* result) { delete result; }
 
 }  // extern "C"

@@ -3,11 +3,11 @@
  * way; what was typed here is refused where it cannot be used, since a silent change would spoil a series.
  */
 
+import { presetNamed } from "../models/bunch/presets/index";
 import { specimenFromPreset } from "../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../specimen/limits";
 import { decodeLink } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
-import { presetNamed } from "../models/bunch/presets/index";
 import { readNumbers } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";

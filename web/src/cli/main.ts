@@ -4,11 +4,11 @@ import { loadCoreFromBytes } from "../core/loader";
 import { run } from "./run";
 
 // The bundle lies as deep in the repository as this file, so the way to the core is the same from both.
-const corePath = new URL("../../../build/core/panicle.wasm", import.meta.url);
+const corePath = new URL("../../../build/core/bunch.wasm", import.meta.url);
 
 async function coreBytes(): Promise<Uint8Array<ArrayBuffer>> {
 	return readFile(corePath).catch(() => {
-		throw new Error("build/core/panicle.wasm is missing; npm run core builds it");
+		throw new Error("build/core/bunch.wasm is missing; npm run core builds it");
 	});
 }
 

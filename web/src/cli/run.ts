@@ -1,12 +1,13 @@
 /** The command: grows one specimen and writes it. */
 import { basename } from "node:path";
 import { CoreError } from "../core/errors";
-import type { Grown } from "../models/bunch/grown";
-import { encodeRequest } from "../models/bunch/request";
 import { exportCsv } from "../export/csv";
 import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
+import type { Grown } from "../models/bunch/grown";
+import { readGrown } from "../models/bunch/read_grown";
+import { encodeRequest } from "../models/bunch/request";
 import type { Specimen } from "../specimen/specimen";
 import { type Call, readArguments } from "./arguments";
 import { askedSpecimen, reasonOf } from "./asked_specimen";
@@ -30,7 +31,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const { specimen, notes } = await askedSpecimen(call, world);
 	const core = await world.loadCore();
 	const meshes = call.out?.as === "glb" || call.out?.as === "obj";
-	const grown = growing(grammarName(call, specimen), () => core.grow(encodeRequest(specimen, { meshes })));
+	const grown = growing(grammarName(call, specimen), () => readGrown(core.grow(encodeRequest(specimen, { meshes }))));
 	const all: Grown = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (!call.out) {
 		world.print(jsonOf(all, specimen));

@@ -1,6 +1,6 @@
 /**
  * The one thing that crosses the border, both ways: a directory of named arrays and their data in a single block of
- * bytes (layout: wasm-core/src/boundary/panicle.h). A request is one, and so is what comes back.
+ * bytes (layout: wasm-core/src/foundation/container.hpp). A request is one, and so is what comes back.
  */
 
 /** What an array is made of, by the numbers of the layout. */
@@ -51,6 +51,11 @@ export function writeContainer(blocks: readonly Block[]): Uint8Array<ArrayBuffer
 		whole.set(bytes, dataAt);
 	});
 	return whole;
+}
+
+/** Length of the container that begins at `at` of a memory. */
+export function containerBytes(memory: ArrayBuffer, at: number): number {
+	return new DataView(memory).getUint32(at + 4 * 3, true);
 }
 
 interface Column {
@@ -146,7 +151,12 @@ function bytesOf({ buffer, byteOffset, byteLength }: ColumnData): Uint8Array {
 	return new Uint8Array(buffer, byteOffset, byteLength);
 }
 
-function view({ buffer, byteOffset }: Uint8Array<ArrayBuffer>, element: number, length: number, at: number): ColumnData {
+function view(
+	{ buffer, byteOffset }: Uint8Array<ArrayBuffer>,
+	element: number,
+	length: number,
+	at: number,
+): ColumnData {
 	const from = byteOffset + at;
 	if (element === 2) return new Int32Array(buffer, from, length);
 	if (element === 3) return new Uint32Array(buffer, from, length);

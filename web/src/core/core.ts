@@ -1,18 +1,27 @@
 /** One instance of the core: the only code that touches its memory. */
-import { CoreError, CoreTrap, UnsupportedError } from "./errors";
+import { type Block, Columns, containerBytes, writeContainer } from "./container";
+import { CORE_REASONS, CoreError, CoreTrap, UnsupportedError } from "./errors";
 import { ABI, areCoreExports, type CoreExports } from "./exports";
-import type { Grown } from "../models/bunch/grown";
-import { readGrown } from "../models/bunch/read_grown";
-import { Sections } from "./sections";
 
-/** Bytes of the largest request: the header, the parameters, `n` and the longest grammar stay far below. */
+/** Bytes of the largest request: parameters, lists and the longest grammar stay far below. */
 const MOST_REQUEST_BYTES = 1024 * 1024;
 const WASI_NOT_SUPPORTED = 52; // ENOSYS
 
-export class Core {
-	private trapped = false;
+/** What a request grew into. */
+export interface Answer {
+	/** What has grown, by name; the caller's own. */
+	columns: Columns;
+	/** How long growing took. */
+	milliseconds: number;
+}
 
-	private constructor(private readonly exports: CoreExports) {}
+export class Core {
+	readonly #exports: CoreExports;
+	#trapped = false;
+
+	private constructor(exports: CoreExports) {
+		this.#exports = exports;
+	}
 
 	/** Brings a compiled core to life. Throws UnsupportedError where the module is no core, or one of another version. */
 	static async instantiate(module: WebAssembly.Module): Promise<Core> {
@@ -29,44 +38,58 @@ export class Core {
 
 	/** Bytes of memory that the instance holds. */
 	get memoryBytes(): number {
-		return this.exports.memory.buffer.byteLength;
+		return this.#exports.memory.buffer.byteLength;
 	}
 
 	/**
-	 * Grows a request (models/bunch/request.ts). What comes back is the caller's own; nothing is kept.
+	 * Grows a request, as a model's `encode` writes it. What comes back is the caller's own; nothing is kept.
 	 *
 	 * @throws CoreError where the request cannot be grown; the instance stays good
 	 * @throws CoreTrap where the core broke; the instance must be thrown away
 	 */
-	grow(request: Uint8Array): Grown {
-		if (this.trapped) throw new CoreTrap("This core has broken before; another is needed.");
-		if (!(request instanceof Uint8Array)) throw new CoreError("bad request", "A request is a Uint8Array.");
-		if (request.length % 4 !== 0) throw new CoreError("bad request", "A request is a whole number of 32-bit words.");
+	grow(blocks: readonly Block[]): Answer {
+		return this.growBytes(writeContainer(blocks));
+	}
+
+	/** The same for a request that is laid out already. */
+	growBytes(request: Uint8Array): Answer {
+		if (this.#trapped) throw new CoreTrap("This core has broken before; another is needed.");
 		if (request.length > MOST_REQUEST_BYTES) throw new CoreError("limit", "The request is larger than 1 MiB.");
 		try {
-			return this.growCopied(request);
+			return this.#growCopied(request);
 		} catch (error) {
 			if (error instanceof CoreError) throw error;
-			this.trapped = true;
+			this.#trapped = true;
 			throw new CoreTrap(`The core broke while growing (${error instanceof Error ? error.message : error}).`);
 		}
 	}
 
-	private growCopied(request: Uint8Array): Grown {
-		const { exports } = this;
+	#growCopied(request: Uint8Array): Answer {
+		const exports = this.#exports;
 		const pointer = exports.panicle_allocate(request.length) >>> 0;
 		if (pointer === 0) throw new CoreError("limit", "There is no memory for the request; close other pages.");
 		new Uint8Array(exports.memory.buffer, pointer, request.length).set(request);
 		const from = performance.now();
-		const result = exports.panicle_grow(pointer, request.length) >>> 0;
-		const elapsed = performance.now() - from;
+		const answer = exports.panicle_grow(pointer, request.length) >>> 0;
+		const milliseconds = performance.now() - from;
 		exports.panicle_release(pointer);
-		if (result === 0) throw new CoreError("limit", "There is no memory for the bunch; make it smaller.");
-		try {
-			return readGrown(new Sections(exports, result), elapsed);
-		} finally {
-			exports.panicle_free(result);
+		if (answer === 0) throw new CoreError("limit", "There is no memory for the plant; make it smaller.");
+		const columns = new Columns(this.#copyOut(answer));
+		exports.panicle_release(answer);
+		const [reason, line, column] = columns.words("status");
+		if (reason !== 0) {
+			throw new CoreError(CORE_REASONS[reason] ?? "bad request", columns.text("message"), line, column);
 		}
+		return { columns, milliseconds };
+	}
+
+	/** A container in the core's memory as bytes of our own: no view of the memory leaves this file. */
+	#copyOut(pointer: number): Uint8Array<ArrayBuffer> {
+		// Asked for after the growth: the buffer is another one where the memory has grown.
+		const heap = this.#exports.memory.buffer as ArrayBuffer;
+		const bytes = containerBytes(heap, pointer);
+		if (pointer + bytes > heap.byteLength) throw new RangeError("the answer lies outside the core's memory");
+		return new Uint8Array(heap.slice(pointer, pointer + bytes));
 	}
 }
 

@@ -1,18 +1,19 @@
-/** What the page and the worker say to each other. */
+/** What the page and a worker say to each other. `wasm` names a module: the address it was fetched from. */
+import type { Block } from "./container";
 import type { CoreReason } from "./errors";
-import type { Grown } from "../models/bunch/grown";
 
-/** To the worker: the compiled core, once; then requests. */
+/** To the worker: each compiled module once, then requests for it. */
 export type ToWorker =
-	| { type: "start"; module: WebAssembly.Module }
-	| { type: "grow"; id: number; request: Uint8Array };
+	| { type: "start"; wasm: string; module: WebAssembly.Module }
+	| { type: "grow"; id: number; wasm: string; blocks: readonly Block[] };
 
-/** From the worker: one `ready` or `broken`, then one answer to each request. */
+/** From the worker: one `ready` or `broken` for each module, then one answer to each request. */
 export type FromWorker =
 	| { type: "ready" }
 	/** The core could not be brought to life. */
 	| { type: "broken"; message: string }
-	| { type: "grown"; id: number; grown: Grown }
+	/** A container (core/container.ts), and the milliseconds that growing it took. */
+	| { type: "grown"; id: number; container: Uint8Array<ArrayBuffer>; milliseconds: number }
 	/** The request cannot be grown; the worker goes on. */
 	| { type: "failed"; id: number; reason: CoreReason; message: string; line: number; column: number }
 	/** The core trapped; the worker is to be replaced. */

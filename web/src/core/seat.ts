@@ -1,4 +1,5 @@
-/** One worker with its core, from start to end. */
+/** One worker with its cores, from start to end. */
+import type { Block } from "./container";
 import type { FromWorker, ToWorker } from "./messages";
 
 export interface SeatEvents {
@@ -8,59 +9,80 @@ export interface SeatEvents {
 	died(message: string, started: boolean): void;
 }
 
+/** A module on its way: its name and its compilation. */
+export interface Compiling {
+	readonly wasm: string;
+	readonly module: Promise<WebAssembly.Module>;
+}
+
 export class Seat {
-	private readonly worker: Worker;
-	private readonly module: Promise<WebAssembly.Module>;
-	private started = false;
-	private over = false;
+	readonly #worker: Worker;
+	readonly #events: SeatEvents;
+	/** Modules that the worker has been given. */
+	readonly #given = new Set<string>();
+	#started = false;
+	#over = false;
 
 	/** Throws what `spawn` throws. */
-	constructor(
-		spawn: () => Worker,
-		module: Promise<WebAssembly.Module>,
-		private readonly events: SeatEvents,
-	) {
-		this.worker = spawn();
-		this.module = module;
-		this.worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.hear(data);
-		this.worker.onerror = (event) => {
+	constructor(spawn: () => Worker, events: SeatEvents) {
+		this.#events = events;
+		this.#worker = spawn();
+		this.#worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#hear(data);
+		this.#worker.onerror = (event) => {
 			event.preventDefault(); // It is dealt with here; the console need not hear of it.
-			this.die(event.message || "its script could not be run");
+			this.#die(event.message || "its script could not be run");
 		};
-		this.worker.onmessageerror = () => this.die("its answer could not be read");
-		this.send((compiled) => ({ type: "start", module: compiled }));
+		this.#worker.onmessageerror = () => this.#die("its answer could not be read");
 	}
 
-	grow(id: number, request: Uint8Array): void {
-		this.send(() => ({ type: "grow", id, request }));
+	/** Has the module's core brought to life as soon as it is compiled. */
+	warm({ wasm, module }: Compiling): void {
+		this.#when(module, (compiled) => this.#give(wasm, compiled));
+	}
+
+	grow(id: number, blocks: readonly Block[], { wasm, module }: Compiling): void {
+		this.#when(module, (compiled) => {
+			this.#give(wasm, compiled);
+			this.#post({ type: "grow", id, wasm, blocks });
+		});
 	}
 
 	/** Ends the worker, whatever it is doing; nothing is heard of it after this. */
 	end(): void {
-		this.over = true;
-		this.worker.terminate();
+		this.#over = true;
+		this.#worker.terminate();
 	}
 
-	/** Messages wait for the core to be compiled. Where it cannot be, the client knows from the same promise. */
-	private send(message: (module: WebAssembly.Module) => ToWorker): void {
-		this.module.then(
-			(module) => {
-				if (!this.over) this.worker.postMessage(message(module));
+	#give(wasm: string, module: WebAssembly.Module): void {
+		if (this.#given.has(wasm)) return;
+		this.#given.add(wasm);
+		this.#post({ type: "start", wasm, module });
+	}
+
+	/** Messages wait for the core to be compiled. Where it cannot be, the pool knows from the same promise. */
+	#when(module: Promise<WebAssembly.Module>, then: (module: WebAssembly.Module) => void): void {
+		module.then(
+			(compiled) => {
+				if (!this.#over) then(compiled);
 			},
 			() => {},
 		);
 	}
 
-	private hear(message: FromWorker): void {
-		if (this.over) return;
-		if (message.type === "broken") this.die(message.message);
-		else if (message.type === "ready") this.started = true;
-		else this.events.answered(message);
+	#post(message: ToWorker): void {
+		this.#worker.postMessage(message);
 	}
 
-	private die(message: string): void {
-		if (this.over) return;
+	#hear(message: FromWorker): void {
+		if (this.#over) return;
+		if (message.type === "broken") this.#die(message.message);
+		else if (message.type === "ready") this.#started = true;
+		else this.#events.answered(message);
+	}
+
+	#die(message: string): void {
+		if (this.#over) return;
 		this.end();
-		this.events.died(message, this.started);
+		this.#events.died(message, this.#started);
 	}
 }

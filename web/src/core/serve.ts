@@ -1,17 +1,18 @@
-/** The worker's side: brings the core to life and answers requests one after the other. */
+/** The worker's side: brings cores to life and answers requests one after the other. */
 import { Core } from "./core";
 import { CoreError } from "./errors";
 import type { FromWorker, ToWorker } from "./messages";
-import { buffersOf } from "../models/bunch/read_grown";
 
 /** @returns what to call with every message; `post` sends an answer, moving the buffers instead of copying them */
 export function serve(
 	post: (message: FromWorker, transfer: Transferable[]) => void,
 ): (message: ToWorker) => Promise<void> {
-	let core: Promise<Core> | undefined;
+	/** By the names of their modules. */
+	const cores = new Map<string, Promise<Core>>();
 
-	async function start(module: WebAssembly.Module): Promise<void> {
-		core = Core.instantiate(module);
+	async function start({ wasm, module }: Extract<ToWorker, { type: "start" }>): Promise<void> {
+		const core = Core.instantiate(module);
+		cores.set(wasm, core);
 		try {
 			await core;
 			post({ type: "ready" }, []);
@@ -20,15 +21,16 @@ export function serve(
 		}
 	}
 
-	async function grow(id: number, request: Uint8Array): Promise<void> {
+	async function grow({ id, wasm, blocks }: Extract<ToWorker, { type: "grow" }>): Promise<void> {
 		try {
+			const core = await cores.get(wasm);
 			if (!core) throw new Error("The core has not been started.");
-			const grown = (await core).grow(request);
-			post({ type: "grown", id, grown }, buffersOf(grown));
+			const { columns, milliseconds } = core.grow(blocks);
+			const container = columns.bytes;
+			post({ type: "grown", id, container, milliseconds }, [container.buffer]);
 		} catch (error) {
-			const { message } = error as Error;
 			if (error instanceof CoreError) {
-				const { reason, line, column } = error;
+				const { reason, message, line, column } = error;
 				post({ type: "failed", id, reason, message, line, column }, []);
 			} else {
 				post({ type: "trapped", id, message: textOf(error) }, []);
@@ -36,7 +38,7 @@ export function serve(
 		}
 	}
 
-	return (message) => (message.type === "start" ? start(message.module) : grow(message.id, message.request));
+	return (message) => (message.type === "start" ? start(message) : grow(message));
 }
 
 function textOf(error: unknown): string {

@@ -77,3 +77,28 @@ export interface Plant {
 	/** Wall time measured by the caller, in milliseconds. */
 	timings: { grow: number };
 }
+
+/** Nothing has grown. */
+export const EMPTY_PLANT: Plant = {
+	segments: {
+		count: 0,
+		parent: new Int32Array(0),
+		tag: new Uint8Array(0),
+		tags: [],
+		ends: new Float32Array(0),
+		radii: new Float32Array(0),
+	},
+	organs: {
+		count: 0,
+		tag: new Uint8Array(0),
+		tags: [],
+		segment: new Int32Array(0),
+		mesh: new Int32Array(0),
+		transforms: new Float32Array(0),
+	},
+	meshes: [],
+	counts: {},
+	notes: [],
+	fingerprint: "",
+	timings: { grow: 0 },
+};

@@ -1,4 +1,5 @@
 import { type Grown, type Mesh, type PlanSide, TRAITS } from "../models/bunch/grown";
+import { EMPTY_PLANT } from "../plant/plant";
 import type { Look } from "../specimen/specimen";
 
 const side: PlanSide = { w: 0, r: 0, n: 0, rd: 0 };
@@ -14,6 +15,7 @@ const SPECK: Mesh = {
 
 /** A bunch too small to see. Drawing it makes the GPU's driver build the programs before the first real one arrives. */
 export const REHEARSAL: Grown = {
+	...EMPTY_PLANT,
 	procedure: "natural",
 	form: { fruit: "grape", taper: 0, blunt: 0 },
 	plan: { m: 1, sides: [side, side, side, side], axes: [] },

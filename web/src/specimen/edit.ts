@@ -1,6 +1,7 @@
 /** Changes to a specimen that controls make: always in range, always on the steps that a link can hold. */
-import { MOST_THINNED } from "./limits";
+
 import type { LookKey, NumberKey } from "../models/bunch/parameters.generated";
+import { MOST_THINNED } from "./limits";
 import type { Look, Specimen } from "./specimen";
 import { type CoreEntry, entryOf, nearestWithin } from "./table";
 

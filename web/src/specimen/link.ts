@@ -3,11 +3,12 @@
  * query, only what differs from the preset; grammar text goes compressed into the fragment, which never leaves the
  * browser. Reading never throws: whatever comes in gives a complete specimen and notes.
  */
+
+import { DEFAULT_PRESET } from "../models/bunch/presets/index";
 import { compressText, expandText } from "./compressed_text";
 import { DEFAULT_SEED, specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES } from "./limits";
 import { Notes } from "./notes";
-import { DEFAULT_PRESET } from "../models/bunch/presets/index";
 import { type Restored, restore } from "./restore";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { byLink, writtenIn } from "./table";

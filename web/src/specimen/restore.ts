@@ -2,10 +2,11 @@
  * The one door by which data from outside becomes a specimen: links, exported files and the command line all enter
  * here. Nothing is refused: what cannot be used is replaced, and a note says so.
  */
+
+import { presetNamed } from "../models/bunch/presets/index";
 import { specimenFromPreset } from "./from_preset";
 import { GRAMMAR_BYTES, INPUT_M, INPUT_N, INPUT_N_LENGTH, SEED } from "./limits";
 import { type Note, Notes, quote } from "./notes";
-import { presetNamed } from "../models/bunch/presets/index";
 import { isRecord, readChoice, readColour, readList, readNumber, readNumbers } from "./read_values";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import {

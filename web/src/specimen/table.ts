@@ -1,6 +1,12 @@
 /** The parameter table (wasm-core/parameters/bunch.json), typed for look-up, and the one rule by which a value fits it. */
 import type { Procedure } from "../models/bunch/grown";
-import { LOOK_KEYS, type LookKey, type NumberKey, PARAMETERS, type ParameterKey } from "../models/bunch/parameters.generated";
+import {
+	LOOK_KEYS,
+	type LookKey,
+	type NumberKey,
+	PARAMETERS,
+	type ParameterKey,
+} from "../models/bunch/parameters.generated";
 import type { Specimen } from "./specimen";
 
 interface Common {

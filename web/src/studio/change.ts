@@ -1,9 +1,10 @@
 /** The pure half of the store: what a control's change makes of the document. */
+
+import { LOOK_KEYS } from "../models/bunch/parameters.generated";
 import { withOpposites } from "../models/bunch/profile/drag";
 import { SIDES } from "../models/bunch/profile/handles";
 import { withLook, withParameters, withSeed } from "../specimen/edit";
 import { specimenFromPreset } from "../specimen/from_preset";
-import { LOOK_KEYS } from "../models/bunch/parameters.generated";
 import { sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import type { Change, Locks } from "./types";

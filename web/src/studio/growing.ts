@@ -1,5 +1,6 @@
-import type { Client } from "../core/client";
+import type { GrowOptions } from "../core/client";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
+import type { Grown } from "../models/bunch/grown";
 import type { RequestOptions } from "../models/bunch/request";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
@@ -11,6 +12,11 @@ const PATIENCE = 200;
 /** The measure from asking for a bunch to having its buffers: the last one stands, an observer hears of all (`npm run bench`). */
 const REGROW = "regrow";
 
+/** Grows a specimen off the page's thread; rejects as Client.grow does. */
+export interface Grower {
+	grow(specimen: Specimen, options?: RequestOptions & GrowOptions): Promise<Grown>;
+}
+
 /** Keeps the studio's bunch in step with its specimen: asks the client, hands over what grew, says what went wrong. */
 export class Growing {
 	/** The newest request; older answers are shown too while a drag goes on, so that every frame is the latest there is. */
@@ -20,7 +26,7 @@ export class Growing {
 	#timer: ReturnType<typeof setTimeout> | undefined;
 
 	constructor(
-		private readonly client: Pick<Client, "grow">,
+		private readonly client: Grower,
 		private readonly studio: () => Studio,
 	) {}
 

@@ -1,7 +1,9 @@
 /** The application's start: wires the store to the worker, the address bar and the page, and nothing else. */
-import coreUrl from "../../../build/core/panicle.wasm?url";
-import { createClient } from "../core/client";
+import coreUrl from "../../../build/core/bunch.wasm?url";
+import { Client } from "../core/client";
 import { presetNamed } from "../models/bunch/presets/index";
+import { readGrown } from "../models/bunch/read_grown";
+import { encodeRequest } from "../models/bunch/request";
 import { readAddress, readWholeAddress, writeAddress } from "./address";
 import { AgePlayer } from "./age_player";
 import { Growing } from "./growing";
@@ -27,8 +29,17 @@ import "./parts/variation";
 import "./parts/view_switch";
 
 // The core's fetch, its worker and the 3-D view's script start together; the page is drawn meanwhile.
-const client = createClient({ wasmUrl: coreUrl, onNote: (text) => console.info(text) });
-const growing = new Growing(client, () => studio);
+const client = new Client({ onNote: (text) => console.info(text) });
+client.warm(coreUrl);
+const growing = new Growing(
+	{
+		grow: async (specimen, { signal, ...options } = {}) => {
+			const order = { wasm: coreUrl, blocks: encodeRequest(specimen, options) };
+			return readGrown(await client.grow(order, signal ? { signal } : {}));
+		},
+	},
+	() => studio,
+);
 void loadScene();
 
 const ui = loadUi(localStorageOr());

@@ -1,5 +1,5 @@
-import type { Locks } from "../models/bunch/profile/handles";
 import type { NumberKey } from "../models/bunch/parameters.generated";
+import type { Locks } from "../models/bunch/profile/handles";
 import type { Look } from "../specimen/specimen";
 
 export type { Locks };

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include "foundation/random.hpp"
 #include "models/bunch/builtin_grammars.hpp"
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/parameters.generated.hpp"
-#include "foundation/random.hpp"
 #include "models/bunch/table3.hpp"
 
 namespace panicle::tests {

@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "foundation/fingerprint.hpp"
+#include "foundation/random.hpp"
+#include "lsystem/lsystem.hpp"
+#include "models/bunch/fruit/berry.hpp"
 #include "models/bunch/natural/natural.hpp"
 #include "models/bunch/paper/paper.hpp"
 #include "models/bunch/values.hpp"
-#include "foundation/fingerprint.hpp"
-#include "foundation/random.hpp"
-#include "models/bunch/fruit/berry.hpp"
-#include "lsystem/lsystem.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -68,14 +68,20 @@ void add_mesh(Fingerprint& print, const Mesh& mesh) {
   print.add(std::span<const std::uint32_t>(mesh.indices));
 }
 
-// Stems, the paper's one berry, and the fingerprint of everything that has triangles.
+// Stems and the paper's one berry; the natural procedure makes its other meshes itself.
 void add_meshes(Grown& grown, const Request& request) {
   TubeOptions tubes;
   if (grown.natural) tubes.sides = 8;  // hundreds of thin pedicels, most of them hidden
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
+  grown.stem = sweep_stems(grown.internodes, tubes, 1.0f);
+  if (grown.natural) return;
   BerryOptions berry;
   if (request.berry_segments) berry.segments = std::clamp(request.berry_segments, 6u, 128u);
-  grown.stem = sweep_stems(grown.internodes, tubes, 1.0f);
+  grown.berry = make_berry(berry);
+}
+
+// Of everything that has triangles.
+std::uint64_t mesh_fingerprint(const Grown& grown) {
   Fingerprint print;
   add_mesh(print, grown.stem->mesh);
   if (grown.surfaces) {
@@ -83,12 +89,11 @@ void add_meshes(Grown& grown, const Request& request) {
     print.add(std::span<const float>(grown.surfaces->normals));
     print.add(std::span<const std::uint32_t>(grown.surfaces->indices));
   } else {
-    grown.berry = make_berry(berry);
     add_mesh(print, *grown.berry);
   }
   if (grown.flower) add_mesh(print, *grown.flower);
   if (grown.foliage) add_mesh(print, grown.foliage->mesh);
-  grown.mesh_fingerprint = print.value();
+  return print.value();
 }
 
 }  // namespace
@@ -102,7 +107,9 @@ Result<Grown> grow(const Request& request, const Limits& limits) {
   if (trouble.reason != Reason::none) return trouble;
   count(grown);
   grown.fingerprint = fingerprint(grown);
-  if (request.meshes) add_meshes(grown, request);
+  if (!request.meshes) return grown;
+  add_meshes(grown, request);
+  if (request.mesh_fingerprint) grown.mesh_fingerprint = mesh_fingerprint(grown);
   return grown;
 }
 

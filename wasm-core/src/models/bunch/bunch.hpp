@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "models/bunch/grown.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
+#include "models/bunch/grown.hpp"
 
 namespace panicle::bunch {
 
@@ -16,10 +16,11 @@ struct Request {
   std::vector<float> parameters;       // in the order of parameter_table; NaN or missing: the default
   std::int32_t m = 0;                  // rachis segments in place of the profile's; 0: from the profile
   std::vector<std::int32_t> n;         // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
-  std::string_view grammar;            // empty: the built-in L-system 3
+  std::string_view grammar;            // empty: the procedure's own
   std::vector<std::uint32_t> thinned;  // berries taken off by hand, by id
   bool meshes = true;
   bool measures = true;
+  bool mesh_fingerprint = false;     // of the meshes, where they are asked for
   std::uint32_t stem_sides = 0;      // 0: default
   std::uint32_t berry_segments = 0;  // 0: default
 };

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/bunch/plan.hpp"
 #include "foundation/mathematics.hpp"
+#include "models/bunch/plan.hpp"
 
 namespace panicle::bunch {
 namespace {

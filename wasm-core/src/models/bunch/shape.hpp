@@ -1,10 +1,10 @@
 // What a bunch's grammar is given: how much of everything, and how far its lengths stretch.
 #pragma once
 
+#include "foundation/result.hpp"
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/plan.hpp"
 #include "models/bunch/values.hpp"
-#include "foundation/result.hpp"
 
 namespace panicle::bunch {
 

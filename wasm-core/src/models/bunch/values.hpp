@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "lsystem/lsystem.hpp"
 #include "models/bunch/parameters.generated.hpp"
 #include "models/bunch/plan.hpp"
-#include "lsystem/lsystem.hpp"
 
 namespace panicle::bunch {
 

@@ -1,8 +1,11 @@
 /**
- * What a growth gives back: plain typed arrays copied out of the core, in metres, +Y up, the bunch hanging
- * down from p1 at the origin; p3 is +X, p4 −X, p5 +Z, p6 −Z. Scene, exporters, panels and the command line all
- * read this one shape; none of them computes botany. The layout in bytes is in boundary/panicle.h.
+ * What a bunch is besides a plant: plain typed arrays copied out of the core, in metres, +Y up, the bunch hanging
+ * down from p1 at the origin; p3 is +X, p4 −X, p5 +Z, p6 −Z. Its columns are listed in
+ * wasm-core/src/models/bunch/model.hpp.
  */
+import type { Mesh, Plant } from "../../plant/plant";
+
+export type { Mesh };
 
 /** Kinds of internode, by code: `INTERNODE_KINDS[kind[i]]`. */
 export const INTERNODE_KINDS = ["rachis", "axis", "end", "pedicel"] as const;
@@ -136,18 +139,6 @@ export interface Foliage extends Mesh {
 	parts: FoliagePart[];
 }
 
-/** Triangles; normals are of unit length, indices go counter-clockwise seen from outside. */
-export interface Mesh {
-	/** 3 × vertices. */
-	positions: Float32Array;
-	/** 3 × vertices. */
-	normals: Float32Array;
-	/** 2 × vertices. */
-	uvs: Float32Array;
-	/** 3 × triangles. */
-	indices: Uint32Array;
-}
-
 /** A contiguous run of the stem mesh: the rachis (axis −1) or one first-order axis with its pedicels. */
 export interface StemPart {
 	axis: number;
@@ -164,7 +155,7 @@ export interface StemMesh extends Mesh {
 	parts: StemPart[];
 }
 
-export interface Grown {
+export interface Grown extends Omit<Plant, "counts"> {
 	procedure: Procedure;
 	form: BerryForm;
 	plan: Plan;
@@ -185,14 +176,4 @@ export interface Grown {
 	foliage?: Foliage;
 	/** Berries that are not there, and why; of the natural procedure. */
 	thinned: Thinned[];
-	/** In the order of MEASURES (models/bunch/measures.generated.ts); NaN where one does not apply; absent if not asked for. */
-	measures?: Float32Array;
-	/** What the core has to say about the request, in plain words. */
-	notes: string[];
-	/** 16 hexadecimal digits over skeleton and organs (docs/fingerprint.md). */
-	fingerprint: string;
-	/** The same over the meshes; may change from version to version. */
-	meshFingerprint?: string;
-	/** Wall time measured by the caller, in milliseconds. */
-	timings: { grow: number };
 }

@@ -1,6 +1,7 @@
 /** Measures in words: a value with its unit, the class of a descriptor it falls into. */
-import { MEASURE_KEYS, type MeasureClass, type MeasureInfo, type MeasureKey, SKIN_COLOUR } from "./measures.generated";
+
 import type { Look } from "../../specimen/specimen";
+import { MEASURE_KEYS, type MeasureClass, type MeasureInfo, type MeasureKey, SKIN_COLOUR } from "./measures.generated";
 
 /** What a bunch measures by one key: NaN where that does not apply or was not asked for. */
 export function measureOf(measures: Float32Array | undefined, key: MeasureKey): number {

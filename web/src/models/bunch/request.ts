@@ -1,72 +1,48 @@
-/** Specimen → the bytes of a request, as boundary/panicle.h lays them out. */
+/** Specimen → the blocks of a request, as wasm-core/src/models/bunch/model.hpp lists them. */
+import type { Block } from "../../core/container";
+import { CoreError } from "../../core/errors";
 import { GRAMMAR_BYTES, INPUT_N_LENGTH } from "../../specimen/limits";
 import type { Specimen } from "../../specimen/specimen";
 import { CORE_ENTRIES, type CoreEntry } from "../../specimen/table";
-import { CoreError } from "../../core/errors";
-
-const MAGIC = 0x4c434e50; // "PNCL"
-const LAYOUT = 2;
-const MODEL_BUNCH = 1;
-const OUTPUT_MESHES = 1;
-const OUTPUT_MEASURES = 2;
-const HEADER_WORDS = 12;
 
 export interface RequestOptions {
 	/** Whether triangles are wanted besides the skeleton; the default is yes. */
 	meshes?: boolean;
 	/** Whether `measures` are wanted; the default is yes. */
 	measures?: boolean;
+	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	meshFingerprint?: boolean;
 	/** Sides of a stem's tube; the core's own choice by default. */
 	stemSides?: number;
 	/** Segments around the berry mesh; the core's own choice by default. */
 	berrySegments?: number;
 }
 
-/**
- * @returns the request; little-endian, a whole number of 32-bit words
- * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts
- */
-export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Uint8Array<ArrayBuffer> {
-	const grammar = new TextEncoder().encode(specimen.grammar ?? "");
-	if (grammar.length > GRAMMAR_BYTES) {
+/** @throws CoreError where the specimen cannot be written as a request: it has not come through specimen/restore.ts */
+export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Block[] {
+	const { meshes = true, measures = true, meshFingerprint = false, stemSides = 0, berrySegments = 0 } = options;
+	const { inputs, thinned, grammar, parameters } = specimen;
+	if (grammar !== undefined && new TextEncoder().encode(grammar).length > GRAMMAR_BYTES) {
 		throw new CoreError("limit", `The grammar is longer than ${GRAMMAR_BYTES / 1024} KiB; shorten it.`);
 	}
-	const n = specimen.inputs?.n ?? [];
-	if (n.length > INPUT_N_LENGTH) throw new CoreError("limit", `n has more than ${INPUT_N_LENGTH} values.`);
-
-	const { thinned } = specimen;
-	const words = HEADER_WORDS + CORE_ENTRIES.length + n.length + thinned.length;
-	const bytes = new Uint8Array((words + Math.ceil(grammar.length / 4)) * 4);
-	const view = new DataView(bytes.buffer);
-	const header = [
-		MAGIC,
-		LAYOUT,
-		MODEL_BUNCH,
-		(options.meshes === false ? 0 : OUTPUT_MESHES) | (options.measures === false ? 0 : OUTPUT_MEASURES),
-		whole("seed", specimen.seed),
-		whole("stemSides", options.stemSides ?? 0),
-		whole("berrySegments", options.berrySegments ?? 0),
-		CORE_ENTRIES.length,
-		whole("m", specimen.inputs?.m ?? 0),
-		n.length,
-		grammar.length,
-		thinned.length,
+	if ((inputs?.n?.length ?? 0) > INPUT_N_LENGTH) {
+		throw new CoreError("limit", `n has more than ${INPUT_N_LENGTH} values.`);
+	}
+	const outputs = [meshes && "meshes", measures && "measures", meshFingerprint && "mesh_fingerprint"];
+	const words = (name: string, values: readonly number[]) => Uint32Array.from(values, (value) => whole(name, value));
+	const blocks: Block[] = [
+		{ name: "model", data: "bunch" },
+		{ name: "seed", data: words("seed", [specimen.seed]) },
+		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
+		{ name: "parameters", data: Float32Array.from(CORE_ENTRIES, (entry) => asked(entry, parameters[entry.key])) },
+		{ name: "thinned", data: words("thinned", thinned) },
+		{ name: "stem_sides", data: words("stemSides", [stemSides]) },
+		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },
 	];
-	header.forEach((word, index) => {
-		view.setUint32(index * 4, word, true);
-	});
-	CORE_ENTRIES.forEach((entry, index) => {
-		view.setFloat32((HEADER_WORDS + index) * 4, asked(entry, specimen.parameters[entry.key]), true);
-	});
-	n.forEach((value, index) => {
-		view.setUint32((HEADER_WORDS + CORE_ENTRIES.length + index) * 4, whole("n", value), true);
-	});
-	thinned.forEach((id, index) => {
-		const at = HEADER_WORDS + CORE_ENTRIES.length + n.length + index;
-		view.setUint32(at * 4, whole("thinned", id), true);
-	});
-	bytes.set(grammar, words * 4);
-	return bytes;
+	if (inputs?.m !== undefined) blocks.push({ name: "m", data: Int32Array.of(whole("m", inputs.m)) });
+	if (inputs?.n) blocks.push({ name: "n", data: Int32Array.from(inputs.n, (value) => whole("n", value)) });
+	if (grammar !== undefined) blocks.push({ name: "grammar", data: grammar });
+	return blocks;
 }
 
 /** NaN leaves a `#define` of the text as it stands: one that the person has not moved must not overrule a text's own. */

@@ -1,8 +1,8 @@
 import { html, nothing } from "lit";
 import { classMap } from "lit/directives/class-map.js";
+import { DEFAULT_PRESET, presetNamed } from "../../models/bunch/presets/index";
 import { withParameters } from "../../specimen/edit";
 import { specimenFromPreset } from "../../specimen/from_preset";
-import { DEFAULT_PRESET, presetNamed } from "../../models/bunch/presets/index";
 import { sameSpecimen } from "../../specimen/same";
 import { growsAlike } from "../change";
 import { procedureOf } from "../panel_groups";

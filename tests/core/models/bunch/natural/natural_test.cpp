@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/fruit/berry_meridian.hpp"
+#include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;

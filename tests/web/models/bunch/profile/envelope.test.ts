@@ -1,7 +1,12 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { PROCEDURES } from "../../../../../web/src/models/bunch/grown";
-import { endReach, envelopePath, filledWidth, sideEnvelope } from "../../../../../web/src/models/bunch/profile/envelope";
+import {
+	endReach,
+	envelopePath,
+	filledWidth,
+	sideEnvelope,
+} from "../../../../../web/src/models/bunch/profile/envelope";
 import type { Specimen } from "../../../../../web/src/specimen/specimen";
 import { anyShape, DEFAULTS } from "./shape";
 

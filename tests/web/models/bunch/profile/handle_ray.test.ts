@@ -1,7 +1,13 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { dragHandle } from "../../../../../web/src/models/bunch/profile/drag";
-import { handleVector, type Ray, rayToView, type Vector, visibleFreedom } from "../../../../../web/src/models/bunch/profile/handle_ray";
+import {
+	handleVector,
+	type Ray,
+	rayToView,
+	type Vector,
+	visibleFreedom,
+} from "../../../../../web/src/models/bunch/profile/handle_ray";
 import { handlePosition, metresPerPixel } from "../../../../../web/src/models/bunch/profile/handles";
 import { anyHandle, anyShape, DEFAULTS } from "./shape";
 

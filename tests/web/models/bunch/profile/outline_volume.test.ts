@@ -1,13 +1,12 @@
 /** The outline that the views draw is the one that the core fills and measures. */
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
-import { encodeRequest } from "../../../../../web/src/models/bunch/request";
+import { measureOf } from "../../../../../web/src/models/bunch/measures";
 import { endReach, filledWidth, sideEnvelope } from "../../../../../web/src/models/bunch/profile/envelope";
 import { metresPerPixel, type Point, SIDE_HANDLES } from "../../../../../web/src/models/bunch/profile/handles";
 import { specimenFromPreset } from "../../../../../web/src/specimen/from_preset";
-import { measureOf } from "../../../../../web/src/models/bunch/measures";
 import type { Specimen } from "../../../../../web/src/specimen/specimen";
-import { freshCore } from "../../../core/wasm";
+import { freshCore, growBunch } from "../../../core/wasm";
 
 const SLICES = 400;
 
@@ -43,7 +42,7 @@ describe("the outline's volume", () => {
 		"is what the core measures: %s",
 		(preset) => {
 			const specimen = specimenFromPreset(preset);
-			const measured = measureOf(core.grow(encodeRequest(specimen)).measures, "outline_volume");
+			const measured = measureOf(growBunch(core, specimen).measures, "outline_volume");
 			expect(drawnVolume(specimen) / measured).toBeCloseTo(1, 2);
 		},
 	);

@@ -1,8 +1,8 @@
 /** Profiles and parameters for the tests of this room. */
 import fc from "fast-check";
+import { NUMBER_KEYS, PARAMETERS } from "../../../../../web/src/models/bunch/parameters.generated";
 import type { Handle, Shape, ShapeKey } from "../../../../../web/src/models/bunch/profile/handles";
 import { HANDLES, handleKeys } from "../../../../../web/src/models/bunch/profile/handles";
-import { NUMBER_KEYS, PARAMETERS } from "../../../../../web/src/models/bunch/parameters.generated";
 import type { Specimen } from "../../../../../web/src/specimen/specimen";
 
 export const SHAPE_KEYS: ShapeKey[] = HANDLES.flatMap(handleKeys);

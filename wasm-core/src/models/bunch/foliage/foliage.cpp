@@ -8,8 +8,8 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "models/bunch/foliage/leaf.hpp"
 #include "geometry/tubes.hpp"
+#include "models/bunch/foliage/leaf.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "models/bunch/natural/neighbours.hpp"
 #include "foundation/mathematics.hpp"
+#include "models/bunch/natural/neighbours.hpp"
 
 namespace panicle::bunch {
 namespace {

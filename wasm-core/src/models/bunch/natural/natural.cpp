@@ -7,19 +7,19 @@
 #include <string>
 #include <utility>
 
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
 #include "models/bunch/builtin_grammars.hpp"
-#include "models/bunch/natural/exposure.hpp"
 #include "models/bunch/foliage/foliage.hpp"
-#include "models/bunch/natural/fruit_set.hpp"
+#include "models/bunch/fruit/flower.hpp"
 #include "models/bunch/measures/measures.hpp"
+#include "models/bunch/natural/exposure.hpp"
+#include "models/bunch/natural/fruit_set.hpp"
 #include "models/bunch/natural/natural_plan.hpp"
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/natural/sprouting.hpp"
-#include "models/bunch/stock.hpp"
 #include "models/bunch/natural/swelling.hpp"
-#include "foundation/mathematics.hpp"
-#include "foundation/random.hpp"
-#include "models/bunch/fruit/flower.hpp"
+#include "models/bunch/stock.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "models/bunch/shape.hpp"
 #include "foundation/mathematics.hpp"
 #include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/shape.hpp"
 
 namespace panicle::bunch {
 namespace {

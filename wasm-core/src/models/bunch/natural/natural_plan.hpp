@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "lsystem/lsystem.hpp"
 #include "models/bunch/envelope.hpp"
 #include "models/bunch/plan.hpp"
 #include "models/bunch/values.hpp"
-#include "lsystem/lsystem.hpp"
 
 namespace panicle::bunch {
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "models/bunch/communication.hpp"
 #include "foundation/random.hpp"
+#include "models/bunch/communication.hpp"
 
 namespace panicle::bunch {
 

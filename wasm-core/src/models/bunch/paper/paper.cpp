@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
+#include "foundation/mathematics.hpp"
 #include "models/bunch/builtin_grammars.hpp"
-#include "models/bunch/paper/growth.hpp"
 #include "models/bunch/measures/measures.hpp"
+#include "models/bunch/paper/growth.hpp"
 #include "models/bunch/shape.hpp"
 #include "models/bunch/stock.hpp"
-#include "foundation/mathematics.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -1,7 +1,7 @@
-import type { NumberKey } from "../parameters.generated";
 import { readChoice } from "../../../specimen/read_values";
 import type { Look } from "../../../specimen/specimen";
 import { entryOf } from "../../../specimen/table";
+import type { NumberKey } from "../parameters.generated";
 import cylindrical from "./cylindrical.json";
 import doubleBunchWinged from "./double-bunch-winged.json";
 import duku from "./duku.json";

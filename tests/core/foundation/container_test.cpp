@@ -1,0 +1,82 @@
+#include "foundation/container.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "foundation/random.hpp"
+
+using namespace panicle;
+
+namespace {
+
+struct Block {
+  explicit Block(const ContainerWriter& writer) : bytes(writer.write()) { REQUIRE(bytes != nullptr); }
+  ~Block() { std::free(bytes); }
+  Block(const Block&) = delete;
+  Block& operator=(const Block&) = delete;
+  std::span<const std::uint8_t> view() const { return {bytes, container_bytes(bytes)}; }
+  std::uint8_t* bytes;
+};
+
+}  // namespace
+
+TEST_CASE("what is written into a container is read out of it") {
+  const std::vector<float> places{1, 2, 3, 4, 5, 6};
+  const std::vector<std::int32_t> parents{-1, 0};
+  const std::vector<std::uint8_t> octets{7, 8, 9};
+  ContainerWriter writer;
+  writer.add("places", places, 3);
+  writer.add("parents", parents);
+  writer.add("octets", octets);
+  writer.add("word", "grün");
+  writer.add("none", std::vector<std::uint32_t>{});
+  const Block block(writer);
+  const auto read = read_container(block.view());
+  REQUIRE(read);
+  REQUIRE(read->size() == 5);
+  const auto& columns = read.value();
+  CHECK(columns[0].name == "places");
+  CHECK(columns[0].width == 3);
+  CHECK(columns[0].rows == 2);
+  CHECK(std::vector<float>(columns[0].as<float>().begin(), columns[0].as<float>().end()) == places);
+  CHECK(columns[0].as<std::int32_t>().empty());  // of another kind
+  CHECK(columns[1].as<std::int32_t>()[0] == -1);
+  CHECK(columns[2].as<std::uint8_t>()[2] == 9);
+  CHECK(columns[3].text() == "grün");
+  CHECK(columns[4].rows == 0);
+  for (const ColumnView& column : columns) CHECK((column.data - block.bytes) % 4 == 0);
+}
+
+TEST_CASE("whatever the bytes are, a container is read within them or refused") {
+  ContainerWriter writer;
+  const std::vector<float> values(9, 0.5f);
+  writer.add("values", values, 3);
+  writer.add("text", "one two");
+  const Block block(writer);
+  const std::uint32_t whole = container_bytes(block.bytes);
+  int good = 0, refused = 0;
+  for (std::uint64_t round = 0; round < 4000; ++round) {
+    // On the heap and exactly as long, so that the sanitizer sees the first byte beyond.
+    const auto length = static_cast<std::uint32_t>(round % 4 ? whole : random_bits(round, 5, 0) % whole);
+    std::vector<std::uint32_t> words(length / 4);
+    if (!words.empty()) {
+      std::memcpy(words.data(), block.bytes, words.size() * 4);
+      words[random_bits(round, 1, 0) % words.size()] = static_cast<std::uint32_t>(
+          round % 3 ? random_bits(round, 2, 0) : random_bits(round, 2, 0) % (2 * std::uint64_t{whole}));
+    }
+    const auto read = read_container({reinterpret_cast<const std::uint8_t*>(words.data()), words.size() * 4});
+    ++(read ? good : refused);
+    if (!read) continue;
+    std::uint64_t sum = 0;
+    for (const ColumnView& column : read.value()) {
+      for (std::uint64_t i = 0; i < column.bytes(); ++i) sum += column.data[i];
+      for (const char letter : column.name) sum += static_cast<std::uint8_t>(letter);
+    }
+    CHECK(sum < 1'000'000);
+  }
+  CHECK(good > 100);
+  CHECK(refused > 100);
+}

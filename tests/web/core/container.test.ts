@@ -1,0 +1,46 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { type Block, Columns, writeContainer } from "../../../web/src/core/container";
+
+const numbers = (make: (values: number[]) => Exclude<Block["data"], string>, value: fc.Arbitrary<number>) =>
+	fc.array(value, { maxLength: 12 }).map(make);
+const data: fc.Arbitrary<Block["data"]> = fc.oneof(
+	fc.string({ unit: "grapheme" }),
+	numbers((values) => Uint8Array.from(values), fc.nat(255)),
+	numbers((values) => Int32Array.from(values), fc.integer()),
+	numbers((values) => Uint32Array.from(values), fc.nat()),
+	numbers((values) => Float32Array.from(values), fc.float()),
+);
+
+describe("a container", () => {
+	it("gives back by name what was put in", () => {
+		const blocks = fc.uniqueArray(fc.record({ name: fc.string({ unit: "grapheme", minLength: 1 }), data }), {
+			selector: ({ name }) => name,
+		});
+		fc.assert(
+			fc.property(blocks, (written) => {
+				const columns = new Columns(writeContainer(written));
+				expect(columns.names).toEqual(written.map(({ name }) => name));
+				for (const { name, data } of written) {
+					if (typeof data === "string") expect(columns.text(name)).toBe(data);
+					else expect(columns.any(name)).toEqual(data);
+				}
+			}),
+		);
+	});
+
+	it("knows how wide rows are, and of what", () => {
+		const columns = new Columns(writeContainer([{ name: "ends", data: new Float32Array(12), width: 6 }]));
+		expect(columns.width("ends")).toBe(6);
+		expect(columns.floats("ends")).toHaveLength(12);
+		expect(() => columns.ints("ends")).toThrow("“ends” is float32, not int32");
+		expect(() => columns.floats("radii")).toThrow("no column “radii”");
+	});
+
+	it("is refused where the bytes are none", () => {
+		const whole = writeContainer([{ name: "a", data: "b" }]);
+		for (const bytes of [new Uint8Array(0), new Uint8Array(64), whole.slice(0, -4)]) {
+			expect(() => new Columns(bytes)).toThrow(RangeError);
+		}
+	});
+});

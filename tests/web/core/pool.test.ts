@@ -1,0 +1,107 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { Client } from "../../../web/src/core/client";
+import { Pool, type PoolOptions } from "../../../web/src/core/pool";
+import { FakeWorker, module, seedOf, settled, withSeed } from "./fake_worker";
+
+let pool: Pool;
+
+function start(options: Partial<PoolOptions> = {}): void {
+	pool = new Pool({ spawn: () => new FakeWorker() as unknown as Worker, compile: async () => module, ...options });
+}
+
+beforeEach(() => {
+	vi.useFakeTimers();
+	FakeWorker.all = [];
+});
+afterEach(() => {
+	pool.close();
+	vi.useRealTimers();
+});
+
+describe("a pool of seats", () => {
+	it("grows side by side on as many seats as there may be; the others wait in turn", async () => {
+		start({ seats: 2 });
+		const all = [1, 2, 3, 4].map((seed) => pool.run(withSeed(seed)));
+		await settled();
+		expect(FakeWorker.all.map(({ seeds }) => seeds)).toEqual([[1], [2]]);
+		FakeWorker.all[1].finish();
+		await settled();
+		expect(FakeWorker.all.map(({ seeds }) => seeds)).toEqual([[1], [2, 3]]);
+		FakeWorker.all[0].finish();
+		await settled();
+		FakeWorker.all[0].finish();
+		FakeWorker.all[1].finish();
+		expect((await Promise.all(all)).map(seedOf)).toEqual([1, 2, 3, 4]);
+	});
+
+	it("gives each seat a module once, whatever models take turns on it", async () => {
+		const compiled: string[] = [];
+		start({
+			compile: async (wasm) => {
+				compiled.push(wasm);
+				return module;
+			},
+		});
+		for (const [seed, wasm] of [
+			[1, "bunch.wasm"],
+			[2, "leaf.wasm"],
+			[3, "bunch.wasm"],
+		] as const) {
+			const growing = pool.run(withSeed(seed, wasm));
+			await settled();
+			FakeWorker.all[0].finish();
+			expect(seedOf(await growing)).toBe(seed);
+		}
+		expect(compiled).toEqual(["bunch.wasm", "leaf.wasm"]);
+		const [{ heard }] = FakeWorker.all;
+		expect(heard.map((each) => `${each.type} ${each.wasm}`)).toEqual([
+			"start bunch.wasm",
+			"grow bunch.wasm",
+			"start leaf.wasm",
+			"grow leaf.wasm",
+			"grow bunch.wasm",
+		]);
+	});
+
+	it("lets several clients share it, none of whom takes another's place", async () => {
+		start();
+		const [one, other] = [new Client({ pool }), new Client({ pool })];
+		const all = [one.grow(withSeed(1)), other.grow(withSeed(2))];
+		for (let turn = 0; turn < 2; turn++) {
+			await settled();
+			FakeWorker.all[0].finish();
+		}
+		expect((await Promise.all(all)).map(seedOf)).toEqual([1, 2]);
+	});
+
+	it("does not hand out a spare that has died", async () => {
+		start();
+		const first = pool.run(withSeed(1));
+		await settled();
+		FakeWorker.all[0].finish();
+		await first;
+		await vi.advanceTimersByTimeAsync(1000);
+		FakeWorker.all[1].crash("out of memory");
+		FakeWorker.all[0].crash("out of memory");
+		const next = pool.run(withSeed(2));
+		await settled();
+		expect(FakeWorker.all).toHaveLength(3);
+		FakeWorker.all[2].finish();
+		expect(seedOf(await next)).toBe(2);
+	});
+
+	it("keeps the seats of one model when another's module cannot be had", async () => {
+		start({
+			compile: async (wasm) => {
+				if (wasm === "leaf.wasm") throw new Error("Not there.");
+				return module;
+			},
+		});
+		await expect(pool.run(withSeed(1, "leaf.wasm"))).rejects.toThrow("Not there.");
+		const growing = pool.run(withSeed(2));
+		await settled();
+		expect(FakeWorker.all).toHaveLength(1);
+		FakeWorker.all[0].finish();
+		expect(seedOf(await growing)).toBe(2);
+	});
+});

@@ -1,0 +1,153 @@
+#include "boundary/answer.hpp"
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "foundation/container.hpp"
+
+namespace panicle::boundary {
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+template <class Names>
+std::string lines(const Names& names) {
+  std::string text;
+  for (const auto& name : names) text.append(text.empty() ? "" : "\n").append(name);
+  return text;
+}
+
+std::array<std::uint32_t, 2> halves(std::uint64_t value) {
+  return {static_cast<std::uint32_t>(value), static_cast<std::uint32_t>(value >> 32)};
+}
+
+// The columns of all segments.
+void add_segments(Columns& columns, const std::vector<Segment>& segments) {
+  columns.add("segments.parent", column_of<std::int32_t>(segments, 1, [](const Segment& segment, std::int32_t* at) {
+                *at = segment.parent;
+              }));
+  columns.add("segments.tag", column_of<std::uint8_t>(segments, 1, [](const Segment& segment, std::uint8_t* at) {
+                *at = static_cast<std::uint8_t>(segment.tag);
+              }));
+  columns.add("segments.ends",
+              column_of<float>(segments, 6,
+                               [](const Segment& segment, float* at) {
+                                 put(segment.start, at);
+                                 put(segment.end, at + 3);
+                               }),
+              6);
+  columns.add("segments.radii",
+              column_of<float>(segments, 2,
+                               [](const Segment& segment, float* at) {
+                                 at[0] = segment.radius;
+                                 at[1] = segment.radius_end;
+                               }),
+              2);
+}
+
+void add_organs(Columns& columns, const std::vector<Organ>& organs) {
+  columns.add("organs.tag", column_of<std::uint8_t>(organs, 1, [](const Organ& organ, std::uint8_t* at) {
+                *at = static_cast<std::uint8_t>(organ.tag);
+              }));
+  columns.add("organs.segment",
+              column_of<std::int32_t>(organs, 1, [](const Organ& organ, std::int32_t* at) { *at = organ.segment; }));
+  columns.add("organs.mesh",
+              column_of<std::int32_t>(organs, 1, [](const Organ& organ, std::int32_t* at) { *at = organ.mesh; }));
+  columns.add("organs.transforms",
+              column_of<float>(organs, 8,
+                               [](const Organ& organ, float* at) {
+                                 put(organ.position, at);
+                                 for (int k = 0; k < 4; ++k) at[3 + k] = organ.rotation[k];
+                                 at[7] = organ.scale;
+                               }),
+              8);
+}
+
+// Which runs of a mesh are which.
+void add_runs(Columns& columns, const std::vector<MeshRun>& runs) {
+  std::string names;
+  for (const MeshRun& run : runs) names.append(names.empty() ? "" : "\n").append(run.name);
+  columns.add("runs",
+              column_of<std::uint32_t>(runs, 4,
+                                       [](const MeshRun& run, std::uint32_t* at) {
+                                         at[0] = run.first_vertex;
+                                         at[1] = run.vertex_count;
+                                         at[2] = run.first_index;
+                                         at[3] = run.index_count;
+                                       }),
+              4);
+  columns.add("runs.names", std::string_view(names));
+}
+
+void add_columns(ContainerWriter& out, const std::string& prefix, const Columns& columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) out.add(prefix + std::string(columns[i].name), columns[i]);
+}
+
+void add_mesh(ContainerWriter& out, const PlantMesh& mesh, const Columns& runs) {
+  const std::string prefix = "mesh." + mesh.name + ".";
+  out.add(prefix + "material", std::string_view(mesh.material));
+  out.add(prefix + "positions", mesh.mesh.positions, 3);
+  out.add(prefix + "normals", mesh.mesh.normals, 3);
+  out.add(prefix + "uvs", mesh.mesh.uvs, 2);
+  out.add(prefix + "indices", mesh.mesh.indices, 3);
+  add_columns(out, prefix, runs);
+  add_columns(out, prefix, mesh.columns);
+}
+
+}  // namespace
+
+std::uint8_t* write_plant(const Plant& plant) {
+  ContainerWriter out;
+  const std::array<std::uint32_t, 3> status{};
+  out.add("status", std::span<const std::uint32_t>(status));
+  const std::string notes = lines(plant.notes), tags = lines(plant.tags), organ_tags = lines(plant.organ_tags);
+  out.add("notes", std::string_view(notes));
+  const auto print = halves(plant.fingerprint), mesh_print = halves(plant.mesh_fingerprint);
+  out.add("fingerprint", std::span<const std::uint32_t>(print));
+  if (plant.mesh_fingerprint != 0) out.add("mesh_fingerprint", std::span<const std::uint32_t>(mesh_print));
+
+  std::string count_names;
+  Words counts;
+  for (const Count& count : plant.counts) {
+    count_names.append(count_names.empty() ? "" : "\n").append(count.name);
+    counts.push_back(count.value);
+  }
+  out.add("counts", counts);
+  out.add("counts.names", std::string_view(count_names));
+  if (!plant.measures.empty()) out.add("measures", plant.measures);
+
+  // Laid out here for the border; they live until the block is written.
+  Columns rows;
+  add_segments(rows, plant.segments);
+  rows.add("segments.tags", std::string_view(tags));
+  if (!plant.organs.empty()) {
+    add_organs(rows, plant.organs);
+    rows.add("organs.tags", std::string_view(organ_tags));
+  }
+  add_columns(out, "", rows);
+  std::string mesh_names;
+  std::vector<Columns> runs(plant.meshes.size());
+  for (std::size_t i = 0; i < plant.meshes.size(); ++i) {
+    const PlantMesh& mesh = plant.meshes[i];
+    mesh_names.append(mesh_names.empty() ? "" : "\n").append(mesh.name);
+    if (!mesh.runs.empty()) add_runs(runs[i], mesh.runs);
+    add_mesh(out, mesh, runs[i]);
+  }
+  out.add("meshes", std::string_view(mesh_names));
+  add_columns(out, "", plant.columns);
+  return out.write();
+}
+
+std::uint8_t* write_failure(const Diagnostic& diagnostic) {
+  ContainerWriter out;
+  const std::array<std::uint32_t, 3> status{static_cast<std::uint32_t>(diagnostic.reason), diagnostic.line,
+                                            diagnostic.column};
+  out.add("status", std::span<const std::uint32_t>(status));
+  out.add("message", std::string_view(diagnostic.message));
+  return out.write();
+}
+
+}  // namespace panicle::boundary

@@ -1,0 +1,102 @@
+// Named arrays in one block of bytes: what crosses the border, both ways.
+//
+// Little-endian 32-bit words; everything begins at a word:
+//   0  magic 0x4c434e50 ("PNCL")
+//   1  version of this layout: 3
+//   2  N, number of columns
+//   3  bytes of the whole block
+//   4… N × 6 words, the directory: where the name begins and its bytes; the element (below); elements to a row; rows;
+//      where the data begins. Places count from the block's first byte. A text has rows of one byte of UTF-8.
+//   …  names and data
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "foundation/result.hpp"
+
+namespace panicle {
+
+enum class Element : std::uint32_t { text = 0, uint8 = 1, int32 = 2, uint32 = 3, float32 = 4 };
+
+constexpr std::uint32_t bytes_of(Element element) {
+  return element == Element::text || element == Element::uint8 ? 1 : 4;
+}
+
+template <class Value>
+constexpr Element element_of() {
+  if constexpr (std::is_same_v<Value, std::uint8_t>) return Element::uint8;
+  if constexpr (std::is_same_v<Value, std::int32_t>) return Element::int32;
+  if constexpr (std::is_same_v<Value, std::uint32_t>) return Element::uint32;
+  if constexpr (std::is_same_v<Value, float>) return Element::float32;
+  if constexpr (std::is_same_v<Value, char>) return Element::text;
+}
+
+// A named array, somewhere.
+struct ColumnView {
+  std::string_view name;
+  Element element = Element::uint8;
+  std::uint32_t width = 1;  // elements to a row
+  std::uint32_t rows = 0;
+  const std::uint8_t* data = nullptr;
+
+  std::uint64_t bytes() const { return std::uint64_t{rows} * width * bytes_of(element); }
+  // The elements; empty where they are of another kind.
+  template <class Value>
+  std::span<const Value> as() const {
+    if (element != element_of<Value>()) return {};
+    return {reinterpret_cast<const Value*>(data), std::size_t{rows} * width};
+  }
+  std::string_view text() const {
+    const std::span<const char> letters = as<char>();
+    return {letters.data(), letters.size()};
+  }
+};
+
+// Reads a block, which must outlive what comes back and begin at a word. Whatever the bytes are, nothing outside them
+// is looked at. Errors: bad_request.
+Result<std::vector<ColumnView>> read_container(std::span<const std::uint8_t> bytes);
+
+// Collects columns and lays them out. What is added is viewed, not copied, until `write`; only names are kept.
+class ContainerWriter {
+ public:
+  template <class Value>
+  void add(std::string name, std::span<const Value> values, std::uint32_t width = 1) {
+    add({}, std::move(name), element_of<Value>(), width, values.size() / width,
+        reinterpret_cast<const std::uint8_t*>(values.data()));
+  }
+  template <class Value>
+  void add(std::string name, const std::vector<Value>& values, std::uint32_t width = 1) {
+    add(std::move(name), std::span<const Value>(values), width);
+  }
+  void add(std::string name, std::string_view text) {
+    add(std::move(name), std::span<const char>(text.data(), text.size()));
+  }
+  void add(std::string name, const ColumnView& column) {
+    add({}, std::move(name), column.element, column.width, column.rows, column.data);
+  }
+
+  // The block, from malloc: free it with std::free. Null when memory is out or the block would pass 2 GiB.
+  std::uint8_t* write() const;
+
+ private:
+  struct Raw {};
+  struct Entry {
+    std::string name;
+    Element element;
+    std::uint32_t width, rows;
+    const std::uint8_t* data;
+  };
+  void add(Raw, std::string name, Element element, std::uint32_t width, std::size_t rows, const std::uint8_t* data);
+
+  std::vector<Entry> entries_;
+};
+
+// Bytes of a block that `write` made.
+std::uint32_t container_bytes(const std::uint8_t* block);
+
+}  // namespace panicle

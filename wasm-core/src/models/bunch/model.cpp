@@ -1,0 +1,176 @@
+#include "models/bunch/model.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace panicle::bunch {
+namespace {
+
+using Floats = std::vector<float>;
+using Integers = std::vector<std::int32_t>;
+using Words = std::vector<std::uint32_t>;
+
+void add_plan(Columns& columns, const std::string& name, const Plan& plan) {
+  columns.add(name + ".sides",
+              column_of<float>(plan.sides, 2,
+                               [](const SidePlan& side, float* at) {
+                                 at[0] = side.point.width;
+                                 at[1] = side.point.drop;
+                               }),
+              2);
+  columns.add(name + ".counts",
+              column_of<std::int32_t>(plan.sides, 2,
+                                      [](const SidePlan& side, std::int32_t* at) {
+                                        at[0] = side.n;
+                                        at[1] = side.rd;
+                                      }),
+              2);
+  Integers axes(plan.axes.size() + 1, plan.m);
+  std::copy(plan.axes.begin(), plan.axes.end(), axes.begin() + 1);
+  columns.add(name + ".axes", std::move(axes));
+}
+
+void add_skeleton(Plant& plant, const std::vector<Internode>& internodes) {
+  plant.tags = {"rachis", "axis", "end", "pedicel"};
+  plant.segments.reserve(internodes.size());
+  for (const Internode& one : internodes)
+    plant.segments.push_back(
+        {one.parent, static_cast<std::uint32_t>(one.kind), one.start, one.end, one.radius, one.radius_end});
+  plant.columns.add("segments.axis", column_of<std::int32_t>(internodes, 1, [](const Internode& one, std::int32_t* at) {
+                      *at = one.axis;
+                    }));
+  plant.columns.add("segments.state",
+                    column_of<std::uint8_t>(internodes, 1, [](const Internode& one, std::uint8_t* at) {
+                      *at = static_cast<std::uint8_t>(one.state);
+                    }));
+}
+
+void add_berries(Columns& columns, const Grown& grown) {
+  const std::vector<Berry>& berries = grown.berries;
+  columns.add("berries.spheres",
+              column_of<float>(berries, 4,
+                               [](const Berry& berry, float* at) {
+                                 put(berry.centre, at);
+                                 at[3] = berry.radius;
+                               }),
+              4);
+  columns.add("berries.directions",
+              column_of<float>(berries, 3, [](const Berry& berry, float* at) { put(berry.direction, at); }), 3);
+  columns.add("berries.parent",
+              column_of<std::int32_t>(berries, 1, [](const Berry& berry, std::int32_t* at) { *at = berry.parent; }));
+  columns.add("berries.id",
+              column_of<std::uint32_t>(berries, 1, [](const Berry& berry, std::uint32_t* at) { *at = berry.id; }));
+  const std::pair<const char*, float Traits::*> traits[] = {
+      {"berries.width", &Traits::width},       {"berries.length", &Traits::length},
+      {"berries.exposure", &Traits::exposure}, {"berries.turned", &Traits::turned},
+      {"berries.opened", &Traits::opened},     {"berries.set", &Traits::set},
+      {"berries.shrivel", &Traits::shrivel},   {"berries.seeds", &Traits::seeds}};
+  for (const auto& [name, trait] : traits)
+    columns.add(name,
+                column_of<float>(grown.traits, 1, [trait = trait](const Traits& one, float* at) { *at = one.*trait; }));
+}
+
+void add_thinned(Columns& columns, const std::vector<Thinned>& thinned) {
+  columns.add("thinned.id",
+              column_of<std::uint32_t>(thinned, 1, [](const Thinned& one, std::uint32_t* at) { *at = one.id; }));
+  columns.add("thinned.why", column_of<std::uint32_t>(thinned, 1, [](const Thinned& one, std::uint32_t* at) {
+                *at = static_cast<std::uint32_t>(one.why);
+              }));
+  columns.add("thinned.places", column_of<float>(thinned, 3, [](const Thinned& one, float* at) { put(one.place, at); }),
+              3);
+}
+
+PlantMesh stems_of(StemMesh stem) {
+  PlantMesh mesh{"stems", "stem", std::move(stem.mesh), {}, {}};
+  for (const StemPart& part : stem.parts) {
+    const std::string name = part.axis < 0 ? "rachis" : "axis " + std::to_string(part.axis);
+    mesh.runs.push_back({name, part.first_vertex, part.vertex_count, part.first_index, part.index_count});
+  }
+  mesh.columns.add(
+      "axis", column_of<std::int32_t>(stem.parts, 1, [](const StemPart& part, std::int32_t* at) { *at = part.axis; }));
+  mesh.columns.add("segment", std::move(stem.internode));
+  return mesh;
+}
+
+PlantMesh foliage_of(Foliage foliage) {
+  PlantMesh mesh{"foliage", "blade", std::move(foliage.mesh), {}, {}};
+  static constexpr const char* names[] = {"cane", "leaf", "petiole"};
+  for (const FoliagePart& part : foliage.parts)
+    mesh.runs.push_back({names[static_cast<std::size_t>(part.kind)], part.first_vertex, part.vertex_count,
+                         part.first_index, part.index_count});
+  return mesh;
+}
+
+void add_surfaces(Columns& columns, BerrySurfaces surfaces) {
+  columns.add("berries.pattern.uvs", std::move(surfaces.uvs), 2);
+  columns.add("berries.pattern.indices", std::move(surfaces.indices), 3);
+  columns.add("berries.positions", std::move(surfaces.positions), 3);
+  columns.add("berries.normals", std::move(surfaces.normals), 3);
+  columns.add("berries.pressed", std::move(surfaces.pressed));
+}
+
+Result<Plant> grow_plant(panicle::Request& blocks, const Limits& limits) {
+  const auto request = read_request(blocks);
+  if (!request) return request.error();
+  auto grown = grow(request.value(), limits);
+  if (!grown) return grown.error();
+  return plant_of(std::move(grown.value()));
+}
+
+}  // namespace
+
+const Model model{"bunch", grow_plant};
+
+Result<Request> read_request(panicle::Request& blocks) {
+  Request request;
+  blocks.text("model");
+  request.seed = blocks.word("seed", request.seed);
+  request.meshes = blocks.wants("meshes");
+  request.measures = blocks.wants("measures");
+  request.mesh_fingerprint = blocks.wants("mesh_fingerprint");
+  const auto parameters = blocks.floats("parameters");
+  request.parameters.assign(parameters.begin(), parameters.end());
+  request.grammar = blocks.text("grammar");
+  request.m = blocks.integer("m");
+  const auto n = blocks.integers("n");
+  request.n.assign(n.begin(), n.end());
+  const auto thinned = blocks.words("thinned");
+  request.thinned.assign(thinned.begin(), thinned.end());
+  request.stem_sides = blocks.word("stem_sides");
+  request.berry_segments = blocks.word("berry_segments");
+  if (Diagnostic trouble = blocks.trouble(); trouble.reason != Reason::none) return trouble;
+  return request;
+}
+
+Plant plant_of(Grown&& grown) {
+  Plant plant;
+  add_skeleton(plant, grown.internodes);
+  Columns& columns = plant.columns;
+  columns.add("procedure", std::string_view(grown.natural ? "natural" : "paper"));
+  columns.add("form", Floats{grown.form.taper, grown.form.blunt});
+  columns.add("fruit", Words{static_cast<std::uint32_t>(grown.form.fruit)});
+  add_plan(columns, "plan", grown.plan);
+  if (grown.second) add_plan(columns, "second", *grown.second);
+  add_berries(columns, grown);
+  add_thinned(columns, grown.thinned);
+  if (grown.stem) plant.meshes.push_back(stems_of(std::move(*grown.stem)));
+  if (grown.berry) plant.meshes.push_back({"berry", "skin", std::move(*grown.berry), {}, {}});
+  if (grown.surfaces) add_surfaces(columns, std::move(*grown.surfaces));
+  if (grown.flower) plant.meshes.push_back({"flower", "petal", std::move(*grown.flower), {}, {}});
+  if (grown.foliage) plant.meshes.push_back(foliage_of(std::move(*grown.foliage)));
+  const Counts& counts = grown.counts;
+  plant.counts = {{"endStructures", counts.end_structures},
+                  {"internodes", counts.internodes},
+                  {"pedicels", counts.pedicels},
+                  {"berries", counts.berries},
+                  {"withered", counts.withered},
+                  {"cut", counts.cut}};
+  plant.measures = std::move(grown.measures);
+  plant.notes = std::move(grown.notes);
+  plant.fingerprint = grown.fingerprint;
+  plant.mesh_fingerprint = grown.mesh_fingerprint;
+  return plant;
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,36 @@
+// The bunch as one model among others: a request's blocks → growth → plant.
+//
+// Blocks of a request besides everyone's (plant/request.hpp):
+//   grammar         text; empty: the procedure's own
+//   m, n            int32: segments in place of the profile's; n is n₁ … n₍m−1₎ as the paper counts
+//   thinned         uint32: ids of berries taken off by hand
+//   stem_sides, berry_segments   uint32: of the meshes; 0: default
+//
+// Columns of a plant besides everyone's (boundary/panicle.h); metres:
+//   procedure       text: paper or natural
+//   form            float32 × 2: taper, blunt;  fruit: uint32 (Fruit)
+//   plan.sides      float32 × 2 for each of four sides: w, r;  plan.counts: int32 × 2: n, rd;
+//   plan.axes       int32: m, then n of m − 1 axes;  the same as second.… where there is a second bunch
+//   segments.axis   int32 each: first-order axis, −1 for the rachis;  segments.state: uint8 each (State)
+//   berries.spheres     float32 × 4 each: centre, radius;  berries.directions × 3;  berries.parent: int32, its pedicel
+//   berries.id          uint32 each
+//   berries.width … .seeds   float32 each: what grown.hpp calls Traits
+//   thinned.id, thinned.why  uint32 each (Why);  thinned.places: float32 × 3 each
+//   berries.pattern.uvs      float32 × 2, berries.pattern.indices: uint32 × 3: of the pattern that all surfaces share
+//   berries.positions        float32 × 3, berries.normals × 3, berries.pressed: uint8; of each berry's own surface
+// and the meshes `stems` (segment: uint32 per vertex; axis: int32 per run), `berry`, `flower` and `foliage`.
+#pragma once
+
+#include "models/bunch/bunch.hpp"
+#include "models/bunch/grown.hpp"
+#include "plant/model.hpp"
+
+namespace panicle::bunch {
+
+extern const Model model;
+
+// The same in two steps, for tests: what a request asks for, and what has grown as a plant.
+Result<Request> read_request(panicle::Request& blocks);
+Plant plant_of(Grown&& grown);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,13 @@
+#include "plant/plant.hpp"
+
+namespace panicle {
+
+void Columns::add(std::string_view name, std::string_view text) {
+  add(name, std::vector<char>(text.begin(), text.end()));
+}
+
+void Columns::keep(const ColumnView& view, std::shared_ptr<const void> owner) {
+  all_.push_back({std::string(view.name), view.element, view.width, view.rows, view.data, std::move(owner)});
+}
+
+}  // namespace panicle

@@ -1,0 +1,116 @@
+// What every model gives back: the neutral result between interpretation and everything else. Metres, +Y up. What a
+// model knows beyond this it adds as columns by name; nobody else's file changes for that.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "foundation/container.hpp"
+#include "geometry/mesh.hpp"
+#include "geometry/segment.hpp"
+
+namespace panicle {
+
+// Named arrays that own their values, of whatever kind.
+class Columns {
+ public:
+  template <class Value>
+  void add(std::string_view name, std::vector<Value> values, std::uint32_t width = 1) {
+    auto kept = std::make_shared<const std::vector<Value>>(std::move(values));
+    const std::span<const Value> all(*kept);
+    keep({name, element_of<Value>(), width, static_cast<std::uint32_t>(all.size() / width),
+          reinterpret_cast<const std::uint8_t*>(all.data())},
+         std::move(kept));
+  }
+  // A text.
+  void add(std::string_view name, std::string_view text);
+
+  std::size_t size() const { return all_.size(); }
+  ColumnView operator[](std::size_t i) const {
+    const Column& column = all_[i];
+    return {column.name, column.element, column.width, column.rows, column.data};
+  }
+
+ private:
+  struct Column {
+    std::string name;
+    Element element;
+    std::uint32_t width, rows;
+    const std::uint8_t* data;
+    std::shared_ptr<const void> owner;
+  };
+  void keep(const ColumnView& view, std::shared_ptr<const void> owner);
+
+  std::vector<Column> all_;
+};
+
+// A column out of the rows of something else: `write(row, values)` fills in the values of one row.
+template <class Value, class Rows, class Write>
+std::vector<Value> column_of(const Rows& rows, std::uint32_t width, Write write) {
+  std::vector<Value> values(rows.size() * width);
+  Value* at = values.data();
+  for (const auto& row : rows) {
+    write(row, at);
+    at += width;
+  }
+  return values;
+}
+
+inline void put(const glm::vec3& point, float* at) {
+  at[0] = point.x;
+  at[1] = point.y;
+  at[2] = point.z;
+}
+
+// Something that is borne: a leaf, a fruit; one mesh as often as wanted.
+struct Organ {
+  std::uint32_t tag = 0;      // index into Plant::organ_tags
+  std::int32_t segment = -1;  // that bears it; −1 for none
+  std::int32_t mesh = -1;     // index into Plant::meshes; −1 for what has no mesh of its own
+  glm::vec3 position{0};
+  glm::vec4 rotation{0, 0, 0, 1};  // unit quaternion x y z w: from the mesh's frame to where it stands
+  float scale = 1;
+};
+
+// A contiguous run of a mesh that is a thing of its own, with its name.
+struct MeshRun {
+  std::string name;
+  std::uint32_t first_vertex = 0, vertex_count = 0;
+  std::uint32_t first_index = 0, index_count = 0;  // indices count from the whole mesh's first vertex
+};
+
+struct PlantMesh {
+  std::string name;
+  std::string material;  // its kind: stem, bark, blade, petal, skin …
+  Mesh mesh;
+  std::vector<MeshRun> runs;  // empty: the mesh is one thing
+  Columns columns;            // what else is known of its vertices or runs
+};
+
+struct Count {
+  std::string_view name;  // as the JSON writes it
+  std::uint32_t value = 0;
+};
+
+struct Plant {
+  std::vector<Segment> segments;  // one a drawn module, parents first
+  std::vector<std::string> tags;  // what segments are
+  std::vector<Organ> organs;
+  std::vector<std::string> organ_tags;
+  std::vector<PlantMesh> meshes;  // those asked for
+  Columns columns;                // the model's own truth
+  std::vector<Count> counts;
+  std::vector<float> measures;         // in the order of the model's table; NaN: does not apply; empty: not asked for
+  std::vector<std::string> notes;      // what there is to say about the request, one sentence each
+  std::uint64_t fingerprint = 0;       // over segments and organs (docs/fingerprint.md)
+  std::uint64_t mesh_fingerprint = 0;  // over the meshes; 0 where it was not asked for
+};
+
+}  // namespace panicle

@@ -1,0 +1,76 @@
+/** Columns of an answer → plant (layout: wasm-core/src/boundary/panicle.h). Arrays are views of the answer's bytes. */
+import type { Columns } from "../core/container";
+import type { Answer } from "../core/core";
+import { EMPTY_PLANT, type Mesh, type MeshRun, type Organs, type Plant, type PlantMesh, type Segments } from "./plant";
+
+/** What every model's plant has; models read what is theirs from the same columns. */
+export function readPlant({ columns, milliseconds }: Answer): Plant {
+	const names = columns.lines("counts.names");
+	const values = columns.words("counts");
+	const plant: Plant = {
+		segments: readSegments(columns),
+		organs: readOrgans(columns),
+		meshes: columns.lines("meshes").map((name) => readPlantMesh(columns, name)),
+		counts: Object.fromEntries(names.map((name, index) => [name, values[index]])),
+		notes: columns.lines("notes"),
+		fingerprint: hexadecimal(columns.words("fingerprint")),
+		timings: { grow: milliseconds },
+	};
+	if (columns.has("measures")) plant.measures = columns.floats("measures");
+	if (columns.has("mesh_fingerprint")) plant.meshFingerprint = hexadecimal(columns.words("mesh_fingerprint"));
+	return plant;
+}
+
+function readSegments(columns: Columns): Segments {
+	const parent = columns.ints("segments.parent");
+	return {
+		count: parent.length,
+		parent,
+		tag: columns.octets("segments.tag"),
+		tags: columns.lines("segments.tags"),
+		ends: columns.floats("segments.ends"),
+		radii: columns.floats("segments.radii"),
+	};
+}
+
+function readOrgans(columns: Columns): Organs {
+	if (!columns.has("organs.tag")) return EMPTY_PLANT.organs;
+	const tag = columns.octets("organs.tag");
+	return {
+		count: tag.length,
+		tag,
+		tags: columns.lines("organs.tags"),
+		segment: columns.ints("organs.segment"),
+		mesh: columns.ints("organs.mesh"),
+		transforms: columns.floats("organs.transforms"),
+	};
+}
+
+function readPlantMesh(columns: Columns, name: string): PlantMesh {
+	const prefix = `mesh.${name}.`;
+	const mesh = readMesh(columns, prefix);
+	return { name, material: columns.text(`${prefix}material`), ...mesh, runs: readRuns(columns, prefix) };
+}
+
+/** The arrays of a mesh whose columns begin with `prefix`. */
+export function readMesh(columns: Columns, prefix: string): Mesh {
+	return {
+		positions: columns.floats(`${prefix}positions`),
+		normals: columns.floats(`${prefix}normals`),
+		uvs: columns.floats(`${prefix}uvs`),
+		indices: columns.words(`${prefix}indices`),
+	};
+}
+
+function readRuns(columns: Columns, prefix: string): MeshRun[] {
+	const names = columns.lines(`${prefix}runs.names`);
+	const ranges = names.length > 0 ? columns.words(`${prefix}runs`) : new Uint32Array(0);
+	return names.map((name, index) => {
+		const [firstVertex, vertexCount, firstIndex, indexCount] = ranges.subarray(4 * index, 4 * index + 4);
+		return { name, firstVertex, vertexCount, firstIndex, indexCount };
+	});
+}
+
+function hexadecimal([low, high]: Uint32Array): string {
+	return [high, low].map((word) => word.toString(16).padStart(8, "0")).join("");
+}
