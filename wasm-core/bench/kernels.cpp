@@ -19,9 +19,11 @@ double derive(std::uint32_t steps) {
   const auto program = lsystem::compile(
       "axiom: A(1)\n"
       "A(s) --> F(s)[+A(s/1.456)][-A(s/1.456)]\n",
-      {}, {});
+      {});
   if (!program) return -1;
-  const auto derived = lsystem::derive(*program.value(), 1, steps, {});
+  const auto bound = lsystem::bind(program.value(), {}, {});
+  if (!bound) return -1;
+  const auto derived = lsystem::derive(*bound.value(), 1, steps, {});
   return derived ? static_cast<double>(derived->modules_written) : -1;
 }
 

@@ -18,10 +18,10 @@ B --> ?E(1,0,30)
 )";
 
 Recorder answered(std::string_view text, std::vector<std::vector<float>> answers, std::uint32_t steps = 4096) {
-  const ProgramPointer program = compiled(text);
+  const BoundPointer bound = compiled(text);
   Recorder recorder;
   recorder.answers = std::move(answers);
-  draw(*program, derived(*program, steps), recorder);
+  draw(*bound, derived(*bound, steps), recorder);
   return recorder;
 }
 
@@ -82,11 +82,11 @@ TEST_CASE("what an answer draws has the lineage of its communication module") {
 }
 
 TEST_CASE("an answer that is no number is an error where the turtle would have used it") {
-  const ProgramPointer program = compiled(second_grape);
-  const Derived string = derived(*program, 4096);
+  const BoundPointer bound = compiled(second_grape);
+  const Derived string = derived(*bound, 4096);
   Recorder recorder;
   recorder.answers = {{0, 0, 1 / 0.0f}};
-  const auto result = lsystem::interpret(*program, *string.string, {}, recorder, 1, Limits{});
+  const auto result = lsystem::interpret(*bound, *string.string, {}, recorder, 1, Limits{});
   REQUIRE_FALSE(result);
   CHECK(result.error().reason == Reason::evaluation);
   CHECK(result.error().line == 6);

@@ -16,11 +16,11 @@ std::size_t count(const std::string& text, char symbol) {
 }  // namespace
 
 TEST_CASE("algae grow by Fibonacci's numbers") {
-  const ProgramPointer program = compiled("axiom: A\nA --> A B\nB --> A");
+  const BoundPointer bound = compiled("axiom: A\nA --> A B\nB --> A");
   const std::uint64_t lengths[] = {1, 2, 3, 5, 8, 13, 21, 34, 55, 89};
   std::uint64_t sum = 0;
   for (std::uint32_t step = 0; step < 10; ++step) {
-    const Derived result = derived(*program, step);
+    const Derived result = derived(*bound, step);
     CHECK(length(*result.string) == lengths[step]);
     CHECK(result.steps == step);
     if (step > 0) sum += lengths[step];
@@ -78,13 +78,13 @@ TEST_CASE("a statement goes on until a line begins another") {
 }
 
 TEST_CASE("derivation ends when nothing rewrites, and counts the steps it took") {
-  const ProgramPointer program = compiled("axiom: A(3)\nA(i) : i>0 --> F A(i-1)");
-  const Derived result = derived(*program, 4096);
+  const BoundPointer bound = compiled("axiom: A(3)\nA(i) : i>0 --> F A(i-1)");
+  const Derived result = derived(*bound, 4096);
   CHECK(result.steps == 3);
   CHECK(result.modules_written == 2 + 3 + 4);
-  CHECK(lsystem::to_text(*program, *result.string) == "F F F A(0)");
-  CHECK(derived(*program, 2).steps == 2);
-  CHECK(derived(*program, 0).steps == 0);
+  CHECK(text_of(*bound, result) == "F F F A(0)");
+  CHECK(derived(*bound, 2).steps == 2);
+  CHECK(derived(*bound, 0).steps == 0);
   CHECK(derived(*compiled("axiom: F"), 4096).steps == 0);
 }
 
@@ -94,8 +94,8 @@ TEST_CASE("the cut removes the rest of its branch in the step after it was writt
   CHECK(after("axiom: A B\nA --> a % [c]", 1) == "a%[c]B");
   CHECK(after("axiom: A B\nA --> a % [c]", 2) == "a");
   CHECK(after("axiom: [A B] C\nA --> a %\nC --> G", 2) == "[a]G");
-  const ProgramPointer program = compiled("axiom: a[b%[c d]e[%f]]g");
-  const Derived result = derived(*program, 4096);
+  const BoundPointer bound = compiled("axiom: a[b%[c d]e[%f]]g");
+  const Derived result = derived(*bound, 4096);
   CHECK(result.steps == 1);
   CHECK(length(*result.string) == 5);
   CHECK(result.modules_written == 5);
@@ -107,29 +107,28 @@ TEST_CASE("what is cut is not rewritten any more") {
 }
 
 TEST_CASE("definitions and predecessors are listed in the order of the text") {
-  const ProgramPointer program = compiled("#define a 2\n#input n[]\n#input m\naxiom: F\nB --> A\nA --> B\nB(x) --> A",
-                                          {{{"m", 4}}, {{"n", {7, 8}}}});
-  const auto definitions = lsystem::definitions(*program);
+  const BoundPointer bound = compiled("#define a 2\n#input n[]\n#input m\naxiom: F\nB --> A\nA --> B\nB(x) --> A",
+                                      {{{"m", 4}}, {{"n", {7, 8}}}});
+  const auto definitions = lsystem::definitions(*bound);
   REQUIRE(definitions.size() == 3);
   CHECK(definitions[0].name == "a");
   CHECK(definitions[1].kind == lsystem::Definition::Kind::array);
   CHECK(definitions[1].values == std::vector<float>{7, 8});
   CHECK(definitions[2].kind == lsystem::Definition::Kind::input);
   CHECK(definitions[2].values == std::vector<float>{4});
-  CHECK(lsystem::predecessors(*program) == std::vector<std::string_view>{"B", "A"});
-  CHECK(lsystem::constant(*program, "a", 9) == 2);
-  CHECK(lsystem::constant(*program, "m", 9) == 4);
-  CHECK(lsystem::constant(*program, "n", 9) == 9);
-  CHECK(lsystem::constant(*program, "x", 9) == 9);
+  CHECK(lsystem::predecessors(lsystem::program_of(*bound)) == std::vector<std::string_view>{"B", "A"});
+  CHECK(lsystem::constant(*bound, "a", 9) == 2);
+  CHECK(lsystem::constant(*bound, "m", 9) == 4);
+  CHECK(lsystem::constant(*bound, "n", 9) == 9);
+  CHECK(lsystem::constant(*bound, "x", 9) == 9);
 }
 
 TEST_CASE("long strings are what short ones are, with lineages and without") {
   const char* text = "axiom: A(1)\nA(s) --> F(s)[+A(s/2)][-A(s/2)]";
-  const ProgramPointer plain = compiled(text);
-  const auto kept = lsystem::compile(text, {}, Limits{}, lsystem::Lineages::always);
-  REQUIRE(kept);
-  const Derived a = derived(*plain, 12), b = derived(*kept.value(), 12);
+  const BoundPointer plain = compiled(text);
+  const BoundPointer kept = compiled(text, {}, lsystem::Lineages::always);
+  const Derived a = derived(*plain, 12), b = derived(*kept, 12);
   CHECK(length(*a.string) == 8 * 4095 + 1);
   CHECK(a.modules_written == b.modules_written);
-  CHECK(lsystem::to_text(*plain, *a.string) == lsystem::to_text(*kept.value(), *b.string));
+  CHECK(text_of(*plain, a) == text_of(*kept, b));
 }

@@ -170,7 +170,7 @@ Limits small_limits() {
 int tried(const std::string& text, std::uint32_t mood) {
   const Inputs inputs{{{"m", 3}, {"x", 2}}, {{"n", {1, 2, 0}}}};
   const Limits limits = small_limits();
-  const auto sound = [&](const Diagnostic& diagnostic) {
+  const auto blamed = [&](const Diagnostic& diagnostic) {
     std::uint32_t lines = 1;
     for (const char c : text) lines += c == '\n';
     CHECK(diagnostic.reason != Reason::none);
@@ -179,18 +179,19 @@ int tried(const std::string& text, std::uint32_t mood) {
     CHECK((diagnostic.line == 0) == (diagnostic.column == 0));
     CHECK(diagnostic.column <= text.size() + 1);
   };
-  const auto program = lsystem::compile(text, inputs, limits);
-  if (!program) return sound(program.error()), 1;
-  const auto string = lsystem::derive(*program.value(), 1, 30, limits);
-  if (!string) return sound(string.error()), 2;
-  const auto unfolded = lsystem::unfold(*program.value(), 1, limits);
-  if (!unfolded) sound(unfolded.error());
-  if (unfolded)
-    CHECK(lsystem::to_text(*program.value(), *unfolded->string) == lsystem::to_text(*program.value(), *string->string));
+  const auto program = lsystem::compile(text, limits);
+  if (!program) return blamed(program.error()), 1;
+  const auto bound = lsystem::bind(program.value(), inputs, limits);
+  if (!bound) return blamed(bound.error()), 1;
+  const auto string = lsystem::derive(*bound.value(), 1, 30, limits);
+  if (!string) return blamed(string.error()), 2;
+  const auto unfolded = lsystem::unfold(*bound.value(), 1, limits);
+  if (!unfolded) blamed(unfolded.error());
+  if (unfolded) CHECK(text_of(*bound.value(), unfolded.value()) == text_of(*bound.value(), string.value()));
   Contrary listener;
   listener.heard = mood;
-  const auto result = lsystem::interpret(*program.value(), *string->string, {}, listener, 1, limits);
-  if (!result) return sound(result.error()), 3;
+  const auto result = lsystem::interpret(*bound.value(), *string->string, {}, listener, 1, limits);
+  if (!result) return blamed(result.error()), 3;
   return 0;
 }
 

@@ -10,47 +10,55 @@
 
 namespace panicle::tests {
 
+using lsystem::Bound;
 using lsystem::Derived;
 using lsystem::Inputs;
 using lsystem::Lineage;
 using lsystem::Listener;
-using lsystem::Program;
 using lsystem::Turtle;
 
-using ProgramPointer = std::shared_ptr<const Program>;
+using BoundPointer = std::shared_ptr<const Bound>;
 
-inline ProgramPointer compiled(std::string_view text, const Inputs& inputs = {}) {
-  auto program = lsystem::compile(text, inputs, Limits{});
-  if (!program) FAIL(program.error().line << ":" << program.error().column << " " << program.error().message);
-  return program.value();
+// The value of a result that must have one.
+template <class Value>
+Value sound(Result<Value> result) {
+  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
+  return std::move(result.value());
 }
 
-inline Derived derived(const Program& program, std::uint32_t steps, std::uint64_t seed = 1) {
-  auto result = lsystem::derive(program, seed, steps, Limits{});
-  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
-  return result.value();
+inline BoundPointer compiled(std::string_view text, const Inputs& inputs = {},
+                             lsystem::Lineages lineages = lsystem::Lineages::where_needed) {
+  return sound(lsystem::bind(sound(lsystem::compile(text, Limits{}, lineages)), inputs, Limits{}));
+}
+
+inline std::string text_of(const Bound& bound, const Derived& derived) {
+  return lsystem::to_text(lsystem::program_of(bound), *derived.string);
+}
+
+inline Derived derived(const Bound& bound, std::uint32_t steps, std::uint64_t seed = 1) {
+  return sound(lsystem::derive(bound, seed, steps, Limits{}));
 }
 
 // The string after so many steps, as text.
 inline std::string after(std::string_view text, std::uint32_t steps, const Inputs& inputs = {},
                          std::uint64_t seed = 1) {
-  const ProgramPointer program = compiled(text, inputs);
-  return lsystem::to_text(*program, *derived(*program, steps, seed).string);
+  const BoundPointer bound = compiled(text, inputs);
+  return text_of(*bound, derived(*bound, steps, seed));
 }
 
-// "reason line:column" of what goes wrong when a text is compiled and derived; "none" when nothing does.
+// "reason line:column" of what goes wrong when a text is compiled, bound and derived; "none" when nothing does.
 inline std::string trouble(std::string_view text, const Inputs& inputs = {}, const Limits& limits = {},
                            std::string* message = nullptr) {
   static const char* const reasons[] = {"none",      "bad_request", "bad_input", "syntax",
                                         "undefined", "evaluation",  "limit"};
-  Diagnostic diagnostic;
-  const auto program = lsystem::compile(text, inputs, limits);
-  if (program) {
-    const auto result = lsystem::derive(*program.value(), 1, limits.steps, limits);
-    if (!result) diagnostic = result.error();
-  } else {
-    diagnostic = program.error();
-  }
+  const Diagnostic diagnostic = [&] {
+    const auto program = lsystem::compile(text, limits);
+    if (!program) return program.error();
+    const auto bound = lsystem::bind(program.value(), inputs, limits);
+    if (!bound) return bound.error();
+    const auto result = lsystem::derive(*bound.value(), 1, limits.steps, limits);
+    return result ? Diagnostic{} : result.error();
+  }();
   if (message) *message = diagnostic.message;
   if (diagnostic.reason == Reason::none) return "none";
   return std::string(reasons[static_cast<std::uint32_t>(diagnostic.reason)]) + " " + std::to_string(diagnostic.line) +
@@ -95,16 +103,16 @@ class Recorder : public Listener {
   int cuts = 0;
 };
 
-inline void draw(const Program& program, const Derived& string, Recorder& recorder, std::uint64_t seed = 1) {
-  const auto drawn = lsystem::interpret(program, *string.string, {}, recorder, seed, Limits{});
+inline void draw(const Bound& bound, const Derived& string, Recorder& recorder, std::uint64_t seed = 1) {
+  const auto drawn = lsystem::interpret(bound, *string.string, {}, recorder, seed, Limits{});
   if (!drawn) FAIL(drawn.error().message);
   CHECK(drawn.value() == recorder.lines.size());
 }
 
 inline Recorder drawn(std::string_view text, std::uint32_t steps, const Inputs& inputs = {}) {
-  const ProgramPointer program = compiled(text, inputs);
+  const BoundPointer bound = compiled(text, inputs);
   Recorder recorder;
-  draw(*program, derived(*program, steps), recorder);
+  draw(*bound, derived(*bound, steps), recorder);
   return recorder;
 }
 

@@ -23,10 +23,10 @@ Ap(j) --> F(j) S(l*r_r)
 )";
 
 Diagnostic failure(std::string_view text, const Limits& limits) {
-  const ProgramPointer program = compiled(text);
-  const Derived string = derived(*program, 4096);
+  const BoundPointer bound = compiled(text);
+  const Derived string = derived(*bound, 4096);
   Recorder recorder;
-  const auto result = lsystem::interpret(*program, *string.string, {}, recorder, 1, limits);
+  const auto result = lsystem::interpret(*bound, *string.string, {}, recorder, 1, limits);
   REQUIRE_FALSE(result);
   return result.error();
 }
@@ -35,10 +35,10 @@ Diagnostic failure(std::string_view text, const Limits& limits) {
 
 TEST_CASE("L-system 1 with m = 3, n1 = 1, n2 = 2 has 19 internodes and 12 berries") {
   Inputs inputs{{{"m", 3}}, {{"n", {1, 2}}}};
-  const ProgramPointer program = compiled(first_grape, inputs);
-  const Derived string = derived(*program, 4096);
+  const BoundPointer bound = compiled(first_grape, inputs);
+  const Derived string = derived(*bound, 4096);
   Recorder recorder;
-  draw(*program, string, recorder);
+  draw(*bound, string, recorder);
   CHECK(recorder.lines.size() == 19);
   CHECK(recorder.spheres.size() == 12);
   for (const Recorder::Ball& ball : recorder.spheres) {
@@ -49,10 +49,9 @@ TEST_CASE("L-system 1 with m = 3, n1 = 1, n2 = 2 has 19 internodes and 12 berrie
 
 TEST_CASE("lineages tell parent and grandparent where they are asked for") {
   Inputs inputs{{{"m", 3}}, {{"n", {1, 2}}}};
-  const auto program = lsystem::compile(first_grape, inputs, Limits{}, lsystem::Lineages::always);
-  REQUIRE(program);
+  const BoundPointer bound = compiled(first_grape, inputs, lsystem::Lineages::always);
   Recorder recorder;
-  draw(*program.value(), derived(*program.value(), 4096), recorder);
+  draw(*bound, derived(*bound, 4096), recorder);
   int pedicels = 0;
   for (const Recorder::Line& line : recorder.lines) pedicels += line.parent == "Ap" && line.grandparent == "Ae";
   CHECK(pedicels == 12);
@@ -60,7 +59,7 @@ TEST_CASE("lineages tell parent and grandparent where they are asked for") {
   CHECK(recorder.lines[0].grandparent.empty());
   CHECK(recorder.lines[1].grandparent == "Ar");
 
-  const ProgramPointer plain = compiled(first_grape, inputs);
+  const BoundPointer plain = compiled(first_grape, inputs);
   Recorder without;
   draw(*plain, derived(*plain, 4096), without);
   CHECK(without.lines[1].parent.empty());
@@ -106,8 +105,8 @@ TEST_CASE("limits of interpretation") {
   CHECK(depth.message.find("100 branches") != std::string::npos);
   limits.depth = 101;
   Recorder recorder;
-  const ProgramPointer program = compiled(deep);
-  CHECK(lsystem::interpret(*program, *derived(*program, 0).string, {}, recorder, 1, limits));
+  const BoundPointer bound = compiled(deep);
+  CHECK(lsystem::interpret(*bound, *derived(*bound, 0).string, {}, recorder, 1, limits));
 
   const Diagnostic far = failure("axiom: F(3e38) F(3e38) F", Limits{});
   CHECK(far.reason == Reason::evaluation);
@@ -121,9 +120,9 @@ TEST_CASE("limits of interpretation") {
 TEST_CASE("a hundred thousand open brackets are fine, one more is not") {
   std::string deep = "axiom: ";
   deep.append(100'001, '[').append(100'001, ']');
-  const ProgramPointer program = compiled(deep);
-  const Derived string = derived(*program, 4096);
+  const BoundPointer bound = compiled(deep);
+  const Derived string = derived(*bound, 4096);
   CHECK(length(*string.string) == 200'002);
   Recorder recorder;
-  CHECK_FALSE(lsystem::interpret(*program, *string.string, {}, recorder, 1, Limits{}));
+  CHECK_FALSE(lsystem::interpret(*bound, *string.string, {}, recorder, 1, Limits{}));
 }

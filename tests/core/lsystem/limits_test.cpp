@@ -25,11 +25,11 @@ TEST_CASE("a string that doubles for ever stops at the words it may have") {
 
 TEST_CASE("a string of exactly the words it may have is fine") {
   Limits limits;
-  const ProgramPointer program = compiled("axiom: A\nA --> A A");
+  const BoundPointer bound = compiled("axiom: A\nA --> A A");
   for (const std::uint32_t steps : {3u, 10u, 14u}) {
     limits.words = 1u << steps;
-    CHECK(lsystem::derive(*program, 1, steps, limits));
-    CHECK_FALSE(lsystem::derive(*program, 1, steps + 1, limits));
+    CHECK(lsystem::derive(*bound, 1, steps, limits));
+    CHECK_FALSE(lsystem::derive(*bound, 1, steps + 1, limits));
   }
 }
 
@@ -40,8 +40,8 @@ TEST_CASE("derivation that never ends stops at the steps it may take") {
   limits.steps = 3;
   stops("axiom: A(4)\nA(i) : i>0 --> F A(i-1)", limits, "3 steps");
   CHECK(trouble("axiom: A(3)\nA(i) : i>0 --> F A(i-1)", {}, limits) == "none");
-  const ProgramPointer program = compiled("axiom: A\nA --> A");
-  CHECK(derived(*program, 100).steps == 100);
+  const BoundPointer bound = compiled("axiom: A\nA --> A");
+  CHECK(derived(*bound, 100).steps == 100);
 }
 
 TEST_CASE("productions applied, tried and copied over count as work") {

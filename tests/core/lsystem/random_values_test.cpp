@@ -105,11 +105,11 @@ TEST_CASE("one more step of the rachis changes no value of those before") {
 
 TEST_CASE("a module keeps its value however many steps it waits") {
   const char* text = "axiom: A(0)\nA(k) : k<9 --> B(k) A(k+1)\nB(k) : ran(1)<0.5 --> C(k)\nC(k) --> C2(k)";
-  const ProgramPointer program = compiled(text);
-  const Derived end = derived(*program, 4096);
+  const BoundPointer bound = compiled(text);
+  const Derived end = derived(*bound, 4096);
   CHECK(end.steps < 15);  // what was not drawn at first is not drawn again
-  CHECK(lsystem::to_text(*program, *end.string).find("B(") != std::string::npos);
-  CHECK(lsystem::to_text(*program, *end.string).find("C2(") != std::string::npos);
+  CHECK(text_of(*bound, end).find("B(") != std::string::npos);
+  CHECK(text_of(*bound, end).find("C2(") != std::string::npos);
 }
 
 TEST_CASE("stochastic productions are chosen as often as their weights say") {

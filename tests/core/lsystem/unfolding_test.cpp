@@ -8,10 +8,8 @@ using namespace panicle::tests;
 
 namespace {
 
-std::string unfolded(const Program& program, std::uint64_t seed) {
-  auto result = lsystem::unfold(program, seed, Limits{});
-  if (!result) FAIL(result.error().message);
-  return lsystem::to_text(program, *result->string);
+std::string unfolded(const Bound& bound, std::uint64_t seed) {
+  return text_of(bound, sound(lsystem::unfold(bound, seed, Limits{})));
 }
 
 }  // namespace
@@ -28,9 +26,9 @@ TEST_CASE("depth first and step by step end in the same string") {
            "axiom: A(3)\nA(i) : i>0 --> ?E(i,0,0)[A(i-1)]\n?E(a,b,c) --> F(a)",
        }) {
     CAPTURE(text);
-    const ProgramPointer program = compiled(text);
+    const BoundPointer bound = compiled(text);
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
-      CHECK(unfolded(*program, seed) == lsystem::to_text(*program, *derived(*program, 4096, seed).string));
+      CHECK(unfolded(*bound, seed) == text_of(*bound, derived(*bound, 4096, seed)));
   }
 }
 

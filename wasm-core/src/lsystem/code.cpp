@@ -39,7 +39,7 @@ constexpr std::size_t first_pure = static_cast<std::size_t>(Op::remainder);
 static_assert(std::size(pure_functions) == static_cast<std::size_t>(Op::clamp) - first_pure);
 
 // Every whole number from a to b, whichever is larger, equally likely. `wrong` says why there is none.
-void draw_whole(float a, float b, const Draw& draw, std::uint64_t stream, float& out, std::string& wrong) {
+void draw_whole(float a, float b, const Sources& sources, std::uint64_t stream, float& out, std::string& wrong) {
   const float low = std::ceil(std::min(a, b));
   const float high = std::floor(std::max(a, b));
   if (!(std::fabs(low) <= 1e9f && std::fabs(high) <= 1e9f) || std::isnan(a) || std::isnan(b)) {
@@ -47,33 +47,34 @@ void draw_whole(float a, float b, const Draw& draw, std::uint64_t stream, float&
   } else if (low > high) {
     wrong = joined({"There is no whole number from ", number_text(a), " to ", number_text(b), " for RND to draw."});
   } else {
-    out = static_cast<float>(random_integer(draw.seed, stream, draw.address, static_cast<std::int32_t>(low),
+    out = static_cast<float>(random_integer(sources.seed, stream, sources.address, static_cast<std::int32_t>(low),
                                             static_cast<std::int32_t>(high)));
   }
 }
 
 // Box and Muller's way from two uniform values to a normal one.
-float draw_normal(float mean, float deviation, const Draw& draw, std::uint64_t stream) {
-  const float radius = random_unit(draw.seed, hash_combine(stream, 1), draw.address);
-  const float angle = random_unit(draw.seed, hash_combine(stream, 2), draw.address);
+float draw_normal(float mean, float deviation, const Sources& sources, std::uint64_t stream) {
+  const float radius = random_unit(sources.seed, hash_combine(stream, 1), sources.address);
+  const float angle = random_unit(sources.seed, hash_combine(stream, 2), sources.address);
   return mean + deviation * std::sqrt(-2 * logarithm(1 - radius)) * sincos_degrees(360 * angle).cosine;
 }
 
-void read_element(const Code::Array& array, float index, float& out, std::string& wrong) {
-  const std::size_t size = array.values.size();
+void read_element(const std::string& name, const std::vector<float>& array, float index, float& out,
+                  std::string& wrong) {
+  const std::size_t size = array.size();
   const bool within = index >= 1 && index <= static_cast<float>(size) && std::floor(index) == index;
   const std::size_t place = within ? static_cast<std::size_t>(index) : 0;
   if (place >= 1 && place <= size) {
-    out = array.values[place - 1];
+    out = array[place - 1];
     return;
   }
-  wrong = joined({"There is no ", array.name, "[", number_text(index), "]; ", array.name});
+  wrong = joined({"There is no ", name, "[", number_text(index), "]; ", name});
   wrong += size == 0 ? " has no values." : joined({" goes from 1 to ", std::to_string(size), "."});
 }
 
 }  // namespace
 
-bool execute_one(const Code& code, std::uint32_t at, float* registers, const Draw& draw, Diagnostic& fault) {
+bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault) {
   const Instruction& step = code.instructions[at];
   const float a = registers[step.a];
   const float b = registers[step.b];
@@ -81,16 +82,16 @@ bool execute_one(const Code& code, std::uint32_t at, float* registers, const Dra
   std::string wrong;
   switch (step.op) {
     case Op::element:
-      read_element(code.arrays[step.c], a, out, wrong);
+      read_element(code.arrays[step.c], sources.arrays[step.c], a, out, wrong);
       break;
     case Op::random_whole:
-      draw_whole(a, b, draw, code.streams[step.c], out, wrong);
+      draw_whole(a, b, sources, code.streams[step.c], out, wrong);
       break;
     case Op::random_real:
-      out = a * random_unit(draw.seed, code.streams[step.c], draw.address);
+      out = a * random_unit(sources.seed, code.streams[step.c], sources.address);
       break;
     case Op::random_normal:
-      out = draw_normal(a, b, draw, code.streams[step.c]);
+      out = draw_normal(a, b, sources, code.streams[step.c]);
       break;
     default:
       out = pure_functions[static_cast<std::size_t>(step.op) - first_pure](a, b);

@@ -1,9 +1,11 @@
 // The byte code of expressions: three-address instructions over one file of registers that the whole program shares.
-// Registers 0 … 31 are the module's parameters; constants have theirs for good; each result has its own.
+// Registers 0 … 31 are the module's parameters; numbers of the text and what follows from the inputs have theirs for
+// good; each other result has its own.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,29 +32,26 @@ struct Range {
 };
 
 struct Code {
-  struct Array {
-    std::string name;
-    std::vector<float> values;
-  };
   std::vector<Instruction> instructions;
-  std::vector<Place> places;     // of each instruction
-  std::vector<float> registers;  // what they hold at first: the constants
-  std::vector<Array> arrays;
+  std::vector<Place> places;        // of each instruction
+  std::vector<float> registers;     // what they hold at first: the numbers of the text
+  std::vector<std::string> arrays;  // names
   std::vector<std::uint64_t> streams;
 };
 
-// For whom random values are drawn.
-struct Draw {
+// What instructions read beside registers: the lists that the inputs gave, and for whom random values are drawn.
+struct Sources {
+  std::span<const std::vector<float>> arrays;
   std::uint64_t seed = 0;
   std::uint64_t address = 0;
 };
 
 // One of the rarer instructions, from Op::remainder on. False when it went wrong; `fault` says how.
-bool execute_one(const Code& code, std::uint32_t at, float* registers, const Draw& draw, Diagnostic& fault);
+bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault);
 
 // Runs instructions from `begin` to before `end`; what most rules consist of without a call. False when one went wrong;
 // `fault` says how.
-inline bool execute(const Code& code, std::uint32_t begin, std::uint32_t end, float* registers, const Draw& draw,
+inline bool execute(const Code& code, std::uint32_t begin, std::uint32_t end, float* registers, const Sources& sources,
                     Diagnostic& fault) {
   const Instruction* const instructions = code.instructions.data();
   for (std::uint32_t at = begin; at < end; ++at) {
@@ -104,7 +103,7 @@ inline bool execute(const Code& code, std::uint32_t begin, std::uint32_t end, fl
         if (a != 0) at = step.c - 1;
         break;
       default:
-        if (!execute_one(code, at, registers, draw, fault)) return false;
+        if (!execute_one(code, at, registers, sources, fault)) return false;
     }
   }
   return true;

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t most_symbols = 0xfff0;
 
-bool is_finite(float value) { return value - value == 0; }
-
 bool draws(const Expression& expression) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(),
                      [](const Node& node) { return is_random(node.op); });
@@ -45,14 +43,15 @@ bool needs_lineages(const Grammar& grammar) {
 
 class Compiler {
  public:
-  Compiler(const Grammar& grammar, const Inputs& inputs, Lineages lineages)
-      : grammar_(grammar), inputs_(inputs), program_(std::make_shared<Program>()), lowering_(program_->code) {
+  Compiler(const Grammar& grammar, Lineages lineages)
+      : grammar_(grammar), program_(std::make_shared<Program>()), lowering_(program_->code) {
     program_->lineages = lineages == Lineages::always || needs_lineages(grammar);
   }
 
   Result<std::shared_ptr<const Program>> run() {
-    const bool fine = definitions() && symbols() && axiom() && productions();
+    const bool fine = declarations() && symbols() && axiom() && productions();
     if (!fine) return trouble_;
+    program_->once_bound = lowering_.finish();
     program_->words.resize(program_->words.size() + block);  // room for copies in whole blocks
     return std::shared_ptr<const Program>(std::move(program_));
   }
@@ -70,52 +69,15 @@ class Compiler {
     return false;
   }
 
-  bool definitions() {
+  // Reading of a #define that is given with the request goes wrong all the same where it uses what is not there.
+  bool declarations() {
     for (const DefinitionTree& definition : grammar_.definitions) {
-      const bool array = definition.kind == DefinitionTree::Kind::array;
-      if (!(array ? this->array(definition) : scalar(definition))) return false;
+      Declaration declaration{std::string(definition.name), definition.kind, definition.place, {}, 0};
+      const bool array = definition.kind == Definition::Kind::array;
+      if (definition.kind == Definition::Kind::define && !value(definition.expression, declaration.value)) return false;
+      declaration.to = array ? lowering_.define_array(definition.name) : lowering_.define(definition.name);
+      program_->declarations.push_back(std::move(declaration));
     }
-    return true;
-  }
-
-  bool scalar(const DefinitionTree& definition) {
-    const auto given = std::find_if(inputs_.scalars.begin(), inputs_.scalars.end(),
-                                    [&](const Inputs::Scalar& scalar) { return scalar.name == definition.name; });
-    const bool input = definition.kind == DefinitionTree::Kind::input;
-    float value = 0;
-    if (given != inputs_.scalars.end()) {
-      value = given->value;
-      if (!is_finite(value))
-        return fail(Reason::bad_input, definition.place,
-                    {"'", definition.name, "' was given ", number_text(value), "; give it a finite number."});
-    } else if (input) {
-      return fail(Reason::bad_input, definition.place,
-                  {"The input '", definition.name, "' has no value; give it one with the request."});
-    } else {
-      if (!take(lowering_.value(definition.expression), value)) return false;
-      if (!is_finite(value))
-        return fail(Reason::evaluation, definition.expression.place,
-                    {"'", definition.name, "' comes to ", number_text(value), "; it must be a finite number."});
-    }
-    lowering_.define(definition.name, value);
-    const auto kind = input ? Definition::Kind::input : Definition::Kind::define;
-    program_->definitions.push_back({std::string(definition.name), kind, {value}});
-    return true;
-  }
-
-  bool array(const DefinitionTree& definition) {
-    const auto given = std::find_if(inputs_.arrays.begin(), inputs_.arrays.end(),
-                                    [&](const Inputs::Array& array) { return array.name == definition.name; });
-    if (given == inputs_.arrays.end())
-      return fail(Reason::bad_input, definition.place,
-                  {"The input '", definition.name, "[]' has no values; give it some with the request."});
-    for (std::size_t i = 0; i < given->values.size(); ++i)
-      if (!is_finite(given->values[i]))
-        return fail(Reason::bad_input, definition.place,
-                    {definition.name, "[", std::to_string(i + 1), "] was given ", number_text(given->values[i]),
-                     "; give it a finite number."});
-    lowering_.define_array(definition.name, given->values);
-    program_->definitions.push_back({std::string(definition.name), Definition::Kind::array, given->values});
     return true;
   }
 
@@ -286,25 +248,31 @@ class Compiler {
     if (!take(lowering_.lower(expression), source)) return false;
     Demand demand = Demand::none;
     if (is_turtle_symbol(symbol)) demand = turtle_symbols[symbol].non_negative ? Demand::not_negative : Demand::finite;
-    const Patch patch{static_cast<std::uint32_t>(program.words.size()) - first_, source, demand, symbol,
-                      expression.place};
+    Patch patch{static_cast<std::uint32_t>(program.words.size()) - first_, source, demand, symbol, expression.place};
     std::uint32_t word = 0;
-    if (lowering_.is_constant(source)) {
-      const float value = program.code.registers[source];
-      if (!Machine::meets(demand, value)) {
-        trouble_ = Machine::refusal(program, patch, value);
-        return false;
+    switch (lowering_.known(source)) {
+      case Lowering::Known::now: {
+        const float value = program.code.registers[source];
+        if (!Machine::meets(demand, value)) {
+          trouble_ = Machine::refusal(program, patch, value);
+          return false;
+        }
+        std::memcpy(&word, &value, sizeof word);
+        break;
       }
-      std::memcpy(&word, &value, sizeof word);
-    } else {
-      program.patches.push_back(patch);
+      case Lowering::Known::once_bound:
+        patch.offset += first_;
+        program.bound_patches.push_back(patch);
+        break;
+      case Lowering::Known::on_the_run:
+        program.patches.push_back(patch);
+        break;
     }
     program.words.push_back(word);
     return true;
   }
 
   const Grammar& grammar_;
-  const Inputs& inputs_;
   std::shared_ptr<Program> program_;
   Lowering lowering_;
   std::map<std::string_view, std::uint32_t> numbers_;  // of symbols
@@ -317,24 +285,15 @@ class Compiler {
 
 }  // namespace
 
-Result<std::shared_ptr<const Program>> compile(std::string_view text, const Inputs& inputs, const Limits& limits,
-                                               Lineages lineages) {
+Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits, Lineages lineages) {
   if (text.size() > limits.text_bytes)
     return error_at(Reason::limit, {},
                     {"The grammar is ", std::to_string(text.size()), " bytes long; the limit is ",
                      std::to_string(limits.text_bytes), "."});
   const Result<Grammar> grammar = parse(text);
   if (!grammar) return grammar.error();
-  return Compiler(grammar.value(), inputs, lineages).run();
+  return Compiler(grammar.value(), lineages).run();
 }
-
-float constant(const Program& program, std::string_view name, float otherwise) {
-  for (const Definition& definition : program.definitions)
-    if (definition.kind != Definition::Kind::array && definition.name == name) return definition.values[0];
-  return otherwise;
-}
-
-std::span<const Definition> definitions(const Program& program) { return program.definitions; }
 
 std::vector<std::string_view> predecessors(const Program& program) {
   std::vector<std::string_view> names;

@@ -23,8 +23,8 @@ struct Draft {
 
 class Derivation {
  public:
-  Derivation(const Program& program, std::uint64_t seed, const Limits& limits)
-      : machine_(program, seed, limits), program_(program), limits_(limits) {}
+  Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits)
+      : machine_(bound, seed, limits), program_(*bound.program), limits_(limits) {}
 
   Result<Derived> run(std::uint32_t max_steps) {
     if (!axiom()) return machine_.trouble();
@@ -147,8 +147,8 @@ class Derivation {
 
 }  // namespace
 
-Result<Derived> derive(const Program& program, std::uint64_t seed, std::uint32_t max_steps, const Limits& limits) {
-  return Derivation(program, seed, limits).run(max_steps);
+Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::uint32_t max_steps, const Limits& limits) {
+  return Derivation(bound, seed, limits).run(max_steps);
 }
 
 std::uint64_t length(const String& string) { return string.modules(); }

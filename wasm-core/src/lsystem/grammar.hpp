@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lsystem/lsystem.hpp"
 #include "lsystem/operations.hpp"
 #include "lsystem/tokens.hpp"
 
@@ -52,8 +53,7 @@ struct ProductionTree {
 
 // `#define name expression`, `#input name` or `#input name[]`
 struct DefinitionTree {
-  enum class Kind : std::uint8_t { define, input, array };
-  Kind kind = Kind::define;
+  Definition::Kind kind = Definition::Kind::define;
   std::string_view name;
   Place place;
   Expression expression;

@@ -20,8 +20,8 @@ const std::uint32_t* end_of_branch(const std::uint32_t* at, const std::uint32_t*
 
 class Interpreter {
  public:
-  Interpreter(const Program& program, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits)
-      : machine_(program, seed, limits), program_(program), limits_(limits), listener_(listener), turtle_(start) {}
+  Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits)
+      : machine_(bound, seed, limits), program_(*bound.program), limits_(limits), listener_(listener), turtle_(start) {}
 
   Result<std::uint32_t> run(const String& string) {
     const std::uint32_t* at = string.begin();
@@ -171,9 +171,9 @@ class Interpreter {
 
 }  // namespace
 
-Result<std::uint32_t> interpret(const Program& program, const String& string, const Turtle& start, Listener& listener,
+Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
                                 std::uint64_t seed, const Limits& limits) {
-  return Interpreter(program, start, listener, seed, limits).run(string);
+  return Interpreter(bound, start, listener, seed, limits).run(string);
 }
 
 }  // namespace panicle::lsystem

@@ -14,18 +14,29 @@ namespace {
 // How far back equal parts are looked for: far enough for any production, and no square of a long one.
 constexpr std::size_t window = 64;
 
+// Whether one of the last instructions does the same; then `instruction.out` becomes its result.
+bool same_as_one_of(const std::vector<Instruction>& earlier, Instruction& instruction) {
+  const std::size_t oldest = earlier.size() > window ? earlier.size() - window : 0;
+  for (std::size_t i = earlier.size(); i-- > oldest;) {
+    instruction.out = earlier[i].out;
+    if (earlier[i] == instruction) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Lowering::Lowering(Code& code) : code_(code) {
   code_.registers.assign(most_parameters, 0);
-  constant_.assign(most_parameters, 0);
+  known_.assign(most_parameters, Known::on_the_run);
 }
 
-void Lowering::define(std::string_view name, float value) { defines_[name] = value; }
+std::uint32_t Lowering::define(std::string_view name) { return defines_[name] = new_register(0, Known::once_bound); }
 
-void Lowering::define_array(std::string_view name, std::vector<float> values) {
-  arrays_[name] = static_cast<std::uint32_t>(code_.arrays.size());
-  code_.arrays.push_back({std::string(name), std::move(values)});
+std::uint32_t Lowering::define_array(std::string_view name) {
+  const std::uint32_t place = arrays_[name] = static_cast<std::uint32_t>(code_.arrays.size());
+  code_.arrays.emplace_back(name);
+  return place;
 }
 
 void Lowering::begin_production(std::span<const Formal> formals, std::uint64_t key) {
@@ -33,7 +44,7 @@ void Lowering::begin_production(std::span<const Formal> formals, std::uint64_t k
   drawn_.clear();
   for (std::uint32_t i = 0; i < formals.size(); ++i) formals_[formals[i].name] = i;
   key_ = key;
-  may_draw_ = true;
+  in_production_ = true;
   begin_code();
 }
 
@@ -45,15 +56,11 @@ Result<std::uint32_t> Lowering::lower(const Expression& expression) {
   return pop();
 }
 
-Result<float> Lowering::value(const Expression& expression) {
-  begin_code();
+Range Lowering::finish() {
   const std::uint32_t begin = here();
-  const Result<std::uint32_t> result = lower(expression);
-  if (!result) return result.error();
-  if (!execute(code_, begin, here(), code_.registers.data(), {}, trouble_)) return trouble_;
-  code_.instructions.resize(begin);
-  code_.places.resize(begin);
-  return code_.registers[result.value()];
+  code_.instructions.insert(code_.instructions.end(), once_bound_.begin(), once_bound_.end());
+  code_.places.insert(code_.places.end(), once_bound_places_.begin(), once_bound_places_.end());
+  return {begin, here()};
 }
 
 bool Lowering::fail(Reason reason, const Place& place, Pieces pieces) {
@@ -64,7 +71,7 @@ bool Lowering::fail(Reason reason, const Place& place, Pieces pieces) {
 bool Lowering::lower_node(const Node& node) {
   switch (node.kind) {
     case Node::Kind::number:
-      put(constant_register(node.number));
+      put(number_register(node.number));
       return true;
     case Node::Kind::name:
       return name(node);
@@ -90,7 +97,7 @@ bool Lowering::name(const Node& node) {
     return true;
   }
   if (const auto define = defines_.find(node.name); define != defines_.end()) {
-    put(constant_register(define->second));
+    put(define->second);
     return true;
   }
   if (arrays_.contains(node.name))
@@ -107,7 +114,9 @@ bool Lowering::element(const Node& node) {
     return fail(Reason::undefined, node.place,
                 {"There is no array '", node.name, "'; declare it before this line with #input ", node.name, "[]."});
   const Instruction instruction{Op::element, 0, pop(), 0, array->second};
-  if (!fold(instruction, node.place)) put(emit(instruction, node.place));
+  const bool once_bound = in_production_ && known(instruction.a) != Known::on_the_run;
+  const std::uint32_t read = emit(instruction, node.place);
+  put(once_bound ? emit_once_bound(instruction, node.place) : read);
   return true;
 }
 
@@ -123,7 +132,7 @@ bool Lowering::operation(const Node& node) {
     calculate(node.op, node.arguments, node.place);
     return true;
   }
-  if (!may_draw_)
+  if (!in_production_)
     return fail(Reason::syntax, node.place,
                 {"Random values belong to modules; draw them in the axiom or a production, not in a #define."});
   Instruction instruction{node.op, 0, 0, 0, static_cast<std::uint32_t>(code_.streams.size())};
@@ -139,8 +148,15 @@ void Lowering::calculate(Op op, std::uint32_t operands, const Place& place) {
   Instruction instruction{op, 0, 0, 0, 0};
   if (operands > 1) instruction.b = pop();
   instruction.a = pop();
-  const bool constant = is_constant(instruction.a) && (operands < 2 || is_constant(instruction.b));
-  if (!constant || !fold(instruction, place)) put(emit(instruction, place));
+  Known result = known(instruction.a);
+  if (operands > 1) result = std::max(result, known(instruction.b));
+  if (result == Known::now) {
+    put(fold(instruction));
+  } else if (result == Known::once_bound && in_production_) {
+    put(emit_once_bound(instruction, place));
+  } else {
+    put(emit(instruction, place));
+  }
 }
 
 std::uint64_t Lowering::stream_of(const Node& node) {
@@ -151,7 +167,7 @@ std::uint64_t Lowering::stream_of(const Node& node) {
 // The result is the truth of the first operand, unless that leaves it open: then of the second.
 void Lowering::begin_branch(const Node& node) {
   const std::uint32_t first = pop();
-  const std::uint32_t out = new_register(0, false);
+  const std::uint32_t out = new_register(0, Known::on_the_run);
   code_.instructions.push_back({Op::truth, out, first, 0, 0});
   code_.places.push_back(node.place);
   branches_.push_back({here(), out, available_.size()});
@@ -170,50 +186,50 @@ void Lowering::end_branch(const Node& node) {
   put(branch.out);
 }
 
-std::uint32_t Lowering::new_register(float value, bool constant) {
+std::uint32_t Lowering::new_register(float value, Known known) {
   code_.registers.push_back(value);
-  constant_.push_back(constant);
+  known_.push_back(known);
   return static_cast<std::uint32_t>(code_.registers.size() - 1);
 }
 
-std::uint32_t Lowering::constant_register(float value) {
+std::uint32_t Lowering::number_register(float value) {
   std::uint32_t bits = 0;
   std::memcpy(&bits, &value, sizeof bits);
-  const auto [place, added] = constants_.try_emplace(bits, 0);
-  if (added) place->second = new_register(value, true);
+  const auto [place, added] = numbers_.try_emplace(bits, 0);
+  if (added) place->second = new_register(value, Known::now);
   return place->second;
 }
 
 std::uint32_t Lowering::emit(Instruction instruction, const Place& place) {
   const bool shared = !is_random(instruction.op);
-  const std::size_t oldest = available_.size() > window ? available_.size() - window : 0;
-  for (std::size_t i = available_.size(); shared && i-- > oldest;) {
-    instruction.out = available_[i].out;
-    if (available_[i] == instruction) return instruction.out;
-  }
-  instruction.out = new_register(0, false);
+  if (shared && same_as_one_of(available_, instruction)) return instruction.out;
+  instruction.out = new_register(0, Known::on_the_run);
   code_.instructions.push_back(instruction);
   code_.places.push_back(place);
   if (shared) available_.push_back(instruction);
   return instruction.out;
 }
 
-// Works an instruction out now. One that goes wrong is left for the run, which may never come to it.
-bool Lowering::fold(Instruction instruction, const Place& place) {
-  if (!is_constant(instruction.a)) return false;
+std::uint32_t Lowering::emit_once_bound(Instruction instruction, const Place& place) {
+  if (same_as_one_of(once_bound_, instruction)) return instruction.out;
+  instruction.out = new_register(0, Known::once_bound);
+  once_bound_.push_back(instruction);
+  once_bound_places_.push_back(place);
+  return instruction.out;
+}
+
+// The register that holds the result of an instruction whose operands are numbers of the text.
+std::uint32_t Lowering::fold(Instruction instruction) {
   const std::uint32_t at = here();
-  instruction.out = new_register(0, false);
+  instruction.out = new_register(0, Known::now);
   code_.instructions.push_back(instruction);
-  code_.places.push_back(place);
-  Diagnostic fault;
-  const bool fine = execute(code_, at, at + 1, code_.registers.data(), {}, fault);
+  Diagnostic none;  // arithmetic alone cannot go wrong
+  execute(code_, at, at + 1, code_.registers.data(), {}, none);
   const float value = code_.registers[instruction.out];
   code_.instructions.pop_back();
-  code_.places.pop_back();
   code_.registers.pop_back();
-  constant_.pop_back();
-  if (fine) put(constant_register(value));
-  return fine;
+  known_.pop_back();
+  return number_register(value);
 }
 
 std::uint32_t Lowering::pop() {

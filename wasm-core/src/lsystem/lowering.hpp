@@ -1,6 +1,8 @@
-// Expression → byte code.
+// Expression → byte code. What follows from numbers of the text alone is worked out here; what follows from the inputs
+// as well becomes code that runs once when they are bound; the rest is left for the modules.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string_view>
@@ -15,23 +17,31 @@ class Lowering {
  public:
   explicit Lowering(Code& code);
 
-  void define(std::string_view name, float value);
-  void define_array(std::string_view name, std::vector<float> values);
+  // When the value of a register is known.
+  enum class Known : std::uint8_t { now, once_bound, on_the_run };
 
-  // Names that the next expressions may use: the predecessor's parameters, which hide defines of the same name, and
-  // random draws, whose streams are hashes of `key`, the function and how many of it came before.
+  // A name for a number that is known once the inputs are bound, and the register that will hold it.
+  std::uint32_t define(std::string_view name);
+  // A name for a list, and its place among the program's lists.
+  std::uint32_t define_array(std::string_view name);
+
+  // The next expressions belong to a production. Names that they may use: the predecessor's parameters, which hide
+  // defines of the same name, and random draws, whose streams are hashes of `key`, the function and how many of it came
+  // before.
   void begin_production(std::span<const Formal> formals, std::uint64_t key);
   // Results of earlier expressions are not there any more: code that runs by itself begins here.
   void begin_code() { available_.clear(); }
   std::uint32_t here() const { return static_cast<std::uint32_t>(code_.instructions.size()); }
 
-  // The register that will hold the value. Constant parts are worked out now, equal parts once. Errors: undefined;
-  // syntax (random values where there is no module to draw them for).
+  // The register that will hold the value. Equal parts are worked out once. Before the first production everything that
+  // is not known now is code in place. Errors: undefined; syntax (random values where there is no module to draw them
+  // for).
   Result<std::uint32_t> lower(const Expression& expression);
-  // The value of an expression that needs no module. Errors: those above; evaluation.
-  Result<float> value(const Expression& expression);
+  Known known(std::uint32_t reg) const { return known_[reg]; }
 
-  bool is_constant(std::uint32_t reg) const { return constant_[reg] != 0; }
+  // Puts the code that runs once the inputs are bound behind all other code, and tells where it is. An instruction of
+  // it that goes wrong is no error by itself: it stands once more in the code of each expression that needs it.
+  Range finish();
 
  private:
   struct Branch {  // the second operand of && or ||, which may be passed over
@@ -48,25 +58,28 @@ class Lowering {
   void begin_branch(const Node& node);
   void end_branch(const Node& node);
   std::uint64_t stream_of(const Node& node);
-  std::uint32_t new_register(float value, bool constant);
-  std::uint32_t constant_register(float value);
+  std::uint32_t new_register(float value, Known known);
+  std::uint32_t number_register(float value);
   std::uint32_t emit(Instruction instruction, const Place& place);
-  bool fold(Instruction instruction, const Place& place);
+  std::uint32_t emit_once_bound(Instruction instruction, const Place& place);
+  std::uint32_t fold(Instruction instruction);
   std::uint32_t pop();
   void put(std::uint32_t reg) { stack_.push_back(reg); }
 
   Code& code_;
-  std::map<std::string_view, float> defines_;
+  std::map<std::string_view, std::uint32_t> defines_;  // registers
   std::map<std::string_view, std::uint32_t> arrays_;
   std::map<std::string_view, std::uint32_t> formals_;
-  std::map<std::string_view, std::uint32_t> drawn_;   // how many calls of each random function
-  std::map<std::uint32_t, std::uint32_t> constants_;  // bits → register
-  std::vector<std::uint8_t> constant_;                // whether a register is one
+  std::map<std::string_view, std::uint32_t> drawn_;  // how many calls of each random function
+  std::map<std::uint32_t, std::uint32_t> numbers_;   // bits → register
+  std::vector<Known> known_;                         // of each register
   std::vector<std::uint32_t> stack_;
   std::vector<Branch> branches_;
   std::vector<Instruction> available_;  // whose results can be used again here
+  std::vector<Instruction> once_bound_;
+  std::vector<Place> once_bound_places_;
   std::uint64_t key_ = 0;
-  bool may_draw_ = false;
+  bool in_production_ = false;
   Diagnostic trouble_;
 };
 

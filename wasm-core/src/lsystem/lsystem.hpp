@@ -1,4 +1,5 @@
-// Grammar text → program → derived string → turtle. The engine knows no symbol but the turtle's and ?E.
+// Grammar text → program → with its inputs → derived string → turtle. The engine knows no symbol but the turtle's and
+// ?E.
 //
 // Notation is cpfg's (Prusinkiewicz & Lindenmayer; Měch & Prusinkiewicz 1996 for ?E): see docs/grammar.md.
 #pragma once
@@ -37,24 +38,33 @@ struct Inputs {
 // keeps lineages; any other does without, and is faster, unless a listener wants them.
 enum class Lineages { where_needed, always };
 
-class Program;  // byte code; immutable, shared freely
+class Program;  // byte code; immutable, shared freely, independent of the text and of inputs
 
-// Errors: syntax, undefined, bad_input (an input without a value), evaluation (a #define or constant that is no number)
-// and limit; with line and column.
-Result<std::shared_ptr<const Program>> compile(std::string_view text, const Inputs& inputs, const Limits& limits,
+// Errors: syntax, undefined, evaluation (a number for the turtle that is none) and limit; with line and column.
+Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits,
                                                Lineages lineages = Lineages::where_needed);
 
-// The value a program gives to a `#define` or scalar `#input`, or `otherwise`.
-float constant(const Program& program, std::string_view name, float otherwise);
+class Bound;  // a program with its inputs and all that follows from them alone; immutable, shared freely
 
-// What a program was given and what it made of it, for tools: in the order of the text.
+// Costs a small part of what compiling does: every request may bind anew. Errors: bad_input (an input without a value,
+// or one that is no finite number), evaluation (a #define or a number for the turtle that is none); with line and
+// column.
+Result<std::shared_ptr<const Bound>> bind(std::shared_ptr<const Program> program, const Inputs& inputs,
+                                          const Limits& limits);
+
+const Program& program_of(const Bound& bound);
+
+// The value of a `#define` or scalar `#input`, or `otherwise`.
+float constant(const Bound& bound, std::string_view name, float otherwise);
+
+// What was given and what follows from it, for tools: in the order of the text.
 struct Definition {
   enum class Kind : std::uint8_t { define, input, array };
   std::string name;
   Kind kind = Kind::define;
   std::vector<float> values;  // one, but for an array
 };
-std::span<const Definition> definitions(const Program& program);
+std::span<const Definition> definitions(const Bound& bound);
 // Symbols that productions rewrite, without repetition, in the order of the text.
 std::vector<std::string_view> predecessors(const Program& program);
 
@@ -71,13 +81,13 @@ struct Derived {
 // stream, address of the module in the derivation tree), `stream` being the call's own place in its production. Errors:
 // evaluation, with line and column; limit, also where `max_steps` is at least `limits.steps` and that many steps do not
 // end it.
-Result<Derived> derive(const Program& program, std::uint64_t seed, std::uint32_t max_steps, const Limits& limits);
+Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::uint32_t max_steps, const Limits& limits);
 
 // The string that `derive` ends with, without the strings between: each module is rewritten to its end before the next
 // is looked at, so that the cost grows with what comes out and not with the steps as well. Productions see nothing but
 // a module's own parameters and address, so the order makes no difference. `steps` is the deepest module's generation,
 // `modules_written` the length. Errors as for `derive` without `max_steps`.
-Result<Derived> unfold(const Program& program, std::uint64_t seed, const Limits& limits);
+Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits);
 
 // How many modules a string has.
 std::uint64_t length(const String& string);
@@ -88,7 +98,7 @@ std::string to_text(const Program& program, const String& string);
 
 // Walks the string from left to right and tells the listener. Returns how many lines were drawn. Errors: evaluation
 // (an answer or a position that is no number), limit (brackets, answers).
-Result<std::uint32_t> interpret(const Program& program, const String& string, const Turtle& start, Listener& listener,
+Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
                                 std::uint64_t seed, const Limits& limits);
 
 }  // namespace panicle::lsystem

@@ -7,17 +7,17 @@
 
 namespace panicle::lsystem {
 
-Machine::Machine(const Program& program, std::uint64_t seed, const Limits& limits)
-    : program_(program),
+Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits)
+    : program_(*bound.program),
       limits_(limits),
-      rules_(program.rules.data()),
-      productions_(program.productions.data()),
-      patches_(program.patches.data()),
-      words_(program.words.data()),
-      register_file_(program.code.registers),
+      rules_(program_.rules.data()),
+      productions_(program_.productions.data()),
+      patches_(program_.patches.data()),
+      words_(bound.words.data()),
+      register_file_(bound.registers),
       registers_(register_file_.data()),
       choice_stream_(hash_text("production")),
-      draw_{seed, 0} {}
+      sources_{bound.lists, seed, 0} {}
 
 // The first production that matches decides: one without a weight applies, one with a weight competes with all others
 // that match and have one. Two walks in place of a list of candidates.
@@ -41,7 +41,7 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
       return nullptr;
     }
   }
-  double left = total * random_unit(draw_.seed, choice_stream_, draw_.address);
+  double left = total * random_unit(sources_.seed, choice_stream_, sources_.address);
   const Production* drawn = fallback;
   for (std::uint32_t i = rules.productions.begin; i < rules.productions.end && total > 0; ++i) {
     const Production& production = productions_[i];

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "lsystem/program.hpp"
+#include "lsystem/bound.hpp"
 
 namespace panicle::lsystem {
 
 class Machine {
  public:
-  Machine(const Program& program, std::uint64_t seed, const Limits& limits);
+  Machine(const Bound& bound, std::uint64_t seed, const Limits& limits);
   Machine(const Machine&) = delete;
 
   // The production that rewrites `module`, its parameters loaded; null when none does, or when `failed()`. A block of
@@ -22,7 +22,7 @@ class Machine {
     const Rules& rules = rules_[symbol_of(header)];
     const std::uint32_t count = parameters_of(header);
     for (std::uint32_t i = 0; i < count; i += block) std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
-    if (has_lineage(header)) draw_.address = origin_of(module).address;
+    if (has_lineage(header)) sources_.address = origin_of(module).address;
     if (rules.weighted) return draw_production(rules, count);
     for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
       const Production& production = productions_[i];
@@ -48,7 +48,7 @@ class Machine {
   }
 
   // For an axiom, which no module writes.
-  void begin(std::uint64_t address) { draw_.address = address; }
+  void begin(std::uint64_t address) { sources_.address = address; }
 
   // Takes units of Limits::evaluations. False: they are used up.
   bool spend(std::uint64_t units) {
@@ -69,8 +69,6 @@ class Machine {
   }
   bool failed() const { return trouble_.reason != Reason::none; }
   const Diagnostic& trouble() const { return trouble_; }
-  const Program& program() const { return program_; }
-  const Limits& limits() const { return limits_; }
 
   static bool meets(Demand demand, float value) {
     if (demand == Demand::none) return true;
@@ -84,7 +82,7 @@ class Machine {
     if (!production.condition.given) return true;
     return evaluate(production.condition.code) && registers_[production.condition.source] != 0;
   }
-  bool evaluate(Range code) { return execute(program_.code, code.begin, code.end, registers_, draw_, trouble_); }
+  bool evaluate(Range code) { return execute(program_.code, code.begin, code.end, registers_, sources_, trouble_); }
   [[gnu::noinline]] const Production* draw_production(const Rules& rules, std::uint32_t count);
   bool weigh(const Production& production, float& weight);
   [[gnu::noinline]] void write_lineages(const Template& successor, std::uint32_t* to, const Origin& parent,
@@ -104,7 +102,7 @@ class Machine {
   float* registers_;
   std::uint64_t choice_stream_;
   std::uint64_t spent_ = 0;
-  Draw draw_;
+  Sources sources_;
   Diagnostic trouble_;
 };
 

@@ -112,13 +112,13 @@ class GrammarParser {
   }
 
   bool input_form(DefinitionTree& definition) {
-    definition.kind = DefinitionTree::Kind::input;
+    definition.kind = Definition::Kind::input;
     if (on_sign('[')) {
       ++at_;
       if (!on_sign(']'))
         return wrong(here(), {"An array is declared as #input name[], with nothing between the brackets."});
       ++at_;
-      definition.kind = DefinitionTree::Kind::array;
+      definition.kind = Definition::Kind::array;
     }
     if (at_ < end_) return wrong(here(), {"Nothing may follow the name of an input, but here is '", found(), "'."});
     return true;

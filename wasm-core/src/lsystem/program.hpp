@@ -1,4 +1,5 @@
-// A compiled grammar: symbols, productions with their successors laid out word by word, and byte code.
+// A compiled grammar: symbols, productions with their successors laid out word by word, and byte code. What it lacks is
+// what the inputs give (bound.hpp).
 #pragma once
 
 #include <cstdint>
@@ -31,18 +32,18 @@ enum class Demand : std::uint8_t { none, finite, not_negative };
 
 // A successor (or the axiom): words to copy, then places in the copy to fill in.
 struct Template {
-  std::uint32_t first = 0;  // in Program::words; room for a copy in whole blocks follows
+  std::uint32_t first = 0;  // in Bound::words; room for a copy in whole blocks follows
   std::uint32_t words = 0;
   std::uint32_t modules = 0;
   std::uint32_t cost = 0;  // units of Limits::evaluations that writing it takes
   Range code;
-  Range patches;  // parameters
+  Range patches;  // parameters that the module which is rewritten decides
   Range births;   // lineages
   Range active;   // modules that the next step has to look at
 };
 
 struct Patch {
-  std::uint32_t offset = 0;
+  std::uint32_t offset = 0;  // in its template; in Program::words where the inputs decide
   std::uint32_t source = 0;  // register
   Demand demand = Demand::none;
   std::uint32_t symbol = 0;
@@ -76,6 +77,15 @@ struct Rules {
   bool weighted = false;
 };
 
+// A `#define` or `#input` of the text.
+struct Declaration {
+  std::string name;
+  Definition::Kind kind = Definition::Kind::define;
+  Place place;
+  Value value;           // of a #define
+  std::uint32_t to = 0;  // register, or place of an array among Code::arrays
+};
+
 class Program {
  public:
   std::vector<std::string> symbols;
@@ -84,13 +94,15 @@ class Program {
   std::vector<std::uint32_t> predecessors;  // in the order of the text
   std::vector<std::uint32_t> words;
   std::vector<Patch> patches;
+  std::vector<Patch> bound_patches;  // parameters that the inputs decide, in the order of the text
   std::vector<Birth> births;
   std::vector<std::uint32_t> active;    // offsets in a template
   std::uint32_t longest_successor = 0;  // words
   Template axiom;
   bool lineages = false;
   Code code;
-  std::vector<Definition> definitions;
+  Range once_bound;                       // code that the inputs alone decide
+  std::vector<Declaration> declarations;  // in the order of the text
 };
 
 }  // namespace panicle::lsystem

@@ -12,8 +12,8 @@ namespace {
 
 class Unfolding {
  public:
-  Unfolding(const Program& program, std::uint64_t seed, const Limits& limits)
-      : machine_(program, seed, limits), program_(program), limits_(limits) {}
+  Unfolding(const Bound& bound, std::uint64_t seed, const Limits& limits)
+      : machine_(bound, seed, limits), program_(*bound.program), limits_(limits) {}
 
   Result<Derived> run() {
     const std::uint64_t root = hash_text("axiom");
@@ -108,8 +108,8 @@ class Unfolding {
 
 }  // namespace
 
-Result<Derived> unfold(const Program& program, std::uint64_t seed, const Limits& limits) {
-  return Unfolding(program, seed, limits).run();
+Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits) {
+  return Unfolding(bound, seed, limits).run();
 }
 
 }  // namespace panicle::lsystem

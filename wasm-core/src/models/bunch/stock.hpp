@@ -14,15 +14,18 @@
 namespace panicle::bunch {
 
 struct Stock {
-  std::shared_ptr<const lsystem::Program> program;
+  std::shared_ptr<const lsystem::Bound> bound;
   std::shared_ptr<const lsystem::String> string;
   std::uint64_t seed = 0;
   std::int32_t first_axis = 0;
   float lean = 0;  // degrees that the whole bunch leans to the left
 };
 
-Result<Stock> derive_stock(std::string_view grammar, std::uint64_t seed, const lsystem::Inputs& inputs,
-                           const Limits& limits);
+// A grammar that every bunch of a request is derived from.
+Result<std::shared_ptr<const lsystem::Program>> compile_stock(std::string_view grammar, const Limits& limits);
+
+Result<Stock> derive_stock(std::shared_ptr<const lsystem::Program> program, std::uint64_t seed,
+                           const lsystem::Inputs& inputs, const Limits& limits);
 
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);
@@ -31,7 +34,7 @@ std::uint64_t second_seed(std::uint64_t seed);
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener);
 
 // A note for each of `defines` that the text does not know, so that its parameter changes nothing.
-void remark_unknown(const lsystem::Program& program, const std::vector<lsystem::Inputs::Scalar>& defines,
+void remark_unknown(const lsystem::Bound& bound, const std::vector<lsystem::Inputs::Scalar>& defines,
                     std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

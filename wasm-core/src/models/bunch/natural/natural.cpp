@@ -67,6 +67,9 @@ class NaturalGrowth {
   Diagnostic sprout() {
     using enum Parameter;
     const Profile profile = values_.profile();
+    auto program = compile_stock(request_.grammar.empty() ? builtin_grammar(4) : request_.grammar, limits_);
+    if (!program) return program.error();
+    program_ = std::move(program.value());
     Diagnostic trouble = sprout_one(profile, request_.seed, 0, 0, 0);
     if (trouble.reason != Reason::none || !(value(wing) > 0)) return trouble;
     return sprout_one(scaled(profile, value(wing)), second_seed(request_.seed), 1,
@@ -80,12 +83,11 @@ class NaturalGrowth {
     const NaturalPlan& plan = plans_.back();
     (index ? grown_.second.emplace() : grown_.plan) = plan.plan;
     bounds_.push_back({plan.envelope, lean});
-    const std::string_view grammar = request_.grammar.empty() ? builtin_grammar(4) : request_.grammar;
-    auto stock = derive_stock(grammar, seed, inputs_for(plan, profile, values_), limits_);
+    auto stock = derive_stock(program_, seed, inputs_for(plan, profile, values_), limits_);
     if (!stock) return stock.error();
     stock->first_axis = first_axis;
     stock->lean = lean;
-    sprouts_.begin(*stock->program, index, first_axis);
+    sprouts_.begin(*stock->bound, index, first_axis);
     const Diagnostic trouble = interpret(stock.value(), limits_, sprouts_);
     return trouble.reason == Reason::none ? sprouts_.trouble() : trouble;
   }
@@ -434,6 +436,7 @@ class NaturalGrowth {
   const Values& values_;
   const Limits& limits_;
   Grown& grown_;
+  std::shared_ptr<const lsystem::Program> program_;
   Sprouting sprouts_;
   std::vector<NaturalPlan> plans_;
   std::vector<Bound> bounds_;

@@ -12,8 +12,8 @@ constexpr float least_strength = 0.001f;
 
 }  // namespace
 
-void Sprouting::begin(const lsystem::Program& program, std::uint32_t bunch, std::int32_t first_axis) {
-  width_ = lsystem::constant(program, "w", 1);
+void Sprouting::begin(const lsystem::Bound& bound, std::uint32_t bunch, std::int32_t first_axis) {
+  width_ = lsystem::constant(bound, "w", 1);
   bunch_ = bunch;
   first_internode_ = static_cast<std::int32_t>(internodes.size());
   first_axis_ = first_axis;

@@ -28,8 +28,8 @@ class Sprouting final : public lsystem::Listener {
  public:
   explicit Sprouting(const Limits& limits) : limits_(limits) {}
 
-  // The next interpretation's program; its first-order axes count on from `first_axis`.
-  void begin(const lsystem::Program& program, std::uint32_t bunch, std::int32_t first_axis);
+  // The next interpretation's grammar; its first-order axes count on from `first_axis`.
+  void begin(const lsystem::Bound& bound, std::uint32_t bunch, std::int32_t first_axis);
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;

@@ -10,11 +10,11 @@ namespace panicle::bunch {
 Growth::Growth(const InteractionOptions& options, const Limits& limits, float largest)
     : options_(options), limits_(limits), structure_(largest) {}
 
-void Growth::begin(const lsystem::Program& program, std::uint64_t seed, std::int32_t first_axis) {
-  constants_.width = lsystem::constant(program, "w", 1);
-  constants_.narrowing = lsystem::constant(program, "r_w", 1);
-  constants_.withered_length = lsystem::constant(program, "l_w", 10);
-  constants_.berry_radius = lsystem::constant(program, "b_r", 0);
+void Growth::begin(const lsystem::Bound& bound, std::uint64_t seed, std::int32_t first_axis) {
+  constants_.width = lsystem::constant(bound, "w", 1);
+  constants_.narrowing = lsystem::constant(bound, "r_w", 1);
+  constants_.withered_length = lsystem::constant(bound, "l_w", 10);
+  constants_.berry_radius = lsystem::constant(bound, "b_r", 0);
   seed_ = seed;
   first_internode_ = static_cast<std::int32_t>(internodes.size());
   first_axis_ = first_axis;

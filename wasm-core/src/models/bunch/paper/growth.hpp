@@ -20,8 +20,8 @@ class Growth final : public lsystem::Listener {
   // `largest` bounds the radius of all spheres.
   Growth(const InteractionOptions& options, const Limits& limits, float largest);
 
-  // The next interpretation's program and seed; its first-order axes count on from `first_axis`.
-  void begin(const lsystem::Program& program, std::uint64_t seed, std::int32_t first_axis);
+  // The next interpretation's grammar and seed; its first-order axes count on from `first_axis`.
+  void begin(const lsystem::Bound& bound, std::uint64_t seed, std::int32_t first_axis);
 
   // Between the two, an interpretation lays its rachis and nothing else: it takes its room, and the same text
   // interpreted later finds it again. What grows in between has to make way.

@@ -20,7 +20,7 @@ constexpr float units_per_pixel = 50.0f / 29.0f;
 
 // Interprets a bunch into the growth, among what stands there already.
 Diagnostic grow_stock(const Stock& stock, const Limits& limits, Growth& growth) {
-  growth.begin(*stock.program, stock.seed, stock.first_axis);
+  growth.begin(*stock.bound, stock.seed, stock.first_axis);
   const Diagnostic trouble = interpret(stock, limits, growth);
   return trouble.reason == Reason::none ? growth.trouble() : trouble;
 }
@@ -61,14 +61,16 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   if (!shape) return shape.error();
 
   const std::string_view grammar = request.grammar.empty() ? builtin_grammar(3) : request.grammar;
-  const auto first = derive_stock(grammar, request.seed, inputs_for(shape.value(), values), limits);
+  const auto program = compile_stock(grammar, limits);
+  if (!program) return program.error();
+  const auto first = derive_stock(program.value(), request.seed, inputs_for(shape.value(), values), limits);
   if (!first) return first.error();
   grown.plan = std::move(shape->plan);
 
   std::optional<Stock> second;
   if (values[wing] > 0) {
     Shape smaller = shape_of(scaled(profile, values[wing]), values[fit]);
-    auto stock = derive_stock(grammar, second_seed(request.seed), inputs_for(smaller, values), limits);
+    auto stock = derive_stock(program.value(), second_seed(request.seed), inputs_for(smaller, values), limits);
     if (!stock) return stock.error();
     second = std::move(stock.value());
     second->first_axis = grown.plan.m - 1;
@@ -81,7 +83,7 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   const Diagnostic trouble = grow_all(first.value(), second ? &*second : nullptr, limits, growth);
   if (trouble.reason != Reason::none) return trouble;
 
-  remark_unknown(*first->program, values.defines(), grown.notes);
+  remark_unknown(*first->bound, values.defines(), grown.notes);
   if (growth.internodes.empty()) grown.notes.push_back("The grammar drew nothing.");
   if (growth.rachis_cut)
     grown.notes.push_back(

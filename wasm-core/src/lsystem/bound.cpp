@@ -1,0 +1,134 @@
+#include "lsystem/bound.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "lsystem/machine.hpp"
+#include "lsystem/number_text.hpp"
+
+namespace panicle::lsystem {
+namespace {
+
+bool is_finite(float value) { return value - value == 0; }
+
+template <class Given>
+const Given* named(const std::vector<Given>& given, std::string_view name) {
+  const auto found = std::find_if(given.begin(), given.end(), [&](const Given& one) { return one.name == name; });
+  return found == given.end() ? nullptr : &*found;
+}
+
+class Binder {
+ public:
+  Binder(std::shared_ptr<const Program> program, const Inputs& inputs)
+      : program_(*program), inputs_(inputs), bound_(std::make_shared<Bound>()) {
+    bound_->program = std::move(program);
+    bound_->registers = program_.code.registers;
+    bound_->lists.resize(program_.code.arrays.size());
+    bound_->words = program_.words;
+  }
+
+  Result<std::shared_ptr<const Bound>> run() {
+    for (const Declaration& declaration : program_.declarations) {
+      const bool array = declaration.kind == Definition::Kind::array;
+      if (!(array ? list(declaration) : scalar(declaration))) return trouble_;
+    }
+    work_out();
+    if (!fill_in()) return trouble_;
+    return std::shared_ptr<const Bound>(std::move(bound_));
+  }
+
+ private:
+  bool fail(Reason reason, const Place& place, Pieces pieces) {
+    trouble_ = error_at(reason, place, pieces);
+    return false;
+  }
+
+  bool execute(std::uint32_t begin, std::uint32_t end, Diagnostic& trouble) {
+    return lsystem::execute(program_.code, begin, end, bound_->registers.data(), {bound_->lists, 0, 0}, trouble);
+  }
+
+  bool scalar(const Declaration& declaration) {
+    float& value = bound_->registers[declaration.to];
+    if (const Inputs::Scalar* const given = named(inputs_.scalars, declaration.name)) {
+      value = given->value;
+      if (!is_finite(value))
+        return fail(Reason::bad_input, declaration.place,
+                    {"'", declaration.name, "' was given ", number_text(value), "; give it a finite number."});
+    } else if (declaration.kind == Definition::Kind::input) {
+      return fail(Reason::bad_input, declaration.place,
+                  {"The input '", declaration.name, "' has no value; give it one with the request."});
+    } else {
+      if (!execute(declaration.value.code.begin, declaration.value.code.end, trouble_)) return false;
+      value = bound_->registers[declaration.value.source];
+      if (!is_finite(value))
+        return fail(Reason::evaluation, declaration.value.place,
+                    {"'", declaration.name, "' comes to ", number_text(value), "; it must be a finite number."});
+    }
+    bound_->definitions.push_back({declaration.name, declaration.kind, {value}});
+    return true;
+  }
+
+  bool list(const Declaration& declaration) {
+    const Inputs::Array* const given = named(inputs_.arrays, declaration.name);
+    if (given == nullptr)
+      return fail(Reason::bad_input, declaration.place,
+                  {"The input '", declaration.name, "[]' has no values; give it some with the request."});
+    for (std::size_t i = 0; i < given->values.size(); ++i)
+      if (!is_finite(given->values[i]))
+        return fail(Reason::bad_input, declaration.place,
+                    {declaration.name, "[", std::to_string(i + 1), "] was given ", number_text(given->values[i]),
+                     "; give it a finite number."});
+    bound_->lists[declaration.to] = given->values;
+    bound_->definitions.push_back({declaration.name, declaration.kind, given->values});
+    return true;
+  }
+
+  // Results that went wrong, or follow from one that did, are marked. The productions that need them will find out, if
+  // they are ever applied.
+  void work_out() {
+    wrong_.assign(bound_->registers.size(), false);
+    Diagnostic unheard;
+    for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at) {
+      const Instruction& step = program_.code.instructions[at];
+      wrong_[step.out] = wrong_[step.a] || wrong_[step.b] || !execute(at, at + 1, unheard);
+    }
+  }
+
+  bool fill_in() {
+    for (const Patch& patch : program_.bound_patches) {
+      if (wrong_[patch.source]) continue;
+      const float value = bound_->registers[patch.source];
+      if (!Machine::meets(patch.demand, value)) {
+        trouble_ = Machine::refusal(program_, patch, value);
+        return false;
+      }
+      std::memcpy(bound_->words.data() + patch.offset, &value, sizeof value);
+    }
+    return true;
+  }
+
+  const Program& program_;
+  const Inputs& inputs_;
+  std::shared_ptr<Bound> bound_;
+  std::vector<bool> wrong_;  // by register
+  Diagnostic trouble_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const Bound>> bind(std::shared_ptr<const Program> program, const Inputs& inputs, const Limits&) {
+  return Binder(std::move(program), inputs).run();
+}
+
+const Program& program_of(const Bound& bound) { return *bound.program; }
+
+float constant(const Bound& bound, std::string_view name, float otherwise) {
+  const Definition* const definition = named(bound.definitions, name);
+  return definition && definition->kind != Definition::Kind::array ? definition->values[0] : otherwise;
+}
+
+std::span<const Definition> definitions(const Bound& bound) { return bound.definitions; }
+
+}  // namespace panicle::lsystem

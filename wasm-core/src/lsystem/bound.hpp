@@ -1,0 +1,21 @@
+// A compiled grammar with its inputs: what a derivation reads of them, worked out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lsystem/program.hpp"
+
+namespace panicle::lsystem {
+
+class Bound {
+ public:
+  std::shared_ptr<const Program> program;
+  std::vector<float> registers;           // as Code::registers, with what the inputs decide
+  std::vector<std::vector<float>> lists;  // by the place of their names in Code::arrays
+  std::vector<std::uint32_t> words;       // as Program::words, with what the inputs decide
+  std::vector<Definition> definitions;
+};
+
+}  // namespace panicle::lsystem
