@@ -76,7 +76,7 @@ void Sections::pack_skeleton() {
   std::vector<std::uint32_t> internodes, ends, radii, spheres, directions, parents;
   internodes.reserve(grown_.internodes.size() * 4);
   ends.reserve(grown_.internodes.size() * 6);
-  for (const Internode& internode : grown_.internodes) {
+  for (const bunch::Internode& internode : grown_.internodes) {
     internodes.insert(internodes.end(), {word(internode.parent), static_cast<std::uint32_t>(internode.kind),
                                          word(internode.axis), static_cast<std::uint32_t>(internode.state)});
     add(ends, internode.start);
@@ -84,7 +84,7 @@ void Sections::pack_skeleton() {
     radii.push_back(word(internode.radius));
     radii.push_back(word(internode.radius_end));
   }
-  for (const Berry& berry : grown_.berries) {
+  for (const bunch::Berry& berry : grown_.berries) {
     add(spheres, berry.centre);
     spheres.push_back(word(berry.radius));
     add(directions, berry.direction);
@@ -102,7 +102,7 @@ void Sections::pack_natural() {
   pack(PANICLE_SECTION_PROCEDURE, {grown_.natural, static_cast<std::uint32_t>(grown_.form.fruit),
                                    word(grown_.form.taper), word(grown_.form.blunt)});
   std::vector<std::uint32_t> ids, thinned;
-  for (const Berry& berry : grown_.berries) ids.push_back(berry.id);
+  for (const bunch::Berry& berry : grown_.berries) ids.push_back(berry.id);
   for (const bunch::Thinned& one : grown_.thinned) {
     thinned.push_back(one.id);
     thinned.push_back(static_cast<std::uint32_t>(one.why));
@@ -143,11 +143,11 @@ void Sections::pack_meshes() {
   if (grown_.stem) {
     const StemMesh& stem = *grown_.stem;
     show_mesh(PANICLE_SECTION_STEM_POSITIONS, stem.mesh);
-    show(PANICLE_SECTION_STEM_INTERNODES, stem.internode);
+    show(PANICLE_SECTION_STEM_INTERNODES, stem.segment);
     std::vector<std::uint32_t> parts;
     for (const StemPart& part : stem.parts)
       parts.insert(parts.end(),
-                   {word(part.axis), part.first_vertex, part.vertex_count, part.first_index, part.index_count});
+                   {word(part.group), part.first_vertex, part.vertex_count, part.first_index, part.index_count});
     pack(PANICLE_SECTION_STEM_PARTS, std::move(parts));
   }
   if (grown_.berry) show_mesh(PANICLE_SECTION_BERRY_POSITIONS, *grown_.berry);

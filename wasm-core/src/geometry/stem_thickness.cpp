@@ -16,8 +16,6 @@ constexpr float collar_width = 0.2f;
 constexpr float most_blend = 0.9f;
 constexpr float foot_length = 1.1f;    // along the bearer where it goes on,
 constexpr float collar_length = 0.5f;  // and where it ends
-constexpr float receptacle_spread = 0.35f;
-constexpr float withered_body = 0.75f, withered_tip = 0.5f;
 
 // A hill of height 1 about 0 that ends at 1.5.
 float hill(float x) {
@@ -33,7 +31,7 @@ float ridge(float x) { return smooth(x < 1 ? x : (collar_end - x) / (collar_end 
 
 }  // namespace
 
-Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, End end)
+Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end)
     : nodes_(nodes), origin_(origin), end_(end) {
   for (const Node& node : nodes) length_ += node.step;
   emergence_ = 1.5f * nodes[0].radius;
@@ -68,15 +66,10 @@ Section Thickness::at(float t) const {
 
 float Thickness::end_factor(float from_end) const {
   const float x = from_end * per_end_radius_;
-  switch (end_) {
-    case End::receptacle:
-      return 1 + receptacle_spread * hill((x - 0.35f) / 0.45f);
-    case End::withered:
-      return withered_body - (withered_body - withered_tip) * smooth(std::clamp(1 - x / 2, 0.0f, 1.0f));
-    case End::stub:
-      break;
-  }
-  return 1;
+  float factor = end_.body;
+  if (end_.tip != end_.body) factor -= (end_.body - end_.tip) * smooth(std::clamp(1 - x / 2, 0.0f, 1.0f));
+  if (end_.flare != 0) factor += end_.flare * hill((x - 0.35f) / 0.45f);
+  return factor;
 }
 
 // Where the bearer goes on, a branch stands on an ellipse along the bearer's axis and rises from it like a fillet.

@@ -7,13 +7,14 @@
 #include <string>
 #include <utility>
 
-#include "models/bunch/natural/natural.hpp"
-#include "models/bunch/paper/paper.hpp"
-#include "models/bunch/values.hpp"
 #include "foundation/fingerprint.hpp"
 #include "foundation/random.hpp"
-#include "models/bunch/fruit/berry.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/fruit/berry.hpp"
+#include "models/bunch/natural/natural.hpp"
+#include "models/bunch/paper/paper.hpp"
+#include "models/bunch/stems.hpp"
+#include "models/bunch/values.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -75,7 +76,7 @@ void add_meshes(Grown& grown, const Request& request) {
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
   BerryOptions berry;
   if (request.berry_segments) berry.segments = std::clamp(request.berry_segments, 6u, 128u);
-  grown.stem = sweep_stems(grown.internodes, tubes, 1.0f);
+  grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f);
   Fingerprint print;
   add_mesh(print, grown.stem->mesh);
   if (grown.surfaces) {

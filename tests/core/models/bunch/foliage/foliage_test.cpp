@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "geometry/surface.hpp"
 #include "foundation/fingerprint.hpp"
 #include "foundation/random.hpp"
+#include "geometry/surface.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;

@@ -6,8 +6,8 @@
 
 #include "foundation/fingerprint.hpp"
 #include "foundation/random.hpp"
-#include "models/bunch/foliage/leaf_outline.hpp"
 #include "geometry/surface.hpp"
+#include "models/bunch/foliage/leaf_outline.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;

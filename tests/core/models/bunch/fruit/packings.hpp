@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "foundation/random.hpp"
+#include "geometry/surface.hpp"
 #include "models/bunch/fruit/berry_meridian.hpp"
 #include "models/bunch/fruit/berry_surfaces.hpp"
-#include "geometry/surface.hpp"
 
 namespace panicle::test {
 

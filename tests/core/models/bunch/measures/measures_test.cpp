@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
 #include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/measures/measures_compactness.hpp"
 #include "models/bunch/measures/measures_form.hpp"
-#include "foundation/mathematics.hpp"
-#include "foundation/random.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/bunch/natural/ripening.hpp"
 #include "foundation/mathematics.hpp"
+#include "models/bunch/natural/ripening.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;

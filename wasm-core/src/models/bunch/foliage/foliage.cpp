@@ -8,14 +8,15 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "models/bunch/foliage/leaf.hpp"
 #include "geometry/tubes.hpp"
+#include "models/bunch/foliage/leaf.hpp"
 
 namespace panicle::bunch {
 namespace {
 
 constexpr std::uint32_t most_leaves = 5;
 constexpr std::uint32_t sides = 12;
+constexpr std::int32_t cane_group = -1;
 constexpr float between_berries_and_leaf = 0.008f;
 constexpr float blade_in_midribs = 1.25f;  // its length from the petiole sinus to the tip
 
@@ -73,10 +74,10 @@ class Shoot {
     return low + (high - low) * random_unit(seed_, hash_text(what), address);
   }
 
-  void internode(std::int32_t parent, std::int32_t axis, const glm::vec3& from, const glm::vec3& to, float radius,
-                 float radius_end) {
-    skeleton_.push_back(
-        {parent, axis < 0 ? Kind::rachis : Kind::axis, State::grown, axis, from, to, radius, radius_end});
+  void stem(std::int32_t parent, std::int32_t group, const glm::vec3& from, const glm::vec3& to, float radius,
+            float radius_end) {
+    stems_.push_back({parent, 0, from, to, radius, radius_end});
+    groups_.push_back(group);
   }
 
   // From one cut end to the other by three nodes, between which it goes a little to and fro, as shoots do.
@@ -96,7 +97,7 @@ class Shoot {
     for (std::size_t i = 0; i + 1 < std::size(ends); ++i) {
       const float taper = 1 - 0.05f * static_cast<float>(i);
       const float start = i == 0 ? 0.8f * radius : radius * taper;  // ends are drawn wider than nodes
-      internode(static_cast<std::int32_t>(i) - 1, -1, places_[i], places_[i + 1], start, radius * (taper - 0.05f));
+      stem(static_cast<std::int32_t>(i) - 1, cane_group, places_[i], places_[i + 1], start, radius * (taper - 0.05f));
     }
   }
 
@@ -105,10 +106,9 @@ class Shoot {
     const glm::vec3 from = places_[2];
     const glm::vec3 to(0, -0.5f * rachis_radius_, 0);
     const glm::vec3 middle = from + 0.5f * (to - from) + glm::vec3(between("peduncle", 0, -0.003f, 0.003f), 0, 0.003f);
-    const auto axis = static_cast<std::int32_t>(leaves_);
-    internode(1, axis, from, middle, 1.15f * rachis_radius_, 1.1f * rachis_radius_);
-    internode(static_cast<std::int32_t>(skeleton_.size()) - 1, axis, middle, to, 1.1f * rachis_radius_,
-              1.1f * rachis_radius_);
+    const auto group = static_cast<std::int32_t>(leaves_);
+    stem(1, group, from, middle, 1.15f * rachis_radius_, 1.1f * rachis_radius_);
+    stem(static_cast<std::int32_t>(stems_.size()) - 1, group, middle, to, 1.1f * rachis_radius_, 1.1f * rachis_radius_);
   }
 
   void place_leaf(std::uint32_t k) {
@@ -167,18 +167,18 @@ class Shoot {
     const float length = glm::length(base - from);
     const glm::vec3 middle = from + 0.55f * (base - from) + length * (glm::vec3(0, 0.10f, 0) - 0.14f * upwards);
     const float radius = within(0.019f * midrib, 0.0009f, 0.0018f);
-    const auto axis = static_cast<std::int32_t>(k);
-    internode(at - 1, axis, from, middle, 1.3f * radius, radius);
-    internode(static_cast<std::int32_t>(skeleton_.size()) - 1, axis, middle, base, radius, 0.9f * radius);
+    const auto group = static_cast<std::int32_t>(k);
+    stem(at - 1, group, from, middle, 1.3f * radius, radius);
+    stem(static_cast<std::int32_t>(stems_.size()) - 1, group, middle, base, radius, 0.9f * radius);
   }
 
   void sweep() {
-    StemMesh stem = sweep_stems(skeleton_, {sides}, 1);
-    for (const StemPart& part : stem.parts) {
-      const auto kind = part.axis < 0 ? FoliagePart::Kind::cane : FoliagePart::Kind::petiole;
+    StemMesh swept = sweep_stems({stems_, groups_}, {sides}, 1);
+    for (const StemPart& part : swept.parts) {
+      const auto kind = part.group == cane_group ? FoliagePart::Kind::cane : FoliagePart::Kind::petiole;
       foliage_.parts.push_back({kind, part.first_vertex, part.vertex_count, part.first_index, part.index_count});
     }
-    foliage_.mesh = std::move(stem.mesh);
+    foliage_.mesh = std::move(swept.mesh);
   }
 
   void append(const Mesh& part, FoliagePart::Kind kind) {
@@ -199,7 +199,8 @@ class Shoot {
   const float mirror_;        // which way round the whole stands
   const float grown_;         // how large leaves are by now
   glm::vec3 places_[5] = {};  // cut end, three nodes, cut end
-  std::vector<Internode> skeleton_;
+  std::vector<Segment> stems_;
+  std::vector<std::int32_t> groups_;  // the cane's, then a petiole's each, in the order of leaves; the peduncle's last
   Mesh leaf_meshes_[most_leaves];
   Foliage foliage_;
 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "models/bunch/fruit/berry_body.hpp"
-#include "geometry/wrinkles.hpp"
+#include "models/bunch/fruit/wrinkles.hpp"
 
 namespace panicle::bunch {
 

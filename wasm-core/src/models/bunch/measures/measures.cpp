@@ -4,12 +4,12 @@
 #include <limits>
 #include <utility>
 
+#include "foundation/mathematics.hpp"
 #include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/measures/measures_compactness.hpp"
 #include "models/bunch/measures/measures_fit.hpp"
 #include "models/bunch/measures/measures_form.hpp"
 #include "models/bunch/measures/measures_visibility.hpp"
-#include "foundation/mathematics.hpp"
 
 namespace panicle::bunch {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "models/bunch/grown.hpp"
 #include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/grown.hpp"
 
 namespace panicle::bunch {
 

@@ -7,19 +7,19 @@
 #include <string>
 #include <utility>
 
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
 #include "models/bunch/builtin_grammars.hpp"
-#include "models/bunch/natural/exposure.hpp"
 #include "models/bunch/foliage/foliage.hpp"
-#include "models/bunch/natural/fruit_set.hpp"
+#include "models/bunch/fruit/flower.hpp"
 #include "models/bunch/measures/measures.hpp"
+#include "models/bunch/natural/exposure.hpp"
+#include "models/bunch/natural/fruit_set.hpp"
 #include "models/bunch/natural/natural_plan.hpp"
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/natural/sprouting.hpp"
-#include "models/bunch/stock.hpp"
 #include "models/bunch/natural/swelling.hpp"
-#include "foundation/mathematics.hpp"
-#include "foundation/random.hpp"
-#include "models/bunch/fruit/flower.hpp"
+#include "models/bunch/stock.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -76,7 +76,7 @@ class NaturalGrowth {
   // Derives one bunch and interprets it.
   Diagnostic sprout_one(const Profile& profile, std::uint64_t seed, std::uint32_t index, std::int32_t first_axis,
                         float lean) {
-    plans_.push_back(make_natural_plan(profile, values_, static_cast<float>(limits_.berries)));
+    plans_.push_back(make_natural_plan(profile, values_, static_cast<float>(limits_.bodies)));
     const NaturalPlan& plan = plans_.back();
     (index ? grown_.second.emplace() : grown_.plan) = plan.plan;
     bounds_.push_back({plan.envelope, lean});
@@ -151,7 +151,7 @@ class NaturalGrowth {
   float most_berries() const {
     float room = 0;
     for (const NaturalPlan& plan : plans_) room += plan.room;
-    return std::min(room, static_cast<float>(limits_.berries));
+    return std::min(room, static_cast<float>(limits_.bodies));
   }
 
   // Decides which flowers set: by density, or as many as were asked for.
@@ -163,11 +163,11 @@ class NaturalGrowth {
     } else {
       set_ = choose_set(buds_, fill_of(value(Parameter::density)), size);
       const auto setting = std::count_if(set_.begin(), set_.end(), [](float share) { return share > 0; });
-      full = setting > static_cast<std::ptrdiff_t>(limits_.berries);
+      full = setting > static_cast<std::ptrdiff_t>(limits_.bodies);
       if (full) set_ = choose_count(buds_, most, size);
     }
     if (full)
-      grown_.notes.push_back("A bunch has " + std::to_string(limits_.berries) +
+      grown_.notes.push_back("A bunch has " + std::to_string(limits_.bodies) +
                              " berries at the most; larger berries or a smaller profile fill the outline.");
   }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/bunch/natural/neighbours.hpp"
 #include "foundation/mathematics.hpp"
+#include "models/bunch/natural/neighbours.hpp"
 
 namespace panicle::bunch {
 namespace {
