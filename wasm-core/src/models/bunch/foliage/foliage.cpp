@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <iterator>
 
+#include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "geometry/tubes.hpp"
@@ -22,11 +23,6 @@ constexpr float blade_in_midribs = 1.25f;  // its length from the petiole sinus 
 
 float within(float value, float least, float most) {
   return value >= least ? std::min(value, most) : least;  // not a number: the least
-}
-
-float smooth(float t) {
-  t = within(t, 0, 1);
-  return t * t * (3 - 2 * t);
 }
 
 // Where a leaf stands: at which node of the cane (−1, 0, 1, before the sides are drawn), how far its blade is from
@@ -58,7 +54,7 @@ class Shoot {
         rachis_radius_(within(options.peduncle_radius, 0.0005f, 0.01f)),
         bunch_radius_(within(options.bunch_width, 0, 1) / 2),
         mirror_(random_unit(seed_, hash_text("foliage side"), 0) < 0.5f ? -1.0f : 1.0f),
-        grown_(0.62f + 0.38f * smooth(age_ / 50)) {}
+        grown_(0.62f + 0.38f * smooth_step(0, 50, age_)) {}
 
   Foliage grow() {
     lay_cane();
@@ -86,7 +82,7 @@ class Shoot {
     const float rise = between("cane", 1, -0.06f, 0.12f);  // along x
     const float arch = between("cane", 2, 0.2f, 0.6f);     // down to both ends, per metre
     const float turn = between("cane", 3, -0.15f, 0.15f);
-    const float radius = 0.5f * between("cane", 4, 0.0064f, 0.0088f) * (0.8f + 0.2f * smooth(age_ / 60));
+    const float radius = 0.5f * between("cane", 4, 0.0064f, 0.0088f) * (0.8f + 0.2f * smooth_step(0, 60, age_));
     const float ends[] = {-between("cane", 5, 0.085f, 0.118f), -between("cane", 6, 0.062f, 0.075f), 0,
                           between("cane", 7, 0.062f, 0.075f), between("cane", 8, 0.085f, 0.118f)};
     for (std::size_t i = 0; i < std::size(ends); ++i) {
@@ -117,9 +113,9 @@ class Shoot {
     const auto sided = [&](glm::vec3 v) { return glm::vec3(v.x * mirror_, v.y, v.z); };
     const float suited = within(0.045f + 1.0f * bunch_radius_, 0.08f, 0.14f);
     const float blade = within(suited * stand.size * (1 + vary(0, 0.08f)), 0.08f, 0.14f) * grown_;
-    const float late = smooth((age_ - 95) / 30);
+    const float late = smooth_step(95, 125, age_);
 
-    Mesh mesh = make_leaf({hash_combine(seed_, k), 0.25f + 0.75f * smooth(age_ / 30), late});
+    Mesh mesh = make_leaf({hash_combine(seed_, k), 0.25f + 0.75f * smooth_step(0, 30, age_), late});
     const glm::vec3 upwards =
         glm::normalize(sided(stand.upwards) + glm::vec3(vary(1, 0.18f), vary(2, 0.15f), vary(3, 0.1f)));
     glm::vec3 tip = sided(stand.tip) + glm::vec3(vary(4, 0.15f), vary(5, 0.18f) - 0.25f * late, vary(6, 0.1f));

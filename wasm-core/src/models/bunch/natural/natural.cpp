@@ -36,8 +36,6 @@ std::uint32_t segments_for(std::size_t berries) {
   return berries <= 80 ? 24 : berries <= 160 ? 20 : berries <= 320 ? 18 : 16;
 }
 
-float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
-
 class NaturalGrowth {
  public:
   NaturalGrowth(const Request& request, const Values& values, const Limits& limits, Grown& grown)
