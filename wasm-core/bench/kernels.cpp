@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "foundation/random.hpp"
-#include "geometry/tubes.hpp"
 #include "lsystem/lsystem.hpp"
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/paper/interaction.hpp"
 #include "models/bunch/parameters.generated.hpp"
+#include "models/bunch/stems.hpp"
 
 namespace panicle::bench {
 namespace {
@@ -70,15 +70,15 @@ double probe(std::uint32_t berries) {
   return berries;
 }
 
-double tubes(const std::vector<Internode>& skeleton) {
-  return static_cast<double>(sweep_stems(skeleton, {12}, 0.00025f).internode.size());
+double tubes(const std::vector<bunch::Internode>& skeleton) {
+  return static_cast<double>(bunch::sweep_internodes(skeleton, {12}, 0.00025f).segment.size());
 }
 
-std::vector<Internode> skeleton_of(std::uint32_t internodes) {
+std::vector<bunch::Internode> skeleton_of(std::uint32_t internodes) {
   const auto grown = bunch::grow(longer_bunch(internodes / 199 + 1));
   if (!grown) return {};
-  std::vector<Internode> skeleton = grown->internodes;
-  for (Internode& internode : skeleton) {
+  std::vector<bunch::Internode> skeleton = grown->internodes;
+  for (bunch::Internode& internode : skeleton) {
     internode.start *= 4000.0f;
     internode.end *= 4000.0f;
     internode.radius *= 4000.0f;
@@ -90,7 +90,7 @@ std::vector<Internode> skeleton_of(std::uint32_t internodes) {
 }  // namespace
 
 double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds) {
-  static std::vector<Internode> skeleton;  // grown before the clock starts: a call with no rounds prepares it
+  static std::vector<bunch::Internode> skeleton;  // grown before the clock starts: a call with no rounds prepares it
   if (kernel == Kernel::tubes && skeleton.empty()) skeleton = skeleton_of(size);
   double work = 0;
   for (std::uint32_t round = 0; round < rounds && work >= 0; ++round) {

@@ -15,44 +15,56 @@ using namespace panicle::test;
 
 namespace {
 
-Internode internode(std::int32_t parent, Kind kind, std::int32_t axis, glm::vec3 start, glm::vec3 end,
-                    float radius = 7) {
-  return {parent, kind, State::grown, axis, start, end, radius, radius * 0.98f};
+constexpr StemEnd flared{.flare = 0.35f, .height = 0.35f};
+constexpr StemEnd shrunk{.body = 0.75f, .tip = 0.5f, .height = 0.7f};
+
+struct Skeleton {
+  std::vector<Segment> segments;
+  std::vector<std::int32_t> groups;
+  std::vector<StemEnd> ends;
+
+  void add(std::int32_t parent, std::int32_t group, glm::vec3 start, glm::vec3 end, float radius = 7,
+           StemEnd shape = {}) {
+    segments.push_back({parent, 0, start, end, radius, radius * 0.98f});
+    groups.push_back(group);
+    ends.push_back(shape);
+  }
+  StemMesh swept(const TubeOptions& options, float scale) const {
+    return sweep_stems({segments, groups, ends}, options, scale);
+  }
+  std::size_t size() const { return segments.size(); }
+};
+
+// A stem with two branches; it and the first branch end in a fork whose twigs are flared, one of them shrunk.
+Skeleton small_panicle() {
+  Skeleton panicle;
+  panicle.add(-1, -1, {0, 0, 0}, {0, -50, 0});
+  panicle.add(0, -1, {0, -50, 0}, {2, -100, 0});
+  panicle.add(1, -1, {2, -100, 0}, {2, -130, 1});
+  panicle.add(2, -1, {2, -130, 1}, {2, -175, 1}, 6, flared);
+  panicle.add(2, -1, {2, -130, 1}, {40, -152, 1}, 6, flared);
+  panicle.add(2, -1, {2, -130, 1}, {-6, -136, 1}, 6, shrunk);
+  panicle.add(0, 0, {0, -50, 0}, {43, -75, 0}, 6.5f);
+  panicle.add(6, 0, {43, -75, 0}, {70, -90, 0}, 6);
+  panicle.add(7, 0, {70, -90, 0}, {110, -110, 0}, 5.5f, flared);
+  panicle.add(1, 1, {2, -100, 0}, {-40, -120, 0}, 5, flared);
+  return panicle;
 }
 
-// A rachis with two first-order axes, each with an end structure of three pedicels, one of them withered.
-std::vector<Internode> small_bunch() {
-  std::vector<Internode> bunch = {
-      internode(-1, Kind::rachis, -1, {0, 0, 0}, {0, -50, 0}),
-      internode(0, Kind::rachis, -1, {0, -50, 0}, {2, -100, 0}),
-      internode(1, Kind::end, -1, {2, -100, 0}, {2, -130, 1}),
-      internode(2, Kind::pedicel, -1, {2, -130, 1}, {2, -175, 1}, 6),
-      internode(2, Kind::pedicel, -1, {2, -130, 1}, {40, -152, 1}, 6),
-      internode(2, Kind::pedicel, -1, {2, -130, 1}, {-6, -136, 1}, 6),
-      internode(0, Kind::axis, 0, {0, -50, 0}, {43, -75, 0}, 6.5f),
-      internode(6, Kind::end, 0, {43, -75, 0}, {70, -90, 0}, 6),
-      internode(7, Kind::pedicel, 0, {70, -90, 0}, {110, -110, 0}, 5.5f),
-      internode(1, Kind::pedicel, 1, {2, -100, 0}, {-40, -120, 0}, 5),
-  };
-  bunch[5].state = State::withered;
-  return bunch;
-}
-
-// Any skeleton at all: wild turns, internodes without length, thin, thick, detached, from near the origin to far away.
-std::vector<Internode> random_skeleton(std::uint64_t seed) {
-  std::vector<Internode> skeleton;
+// Any skeleton at all: wild turns, segments without length, thin, thick, detached, from near the origin to far away.
+Skeleton random_skeleton(std::uint64_t seed) {
+  Skeleton skeleton;
   const auto unit = [&](std::uint64_t stream, std::uint64_t i) { return random_unit(seed, stream, i); };
   const std::uint64_t count = 1 + static_cast<std::uint64_t>(random_integer(seed, 1, 0, 0, 60));
   const float unit_length = 50 * power(10, static_cast<float>(random_integer(seed, 1, 1, -4, 3)));
   const glm::vec3 middle = unit(1, 2) < 0.2f ? glm::vec3(40 * unit_length) : glm::vec3(0);
   for (std::uint64_t i = 0; i < count; ++i) {
-    Internode next;
+    Segment next;
     next.parent =
         random_integer(seed, 2, i, i > 8 ? static_cast<std::int32_t>(i) - 8 : -1, static_cast<std::int32_t>(i) - 1);
-    next.kind = static_cast<Kind>(random_integer(seed, 3, i, 0, 3));
-    next.state = unit(4, i) < 0.3f ? State::withered : State::grown;
-    next.axis = random_integer(seed, 5, i / 6, -1, 4);
-    next.start = next.parent < 0 ? middle : skeleton[static_cast<std::size_t>(next.parent)].end;
+    const bool stub = random_integer(seed, 3, i, 0, 3) < 3;
+    const StemEnd fruiting = unit(4, i) < 0.3f ? shrunk : flared;
+    next.start = next.parent < 0 ? middle : skeleton.segments[static_cast<std::size_t>(next.parent)].end;
     if (unit(6, i) < 0.05f) next.start += random_direction(seed, 7, i) * unit_length;
     const float lengths[] = {1, 1, 0.6f, 0.1f, 1e-3f, 1e-6f, 0};
     const float length = unit_length * lengths[random_integer(seed, 8, i, 0, 6)];
@@ -60,29 +72,31 @@ std::vector<Internode> random_skeleton(std::uint64_t seed) {
     const float radii[] = {0.15f, 0.15f, 0.1f, 0.5f, 1e-3f, 0};
     next.radius = unit_length * radii[random_integer(seed, 10, i, 0, 5)];
     next.radius_end = next.radius * (0.5f + unit(11, i));
-    skeleton.push_back(next);
+    skeleton.segments.push_back(next);
+    skeleton.groups.push_back(random_integer(seed, 5, i / 6, -1, 4));
+    skeleton.ends.push_back(stub ? StemEnd{} : fruiting);
   }
   return skeleton;
 }
 
-void check_stems(const StemMesh& stem, std::size_t internodes) {
+void check_stems(const StemMesh& stem, std::size_t segments) {
   check_sound(stem.mesh);
-  REQUIRE(stem.internode.size() == stem.mesh.positions.size() / 3);
-  CHECK(std::all_of(stem.internode.begin(), stem.internode.end(), [&](std::uint32_t i) { return i < internodes; }));
+  REQUIRE(stem.segment.size() == stem.mesh.positions.size() / 3);
+  CHECK(std::all_of(stem.segment.begin(), stem.segment.end(), [&](std::uint32_t i) { return i < segments; }));
   std::uint32_t vertex = 0, index = 0;
   for (std::size_t p = 0; p < stem.parts.size(); ++p) {
     const StemPart& part = stem.parts[p];
     CHECK(part.first_vertex == vertex);
     CHECK(part.first_index == index);
     CHECK(part.index_count > 0);
-    if (p > 0) CHECK(part.axis > stem.parts[p - 1].axis);
+    if (p > 0) CHECK(part.group > stem.parts[p - 1].group);
     const auto first = stem.mesh.indices.begin() + index;
     CHECK(std::all_of(first, first + part.index_count,
                       [&](std::uint32_t i) { return i >= vertex && i < vertex + part.vertex_count; }));
     vertex += part.vertex_count;
     index += part.index_count;
   }
-  CHECK(vertex == stem.internode.size());
+  CHECK(vertex == stem.segment.size());
   CHECK(index == stem.mesh.indices.size());
 }
 
@@ -110,10 +124,9 @@ constexpr TubeOptions twelve{12};
 
 }  // namespace
 
-TEST_CASE("a straight internode is one closed tube of about a cylinder's volume, from end to end") {
-  std::vector<Internode> skeleton = {internode(-1, Kind::rachis, -1, {0, 0, 0}, {0, -100, 0}, 5)};
-  skeleton[0].radius_end = 5;
-  const StemMesh stem = sweep_stems(skeleton, {64}, 0.00025f);
+TEST_CASE("a straight segment is one closed tube of about a cylinder's volume, from end to end") {
+  const Segment segment{-1, 0, {0, 0, 0}, {0, -100, 0}, 5, 5};
+  const StemMesh stem = sweep_stems({{&segment, 1}}, {64}, 0.00025f);
   check_stems(stem, 1);
   check_tubes_closed(stem);
   CHECK(share_turned(stem.mesh) == 0);
@@ -133,37 +146,35 @@ TEST_CASE("a straight internode is one closed tube of about a cylinder's volume,
   CHECK(furthest < 6.5f * 0.00025f);
 }
 
-TEST_CASE("internodes of one axis are one tube; branches, and pedicels beside the middle one, are tubes of their own") {
-  const std::vector<Internode> bunch = small_bunch();
-  const StemMesh stem = sweep_stems(bunch, twelve, 0.00025f);
-  check_stems(stem, bunch.size());
+TEST_CASE("segments of one axis are one tube; branches, and twigs beside the middle one, are tubes of their own") {
+  const Skeleton panicle = small_panicle();
+  const StemMesh stem = panicle.swept(twelve, 0.00025f);
+  check_stems(stem, panicle.size());
   check_tubes_closed(stem);
   CHECK(share_turned(stem.mesh) < 0.01);
   REQUIRE(stem.parts.size() == 3);
-  CHECK(stem.parts[0].axis == -1);
-  CHECK(stem.parts[1].axis == 0);
-  CHECK(stem.parts[2].axis == 1);
-  CHECK(tubes_of(stem).size() - 1 ==
-        3 + 1 + 1);  // rachis with its middle pedicel, two beside it; an axis; a lone pedicel
-  CHECK(std::set<std::uint32_t>(stem.internode.begin(), stem.internode.end()).size() == bunch.size());
+  CHECK(stem.parts[0].group == -1);
+  CHECK(stem.parts[1].group == 0);
+  CHECK(stem.parts[2].group == 1);
+  CHECK(tubes_of(stem).size() - 1 == 3 + 1 + 1);  // the stem with its middle twig, two beside it; a branch; a lone twig
+  CHECK(std::set<std::uint32_t>(stem.segment.begin(), stem.segment.end()).size() == panicle.size());
 }
 
-TEST_CASE("vertices of an internode stay near it") {
-  const std::vector<Internode> bunch = small_bunch();
-  const StemMesh stem = sweep_stems(bunch, twelve, 1);
-  for (std::uint32_t i = 0; i < stem.internode.size(); ++i) {
-    const Internode& near = bunch[stem.internode[i]];
+TEST_CASE("vertices of a segment stay near it") {
+  const Skeleton panicle = small_panicle();
+  const StemMesh stem = panicle.swept(twelve, 1);
+  for (std::uint32_t i = 0; i < stem.segment.size(); ++i) {
+    const Segment& near = panicle.segments[stem.segment[i]];
     const glm::dvec3 p = position_of(stem.mesh, i), a = near.start, b = near.end;
     const double along = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
     CHECK(glm::length(p - (a + (b - a) * along)) < 2.2 * near.radius);
   }
 }
 
-TEST_CASE("a pedicel widens under its berry, a withered one narrows to its tip") {
-  std::vector<Internode> pedicel = {internode(-1, Kind::pedicel, 0, {0, 0, 0}, {0, -60, 0}, 5)};
-  pedicel[0].radius_end = 5;
-  const auto widest_below = [&](float y) {
-    const StemMesh stem = sweep_stems(pedicel, twelve, 1);
+TEST_CASE("an axis ends in the shape that it is given") {
+  const Segment twig{-1, 0, {0, 0, 0}, {0, -60, 0}, 5, 5};
+  const auto widest_below = [&](float y, const StemEnd& end) {
+    const StemMesh stem = sweep_stems({{&twig, 1}, {}, {&end, 1}}, twelve, 1);
     float widest = 0;
     for (std::size_t i = 0; i < stem.mesh.positions.size(); i += 3) {
       if (stem.mesh.positions[i + 1] > y) continue;
@@ -171,20 +182,26 @@ TEST_CASE("a pedicel widens under its berry, a withered one narrows to its tip")
     }
     return widest;
   };
-  CHECK(widest_below(-55) > 6);
-  pedicel[0].state = State::withered;
-  CHECK(widest_below(-55) < 4);
-  pedicel[0].kind = Kind::axis;
-  CHECK(widest_below(-55) == doctest::Approx(5).epsilon(0.15));
+  CHECK(widest_below(-55, flared) > 6);
+  CHECK(widest_below(-55, shrunk) < 4);
+  CHECK(widest_below(-55, {}) == doctest::Approx(5).epsilon(0.15));
+  // A rounded end is as high as it is told.
+  const auto lowest = [&](const StemEnd& end) {
+    const Mesh mesh = sweep_stems({{&twig, 1}, {}, {&end, 1}}, twelve, 1).mesh;
+    float y = 0;
+    for (std::size_t i = 1; i < mesh.positions.size(); i += 3) y = std::min(y, mesh.positions[i]);
+    return y;
+  };
+  CHECK(lowest({.height = 0.5f}) == doctest::Approx(-62.5).epsilon(0.005));
+  CHECK(lowest({.height = 2}) == doctest::Approx(-70).epsilon(0.005));
 }
 
 TEST_CASE("a branch begins within its bearer and spreads where it leaves it") {
-  std::vector<Internode> skeleton = {
-      internode(-1, Kind::rachis, -1, {0, 0, 0}, {0, -50, 0}, 7),
-      internode(0, Kind::rachis, -1, {0, -50, 0}, {0, -100, 0}, 7),
-      internode(0, Kind::axis, 0, {0, -50, 0}, {50, -50, 0}, 4),
-  };
-  const StemMesh stem = sweep_stems(skeleton, twelve, 1);
+  Skeleton skeleton;
+  skeleton.add(-1, -1, {0, 0, 0}, {0, -50, 0}, 7);
+  skeleton.add(0, -1, {0, -50, 0}, {0, -100, 0}, 7);
+  skeleton.add(0, 0, {0, -50, 0}, {50, -50, 0}, 4);
+  const StemMesh stem = skeleton.swept(twelve, 1);
   const StemPart& branch = stem.parts.at(1);
   double agreement = 1;
   std::uint32_t at_surface = 0;
@@ -210,9 +227,8 @@ TEST_CASE("a branch begins within its bearer and spreads where it leaves it") {
 }
 
 TEST_CASE("texture: u once round, v one unit to a circumference") {
-  std::vector<Internode> skeleton = {internode(-1, Kind::axis, -1, {0, 0, 0}, {0, -200, 0}, 5)};
-  skeleton[0].radius_end = 5;
-  const StemMesh stem = sweep_stems(skeleton, twelve, 1);
+  const Segment segment{-1, 0, {0, 0, 0}, {0, -200, 0}, 5, 5};
+  const StemMesh stem = sweep_stems({{&segment, 1}}, twelve, 1);
   float most_v = 0;
   for (std::size_t i = 0; i < stem.mesh.uvs.size(); i += 2) {
     REQUIRE(stem.mesh.uvs[i] >= 0);
@@ -224,33 +240,32 @@ TEST_CASE("texture: u once round, v one unit to a circumference") {
 }
 
 TEST_CASE("sides are kept within 3 … 64; nothing makes nothing") {
-  const std::vector<Internode> bunch = small_bunch();
-  CHECK(sweep_stems(bunch, {0}, 1).mesh.positions == sweep_stems(bunch, {3}, 1).mesh.positions);
-  CHECK(sweep_stems(bunch, {9999}, 1).mesh.positions == sweep_stems(bunch, {64}, 1).mesh.positions);
+  const Skeleton panicle = small_panicle();
+  CHECK(panicle.swept({0}, 1).mesh.positions == panicle.swept({3}, 1).mesh.positions);
+  CHECK(panicle.swept({9999}, 1).mesh.positions == panicle.swept({64}, 1).mesh.positions);
   const StemMesh none = sweep_stems({}, twelve, 1);
   CHECK(none.parts.empty());
   CHECK(none.mesh.indices.empty());
 }
 
-TEST_CASE("internodes without length, turns back and what is not finite do no harm") {
+TEST_CASE("segments without length, turns back and what is not finite do no harm") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
-  std::vector<Internode> skeleton = {
-      internode(-1, Kind::rachis, -1, {0, 0, 0}, {0, -50, 0}),
-      internode(0, Kind::rachis, -1, {0, -50, 0}, {0, -50, 0}),
-      internode(1, Kind::rachis, -1, {0, -50, 0}, {0, -50.00001f, 0}),
-      internode(2, Kind::rachis, -1, {0, -50, 0}, {3, -1, 0}),   // straight back
-      internode(3, Kind::rachis, -1, {3, -1, 0}, {50, -30, 0}),  // by 125°
-      internode(4, Kind::axis, 0, {50, -30, 0}, {nan, 0, 0}),
-      internode(5, Kind::axis, 0, {60, -30, 0}, {100, -30, 0}),
-      internode(6, Kind::axis, 0, {100, -30, 0}, {infinity, 0, 0}),
-      internode(6, Kind::pedicel, 0, {100, -30, 0}, {130, -30, 0}, 0),
-      internode(8, Kind::pedicel, 0, {130, -30, 0}, {130, -60, 0}, nan),
-      internode(99, Kind::axis, 1, {0, 0, 0}, {0, 30, 0}),
-      internode(11, Kind::axis, 1, {0, 0, 0}, {0, 0, 30}),
-      internode(-1, Kind::axis, 1, {3e30f, 0, 0}, {0, 0, 30}),
-  };
-  const StemMesh stem = sweep_stems(skeleton, twelve, 0.00025f);
+  Skeleton skeleton;
+  skeleton.add(-1, -1, {0, 0, 0}, {0, -50, 0});
+  skeleton.add(0, -1, {0, -50, 0}, {0, -50, 0});
+  skeleton.add(1, -1, {0, -50, 0}, {0, -50.00001f, 0});
+  skeleton.add(2, -1, {0, -50, 0}, {3, -1, 0});   // straight back
+  skeleton.add(3, -1, {3, -1, 0}, {50, -30, 0});  // by 125°
+  skeleton.add(4, 0, {50, -30, 0}, {nan, 0, 0});
+  skeleton.add(5, 0, {60, -30, 0}, {100, -30, 0});
+  skeleton.add(6, 0, {100, -30, 0}, {infinity, 0, 0});
+  skeleton.add(6, 0, {100, -30, 0}, {130, -30, 0}, 0, flared);
+  skeleton.add(8, 0, {130, -30, 0}, {130, -60, 0}, nan, flared);
+  skeleton.add(99, 1, {0, 0, 0}, {0, 30, 0});
+  skeleton.add(11, 1, {0, 0, 0}, {0, 0, 30});
+  skeleton.add(-1, 1, {3e30f, 0, 0}, {0, 0, 30});
+  const StemMesh stem = skeleton.swept(twelve, 0.00025f);
   check_stems(stem, skeleton.size());
   check_tubes_closed(stem);
   CHECK(stem.parts.size() == 3);
@@ -261,9 +276,9 @@ TEST_CASE("any skeleton makes closed, sound tubes") {
   std::size_t tubes = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     CAPTURE(seed);
-    const std::vector<Internode> skeleton = random_skeleton(seed);
+    const Skeleton skeleton = random_skeleton(seed);
     const std::uint32_t sides = static_cast<std::uint32_t>(random_integer(seed, 20, 0, 3, 20));
-    const StemMesh stem = sweep_stems(skeleton, {sides}, 0.00025f);
+    const StemMesh stem = skeleton.swept({sides}, 0.00025f);
     check_stems(stem, skeleton.size());
     check_tubes_closed(stem);
     worst_turned = std::max(worst_turned, share_turned(stem.mesh));
@@ -274,36 +289,36 @@ TEST_CASE("any skeleton makes closed, sound tubes") {
 }
 
 TEST_CASE("scale only scales, and the same skeleton gives the same bytes") {
-  const std::vector<Internode> bunch = small_bunch();
-  const StemMesh one = sweep_stems(bunch, twelve, 1);
-  const StemMesh half = sweep_stems(bunch, twelve, 0.5f);
+  const Skeleton panicle = small_panicle();
+  const StemMesh one = panicle.swept(twelve, 1);
+  const StemMesh half = panicle.swept(twelve, 0.5f);
   REQUIRE(one.mesh.positions.size() == half.mesh.positions.size());
   CHECK(std::equal(one.mesh.positions.begin(), one.mesh.positions.end(), half.mesh.positions.begin(),
                    [](float whole, float scaled) { return whole * 0.5f == scaled; }));
   CHECK(one.mesh.normals == half.mesh.normals);
   CHECK(one.mesh.uvs == half.mesh.uvs);
-  CHECK(sweep_stems(bunch, twelve, 1).mesh.positions == one.mesh.positions);
+  CHECK(panicle.swept(twelve, 1).mesh.positions == one.mesh.positions);
 }
 
 TEST_CASE("a skeleton too large for smooth tubes gets fewer sides, then fewer rings") {
-  std::vector<Internode> skeleton;
+  Skeleton skeleton;
   for (std::int32_t i = 0; i < 400; ++i) {
     const glm::vec3 start(static_cast<float>(i % 20) * 60, static_cast<float>(i / 20) * 60, 0);
-    skeleton.push_back(internode(-1, Kind::axis, -1, start, start + glm::vec3(0, 50, 0)));
+    skeleton.add(-1, -1, start, start + glm::vec3(0, 50, 0));
   }
   std::size_t before = 1000000;
   for (const std::uint64_t most : {100000, 50000, 30000, 14000}) {
-    const StemMesh stem = sweep_stems(skeleton, {12, most}, 1);
+    const StemMesh stem = skeleton.swept({12, most}, 1);
     check_sound(stem.mesh);
-    CHECK(stem.internode.size() <= most);
-    CHECK(stem.internode.size() < before);
-    before = stem.internode.size();
+    CHECK(stem.segment.size() <= most);
+    CHECK(stem.segment.size() < before);
+    before = stem.segment.size();
   }
 }
 
 TEST_CASE("numbers of a fixed skeleton") {
-  const StemMesh stem = sweep_stems(small_bunch(), twelve, 0.00025f);
-  CHECK(stem.internode.size() == 1310);
+  const StemMesh stem = small_panicle().swept(twelve, 0.00025f);
+  CHECK(stem.segment.size() == 1310);
   CHECK(stem.mesh.indices.size() / 3 == 2400);
   CHECK(surface_of(stem.mesh, 0, stem.parts[0].index_count).volume * 1e9 == doctest::Approx(423.724).epsilon(1e-4));
   Fingerprint fingerprint;  // changes when tubes are shaped anew, never between toolchains

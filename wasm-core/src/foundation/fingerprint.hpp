@@ -1,5 +1,5 @@
 // The fingerprint: FNV-1a, 64 bits wide, fed whole 32-bit words instead of bytes (Fowler, Noll, Vo; prime and start
-// are theirs). docs/fingerprint.md says which words a bunch is, so that anyone can compute it again from the JSON.
+// are theirs). docs/fingerprint.md says which words a result is, so that anyone can compute it again from the JSON.
 #pragma once
 
 #include <cstdint>

@@ -12,9 +12,9 @@ struct Limits {
   std::uint32_t evaluations = 50'000'000;  // productions applied in one derivation
   std::uint32_t depth = 100'000;           // open brackets while interpreting
   std::uint32_t spheres = 100'000;         // spheres in one environment
-  std::uint32_t internodes = 100'000;      // internodes in one result
-  std::uint32_t flowers = 20'000;          // of a natural bunch
-  std::uint32_t berries = 3000;            // likewise
+  std::uint32_t segments = 100'000;        // stems in one result
+  std::uint32_t organs = 20'000;           // what may grow on them
+  std::uint32_t bodies = 3000;             // of these, what presses against each other
 };
 
 }  // namespace panicle

@@ -180,6 +180,8 @@ float logarithm(float x) {
   return static_cast<float>(logarithm_of(x));
 }
 
+float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
+
 float power(float base, float exponent) {
   if (base == 1 || exponent == 0) return 1;
   if (std::isnan(base) || std::isnan(exponent)) return not_a_number;

@@ -20,5 +20,6 @@ float arc_tangent(float y, float x);   // (−π, π], the angle of (x, y) from 
 float exponential(float x);
 float logarithm(float x);                 // x > 0; −∞ at 0, NaN below
 float power(float base, float exponent);  // as C's pow
+float cube_root(float x);                 // 0 below 0
 
 }  // namespace panicle

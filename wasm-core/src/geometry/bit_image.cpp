@@ -75,6 +75,13 @@ std::int64_t BitImage::count_common(const BitImage& other) const {
   return sum;
 }
 
+// Bits beyond the last column are clear.
+void BitImage::clear_margin() {
+  const std::int32_t rest = columns_ % word_bits;
+  if (rest == 0) return;
+  for (std::int32_t row = 0; row < rows_; ++row) row_words(row)[words_ - 1] &= up_to_bit(rest);
+}
+
 // From the disc's uppermost row, the narrowest, to its widest: each is the one before, widened a little more.
 BitImage BitImage::dilated(float radius) const {
   BitImage result(columns_, rows_);
@@ -96,9 +103,7 @@ BitImage BitImage::dilated(float radius) const {
       }
     }
   }
-  const std::int32_t rest = columns_ % word_bits;
-  if (rest != 0)
-    for (std::int32_t row = 0; row < rows_; ++row) result.row_words(row)[words_ - 1] &= up_to_bit(rest);
+  result.clear_margin();
   return result;
 }
 
@@ -107,9 +112,7 @@ BitImage BitImage::closed(float radius) const { return dilated(radius).complemen
 BitImage BitImage::complement() const {
   BitImage result = *this;
   for (std::uint64_t& word : result.bits_) word = ~word;
-  const std::int32_t rest = columns_ % word_bits;
-  if (rest != 0)
-    for (std::int32_t row = 0; row < rows_; ++row) result.row_words(row)[words_ - 1] &= up_to_bit(rest);
+  result.clear_margin();
   return result;
 }
 

@@ -42,9 +42,10 @@ class BitImage {
     return bits_.data() + static_cast<std::size_t>(row) * words_;
   }
   BitImage complement() const;
+  void clear_margin();
 
   std::int32_t columns_ = 0, rows_ = 0;
-  std::size_t words_ = 0;  // to a row; bits beyond the last column are clear
+  std::size_t words_ = 0;  // to a row
   std::vector<std::uint64_t> bits_;
 };
 

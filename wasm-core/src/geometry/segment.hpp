@@ -1,4 +1,5 @@
-// A piece of a stem: what one drawn module is, whatever the plant.
+// The neutral piece of a plant's skeleton: a straight stem from one node to the next. What it means to a model is the
+// model's own; lengths are in whatever unit that grows in.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +9,8 @@ namespace panicle {
 
 struct Segment {
   std::int32_t parent = -1;  // index of an earlier segment; −1 at a root
-  std::uint32_t tag = 0;     // what it is, by the names that come with it
-  glm::vec3 start{0};
-  glm::vec3 end{0};
+  std::uint32_t tag = 0;     // which of its model's kinds of segment it is
+  glm::vec3 start{0}, end{0};
   float radius = 0;      // at the start
   float radius_end = 0;  // at the end
 };

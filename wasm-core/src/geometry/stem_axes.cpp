@@ -12,9 +12,9 @@ constexpr float cosine_of_fork = 0.6428f;         // 50°
 constexpr float cosine_of_only_child = -0.1736f;  // 100°
 
 // Finite, and small enough for lengths to be so too.
-bool usable(const Internode& internode) {
-  float sum = std::fabs(internode.radius) + std::fabs(internode.radius_end);
-  for (int axis = 0; axis < 3; ++axis) sum += std::fabs(internode.start[axis]) + std::fabs(internode.end[axis]);
+bool usable(const Segment& segment) {
+  float sum = std::fabs(segment.radius) + std::fabs(segment.radius_end);
+  for (int axis = 0; axis < 3; ++axis) sum += std::fabs(segment.start[axis]) + std::fabs(segment.end[axis]);
   return sum < 1e15f;
 }
 
@@ -25,7 +25,7 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
 
 class Finder {
  public:
-  explicit Finder(std::span<const Internode> skeleton) : skeleton_(skeleton) {}
+  explicit Finder(const Stems& stems) : stems_(stems), segments_(stems.segments) {}
 
   StemAxes find() {
     measure();
@@ -39,34 +39,34 @@ class Finder {
   // Floats of the largest coordinate are 2^−24 of it apart; a thousand steps make a ring that is round.
   void measure() {
     float extent = 0;
-    usable_.resize(skeleton_.size());
-    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
-      usable_[i] = usable(skeleton_[i]) ? 1 : 0;
+    usable_.resize(segments_.size());
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      usable_[i] = usable(segments_[i]) ? 1 : 0;
       if (!usable_[i]) continue;
       for (int axis = 0; axis < 3; ++axis) {
-        extent = std::max({extent, std::fabs(skeleton_[i].start[axis]), std::fabs(skeleton_[i].end[axis])});
+        extent = std::max({extent, std::fabs(segments_[i].start[axis]), std::fabs(segments_[i].end[axis])});
       }
     }
     result_.finest = std::max(extent * 6e-5f, 1e-15f);
   }
 
-  // The parent, if it is an earlier, usable internode whose end is this one's start.
+  // The parent, if it is an earlier, usable segment whose end is this one's start.
   std::int32_t find_parent(std::size_t i) const {
-    const Internode& internode = skeleton_[i];
-    const std::int32_t parent = internode.parent;
+    const Segment& segment = segments_[i];
+    const std::int32_t parent = segment.parent;
     if (parent < 0 || static_cast<std::size_t>(parent) >= i || !usable_[i] || !usable_[parent]) return none;
-    const glm::vec3 gap = internode.start - skeleton_[parent].end;
-    const float allowed = std::max(result_.finest, 0.5f * skeleton_[parent].radius_end);
+    const glm::vec3 gap = segment.start - segments_[parent].end;
+    const float allowed = std::max(result_.finest, 0.5f * segments_[parent].radius_end);
     return glm::dot(gap, gap) <= allowed * allowed ? parent : none;
   }
 
-  // Parents, and a direction for every internode; one without length takes its parent's.
+  // Parents, and a direction for every segment; one without length takes its parent's.
   void relate() {
-    parents_.resize(skeleton_.size());
-    directions_.resize(skeleton_.size());
-    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+    parents_.resize(segments_.size());
+    directions_.resize(segments_.size());
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
       parents_[i] = find_parent(i);
-      const glm::vec3 along = usable_[i] ? skeleton_[i].end - skeleton_[i].start : glm::vec3(0);
+      const glm::vec3 along = usable_[i] ? segments_[i].end - segments_[i].start : glm::vec3(0);
       const float length = glm::length(along);
       if (length > result_.finest)
         directions_[i] = along / length;
@@ -76,49 +76,49 @@ class Finder {
   }
 
   void successors() {
-    successor_.assign(skeleton_.size(), none);
-    std::vector<float> alignment(skeleton_.size(), -2);
-    std::vector<std::uint32_t> children(skeleton_.size(), 0);
-    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+    successor_.assign(segments_.size(), none);
+    std::vector<float> alignment(segments_.size(), -2);
+    std::vector<std::uint32_t> children(segments_.size(), 0);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
       const std::int32_t parent = parents_[i];
       if (parent == none) continue;
       ++children[parent];
-      if (skeleton_[parent].axis != skeleton_[i].axis) continue;
+      if (stems_.group_of(parent) != stems_.group_of(i)) continue;
       const float aligned = glm::dot(directions_[parent], directions_[i]);
       if (aligned <= alignment[parent]) continue;
       alignment[parent] = aligned;
       successor_[parent] = static_cast<std::int32_t>(i);
     }
-    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
       if (alignment[i] < (children[i] == 1 ? cosine_of_only_child : cosine_of_fork)) successor_[i] = none;
     }
   }
 
-  // The first internodes of all axes, by part.
+  // The first segments of all axes, by group.
   std::vector<std::int32_t> heads() const {
     std::vector<std::int32_t> found;
-    for (std::size_t i = 0; i < skeleton_.size(); ++i) {
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
       const bool carried_on = parents_[i] != none && successor_[parents_[i]] == static_cast<std::int32_t>(i);
       if (!carried_on && usable_[i]) found.push_back(static_cast<std::int32_t>(i));
     }
     std::stable_sort(found.begin(), found.end(),
-                     [this](std::int32_t a, std::int32_t b) { return skeleton_[a].axis < skeleton_[b].axis; });
+                     [this](std::int32_t a, std::int32_t b) { return stems_.group_of(a) < stems_.group_of(b); });
     return found;
   }
 
   void trace(std::int32_t first) {
     std::vector<Node>& nodes = result_.nodes;
-    const Internode& head = skeleton_[first];
+    const Segment& head = segments_[first];
     StemAxis axis;
-    axis.axis = head.axis;
+    axis.group = stems_.group_of(first);
     axis.first = static_cast<std::uint32_t>(nodes.size());
     nodes.push_back({head.start, {}, head.radius, 0, first});
     for (std::int32_t i = first; i != none; i = successor_[i]) {
-      const Internode& internode = skeleton_[i];
+      const Segment& segment = segments_[i];
       const std::int32_t next = successor_[i];
-      const float radius = next == none ? internode.radius_end : 0.5f * (internode.radius_end + skeleton_[next].radius);
-      const float step = glm::length(internode.end - nodes.back().position);
-      if (step > std::max(result_.finest, 0.25f * radius)) nodes.push_back({internode.end, {}, radius, step, i});
+      const float radius = next == none ? segment.radius_end : 0.5f * (segment.radius_end + segments_[next].radius);
+      const float step = glm::length(segment.end - nodes.back().position);
+      if (step > std::max(result_.finest, 0.25f * radius)) nodes.push_back({segment.end, {}, radius, step, i});
     }
     axis.count = static_cast<std::uint32_t>(nodes.size()) - axis.first;
     if (axis.count < 2) {
@@ -127,7 +127,7 @@ class Finder {
     }
     const std::int32_t parent = parents_[first];
     if (parent != none)
-      axis.origin = {true, successor_[parent] != none, directions_[parent], skeleton_[parent].radius_end};
+      axis.origin = {true, successor_[parent] != none, directions_[parent], segments_[parent].radius_end};
     for (std::uint32_t i = 0; i < axis.count; ++i) {
       Node& node = nodes[axis.first + i];
       node.radius = std::max(node.radius, result_.finest);
@@ -136,8 +136,8 @@ class Finder {
     result_.axes.push_back(axis);
   }
 
-  // Tangents: at a node between two internodes the shorter one counts more (as in a Catmull–Rom curve over lengths);
-  // a branch sets out leaning towards its bearer's direction, and the last internode ends straight.
+  // Tangents: at a node between two segments the shorter one counts more (as in a Catmull–Rom curve over lengths);
+  // a branch sets out leaning towards its bearer's direction, and the last segment ends straight.
   void bend(const StemAxis& axis) {
     Node* node = &result_.nodes[axis.first];
     glm::vec3 before = (node[1].position - node[0].position) / node[1].step;
@@ -150,7 +150,8 @@ class Finder {
     node[axis.count - 1].tangent = before;
   }
 
-  std::span<const Internode> skeleton_;
+  const Stems stems_;
+  std::span<const Segment> segments_;
   std::vector<std::uint8_t> usable_;
   std::vector<std::int32_t> parents_;
   std::vector<glm::vec3> directions_;
@@ -160,6 +161,6 @@ class Finder {
 
 }  // namespace
 
-StemAxes find_stem_axes(std::span<const Internode> skeleton) { return Finder(skeleton).find(); }
+StemAxes find_stem_axes(const Stems& stems) { return Finder(stems).find(); }
 
 }  // namespace panicle

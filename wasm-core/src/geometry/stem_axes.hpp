@@ -1,4 +1,4 @@
-// From internodes to axes: which internode carries on which, and the smooth line through the nodes of each axis.
+// From segments to axes: which segment carries on which, and the smooth line through the nodes of each axis.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +6,17 @@
 #include <span>
 #include <vector>
 
-#include "geometry/skeleton.hpp"
+#include "geometry/stems.hpp"
 
 namespace panicle {
 
 // A node that an axis passes through.
 struct Node {
   glm::vec3 position{0};
-  glm::vec3 tangent{0};        // unit
-  float radius = 0;            // of the stem here
-  float step = 0;              // straight distance from the node before, 0 at the first
-  std::int32_t internode = 0;  // that ends here (of the first node: that begins here)
+  glm::vec3 tangent{0};      // unit
+  float radius = 0;          // of the stem here
+  float step = 0;            // straight distance from the node before, 0 at the first
+  std::int32_t segment = 0;  // that ends here (of the first node: that begins here)
 };
 
 // What an axis comes out of.
@@ -27,21 +27,21 @@ struct Origin {
   float radius = 0;        // of the bearer
 };
 
-// A run of internodes that one tube covers, as a range of StemAxes::nodes. At least two nodes.
+// A run of segments that one tube covers, as a range of StemAxes::nodes. At least two nodes.
 struct StemAxis {
-  std::int32_t axis = -1;  // the part it belongs to (Internode::axis)
+  std::int32_t group = 0;  // that it belongs to (Stems::groups)
   std::uint32_t first = 0, count = 0;
   Origin origin;
 };
 
 struct StemAxes {
   std::vector<Node> nodes;
-  std::vector<StemAxis> axes;  // by part: −1, 0, 1, …; within a part in the order of their first internodes
+  std::vector<StemAxis> axes;  // by group, ascending; within a group in the order of their first segments
   float finest = 0;            // no length below this is worth a ring: positions would round together
 };
 
-// An internode is carried on by the child that bends least, if that belongs to the same part and bends less than
-// 50° (an only child: 100°). Internodes too short to see are passed over, ones that are not finite left out.
-StemAxes find_stem_axes(std::span<const Internode> skeleton);
+// A segment is carried on by the child that bends least, if that belongs to the same group and bends less than
+// 50° (an only child: 100°). Segments too short to see are passed over, ones that are not finite left out.
+StemAxes find_stem_axes(const Stems& stems);
 
 }  // namespace panicle

@@ -97,22 +97,9 @@ float distance_between(const Ring& a, const Ring& b) {
   return std::sqrt(rise * rise + glm::dot(run, run));
 }
 
-// Height of the rounded end, in radii of the rim.
-float cap_height(End end) {
-  switch (end) {
-    case End::receptacle:
-      return 0.35f;
-    case End::withered:
-      return 0.7f;
-    case End::stub:
-      break;
-  }
-  return 0.5f;
-}
-
 }  // namespace
 
-TubeMaker::TubeMaker(std::span<const Internode> skeleton, const StemAxes& axes) : skeleton_(skeleton), axes_(axes) {
+TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes) : stems_(stems), axes_(axes) {
   for (std::uint32_t n = 1; n <= most_steps; ++n) {
     for (std::uint32_t k = 0; k <= n; ++k) {
       const float turn = static_cast<float>(k) / static_cast<float>(n);
@@ -121,10 +108,8 @@ TubeMaker::TubeMaker(std::span<const Internode> skeleton, const StemAxes& axes) 
   }
 }
 
-End TubeMaker::end_of(const StemAxis& axis) const {
-  const Internode& last = skeleton_[axes_.nodes[axis.first + axis.count - 1].internode];
-  if (last.kind != Kind::pedicel) return End::stub;
-  return last.state == State::grown ? End::receptacle : End::withered;
+StemEnd TubeMaker::end_of(const StemAxis& axis) const {
+  return stems_.end_of(static_cast<std::size_t>(axes_.nodes[axis.first + axis.count - 1].segment));
 }
 
 // Steps from node i − 1 of the axis to node i.
@@ -132,7 +117,7 @@ std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
   const Node& a = axes_.nodes[axis.first + i - 1];
   const Node& b = axes_.nodes[axis.first + i];
   const glm::vec3 along = (b.position - a.position) / b.step;
-  const bool shaped = (i == 1 && axis.origin.attached) || (i + 1 == axis.count && end_of(axis) == End::receptacle);
+  const bool shaped = (i == 1 && axis.origin.attached) || (i + 1 == axis.count && end_of(axis).flare > 0);
   const float by_length = 2 + 2 * b.step / std::max(a.radius, b.radius);
   const float by_bend = 6 * (glm::length(a.tangent - along) + glm::length(b.tangent - along));  // about every 10°
   const float wanted = std::max(std::min(shaped ? 10.0f : 7.0f, by_length), by_bend);
@@ -152,7 +137,7 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   Thickness thickness(nodes, axis.origin, end_of(axis));
   glm::vec3 centre = nodes[0].position;
   glm::vec3 right = axis.origin.attached ? axis.origin.direction : aside(nodes[0].tangent);
-  const auto add = [&](const glm::vec3& next, const glm::vec3& tangent, float t, std::int32_t internode) {
+  const auto add = [&](const glm::vec3& next, const glm::vec3& tangent, float t, std::int32_t segment) {
     Section section = thickness.at(t);
     section.wide = std::max(section.wide, axes_.finest);
     section.narrow = std::max(section.narrow, axes_.finest);
@@ -161,11 +146,11 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
     place(ring, next, tangent, right, section);
     if (section.lean > 0) lean_towards(ring, axis.origin.direction, section);
     ring.run = glm::length(next - centre);
-    ring.internode = static_cast<std::uint32_t>(internode);
+    ring.segment = static_cast<std::uint32_t>(segment);
     centre = next;
   };
   thickness.enter(1);
-  add(nodes[0].position, nodes[0].tangent, 0, nodes[0].internode);
+  add(nodes[0].position, nodes[0].tangent, 0, nodes[0].segment);
   for (std::uint32_t i = 1; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
     const Curve curve(nodes[i - 1], node);
@@ -178,9 +163,9 @@ void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
       const glm::vec3 slope = curve.slope(t);
       const float speed = glm::length(slope);
       const glm::vec3 tangent = speed > 0 ? slope * (1 / speed) : node.tangent;
-      add(curve.at(t), tangent, t, node.internode);
+      add(curve.at(t), tangent, t, node.segment);
     }
-    add(node.position, node.tangent, 1, node.internode);
+    add(node.position, node.tangent, 1, node.segment);
   }
 }
 
@@ -199,7 +184,7 @@ void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   const Ring& first = rings[front];
   const Ring& last = rings[back - 1];
   const float first_height = 0.3f * first.radius;
-  const float last_height = cap_height(end_of(axis)) * last.radius;
+  const float last_height = end_of(axis).height * last.radius;
   for (std::size_t i = 0; i < front; ++i) rings[i] = cap_ring(first, cap_degrees[front - 1 - i], -first_height);
   for (std::size_t i = 0; i < cap_rings; ++i) rings[back + i] = cap_ring(last, cap_degrees[i], last_height);
   tube.first_pole = first.centre - first.tangent * first_height;

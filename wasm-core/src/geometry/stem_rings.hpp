@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "geometry/skeleton.hpp"
 #include "geometry/stem_axes.hpp"
 #include "geometry/stem_thickness.hpp"
 
@@ -24,7 +23,7 @@ struct Ring {
   bool round = true;  // both half-axes of that radius and slope, at right angles to the tangent
   float run = 0;      // distance from the ring before
   float v = 0;        // texture coordinate along the axis
-  std::uint32_t internode = 0;
+  std::uint32_t segment = 0;
 };
 
 // A closed tube: the rings, and a point at either end. The surface there looks straight back, and straight ahead.
@@ -35,16 +34,16 @@ struct Tube {
   glm::vec3 first_pole{0}, last_pole{0};
 };
 
-// Makes the tubes of one skeleton, which must outlive it.
+// Makes the tubes of stems along their axes; both must outlive it.
 //
 // The centre line is a cubic Hermite curve through the nodes; rings stand closer near nodes and where it bends, and
 // turn as little as possible from one to the next. Thickness says how wide they are; where a branch comes out of its
 // bearer, rings lean towards the bearer's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
-  TubeMaker(std::span<const Internode> skeleton, const StemAxes& axes);
+  TubeMaker(const Stems& stems, const StemAxes& axes);
 
-  // From now on as few rings as will do, for a skeleton too large to be smooth.
+  // From now on as few rings as will do, for stems too many to be smooth.
   void coarsen() { coarse_ = true; }
 
   // Rings that `make` will make.
@@ -56,10 +55,10 @@ class TubeMaker {
   static constexpr std::uint32_t most_steps = 16;  // from node to node
 
   std::uint32_t steps_to(const StemAxis& axis, std::uint32_t i) const;
-  End end_of(const StemAxis& axis) const;
+  StemEnd end_of(const StemAxis& axis) const;
   void sweep(const StemAxis& axis, Ring* rings) const;
 
-  std::span<const Internode> skeleton_;
+  const Stems stems_;
   const StemAxes& axes_;
   bool coarse_ = false;
   // Steps are shorter near nodes: at fraction k / n − c sin(2π k / n) / 2π. Here is that without c, for every n.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/easing.hpp"
+
 namespace panicle {
 namespace {
 
@@ -16,16 +18,9 @@ constexpr float collar_width = 0.2f;
 constexpr float most_blend = 0.9f;
 constexpr float foot_length = 1.1f;    // along the bearer where it goes on,
 constexpr float collar_length = 0.5f;  // and where it ends
-constexpr float receptacle_spread = 0.35f;
-constexpr float withered_body = 0.75f, withered_tip = 0.5f;
 
 // A hill of height 1 about 0 that ends at 1.5.
-float hill(float x) {
-  const float y = std::max(0.0f, 1 - x * x * (1 / 2.25f));
-  return y * y;
-}
-
-float smooth(float t) { return t * t * (3 - 2 * t); }
+float wide_hill(float x) { return hill(x, 1 / 2.25f); }
 
 // A ridge of height 1 at x = 1, from 0 at 0 to 0 at the collar's end.
 constexpr float collar_end = 2.4f;
@@ -33,7 +28,7 @@ float ridge(float x) { return smooth(x < 1 ? x : (collar_end - x) / (collar_end 
 
 }  // namespace
 
-Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, End end)
+Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end)
     : nodes_(nodes), origin_(origin), end_(end) {
   for (const Node& node : nodes) length_ += node.step;
   emergence_ = 1.5f * nodes[0].radius;
@@ -59,7 +54,7 @@ void Thickness::enter(std::size_t i) {
 }
 
 Section Thickness::at(float t) const {
-  const float swelling = hill(t * per_swelling_) + hill((1 - t) * per_next_swelling_);
+  const float swelling = wide_hill(t * per_swelling_) + wide_hill((1 - t) * per_next_swelling_);
   const float radius = (radius_ + gain_ * smooth(t)) * (between_nodes + node_swelling * swelling);
   const float from_start = from_start_ + t * step_;
   const float from_end = length_ - from_start;
@@ -68,15 +63,10 @@ Section Thickness::at(float t) const {
 
 float Thickness::end_factor(float from_end) const {
   const float x = from_end * per_end_radius_;
-  switch (end_) {
-    case End::receptacle:
-      return 1 + receptacle_spread * hill((x - 0.35f) / 0.45f);
-    case End::withered:
-      return withered_body - (withered_body - withered_tip) * smooth(std::clamp(1 - x / 2, 0.0f, 1.0f));
-    case End::stub:
-      break;
-  }
-  return 1;
+  float factor = end_.body;
+  if (end_.tip != end_.body) factor -= (end_.body - end_.tip) * smooth(std::clamp(1 - x / 2, 0.0f, 1.0f));
+  if (end_.flare != 0) factor += end_.flare * wide_hill((x - 0.35f) / 0.45f);
+  return factor;
 }
 
 // Where the bearer goes on, a branch stands on an ellipse along the bearer's axis and rises from it like a fillet.
@@ -84,7 +74,7 @@ float Thickness::end_factor(float from_end) const {
 // both there is no room beyond the bearer's own width.
 Section Thickness::collar(float radius, float from_start, float from_end) const {
   const float x = from_start * per_emergence_;
-  if (!origin_.attached) radius *= 1 + foot_spread * hill(x);
+  if (!origin_.attached) radius *= 1 + foot_spread * wide_hill(x);
   if (!origin_.attached || x >= collar_end) return {radius, radius, 0, 0};
   const float fade = smooth(std::min(1.0f, from_end * per_end_radius_ * (1 / 1.5f)));
   const float lean = origin_.passing ? fade * smooth(std::max(0.0f, 1 - x / collar_end)) : 0;

@@ -8,9 +8,6 @@
 
 namespace panicle {
 
-// How an axis ends: where it was cut or has nothing more to bear, under its berry, or shrivelled.
-enum class End : std::uint8_t { stub, receptacle, withered };
-
 // A cross-section: an ellipse, drawn out in the plane of branch and bearer where a branch comes out, else a circle.
 struct Section {
   float wide = 0;    // half-width in that plane
@@ -20,14 +17,14 @@ struct Section {
 };
 
 // The radius passes smoothly from node to node and is a little less between them. A branch spreads into its bearer,
-// within whose surface it begins; a receptacle widens, a withered pedicel narrows.
+// within whose surface it begins; its end widens or narrows as StemEnd says.
 class Thickness {
  public:
-  Thickness(std::span<const Node> nodes, const Origin& origin, End end);
+  Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end);
 
-  // Goes on to the internode that ends at node i: 1, 2, …
+  // Goes on to the segment that ends at node i: 1, 2, …
   void enter(std::size_t i);
-  // At the fraction `t` of the internode entered.
+  // At the fraction `t` of the segment entered.
   Section at(float t) const;
 
  private:
@@ -36,11 +33,11 @@ class Thickness {
 
   std::span<const Node> nodes_;
   Origin origin_;
-  End end_;
+  StemEnd end_;
   float length_ = 0;                         // of the whole axis
   float per_emergence_ = 0, emergence_ = 0;  // how far from its start a branch leaves its bearer's surface
   float per_end_radius_ = 0;
-  float from_start_ = 0, step_ = 0;                 // of the internode
+  float from_start_ = 0, step_ = 0;                 // of the segment
   float radius_ = 0, gain_ = 0;                     // at its start, and how much more at its end
   float per_swelling_ = 0, per_next_swelling_ = 0;  // its length over the extents of its nodes
 };

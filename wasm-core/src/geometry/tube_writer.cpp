@@ -72,7 +72,7 @@ TubeWriter::TubeWriter(StemMesh& stem, std::uint32_t sides, std::uint64_t rings,
   stem.mesh.positions.resize(room * 3);
   stem.mesh.normals.resize(room * 3);
   stem.mesh.uvs.resize(room * 2);
-  stem.internode.resize(room);
+  stem.segment.resize(room);
   stem.mesh.indices.resize(static_cast<std::size_t>(rings) * sides * 6 + 4);
 }
 
@@ -80,7 +80,7 @@ void TubeWriter::finish() {
   stem_.mesh.positions.resize(std::size_t{vertices_} * 3);
   stem_.mesh.normals.resize(std::size_t{vertices_} * 3);
   stem_.mesh.uvs.resize(std::size_t{vertices_} * 2);
-  stem_.internode.resize(vertices_);
+  stem_.segment.resize(vertices_);
   stem_.mesh.indices.resize(indices_);
 }
 
@@ -100,7 +100,7 @@ void TubeWriter::write_pole(const glm::vec3& position, const glm::vec3& normal, 
   }
   stem_.mesh.uvs[2 * vertices_] = 0.5f;
   stem_.mesh.uvs[2 * vertices_ + 1] = ring.v;
-  stem_.internode[vertices_] = ring.internode;
+  stem_.segment[vertices_] = ring.segment;
   ++vertices_;
 }
 
@@ -118,9 +118,9 @@ void TubeWriter::write_ring(const Tube& tube, const Ring& ring, float scale) {
   const Four v{0, ring.v, 0, ring.v};
   const float* u = u_.data();
   for (const float* end = u + u_.size(); u < end; u += 4, uvs += 4) store(uvs, load(u) + v);
-  std::uint32_t* internodes = &stem_.internode[vertices_];
-  const FourWords internode{ring.internode, ring.internode, ring.internode, ring.internode};
-  for (std::uint32_t k = 0; k <= sides_; k += 4) store(internodes + k, internode);
+  std::uint32_t* segments = &stem_.segment[vertices_];
+  const FourWords segment{ring.segment, ring.segment, ring.segment, ring.segment};
+  for (std::uint32_t k = 0; k <= sides_; k += 4) store(segments + k, segment);
   vertices_ += sides_ + 1;
 }
 

@@ -8,9 +8,9 @@
 
 namespace panicle {
 
-StemMesh sweep_stems(std::span<const Internode> skeleton, const TubeOptions& options, float scale) {
-  const StemAxes axes = find_stem_axes(skeleton);
-  TubeMaker maker(skeleton, axes);
+StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale) {
+  const StemAxes axes = find_stem_axes(stems);
+  TubeMaker maker(stems, axes);
   const auto count_rings = [&] {
     std::uint64_t rings = 0;
     for (const StemAxis& axis : axes.axes) rings += maker.count_rings(axis);
@@ -31,8 +31,8 @@ StemMesh sweep_stems(std::span<const Internode> skeleton, const TubeOptions& opt
   TubeWriter writer(stem, sides, rings, axes.axes.size());
   Tube tube;
   for (const StemAxis& axis : axes.axes) {
-    if (stem.parts.empty() || stem.parts.back().axis != axis.axis) {
-      stem.parts.push_back({axis.axis, writer.vertices(), 0, writer.indices(), 0});
+    if (stem.parts.empty() || stem.parts.back().group != axis.group) {
+      stem.parts.push_back({axis.group, writer.vertices(), 0, writer.indices(), 0});
     }
     maker.make(axis, tube);
     writer.write(tube, scale);

@@ -6,7 +6,7 @@
 namespace panicle {
 
 void Drawing::line(std::int32_t, const lsystem::Turtle& before, const lsystem::Turtle& after, const lsystem::Lineage&) {
-  if (!within(segments.size(), limits_.internodes, "segments")) return;
+  if (!within(segments.size(), limits_.segments, "segments")) return;
   const float radius = after.width * 0.5f;
   segments.push_back({segment_of(before), 0, before.position, after.position, radius, radius});
 }

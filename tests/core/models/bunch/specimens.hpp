@@ -85,7 +85,7 @@ inline double worst_overlap(const bunch::Grown& grown) {
   double worst = 0;
   for (std::size_t a = 0; a < grown.berries.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
-      const Berry &p = grown.berries[a], &q = grown.berries[b];
+      const bunch::Berry &p = grown.berries[a], &q = grown.berries[b];
       const double x = double(p.centre.x) - q.centre.x, y = double(p.centre.y) - q.centre.y,
                    z = double(p.centre.z) - q.centre.z;
       worst = std::fmax(worst, double(p.radius) + q.radius - std::sqrt(x * x + y * y + z * z));

@@ -13,6 +13,7 @@
 #include "models/bunch/fruit/berry.hpp"
 #include "models/bunch/natural/natural.hpp"
 #include "models/bunch/paper/paper.hpp"
+#include "models/bunch/stems.hpp"
 #include "models/bunch/values.hpp"
 
 namespace panicle::bunch {
@@ -73,7 +74,7 @@ void add_meshes(Grown& grown, const Request& request) {
   TubeOptions tubes;
   if (grown.natural) tubes.sides = 8;  // hundreds of thin pedicels, most of them hidden
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
-  grown.stem = sweep_stems(grown.internodes, tubes, 1.0f);
+  grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f);
   if (grown.natural) return;
   BerryOptions berry;
   if (request.berry_segments) berry.segments = std::clamp(request.berry_segments, 6u, 128u);

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "foundation/result.hpp"
-#include "geometry/skeleton.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/skeleton.hpp"
 
 namespace panicle::bunch {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "geometry/mesh.hpp"
-#include "geometry/skeleton.hpp"
 #include "geometry/tubes.hpp"
 #include "models/bunch/fruit/berry_body.hpp"
 #include "models/bunch/fruit/berry_surfaces.hpp"
 #include "models/bunch/plan.hpp"
+#include "models/bunch/skeleton.hpp"
 
 namespace panicle::bunch {
 

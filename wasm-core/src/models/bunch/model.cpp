@@ -84,12 +84,12 @@ void add_thinned(Columns& columns, const std::vector<Thinned>& thinned) {
 PlantMesh stems_of(StemMesh stem) {
   PlantMesh mesh{"stems", "stem", std::move(stem.mesh), {}, {}};
   for (const StemPart& part : stem.parts) {
-    const std::string name = part.axis < 0 ? "rachis" : "axis " + std::to_string(part.axis);
+    const std::string name = part.group < 0 ? "rachis" : "axis " + std::to_string(part.group);
     mesh.runs.push_back({name, part.first_vertex, part.vertex_count, part.first_index, part.index_count});
   }
   mesh.columns.add(
-      "axis", column_of<std::int32_t>(stem.parts, 1, [](const StemPart& part, std::int32_t* at) { *at = part.axis; }));
-  mesh.columns.add("segment", std::move(stem.internode));
+      "axis", column_of<std::int32_t>(stem.parts, 1, [](const StemPart& part, std::int32_t* at) { *at = part.group; }));
+  mesh.columns.add("segment", std::move(stem.segment));
   return mesh;
 }
 

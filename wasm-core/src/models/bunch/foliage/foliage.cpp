@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <iterator>
 
+#include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "geometry/tubes.hpp"
@@ -16,16 +17,12 @@ namespace {
 
 constexpr std::uint32_t most_leaves = 5;
 constexpr std::uint32_t sides = 12;
+constexpr std::int32_t cane_group = -1;
 constexpr float between_berries_and_leaf = 0.008f;
 constexpr float blade_in_midribs = 1.25f;  // its length from the petiole sinus to the tip
 
 float within(float value, float least, float most) {
   return value >= least ? std::min(value, most) : least;  // not a number: the least
-}
-
-float smooth(float t) {
-  t = within(t, 0, 1);
-  return t * t * (3 - 2 * t);
 }
 
 // Where a leaf stands: at which node of the cane (−1, 0, 1, before the sides are drawn), how far its blade is from
@@ -57,7 +54,7 @@ class Shoot {
         rachis_radius_(within(options.peduncle_radius, 0.0005f, 0.01f)),
         bunch_radius_(within(options.bunch_width, 0, 1) / 2),
         mirror_(random_unit(seed_, hash_text("foliage side"), 0) < 0.5f ? -1.0f : 1.0f),
-        grown_(0.62f + 0.38f * smooth(age_ / 50)) {}
+        grown_(0.62f + 0.38f * smooth_step(0, 50, age_)) {}
 
   Foliage grow() {
     lay_cane();
@@ -73,10 +70,10 @@ class Shoot {
     return low + (high - low) * random_unit(seed_, hash_text(what), address);
   }
 
-  void internode(std::int32_t parent, std::int32_t axis, const glm::vec3& from, const glm::vec3& to, float radius,
-                 float radius_end) {
-    skeleton_.push_back(
-        {parent, axis < 0 ? Kind::rachis : Kind::axis, State::grown, axis, from, to, radius, radius_end});
+  void stem(std::int32_t parent, std::int32_t group, const glm::vec3& from, const glm::vec3& to, float radius,
+            float radius_end) {
+    stems_.push_back({parent, 0, from, to, radius, radius_end});
+    groups_.push_back(group);
   }
 
   // From one cut end to the other by three nodes, between which it goes a little to and fro, as shoots do.
@@ -85,7 +82,7 @@ class Shoot {
     const float rise = between("cane", 1, -0.06f, 0.12f);  // along x
     const float arch = between("cane", 2, 0.2f, 0.6f);     // down to both ends, per metre
     const float turn = between("cane", 3, -0.15f, 0.15f);
-    const float radius = 0.5f * between("cane", 4, 0.0064f, 0.0088f) * (0.8f + 0.2f * smooth(age_ / 60));
+    const float radius = 0.5f * between("cane", 4, 0.0064f, 0.0088f) * (0.8f + 0.2f * smooth_step(0, 60, age_));
     const float ends[] = {-between("cane", 5, 0.085f, 0.118f), -between("cane", 6, 0.062f, 0.075f), 0,
                           between("cane", 7, 0.062f, 0.075f), between("cane", 8, 0.085f, 0.118f)};
     for (std::size_t i = 0; i < std::size(ends); ++i) {
@@ -96,7 +93,7 @@ class Shoot {
     for (std::size_t i = 0; i + 1 < std::size(ends); ++i) {
       const float taper = 1 - 0.05f * static_cast<float>(i);
       const float start = i == 0 ? 0.8f * radius : radius * taper;  // ends are drawn wider than nodes
-      internode(static_cast<std::int32_t>(i) - 1, -1, places_[i], places_[i + 1], start, radius * (taper - 0.05f));
+      stem(static_cast<std::int32_t>(i) - 1, cane_group, places_[i], places_[i + 1], start, radius * (taper - 0.05f));
     }
   }
 
@@ -105,10 +102,9 @@ class Shoot {
     const glm::vec3 from = places_[2];
     const glm::vec3 to(0, -0.5f * rachis_radius_, 0);
     const glm::vec3 middle = from + 0.5f * (to - from) + glm::vec3(between("peduncle", 0, -0.003f, 0.003f), 0, 0.003f);
-    const auto axis = static_cast<std::int32_t>(leaves_);
-    internode(1, axis, from, middle, 1.15f * rachis_radius_, 1.1f * rachis_radius_);
-    internode(static_cast<std::int32_t>(skeleton_.size()) - 1, axis, middle, to, 1.1f * rachis_radius_,
-              1.1f * rachis_radius_);
+    const auto group = static_cast<std::int32_t>(leaves_);
+    stem(1, group, from, middle, 1.15f * rachis_radius_, 1.1f * rachis_radius_);
+    stem(static_cast<std::int32_t>(stems_.size()) - 1, group, middle, to, 1.1f * rachis_radius_, 1.1f * rachis_radius_);
   }
 
   void place_leaf(std::uint32_t k) {
@@ -117,9 +113,9 @@ class Shoot {
     const auto sided = [&](glm::vec3 v) { return glm::vec3(v.x * mirror_, v.y, v.z); };
     const float suited = within(0.045f + 1.0f * bunch_radius_, 0.08f, 0.14f);
     const float blade = within(suited * stand.size * (1 + vary(0, 0.08f)), 0.08f, 0.14f) * grown_;
-    const float late = smooth((age_ - 95) / 30);
+    const float late = smooth_step(95, 125, age_);
 
-    Mesh mesh = make_leaf({hash_combine(seed_, k), 0.25f + 0.75f * smooth(age_ / 30), late});
+    Mesh mesh = make_leaf({hash_combine(seed_, k), 0.25f + 0.75f * smooth_step(0, 30, age_), late});
     const glm::vec3 upwards =
         glm::normalize(sided(stand.upwards) + glm::vec3(vary(1, 0.18f), vary(2, 0.15f), vary(3, 0.1f)));
     glm::vec3 tip = sided(stand.tip) + glm::vec3(vary(4, 0.15f), vary(5, 0.18f) - 0.25f * late, vary(6, 0.1f));
@@ -167,18 +163,18 @@ class Shoot {
     const float length = glm::length(base - from);
     const glm::vec3 middle = from + 0.55f * (base - from) + length * (glm::vec3(0, 0.10f, 0) - 0.14f * upwards);
     const float radius = within(0.019f * midrib, 0.0009f, 0.0018f);
-    const auto axis = static_cast<std::int32_t>(k);
-    internode(at - 1, axis, from, middle, 1.3f * radius, radius);
-    internode(static_cast<std::int32_t>(skeleton_.size()) - 1, axis, middle, base, radius, 0.9f * radius);
+    const auto group = static_cast<std::int32_t>(k);
+    stem(at - 1, group, from, middle, 1.3f * radius, radius);
+    stem(static_cast<std::int32_t>(stems_.size()) - 1, group, middle, base, radius, 0.9f * radius);
   }
 
   void sweep() {
-    StemMesh stem = sweep_stems(skeleton_, {sides}, 1);
-    for (const StemPart& part : stem.parts) {
-      const auto kind = part.axis < 0 ? FoliagePart::Kind::cane : FoliagePart::Kind::petiole;
+    StemMesh swept = sweep_stems({stems_, groups_}, {sides}, 1);
+    for (const StemPart& part : swept.parts) {
+      const auto kind = part.group == cane_group ? FoliagePart::Kind::cane : FoliagePart::Kind::petiole;
       foliage_.parts.push_back({kind, part.first_vertex, part.vertex_count, part.first_index, part.index_count});
     }
-    foliage_.mesh = std::move(stem.mesh);
+    foliage_.mesh = std::move(swept.mesh);
   }
 
   void append(const Mesh& part, FoliagePart::Kind kind) {
@@ -199,7 +195,8 @@ class Shoot {
   const float mirror_;        // which way round the whole stands
   const float grown_;         // how large leaves are by now
   glm::vec3 places_[5] = {};  // cut end, three nodes, cut end
-  std::vector<Internode> skeleton_;
+  std::vector<Segment> stems_;
+  std::vector<std::int32_t> groups_;  // the cane's, then a petiole's each, in the order of leaves; the peduncle's last
   Mesh leaf_meshes_[most_leaves];
   Foliage foliage_;
 };

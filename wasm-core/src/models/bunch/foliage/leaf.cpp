@@ -9,6 +9,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
+#include "geometry/ring_strips.hpp"
 #include "models/bunch/foliage/leaf_outline.hpp"
 
 namespace panicle::bunch {
@@ -98,7 +99,8 @@ class Blade {
     for (std::uint32_t k = 0; k < leaf_sectors * rows[0].parts; ++k) triangle(0, inner + k + 1, inner + k);
     for (std::size_t i = 1; i < std::size(rows); ++i) {
       const std::uint32_t outer = inner + leaf_sectors * rows[i - 1].parts + 1;
-      strip(inner, leaf_sectors * rows[i - 1].parts, outer, leaf_sectors * rows[i].parts);
+      strip_between(inner, leaf_sectors * rows[i - 1].parts, outer, leaf_sectors * rows[i].parts,
+                    [this](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(a, b, c); });
       inner = outer;
     }
     shade();
@@ -129,20 +131,6 @@ class Blade {
 
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     for (const std::uint32_t corner : {a, b, c}) mesh_.indices[indices_++] = corner;
-  }
-
-  // Between two rows that begin and end together: always to the vertex that comes next.
-  void strip(std::uint32_t inner, std::uint32_t inner_parts, std::uint32_t outer, std::uint32_t outer_parts) {
-    std::uint32_t i = 0, j = 0;
-    while (i < inner_parts || j < outer_parts) {
-      if (j == outer_parts || (i < inner_parts && (i + 1) * outer_parts <= (j + 1) * inner_parts)) {
-        triangle(inner + i, inner + i + 1, outer + j);
-        ++i;
-      } else {
-        triangle(inner + i, outer + j + 1, outer + j);
-        ++j;
-      }
-    }
   }
 
   glm::vec3 position(std::uint32_t i) const {

@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle::bunch {
 namespace {
-
-// A smooth hill of height 1 and half-width 1.
-float hill(float x) {
-  const float inside = std::max(0.0f, 1 - x * x);
-  return inside * inside;
-}
-
-float slope_of_hill(float x) { return -4 * x * std::max(0.0f, 1 - x * x); }
 
 // Distance of the surface from the centre, `from_tip` radians away from +Y, and how it changes.
 struct Meridian {

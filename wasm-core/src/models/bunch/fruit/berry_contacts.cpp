@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "foundation/mathematics.hpp"
+#include "geometry/closest.hpp"
 #include "models/bunch/fruit/berry_neighbours.hpp"
 
 namespace panicle::bunch {
@@ -75,12 +76,8 @@ class Pair {
   // Along the shortest way between the cores, the segments that would make capsules of the bodies.
   glm::vec3 first_direction() const {
     const glm::vec3 core_a = core(a_), core_b = core(b_);
-    const float aa = glm::dot(core_a, core_a), bb = glm::dot(core_b, core_b), ab = glm::dot(core_a, core_b);
-    const float da = glm::dot(core_a, between_), db = glm::dot(core_b, between_);
-    const float determinant = aa * bb - ab * ab;
-    float s = determinant > 1e-4f * aa * bb ? std::clamp((da * bb - ab * db) / determinant, -1.0f, 1.0f) : 0;
-    const float t = bb > 0 ? std::clamp((ab * s - db) / bb, -1.0f, 1.0f) : 0;
-    if (aa > 0) s = std::clamp((ab * t + da) / aa, -1.0f, 1.0f);
+    const auto [s, t] =
+        closest_points(between_, {core_a, 1, glm::dot(core_a, core_a)}, {core_b, 1, glm::dot(core_b, core_b)}, 1e-4f);
     const glm::vec3 way = between_ + core_b * t - core_a * s;
     const float length = glm::length(way);
     // Cores that cross say nothing; centres that coincide neither: see find_contacts.

@@ -6,7 +6,7 @@
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "geometry/wrinkles.hpp"
+#include "models/bunch/fruit/wrinkles.hpp"
 
 namespace panicle::bunch {
 namespace {

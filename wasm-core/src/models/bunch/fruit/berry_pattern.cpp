@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "foundation/mathematics.hpp"
+#include "geometry/ring_strips.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -64,20 +65,9 @@ class Layer {
     pattern_.indices.insert(pattern_.indices.end(), {a, b, c});
   }
 
-  // Between two rings: always the shorter of the two diagonals onwards.
   void band(const Ring& upper, const Ring& lower) {
-    std::uint32_t i = 0, j = 0;
-    while (i < upper.segments || j < lower.segments) {
-      const std::uint64_t next_upper = std::uint64_t{i + 1} * lower.segments;
-      const std::uint64_t next_lower = std::uint64_t{j + 1} * upper.segments;
-      if (j == lower.segments || (i < upper.segments && next_upper <= next_lower)) {
-        triangle(upper.first + i, upper.first + i + 1, lower.first + j);
-        ++i;
-      } else {
-        triangle(upper.first + i, lower.first + j + 1, lower.first + j);
-        ++j;
-      }
-    }
+    strip_between(upper.first, upper.segments, lower.first, lower.segments,
+                  [this](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(a, b, c); });
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/easing.hpp"
 #include "foundation/lanes.hpp"
 
 namespace panicle::bunch {
@@ -168,7 +169,7 @@ void BerryPress::write_four(const BerryFrame& frame, std::size_t i, float* posit
 
   const Four depth = 1 + (plane - own) * (1 / rubbed);
   const Four inside = maximum(four(0), depth > four(1) ? four(1) : depth);
-  const Four share = inside * inside * (3 - 2 * inside) * 255 + 0.5f;
+  const Four share = smooth(inside) * 255 + 0.5f;
   for (int lane = 0; lane < 4; ++lane) pressed[lane] = static_cast<std::uint8_t>(share[lane]);
 }
 

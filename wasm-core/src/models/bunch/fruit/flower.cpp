@@ -6,9 +6,11 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
+#include "geometry/tube_writer.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -27,57 +29,34 @@ class Tubes {
  public:
   // The first and last stations are the poles. `right` is at right angles to the whole path, which is flat.
   void add(std::span<const Station> path, const glm::vec3& right) {
-    const auto first = static_cast<std::uint32_t>(mesh_.positions.size() / 3);
-    const std::size_t rings = path.size() - 2;
-    for (std::size_t i = 1; i <= rings; ++i) ring(path[i - 1], path[i], path[i + 1], right);
-    pole(path[0], glm::normalize(path[0].centre - path[1].centre));
-    pole(path[rings + 1], glm::normalize(path[rings + 1].centre - path[rings].centre));
-    const std::uint32_t row = sides + 1;
-    const auto last = first + row * static_cast<std::uint32_t>(rings - 1);
-    const std::uint32_t begin = last + row, end = begin + sides;
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      triangle(begin + k, first + k + 1, first + k);
-      for (std::uint32_t at = first + k; at < last; at += row) {
-        triangle(at, at + 1, at + row + 1);
-        triangle(at, at + row + 1, at + row);
-      }
-      triangle(end + k, last + k, last + k + 1);
+    Tube& tube = tubes_.emplace_back();
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      const glm::vec3 way = path[i + 1].centre - path[i - 1].centre;
+      Ring& ring = tube.rings.emplace_back();
+      ring.centre = path[i].centre;
+      ring.tangent = glm::normalize(way);
+      ring.radius = path[i].radius;
+      ring.right = right * ring.radius;
+      ring.forward = glm::cross(ring.tangent, right) * ring.radius;
+      ring.slope = (path[i + 1].radius - path[i - 1].radius) / glm::length(way);
+      ring.v = path[i].v;
     }
+    tube.first_pole = path.front().centre;
+    tube.last_pole = path.back().centre;
+    rings_ += tube.rings.size();
   }
 
-  Mesh take() { return std::move(mesh_); }
+  Mesh mesh() const {
+    StemMesh stem;
+    TubeWriter writer(stem, sides, rings_, tubes_.size());
+    for (const Tube& tube : tubes_) writer.write(tube, 1);
+    writer.finish();
+    return stem.mesh;
+  }
 
  private:
-  void ring(const Station& before, const Station& here, const Station& after, const glm::vec3& right) {
-    const glm::vec3 way = after.centre - before.centre;
-    const glm::vec3 tangent = glm::normalize(way);
-    const glm::vec3 ahead = glm::cross(tangent, right);
-    const float slope = (after.radius - before.radius) / glm::length(way);
-    for (std::uint32_t k = 0; k <= sides; ++k) {
-      const SinCos angle = sincos_degrees(360 * static_cast<float>(k % sides) / sides);
-      const glm::vec3 out = right * angle.cosine + ahead * angle.sine;
-      vertex(here.centre + out * here.radius, glm::normalize(out - tangent * slope), static_cast<float>(k) / sides,
-             here.v);
-    }
-  }
-
-  void pole(const Station& station, const glm::vec3& normal) {
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      vertex(station.centre, normal, (static_cast<float>(k) + 0.5f) / sides, station.v);
-    }
-  }
-
-  void vertex(const glm::vec3& position, const glm::vec3& normal, float u, float v) {
-    mesh_.positions.insert(mesh_.positions.end(), {position.x, position.y, position.z});
-    mesh_.normals.insert(mesh_.normals.end(), {normal.x, normal.y, normal.z});
-    mesh_.uvs.insert(mesh_.uvs.end(), {u, v});
-  }
-
-  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
-  }
-
-  Mesh mesh_;
+  std::vector<Tube> tubes_;
+  std::size_t rings_ = 0;
 };
 
 // How a stamen stands: `out` of the axis and `aside` span the ground, `reach` scales its length.
@@ -141,7 +120,7 @@ Mesh make_flower() {
     add_filament(tubes, stand);
     add_anther(tubes, stand);
   }
-  return tubes.take();
+  return tubes.mesh();
 }
 
 }  // namespace panicle::bunch

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle::bunch {
@@ -11,17 +12,6 @@ namespace {
 
 constexpr int drupelets = 48;
 constexpr int tubercles = 110;
-
-// A smooth hill of height 1 and half-width 1.
-float hill(float x) {
-  const float inside = std::max(0.0f, 1 - x * x);
-  return inside * inside;
-}
-
-float smooth_step(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
 
 // Angles from the tip and from the seat are in radians.
 float scar(float from_tip) {

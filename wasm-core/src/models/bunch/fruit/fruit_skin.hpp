@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "geometry/wrinkles.hpp"
 #include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/fruit/wrinkles.hpp"
 
 namespace panicle::bunch {
 

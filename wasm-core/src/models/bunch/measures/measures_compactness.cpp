@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "models/bunch/natural/neighbours.hpp"
+#include "environment/point_grid.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -46,7 +46,7 @@ Compactness measure_compactness(const Subject& subject) {
     centres.push_back(berry.centre);
     furthest = std::max({furthest, berry.half_width, berry.half_length});
   }
-  const Neighbours near(centres, 2 * furthest + diameter);
+  const PointGrid near(centres, 2 * furthest + diameter);
   Compactness sums;
   for (std::uint32_t i = 0; i < subject.berries.size(); ++i) {
     std::array<float, nearest_few> gaps;

@@ -9,8 +9,6 @@ namespace {
 constexpr float millimetres = 1000;  // to a metre
 constexpr float unit_ball = 4 * pi / 3;
 
-float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
-
 // Which internodes hang from the first root; parents come before their children.
 std::vector<std::uint8_t> of_first_root(const std::vector<Internode>& internodes) {
   std::vector<std::uint8_t> first(internodes.size(), 0);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "foundation/mathematics.hpp"
-#include "models/bunch/natural/neighbours.hpp"
+#include "environment/point_grid.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -21,7 +20,7 @@ std::vector<float> ranks_of(std::span<const Bud> buds, float size) {
   std::vector<glm::vec3> places;
   for (const Bud& bud : buds) places.push_back(bud.place);
   const float reach = near * size;
-  const Neighbours grid(places, reach);
+  const PointGrid grid(places, reach);
   std::vector<float> ranks(buds.size());
   for (std::size_t i = 0; i < buds.size(); ++i) {
     float crowd = 0;

@@ -36,8 +36,6 @@ std::uint32_t segments_for(std::size_t berries) {
   return berries <= 80 ? 24 : berries <= 160 ? 20 : berries <= 320 ? 18 : 16;
 }
 
-float cube_root(float x) { return x > 0 ? exponential(logarithm(x) / 3) : 0; }
-
 class NaturalGrowth {
  public:
   NaturalGrowth(const Request& request, const Values& values, const Limits& limits, Grown& grown)
@@ -79,7 +77,7 @@ class NaturalGrowth {
   // Derives one bunch and interprets it.
   Diagnostic sprout_one(const Profile& profile, std::uint64_t seed, std::uint32_t index, std::int32_t first_axis,
                         float lean) {
-    plans_.push_back(make_natural_plan(profile, values_, static_cast<float>(limits_.berries)));
+    plans_.push_back(make_natural_plan(profile, values_, static_cast<float>(limits_.bodies)));
     const NaturalPlan& plan = plans_.back();
     (index ? grown_.second.emplace() : grown_.plan) = plan.plan;
     bounds_.push_back({plan.envelope, lean});
@@ -153,7 +151,7 @@ class NaturalGrowth {
   float most_berries() const {
     float room = 0;
     for (const NaturalPlan& plan : plans_) room += plan.room;
-    return std::min(room, static_cast<float>(limits_.berries));
+    return std::min(room, static_cast<float>(limits_.bodies));
   }
 
   // Decides which flowers set: by density, or as many as were asked for.
@@ -165,11 +163,11 @@ class NaturalGrowth {
     } else {
       set_ = choose_set(buds_, fill_of(value(Parameter::density)), size);
       const auto setting = std::count_if(set_.begin(), set_.end(), [](float share) { return share > 0; });
-      full = setting > static_cast<std::ptrdiff_t>(limits_.berries);
+      full = setting > static_cast<std::ptrdiff_t>(limits_.bodies);
       if (full) set_ = choose_count(buds_, most, size);
     }
     if (full)
-      grown_.notes.push_back("A bunch has " + std::to_string(limits_.berries) +
+      grown_.notes.push_back("A bunch has " + std::to_string(limits_.bodies) +
                              " berries at the most; larger berries or a smaller profile fill the outline.");
   }
 

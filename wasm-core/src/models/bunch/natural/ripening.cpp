@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "foundation/easing.hpp"
+
 namespace panicle::bunch {
 namespace {
 
@@ -9,17 +11,11 @@ constexpr float flower_size = 0.08f;
 constexpr int steps_to_ripe = 36;
 constexpr int steps_of_drying = 5;
 
-// 0 until `from`, 1 after `to`, an S between.
-float ease(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
 }  // namespace
 
 float size_at(float age) {
-  const float fresh = flower_size + 0.56f * ease(8, 48, age) + (0.44f - flower_size) * ease(58, 100, age);
-  return fresh * (1 - 0.13f * ease(102, 125, age));
+  const float fresh = flower_size + 0.56f * smooth_step(8, 48, age) + (0.44f - flower_size) * smooth_step(58, 100, age);
+  return fresh * (1 - 0.13f * smooth_step(102, 125, age));
 }
 
 std::vector<float> sizes_until(float age) {
@@ -44,10 +40,10 @@ Stage stage_at(float age, const Fortune& fortune) {
   const float turns =
       60 + 20 * fortune.luck + 8 * (fortune.sunlight * (0.5f - fortune.exposure)) + 4 * (1 - fortune.vigour);
   Stage stage;
-  stage.opened = ease(opens, opens + 1, age);
-  stage.set = ease(7.5f + 0.4f * opens, 10 + 0.4f * opens, age);
-  stage.turned = ease(turns, turns + 14, age);
-  stage.shrivel = std::min(1.0f, ease(102, 125, age) * (0.6f + 0.7f * fortune.luck));
+  stage.opened = smooth_step(opens, opens + 1, age);
+  stage.set = smooth_step(7.5f + 0.4f * opens, 10 + 0.4f * opens, age);
+  stage.turned = smooth_step(turns, turns + 14, age);
+  stage.shrivel = std::min(1.0f, smooth_step(102, 125, age) * (0.6f + 0.7f * fortune.luck));
   return stage;
 }
 

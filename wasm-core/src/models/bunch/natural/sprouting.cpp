@@ -31,7 +31,7 @@ void Sprouting::ask(const lsystem::Turtle&, std::span<float> parameters, const l
 
 void Sprouting::line(std::int32_t, const lsystem::Turtle& before, const lsystem::Turtle& after,
                      const lsystem::Lineage& lineage) {
-  if (!within(internodes.size(), limits_.internodes, "internodes")) return;
+  if (!within(internodes.size(), limits_.segments, "internodes")) return;
   Internode internode;
   internode.parent = before.line < 0 ? -1 : first_internode_ + before.line;
   internode.kind = kind_of(lineage.parent, pedicel_);
@@ -50,7 +50,7 @@ void Sprouting::line(std::int32_t, const lsystem::Turtle& before, const lsystem:
 }
 
 void Sprouting::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
-  if (turtle.line < 0 || !within(flowers.size(), limits_.flowers, "flowers")) return;
+  if (turtle.line < 0 || !within(flowers.size(), limits_.organs, "flowers")) return;
   const std::int32_t pedicel = first_internode_ + turtle.line;
   if (static_cast<std::size_t>(pedicel) >= internodes.size()) return;
   internodes[static_cast<std::size_t>(pedicel)].kind = Kind::pedicel;

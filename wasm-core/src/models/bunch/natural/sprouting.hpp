@@ -7,8 +7,8 @@
 
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
-#include "geometry/skeleton.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/skeleton.hpp"
 
 namespace panicle::bunch {
 

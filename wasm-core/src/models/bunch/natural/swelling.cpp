@@ -5,8 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "environment/point_grid.hpp"
 #include "foundation/mathematics.hpp"
-#include "models/bunch/natural/neighbours.hpp"
+#include "geometry/closest.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -27,6 +28,7 @@ constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
 constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts: more and it is lost
 constexpr std::size_t most_pairs = 64;  // neighbours of a berry, on average, that are looked at
 constexpr int most_rounds = 64;         // of thinning, where far too many have set
+constexpr float parallel = 1e-5f;       // square of a sine: cores at less do not cross
 constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
 
 struct Pair {
@@ -108,8 +110,7 @@ class Solver {
     const glm::vec3 between = centres_[j] - centres_[i];
     const float p = core(i), q = core(j);
     if (!(p + q > 0)) return between;
-    float s, t;
-    closest(between, headings_[i], p, headings_[j], q, s, t);
+    const auto [s, t] = closest_points(between, {headings_[i], p}, {headings_[j], q}, parallel);
     return between + headings_[j] * t - headings_[i] * s;
   }
 
@@ -125,7 +126,7 @@ class Solver {
       alive_.push_back(i);
       points_.push_back(centres_[i]);
     }
-    const Neighbours grid(points_, 2 * widest + margin);
+    const PointGrid grid(points_, 2 * widest + margin);
     pairs_.clear();
     for (std::uint32_t at = 0; at < alive_.size(); ++at) {
       const std::uint32_t i = alive_[at];
@@ -197,16 +198,6 @@ class Solver {
     }
   }
 
-  // Closest points of two cores, as offsets along each from its centre.
-  static void closest(const glm::vec3& between, const glm::vec3& u, float p, const glm::vec3& v, float q, float& s,
-                      float& t) {
-    const float uv = glm::dot(u, v), ub = glm::dot(u, between), vb = glm::dot(v, between);
-    const float apart = 1 - uv * uv;
-    s = apart > 1e-5f ? std::clamp((ub - uv * vb) / apart, -p, p) : 0;
-    t = std::clamp(uv * s - vb, -q, q);
-    s = std::clamp(uv * t + ub, -p, p);
-  }
-
   void part_berries(bool backwards) {
     const std::size_t count = pairs_.size();
     for (std::size_t k = 0; k < count; ++k) {
@@ -233,8 +224,7 @@ class Solver {
       const float length = glm::length(along);
       if (!(length > 1e-4f)) continue;
       const glm::vec3 between = start + along * 0.5f - centres_[i];
-      float s, t;
-      closest(between, headings_[i], core(i), along / length, length / 2, s, t);
+      const auto [s, t] = closest_points(between, {headings_[i], core(i)}, {along / length, length / 2}, parallel);
       const glm::vec3 way = between + along * (t / length) - headings_[i] * s;
       const float reach = ball(i) + branches_[k].radius;
       const float square = glm::dot(way, way);

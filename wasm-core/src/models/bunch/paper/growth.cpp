@@ -85,7 +85,7 @@ const Growth::Laid* Growth::find_laid(std::uint64_t address) const {
 
 void Growth::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
                   const lsystem::Lineage& lineage) {
-  if (!within(internodes.size(), limits_.internodes, "internodes")) return;
+  if (!within(internodes.size(), limits_.segments, "internodes")) return;
   (void)id;
   Internode internode;
   internode.parent = before.line < 0 ? -1 : first_internode_ + before.line;

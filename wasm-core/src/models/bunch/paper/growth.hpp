@@ -8,9 +8,9 @@
 #include "environment/sphere_grid.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
-#include "geometry/skeleton.hpp"
 #include "lsystem/lsystem.hpp"
 #include "models/bunch/paper/interaction.hpp"
+#include "models/bunch/skeleton.hpp"
 
 namespace panicle::bunch {
 

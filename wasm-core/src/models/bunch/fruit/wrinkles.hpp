@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-namespace panicle {
+namespace panicle::bunch {
 
 // A sum of waves, about 0 and seldom beyond ±1.5. The waves run rather across the axis (Y) than along it, as a berry
 // folds that dries.
@@ -28,4 +28,4 @@ class Wrinkles {
   std::array<Wave, 6> waves_;
 };
 
-}  // namespace panicle
+}  // namespace panicle::bunch

@@ -1,11 +1,11 @@
-#include "geometry/wrinkles.hpp"
+#include "models/bunch/fruit/wrinkles.hpp"
 
 #include <glm/geometric.hpp>
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 
-namespace panicle {
+namespace panicle::bunch {
 namespace {
 
 constexpr std::uint64_t seed = 0x5eed;
@@ -32,4 +32,4 @@ Wrinkles::Value Wrinkles::at(const glm::vec3& direction) const {
   return result;
 }
 
-}  // namespace panicle
+}  // namespace panicle::bunch

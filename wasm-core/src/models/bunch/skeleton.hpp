@@ -1,11 +1,10 @@
-// The skeleton: what a growth is before it has a surface. Lengths are in whatever unit the model grows in.
+// The skeleton of a bunch: what it is before it has a surface. Lengths are in whatever unit the procedure grows in.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <vector>
 
-namespace panicle {
+namespace panicle::bunch {
 
 enum class Kind : std::uint8_t { rachis = 0, axis = 1, end = 2, pedicel = 3 };
 enum class State : std::uint8_t { grown = 0, withered = 1 };
@@ -29,4 +28,4 @@ struct Berry {
   std::uint32_t id = 0;           // below 2^30; of its pedicel's place in the derivation, the same while handles move
 };
 
-}  // namespace panicle
+}  // namespace panicle::bunch

@@ -1,0 +1,34 @@
+#include "models/bunch/stems.hpp"
+
+#include <vector>
+
+namespace panicle::bunch {
+namespace {
+
+constexpr StemEnd receptacle{.flare = 0.35f, .height = 0.35f};
+constexpr StemEnd shrivelled{.body = 0.75f, .tip = 0.5f, .height = 0.7f};
+
+StemEnd end_of(const Internode& internode) {
+  if (internode.kind != Kind::pedicel) return {};
+  return internode.state == State::withered ? shrivelled : receptacle;
+}
+
+}  // namespace
+
+StemMesh sweep_internodes(std::span<const Internode> skeleton, const TubeOptions& options, float scale) {
+  std::vector<Segment> segments;
+  std::vector<std::int32_t> groups;
+  std::vector<StemEnd> ends;
+  segments.reserve(skeleton.size());
+  groups.reserve(skeleton.size());
+  ends.reserve(skeleton.size());
+  for (const Internode& one : skeleton) {
+    segments.push_back(
+        {one.parent, static_cast<std::uint32_t>(one.kind), one.start, one.end, one.radius, one.radius_end});
+    groups.push_back(one.axis);
+    ends.push_back(end_of(one));
+  }
+  return sweep_stems({segments, groups, ends}, options, scale);
+}
+
+}  // namespace panicle::bunch

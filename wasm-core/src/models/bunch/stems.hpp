@@ -1,0 +1,15 @@
+// The tubes of a bunch's internodes.
+#pragma once
+
+#include <span>
+
+#include "geometry/tubes.hpp"
+#include "models/bunch/skeleton.hpp"
+
+namespace panicle::bunch {
+
+// A group of the mesh for the rachis (−1) and for each first-order axis with its pedicels (Internode::axis). A pedicel
+// widens under its berry; a withered one narrows to its tip. Positions come out in the skeleton's unit times `scale`.
+StemMesh sweep_internodes(std::span<const Internode> skeleton, const TubeOptions& options, float scale);
+
+}  // namespace panicle::bunch
