@@ -12,6 +12,7 @@
 #include "foundation/random.hpp"
 #include "foundation/result.hpp"
 #include "models/bunch/parameters.generated.hpp"
+#include "plant/programs.hpp"
 
 using namespace panicle;
 
@@ -33,6 +34,7 @@ struct Answer {
     std::free(request);
   }
   explicit Answer(std::span<const std::uint8_t> bytes) { send(bytes); }
+  explicit Answer(std::uint8_t* answer) { take(answer); }
   ~Answer() { panicle_release(block); }
   Answer(const Answer&) = delete;
   Answer& operator=(const Answer&) = delete;
@@ -57,7 +59,10 @@ struct Answer {
 
  private:
   void send(std::span<const std::uint8_t> bytes) {
-    block = panicle_grow(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    take(panicle_grow(bytes.data(), static_cast<std::uint32_t>(bytes.size())));
+  }
+  void take(std::uint8_t* answer) {
+    block = answer;
     REQUIRE(block != nullptr);
     auto read = read_container({block, container_bytes(block)});
     REQUIRE(read);
@@ -137,6 +142,40 @@ TEST_CASE("a request that is not in the agreed form is refused in words") {
   const std::vector<float> numbers(200'000, 0.0f);
   many.writer.add("parameters", numbers);
   refused(Answer(many), "more values");
+}
+
+TEST_CASE("a grammar that was compiled before grows what its text grows") {
+  const std::string_view text = "axiom: F(40)[+(60)F(30)S(9)]S(12)";
+  Asked spelled;
+  spelled.writer.add("grammar", text);
+  const Answer compiled(panicle_compile(text.data(), static_cast<std::uint32_t>(text.size())));
+  REQUIRE(compiled.reason() == Reason::none);
+  const std::uint32_t handle = compiled.word("program", 0);
+  Asked named;
+  named.writer.add("program", std::span<const std::uint32_t>(&handle, 1));
+  const Answer one(spelled), other(named);
+  REQUIRE(other.reason() == Reason::none);
+  CHECK(one.word("fingerprint", 0) == other.word("fingerprint", 0));
+  CHECK(one.word("counts", 1) == other.word("counts", 1));
+  panicle_forget(handle);
+  const Answer forgotten(named);
+  CHECK(forgotten.reason() == Reason::bad_request);
+  CHECK(forgotten.message().find("not kept") != std::string::npos);
+  const Answer wrong(panicle_compile("axiom: F(", 9));
+  CHECK(wrong.reason() == Reason::syntax);
+  CHECK(wrong.word("status", 1) == 1);
+}
+
+TEST_CASE("compiled grammars are kept up to a limit, and said to be") {
+  std::vector<std::uint32_t> handles;
+  for (std::size_t i = 0; i < Programs::most; ++i)
+    handles.push_back(Answer(panicle_compile("axiom: F", 8)).word("program", 0));
+  CHECK(Answer(panicle_compile("axiom: F", 8)).reason() == Reason::limit);
+  for (const std::uint32_t handle : handles) panicle_forget(handle);
+  const Answer again(panicle_compile("axiom: F", 8));
+  REQUIRE(again.reason() == Reason::none);
+  CHECK(again.word("program", 0) > handles.back());
+  panicle_forget(again.word("program", 0));
 }
 
 TEST_CASE("no bytes of a request can do harm") {

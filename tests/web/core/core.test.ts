@@ -2,6 +2,7 @@ import { beforeAll, describe, expect, it, vi } from "vitest";
 import { Columns, writeContainer } from "../../../web/src/core/container";
 import { Core } from "../../../web/src/core/core";
 import { CoreError, CoreTrap, UnsupportedError } from "../../../web/src/core/errors";
+import type { CoreExports } from "../../../web/src/core/exports";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../web/src/models/bunch/grown";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
@@ -250,6 +251,27 @@ describe("the border", () => {
 				}
 			}
 		}
+	});
+
+	it("compiles a grammar once for all growths with its text, and lets go of texts of long ago", async () => {
+		const module = await WebAssembly.compile(await wasmBytes());
+		const { exports } = await WebAssembly.instantiate(module, stubsOf(module));
+		const real = exports as unknown as CoreExports;
+		const panicle_compile = vi.fn(real.panicle_compile);
+		const panicle_forget = vi.fn(real.panicle_forget);
+		const instantiate = vi.spyOn(WebAssembly, "instantiate");
+		instantiate.mockResolvedValueOnce({ exports: { ...exports, panicle_compile, panicle_forget } } as never);
+		const fresh = await Core.instantiate(module);
+		instantiate.mockRestore();
+		const text = (length: number) => ({ ...paper("duku"), grammar: `axiom: F(${length})S(9)` });
+		const first = growBunch(fresh, text(50)).fingerprint;
+		for (let seed = 1; seed < 5; seed++) growBunch(fresh, { ...text(50), seed });
+		expect(panicle_compile).toHaveBeenCalledTimes(1);
+		for (let length = 1; length <= 20; length++) growBunch(fresh, text(length));
+		expect(panicle_compile).toHaveBeenCalledTimes(21);
+		expect(panicle_forget).toHaveBeenCalledTimes(13);
+		expect(growBunch(fresh, text(50)).fingerprint).toBe(first);
+		expect(panicle_compile).toHaveBeenCalledTimes(22);
 	});
 
 	it("says where a grammar goes wrong", () => {

@@ -141,6 +141,14 @@ std::uint8_t* write_plant(const Plant& plant) {
   return out.write();
 }
 
+std::uint8_t* write_program(std::uint32_t handle) {
+  ContainerWriter out;
+  const std::array<std::uint32_t, 3> status{};
+  out.add("status", std::span<const std::uint32_t>(status));
+  out.add("program", std::span<const std::uint32_t>(&handle, 1));
+  return out.write();
+}
+
 std::uint8_t* write_failure(const Diagnostic& diagnostic) {
   ContainerWriter out;
   const std::array<std::uint32_t, 3> status{static_cast<std::uint32_t>(diagnostic.reason), diagnostic.line,

@@ -22,10 +22,25 @@ const Model* find_model(std::string_view name) {
   return nullptr;
 }
 
+// The one thing that lives from call to call, and only by handles that the caller holds.
+Programs& programs() {
+  static Programs kept;
+  return kept;
+}
+
+// Errors: those of compiling; limit where too many are kept.
+Result<std::uint32_t> compile(std::string_view text) {
+  auto program = lsystem::compile(text, Limits{}, lsystem::Lineages::always);
+  if (!program) return program.error();
+  const std::uint32_t handle = programs().keep(std::move(program.value()));
+  if (handle == 0) return Diagnostic{Reason::limit, "Too many compiled grammars are kept; forget some.", 0, 0};
+  return handle;
+}
+
 Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   const auto blocks = read_container(bytes);
   if (!blocks) return blocks.error();
-  Request request(blocks.value(), nullptr);
+  Request request(blocks.value(), &programs());
   const Model* const model = find_model(request.text("model"));
   if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
   return model->grow(request, Limits{});
@@ -47,5 +62,12 @@ std::uint8_t* panicle_grow(const std::uint8_t* request, std::uint32_t bytes) {
   const auto plant = grow({request, bytes});
   return plant ? boundary::write_plant(plant.value()) : boundary::write_failure(plant.error());
 }
+
+std::uint8_t* panicle_compile(const char* text, std::uint32_t bytes) {
+  const auto program = compile({text, bytes});
+  return program ? boundary::write_program(program.value()) : boundary::write_failure(program.error());
+}
+
+void panicle_forget(std::uint32_t program) { programs().forget(program); }
 
 }  // extern "C"

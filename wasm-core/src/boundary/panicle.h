@@ -39,6 +39,13 @@ void panicle_release(void* memory);
 /* Grows. An answer whose fourth word is its length in bytes; null only when memory is out. Release it. */
 uint8_t* panicle_grow(const uint8_t* request, uint32_t bytes);
 
+/* Compiles a grammar (UTF-8) and keeps it: the answer has `status` and, where that is 0, `program` (uint32), the handle
+ * that a request may name in place of its `grammar`. Compiling is most of what a text costs, and a drag sends the same
+ * text a hundred times. */
+uint8_t* panicle_compile(const char* text, uint32_t bytes);
+/* Lets go of a compiled grammar. */
+void panicle_forget(uint32_t program);
+
 #ifdef __cplusplus
 }
 #endif

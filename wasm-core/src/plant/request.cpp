@@ -74,6 +74,15 @@ bool Request::wants(std::string_view output) {
   return false;
 }
 
+std::shared_ptr<const lsystem::Program> Request::program() {
+  const std::span<const std::uint32_t> handle = words("program");
+  if (handle.empty()) return nullptr;
+  auto program = programs_ ? programs_->find(handle[0]) : nullptr;
+  if (!program && trouble_.reason == Reason::none)
+    trouble_ = refused("The request names a compiled grammar that is not kept; send its text.");
+  return program;
+}
+
 Diagnostic Request::trouble() const {
   if (trouble_.reason != Reason::none) return trouble_;
   for (std::size_t i = 0; i < blocks_.size(); ++i)

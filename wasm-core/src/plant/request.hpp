@@ -38,6 +38,8 @@ class Request {
 
   // Whether `outputs` names this one.
   bool wants(std::string_view output);
+  // The compiled grammar whose handle the block `program` holds; null where there is none.
+  std::shared_ptr<const lsystem::Program> program();
   // Once everything has been read: the first thing that was wrong, or a block that nobody has asked for.
   Diagnostic trouble() const;
 

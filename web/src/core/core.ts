@@ -5,6 +5,9 @@ import { ABI, areCoreExports, type CoreExports } from "./exports";
 
 /** Bytes of the largest request: parameters, lists and the longest grammar stay far below. */
 const MOST_REQUEST_BYTES = 1024 * 1024;
+/** Compiled grammars that are kept: those of the procedures, and of a text before and after an edit. */
+const MOST_PROGRAMS = 8;
+const encoder = new TextEncoder();
 const WASI_NOT_SUPPORTED = 52; // ENOSYS
 
 /** What a request grew into. */
@@ -17,6 +20,8 @@ export interface Answer {
 
 export class Core {
 	readonly #exports: CoreExports;
+	/** Handles of compiled grammars by their texts, those used last at the end. */
+	readonly #programs = new Map<string, number>();
 	#trapped = false;
 
 	private constructor(exports: CoreExports) {
@@ -42,21 +47,28 @@ export class Core {
 	}
 
 	/**
-	 * Grows a request, as a model's `encode` writes it. What comes back is the caller's own; nothing is kept.
+	 * Grows a request, as a model's `encode` writes it. What comes back is the caller's own. A grammar is compiled once
+	 * and kept for the next requests with the same text.
 	 *
 	 * @throws CoreError where the request cannot be grown; the instance stays good
 	 * @throws CoreTrap where the core broke; the instance must be thrown away
 	 */
 	grow(blocks: readonly Block[]): Answer {
-		return this.growBytes(writeContainer(blocks));
+		return this.#guarded(() => {
+			const compiled = blocks.map((block) => (block.name === "grammar" ? this.#compiled(block) : block));
+			return this.#grown(writeContainer(compiled));
+		});
 	}
 
-	/** The same for a request that is laid out already. */
+	/** The same for a request that is laid out already, whatever it is. */
 	growBytes(request: Uint8Array): Answer {
+		return this.#guarded(() => this.#grown(request));
+	}
+
+	#guarded<Result>(work: () => Result): Result {
 		if (this.#trapped) throw new CoreTrap("This core has broken before; another is needed.");
-		if (request.length > MOST_REQUEST_BYTES) throw new CoreError("limit", "The request is larger than 1 MiB.");
 		try {
-			return this.#growCopied(request);
+			return work();
 		} catch (error) {
 			if (error instanceof CoreError) throw error;
 			this.#trapped = true;
@@ -64,23 +76,53 @@ export class Core {
 		}
 	}
 
-	#growCopied(request: Uint8Array): Answer {
+	/** The handle of a grammar's text, in the place of the text. */
+	#compiled({ data: text }: Block): Block {
+		if (typeof text !== "string") throw new CoreError("bad request", "A grammar is a text.");
+		const known = this.#programs.get(text);
+		// The newest stands last: what has not been used for longest is forgotten first.
+		if (known !== undefined) this.#programs.delete(text);
+		const program = known ?? this.#compile(text);
+		this.#programs.set(text, program);
+		return { name: "program", data: Uint32Array.of(program) };
+	}
+
+	#compile(text: string): number {
+		const [oldest] = this.#programs;
+		if (oldest && this.#programs.size >= MOST_PROGRAMS) {
+			this.#exports.panicle_forget(oldest[1]);
+			this.#programs.delete(oldest[0]);
+		}
+		const columns = this.#call(encoder.encode(text), (pointer, bytes) => this.#exports.panicle_compile(pointer, bytes));
+		return columns.words("program")[0];
+	}
+
+	#grown(request: Uint8Array): Answer {
+		let milliseconds = 0;
+		const columns = this.#call(request, (pointer, bytes) => {
+			const from = performance.now();
+			const answer = this.#exports.panicle_grow(pointer, bytes);
+			milliseconds = performance.now() - from;
+			return answer;
+		});
+		return { columns, milliseconds };
+	}
+
+	/** Copies bytes in, calls, copies the answer out. */
+	#call(input: Uint8Array, call: (pointer: number, bytes: number) => number): Columns {
+		if (input.length > MOST_REQUEST_BYTES) throw new CoreError("limit", "The request is larger than 1 MiB.");
 		const exports = this.#exports;
-		const pointer = exports.panicle_allocate(request.length) >>> 0;
+		const pointer = exports.panicle_allocate(input.length) >>> 0;
 		if (pointer === 0) throw new CoreError("limit", "There is no memory for the request; close other pages.");
-		new Uint8Array(exports.memory.buffer, pointer, request.length).set(request);
-		const from = performance.now();
-		const answer = exports.panicle_grow(pointer, request.length) >>> 0;
-		const milliseconds = performance.now() - from;
+		new Uint8Array(exports.memory.buffer, pointer, input.length).set(input);
+		const answer = call(pointer, input.length) >>> 0;
 		exports.panicle_release(pointer);
 		if (answer === 0) throw new CoreError("limit", "There is no memory for the plant; make it smaller.");
 		const columns = new Columns(this.#copyOut(answer));
 		exports.panicle_release(answer);
 		const [reason, line, column] = columns.words("status");
-		if (reason !== 0) {
-			throw new CoreError(CORE_REASONS[reason] ?? "bad request", columns.text("message"), line, column);
-		}
-		return { columns, milliseconds };
+		if (reason === 0) return columns;
+		throw new CoreError(CORE_REASONS[reason] ?? "bad request", columns.text("message"), line, column);
 	}
 
 	/** A container in the core's memory as bytes of our own: no view of the memory leaves this file. */

@@ -2,22 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
+#include "lsystem/lsystem.hpp"
 #include "models/bunch/grown.hpp"
 
 namespace panicle::bunch {
 
 struct Request {
   std::uint32_t seed = 1;
-  std::vector<float> parameters;       // in the order of parameter_table; NaN or missing: the default
-  std::int32_t m = 0;                  // rachis segments in place of the profile's; 0: from the profile
-  std::vector<std::int32_t> n;         // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
-  std::string_view grammar;            // empty: the procedure's own
-  std::vector<std::uint32_t> thinned;  // berries taken off by hand, by id
+  std::vector<float> parameters;                    // in the order of parameter_table; NaN or missing: the default
+  std::int32_t m = 0;                               // rachis segments in place of the profile's; 0: from the profile
+  std::vector<std::int32_t> n;                      // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
+  std::string_view grammar;                         // empty: the procedure's own
+  std::shared_ptr<const lsystem::Program> program;  // that text compiled, with lineages; null: compiled here
+  std::vector<std::uint32_t> thinned;               // berries taken off by hand, by id
   bool meshes = true;
   bool measures = true;
   bool mesh_fingerprint = false;     // of the meshes, where they are asked for

@@ -1,7 +1,7 @@
 // The bunch as one model among others: a request's blocks → growth → plant.
 //
 // Blocks of a request besides everyone's (plant/request.hpp):
-//   grammar         text; empty: the procedure's own
+//   grammar or program   where both are absent: the procedure's own
 //   m, n            int32: segments in place of the profile's; n is n₁ … n₍m−1₎ as the paper counts
 //   thinned         uint32: ids of berries taken off by hand
 //   stem_sides, berry_segments   uint32: of the meshes; 0: default

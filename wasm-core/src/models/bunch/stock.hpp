@@ -10,6 +10,7 @@
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/bunch.hpp"
 
 namespace panicle::bunch {
 
@@ -21,8 +22,9 @@ struct Stock {
   float lean = 0;  // degrees that the whole bunch leans to the left
 };
 
-// A grammar that every bunch of a request is derived from.
-Result<std::shared_ptr<const lsystem::Program>> compile_stock(std::string_view grammar, const Limits& limits);
+// The grammar that every bunch of a request is derived from: compiled before, or now; the built-in one of that number
+// where the request has none.
+Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, int built_in, const Limits& limits);
 
 Result<Stock> derive_stock(std::shared_ptr<const lsystem::Program> program, std::uint64_t seed,
                            const lsystem::Inputs& inputs, const Limits& limits);

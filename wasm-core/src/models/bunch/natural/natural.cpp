@@ -9,7 +9,6 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "models/bunch/builtin_grammars.hpp"
 #include "models/bunch/foliage/foliage.hpp"
 #include "models/bunch/fruit/flower.hpp"
 #include "models/bunch/measures/measures.hpp"
@@ -65,7 +64,7 @@ class NaturalGrowth {
   Diagnostic sprout() {
     using enum Parameter;
     const Profile profile = values_.profile();
-    auto program = compile_stock(request_.grammar.empty() ? builtin_grammar(4) : request_.grammar, limits_);
+    auto program = program_for(request_, 4, limits_);
     if (!program) return program.error();
     program_ = std::move(program.value());
     Diagnostic trouble = sprout_one(profile, request_.seed, 0, 0, 0);

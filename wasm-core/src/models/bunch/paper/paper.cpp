@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/builtin_grammars.hpp"
 #include "models/bunch/measures/measures.hpp"
 #include "models/bunch/paper/growth.hpp"
 #include "models/bunch/shape.hpp"
@@ -60,8 +59,7 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   auto shape = shape_for(request, profile, values[fit]);
   if (!shape) return shape.error();
 
-  const std::string_view grammar = request.grammar.empty() ? builtin_grammar(3) : request.grammar;
-  const auto program = compile_stock(grammar, limits);
+  const auto program = program_for(request, 3, limits);
   if (!program) return program.error();
   const auto first = derive_stock(program.value(), request.seed, inputs_for(shape.value(), values), limits);
   if (!first) return first.error();
