@@ -5,7 +5,7 @@ import { sampleBunch } from "./sample_bunch";
 
 const spindle = (count: number, length: number) => {
 	const bunch = sampleBunch(count, 1, length);
-	return spindleOf(bunch.berries.spheres, bunch.internodes.ends);
+	return spindleOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
 };
 
 /** As much of an element as OrbitControls asks for. */

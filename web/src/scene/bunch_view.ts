@@ -67,7 +67,7 @@ export class BunchView {
 	show(grown: Grown, look: Look): void {
 		this.#stage.show(grown, look);
 		this.#grown = grown;
-		this.#spindle = spindleOf(grown.berries.spheres, pointsOf(grown));
+		this.#spindle = spindleOf({ spheres: grown.berries.spheres, points: pointsOf(grown) });
 		this.#turntable.follow(this.#spindle, this.#held);
 		this.#loop.request(true);
 	}
