@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { fitView, needsRefit, spindleOf } from "../../../web/src/scene/camera_fit";
-import { sampleBunch } from "./sample_bunch";
+import { sampleBunch } from "../models/bunch/sample_bunch";
 
 const FOV = 24;
 const NONE = new Float32Array(0);
