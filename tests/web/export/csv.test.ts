@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { exportCsv, exportMeasuresCsv } from "../../../web/src/export/csv";
 import { MEASURES } from "../../../web/src/models/bunch/measures.generated";
+import { berriesCsv, measuresCsv } from "../../../web/src/models/bunch/tables";
 import * as arbitrary from "./arbitrary";
 import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
 import { makeNatural } from "./natural_fixture";
@@ -28,7 +28,7 @@ const records = (text: string) => {
 
 describe("the CSV of berries", () => {
 	it("has one header row and one row a berry, each as long, with CRLF after every one and nothing before", () => {
-		const text = exportCsv(grown, specimen);
+		const text = berriesCsv(grown, specimen);
 		expect(text.startsWith("preset,seed,berry,id,x_mm,y_mm,z_mm,width_mm,length_mm,")).toBe(true);
 		expect(text.split("\r\n")).toHaveLength(grown.berries.count + 2);
 		expect(new Set(parse(text).map((row) => row.length)).size).toBe(1);
@@ -38,7 +38,7 @@ describe("the CSV of berries", () => {
 		fc.assert(
 			fc.property(arbitrary.sketch, fc.boolean(), (sketch, natural) => {
 				const any = natural ? makeNatural(sketch) : makeGrown(sketch);
-				const rows = records(exportCsv(any, specimen));
+				const rows = records(berriesCsv(any, specimen));
 				expect(rows).toHaveLength(any.berries.count);
 				rows.forEach((row, i) => {
 					const [x, y, z, r] = any.berries.spheres.subarray(4 * i, 4 * i + 4);
@@ -55,24 +55,24 @@ describe("the CSV of berries", () => {
 	});
 
 	it("has volumes, pedicels' lengths and traits, with no more digits than they are worth", () => {
-		const [first, second] = records(exportCsv(grown, specimen));
+		const [first, second] = records(berriesCsv(grown, specimen));
 		expect(first).toMatchObject({ preset: "short-conical", seed: "7", berry: "1", exposure: "0", turned: "0.5" });
 		expect(Number(first.volume_mm3)).toBeCloseTo((4 / 3) * Math.PI * 6 ** 3, 0);
 		expect(first.pedicel_length_mm).toBe("12");
 		expect(second.exposure).toBe("0.25");
-		for (const row of parse(exportCsv(grown, specimen)).slice(1)) {
+		for (const row of parse(berriesCsv(grown, specimen)).slice(1)) {
 			for (const cell of row) expect(cell.length).toBeLessThan(14);
 		}
 	});
 
 	it("is a header alone where there are no berries", () => {
-		expect(parse(exportCsv(makeNatural({ axes: [] }), specimen))).toHaveLength(1);
+		expect(parse(berriesCsv(makeNatural({ axes: [] }), specimen))).toHaveLength(1);
 	});
 });
 
 describe("the CSV of measures", () => {
 	it("has a row for each, with unit and class, and an empty value where one does not apply", () => {
-		const rows = records(exportMeasuresCsv(grown, specimen));
+		const rows = records(measuresCsv(grown, specimen));
 		expect(rows.map(({ key }) => key)).toEqual(MEASURES.map(({ key }) => key));
 		rows.forEach((row, i) => {
 			expect(row.value).toBe(i % 7 === 3 ? "" : String(Number((0.1 * i).toFixed(6))));
@@ -82,12 +82,12 @@ describe("the CSV of measures", () => {
 	});
 
 	it("is a header alone where none were asked for", () => {
-		expect(parse(exportMeasuresCsv({ ...grown, measures: undefined }, specimen))).toHaveLength(1);
+		expect(parse(measuresCsv({ ...grown, measures: undefined }, specimen))).toHaveLength(1);
 	});
 
 	it("quotes what would end a cell", () => {
 		const odd = sampleSpecimen({ preset: 'a "b", c' });
-		expect(exportCsv(grown, odd)).toContain('"a ""b"", c",1,1,');
-		expect(records(exportCsv(grown, odd))[0].preset).toBe('a "b", c');
+		expect(berriesCsv(grown, odd)).toContain('"a ""b"", c",1,1,');
+		expect(records(berriesCsv(grown, odd))[0].preset).toBe('a "b", c');
 	});
 });

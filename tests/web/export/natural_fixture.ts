@@ -1,8 +1,7 @@
 /** Small growths as the natural procedure gives them, made without the core: pressed berries, flowers, foliage. */
-
-import { fromUp, rows } from "../../../web/src/export/orientation";
 import type { BerrySurfaces, Foliage, Grown, Mesh } from "../../../web/src/models/bunch/grown";
 import { MEASURES } from "../../../web/src/models/bunch/measures.generated";
+import { fromUp, rows } from "../../../web/src/plant/orientation";
 import { fingerprintOf } from "./fingerprint";
 import { type GrownSketch, makeBerry, makeGrown } from "./fixture";
 
@@ -29,7 +28,7 @@ export function makeNatural(sketch: GrownSketch, { traits = () => ({}), bare = f
 		procedure: "natural",
 		form: { fruit: "grape", taper: Math.fround(0.1), blunt: 0 },
 		surfaces: pressedSurfaces(grown, berry ?? makeBerry(6)),
-		flower: makeBerry(8),
+		flower: flower(),
 		measures: Float32Array.from(MEASURES, (_, i) => (i % 7 === 3 ? Number.NaN : 0.1 * i)),
 		thinned: [
 			{ id: 3, why: "no room", place: [0.001, -0.02, 0.003].map(Math.fround) as [number, number, number] },
@@ -38,6 +37,14 @@ export function makeNatural(sketch: GrownSketch, { traits = () => ({}), bare = f
 	};
 	if (!bare) natural.foliage = makeFoliage();
 	return { ...natural, fingerprint: fingerprintOf(natural.internodes, berries, "natural") };
+}
+
+/** Stamens reach so many of their ovary's radii. */
+export const STAMENS_REACH = 1.75;
+
+function flower(): Mesh {
+	const ball = makeBerry(8);
+	return { ...ball, positions: ball.positions.map((value) => STAMENS_REACH * value) };
 }
 
 /** Ellipsoids along their directions, flat on one side where they are called pressed. */

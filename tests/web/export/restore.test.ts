@@ -1,14 +1,14 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { exportGlb } from "../../../web/src/export/glb";
 import { exportJson } from "../../../web/src/export/json";
 import { FileError, JSON_BYTES, specimenFromFile } from "../../../web/src/export/restore";
+import { bunchGlb } from "../models/bunch/parts/files";
 import * as arbitrary from "./arbitrary";
 import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
 
 const grown = makeGrown(SKETCH);
 const specimen = sampleSpecimen({ preset: "rubus", seed: 12, thinned: [77, 5, 2 ** 30 - 1], grammar: "axiom: F(1)\n" });
-const glb = await exportGlb(grown, specimen);
+const glb = await bunchGlb(grown, specimen);
 const open = (name: string, ...parts: BlobPart[]) => specimenFromFile(name, new Blob(parts));
 
 /** A file that is larger than what it holds; keeps what was read of it. */
@@ -45,7 +45,7 @@ describe("a specimen out of a file", () => {
 	it("comes back from any GLB and JSON as it went in, without notes", async () => {
 		await fc.assert(
 			fc.asyncProperty(arbitrary.specimen, fc.boolean(), async (any, instancing) => {
-				const files = [await exportGlb(grown, any, { instancing }), JSON.stringify(exportJson(grown, any))];
+				const files = [await bunchGlb(grown, any, { instancing }), JSON.stringify(exportJson(grown, any))];
 				for (const file of files) expect(await open("file", file)).toEqual({ specimen: any, notes: [] });
 			}),
 			{ numRuns: 40 },

@@ -2,11 +2,12 @@ import fc from "fast-check";
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { fitView, needsRefit, spindleOf } from "../../../web/src/scene/camera_fit";
-import { sampleBunch } from "./sample_bunch";
+import { sampleBunch } from "../models/bunch/sample_bunch";
 
 const FOV = 24;
+const NONE = new Float32Array(0);
 const bunch = sampleBunch(90);
-const spindle = spindleOf(bunch.berries.spheres, bunch.internodes.ends);
+const spindle = spindleOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
 
 /** The farthest any berry's centre comes from the middle of the view, as a share of half its height or width. */
 function reach(distance: number, azimuth: number, elevation: number, aspect: number): number {
@@ -43,8 +44,8 @@ describe("fitView", () => {
 	});
 
 	it("fits something of no size and the stems of a bunch without berries", () => {
-		expect(fitView(spindleOf(new Float32Array(0), new Float32Array(0)), 0.4, 1, 0.07, 0).distance).toBeGreaterThan(0);
-		const bare = fitView(spindleOf(new Float32Array(0), bunch.internodes.ends), 0.4, 1, 0.07, 0);
+		expect(fitView(spindleOf({ spheres: NONE, points: NONE }), 0.4, 1, 0.07, 0).distance).toBeGreaterThan(0);
+		const bare = fitView(spindleOf({ spheres: NONE, points: bunch.internodes.ends }), 0.4, 1, 0.07, 0);
 		expect(bare.distance).toBeGreaterThan(0.1);
 		expect(Number.isFinite(bare.radius)).toBe(true);
 	});

@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { spindleOf } from "../../../web/src/scene/camera_fit";
 import { Turntable } from "../../../web/src/scene/turntable";
-import { sampleBunch } from "./sample_bunch";
+import { sampleBunch } from "../models/bunch/sample_bunch";
 
 const spindle = (count: number, length: number) => {
 	const bunch = sampleBunch(count, 1, length);
-	return spindleOf(bunch.berries.spheres, bunch.internodes.ends);
+	return spindleOf({ spheres: bunch.berries.spheres, points: bunch.internodes.ends });
 };
 
 /** As much of an element as OrbitControls asks for. */

@@ -1,13 +1,15 @@
 /** The command: grows one specimen and writes it. */
 import { basename } from "node:path";
 import { CoreError } from "../core/errors";
-import { exportCsv } from "../export/csv";
 import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import type { Grown } from "../models/bunch/grown";
+import { aboutBunch } from "../models/bunch/parts/about";
+import { bunchParts } from "../models/bunch/parts/bunch_parts";
 import { readGrown } from "../models/bunch/read_grown";
 import { encodeRequest } from "../models/bunch/request";
+import { berriesCsv } from "../models/bunch/tables";
 import type { Specimen } from "../specimen/specimen";
 import { type Call, readArguments } from "./arguments";
 import { askedSpecimen, reasonOf } from "./asked_specimen";
@@ -68,11 +70,12 @@ async function filesOf(
 	grown: Grown,
 	specimen: Specimen,
 ): Promise<[file: string, data: string | Uint8Array][]> {
-	if (as === "glb") return [[file, await exportGlb(grown, specimen)]];
 	if (as === "json") return [[file, jsonOf(grown, specimen)]];
-	if (as === "csv") return [[file, exportCsv(grown, specimen)]];
+	if (as === "csv") return [[file, berriesCsv(grown, specimen)]];
+	const [parts, about] = [bunchParts(grown, specimen), await aboutBunch(grown, specimen)];
+	if (as === "glb") return [[file, exportGlb(parts, about)]];
 	const stem = file.slice(0, -".obj".length);
-	const { obj, mtl } = exportObj(grown, specimen, basename(stem));
+	const { obj, mtl } = exportObj(parts, about, basename(stem));
 	return [
 		[file, obj],
 		[`${stem}.mtl`, mtl],

@@ -1,85 +1,9 @@
-/**
- * Grown → tables for a spreadsheet or a data frame: RFC 4180, comma and CRLF, one header row with the unit in each
- * name. Needs no meshes. What the columns mean is in docs/export.md.
- */
-import type { Grown } from "../models/bunch/grown";
-import { classOf } from "../models/bunch/measures";
-import type { Specimen } from "../specimen/specimen";
-import { measureValues } from "./measures";
-import { rounded } from "./numbers";
-import { traitOf } from "./traits";
+/** Tables for a spreadsheet or a data frame, as RFC 4180 has them: commas and CRLF, the first row their header. */
 
-type Cell = string | number | null;
+/** Null is an empty cell: what does not apply. */
+export type Cell = string | number | null;
 
-/** Millimetres to the micrometre. */
-const MM_DECIMALS = 3;
-const SHARE_DECIMALS = 4;
-const MM = 1000;
-
-/** Column by column: its name and what it says of a berry. */
-const BERRY_COLUMNS: readonly (readonly [name: string, cell: (grown: Grown, index: number) => Cell])[] = [
-	["berry", (_, i) => i + 1],
-	["id", ({ berries }, i) => berries.ids[i]],
-	["x_mm", (grown, i) => millimetres(grown.berries.spheres[4 * i])],
-	["y_mm", (grown, i) => millimetres(grown.berries.spheres[4 * i + 1])],
-	["z_mm", (grown, i) => millimetres(grown.berries.spheres[4 * i + 2])],
-	["width_mm", ({ berries }, i) => millimetres(traitOf(berries, i, "width"))],
-	["length_mm", ({ berries }, i) => millimetres(traitOf(berries, i, "length"))],
-	["radius_mm", ({ berries }, i) => millimetres(berries.spheres[4 * i + 3])],
-	["volume_mm3", ({ berries }, i) => rounded((4 / 3) * Math.PI * (MM * berries.spheres[4 * i + 3]) ** 3, 1)],
-	["direction_x", (grown, i) => direction(grown, i, 0)],
-	["direction_y", (grown, i) => direction(grown, i, 1)],
-	["direction_z", (grown, i) => direction(grown, i, 2)],
-	["exposure", share("exposure")],
-	["turned", share("turned")],
-	["opened", share("opened")],
-	["set", share("set")],
-	["shrivel", share("shrivel")],
-	["seeds", share("seeds")],
-	["axis", ({ berries, internodes }, i) => internodes.axis[berries.parent[i]]],
-	["pedicel", ({ berries }, i) => berries.parent[i]],
-	["pedicel_length_mm", pedicelLength],
-];
-
-/** One row a berry, in the order of the growth; each says whose it is, so that tables can be put one below the other. */
-export function exportCsv(grown: Grown, { preset, seed }: Specimen): string {
-	const rows = Array.from({ length: grown.berries.count }, (_, i) => [
-		preset,
-		seed,
-		...BERRY_COLUMNS.map(([, cell]) => cell(grown, i)),
-	]);
-	return table([["preset", "seed", ...BERRY_COLUMNS.map(([name]) => name)], ...rows]);
-}
-
-/** One row a measure; none where none were asked for. A value that does not apply is empty. */
-export function exportMeasuresCsv(grown: Grown, { preset, seed }: Specimen): string {
-	const rows = measureValues(grown).map(([info, value]) => {
-		const { key, label, kind, unit, oiv = null } = info;
-		const found = classOf(info, value ?? Number.NaN);
-		const ofShare = kind === "share" ? "1" : unit;
-		return [preset, seed, key, label, value, ofShare, oiv, found?.note ?? null, found?.words ?? null];
-	});
-	return table([["preset", "seed", "key", "measure", "value", "unit", "oiv", "class", "class_words"], ...rows]);
-}
-
-function millimetres(metres: number): number {
-	return rounded(MM * metres, MM_DECIMALS);
-}
-
-function direction({ berries }: Grown, index: number, axis: number): number {
-	return rounded(berries.directions[3 * index + axis], SHARE_DECIMALS);
-}
-
-function share(trait: Parameters<typeof traitOf>[2]) {
-	return ({ berries }: Grown, index: number): number => rounded(traitOf(berries, index, trait), SHARE_DECIMALS);
-}
-
-function pedicelLength({ berries, internodes }: Grown, index: number): number {
-	const [ax, ay, az, bx, by, bz] = internodes.ends.subarray(6 * berries.parent[index], 6 * berries.parent[index] + 6);
-	return millimetres(Math.hypot(bx - ax, by - ay, bz - az));
-}
-
-function table(rows: readonly (readonly Cell[])[]): string {
+export function writeCsv(rows: readonly (readonly Cell[])[]): string {
 	return rows.map((row) => `${row.map(written).join(",")}\r\n`).join("");
 }
 

@@ -1,79 +1,187 @@
-/**
- * Grown → binary glTF 2.0, in metres, +Y up. What is in the file, and why it is so, is in docs/export.md.
- */
-import type { Grown, StemMesh } from "../models/bunch/grown";
-import { encodeLink } from "../specimen/link";
-import type { Specimen } from "../specimen/specimen";
-import { writtenSpecimen } from "../specimen/written";
-import { addFoliage } from "./foliage";
-import { GltfDocument, type Json } from "./gltf_document";
-import { stemMaterial } from "./materials";
-import { measuresOf } from "./measures";
-import { cut, requireMeshes } from "./meshes";
-import { plantName, stemName } from "./names";
-import { addPressedBerries } from "./pressed_berries";
-import { addSharedBerries } from "./shared_berries";
-import { stemColours } from "./stem_colour";
-import { vertexColours } from "./vertex_colours";
+/** Any plant's parts → binary glTF 2.0, in metres, +Y up. What is in the file, and why it is so, is in docs/export.md. */
+import type { Colour } from "../plant/colour";
+import type { Material } from "../plant/material";
+import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+import type { About } from "./about";
+import { GltfDocument, type Json, type Placed } from "./gltf_document";
+import { gltfMaterial } from "./gltf_material";
+import { rounded, shortFloat } from "./numbers";
+import { brightest, sharesOf } from "./vertex_colours";
+import { written } from "./written";
 
 export interface GlbOptions {
 	/**
-	 * One node `Berries` drawn with EXT_mesh_gpu_instancing in place of one node per berry: smaller and faster, for
-	 * readers that know the extension; others refuse the file. Passed over for natural bunches, whose berries
-	 * share no mesh.
+	 * Instances drawn by one node with EXT_mesh_gpu_instancing in place of a node each: smaller and faster, for readers
+	 * that know the extension; others refuse the file. What is drawn once stays as it is.
 	 */
 	instancing?: boolean;
 	/** Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about two thirds the size; readers must know it. */
 	compact?: boolean;
-	/** The link that brings the specimen back; without it the query alone, `?v=2&…`. */
-	link?: string;
 }
 
-/**
- * The file. Rejects with a message for people when `grown` was asked for without meshes. `grown` is only read.
- */
-export async function exportGlb(
-	grown: Grown,
-	specimen: Specimen,
-	options: GlbOptions = {},
-): Promise<Uint8Array<ArrayBuffer>> {
-	const { instancing = false, compact = false, link = await encodeLink(specimen) } = options;
-	const meshes = requireMeshes(grown);
-	const document = new GltfDocument(compact);
-	const root: Json = { name: plantName(specimen) };
-	const roots = [document.node(root)];
-	const children = addStems(document, grown, meshes.stem, specimen);
-	if (meshes.surfaces) children.push(addPressedBerries(document, grown, meshes.surfaces, specimen));
-	else if (meshes.berry) children.push(addSharedBerries(document, grown, meshes.berry, specimen.look, instancing));
-	if (grown.foliage) children.push(...addFoliage(document, grown, grown.foliage));
-	if (children.length > 0) root.children = children;
-	return document.finish(roots, extrasOf(grown, specimen, link));
+const INSTANCING = "EXT_mesh_gpu_instancing";
+/** Well inside what validators allow a quaternion to be off its unit length. */
+const TURN_DECIMALS = 7;
+
+/** The file; `parts` are only read. The same parts give the same bytes. */
+export function exportGlb(parts: Iterable<Part>, about: About, options: GlbOptions = {}): Uint8Array<ArrayBuffer> {
+	const all = [...parts];
+	const writer = new PartsWriter(new GltfDocument(options.compact ?? false), all, options.instancing ?? false);
+	return writer.write(all, about);
 }
 
-/** Where the file came from: enough to grow it again and to check that it is the same. */
-function extrasOf(grown: Grown, specimen: Specimen, link: string): Json {
-	const { procedure, plan, second, counts, fingerprint } = grown;
+/** What its parent has done to a node already. */
+interface Frame {
+	origin: readonly number[];
+	unit: number;
+}
+
+const WORLD: Frame = { origin: [0, 0, 0], unit: 1 };
+
+class PartsWriter {
+	readonly #document: GltfDocument;
+	readonly #instancing: boolean;
+	/** The brightest colour of all vertices of a material. */
+	readonly #bases = new Map<Material, Colour>();
+	/** Indices by material, of those with colours of vertices and of those without. */
+	readonly #materials = { coloured: new Map<Material, number>(), plain: new Map<Material, number>() };
+	readonly #shared = new Map<PartMesh, Placed>();
+
+	constructor(document: GltfDocument, parts: readonly Part[], instancing: boolean) {
+		this.#document = document;
+		this.#instancing = instancing;
+		for (const { shape } of everyPart(parts)) {
+			const colours = shape?.mesh.colours;
+			if (colours) this.#bases.set(shape.material, brightest(colours, this.#bases.get(shape.material)));
+		}
+	}
+
+	write(parts: readonly Part[], { name, link, extras }: About): Uint8Array<ArrayBuffer> {
+		const root: Json = { name };
+		const roots = [this.#document.node(root)];
+		const children = parts.map((part) => this.#part(part, WORLD));
+		if (children.length > 0) root.children = children;
+		return this.#document.finish(roots, { link, ...extras });
+	}
+
+	/** Appends the node of a part and of all it holds; returns its index. */
+	#part({ name, shape, extras, children = [] }: Part, parent: Frame): number {
+		const node: Json = extras ? { name, extras: written(extras) } : { name };
+		const index = this.#document.node(node);
+		const held: number[] = [];
+		let frame = parent;
+		if (shape?.instances)
+			held.push(...this.#instances(node, name, shape, shape.instances, parent, children.length > 0));
+		else if (shape) frame = this.#draw(node, name, shape, parent);
+		held.push(...children.map((child) => this.#part(child, frame)));
+		if (held.length > 0) node.children = held;
+		return index;
+	}
+
+	/** Has a node draw a mesh of its own; returns what that makes of its children's frame. */
+	#draw(node: Json, name: string, shape: Shape, parent: Frame): Frame {
+		const { mesh, ...frame } = this.#mesh(shape, name);
+		Object.assign(node, { mesh, ...placed(frame, parent) });
+		return frame;
+	}
+
+	/**
+	 * Has a node draw a mesh where its instances stand, or hold nodes that do; returns those.
+	 * @param apart whether the node has children, which must not be turned with a mesh
+	 */
+	#instances(node: Json, name: string, shape: Shape, instances: Instances, parent: Frame, apart: boolean): number[] {
+		const { mesh, unit } = this.#sharedMesh(shape, name);
+		const { transforms, each } = instances;
+		if (each && !this.#instancing) return this.#apart(instances, each, mesh, unit, parent);
+		const drawn = each
+			? { mesh, ...this.#together(transforms, unit) }
+			: { mesh, ...transformed(transforms, 0, unit, parent) };
+		if (apart) return [this.#document.node({ name: shape.mesh.name ?? name, ...drawn })];
+		Object.assign(node, drawn);
+		return [];
+	}
+
+	/** A node for each instance. */
+	#apart(
+		{ transforms }: Instances,
+		each: NonNullable<Instances["each"]>,
+		mesh: number,
+		unit: number,
+		parent: Frame,
+	): number[] {
+		return Array.from({ length: transforms.length / TRANSFORM }, (_, i) => {
+			const { name, extras } = each(i);
+			const node = { name, mesh, ...transformed(transforms, i, unit, parent) };
+			return this.#document.node(extras ? { ...node, extras: written(extras) } : node);
+		});
+	}
+
+	/** All instances in one node. */
+	#together(transforms: Float32Array, unit: number): Json {
+		const count = transforms.length / TRANSFORM;
+		const translations = new Float32Array(3 * count);
+		const rotations = new Float32Array(4 * count);
+		const scales = new Float32Array(3 * count);
+		for (let i = 0; i < count; i++) {
+			const at = TRANSFORM * i;
+			translations.set(transforms.subarray(at, at + 3), 3 * i);
+			rotations.set(transforms.subarray(at + 3, at + 7), 4 * i);
+			scales.fill(transforms[at + 7] * unit, 3 * i, 3 * i + 3);
+		}
+		this.#document.require(INSTANCING);
+		const attributes = {
+			TRANSLATION: this.#document.instances("translations", translations),
+			ROTATION: this.#document.instances("rotations", rotations),
+			SCALE: this.#document.instances("scales", scales),
+		};
+		return { extensions: { [INSTANCING]: { attributes } } };
+	}
+
+	#sharedMesh(shape: Shape, name: string): Placed {
+		const known = this.#shared.get(shape.mesh);
+		if (known) return known;
+		// Only where the mesh has a unit of its own does it need an origin.
+		const made = this.#mesh(this.#document.compact ? { ...shape, centre: [0, 0, 0] } : shape, name);
+		this.#shared.set(shape.mesh, made);
+		return made;
+	}
+
+	#mesh({ mesh, material, centre }: Shape, name: string): Placed {
+		const base = mesh.colours && this.#bases.get(material);
+		const colours = mesh.colours && base && sharesOf(mesh.colours, base);
+		return this.#document.mesh(mesh.name ?? name, mesh, this.#material(material, base), { centre, colours });
+	}
+
+	#material(material: Material, base: Colour | undefined): number {
+		const indices = base ? this.#materials.coloured : this.#materials.plain;
+		const known = indices.get(material);
+		if (known !== undefined) return known;
+		// Compact meshes reach from −1 to 1, each scaled by its own node.
+		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
+		const index = this.#document.material(gltfMaterial(material, base ?? material.colour, thickness));
+		indices.set(material, index);
+		return index;
+	}
+}
+
+/** What a node says of where it is; what it need not say it leaves out. */
+function placed({ origin, unit }: Frame, parent: Frame): Json {
+	const moved = origin.map((value, k) => (Math.fround(value) - Math.fround(parent.origin[k])) / parent.unit);
+	const scale = short(unit / parent.unit);
 	return {
-		link,
-		specimen: writtenSpecimen(specimen),
-		procedure,
-		plan: { ...plan, second },
-		counts,
-		...measuresOf(grown),
-		fingerprint,
+		...(moved.some((value) => value !== 0) ? { translation: moved.map(short) } : {}),
+		...(scale === 1 ? {} : { scale: [scale, scale, scale] }),
 	};
 }
 
-function addStems(document: GltfDocument, grown: Grown, stem: StemMesh, specimen: Specimen): number[] {
-	const parts = stem.parts.filter((part) => part.indexCount > 0);
-	if (parts.length === 0) return [];
-	const shades = grown.procedure === "natural" ? vertexColours(stemColours(grown, stem, specimen)) : undefined;
-	const material = document.material(stemMaterial(specimen.look, shades?.base));
-	return parts.map((part) => {
-		const name = stemName(part.axis);
-		const { firstVertex, vertexCount } = part;
-		const colours = shades?.bytes.subarray(4 * firstVertex, 4 * (firstVertex + vertexCount));
-		const placed = document.mesh(name, cut(stem, part), material, colours ? { colours } : {});
-		return document.node({ name, ...placed });
-	});
+/** The same of instance `index`, whose mesh has a unit of its own. */
+function transformed(transforms: Float32Array, index: number, unit: number, parent: Frame): Json {
+	const [x, y, z, ...rest] = transforms.subarray(TRANSFORM * index, TRANSFORM * (index + 1));
+	const rotation = rest.slice(0, 4).map((value) => rounded(value, TURN_DECIMALS));
+	const size = Math.fround(rest[4] * unit);
+	return { ...placed({ origin: [x, y, z], unit: size }, parent), rotation };
+}
+
+function short(value: number): number {
+	return shortFloat(Math.fround(value));
 }

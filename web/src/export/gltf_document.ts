@@ -2,10 +2,10 @@
  * A glTF document while it fills: nodes, meshes, materials and the buffer behind them, each used by another, as
  * validators ask. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
  */
-import type { Mesh } from "../models/bunch/grown";
+import type { Mesh } from "../plant/plant";
 import { type AccessorData, BinaryGltf, type ViewLayout } from "./binary_gltf";
 import { GENERATOR } from "./generator";
-import { gltfMaterial, type Material } from "./materials";
+import type { GltfMaterial } from "./gltf_material";
 import { shortFloat } from "./numbers";
 import { quantised, quantisedNormals, relative, wholeBounds } from "./quantise";
 
@@ -31,8 +31,8 @@ const VIEWS: Record<string, ViewLayout> = {
 /** Most vertices 16-bit indices reach; 65535 itself means a restart of the strip. */
 const SHORT_INDEX_VERTICES = 65535;
 
-/** Texture coordinates and triangles that many meshes share. */
-export interface Pattern {
+/** Texture coordinates and triangles that many meshes may share. */
+interface Pattern {
 	uvs: number;
 	indices: number;
 }
@@ -42,22 +42,23 @@ export interface MeshOptions {
 	centre?: readonly number[];
 	/** 4 × vertices. */
 	colours?: Uint8Array;
-	/** In place of the mesh's own. */
-	pattern?: Pattern;
 }
 
-/** What a node needs to draw a mesh where it was. */
+/** What a node needs to draw a mesh where it was: its origin, and what a unit of its coordinates is. */
 export interface Placed {
 	mesh: number;
-	translation?: number[];
-	scale?: number[];
+	origin: readonly number[];
+	unit: number;
 }
+
+const ORIGIN = [0, 0, 0];
 
 export class GltfDocument {
 	readonly #binary = new BinaryGltf(VIEWS);
 	readonly #nodes: Json[] = [];
 	readonly #meshes: Json[] = [];
 	readonly #materials: Json[] = [];
+	readonly #patterns = new Map<Float32Array, Pattern & { of: Uint32Array }>();
 	readonly #used = new Set<string>();
 	readonly #required = new Set<string>();
 
@@ -68,10 +69,9 @@ export class GltfDocument {
 		return this.#nodes.push(node) - 1;
 	}
 
-	material(material: Material): number {
-		const json = gltfMaterial(material);
-		for (const name of Object.keys(json.extensions ?? {})) this.#used.add(name);
-		return this.#materials.push({ ...json }) - 1;
+	material(material: GltfMaterial): number {
+		for (const name of Object.keys(material.extensions ?? {})) this.#used.add(name);
+		return this.#materials.push({ ...material }) - 1;
 	}
 
 	/** An extension without which the file must not be read. */
@@ -85,27 +85,12 @@ export class GltfDocument {
 		return this.#binary.add(view, data, view === "rotations" ? "VEC4" : "VEC3");
 	}
 
-	pattern({ uvs, indices }: Pick<Mesh, "uvs" | "indices">): Pattern {
-		return {
-			uvs: this.#binary.add("uvs", uvs, "VEC2"),
-			indices:
-				uvs.length / 2 <= SHORT_INDEX_VERTICES
-					? this.#binary.add("shortIndices", Uint16Array.from(indices), "SCALAR")
-					: this.#binary.add("longIndices", indices, "SCALAR"),
-		};
-	}
-
-	/** Appends a mesh of one material. `mesh` is only read. */
-	mesh(
-		name: string,
-		mesh: Pick<Mesh, "positions" | "normals"> & Partial<Pick<Mesh, "uvs" | "indices">>,
-		material: number,
-		{ centre, colours, pattern }: MeshOptions = {},
-	): Placed {
+	/** Appends a mesh of one material; arrays of texture coordinates and triangles that were there before are shared. */
+	mesh(name: string, mesh: Mesh, material: number, { centre, colours }: MeshOptions = {}): Placed {
 		const { attributes, ...place } = this.compact
 			? this.#compactAttributes(mesh, centre)
 			: this.#fullAttributes(mesh, centre);
-		const { uvs, indices } = pattern ?? this.pattern(mesh as Mesh);
+		const { uvs, indices } = this.#pattern(mesh);
 		attributes.TEXCOORD_0 = uvs;
 		if (colours) attributes.COLOR_0 = this.#binary.add("colours", colours, "VEC4", { normalized: true });
 		const index = this.#meshes.push({ name, primitives: [{ attributes, indices, material }] }) - 1;
@@ -124,16 +109,31 @@ export class GltfDocument {
 		});
 	}
 
-	#fullAttributes({ positions, normals }: Pick<Mesh, "positions" | "normals">, centre?: readonly number[]) {
+	#pattern({ uvs, indices }: Mesh): Pattern {
+		const known = this.#patterns.get(uvs);
+		if (known?.of === indices) return known;
+		const short = uvs.length / 2 <= SHORT_INDEX_VERTICES;
+		const pattern = {
+			of: indices,
+			uvs: this.#binary.add("uvs", uvs, "VEC2"),
+			indices: short
+				? this.#binary.add("shortIndices", Uint16Array.from(indices), "SCALAR")
+				: this.#binary.add("longIndices", indices, "SCALAR"),
+		};
+		this.#patterns.set(uvs, pattern);
+		return pattern;
+	}
+
+	#fullAttributes({ positions, normals }: Mesh, centre?: readonly number[]) {
 		const moved = centre ? relative(positions, centre) : positions;
 		const attributes: Record<string, number> = {
 			POSITION: this.#binary.add("positions", moved, "VEC3", { bounds: true }),
 			NORMAL: this.#binary.add("normals", normals, "VEC3"),
 		};
-		return centre ? { attributes, translation: centre.map(shortFloat) } : { attributes };
+		return { attributes, origin: centre ?? ORIGIN, unit: 1 };
 	}
 
-	#compactAttributes({ positions, normals }: Pick<Mesh, "positions" | "normals">, centre?: readonly number[]) {
+	#compactAttributes({ positions, normals }: Mesh, centre?: readonly number[]) {
 		this.require(QUANTIZATION);
 		const origin = (centre ?? wholeBounds(positions)).map(Math.fround).map(shortFloat);
 		const { values, scale } = quantised(positions, origin);
@@ -141,7 +141,7 @@ export class GltfDocument {
 			POSITION: this.#binary.add("shortPositions", values, "VEC3", { bounds: true, normalized: true }),
 			NORMAL: this.#binary.add("byteNormals", quantisedNormals(normals), "VEC3", { normalized: true }),
 		};
-		return { attributes, translation: origin, scale: [scale, scale, scale] };
+		return { attributes, origin, unit: scale };
 	}
 }
 

@@ -17,11 +17,11 @@ import {
 	type Thinned,
 	type Trait,
 } from "../models/bunch/grown";
+import { traitOf } from "../models/bunch/traits";
+import { measuresOf, type WrittenMeasures } from "../models/bunch/written_measures";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
-import { measuresOf, type WrittenMeasures } from "./measures";
 import { shortFloat } from "./numbers";
-import { traitOf } from "./traits";
 
 export type Point = [x: number, y: number, z: number];
 

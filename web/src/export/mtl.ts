@@ -1,12 +1,13 @@
 /** The materials of an OBJ: MTL's own values, then the physically based ones that newer readers know. */
-import { encoded } from "./colour";
+import { encoded } from "../plant/colour";
+import type { Material } from "../plant/material";
 import { GENERATOR } from "./generator";
-import type { Material } from "./materials";
 import { rounded } from "./numbers";
 
-/** Light that a surface returns as a highlight, for readers that know no physically based values. */
-const SKIN_SPECULAR = 0.25;
-const SPECULAR = 0.04;
+/** Light that a surface returns as a highlight, for readers that know no physically based values: smooth, and matt. */
+const SPECULAR = { smooth: 0.25, matt: 0.04 } as const;
+const SMOOTH = 0.5;
+const DECIMALS = 4;
 
 /** A material under the name that the OBJ calls it by. */
 export interface NamedMaterial {
@@ -21,22 +22,24 @@ export function writeMtl(materials: readonly NamedMaterial[]): string {
 
 function block({ name, material }: NamedMaterial): string {
 	const { colour, roughness, sheen, clearcoat, ior } = material;
-	const specular = material.name === "Skin" ? SKIN_SPECULAR : SPECULAR;
+	const specular = roughness < SMOOTH ? SPECULAR.smooth : SPECULAR.matt;
 	const lines = [
 		`newmtl ${name}`,
-		`Kd ${encoded(colour)
-			.map((value) => rounded(value, 4))
-			.join(" ")}`,
+		`Kd ${encoded(colour).map(short).join(" ")}`,
 		`Ks ${specular} ${specular} ${specular}`,
 		// Blinn–Phong's exponent of the same width of highlight as this roughness.
 		`Ns ${rounded(2 / roughness ** 4 - 2, 1)}`,
 		"d 1",
 		"illum 2",
-		`Pr ${roughness}`,
+		`Pr ${short(roughness)}`,
 		"Pm 0",
 	];
-	if (ior !== undefined) lines.push(`Ni ${ior}`);
-	if (sheen) lines.push(`Ps ${Math.max(...sheen.colour)}`);
-	if (clearcoat) lines.push(`Pc ${clearcoat.factor}`, `Pcr ${clearcoat.roughness}`);
+	if (ior !== undefined) lines.push(`Ni ${short(ior)}`);
+	if (sheen) lines.push(`Ps ${short(Math.max(...sheen.colour))}`);
+	if (clearcoat) lines.push(`Pc ${short(clearcoat.factor)}`, `Pcr ${short(clearcoat.roughness)}`);
 	return `${lines.join("\n")}\n`;
+}
+
+function short(value: number): number {
+	return rounded(value, DECIMALS);
 }

@@ -1,5 +1,4 @@
 /** The statements of an OBJ, object by object: positions, normals, then the faces between them. */
-import type { Mesh } from "../models/bunch/grown";
 import { TextBuffer } from "./text_buffer";
 
 /** Of a metre: a micrometre. */
@@ -10,14 +9,22 @@ const SPACE = 0x20;
 const SLASH = 0x2f;
 const LINE_END = 0x0a;
 
+/** Triangles where they stand. */
+export interface ObjMesh {
+	positions: Float32Array | Float64Array;
+	normals: Float32Array | Float64Array;
+	uvs: Float32Array;
+	indices: Uint32Array;
+}
+
 /** OBJ counts vertices, normals and texture coordinates from 1 through the whole file. */
 export class ObjWriter {
 	readonly #out: TextBuffer;
-	/** Of all objects so far, the present one's included. */
+	/** Of all objects so far. */
 	#vertices = 0;
-	/** Of the present object. */
-	#first = 0;
 	#uvs = 0;
+	/** The number of the first of each run of texture coordinates. */
+	readonly #known = new Map<Float32Array, number>();
 
 	/** @param capacity bytes to begin with */
 	constructor(capacity: number) {
@@ -28,30 +35,27 @@ export class ObjWriter {
 		this.#out.text(`${text.replace(/[\r\n]+/g, " ")}\n`);
 	}
 
-	/** Begins an object, `name` with underscores for spaces; with a mesh, writes all of it. */
-	object(name: string, mesh?: Mesh, material = ""): void {
+	/** Writes an object, `name` with underscores for spaces. Texture coordinates that were there before are shared. */
+	object(name: string, { positions, normals, uvs, indices }: ObjMesh, material: string): void {
 		this.line(`o ${name.replaceAll(" ", "_")}`);
-		this.#first = this.#vertices;
-		if (!mesh) return;
-		this.positions(mesh.positions);
-		this.normals(mesh.normals);
-		this.faces(mesh.indices, material, this.textureCoordinates(mesh.uvs));
+		const first = this.#vertices + 1;
+		this.#vertices += positions.length / 3;
+		this.#vectors("v ", positions, POSITION_DECIMALS);
+		this.#vectors("vn ", normals, SHADE_DECIMALS);
+		this.#faces(indices, material, first, this.#textureCoordinates(uvs));
 	}
 
-	positions(values: Float32Array | Float64Array): void {
-		this.#vertices += values.length / 3;
-		this.#vectors("v ", values, POSITION_DECIMALS);
-	}
-
-	normals(values: Float32Array | Float64Array): void {
-		this.#vectors("vn ", values, SHADE_DECIMALS);
+	toString(): string {
+		return this.#out.toString();
 	}
 
 	/**
 	 * Returns the number of the first. OBJ measures v from the picture's lower edge, Panicle and glTF from the upper one:
 	 * turned over, so that the same picture fits both files.
 	 */
-	textureCoordinates(uvs: Float32Array): number {
+	#textureCoordinates(uvs: Float32Array): number {
+		const known = this.#known.get(uvs);
+		if (known !== undefined) return known;
 		const out = this.#out;
 		for (let i = 0; i < uvs.length; i += 2) {
 			out.word("vt ");
@@ -60,25 +64,22 @@ export class ObjWriter {
 		}
 		const first = this.#uvs + 1;
 		this.#uvs += uvs.length / 2;
+		this.#known.set(uvs, first);
 		return first;
 	}
 
-	/** Index i is the object's vertex and normal i, texture coordinate `firstUv + i` of the file. */
-	faces(indices: Uint32Array, material: string, firstUv: number): void {
+	/** Index i is vertex and normal `first + i`, texture coordinate `firstUv + i` of the file. */
+	#faces(indices: Uint32Array, material: string, first: number, firstUv: number): void {
 		const out = this.#out;
 		this.line(`usemtl ${material}`);
 		for (let i = 0; i < indices.length; i++) {
 			const corner = i % 3;
 			if (corner === 0) out.word("f ");
-			const vertex = this.#first + 1 + indices[i];
+			const vertex = first + indices[i];
 			out.integer(vertex, SLASH);
 			out.integer(firstUv + indices[i], SLASH);
 			out.integer(vertex, corner === 2 ? LINE_END : SPACE);
 		}
-	}
-
-	toString(): string {
-		return this.#out.toString();
 	}
 
 	#vectors(keyword: string, values: Float32Array | Float64Array, decimals: number): void {

@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, type Texture, Vector3 } from "three";
-import { fromHex } from "./colour";
+import { linear } from "../plant/colour";
 import type { LightRig } from "./light";
 
 const VERTEX = /* glsl */ `
@@ -10,7 +10,7 @@ void main() {
 }
 `;
 
-/** Paper: a pool of light that comes from the key's side, the bunch's shadow, a breath of grain against banding. */
+/** Paper: a pool of light that comes from the key's side, the plant's shadow, a breath of grain against banding. */
 const FRAGMENT = /* glsl */ `
 varying vec2 place;
 uniform sampler2D shadowMap;
@@ -28,7 +28,7 @@ void main() {
 	vec2 from = (place - vec2(-0.18, 0.16)) * vec2(min(aspect, 1.35), 1.0);
 	float near = exp(-1.5 * dot(from, from));
 	vec3 paper = mix(edge, pool, near);
-	float hidden = 1.0 - texture2D(shadowMap, 0.5 * place + 0.5).r;
+	float hidden = 1.0 - dot(texture2D(shadowMap, 0.5 * place + 0.5), vec4(0.25));
 	// The shadow fades out before the view's edge so that no edge ever cuts it.
 	vec2 rim = 1.0 - smoothstep(vec2(0.7), vec2(1.02), abs(place));
 	paper *= mix(vec3(1.0), shade, shadow * hidden * rim.x * rim.y);
@@ -62,14 +62,14 @@ export class Backdrop {
 		});
 		this.mesh = new Mesh(geometry, material);
 		this.mesh.frustumCulled = false;
-		// After the bunch: the depth test then spares the pixels that berries cover.
+		// After the plant: the depth test then spares the pixels that it covers.
 		this.mesh.renderOrder = 2;
 	}
 
 	setRig(rig: LightRig): void {
 		const { uniforms } = this.mesh.material;
-		uniforms.edge.value.fromArray(fromHex(rig.paper.edge));
-		uniforms.pool.value.fromArray(fromHex(rig.paper.pool));
+		uniforms.edge.value.fromArray(linear(rig.paper.edge));
+		uniforms.pool.value.fromArray(linear(rig.paper.pool));
 		uniforms.shadow.value = rig.shadow.depth;
 	}
 

@@ -2,34 +2,38 @@
 export interface Fit {
 	target: [x: number, y: number, z: number];
 	distance: number;
-	/** Radius of a ball about the target that holds the bunch. */
+	/** Radius of a ball about the target that holds the plant. */
 	radius: number;
 	/** Radius of an upright cylinder about the target that does. */
 	breadth: number;
 }
 
-/** A bunch as it looks when spun about its upright axis: a stack of rings. */
+/** What a plant takes up, as balls and points; metres. */
+export interface Bodies {
+	/** 4 × balls: centre, radius. */
+	spheres: Float32Array;
+	/** 3 × points. */
+	points: Float32Array;
+}
+
+/** A plant as it looks when spun about its upright axis: a stack of rings. */
 export interface Spindle {
-	/** The upright axis midway between the bunch's sides, and the height midway between its ends. */
+	/** The upright axis midway between the plant's sides, and the height midway between its ends. */
 	centre: [x: number, y: number, z: number];
-	/** 3 × rings: distance from the axis, height over the centre, thickness (a berry's radius). */
+	/** 3 × rings: distance from the axis, height over the centre, thickness (a ball's radius). */
 	rings: Float32Array;
 }
 
 /** Ways round the axis at which a ring is tried. */
 const TURNS = 24;
 
-/**
- * Spins a bunch.
- * @param spheres 4 × berries: centre, radius
- * @param ends 3 × points: where internodes start and end
- */
-export function spindleOf(spheres: Float32Array, ends: Float32Array): Spindle {
+/** Spins a plant. */
+export function spindleOf({ spheres, points }: Bodies): Spindle {
 	const low = [Infinity, Infinity, Infinity];
 	const high = [-Infinity, -Infinity, -Infinity];
 	const bodies = [
 		{ array: spheres, stride: 4 },
-		{ array: ends, stride: 3 },
+		{ array: points, stride: 3 },
 	];
 	for (const { array, stride } of bodies) {
 		for (let i = 0; i + stride <= array.length; i += stride) {
@@ -42,7 +46,7 @@ export function spindleOf(spheres: Float32Array, ends: Float32Array): Spindle {
 	}
 	if (!(low[0] <= high[0])) return { centre: [0, 0, 0], rings: new Float32Array([0.05, 0, 0]) };
 	const centre: Spindle["centre"] = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])];
-	const rings = new Float32Array((spheres.length / 4 + ends.length / 3) * 3);
+	const rings = new Float32Array((spheres.length / 4 + points.length / 3) * 3);
 	let at = 0;
 	for (const { array, stride } of bodies) {
 		for (let i = 0; i + stride <= array.length; i += stride) {
@@ -55,7 +59,7 @@ export function spindleOf(spheres: Float32Array, ends: Float32Array): Spindle {
 }
 
 /**
- * The nearest distance from which the whole bunch is seen, whichever way it is turned.
+ * The nearest distance from which the whole plant is seen, whichever way it is turned.
  * @param fov vertical angle of view, radians
  * @param aspect width over height
  * @param margin share of the view's height and width kept free on each side
@@ -91,7 +95,7 @@ export function fitView(
 	return { target: centre, distance, radius, breadth };
 }
 
-/** Whether a bunch has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */
+/** Whether a plant has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */
 export function needsRefit(shown: Fit, now: Fit): boolean {
 	const ratio = now.distance / shown.distance;
 	const moved = Math.hypot(...now.target.map((value, k) => value - shown.target[k]));

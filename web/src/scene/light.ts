@@ -1,5 +1,5 @@
 import { Matrix3, Vector3 } from "three";
-import type { Rgb } from "./colour";
+import type { Colour } from "../plant/colour";
 
 export type Theme = "light" | "dark";
 
@@ -11,7 +11,7 @@ export type Theme = "light" | "dark";
 export interface Lobe {
 	axis: Vector3;
 	sharpness: number;
-	colour: Rgb;
+	colour: Colour;
 }
 
 /** A window or a softbox: a rectangle at infinity, given by tangents of its half angles. */
@@ -19,7 +19,7 @@ export interface Window {
 	direction: Vector3;
 	half: [across: number, along: number];
 	/** Irradiance on a surface facing it. */
-	irradiance: Rgb;
+	irradiance: Colour;
 	/** Width of the glazing bars as a tangent; 0 for a plain softbox. */
 	bars: number;
 }
@@ -29,7 +29,7 @@ export interface LightRig {
 	key: Window;
 	rim: Window;
 	surroundings: Lobe[];
-	/** How dark the bunch's shadow on the paper is at most, and where the light that casts it stands: lower than the key, which would throw it out of the picture. */
+	/** How dark the plant's shadow on the paper is at most, and where the light that casts it stands: lower than the key, which would throw it out of the picture. */
 	shadow: { depth: number; direction: Vector3 };
 	/** The paper: at its edges (the page's own colour) and where the light falls, as sRGB hexadecimal. */
 	paper: { edge: string; pool: string };

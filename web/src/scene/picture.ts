@@ -1,8 +1,7 @@
-import type { Grown } from "../models/bunch/grown";
-import type { Look } from "../specimen/specimen";
-import { BunchView } from "./bunch_view";
+import type { FigureMaker } from "./figure";
 import type { Theme } from "./light";
 import type { ViewName } from "./turntable";
+import { Viewer } from "./viewer";
 
 export interface PictureOptions {
 	/** Pixels. */
@@ -13,19 +12,23 @@ export interface PictureOptions {
 }
 
 /**
- * A picture of a bunch, whole and from a fixed direction, as a PNG: the same bunch gives the same picture.
+ * A picture of a plant, whole and from a fixed direction, as a PNG: the same plant gives the same picture.
  * @throws NoWebGL2Error where the browser has no WebGL 2
  */
-export async function renderPicture(grown: Grown, look: Look, options: PictureOptions): Promise<Blob> {
-	const canvas = document.createElement("canvas");
-	canvas.width = options.width;
-	canvas.height = options.height;
-	const view = new BunchView(canvas, { still: true, reducedMotion: true, theme: options.theme });
+export async function renderPicture<S, G>(
+	make: FigureMaker<S, G>,
+	grown: G,
+	specimen: S,
+	{ width, height, theme, view }: PictureOptions,
+): Promise<Blob> {
+	const canvas = Object.assign(document.createElement("canvas"), { width, height });
+	const viewer = new Viewer<S, G>(canvas, { still: true, reducedMotion: true, theme });
 	try {
-		view.show(grown, look);
-		view.resetView(options.view);
-		return await view.snapshot(options.width, options.height);
+		viewer.use(make);
+		viewer.show(grown, specimen);
+		viewer.resetView(view);
+		return await viewer.snapshot(width, height);
 	} finally {
-		view.dispose();
+		viewer.dispose();
 	}
 }

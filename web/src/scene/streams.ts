@@ -1,4 +1,11 @@
-import { BufferAttribute, type BufferGeometry, DynamicDrawUsage, type TypedArray } from "three";
+import {
+	BufferAttribute,
+	type BufferGeometry,
+	DynamicDrawUsage,
+	InstancedBufferAttribute,
+	type InstancedBufferGeometry,
+	type TypedArray,
+} from "three";
 
 /** One attribute's content: its name, numbers and how many of them make one item. */
 export type Stream = readonly [name: string, array: TypedArray, size: number];
@@ -35,8 +42,24 @@ function roomyAttribute(like: TypedArray, size: number): BufferAttribute {
 	return new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
 }
 
+/** The same for what each instance has of its own: `size` numbers an instance. */
+export function fillInstances(
+	geometry: InstancedBufferGeometry,
+	name: string,
+	values: ArrayLike<number>,
+	size: number,
+): void {
+	const room = attributeOf(geometry, name)?.array.length ?? -1;
+	if (values.length > room) {
+		geometry.dispose();
+		const array = new Float32Array(size * Math.ceil(Math.max(values.length, 1.5 * room, 1) / size));
+		geometry.setAttribute(name, new InstancedBufferAttribute(array, size).setUsage(DynamicDrawUsage));
+	}
+	fill(attributeOf(geometry, name), values);
+}
+
 /** Writes an attribute's first items and has only those sent to the GPU. */
-export function fill(attribute: BufferAttribute | undefined, array: TypedArray): void {
+function fill(attribute: BufferAttribute | undefined, array: ArrayLike<number>): void {
 	if (!attribute) return;
 	attribute.array.set(array);
 	attribute.clearUpdateRanges();

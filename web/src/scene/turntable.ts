@@ -92,6 +92,14 @@ export class Turntable {
 		else if (!held && needsRefit(this.#fit, now)) this.#glideTo(now);
 	}
 
+	/** The next plant is of another kind: it is fitted as the first was, and not glided to. */
+	forget(): void {
+		this.#fit = undefined;
+		this.#fitted = undefined;
+		this.#spindle = undefined;
+		this.#glide = undefined;
+	}
+
 	/** Shows the whole bunch, from the first direction or the one asked for. */
 	fit(view: ViewName = "three-quarter"): void {
 		this.#glide = undefined;

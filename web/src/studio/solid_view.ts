@@ -1,18 +1,21 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
+
+import type { Grown } from "../models/bunch/grown";
 import type { OctahedronHandles } from "../models/bunch/profile/octahedron";
 import type { OctahedronColours } from "../models/bunch/profile/octahedron_figure";
-import type { BunchView } from "../scene/bunch_view";
+import type { Viewer } from "../scene/viewer";
+import type { Specimen } from "../specimen/specimen";
 import type { Studio, StudioState } from "./studio";
 import { isDark } from "./theme";
 import { ThinningPointer } from "./thinning_pointer";
 
-type SceneModule = typeof import("../scene/bunch_view");
+type SceneModules = [typeof import("../scene/viewer"), typeof import("../models/bunch/figure/bunch_figure")];
 
-let loading: Promise<SceneModule> | undefined;
+let loading: Promise<SceneModules> | undefined;
 
 /** Starts loading the scene's script, the largest of the page; asked for again, it is the same one. */
-export function loadScene(): Promise<SceneModule> {
-	loading ??= import("../scene/bunch_view");
+export function loadScene(): Promise<SceneModules> {
+	loading ??= Promise.all([import("../scene/viewer"), import("../models/bunch/figure/bunch_figure")]);
 	return loading;
 }
 
@@ -35,15 +38,12 @@ export class SolidView {
 	#thinning: ThinningPointer;
 
 	private constructor(
-		readonly view: BunchView,
+		readonly view: Viewer<Specimen, Grown>,
 		private readonly canvas: HTMLCanvasElement,
 		private readonly studio: Studio,
 	) {
 		this.#thinning = new ThinningPointer(canvas, {
-			berryAt: (x, y) => {
-				const berry = view.pick(x, y);
-				return berry === undefined ? undefined : this.#shown?.grown?.berries.ids[berry];
-			},
+			berryAt: (x, y) => view.pick(x, y),
 			mark: (id) => studio.mark(id),
 			take: (id) => studio.thin(id),
 		});
@@ -51,9 +51,11 @@ export class SolidView {
 
 	/** @throws NoWebGL2Error where the browser has none, and whatever the loading of the script throws */
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
-		const { BunchView } = await loadScene();
+		const [{ Viewer }, { bunchFigure }] = await loadScene();
 		const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
-		const view = new BunchView(canvas, { reducedMotion, theme: isDark(studio.state.ui.theme) ? "dark" : "light" });
+		const theme = isDark(studio.state.ui.theme) ? "dark" : "light";
+		const view = new Viewer<Specimen, Grown>(canvas, { reducedMotion, theme, checked: import.meta.env.DEV });
+		view.use(bunchFigure);
 		view.onFirstDraw = () => performance.mark("first-bunch");
 		view.onContextLost = () => events.lost();
 		view.onContextRestored = () => events.restored();
@@ -64,12 +66,11 @@ export class SolidView {
 	update({ grown, specimen, history, marked, ui }: StudioState): void {
 		this.view.holdView(history.gesture !== undefined);
 		if (grown && (grown !== this.#shown?.grown || specimen.look !== this.#shown.specimen.look)) {
-			this.view.show(grown, specimen.look);
+			this.view.show(grown, specimen);
 		}
 		this.#shown = { grown, specimen };
 		this.#thinning.enabled = ui.thinning && !ui.stems;
-		const berry = marked === undefined ? -1 : (grown?.berries.ids.indexOf(marked) ?? -1);
-		this.view.highlight(berry < 0 ? undefined : berry);
+		this.view.mark(marked);
 		this.view.setMode(ui.stems ? "stems" : "whole");
 		const dark = isDark(ui.theme);
 		if (dark !== this.#dark) this.view.setTheme(dark ? "dark" : "light");

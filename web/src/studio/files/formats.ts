@@ -55,14 +55,22 @@ export const FORMATS: readonly Format[] = [
 ];
 
 async function glb({ grown, specimen, link }: Bunch, instancing: boolean): Promise<Blob> {
-	const { exportGlb } = await import("../../export/glb");
-	const bytes = await exportGlb(grown, specimen, { instancing, link });
-	return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "model/gltf-binary" });
+	const [{ exportGlb }, { bunchParts }, { aboutBunch }] = await Promise.all([
+		import("../../export/glb"),
+		import("../../models/bunch/parts/bunch_parts"),
+		import("../../models/bunch/parts/about"),
+	]);
+	const about = await aboutBunch(grown, specimen, link);
+	return new Blob([exportGlb(bunchParts(grown, specimen), about, { instancing })], { type: "model/gltf-binary" });
 }
 
-async function obj({ grown, specimen, name }: Bunch): Promise<Blob> {
-	const { exportObj } = await import("../../export/obj");
-	const { obj, mtl } = exportObj(grown, specimen, name);
+async function obj({ grown, specimen, link, name }: Bunch): Promise<Blob> {
+	const [{ exportObj }, { bunchParts }, { aboutBunch }] = await Promise.all([
+		import("../../export/obj"),
+		import("../../models/bunch/parts/bunch_parts"),
+		import("../../models/bunch/parts/about"),
+	]);
+	const { obj, mtl } = exportObj(bunchParts(grown, specimen), await aboutBunch(grown, specimen, link), name);
 	return zip([
 		{ name: `${name}.obj`, bytes: new TextEncoder().encode(obj) },
 		{ name: `${name}.mtl`, bytes: new TextEncoder().encode(mtl) },
@@ -75,8 +83,8 @@ async function json({ grown, specimen }: Bunch): Promise<Blob> {
 }
 
 async function csv({ grown, specimen }: Bunch): Promise<Blob> {
-	const { exportCsv } = await import("../../export/csv");
-	return new Blob([exportCsv(grown, specimen)], { type: "text/csv" });
+	const { berriesCsv } = await import("../../models/bunch/tables");
+	return new Blob([berriesCsv(grown, specimen)], { type: "text/csv" });
 }
 
 /** "long-conical-7": what a file of this bunch is called. */

@@ -1,0 +1,85 @@
+import fc from "fast-check";
+import { Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import { packVertices, surfacesOf } from "../../../../../web/src/models/bunch/figure/berry_skins";
+import { pressedBunch } from "../pressed_bunch";
+import { sampleBunch } from "../sample_bunch";
+
+describe("surfacesOf", () => {
+	it("takes a natural bunch's own surfaces as they are", () => {
+		const bunch = pressedBunch({ count: 6 });
+		expect(surfacesOf(bunch)).toBe(bunch.surfaces);
+	});
+
+	it("puts the shared berry at every sphere of the paper's, tip along its direction", () => {
+		const bunch = sampleBunch(12);
+		const { berries, berry } = bunch;
+		const surfaces = surfacesOf(bunch);
+		if (!surfaces || !berry) throw new Error("nothing to draw");
+		const vertices = berry.positions.length / 3;
+		expect(surfaces.pressed).toEqual(new Uint8Array(vertices * berries.count));
+		for (let i = 0; i < berries.count; i++) {
+			const centre = new Vector3().fromArray(berries.spheres, 4 * i);
+			const axis = new Vector3().fromArray(berries.directions, 3 * i);
+			for (let v = 0; v < vertices; v += 7) {
+				const from = new Vector3().fromArray(surfaces.positions, 3 * (i * vertices + v)).sub(centre);
+				const normal = new Vector3().fromArray(surfaces.normals, 3 * (i * vertices + v));
+				expect(from.length()).toBeCloseTo(berries.spheres[4 * i + 3], 6);
+				expect(from.normalize().dot(normal)).toBeCloseTo(1, 5);
+				expect(axis.dot(normal)).toBeCloseTo(berry.normals[3 * v + 1], 5);
+			}
+		}
+	});
+
+	it("turns and never mirrors, whichever way the berry hangs", () => {
+		const component = fc.double({ min: -1, max: 1, noNaN: true });
+		fc.assert(
+			fc.property(component, component, component, (x, y, z) => {
+				const direction = new Vector3(x, y, z);
+				fc.pre(direction.length() > 0.1);
+				const bunch = sampleBunch(1);
+				bunch.berries.directions.set(direction.normalize().toArray());
+				bunch.berry = {
+					positions: new Float32Array([1, 0, 0, 0, 1, 0, 0, 0, 1]),
+					normals: new Float32Array([1, 0, 0, 0, 1, 0, 0, 0, 1]),
+					uvs: new Float32Array(6),
+					indices: new Uint32Array([0, 1, 2]),
+				};
+				const [a, b, c] = [0, 3, 6].map((at) => new Vector3().fromArray(surfacesOf(bunch)?.normals ?? [], at));
+				expect(b.distanceTo(direction)).toBeLessThan(0.02);
+				expect(a.cross(b).dot(c)).toBeCloseTo(1, 4);
+			}),
+		);
+	});
+
+	it("has nothing to draw where only the skeleton was asked for", () => {
+		expect(surfacesOf({ ...sampleBunch(3), berry: undefined })).toBeUndefined();
+	});
+});
+
+describe("packVertices", () => {
+	it("keeps positions to the bit, `pressed` to the byte and normals to a fifteenth of a degree", () => {
+		const surfaces = pressedBunch({ count: 9 }).surfaces;
+		if (!surfaces) throw new Error("no surfaces");
+		const words = new Uint32Array(4 * surfaces.pressed.length);
+		packVertices(surfaces, words);
+		const floats = new Float32Array(words.buffer);
+		for (let v = 0; v < surfaces.pressed.length; v++) {
+			for (let k = 0; k < 3; k++) expect(floats[4 * v + k]).toBe(surfaces.positions[3 * v + k]);
+			expect(words[4 * v + 3] & 0xff).toBe(surfaces.pressed[v]);
+			const normal = new Vector3().fromArray(surfaces.normals, 3 * v).normalize();
+			expect(unpacked(words[4 * v + 3]).angleTo(normal)).toBeLessThan(Math.PI / 180 / 15);
+		}
+	});
+});
+
+/** What the vertex shader makes of a packed normal. */
+function unpacked(word: number): Vector3 {
+	const x = (((word >>> 8) & 0xfff) / 4095) * 2 - 1;
+	const y = ((word >>> 20) / 4095) * 2 - 1;
+	const n = new Vector3(x, y, 1 - Math.abs(x) - Math.abs(y));
+	const below = Math.max(-n.z, 0);
+	n.x -= below * (n.x < 0 ? -1 : 1);
+	n.y -= below * (n.y < 0 ? -1 : 1);
+	return n.normalize();
+}

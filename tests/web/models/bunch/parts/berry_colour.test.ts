@@ -1,0 +1,96 @@
+import { describe, expect, it } from "vitest";
+import type { BerrySurfaces, Fruit, Grown } from "../../../../../web/src/models/bunch/grown";
+import { berryColours, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
+import { FRUIT_SKINS } from "../../../../../web/src/models/bunch/parts/fruit_skin";
+import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
+import type { Look } from "../../../../../web/src/specimen/specimen";
+import { type PressedOptions, pressedBunch } from "../pressed_bunch";
+import { LOOK } from "../sample_bunch";
+
+/** One berry, round and free, and its colours. */
+function one(look: Partial<Look>, options: PressedOptions = {}) {
+	const grown: Grown = pressedBunch({ count: 1, ...options });
+	const surfaces = grown.surfaces as BerrySurfaces;
+	const colours = berryColours(grown, surfaces, bunchSkin(grown, { ...LOOK, uneven: 0, bloom: 0, ...look }));
+	const vertices = Array.from({ length: surfaces.uvs.length / 2 }, (_, vertex) => vertex);
+	const mean = (wanted: (vertex: number) => boolean) => {
+		const those = vertices.filter(wanted);
+		return [0, 1, 2].map((k) => those.reduce((sum, v) => sum + colours[3 * v + k], 0) / those.length);
+	};
+	const v = (vertex: number) => surfaces.uvs[2 * vertex + 1];
+	return { mean, v, surfaces, grown };
+}
+
+const light = ([red, green, blue]: number[]) => 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+const middle = (v: number) => Math.abs(v - 0.5) < 0.2;
+
+describe("berryColours", () => {
+	it("hide the skin behind so much wax as its depth says: face on, two thirds in full bloom", () => {
+		const look = { skin: "101010", unripe: "101010" };
+		const shown = (bloom: number) => {
+			const { mean, v } = one({ ...look, bloom });
+			return light(mean((vertex) => middle(v(vertex))));
+		};
+		const wax = light(bunchSkin(pressedBunch({ count: 1 }), { ...LOOK, ...look }).wax);
+		const share = (shown(1) - shown(0)) / (wax - shown(0));
+		expect(share).toBeGreaterThan(0.25);
+		expect(share).toBeLessThan(0.62);
+		expect(shown(0.5)).toBeGreaterThan(shown(0) + 0.4 * (shown(1) - shown(0)));
+		expect(shown(0.5)).toBeLessThan(shown(0) + 0.75 * (shown(1) - shown(0)));
+	});
+
+	it("take most of the wax off a raisin", () => {
+		const shown = (shrivel: number, bloom: number) => {
+			const { mean, v } = one({ skin: "101010", bloom }, { shrivel });
+			return light(mean((vertex) => middle(v(vertex))));
+		};
+		expect(shown(1, 1) - shown(1, 0)).toBeLessThan(0.4 * (shown(0, 1) - shown(0, 0)));
+	});
+
+	it("are dark in the grooves between drupelets, where the surface is nearer the centre", () => {
+		const dented = (fruit: Fruit) => {
+			const grown = pressedBunch({ count: 1, fruit });
+			const surfaces = grown.surfaces as BerrySurfaces;
+			const [x, y, z] = grown.berries.spheres;
+			// The far half sinks by a quarter.
+			const centre = [x, y, z];
+			const sunk = (vertex: number) => surfaces.positions[3 * vertex] < x;
+			const before = surfaces.positions.slice();
+			for (let i = 0; i < before.length / 3; i++) {
+				if (before[3 * i] >= x) continue;
+				for (let k = 0; k < 3; k++) surfaces.positions[3 * i + k] = centre[k] + 0.75 * (before[3 * i + k] - centre[k]);
+			}
+			const colours = berryColours(grown, surfaces, bunchSkin(grown, { ...LOOK, bloom: 0, uneven: 0 }));
+			const green = (inside: boolean) => {
+				const those = Array.from({ length: before.length / 3 }, (_, i) => i).filter((i) => sunk(i) === inside);
+				return those.reduce((sum, i) => sum + colours[3 * i + 1], 0) / those.length;
+			};
+			return green(true) / green(false);
+		};
+		expect(dented("bramble")).toBeLessThan(0.35);
+		expect(dented("lychee")).toBeGreaterThan(1.5);
+		expect(dented("grape")).toBeGreaterThan(0.85);
+	});
+
+	it("mark the scar where the fruit has it, and none on brambles", () => {
+		for (const [fruit, { scar }] of Object.entries(FRUIT_SKINS)) {
+			const { mean, v } = one({ skin: "d8d8d8", unripe: "d8d8d8" }, { fruit: fruit as Fruit });
+			const tip = light(mean((vertex) => (v(vertex) > 0.999 || v(vertex) < 0.001 ? v(vertex) > 0.5 : false)));
+			const ring = light(mean((vertex) => middle(v(vertex))));
+			if (scar > 1) expect(tip).toBeGreaterThan(0.7 * ring);
+			else expect(tip).toBeLessThan(0.5 * ring);
+		}
+	});
+});
+
+describe("scarShare", () => {
+	it("is nothing on the skin, all at the tip, and half-way on its edge", () => {
+		expect([scarShare(0.9, 0.98), scarShare(0.97, 0.98), scarShare(0.98, 0.98), scarShare(1, 0.98)]).toEqual([
+			0,
+			expect.closeTo(0.5, 6),
+			1,
+			1,
+		]);
+		expect(scarShare(1, FRUIT_SKINS.bramble.scar)).toBe(0);
+	});
+});

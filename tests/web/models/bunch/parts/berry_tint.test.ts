@@ -1,0 +1,62 @@
+import { describe, expect, it } from "vitest";
+import { berryTint } from "../../../../../web/src/models/bunch/parts/berry_tint";
+import { skinOf } from "../../../../../web/src/models/bunch/parts/skin";
+import { toLch } from "../../../../../web/src/plant/colour";
+import { LOOK, RIPE } from "../sample_bunch";
+
+const of = (skin: string, bloom = 0.3) => skinOf({ ...LOOK, skin, bloom }, "grape", true);
+
+describe("berryTint", () => {
+	const skin = of("43264f");
+	it("gives a berry the same tint for ever, and its neighbour another", () => {
+		expect(berryTint(skin, 17, RIPE)).toEqual(berryTint(of("43264f"), 17, RIPE));
+		expect(berryTint(skin, 17, RIPE)).not.toEqual(berryTint(skin, 18, RIPE));
+	});
+
+	it("stays near the skin's colour", () => {
+		const own = toLch(skin.ripe);
+		for (let i = 0; i < 500; i++) {
+			const { ripe, bloom, phase } = berryTint(skin, i, RIPE);
+			const lch = toLch(ripe);
+			expect(Math.abs(lch.lightness - own.lightness)).toBeLessThan(0.1);
+			expect(bloom).toBeGreaterThan(0.4);
+			expect(bloom).toBeLessThan(1.6);
+			expect(phase >= 0 && phase < 1).toBe(true);
+		}
+	});
+
+	it("is the look's own colour, in sun and shade alike, where nothing is uneven", () => {
+		const even = skinOf({ ...LOOK, uneven: 0 });
+		for (const exposure of [0, 1]) {
+			const { ripe, unripe } = berryTint(even, 5, { ...RIPE, exposure });
+			for (let k = 0; k < 3; k++) expect(ripe[k]).toBeCloseTo(even.ripe[k], 4);
+			for (let k = 0; k < 3; k++) expect(unripe[k]).toBeCloseTo(even.unripe[k], 4);
+		}
+	});
+
+	it("turns pale berries golden in the sun", () => {
+		const pale = of("a9b04e");
+		const hue = (exposure: number) => toLch(berryTint(pale, 3, { ...RIPE, exposure }).ripe).hue;
+		expect(hue(1)).toBeLessThan(hue(0));
+	});
+
+	it("makes a raisin brown, dull and rid of most wax, of a pale berry as of a dark one", () => {
+		for (const colour of ["a9b04e", "43264f"]) {
+			const fresh = berryTint(of(colour), 8, RIPE);
+			const raisin = berryTint(of(colour), 8, { ...RIPE, shrivel: 1 });
+			expect(raisin.bloom).toBeLessThan(fresh.bloom);
+			expect(raisin.ripe[0]).toBeGreaterThan(raisin.ripe[2]);
+		}
+	});
+
+	it("lets a few berries ripen late, redder than chance makes any", () => {
+		const uneven = skinOf({ ...LOOK, skin: "43264f", uneven: 1 });
+		const own = toLch(uneven.ripe);
+		const reddened = Array.from({ length: 2000 }, (_, id) => toLch(berryTint(uneven, id, RIPE).ripe).hue - own.hue);
+		const late = reddened.filter((turn) => turn > 0.24).length / reddened.length;
+		expect(late).toBeGreaterThan(0.03);
+		expect(late).toBeLessThan(0.07);
+		// None goes as far the other way.
+		expect(Math.min(...reddened)).toBeGreaterThan(-0.23);
+	});
+});

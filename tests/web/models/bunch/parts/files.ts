@@ -1,0 +1,22 @@
+/** The files of a bunch, as the studio and the command line write them. */
+import { exportGlb, type GlbOptions } from "../../../../../web/src/export/glb";
+import { exportObj } from "../../../../../web/src/export/obj";
+import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import { aboutBunch } from "../../../../../web/src/models/bunch/parts/about";
+import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
+import { plantName } from "../../../../../web/src/models/bunch/parts/names";
+import { encodeQuery } from "../../../../../web/src/specimen/link";
+import type { Specimen } from "../../../../../web/src/specimen/specimen";
+
+export async function bunchGlb(
+	grown: Grown,
+	specimen: Specimen,
+	{ link, ...options }: GlbOptions & { link?: string } = {},
+): Promise<Uint8Array<ArrayBuffer>> {
+	return exportGlb(bunchParts(grown, specimen), await aboutBunch(grown, specimen, link), options);
+}
+
+export function bunchObj(grown: Grown, specimen: Specimen, name: string): { obj: string; mtl: string } {
+	const about = { name: plantName(specimen), link: encodeQuery(specimen), extras: {} };
+	return exportObj(bunchParts(grown, specimen), about, name);
+}

@@ -1,0 +1,154 @@
+/** Natural bunches of the real core in every form: all presets, ages, looks, random ones. */
+import { readFileSync } from "node:fs";
+import fc from "fast-check";
+import { Box3, Vector3 } from "three";
+import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
+import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../../web/src/core/core";
+import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
+import { exportJson } from "../../../../../web/src/export/json";
+import { specimenFromFile } from "../../../../../web/src/export/restore";
+import type { NumberKey } from "../../../../../web/src/models/bunch/parameters.generated";
+import { PRESETS } from "../../../../../web/src/models/bunch/presets/index";
+import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
+import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
+import { specimenFromPreset } from "../../../../../web/src/specimen/from_preset";
+import type { Specimen } from "../../../../../web/src/specimen/specimen";
+import { growBunch } from "../../../core/wasm";
+import { fingerprintOfDocument } from "../../../export/fingerprint";
+import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import { bunchGlb, bunchObj } from "./files";
+
+let core: Core;
+
+beforeAll(async () => {
+	core = await loadCoreFromBytes(readFileSync("build/core/bunch.wasm"));
+});
+
+const grow = (specimen: Specimen, options?: RequestOptions) => growBunch(core, specimen, options);
+const natural = (name: string, parameters: Partial<Record<NumberKey, number>> = {}): Specimen => {
+	const specimen = specimenFromPreset(name);
+	return { ...specimen, parameters: { ...specimen.parameters, ...parameters, procedure: 1 } };
+};
+/** Fewer triangles where only the way of writing them is looked at. */
+const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
+
+describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
+	const specimen = natural(name);
+
+	it("is a valid GLB in both forms, and comes back through three.js with every berry in place", async () => {
+		const grown = grow(specimen, COARSE);
+		expect(grown.surfaces?.positions.length).toBe(grown.berries.count * (grown.surfaces?.uvs.length ?? 0) * 1.5);
+		for (const compact of [false, true]) {
+			const glb = await bunchGlb(grown, specimen, { compact });
+			expect(await complaints(glb)).toEqual([]);
+			const names = documentOf(glb).nodes.map((node) => node.name);
+			expect(new Set(names).size).toBe(names.length);
+			const { scene } = await load(glb);
+			scene.updateMatrixWorld(true);
+			const berries = meshesOf(scene).filter(({ userData }) => userData.name.startsWith("Berry "));
+			expect(berries).toHaveLength(grown.berries.count);
+			const apart = berries.map(({ matrixWorld }, i) =>
+				new Vector3()
+					.setFromMatrixPosition(matrixWorld)
+					.distanceTo(new Vector3().fromArray(grown.berries.spheres, 4 * i)),
+			);
+			expect(Math.max(0, ...apart)).toBeLessThan(1e-6);
+			const drawn = new Box3().setFromObject(scene, true);
+			const grew = new Box3().setFromArray([...(grown.stem?.positions ?? []), ...(grown.surfaces?.positions ?? [])]);
+			expect(drawn.min.distanceTo(grew.min) + drawn.max.distanceTo(grew.max)).toBeLessThan(1e-5);
+		}
+	});
+
+	it("gives its fingerprint again from the JSON, and its specimen from every file that holds it", async () => {
+		const grown = grow(specimen, COARSE);
+		const json = JSON.stringify(exportJson(grown, specimen));
+		expect(fingerprintOfDocument(JSON.parse(json))).toBe(grown.fingerprint);
+		const files = [await bunchGlb(grown, specimen), new TextEncoder().encode(json)];
+		for (const file of files) expect(await specimenFromFile(name, new Blob([file]))).toEqual({ specimen, notes: [] });
+		expect(berriesCsv(grown, specimen).split("\r\n")).toHaveLength(grown.berries.count + 2);
+	});
+});
+
+describe("a natural bunch", () => {
+	it.each(["redcurrant", "rubus", "pizzutello"])(
+		"of %s comes back from OBJ with the GLB's triangles and bounds",
+		async (name) => {
+			const specimen = natural(name);
+			const grown = grow(specimen, COARSE);
+			const { obj, mtl } = bunchObj(grown, specimen, name);
+			const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
+			const { scene } = await load(await bunchGlb(grown, specimen));
+			const corners = (root: typeof group) =>
+				meshesOf(root).reduce((sum, { geometry }) => sum + (geometry.index ?? geometry.attributes.position).count, 0);
+			expect(corners(group)).toBe(corners(scene));
+			const [box, expected] = [new Box3().setFromObject(group, true), new Box3().setFromObject(scene, true)];
+			expect(box.min.distanceTo(expected.min) + box.max.distanceTo(expected.max)).toBeLessThan(4e-6);
+		},
+	);
+
+	it.each([0, 5, 15, 50, 80, 110, 125])(
+		"of age %d with leaves is a valid GLB with cane, leaves and flowers",
+		async (age) => {
+			const specimen = natural("long-conical", { age, leaves: 3, cane: 1 });
+			const grown = grow(specimen, COARSE);
+			for (const compact of [false, true]) {
+				const glb = await bunchGlb(grown, specimen, { compact });
+				expect(await complaints(glb)).toEqual([]);
+				const names = documentOf(glb).nodes.map((node) => node.name);
+				expect(names.filter((each) => each.startsWith("Leaf "))).toHaveLength(3);
+				expect(names).toContain("Cane");
+				// The first flowers open; by fruit set all stamens have fallen.
+				expect(names.some((each) => each.startsWith("Flower "))).toBe(age <= 5);
+			}
+		},
+	);
+
+	it("is valid whatever the panel is set to", async () => {
+		const range = (min: number, max: number) => fc.integer({ min: 2 * min, max: 2 * max }).map((steps) => steps / 2);
+		const parameters = fc.record({
+			l: fc.integer({ min: 40, max: 400 }),
+			p3w: fc.integer({ min: 0, max: 200 }),
+			p5w: fc.integer({ min: 0, max: 200 }),
+			size: range(5, 25),
+			density: range(1, 9),
+			age: range(0, 125),
+			elongation: range(1, 3),
+			fruit: fc.integer({ min: 0, max: 5 }),
+			leaves: fc.integer({ min: 0, max: 5 }),
+			spread: fc.integer({ min: 0, max: 40 }),
+		});
+		await fc.assert(
+			fc.asyncProperty(parameters, fc.nat(), fc.boolean(), async (values, seed, compact) => {
+				const specimen = { ...natural("short-conical", values), seed };
+				const grown = grow(specimen, COARSE);
+				expect(await complaints(await bunchGlb(grown, specimen, { compact }))).toEqual([]);
+				expect(fingerprintOfDocument(exportJson(grown, specimen))).toBe(grown.fingerprint);
+			}),
+			{ numRuns: 15 },
+		);
+	}, 60_000);
+
+	it("keeps what was taken off by hand", async () => {
+		const whole = natural("short-conical");
+		const [first, second] = grow(whole, { meshes: false }).berries.ids;
+		const specimen = { ...whole, thinned: [second, first] };
+		const grown = grow(specimen, COARSE);
+		expect([...grown.berries.ids]).not.toContain(first);
+		const byHand = exportJson(grown, specimen).thinned.filter(({ why }) => why === "by hand");
+		expect(byHand.map(({ id }) => id).sort()).toEqual([first, second].sort());
+		const { specimen: read } = await specimenFromFile("bunch.glb", new Blob([await bunchGlb(grown, specimen)]));
+		expect(read).toEqual(specimen);
+	});
+
+	it("of two hundred berries is written in a moment", async () => {
+		const specimen = natural("long-conical", { count: 200 });
+		const grown = grow(specimen);
+		await bunchGlb(grown, specimen);
+		const start = performance.now();
+		await bunchGlb(grown, specimen);
+		// About 60 ms on a laptop; what is ruled out is work that grows faster than the bunch.
+		expect(performance.now() - start).toBeLessThan(1000);
+	});
+});

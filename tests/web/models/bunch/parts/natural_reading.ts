@@ -1,0 +1,38 @@
+/** Natural bunches as three.js reads them back. */
+import { Color, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
+import type { GlbOptions } from "../../../../../web/src/export/glb";
+import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import type { Look, Specimen } from "../../../../../web/src/specimen/specimen";
+import { sampleSpecimen } from "../../../export/fixture";
+import { load, meshesOf } from "../../../export/reading";
+import { bunchGlb } from "./files";
+
+export const specimen = sampleSpecimen({ preset: "short-conical", seed: 7 });
+export const looking = (look: Partial<Look>): Specimen => ({ ...specimen, look: { ...specimen.look, ...look } });
+
+export async function read(from: Grown, of: Specimen = specimen, options?: GlbOptions) {
+	const { scene } = await load(await bunchGlb(from, of, options));
+	scene.updateMatrixWorld(true);
+	const meshes = meshesOf(scene);
+	const named = (start: string) => meshes.filter(({ userData }) => userData.name?.startsWith(start));
+	return { named, skin: named("Berry ")[0]?.material as MeshPhysicalMaterial };
+}
+
+/** Where a vertex is in the end. */
+export const placeOf = (mesh: Mesh, vertex: number) =>
+	new Vector3().fromBufferAttribute(mesh.geometry.attributes.position, vertex).applyMatrix4(mesh.matrixWorld);
+
+/** What a viewer shows at a vertex, in linear light. */
+export function shade(mesh: Mesh, vertex: number): Color {
+	const { color } = mesh.geometry.attributes;
+	const tint = new Color(color.getX(vertex), color.getY(vertex), color.getZ(vertex));
+	return tint.multiply((mesh.material as MeshPhysicalMaterial).color);
+}
+
+export const brightness = ({ r, g, b }: Color) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+
+/** Those vertices of a mesh whose v is within `reach` of `v`. */
+export function around(mesh: Mesh, v: number, reach: number): number[] {
+	const { uv } = mesh.geometry.attributes;
+	return Array.from({ length: uv.count }, (_, i) => i).filter((i) => Math.abs(uv.getY(i) - v) <= reach);
+}

@@ -1,0 +1,127 @@
+import fc from "fast-check";
+import { Box3, Color, type Mesh, type MeshPhongMaterial, Vector3 } from "three";
+import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
+import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
+import { describe, expect, it } from "vitest";
+import { version } from "../../../../../package.json";
+import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import * as arbitrary from "../../../export/arbitrary";
+import { makeGrown, paperSpecimen, SKETCH } from "../../../export/fixture";
+import { meshesOf } from "../../../export/reading";
+import { bunchObj } from "./files";
+
+const grown = makeGrown(SKETCH);
+const specimen = paperSpecimen({ preset: "short-conical", seed: 7 });
+
+/** As a program would: the materials first, then the meshes that name them. */
+function read({ obj, mtl }: { obj: string; mtl: string }): Mesh[] {
+	const materials = new MTLLoader().parse(mtl, "");
+	return meshesOf(new OBJLoader().setMaterials(materials).parse(obj));
+}
+
+const exported = (from: Grown) => bunchObj(from, specimen, "bunch");
+const triangles = (meshes: Mesh[]) =>
+	meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count / 3, 0);
+
+describe("the OBJ", () => {
+	it("is read by three.js with the GLB's names, objects in the same order", () => {
+		const names = read(exported(grown)).map(({ name }) => name);
+		expect(names).toEqual(["Rachis", "Axis_01", "Axis_02", "Axis_03", "Berry_001", "Berry_002", "Berry_003"]);
+	});
+
+	it("holds every triangle of the stems and of each berry, for any growth", () => {
+		fc.assert(
+			fc.property(arbitrary.sketch, (sketch) => {
+				const any = makeGrown(sketch);
+				const expected = ((any.stem?.indices.length ?? 0) + any.berries.count * (any.berry?.indices.length ?? 0)) / 3;
+				expect(triangles(read(exported(any)))).toBe(expected);
+			}),
+			{ numRuns: 50 },
+		);
+	});
+
+	it("puts berries where they grew, to a micrometre, for any growth", () => {
+		fc.assert(
+			fc.property(arbitrary.sketch, (sketch) => {
+				const any = makeGrown(sketch);
+				const berries = read(exported(any)).filter(({ name }) => name.startsWith("Berry"));
+				berries.forEach(({ geometry }, index) => {
+					const [x, y, z, r] = any.berries.spheres.subarray(4 * index);
+					const { position, normal } = geometry.attributes;
+					const centre = new Vector3(x, y, z);
+					for (let i = 0; i < position.count; i++) {
+						const arm = new Vector3().fromBufferAttribute(position, i).sub(centre);
+						expect(Math.abs(arm.length() - r)).toBeLessThan(1e-6);
+						// The fixture's berry is a sphere: its normals point away from the centre.
+						const facing = new Vector3().fromBufferAttribute(normal, i).dot(arm) / r;
+						expect(facing).toBeGreaterThan(1 - 2e-3 - 1e-6 / r);
+					}
+				});
+			}),
+			{ numRuns: 50 },
+		);
+	});
+
+	it("turns each berry's scar away from its pedicel", () => {
+		const berries = read(exported(grown)).filter(({ name }) => name.startsWith("Berry"));
+		berries.forEach(({ geometry }, index) => {
+			const { position, uv } = geometry.attributes;
+			// v is turned over in OBJ: the scar is at 0.
+			const scar = Array.from({ length: uv.count }, (_, i) => i).find((i) => uv.getY(i) === 0) ?? -1;
+			const [x, y, z, r] = grown.berries.spheres.subarray(4 * index);
+			const towards = new Vector3()
+				.fromBufferAttribute(position, scar)
+				.sub(new Vector3(x, y, z))
+				.divideScalar(r);
+			const direction = new Vector3(...grown.berries.directions.subarray(3 * index, 3 * index + 3));
+			expect(towards.distanceTo(direction)).toBeLessThan(1e-3);
+		});
+	});
+
+	it("has the growth's bounds", () => {
+		const box = new Box3();
+		for (const mesh of read(exported(grown)).slice(0, 4)) box.expandByObject(mesh);
+		const expected = new Box3().setFromArray(grown.stem?.positions ?? []);
+		expect(box.min.distanceTo(expected.min)).toBeLessThan(2e-6);
+		expect(box.max.distanceTo(expected.max)).toBeLessThan(2e-6);
+	});
+
+	it("gives stems and berries the materials of the MTL", () => {
+		const meshes = read(exported(grown));
+		expect(meshes.map(({ material }) => (material as MeshPhongMaterial).name)).toEqual([
+			...Array(4).fill("Stem"),
+			...Array(3).fill("Skin"),
+		]);
+		const skin = meshes.at(-1)?.material as MeshPhongMaterial;
+		expect(skin.color.getHexString()).toBe(specimen.look.skin);
+		const stem = (meshes[0].material as MeshPhongMaterial).color;
+		const looked = new Color(`#${specimen.look.stem}`);
+		expect(Math.hypot(stem.r - looked.r, stem.g - looked.g, stem.b - looked.b)).toBeLessThan(0.08);
+	});
+
+	it("names its MTL, its unit and its link", () => {
+		const { obj } = bunchObj(grown, specimen, "my bunch\n");
+		expect(obj.split("\n").slice(0, 3)).toEqual([
+			`# Panicle ${version}: Bunch short-conical, metres, +Y up`,
+			"# ?v=2&preset=short-conical&seed=7&procedure=paper",
+			"mtllib my bunch .mtl",
+		]);
+	});
+
+	it("counts right where a part of the stem is empty", () => {
+		const stem = { ...(grown.stem as NonNullable<Grown["stem"]>) };
+		stem.parts = stem.parts.filter(({ axis }) => axis !== 0);
+		const whole = read(exported(grown));
+		const meshes = read(exported({ ...grown, stem }));
+		const corners = (mesh?: Mesh) => mesh?.geometry.attributes.position.array;
+		expect(corners(meshes.find(({ name }) => name === "Axis_02"))).toEqual(
+			corners(whole.find(({ name }) => name === "Axis_02")),
+		);
+		expect(corners(meshes.at(-1))).toEqual(corners(whole.at(-1)));
+	});
+
+	it("needs meshes", () => {
+		const { stem, berry, ...skeleton } = grown;
+		expect(() => exported(skeleton)).toThrow("This growth has no meshes to export");
+	});
+});

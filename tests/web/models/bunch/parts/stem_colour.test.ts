@@ -1,0 +1,53 @@
+import { describe, expect, it } from "vitest";
+import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import { stemColours } from "../../../../../web/src/models/bunch/parts/stem_colour";
+import { woodOf } from "../../../../../web/src/models/bunch/parts/stem_rules";
+import { linear, meanColour } from "../../../../../web/src/plant/colour";
+import { makeGrown, SKETCH } from "../../../export/fixture";
+import { makeNatural } from "../../../export/natural_fixture";
+
+const HEX = "7d8a3f";
+const at = (turned: number, shrivel = 0) => makeNatural(SKETCH, { traits: () => ({ turned, shrivel }) });
+
+/** The mean colour of the stems that `wanted` picks by internode. */
+function mean(grown: Grown, wanted: (internode: number) => boolean) {
+	const stem = grown.stem as NonNullable<Grown["stem"]>;
+	const colours = stemColours(grown, stem, HEX);
+	const vertices = Array.from(stem.internode.keys()).filter((vertex) => wanted(stem.internode[vertex]));
+	return meanColour(Float32Array.from(vertices.flatMap((vertex) => [...colours.subarray(3 * vertex, 3 * vertex + 3)])));
+}
+
+describe("stemColours", () => {
+	it("has what has withered brown and dark, be the rest ever so green", () => {
+		const grown = at(0);
+		const { state, kind } = grown.internodes;
+		const [red, green] = mean(grown, (i) => state[i] === 1);
+		const [freshRed, freshGreen] = mean(grown, (i) => state[i] === 0 && kind[i] === 3);
+		expect(red / green).toBeGreaterThan(1.25 * (freshRed / freshGreen));
+		expect(green).toBeLessThan(0.75 * freshGreen);
+	});
+
+	it("is a young green at first and the look's own colour where wood begins", () => {
+		const [red, green, blue] = mean(at(0), (i) => at(0).internodes.kind[i] === 3 && at(0).internodes.state[i] === 0);
+		const looked = linear(HEX);
+		expect(green / red).toBeGreaterThan(looked[1] / looked[0]);
+		expect(blue).toBeLessThan(looked[2]);
+	});
+
+	it("turns the rachis to wood first, then axes, pedicels last", () => {
+		const grown = at(1);
+		const redness = ([0, 1, 3] as const).map((kind) => {
+			const [red, green] = mean(grown, (i) => grown.internodes.kind[i] === kind && grown.internodes.state[i] === 0);
+			return red / green;
+		});
+		expect(redness[0]).toBeGreaterThan(1.03 * redness[1]);
+		expect(redness[1]).toBeGreaterThan(1.03 * redness[2]);
+	});
+});
+
+describe("woodOf", () => {
+	it("grows as berries turn and goes on as they dry; the paper's bunches are ripe", () => {
+		expect([woodOf(at(0)), woodOf(at(1)), woodOf(at(1, 1))]).toEqual([0, 0.55, 1]);
+		expect(woodOf(makeGrown(SKETCH))).toBe(0.55);
+	});
+});

@@ -1,0 +1,65 @@
+/** Materials as glTF has them; keys of `extensions` are the extensions' names, all ratified. */
+import type { Colour } from "../plant/colour";
+import type { Material } from "../plant/material";
+import { rounded } from "./numbers";
+
+const DECIMALS = 6;
+
+export interface GltfMaterial {
+	name: string;
+	pbrMetallicRoughness: object;
+	doubleSided?: boolean;
+	extensions?: Record<string, object>;
+}
+
+/**
+ * @param colour the base, which vertices' colours multiply
+ * @param thickness of the flesh in the unit of the meshes, where there is any
+ */
+export function gltfMaterial(material: Material, colour: Colour, thickness: number): GltfMaterial {
+	const { name, roughness, doubleSided } = material;
+	const extensions = extensionsOf(material, thickness);
+	return {
+		name,
+		pbrMetallicRoughness: {
+			baseColorFactor: [...short(colour), 1],
+			metallicFactor: 0,
+			roughnessFactor: one(roughness),
+		},
+		...(doubleSided ? { doubleSided } : {}),
+		...(Object.keys(extensions).length > 0 ? { extensions } : {}),
+	};
+}
+
+function extensionsOf({ sheen, ior, specular, clearcoat, flesh }: Material, thickness: number): Record<string, object> {
+	const extensions: Record<string, object> = {};
+	if (sheen) {
+		extensions.KHR_materials_sheen = {
+			sheenColorFactor: short(sheen.colour),
+			sheenRoughnessFactor: one(sheen.roughness),
+		};
+	}
+	if (ior !== undefined) extensions.KHR_materials_ior = { ior: one(ior) };
+	if (specular !== undefined) extensions.KHR_materials_specular = { specularFactor: one(specular) };
+	if (clearcoat) {
+		const { factor, roughness } = clearcoat;
+		extensions.KHR_materials_clearcoat = { clearcoatFactor: one(factor), clearcoatRoughnessFactor: one(roughness) };
+	}
+	if (flesh) {
+		extensions.KHR_materials_transmission = { transmissionFactor: one(flesh.factor) };
+		extensions.KHR_materials_volume = {
+			thicknessFactor: one(thickness),
+			attenuationColor: short(flesh.colour),
+			attenuationDistance: one(flesh.distance),
+		};
+	}
+	return extensions;
+}
+
+function one(value: number): number {
+	return rounded(value, DECIMALS);
+}
+
+function short(colour: Colour): number[] {
+	return colour.map(one);
+}

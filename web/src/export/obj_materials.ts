@@ -1,0 +1,54 @@
+/**
+ * What an OBJ calls its materials by. It knows no colours of vertices that every reader heeds: parts of one material and
+ * one variant are written in the mean of theirs.
+ */
+import { type Colour, meanColour } from "../plant/colour";
+import type { Material } from "../plant/material";
+import type { Shape } from "../plant/part";
+import type { NamedMaterial } from "./mtl";
+
+interface Used {
+	name: string;
+	material: Material;
+	/** Of the parts' mean colours, and how many have any. */
+	sum: Colour;
+	count: number;
+}
+
+export class ObjMaterials {
+	/** By material, then by variant. */
+	readonly #used = new Map<Material, Map<string, Used>>();
+	readonly #names = new Set<string>();
+
+	/** The name of a shape's material; its colours count from now on. */
+	nameOf({ material, variant, mesh }: Shape): string {
+		const variants = this.#used.get(material) ?? new Map<string, Used>();
+		this.#used.set(material, variants);
+		const used = variants.get(variant ?? "") ?? this.#add(material, variant);
+		variants.set(variant ?? "", used);
+		if (variant !== undefined && mesh.colours) {
+			meanColour(mesh.colours).forEach((value, channel) => {
+				used.sum[channel] += value;
+			});
+			used.count++;
+		}
+		return used.name;
+	}
+
+	/** All that were named, in that order, in the colours that they are to be shown in. */
+	all(): NamedMaterial[] {
+		const used = [...this.#used.values()].flatMap((variants) => [...variants.values()]);
+		return used.map(({ name, material, sum, count }) => {
+			const colour = count > 0 ? (sum.map((value) => value / count) as Colour) : material.colour;
+			return { name, material: { ...material, colour } };
+		});
+	}
+
+	#add(material: Material, variant?: string): Used {
+		const wanted = `${material.name}${variant ? `_${variant}` : ""}`.replaceAll(/\s+/g, "_");
+		let name = wanted;
+		for (let number = 2; this.#names.has(name); number++) name = `${wanted}_${number}`;
+		this.#names.add(name);
+		return { name, material, sum: [0, 0, 0], count: 0 };
+	}
+}

@@ -1,0 +1,51 @@
+import { ShaderMaterial, Vector2, Vector3 } from "three";
+import { smoothstep } from "../../../plant/colour";
+import type { Skin } from "../parts/skin";
+import { BERRY_FRAGMENT, BERRY_VERTEX } from "./berry_shader";
+import type { SharedUniforms } from "./occlusion_shader";
+
+/** No berry. */
+export const NONE = -1;
+
+/** The one material of all berries. */
+export function berryMaterial(shared: SharedUniforms): ShaderMaterial {
+	return new ShaderMaterial({
+		name: "berry",
+		vertexShader: BERRY_VERTEX,
+		fragmentShader: BERRY_FRAGMENT,
+		uniforms: {
+			...shared,
+			vertexRecords: { value: null },
+			patternVertices: { value: 0 },
+			highlighted: { value: NONE },
+			ripeAbsorption: { value: new Vector3() },
+			unripeAbsorption: { value: new Vector3() },
+			translucency: { value: new Vector2() },
+			wax: { value: new Vector3() },
+			grooves: { value: new Vector3() },
+			grooveDepth: { value: new Vector2() },
+			scar: { value: 1 },
+			bloom: { value: 0 },
+			lenticels: { value: 0 },
+			uneven: { value: 0 },
+			rind: { value: 0 },
+			veins: { value: 0 },
+			seedsSeen: { value: 0 },
+		},
+	});
+}
+
+/** Dresses the berries in a skin. */
+export function setSkin({ uniforms }: ShaderMaterial, skin: Skin): void {
+	const { ripeFlesh, unripeFlesh, fruit } = skin;
+	uniforms.ripeAbsorption.value.fromArray(ripeFlesh.absorption);
+	uniforms.unripeAbsorption.value.fromArray(unripeFlesh.absorption);
+	uniforms.translucency.value.set(ripeFlesh.translucency, unripeFlesh.translucency);
+	uniforms.wax.value.fromArray(skin.wax);
+	uniforms.grooves.value.fromArray(fruit.grooves);
+	uniforms.grooveDepth.value.fromArray(fruit.depth);
+	for (const key of ["bloom", "lenticels", "uneven"] as const) uniforms[key].value = skin[key];
+	for (const key of ["rind", "veins", "scar"] as const) uniforms[key].value = fruit[key];
+	// Only clear flesh lets seeds be seen; where none can be, the shader does not look for them.
+	uniforms.seedsSeen.value = smoothstep(0.35, 0.85, Math.max(ripeFlesh.translucency, unripeFlesh.translucency));
+}

@@ -1,0 +1,134 @@
+/** The berries of a bunch in parts: a group of one part a berry, its flower with it until it has set. */
+import { type Colour, linear, meanColour } from "../../../plant/colour";
+import type { Material } from "../../../plant/material";
+import { fromUp } from "../../../plant/orientation";
+import { type Extras, type Part, type PartMesh, type Shape, TRANSFORM } from "../../../plant/part";
+import type { Mesh } from "../../../plant/plant";
+import type { Look } from "../../../specimen/specimen";
+import type { Berries, BerrySurfaces, Grown } from "../grown";
+import { meanOf, traitOf } from "../traits";
+import { berryColours, scarShare } from "./berry_colour";
+import { openFlowers } from "./flowers";
+import { ANTHER_V, STAMEN } from "./foliage_colour";
+import { naturalSkin, plainSkin, STAMENS } from "./materials";
+import { berryName, flowerName } from "./names";
+import { bunchSkin } from "./skin";
+
+const GROUP = "Berries";
+/** Ripeness is told in steps of this many percent where colours of vertices cannot be. */
+const RIPENESS_STEP = 25;
+/** What the scar and the dried style at the tip leave of the shared berry's colour: a brown over any skin. */
+const SCAR_TINT: Colour = [0.42, 0.3, 0.2];
+
+/** The paper's berries: one mesh of unit radius, the scar towards +Y, an instance of it each. */
+export function sharedBerries(grown: Grown, berry: Mesh, look: Look): Part {
+	const { berries } = grown;
+	const transforms = new Float32Array(TRANSFORM * berries.count);
+	for (let i = 0; i < berries.count; i++) transforms.set(placeOf(berries, i, 1), TRANSFORM * i);
+	const each = (i: number) => ({ name: berryName(i, berries.count), extras: bearing(grown, i) });
+	const mesh = {
+		...berry,
+		name: "Berry",
+		colours: scarred(berry, linear(look.skin), bunchSkin(grown, look).fruit.scar),
+	};
+	return { name: GROUP, shape: { mesh, material: plainSkin(look), instances: { transforms, each } } };
+}
+
+/** Natural berries: each its own surface about its own centre, all of one pattern of texture coordinates and triangles. */
+export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, look: Look): Part {
+	const { berries } = grown;
+	const skin = bunchSkin(grown, look);
+	const colours = berryColours(grown, surfaces, skin);
+	const material = naturalSkin(look, skin.fruit, meanColour(colours), meanOf(berries, "width", 0));
+	const flowers = flowersOf(grown);
+	const children = Array.from({ length: berries.count }, (_, i): Part => {
+		const flower = flowers.get(i);
+		return {
+			name: berryName(i, berries.count),
+			shape: berryShape(grown, i, surfaces, colours, material),
+			extras: berryExtras(grown, i),
+			...(flower ? { children: [flower] } : {}),
+		};
+	});
+	return { name: GROUP, children };
+}
+
+function berryShape(
+	{ berries }: Grown,
+	index: number,
+	{ uvs, indices, positions, normals }: BerrySurfaces,
+	colours: Float32Array,
+	material: Material,
+): Shape {
+	const [first, last] = [(index * 3 * uvs.length) / 2, ((index + 1) * 3 * uvs.length) / 2];
+	const [x, y, z] = berries.spheres.subarray(4 * index, 4 * index + 4);
+	const own = (all: Float32Array) => all.subarray(first, last);
+	const percent = RIPENESS_STEP * Math.round((100 * traitOf(berries, index, "turned")) / RIPENESS_STEP);
+	return {
+		mesh: { positions: own(positions), normals: own(normals), uvs, indices, colours: own(colours) },
+		material,
+		centre: [x, y, z],
+		variant: percent === 100 ? "" : String(percent),
+	};
+}
+
+/** Which pedicel bears a berry, and on which axis. */
+function bearing({ berries, internodes }: Grown, index: number): Extras {
+	const pedicel = berries.parent[index];
+	return { pedicel, axis: internodes.axis[pedicel] };
+}
+
+/** What is known of one berry, for whoever selects it; lengths in metres. */
+function berryExtras(grown: Grown, index: number): Extras {
+	const { berries } = grown;
+	const trait = (name: Parameters<typeof traitOf>[2]) => traitOf(berries, index, name);
+	return {
+		id: berries.ids[index],
+		...bearing(grown, index),
+		radius: berries.spheres[4 * index + 3],
+		width: trait("width"),
+		length: trait("length"),
+		direction: Array.from(berries.directions.subarray(3 * index, 3 * index + 3)),
+		exposure: trait("exposure"),
+		turned: trait("turned"),
+	};
+}
+
+/** The flowers that are open, by their berries' indices; all one mesh, stamens about an ovary of unit radius facing +Y. */
+function flowersOf({ flower, berries }: Grown): Map<number, Part> {
+	const parts = new Map<number, Part>();
+	if (!flower || flower.indices.length === 0) return parts;
+	const mesh: PartMesh = { ...flower, name: "Flower", colours: stamenColours(flower) };
+	const open = openFlowers(berries);
+	for (let i = 0; i < open.length; i += 2) {
+		const transforms = Float32Array.from(placeOf(berries, open[i], open[i + 1]));
+		const shape = { mesh, material: STAMENS, instances: { transforms } };
+		parts.set(open[i], { name: flowerName(open[i], berries.count), shape });
+	}
+	return parts;
+}
+
+/** Takes what is of unit radius and faces +Y to berry `index`, `scale` times its radius. */
+function placeOf({ spheres, directions }: Berries, index: number, scale: number): number[] {
+	const [x, y, z, radius] = spheres.subarray(4 * index, 4 * index + 4);
+	const turn = fromUp(directions[3 * index], directions[3 * index + 1], directions[3 * index + 2]);
+	return [x, y, z, turn.x, turn.y, turn.z, turn.w, scale * radius];
+}
+
+/** One colour, browned at the tip scar. */
+function scarred({ uvs }: Mesh, skin: Colour, scar: number): Float32Array {
+	return eachVertex(uvs, (v) => {
+		const share = scarShare(v, scar);
+		return skin.map((value, k) => value * (1 + (SCAR_TINT[k] - 1) * share)) as Colour;
+	});
+}
+
+function stamenColours({ uvs }: Mesh): Float32Array {
+	return eachVertex(uvs, (v) => (v > ANTHER_V ? STAMEN.anther : STAMEN.filament));
+}
+
+function eachVertex(uvs: Float32Array, colourAt: (v: number) => Colour): Float32Array {
+	const colours = new Float32Array(1.5 * uvs.length);
+	for (let vertex = 0; vertex < uvs.length / 2; vertex++) colours.set(colourAt(uvs[2 * vertex + 1]), 3 * vertex);
+	return colours;
+}

@@ -1,0 +1,76 @@
+/**
+ * How one berry's colours differ from the bunch's: by chance, which its id decides for ever, by the sun it had and by how
+ * far it has dried.
+ */
+import { type Colour, clamp, fromLch, linear, mixed, smoothstep, toLch } from "../../../plant/colour";
+import { hashFraction } from "../../../plant/noise";
+import type { Grown } from "../grown";
+import { traitOf } from "../traits";
+import type { Skin } from "./skin";
+
+/** What changes a berry's colour besides its skin. */
+export interface Condition {
+	/** 0 … 1 each, as in the core's traits. */
+	exposure: number;
+	set: number;
+	shrivel: number;
+}
+
+/** How one berry differs from its neighbours. */
+export interface BerryTint {
+	ripe: Colour;
+	unripe: Colour;
+	/** Factor on the bloom. */
+	bloom: number;
+	/** 0 … 1, free use: spin about the berry's axis, place in the noise. */
+	phase: number;
+}
+
+/** Colour of a bud or an ovary just set: the green of young leaves. */
+const YOUNG = linear("86a046");
+
+/** The tint of the berry with that id: the same for ever, whatever else grows; a few berries ripen late. */
+export function berryTint(skin: Skin, id: number, { exposure, set, shrivel }: Condition): BerryTint {
+	const centred = (stream: number) => 2 * skin.uneven * (hashFraction(id, stream) + hashFraction(id, stream + 16) - 1);
+	const late = 2 * skin.uneven * smoothstep(0.86, 1, hashFraction(id, 3));
+	const own = toLch(skin.ripe);
+	const pale = smoothstep(0.45, 0.75, own.lightness);
+	// Sun turns pale skins golden and dark ones darker; a berry in the shade stays greener or redder.
+	const sunned = 2 * skin.uneven * (exposure - 0.5);
+	const ripe = fromLch({
+		lightness: own.lightness * (1 + 0.1 * centred(0) - 0.05 * sunned * (1 - pale)) + 0.05 * late,
+		chroma: own.chroma * (1 + 0.14 * centred(1) + 0.1 * sunned * pale),
+		hue: own.hue + 0.11 * centred(2) - 0.14 * sunned * pale + 0.16 * late * (own.hue < 0 ? 1 : 0.4),
+	});
+	const green = toLch(mixed(YOUNG, skin.unripe, set));
+	const unripe = fromLch({
+		lightness: green.lightness * (1 + 0.06 * centred(6)),
+		chroma: green.chroma * (1 + 0.1 * centred(7)),
+		hue: green.hue + 0.06 * centred(8) - 0.06 * sunned,
+	});
+	return {
+		ripe: dried(ripe, shrivel),
+		unripe: dried(unripe, shrivel),
+		bloom: (1 + 0.5 * centred(4)) * (1 - 0.45 * shrivel) * (0.25 + 0.75 * set),
+		phase: hashFraction(id, 5),
+	};
+}
+
+/** A raisin's colour: browner, and darker the paler it was. */
+function dried(colour: Colour, shrivel: number): Colour {
+	const { lightness, chroma } = toLch(colour);
+	const raisin = fromLch({ lightness: 0.2 + 0.3 * lightness, chroma: 0.03 + 0.4 * chroma, hue: 0.75 });
+	return mixed(colour, raisin, 0.8 * clamp(shrivel));
+}
+
+/** The paper's berries know no sun: none stands out. */
+const HALF = 0.5;
+
+/** The tint of berry `index` of a bunch. */
+export function tintOf({ berries, procedure }: Grown, index: number, skin: Skin): BerryTint {
+	return berryTint(skin, berries.ids[index], {
+		exposure: procedure === "paper" ? HALF : traitOf(berries, index, "exposure"),
+		set: traitOf(berries, index, "set"),
+		shrivel: traitOf(berries, index, "shrivel"),
+	});
+}

@@ -1,0 +1,44 @@
+/** A bunch in parts: axes with their pedicels, berries, cane, leaves and petioles, each to be taken by itself. */
+import { linear, meanColour } from "../../../plant/colour";
+import { cut, type Part } from "../../../plant/part";
+import type { Look, Specimen } from "../../../specimen/specimen";
+import type { Foliage, Grown, StemMesh } from "../grown";
+import { meanOf } from "../traits";
+import { naturalBerries, sharedBerries } from "./berries";
+import { foliageMaterials, stemMaterial } from "./materials";
+import { foliageNames, stemName } from "./names";
+import { stemColours } from "./stem_colour";
+
+/**
+ * @param grown only read
+ * @throws Error with a message for people where `grown` was asked for without meshes
+ */
+export function* bunchParts(grown: Grown, { look }: Pick<Specimen, "look">): Generator<Part> {
+	const { stem, berry, surfaces, berries, foliage } = grown;
+	if (!stem || (berries.count > 0 && !berry && !surfaces)) {
+		throw new Error("This growth has no meshes to export: grow it with meshes.");
+	}
+	yield* stemsOf(grown, stem, look);
+	if (berries.count > 0 && surfaces) yield naturalBerries(grown, surfaces, look);
+	else if (berries.count > 0 && berry) yield sharedBerries(grown, berry, look);
+	if (foliage) yield* foliageOf(grown, foliage);
+}
+
+function* stemsOf(grown: Grown, stem: StemMesh, { stem: hex }: Look): Generator<Part> {
+	const colours = stemColours(grown, stem, hex);
+	const material = stemMaterial(colours.length > 0 ? meanColour(colours) : linear(hex));
+	for (const part of stem.parts) {
+		if (part.indexCount > 0)
+			yield { name: stemName(part.axis), shape: { mesh: cut({ ...stem, colours }, part), material } };
+	}
+}
+
+/** Leaves turn as berries dry. */
+function* foliageOf({ berries }: Grown, foliage: Foliage): Generator<Part> {
+	const materials = foliageMaterials(meanOf(berries, "shrivel", 0));
+	const names = foliageNames(foliage.parts);
+	for (const [index, part] of foliage.parts.entries()) {
+		if (part.indexCount > 0)
+			yield { name: names[index], shape: { mesh: cut(foliage, part), material: materials[part.kind] } };
+	}
+}

@@ -1,0 +1,41 @@
+import type { Colour } from "../../../plant/colour";
+import type { Fruit } from "../grown";
+
+/** How the skin of a kind of fruit is made, whatever its colour. */
+export interface FruitSkin {
+	/** 0: taut and glossy, flesh shines through; 1: a dull rind. */
+	rind: number;
+	/** Colour in the grooves between drupelets or tubercles as a factor on the skin's. */
+	grooves: Colour;
+	/** Where they lie: nearer the centre than the first of these (in radii) all groove, beyond the second none. */
+	depth: [groove: number, top: number];
+	/** 0 … 1: meridian veins seen in the flesh. */
+	veins: number;
+	/** From this v on lies the tip's scar or what is left of the flower; beyond 1 there is none. */
+	scar: number;
+	/** Factor on how much light the flesh passes. */
+	flesh: number;
+	/** 0 … 1: of a clean skin's smooth coat, in files; none over a rind. */
+	gloss: number;
+}
+
+const SMOOTH: FruitSkin = {
+	rind: 0,
+	grooves: [1, 1, 1],
+	depth: [0, 0.01],
+	veins: 0.3,
+	scar: 0.98,
+	flesh: 1,
+	gloss: 0.25,
+};
+const RIND: FruitSkin = { ...SMOOTH, veins: 0, gloss: 0 };
+
+/** Estimates by eye. The core gives the relief, these only dress it. */
+export const FRUIT_SKINS: Record<Fruit, FruitSkin> = {
+	grape: SMOOTH,
+	currant: { ...SMOOTH, veins: 0.6, scar: 0.955, flesh: 1.2, gloss: 0.9 },
+	bramble: { ...SMOOTH, grooves: [0.35, 0.2, 0.25], depth: [0.8, 0.95], veins: 0, scar: 1.1, flesh: 0.6, gloss: 0.7 },
+	lychee: { ...RIND, rind: 0.75, grooves: [1.5, 2.4, 1.9], depth: [0.955, 1.005], scar: 0.99, flesh: 0.08 },
+	longan: { ...RIND, rind: 0.9, scar: 0.99, flesh: 0.08 },
+	duku: { ...RIND, rind: 0.8, flesh: 0.12 },
+};

@@ -1,0 +1,89 @@
+/** What a bunch is made of. Why each value is so is in docs/export.md. */
+import { type Colour, linear, mix, smoothstep, toLch } from "../../../plant/colour";
+import type { Material } from "../../../plant/material";
+import type { Look } from "../../../specimen/specimen";
+import type { FoliagePart } from "../grown";
+import { CANE, leafColour, PETIOLE, STAMEN } from "./foliage_colour";
+import type { FruitSkin } from "./fruit_skin";
+
+/** A smooth skin without wax; bloom scatters the highlight up to the second figure. */
+const SKIN_ROUGHNESS: readonly [clean: number, bloomed: number] = [0.34, 0.46];
+const RIND_ROUGHNESS = 0.78;
+const STEM_ROUGHNESS = 0.85;
+/** Wax crystals scatter a pale blue, strongest at grazing angles: what a sheen lobe describes. */
+const BLOOM_COLOUR: Colour = [0.17, 0.2, 0.26];
+const BLOOM_ROUGHNESS = 0.55;
+/** In natural berries wax is in the vertices' colours already; the sheen is what it adds at grazing angles. */
+const SHEEN_SHARE = 0.6;
+/** Between water's 1.33 and wax's 1.45: a wet flesh behind a cuticle. */
+const FLESH_IOR = 1.4;
+const COAT_ROUGHNESS = 0.08;
+/** Wax scatters this share of the mirror. */
+const WAX_ON_MIRROR = 0.5;
+/** Below this a coat is not worth a reader's time. */
+const LEAST_COAT = 0.04;
+/** The most light that passes: more, and berries look like glass where readers see nothing but stems behind them. */
+const MOST_PASSING = 0.3;
+/** Below this the pass that readers need for it costs more than it shows. */
+const LEAST_PASSING = 0.04;
+
+/** The paper's berries: one colour, one skin. */
+export function plainSkin(look: Look): Material {
+	const [clean, bloomed] = SKIN_ROUGHNESS;
+	const roughness = mix(clean, bloomed, look.bloom);
+	return { name: "Skin", colour: linear(look.skin), roughness, ...bloomSheen(look.bloom) };
+}
+
+/**
+ * Natural berries.
+ * @param colour of all of them in the mean
+ * @param width of a mean berry, metres
+ */
+export function naturalSkin(look: Look, { rind, gloss }: FruitSkin, colour: Colour, width: number): Material {
+	const sheen = bloomSheen(look.bloom * SHEEN_SHARE);
+	if (rind > 0) return { name: "Skin", colour, roughness: RIND_ROUGHNESS, ...sheen };
+	const [clean, bloomed] = SKIN_ROUGHNESS;
+	const coat = gloss * (1 - look.bloom);
+	return {
+		name: "Skin",
+		colour,
+		roughness: mix(clean, bloomed, look.bloom),
+		ior: FLESH_IOR,
+		...sheen,
+		...(look.bloom > 0 ? { specular: 1 - WAX_ON_MIRROR * look.bloom } : {}),
+		...(coat >= LEAST_COAT ? { clearcoat: { factor: coat, roughness: COAT_ROUGHNESS } } : {}),
+		...flesh(look, width),
+	};
+}
+
+/** One way through a mean berry leaves the flesh's own colour. */
+function flesh(look: Look, width: number): Pick<Material, "flesh"> {
+	const skin = linear(look.skin);
+	const factor = MOST_PASSING * look.glow * smoothstep(0.5, 0.75, toLch(skin).lightness);
+	if (factor < LEAST_PASSING) return {};
+	const brightest = Math.max(...skin);
+	const colour = skin.map((value) => Math.max(0.02, value / brightest)) as Colour;
+	return { flesh: { factor, thickness: width, colour, distance: width } };
+}
+
+function bloomSheen(bloom: number): Pick<Material, "sheen"> {
+	if (bloom <= 0) return {};
+	return { sheen: { colour: BLOOM_COLOUR.map((value) => value * bloom) as Colour, roughness: BLOOM_ROUGHNESS } };
+}
+
+/** @param colour of all stems in the mean */
+export function stemMaterial(colour: Colour): Material {
+	return { name: "Stem", colour, roughness: STEM_ROUGHNESS };
+}
+
+/** @param autumn 0 … 1: how far leaves have turned */
+export function foliageMaterials(autumn: number): Record<FoliagePart["kind"], Material> {
+	return {
+		cane: { name: "Cane", colour: CANE, roughness: 0.9 },
+		leaf: { name: "Leaf", colour: leafColour(autumn), roughness: 0.6, doubleSided: true },
+		petiole: { name: "Petiole", colour: PETIOLE, roughness: STEM_ROUGHNESS },
+	};
+}
+
+/** Stamens; anthers are told by the vertices' colours. */
+export const STAMENS: Material = { name: "Stamen", colour: STAMEN.filament, roughness: 0.7 };

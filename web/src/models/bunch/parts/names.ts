@@ -1,0 +1,43 @@
+/**
+ * The names a reader of an export sees in an outliner: the same in GLB and OBJ. Numbers start at 1, as people count,
+ * and are padded so that sorting by name keeps their order.
+ */
+import type { Specimen } from "../../../specimen/specimen";
+import type { FoliagePart } from "../grown";
+
+/** Node of the whole plant, e.g. `Bunch long-conical`. */
+export function plantName(specimen: Specimen): string {
+	const kind = specimen.model.charAt(0).toUpperCase() + specimen.model.slice(1);
+	return `${kind} ${specimen.preset}`;
+}
+
+/** Name of a part of the stem: `Rachis` for −1, else `Axis 01` for s = 0 (the top one) and so on. */
+export function stemName(axis: number): string {
+	return axis < 0 ? "Rachis" : `Axis ${String(axis + 1).padStart(2, "0")}`;
+}
+
+/** Name of berry `index` (from 0) of `count`: `Berry 001`; more digits where there are more than 999. */
+export function berryName(index: number, count: number): string {
+	return `Berry ${berryNumber(index, count)}`;
+}
+
+/** Name of the flower of berry `index`: `Flower 001`. */
+export function flowerName(index: number, count: number): string {
+	return `Flower ${berryNumber(index, count)}`;
+}
+
+function berryNumber(index: number, count: number): string {
+	return String(index + 1).padStart(Math.max(3, String(count).length), "0");
+}
+
+const FOLIAGE_NAMES = { cane: "Cane", leaf: "Leaf", petiole: "Petiole" } as const;
+
+/** Names of foliage's parts, in their order: `Cane`, `Leaf 1`, `Petiole 1`, `Leaf 2` … */
+export function foliageNames(parts: readonly FoliagePart[]): string[] {
+	const seen = new Map<string, number>();
+	return parts.map(({ kind }) => {
+		const number = (seen.get(kind) ?? 0) + 1;
+		seen.set(kind, number);
+		return kind === "cane" && number === 1 ? FOLIAGE_NAMES.cane : `${FOLIAGE_NAMES[kind]} ${number}`;
+	});
+}

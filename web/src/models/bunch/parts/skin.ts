@@ -1,0 +1,88 @@
+import { type Colour, clamp, fromLch, linear, mix, mixed, smoothstep, toLch } from "../../../plant/colour";
+import type { Look } from "../../../specimen/specimen";
+import type { Fruit, Grown } from "../grown";
+import { FRUIT_SKINS, type FruitSkin } from "./fruit_skin";
+
+/** Flesh under a skin of one colour. */
+export interface Flesh {
+	/** 0: light stops at the skin (duku, longan); 1: the flesh is seen through (white grape, redcurrant). */
+	translucency: number;
+	/** Absorption of light on its way through one radius of flesh, per channel. */
+	absorption: Colour;
+}
+
+/** What is to be known of a skin. */
+export interface Skin {
+	/** Colours seen by reflected light. */
+	ripe: Colour;
+	unripe: Colour;
+	ripeFlesh: Flesh;
+	unripeFlesh: Flesh;
+	/** Colour of the waxy bloom. */
+	wax: Colour;
+	/** 0 … 1 each. */
+	bloom: number;
+	lenticels: number;
+	uneven: number;
+	fruit: FruitSkin;
+}
+
+/** Rinds through which no flesh shines: tan and brown ones that are not vivid (duku, longan), and brick red (lychee). */
+function rindness(lightness: number, chroma: number, hue: number): number {
+	const degrees = (hue * 180) / Math.PI;
+	const tan = smoothstep(42, 58, degrees) * (1 - smoothstep(88, 102, degrees));
+	const brick = smoothstep(22, 26, degrees) * (1 - smoothstep(32, 42, degrees));
+	return Math.max(
+		tan * (1 - smoothstep(0.098, 0.108, chroma)) * smoothstep(0.3, 0.45, lightness),
+		brick * (1 - smoothstep(0.15, 0.17, chroma)) * smoothstep(0.46, 0.52, lightness),
+	);
+}
+
+/** Pale or vivid skins let light through; dark ones, whose anthocyanins pass red last of all, redden it. */
+function fleshUnder(colour: Colour, passing: number): Flesh {
+	const { lightness, chroma } = toLch(colour);
+	const pale = smoothstep(0.35, 0.8, lightness);
+	const vivid = smoothstep(0.1, 0.2, chroma);
+	const dark = 1 - smoothstep(0.25, 0.5, lightness);
+	const brightest = Math.max(colour[0], colour[1], colour[2], 1e-3);
+	const own: Colour = [colour[0] / brightest, colour[1] / brightest, colour[2] / brightest];
+	const through = mixed(own, [1, 0.12, 0.16], 0.75 * dark);
+	const density = mix(1.1, 0.42, pale) + 1.9 * dark;
+	return {
+		translucency: clamp((0.2 + 0.5 * pale + 0.4 * vivid - 0.06 * dark) * passing),
+		absorption: through.map((channel) => density * (0.4 - Math.log(clamp(channel, 0.02, 1)))) as Colour,
+	};
+}
+
+/**
+ * Reads the nature of a skin from the look and the kind of fruit.
+ * @param guess whether the colour may tell a rind: the paper's procedure knows no fruit but the grape
+ */
+export function skinOf(look: Look, kind: Fruit = "grape", guess = false): Skin {
+	const ripe = linear(look.skin);
+	const unripe = linear(look.unripe);
+	const { lightness, chroma, hue } = toLch(ripe);
+	const rind = guess ? rindness(lightness, chroma, hue) : 0;
+	const own = FRUIT_SKINS[kind];
+	const fruit = { ...own, rind: Math.max(own.rind, rind), flesh: own.flesh * (1 - 0.92 * rind) };
+	const passing = 2 * clamp(look.glow) * fruit.flesh;
+	const pale = smoothstep(0.35, 0.8, lightness);
+	// Wax scatters short waves a little more; on a dark skin the blue is what the eye sees.
+	const wax = mixed(fromLch({ lightness: 0.74, chroma: 0.04, hue: 4.75 }), mixed(ripe, [1, 1, 1], 0.72), 0.6 * pale);
+	return {
+		ripe,
+		unripe,
+		ripeFlesh: fleshUnder(ripe, passing),
+		unripeFlesh: fleshUnder(unripe, passing),
+		wax,
+		bloom: clamp(look.bloom),
+		lenticels: clamp(look.lenticels),
+		uneven: clamp(look.uneven),
+		fruit,
+	};
+}
+
+/** The skin of a bunch's berries. */
+export function bunchSkin({ form, procedure }: Grown, look: Look): Skin {
+	return skinOf(look, form.fruit, procedure === "paper");
+}

@@ -1,0 +1,52 @@
+/**
+ * How a berry's skin is coloured at a point: the numbers of the rules that the view's shaders (figure/berry_shader.ts)
+ * follow per pixel and the files' colours (berry_colour.ts) at each vertex. Estimates by eye.
+ */
+import type { Colour } from "../../../plant/colour";
+
+/** Noise cells to a berry's radius of the coarse pattern, and how far apart berries stand in it, by their phase. */
+export const COARSE = { cells: 1.7, phase: 61 } as const;
+
+/** Pigment absorbs: colours mix as depths do, as logarithms, beside this least light. */
+export const LEAST_LIGHT = 0.004;
+
+/**
+ * Turning starts at the tip (`along` the axis, −1 at the seat … 1) and in patches (`coarse`, `fine` noise), and runs over a
+ * berry in a `width`; an `uneven` look widens it and makes patches.
+ */
+export const TURNING = { width: 0.35, uneven: 0.5, along: 0.32, coarse: 0.75, fine: 0.3 } as const;
+
+/** Mottling: the factor on the colour goes from `least` by `span` with the coarse noise, by so much of it. */
+export const MOTTLE = { least: 0.86, span: 0.28, share: 0.4, uneven: 1.2 } as const;
+
+/** About the pedicel's seat, up to v = `to`, little pigment reaches the skin. */
+export const SEAT = { from: 0.03, to: 0.13, share: 0.7, skin: 0.75, colour: [0.05, 0.055, 0.02] as Colour } as const;
+
+/** The brown of the tip scar and of what is left of the style, over what shows of the skin. */
+export const SCAR = { share: 0.85, skin: 0.12, colour: [0.14, 0.08, 0.04] as Colour } as const;
+
+/** Before the scar, over so much of v, the skin is paler. */
+export const HALO = { width: 0.06, end: 0.005, share: 0.4, skin: 1.25, light: 0.02 } as const;
+
+/** A rind is blotched: its factor goes from `least` by `span` with the fine noise. */
+export const RIND = { least: 0.72, span: 0.45 } as const;
+
+/**
+ * Wax lies thinner below and in patches, is rubbed off where berries touch and where something brushed by, and goes as a
+ * berry dries. Seen at `facing` (the cosine to the normal) it hides 1 − exp(−depth / (grazing + facing)) of the skin.
+ */
+export const WAX = {
+	depth: 1.2,
+	grazing: 0.25,
+	rubbed: 0.12,
+	pressed: [0.02, 0.5],
+	brushed: [0.16, 0.34],
+	fine: 0.22,
+	bare: 0.35,
+	patches: [0.12, 0.75],
+	coarseShare: 0.7,
+	fineShare: 0.4,
+	side: 0.6,
+	up: 0.4,
+	dry: 0.6,
+} as const;

@@ -1,0 +1,53 @@
+/** The colours of stems, vertex by vertex: what the view shows of them. */
+import { clamp, linear, mix, smoothstep } from "../../../plant/colour";
+import { noise } from "../../../plant/noise";
+import { type Grown, INTERNODE_STATES, type StemMesh } from "../grown";
+import { BARK, BROWN, LATER, MOTTLES, SHADE, woodOf, YOUNG } from "./stem_rules";
+
+/** 3 × vertices, linear light. */
+export function stemColours(grown: Grown, { positions, uvs, internode }: StemMesh, hex: string): Float32Array {
+	const wood = woodOf(grown);
+	const green = linear(hex);
+	const { kind, state } = grown.internodes;
+	const withered = INTERNODE_STATES.indexOf("withered");
+	const colours = new Float32Array(positions.length);
+	for (let vertex = 0, at = 0; vertex < internode.length; vertex++, at += 3) {
+		const of = internode[vertex];
+		const mottle = noise(
+			MOTTLES[0] * uvs[2 * vertex],
+			MOTTLES[1] * uvs[2 * vertex + 1],
+			MOTTLES[2] * positions[at + 1],
+		);
+		const aged = wood * (1 - LATER * kind[of]);
+		const dry = state[of] === withered ? 1 : 0;
+		const brown = brownAt(nodeShare(grown, of, positions, at), mottle, wood, aged, dry);
+		const shade = SHADE.least + SHADE.span * mottle;
+		for (let k = 0; k < 3; k++) {
+			const bark = mix(BARK.first[k], BARK.last[k], aged) * mix(BARK.light, BARK.dry, dry);
+			const young = mix(YOUNG.colour[k], 1, Math.min(1, YOUNG.until * wood));
+			colours[at + k] = clamp(green[k] * mix(young, bark, brown) * shade);
+		}
+	}
+	return colours;
+}
+
+/** The share of bark at a place that is so near a node. */
+function brownAt(near: number, mottle: number, wood: number, aged: number, dry: number): number {
+	const { node, streak, withered, wood: spread } = BROWN;
+	const nodes = node.share * smoothstep(node.from, 1, near) * mix(node.young, 1, wood);
+	const streaks = streak.share * smoothstep(streak.from, streak.to, mottle) * mix(streak.young, 1, wood);
+	const woody = spread.share * smoothstep(spread.from, spread.to, aged + spread.mottle * mottle);
+	return clamp(nodes + streaks + withered * dry + woody);
+}
+
+/** How near a place is to its internode's ends: 0 in the middle, 1 at a node. */
+function nodeShare({ internodes: { ends } }: Grown, internode: number, positions: Float32Array, at: number): number {
+	let along = 0;
+	let square = 0;
+	for (let k = 0; k < 3; k++) {
+		const half = 0.5 * (ends[6 * internode + 3 + k] - ends[6 * internode + k]);
+		along += (positions[at + k] - ends[6 * internode + k] - half) * half;
+		square += half * half;
+	}
+	return Math.abs(along) / Math.max(square, 1e-12);
+}

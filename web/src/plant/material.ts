@@ -1,0 +1,48 @@
+/** What surfaces are made of, as physically based values: what the view draws and what files say. */
+import { type Colour, linear } from "./colour";
+
+/** Parts that share a material share the object. Nothing of a plant is metallic or textured. */
+export interface Material {
+	/** As files call it. */
+	name: string;
+	/** Linear light: what is shown of parts without colours of their own, and where those cannot be told. */
+	colour: Colour;
+	/** 0 mirror … 1 matt. */
+	roughness: number;
+	/** Of sheets without thickness. */
+	doubleSided?: boolean;
+	/** Fine fibres or wax, seen at grazing angles: linear colour and roughness. */
+	sheen?: { colour: Colour; roughness: number };
+	/** Refractive index, where it is not 1.5. */
+	ior?: number;
+	/** Factor on the mirror, where it is not 1. */
+	specular?: number;
+	/** A second, smooth mirror over the first. */
+	clearcoat?: { factor: number; roughness: number };
+	/** Light through the flesh: its share; how thick it is; how long a way leaves how much of it (metres, linear colour). */
+	flesh?: { factor: number; thickness: number; colour: Colour; distance: number };
+}
+
+/** Something fair for each kind of material that a plant's mesh may name. */
+const STANDARD: Readonly<Record<string, Material>> = {
+	stem: { name: "Stem", colour: linear("7d7a3f"), roughness: 0.85 },
+	bark: { name: "Bark", colour: linear("6d5745"), roughness: 0.95 },
+	root: { name: "Root", colour: linear("b79b74"), roughness: 0.9 },
+	blade: { name: "Blade", colour: linear("4f7430"), roughness: 0.6, doubleSided: true },
+	petal: {
+		name: "Petal",
+		colour: linear("e7a9bf"),
+		roughness: 0.65,
+		doubleSided: true,
+		sheen: { colour: [0.12, 0.1, 0.11], roughness: 0.5 },
+	},
+	sepal: { name: "Sepal", colour: linear("6d8f45"), roughness: 0.7, doubleSided: true },
+	stamen: { name: "Stamen", colour: linear("e8d27a"), roughness: 0.7 },
+	skin: { name: "Skin", colour: linear("8c2f45"), roughness: 0.38, ior: 1.4 },
+};
+const PLAIN: Omit<Material, "name"> = { colour: linear("86a046"), roughness: 0.75 };
+
+/** The material of a kind that a model does not dress itself: a kind nobody has heard of is a leaf's matt green. */
+export function standardMaterial(kind: string): Material {
+	return STANDARD[kind] ?? { name: kind.charAt(0).toUpperCase() + kind.slice(1), ...PLAIN };
+}

@@ -1,0 +1,66 @@
+/** Chance that is the same for ever and everywhere: hashes of whole numbers, and smooth noise made of them. */
+
+/** A well-mixed hash of two integers (the finaliser of MurmurHash3) as a fraction of 1. */
+export function hashFraction(id: number, stream: number): number {
+	let h = Math.imul(id + 1, 0x9e3779b1) ^ Math.imul(stream + 1, 0x85ebca6b);
+	h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);
+	h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
+	return ((h ^ (h >>> 16)) >>> 0) / 4294967296;
+}
+
+/** Smooth noise of one octave, 0 … 1, that changes over about one unit: what `noise` of NOISE_CHUNK draws. */
+export function noise(x: number, y: number, z: number): number {
+	const cx = Math.floor(x);
+	const cy = Math.floor(y);
+	const cz = Math.floor(z);
+	const fx = eased(x - cx);
+	const fy = eased(y - cy);
+	const fz = eased(z - cz);
+	const near = plane(cx, cy, cz, fx, fy);
+	return near + fz * (plane(cx, cy, cz + 1, fx, fy) - near);
+}
+
+/** Between the four corners of a cell that have the same z. */
+function plane(cx: number, cy: number, cz: number, fx: number, fy: number): number {
+	const a = corner(cx, cy, cz);
+	const b = corner(cx, cy + 1, cz);
+	const low = a + fx * (corner(cx + 1, cy, cz) - a);
+	const high = b + fx * (corner(cx + 1, cy + 1, cz) - b);
+	return low + fy * (high - low);
+}
+
+function corner(x: number, y: number, z: number): number {
+	const a = Math.imul(x, 0x9e3779b1);
+	const b = Math.imul(y, 0x85ebca6b);
+	const c = Math.imul(z, 0xc2b2ae35);
+	let h = Math.imul(a ^ (b >>> 7) ^ (b << 9) ^ (c >>> 13) ^ (c << 3), 0x27d4eb2d);
+	h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
+	return (h >>> 16) / 65535;
+}
+
+function eased(t: number): number {
+	return t * t * (3 - 2 * t);
+}
+
+/** The same for shaders. A loop rather than eight lines: a shader's first compilation is paid by the eye. */
+export const NOISE_CHUNK = /* glsl */ `
+float hash(ivec3 cell) {
+	uvec3 c = uvec3(cell) * uvec3(0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u);
+	uint h = (c.x ^ (c.y >> 7u) ^ (c.y << 9u) ^ (c.z >> 13u) ^ (c.z << 3u)) * 0x27d4eb2du;
+	h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
+	return float(h >> 16u) / 65535.0;
+}
+float noise(vec3 at) {
+	vec3 floored = floor(at);
+	ivec3 cell = ivec3(floored);
+	vec3 f = at - floored;
+	f = f * f * (3.0 - 2.0 * f);
+	float sum = 0.0;
+	for (int i = 0; i < 4; i++) {
+		ivec3 corner = cell + ivec3(0, i & 1, i >> 1);
+		vec2 share = mix(1.0 - f.yz, f.yz, vec2(i & 1, i >> 1));
+		sum += share.x * share.y * mix(hash(corner), hash(corner + ivec3(1, 0, 0)), f.x);
+	}
+	return sum;
+}
+`;

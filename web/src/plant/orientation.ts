@@ -1,0 +1,62 @@
+/** How something that faces +Y is turned to face along a direction. */
+
+/** A unit quaternion. */
+export interface Quaternion {
+	x: number;
+	y: number;
+	z: number;
+	w: number;
+}
+
+/**
+ * The rotation that takes +Y to the unit vector (x, y, z): half a turn about X, then the shortest way from −Y. Fruits
+ * mostly hang, so the one direction where the roll is undetermined is put at +Y, where few point; there it is the
+ * identity.
+ */
+export function fromUp(x: number, y: number, z: number): Quaternion {
+	const across = x * x + z * z;
+	// 1 − y, without losing digits to the subtraction near +Y.
+	const lift = y > 0 ? across / (1 + y) : 1 - y;
+	const length = Math.sqrt(lift * lift + across);
+	if (length === 0) return { x: 0, y: 0, z: 0, w: 1 };
+	return { x: lift / length, y: x / length, z: 0, w: z / length };
+}
+
+/** A 3 × 3 matrix, row by row. */
+export type Rows = [number, number, number, number, number, number, number, number, number];
+
+/** The same rotation as a matrix. */
+export function rows({ x, y, z, w }: Quaternion): Rows {
+	return [
+		1 - 2 * (y * y + z * z),
+		2 * (x * y - w * z),
+		2 * (x * z + w * y),
+		2 * (x * y + w * z),
+		1 - 2 * (x * x + z * z),
+		2 * (y * z - w * x),
+		2 * (x * z - w * y),
+		2 * (y * z + w * x),
+		1 - 2 * (x * x + y * y),
+	];
+}
+
+/** `vectors` turned, scaled and moved, written into `into` from `at` on. */
+export function placeVectors(
+	vectors: Float32Array,
+	turn: Rows,
+	scale: number,
+	centre: readonly number[],
+	into: Float32Array | Float64Array,
+	at = 0,
+): void {
+	const [a, b, c, d, e, f, g, h, k] = turn;
+	const [cx, cy, cz] = centre;
+	for (let i = 0; i < vectors.length; i += 3) {
+		const x = vectors[i];
+		const y = vectors[i + 1];
+		const z = vectors[i + 2];
+		into[at + i] = cx + scale * (a * x + b * y + c * z);
+		into[at + i + 1] = cy + scale * (d * x + e * y + f * z);
+		into[at + i + 2] = cz + scale * (g * x + h * y + k * z);
+	}
+}

@@ -1,0 +1,83 @@
+/**
+ * A plant in parts: what the scene draws and exporters write, whatever the model. All in the plant's frame: metres, +Y
+ * up.
+ */
+import type { Material } from "./material";
+import type { Mesh } from "./plant";
+
+/** Triangles of one material. */
+export interface PartMesh extends Mesh {
+	/** As files call it, where it is not its part's name: of a mesh that many draw. */
+	name?: string;
+	/** 3 × vertices, linear light 0 … 1: in place of the material's colour. */
+	colours?: Float32Array;
+}
+
+/** Where a mesh stands: once for each of its instances. */
+export interface Instances {
+	/** 8 × count: position x y z, rotation as a unit quaternion x y z w, scale. */
+	transforms: Float32Array;
+	/** What each is called, where each is a part by itself; without it there is one, and it is the part. */
+	each?: (index: number) => { name: string; extras?: Extras };
+}
+
+/** What is known of a part besides its shape; lengths in metres. */
+export type Extras = Record<string, unknown>;
+
+/** Parts share meshes, arrays and materials by sharing the objects; nothing in them is ever changed. */
+export interface Part {
+	/** As people call it: `Leaf 2`. One of a kind among all parts of a plant. */
+	name: string;
+	/** Absent for a mere group. */
+	shape?: Shape;
+	extras?: Extras;
+	/** Move with it. */
+	children?: readonly Part[];
+}
+
+/** What is to be seen of a part. */
+export interface Shape {
+	/** Where it stands, or, with `instances`, in its own frame. */
+	mesh: PartMesh;
+	material: Material;
+	instances?: Instances;
+	/** Where it is held and turned about; the origin where absent. Not with `instances`. */
+	centre?: readonly [x: number, y: number, z: number];
+	/**
+	 * For readers that know no colours of vertices: parts of one material and one variant are written in the mean of their
+	 * colours. Without it they have the material's.
+	 */
+	variant?: string;
+}
+
+/** Numbers of one transform. */
+export const TRANSFORM = 8;
+
+/** Every part, parents before their children. */
+export function* everyPart(parts: Iterable<Part>): Generator<Part> {
+	for (const part of parts) {
+		yield part;
+		if (part.children) yield* everyPart(part.children);
+	}
+}
+
+/** A contiguous run of vertices and triangles, its indices counted from the whole mesh's first vertex. */
+export interface Run {
+	firstVertex: number;
+	vertexCount: number;
+	firstIndex: number;
+	indexCount: number;
+}
+
+/** One run of a mesh as a mesh of its own, indices counted from its first vertex. */
+export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, indexCount }: Run): PartMesh {
+	const lastVertex = firstVertex + vertexCount;
+	const colours = mesh.colours?.subarray(3 * firstVertex, 3 * lastVertex);
+	return {
+		positions: mesh.positions.subarray(3 * firstVertex, 3 * lastVertex),
+		normals: mesh.normals.subarray(3 * firstVertex, 3 * lastVertex),
+		uvs: mesh.uvs.subarray(2 * firstVertex, 2 * lastVertex),
+		indices: mesh.indices.subarray(firstIndex, firstIndex + indexCount).map((index) => index - firstVertex),
+		...(colours ? { colours } : {}),
+	};
+}

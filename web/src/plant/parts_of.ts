@@ -1,0 +1,79 @@
+/** Any plant in parts: what is shown and written of a model that says nothing more about its looks. */
+import { type Material, standardMaterial } from "./material";
+import { cut, type Part, TRANSFORM } from "./part";
+import type { Organs, Plant, PlantMesh } from "./plant";
+
+/**
+ * Each run of a mesh is a part, a mesh without runs is one; a mesh that organs are drawn with is a group of as many parts
+ * as there are such organs, named by their tags.
+ * @param materials the model's own, by kind; others are `standardMaterial`'s
+ */
+export function* partsOf(
+	{ meshes, organs }: Pick<Plant, "meshes" | "organs">,
+	materials: Readonly<Record<string, Material>> = {},
+): Generator<Part> {
+	const dressed = new Map<string, Material>();
+	const names = new Names();
+	for (const [index, mesh] of meshes.entries()) {
+		const material = materials[mesh.material] ?? dressed.get(mesh.material) ?? standardMaterial(mesh.material);
+		dressed.set(mesh.material, material);
+		const borne = membersOf(organs, index);
+		if (borne.length > 0) yield organsOf(organs, borne, mesh, material, names);
+		else yield* runsOf(mesh, material, names);
+	}
+}
+
+function* runsOf(mesh: PlantMesh, material: Material, names: Names): Generator<Part> {
+	const runs = mesh.runs.filter(({ indexCount }) => indexCount > 0);
+	if (mesh.indices.length === 0) return;
+	if (runs.length === 0) yield { name: names.plain(mesh.name), shape: { mesh, material } };
+	for (const run of runs) yield { name: names.plain(run.name), shape: { mesh: cut(mesh, run), material } };
+}
+
+function organsOf(organs: Organs, members: number[], mesh: PlantMesh, material: Material, names: Names): Part {
+	const transforms = new Float32Array(TRANSFORM * members.length);
+	members.forEach((organ, i) => {
+		transforms.set(organs.transforms.subarray(TRANSFORM * organ, TRANSFORM * (organ + 1)), TRANSFORM * i);
+	});
+	const called = members.map((organ) => names.numbered(organs.tags[organs.tag[organ]] ?? mesh.name));
+	const each = (i: number) => ({ name: called[i], extras: { segment: organs.segment[members[i]] } });
+	return { name: names.plain(mesh.name), shape: { mesh, material, instances: { transforms, each } } };
+}
+
+/** The organs drawn with mesh `mesh`. */
+function membersOf({ count, mesh: meshOf }: Organs, mesh: number): number[] {
+	return Array.from({ length: count }, (_, organ) => organ).filter((organ) => meshOf[organ] === mesh);
+}
+
+/** Names as an outliner shows them, each once. */
+class Names {
+	readonly #used = new Set<string>();
+	readonly #numbers = new Map<string, number>();
+
+	/** `Trunk`; where there is one already, `Trunk 2`. */
+	plain(name: string): string {
+		const title = titled(name);
+		for (let number = 1; ; number++) {
+			const tried = number === 1 ? title : `${title} ${number}`;
+			if (!this.#used.has(tried)) return this.#take(tried);
+		}
+	}
+
+	/** `Leaf 001`, `Leaf 002` …: of those that are many. */
+	numbered(name: string): string {
+		const title = titled(name);
+		const number = (this.#numbers.get(title) ?? 0) + 1;
+		this.#numbers.set(title, number);
+		const tried = `${title} ${String(number).padStart(3, "0")}`;
+		return this.#used.has(tried) ? this.numbered(name) : this.#take(tried);
+	}
+
+	#take(name: string): string {
+		this.#used.add(name);
+		return name;
+	}
+}
+
+function titled(name: string): string {
+	return name.charAt(0).toUpperCase() + name.slice(1);
+}

@@ -1,0 +1,103 @@
+import {
+	BufferAttribute,
+	CustomBlending,
+	InstancedBufferGeometry,
+	Mesh,
+	OneMinusSrcAlphaFactor,
+	ShaderMaterial,
+	ZeroFactor,
+} from "three";
+import type { PaperShadow } from "./paper_shadow";
+import { fillInstances } from "./streams";
+
+/** Bodies as cylinders with round ends; balls begin where they end. Metres. */
+export interface Capsules {
+	count: number;
+	/** 4 × count: where the axis begins, radius. */
+	begins: Float32Array;
+	/** 3 × count: where the axis ends. */
+	ends: Float32Array;
+}
+
+/** Each lays a soft capsule on the paper. */
+const VERTEX = /* glsl */ `
+attribute vec4 begins;
+attribute vec3 ends;
+uniform float paper;
+uniform vec3 lamp;
+uniform float spread;
+varying vec2 at;
+varying vec2 capsule;
+vec2 landing(vec3 from, out float way) {
+	way = max(0.0, from.z - paper) / lamp.z;
+	return from.xy - lamp.xy * way;
+}
+void main() {
+	float way, other;
+	vec2 from = landing((viewMatrix * vec4(begins.xyz, 1.0)).xyz, way);
+	vec2 to = landing((viewMatrix * vec4(ends, 1.0)).xyz, other);
+	float blur = spread * 0.5 * (way + other);
+	float reach = begins.w + blur;
+	vec2 run = to - from;
+	float span = length(run);
+	vec2 u = span > 1e-6 ? run / span : vec2(1.0, 0.0);
+	capsule = vec2(0.5 * span, begins.w) / reach;
+	at = position.xy * vec2(capsule.x + 1.0, 1.0);
+	vec2 place = 0.5 * (from + to) + reach * (u * at.x + vec2(-u.y, u.x) * at.y);
+	gl_Position = projectionMatrix * vec4(place, paper, 1.0);
+}
+`;
+
+const FRAGMENT = /* glsl */ `
+varying vec2 at;
+varying vec2 capsule;
+void main() {
+	float away = length(vec2(max(0.0, abs(at.x) - capsule.x), at.y));
+	// What a disc of radius b leaves of a soft edge: full while the lamp is hidden, least of all for thin stems.
+	float most = min(1.0, 2.2 * capsule.y);
+	float soft = 1.0 - smoothstep(max(0.0, 2.0 * capsule.y - 1.0), 1.0, away);
+	gl_FragColor = vec4(0.0, 0.0, 0.0, most * soft);
+}
+`;
+
+/** The shadow of a plant whose bodies are nearly capsules: soft by a formula, a quad for each. */
+export class CapsuleShadow {
+	readonly #mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+
+	constructor(shadow: PaperShadow) {
+		const geometry = new InstancedBufferGeometry();
+		const corners = new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
+		geometry.setAttribute("position", new BufferAttribute(corners, 3));
+		geometry.setIndex([0, 1, 2, 0, 2, 3]);
+		const material = new ShaderMaterial({
+			name: "capsule-shadow",
+			vertexShader: VERTEX,
+			fragmentShader: FRAGMENT,
+			uniforms: { ...shadow.uniforms },
+			blending: CustomBlending,
+			blendSrc: ZeroFactor,
+			blendDst: OneMinusSrcAlphaFactor,
+			depthTest: false,
+			depthWrite: false,
+			toneMapped: false,
+		});
+		this.#mesh = new Mesh(geometry, material);
+		this.#mesh.frustumCulled = false;
+		shadow.root.add(this.#mesh);
+	}
+
+	/** What casts, in place of the last. */
+	lay({ count, begins, ends }: Capsules): void {
+		const { geometry } = this.#mesh;
+		fillInstances(geometry, "begins", begins, 4);
+		fillInstances(geometry, "ends", ends, 3);
+		geometry.instanceCount = count;
+		this.#mesh.visible = count > 0;
+	}
+
+	dispose(): void {
+		this.#mesh.removeFromParent();
+		this.#mesh.geometry.dispose();
+		this.#mesh.material.dispose();
+	}
+}

@@ -1,0 +1,52 @@
+/** A plant as it stands on the stage. Where parts are all there is to say of a model, `partFigure` is its figure. */
+import type { Object3D, PerspectiveCamera } from "three";
+import type { Bodies } from "./camera_fit";
+import type { PaperShadow } from "./paper_shadow";
+import type { StageLight } from "./stage_light";
+
+export type Vector = readonly [x: number, y: number, z: number];
+
+/** A line of sight. */
+export interface Ray {
+	origin: Vector;
+	/** Of any length. */
+	direction: Vector;
+}
+
+/** What a figure is given to stand on. */
+export interface FigureStage {
+	/** Where its objects go, in the plant's metres; the viewer shows and hides it. */
+	readonly root: Object3D;
+	/** The light there is, as uniforms for shaders of its own and as the rig they are of. */
+	readonly light: StageLight;
+	/** Where it puts what casts its shadow on the paper. */
+	readonly shadow: PaperShadow;
+}
+
+/**
+ * Draws the plants of one model, one after the other.
+ * @typeParam S the model's specimen
+ * @typeParam G what it grows into
+ */
+export interface Figure<S, G> {
+	/** Shows a plant in place of the last, unmarked. Cheap enough for every step of a drag. */
+	show(grown: G, specimen: S): void;
+	/** Shows something too small to see, so that every program is built before the first plant arrives. */
+	rehearse?(): void;
+	/** What the view is to hold. */
+	bounds(): Bodies;
+	/** Settles what depends on where the viewer stands; called before each drawing, the light aimed. */
+	prepare(camera: PerspectiveCamera): void;
+	/** What is met first along a line of sight, by the model's own number for it; undefined where nothing is. */
+	pick(ray: Ray): number | undefined;
+	/** Marks what `pick` found; undefined marks nothing. */
+	mark(picked: number | undefined): void;
+	/** Ways of showing a plant by name, the usual one first. */
+	readonly modes: readonly string[];
+	/** One of `modes`; a plant shown later keeps to it. */
+	setMode(mode: string): void;
+	/** Takes its objects off the stage and frees what they hold of the GPU. */
+	dispose(): void;
+}
+
+export type FigureMaker<S, G> = (stage: FigureStage) => Figure<S, G>;

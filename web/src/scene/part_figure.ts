@@ -1,0 +1,114 @@
+import { Color, InstancedMesh, Mesh, type PerspectiveCamera, Raycaster, Vector3 } from "three";
+import type { Part } from "../plant/part";
+import type { Bodies } from "./camera_fit";
+import type { Figure, FigureMaker, FigureStage, Ray } from "./figure";
+import { MeshShadow } from "./mesh_shadow";
+import { boundsOf } from "./part_bounds";
+import { PartMeshes, type PartObject } from "./part_meshes";
+import { StandardLights } from "./standard_lights";
+
+/** The light that marks a part. */
+const MARK = new Color(0.22, 0.18, 0.12);
+
+/**
+ * The figure of any model that gives parts: drawn in three's standard material under the stage's light. `pick` counts what
+ * is drawn in the order of the parts, each instance by itself.
+ */
+export class PartFigure<S, G> implements Figure<S, G> {
+	readonly modes = ["whole"];
+	readonly #stage: FigureStage;
+	readonly #parts: (grown: G, specimen: S) => Iterable<Part>;
+	readonly #lights = new StandardLights();
+	readonly #shadow: MeshShadow;
+	#shown = new PartMeshes([]);
+	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
+	#mark: PartObject | undefined;
+
+	constructor(stage: FigureStage, parts: (grown: G, specimen: S) => Iterable<Part>) {
+		this.#stage = stage;
+		this.#parts = parts;
+		this.#shadow = new MeshShadow(stage.shadow);
+		stage.root.add(this.#lights.group);
+	}
+
+	show(grown: G, specimen: S): void {
+		this.#clear();
+		const parts = [...this.#parts(grown, specimen)];
+		this.#shown = new PartMeshes(parts);
+		for (const object of this.#shown.objects) this.#stage.root.add(object);
+		this.#shadow.lay(this.#shown.objects);
+		this.#bounds = boundsOf(parts);
+	}
+
+	bounds(): Bodies {
+		return this.#bounds;
+	}
+
+	prepare(camera: PerspectiveCamera): void {
+		this.#lights.aim(this.#stage.light, camera);
+	}
+
+	pick({ origin, direction }: Ray): number | undefined {
+		const ray = new Raycaster(new Vector3(...origin), new Vector3(...direction).normalize());
+		const [hit] = ray.intersectObjects(this.#shown.objects, false);
+		if (!hit) return undefined;
+		let before = 0;
+		for (const object of this.#shown.objects) {
+			if (object === hit.object) break;
+			before += countOf(object);
+		}
+		return before + (hit.instanceId ?? 0);
+	}
+
+	mark(picked: number | undefined): void {
+		this.#unmark();
+		let left = picked ?? -1;
+		const found = this.#shown.objects.find((object) => {
+			if (left < countOf(object)) return true;
+			left -= countOf(object);
+			return false;
+		});
+		if (!found || left < 0) return;
+		const material = found.material.clone();
+		material.emissive.copy(MARK);
+		material.polygonOffset = true;
+		material.polygonOffsetFactor = -1;
+		material.polygonOffsetUnits = -1;
+		this.#mark = new Mesh(found.geometry, material);
+		if (found instanceof InstancedMesh) {
+			found.getMatrixAt(left, this.#mark.matrix);
+			this.#mark.matrix.decompose(this.#mark.position, this.#mark.quaternion, this.#mark.scale);
+		}
+		this.#stage.root.add(this.#mark);
+	}
+
+	setMode(): void {}
+
+	dispose(): void {
+		this.#clear();
+		this.#shadow.dispose();
+		this.#lights.dispose();
+	}
+
+	#clear(): void {
+		this.#unmark();
+		for (const object of this.#shown.objects) object.removeFromParent();
+		this.#shown.dispose();
+		this.#shadow.lay([]);
+	}
+
+	#unmark(): void {
+		this.#mark?.removeFromParent();
+		this.#mark?.material.dispose();
+		this.#mark = undefined;
+	}
+}
+
+function countOf(object: PartObject): number {
+	return object instanceof InstancedMesh ? object.count : 1;
+}
+
+/** The figure of a model that has none of its own. */
+export function partFigure<S, G>(parts: (grown: G, specimen: S) => Iterable<Part>): FigureMaker<S, G> {
+	return (stage) => new PartFigure(stage, parts);
+}

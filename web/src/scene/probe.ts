@@ -1,0 +1,37 @@
+import { type Matrix4, SphericalHarmonics3, Vector3 } from "three";
+import type { Lobe } from "./light";
+
+/** Steps of the integral over a lobe. */
+const STEPS = 64;
+
+/** ∫ P_l(x) exp(s (x − 1)) dx · 2π for the bands l = 0, 1, 2: what a lobe of sharpness s holds in each. */
+function bandsOf(sharpness: number): [number, number, number] {
+	const bands: [number, number, number] = [0, 0, 0];
+	for (let i = 0; i < STEPS; i++) {
+		const x = -1 + (2 * (i + 0.5)) / STEPS;
+		const weight = ((2 * Math.PI * 2) / STEPS) * Math.exp(sharpness * (x - 1));
+		bands[0] += weight;
+		bands[1] += weight * x;
+		bands[2] += weight * (1.5 * x * x - 0.5);
+	}
+	return bands;
+}
+
+/**
+ * The surroundings' light as spherical harmonics of three bands, for three's light probe: enough for what matt surfaces
+ * gather (Ramamoorthi & Hanrahan 2001, "An efficient representation for irradiance environment maps").
+ * @param cameraWorld the lobes are the viewer's: turned with the camera
+ */
+export function probeOf(lobes: readonly Lobe[], cameraWorld: Matrix4): SphericalHarmonics3 {
+	const harmonics = new SphericalHarmonics3();
+	const basis = new Array<number>(9).fill(0);
+	for (const { axis, sharpness, colour } of lobes) {
+		const bands = bandsOf(sharpness);
+		SphericalHarmonics3.getBasisAt(new Vector3().copy(axis).transformDirection(cameraWorld), basis);
+		harmonics.coefficients.forEach((coefficient, i) => {
+			const band = bands[i === 0 ? 0 : i < 4 ? 1 : 2];
+			coefficient.addScaledVector(new Vector3(...colour), band * basis[i]);
+		});
+	}
+	return harmonics;
+}

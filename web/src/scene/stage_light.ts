@@ -1,0 +1,28 @@
+import type { PerspectiveCamera } from "three";
+import { type LightRig, rigOf, type Theme } from "./light";
+import { aimLamps, lightUniforms, setRig } from "./light_shader";
+
+/** The light on the stage: one rig at a time, which turns with the viewer. */
+export class StageLight {
+	/** One object for all surfaces, so that a change of light reaches them at once. */
+	readonly uniforms = lightUniforms();
+	#rig: LightRig = rigOf("light");
+
+	constructor() {
+		setRig(this.uniforms, this.#rig);
+	}
+
+	get rig(): LightRig {
+		return this.#rig;
+	}
+
+	setTheme(theme: Theme): void {
+		this.#rig = rigOf(theme);
+		setRig(this.uniforms, this.#rig);
+	}
+
+	/** Turns the lamps with the viewer: the plant is turned in the light, the light is not walked around. */
+	aim(camera: PerspectiveCamera): void {
+		aimLamps(this.uniforms, this.#rig, camera.matrixWorld);
+	}
+}

@@ -1,0 +1,255 @@
+import { type Object3D, type PerspectiveCamera, Vector3, type WebGLRenderer } from "three";
+import { type Spindle, spindleOf } from "./camera_fit";
+import type { FigureMaker, Ray } from "./figure";
+import { FrameLoop } from "./frame_loop";
+import type { Theme } from "./light";
+import { createRenderer, drawsBySoftware, gpuDone } from "./renderer";
+import { Stage } from "./stage";
+import { Turntable, type ViewName } from "./turntable";
+
+export interface ViewerOptions {
+	/** No gliding, no damping. */
+	reducedMotion?: boolean;
+	theme?: Theme;
+	/** Takes no pointer: for pictures. */
+	still?: boolean;
+	/** Checks shaders for errors, which takes time: for whoever works on them. */
+	checked?: boolean;
+}
+
+/**
+ * A plant, lit, on a canvas: turned, looked at closely, pointed at, pictured. Draws only when something has changed. It
+ * knows no model: `use` gives it a figure, which draws the plants.
+ * @typeParam S the specimen
+ * @typeParam G what it grows into
+ */
+export class Viewer<S, G> {
+	/** Called once, when the first draw with a plant has been submitted. */
+	onFirstDraw?: () => void;
+	/** The GPU has dropped the page's pictures; the canvas is blank until `onContextRestored`. */
+	onContextLost?: () => void;
+	onContextRestored?: () => void;
+
+	readonly #canvas: HTMLCanvasElement;
+	readonly #renderer: WebGLRenderer;
+	readonly #stage = new Stage<S, G>();
+	readonly #turntable: Turntable;
+	readonly #loop: FrameLoop;
+	#spindle: Spindle | undefined;
+	#held = false;
+	#lost = false;
+	#rendered = 0;
+	#size = { width: 1, height: 1 };
+
+	/** @throws NoWebGL2Error where the browser has no WebGL 2 */
+	constructor(canvas: HTMLCanvasElement, options: ViewerOptions = {}) {
+		this.#canvas = canvas;
+		this.#renderer = createRenderer(canvas, options.checked ?? false);
+		const slow = drawsBySoftware(this.#renderer.getContext());
+		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio, slow);
+		this.#turntable = new Turntable(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
+		if (options.still) this.#turntable.controls.disconnect();
+		this.setTheme(options.theme ?? "light");
+		canvas.addEventListener("webglcontextlost", this.#onLost);
+		canvas.addEventListener("webglcontextrestored", this.#onRestored);
+		this.resize();
+	}
+
+	/** Plants are drawn by this figure from now on; the last one is taken off the stage. */
+	use(make: FigureMaker<S, G>): void {
+		this.#stage.use(make);
+		this.#spindle = undefined;
+		this.#turntable.forget();
+		this.#prepare(this.#loop.rest);
+		if (!this.#lost) this.#stage.rehearse(this.#renderer, this.camera, this.#turntable.paper);
+		this.#loop.request();
+	}
+
+	/** Shows a plant in place of the last. Cheap enough for every step of a drag: buffers and programs are reused. */
+	show(grown: G, specimen: S): void {
+		this.#spindle = spindleOf(this.#stage.show(grown, specimen));
+		this.#turntable.follow(this.#spindle, this.#held);
+		this.#loop.request(true);
+	}
+
+	/** Ways in which the figure can show a plant, the usual one first. */
+	get modes(): readonly string[] {
+		return this.#stage.modes;
+	}
+
+	/** One of `modes`; another one changes nothing. */
+	setMode(mode: string): void {
+		if (this.#stage.setMode(mode)) this.#loop.request();
+	}
+
+	setTheme(theme: Theme): void {
+		this.#stage.setTheme(theme);
+		this.#loop.request();
+	}
+
+	/** Fits the drawing to the canvas's size on the page; call it when that changes. */
+	resize(): void {
+		this.#loop.setDevice(window.devicePixelRatio);
+		this.#setSize(this.#canvas.clientWidth || this.#canvas.width, this.#canvas.clientHeight || this.#canvas.height);
+		this.#loop.request();
+	}
+
+	/** While held (a handle is being dragged), the view stays put however the plant grows; let go, it follows. */
+	holdView(held: boolean): void {
+		if (held === this.#held) return;
+		this.#held = held;
+		if (!held && this.#spindle) this.#turntable.follow(this.#spindle, false);
+	}
+
+	/** Turns the plant, by radians to the right and down. */
+	orbit(dx: number, dy: number): void {
+		this.#turntable.orbit(dx, dy);
+	}
+
+	/** Makes the plant look `factor` times as large. */
+	zoom(factor: number): void {
+		this.#turntable.zoom(factor);
+	}
+
+	/** Shifts the bunch by shares of the view's height, to the right and down. */
+	pan(dx: number, dy: number): void {
+		this.#turntable.pan(dx, dy);
+	}
+
+	/** The whole bunch, from the direction the page opens with or from a named one. */
+	resetView(view?: ViewName): void {
+		this.#turntable.fit(view);
+	}
+
+	get camera(): PerspectiveCamera {
+		return this.#turntable.camera;
+	}
+
+	/** Whether pointers turn the bunch; a handle in the scene switches this off while it is dragged. */
+	set orbiting(enabled: boolean) {
+		this.#turntable.controls.enabled = enabled;
+	}
+
+	/** Adds something to the scene, in the plant's metres. */
+	addOverlay(object: Object3D): void {
+		this.#stage.scene.add(object);
+		this.#loop.request();
+	}
+
+	removeOverlay(object: Object3D): void {
+		this.#stage.scene.remove(object);
+		this.#loop.request();
+	}
+
+	/** Where a point of the plant is on the canvas, in CSS pixels from its top left corner. */
+	project(point: Vector3): { x: number; y: number } {
+		this.camera.updateMatrixWorld();
+		const at = new Vector3().copy(point).project(this.camera);
+		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
+	}
+
+	/**
+	 * What is under a point of the canvas (CSS pixels from its top left corner), by the figure's number for it: of a bunch,
+	 * the berry's id. Undefined where there is nothing.
+	 */
+	pick(x: number, y: number): number | undefined {
+		return this.#stage.pick(this.#rayThrough(x, y));
+	}
+
+	/** Marks what is pointed at, by the number that `pick` gives; nothing where undefined. A new plant starts without. */
+	mark(picked: number | undefined): void {
+		if (this.#stage.mark(picked)) this.#loop.request();
+	}
+
+	/** Asks for a frame; for overlays that have changed. */
+	requestRender(): void {
+		this.#loop.request();
+	}
+
+	/** How often the scene has been drawn. */
+	get rendersCount(): number {
+		return this.#rendered;
+	}
+
+	/** Settles when nothing is left to draw and the GPU has finished. */
+	async whenIdle(): Promise<void> {
+		await this.#loop.whenIdle();
+		if (!this.#lost) await gpuDone(this.#renderer.getContext() as WebGL2RenderingContext);
+	}
+
+	/** The present view as a PNG of the given size in pixels. */
+	snapshot(width: number, height: number): Promise<Blob> {
+		if (this.#lost) return Promise.reject(new Error("The GPU has been lost; try again when the picture is back."));
+		const { width: shownWidth, height: shownHeight } = this.#size;
+		this.#setSize(width, height);
+		this.#draw(1);
+		const picture = new Promise<Blob>((resolve, reject) => {
+			// toBlob copies the pixels before it returns, so that the view can be put back at once.
+			this.#canvas.toBlob((blob) => {
+				if (blob) resolve(blob);
+				else reject(new Error(`The browser made no picture of ${width} × ${height} pixels; try a smaller one.`));
+			});
+		});
+		this.#setSize(shownWidth, shownHeight);
+		this.#draw(this.#loop.rest);
+		return picture;
+	}
+
+	dispose(): void {
+		this.#loop.stop();
+		this.#canvas.removeEventListener("webglcontextlost", this.#onLost);
+		this.#canvas.removeEventListener("webglcontextrestored", this.#onRestored);
+		this.#turntable.dispose();
+		this.#stage.dispose();
+		this.#renderer.dispose();
+	}
+
+	readonly #onLost = (event: Event) => {
+		event.preventDefault();
+		this.#lost = true;
+		this.onContextLost?.();
+	};
+
+	readonly #onRestored = () => {
+		// three sends its buffers, textures and programs again with the next draw.
+		this.#lost = false;
+		this.#loop.request();
+		this.onContextRestored?.();
+	};
+
+	#rayThrough(x: number, y: number): Ray {
+		this.camera.updateMatrixWorld();
+		const { width, height } = this.#size;
+		const eye = this.camera.position;
+		const through = new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0).unproject(this.camera).sub(eye);
+		return { origin: eye.toArray(), direction: through.toArray() };
+	}
+
+	#setSize(width: number, height: number): void {
+		this.#size = { width: Math.max(1, width), height: Math.max(1, height) };
+		this.#turntable.setAspect(this.#size.width / this.#size.height);
+	}
+
+	#frame(ratio: number, now: number): boolean {
+		const moving = this.#turntable.advance(now);
+		this.#draw(ratio);
+		return moving;
+	}
+
+	#prepare(ratio: number): void {
+		this.camera.updateMatrixWorld();
+		this.#renderer.setPixelRatio(ratio);
+		this.#renderer.setSize(this.#size.width, this.#size.height, false);
+	}
+
+	#draw(ratio: number): void {
+		if (this.#lost) return;
+		this.#prepare(ratio);
+		this.#stage.draw(this.#renderer, this.camera, this.#turntable.paper);
+		this.#rendered++;
+		if (this.#stage.filled && this.onFirstDraw) {
+			this.onFirstDraw();
+			this.onFirstDraw = undefined;
+		}
+	}
+}
