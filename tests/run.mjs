@@ -1,7 +1,7 @@
 /**
  * `npm test`: every stage in turn, each timed, stopping at the first that fails. The last line says how many tests
- * passed and failed in all. `npm test -- web types` runs the set-up and the stages named alone. Runs on a clean clone:
- * nothing here may import a package.
+ * passed and failed in all. `npm test -- types bunch` runs the set-up and what is named alone: a stage, or the tests of a
+ * room or of a model (tests/selection.mjs). Runs on a clean clone: nothing here may import a package.
  */
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
@@ -12,6 +12,7 @@ import { run } from "../wasm-core/tools/process.mjs";
 import { buildFolder, repository } from "../wasm-core/tools/repository.mjs";
 import { setUp } from "../wasm-core/tools/setup.mjs";
 import { ToolchainError } from "../wasm-core/tools/toolchain.mjs";
+import { rooms, select } from "./selection.mjs";
 
 const reports = join(buildFolder, "reports");
 const show = process.stdout;
@@ -46,16 +47,22 @@ function generatedFiles() {
 
 /** The core's own tests, natively, under the address and undefined-behaviour sanitizers. */
 async function nativeTests() {
-	await buildCore("asan", ["core_tests"]);
-	const { status, output } = await run(join(buildFolder, "asan/core_tests"), ["--no-colors"], { show });
-	const counts = /test cases: +(\d+) \| +(\d+) passed \| +(\d+) failed/.exec(output);
-	if (!counts) throw new StageError(`core_tests ended with status ${status} before its summary`);
-	return { passed: Number(counts[2]), failed: Math.max(Number(counts[3]), status === 0 ? 0 : 1) };
+	const programs = selection.native ?? ["core_tests"];
+	await buildCore("asan", programs);
+	const total = { passed: 0, failed: 0 };
+	for (const program of programs) {
+		const { status, output } = await run(join(buildFolder, "asan", program), ["--no-colors"], { show });
+		const counts = /test cases: +(\d+) \| +(\d+) passed \| +(\d+) failed/.exec(output);
+		if (!counts) throw new StageError(`${program} ended with status ${status} before its summary`);
+		total.passed += Number(counts[2]);
+		total.failed += Math.max(Number(counts[3]), status === 0 ? 0 : 1);
+	}
+	return total;
 }
 
 async function webTests() {
 	const outputs = ["--reporter=default", "--reporter=json", `--outputFile=${join(reports, "vitest.json")}`];
-	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...outputs]);
+	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...selection.web, ...outputs]);
 	const { numPassedTests, numFailedTests } = readReport("vitest.json");
 	return { passed: numPassedTests, failed: Math.max(numFailedTests, status === 0 ? 0 : 1) };
 }
@@ -90,13 +97,15 @@ const all = [
 	["app", () => mustSucceed("node_modules/vite/bin/vite.js", ["build"])],
 	["e2e", endToEndTests],
 ];
-const named = process.argv.slice(2);
-const unknown = named.filter((name) => !all.some(([stage]) => stage === name));
-if (unknown.length > 0) {
-	console.error(`No stage “${unknown.join("”, “")}”; there are: ${all.map(([stage]) => stage).join(", ")}.`);
+const names = all.map(([stage]) => stage);
+const selection = select(process.argv.slice(2), names);
+if ("unknown" in selection) {
+	console.error(
+		`No stage, room or model “${selection.unknown.join("”, “")}”; there are: ${[...names, ...rooms()].join(", ")}.`,
+	);
 	process.exit(2);
 }
-const stages = named.length > 0 ? all.filter(([stage], i) => i === 0 || named.includes(stage)) : all;
+const stages = all.filter(([stage], i) => i === 0 || selection.stages.includes(stage));
 
 /** Runs one stage and says how it went. */
 async function runStage([name, work]) {
