@@ -6,7 +6,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
-import { buildFolder, modulesFolder } from "../../wasm-core/tools/repository.mjs";
+import { buildFolder, testModulesFolder } from "../../wasm-core/tools/repository.mjs";
 import { median } from "./statistics.mjs";
 
 export const KERNELS = { derive: 0, plan: 1, probe: 2, tubes: 3 };
@@ -27,7 +27,7 @@ export async function loadBenchCore() {
 
 /** What loadBenchCore has built. */
 export function benchModule() {
-	return new WebAssembly.Module(readFileSync(join(modulesFolder, "core-bench.wasm")));
+	return new WebAssembly.Module(readFileSync(join(testModulesFolder, "core-bench.wasm")));
 }
 
 /** Copies a request in; gives a function that grows it `rounds` times. */

@@ -8,7 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { withLock } from "./lock.mjs";
 import { run } from "./process.mjs";
-import { buildFolder, coreFolder, models, modulesFolder } from "./repository.mjs";
+import { buildFolder, coreFolder, models, modulesFolder, testModulesFolder } from "./repository.mjs";
 import { emscriptenEnvironment, emscriptenIdentity, prepare, ToolchainError } from "./toolchain.mjs";
 
 /** The compiler's own words on what does not compile. */
@@ -50,13 +50,13 @@ async function configure(preset, tools, env) {
 }
 
 /** Copies a module to where it is read from, whole or not at all; tells whether it is a new one. */
-function publish(name) {
+function publish(name, folder = modulesFolder) {
 	const from = join(buildFolder, "wasm", name);
-	const to = join(modulesFolder, name);
+	const to = join(folder, name);
 	if (!existsSync(from)) return false;
 	const bytes = readFileSync(from);
 	if (existsSync(to) && bytes.equals(readFileSync(to))) return false;
-	mkdirSync(modulesFolder, { recursive: true });
+	mkdirSync(folder, { recursive: true });
 	const partial = `${to}.${process.pid}`;
 	writeFileSync(partial, bytes);
 	renameSync(partial, to);
@@ -88,7 +88,7 @@ export async function buildCore(preset = "wasm", targets = []) {
 		);
 		if (/warning:/.test(output)) console.error(essence(output));
 		if (preset !== "wasm") return { changed: false };
-		publish("core-bench.wasm");
+		for (const name of ["core-bench.wasm", "toy.wasm"]) publish(name, testModulesFolder);
 		return { changed: models().filter((model) => publish(`${model}.wasm`)).length > 0 };
 	});
 }

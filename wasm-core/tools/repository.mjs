@@ -9,6 +9,8 @@ export const coreFolder = join(repository, "wasm-core");
 export const buildFolder = join(repository, "build");
 /** The finished modules; what is here is always whole. */
 export const modulesFolder = join(buildFolder, "core");
+/** Modules that only tests and the bench load. */
+export const testModulesFolder = join(buildFolder, "core-test");
 /** The module of one model. */
 export const moduleOf = (model) => join(modulesFolder, `${model}.wasm`);
 /** The models, by the folders that hold them. */

@@ -34,6 +34,11 @@ foreach(model IN LISTS models)
 endforeach()
 add_custom_target(models DEPENDS ${models})
 
+# The model that tests add.
+panicle_linked(panicle_linked_toy toy)
+panicle_wasm(toy panicle_linked_toy ${CMAKE_BINARY_DIR}/empty.cpp)
+set_target_properties(toy PROPERTIES EXCLUDE_FROM_ALL ON)
+
 file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
 if(bench_sources)
   # Functions of the bench are marked EMSCRIPTEN_KEEPALIVE (or __attribute__((export_name))) where they stand.

@@ -74,13 +74,22 @@ bool Request::wants(std::string_view output) {
   return false;
 }
 
-std::shared_ptr<const lsystem::Program> Request::program() {
+std::shared_ptr<const lsystem::Program> Request::kept_program() {
   const std::span<const std::uint32_t> handle = words("program");
   if (handle.empty()) return nullptr;
   auto program = programs_ ? programs_->find(handle[0]) : nullptr;
   if (!program && trouble_.reason == Reason::none)
     trouble_ = refused("The request names a compiled grammar that is not kept; send its text.");
   return program;
+}
+
+Result<std::shared_ptr<const lsystem::Program>> Request::program(const Limits& limits) {
+  auto kept = kept_program();
+  const std::string_view grammar = text("grammar");
+  if (kept) return kept;
+  if (trouble_.reason != Reason::none) return trouble_;
+  if (grammar.empty()) return refused("The request has no grammar.");
+  return lsystem::compile(grammar, limits, lsystem::Lineages::always);
 }
 
 Diagnostic Request::trouble() const {

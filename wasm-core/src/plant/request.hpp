@@ -39,7 +39,10 @@ class Request {
   // Whether `outputs` names this one.
   bool wants(std::string_view output);
   // The compiled grammar whose handle the block `program` holds; null where there is none.
-  std::shared_ptr<const lsystem::Program> program();
+  std::shared_ptr<const lsystem::Program> kept_program();
+  // That one, or what `grammar` compiles to, with lineages. Errors: those of lsystem::compile; bad_request where the
+  // request has neither.
+  Result<std::shared_ptr<const lsystem::Program>> program(const Limits& limits);
   // Once everything has been read: the first thing that was wrong, or a block that nobody has asked for.
   Diagnostic trouble() const;
 

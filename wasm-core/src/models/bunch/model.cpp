@@ -132,7 +132,7 @@ Result<Request> read_request(panicle::Request& blocks) {
   const auto parameters = blocks.floats("parameters");
   request.parameters.assign(parameters.begin(), parameters.end());
   request.grammar = blocks.text("grammar");
-  request.program = blocks.program();
+  request.program = blocks.kept_program();
   request.m = blocks.integer("m");
   const auto n = blocks.integers("n");
   request.n.assign(n.begin(), n.end());

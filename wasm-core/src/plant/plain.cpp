@@ -1,0 +1,109 @@
+#include "plant/plain.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "foundation/fingerprint.hpp"
+#include "geometry/ball.hpp"
+#include "geometry/tubes.hpp"
+
+namespace panicle {
+namespace {
+
+// The shortest turn that takes +Y to `way`, a unit vector, as a quaternion.
+glm::vec4 turn_from_up(const glm::vec3& way) {
+  const float w = 1 + way.y;
+  if (w < 1e-6f) return {1, 0, 0, 0};  // straight down: half round x
+  const float length = std::sqrt(way.x * way.x + way.z * way.z + w * w);
+  return {way.z / length, 0, -way.x / length, w / length};
+}
+
+void add_meshes(Plant& plant, const PlainOptions& options) {
+  const TubeOptions tubes{.sides = options.sides};
+  StemMesh stems = sweep_stems({plant.segments}, tubes, 1.0f);
+  PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, {}};
+  mesh.columns.add("segment", std::move(stems.segment));
+  plant.meshes.push_back(std::move(mesh));
+  if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(options.ball_segments), {}, {}});
+}
+
+std::uint64_t mesh_fingerprint_of(const Plant& plant) {
+  Fingerprint print;
+  for (const PlantMesh& each : plant.meshes) {
+    print.add(std::span<const float>(each.mesh.positions));
+    print.add(std::span<const float>(each.mesh.normals));
+    print.add(std::span<const float>(each.mesh.uvs));
+    print.add(std::span<const std::uint32_t>(each.mesh.indices));
+  }
+  return print.value();
+}
+
+}  // namespace
+
+std::uint64_t fingerprint_of(const Plant& plant) {
+  Fingerprint print;
+  const auto add = [&print](const glm::vec3& p) {
+    print.add(p.x);
+    print.add(p.y);
+    print.add(p.z);
+  };
+  for (const Segment& segment : plant.segments) {
+    print.add(static_cast<float>(segment.parent));
+    print.add(static_cast<float>(segment.tag));
+    add(segment.start);
+    add(segment.end);
+    print.add(segment.radius);
+    print.add(segment.radius_end);
+  }
+  for (const Organ& organ : plant.organs) {
+    print.add(static_cast<float>(organ.tag));
+    print.add(static_cast<float>(organ.segment));
+    add(organ.position);
+    for (int k = 0; k < 4; ++k) print.add(organ.rotation[k]);
+    print.add(organ.scale);
+  }
+  return print.value();
+}
+
+Plant plant_of(const Drawing& drawing, const PlainOptions& options) {
+  Plant plant;
+  plant.tags = {"stem"};
+  plant.organ_tags = {"ball"};
+  plant.segments = drawing.segments;
+  for (Segment& segment : plant.segments) {
+    segment.start *= options.metres;
+    segment.end *= options.metres;
+    segment.radius *= options.metres;
+    segment.radius_end *= options.metres;
+  }
+  constexpr std::int32_t second_mesh = 1;
+  for (const Ball& ball : drawing.balls)
+    plant.organs.push_back({0, ball.segment, options.meshes ? second_mesh : -1, ball.centre * options.metres,
+                            turn_from_up(ball.heading), ball.radius * options.metres});
+  plant.counts = {{"segments", static_cast<std::uint32_t>(plant.segments.size())},
+                  {"organs", static_cast<std::uint32_t>(plant.organs.size())}};
+  if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar drew nothing.");
+  plant.fingerprint = fingerprint_of(plant);
+  if (!options.meshes) return plant;
+  add_meshes(plant, options);
+  if (options.mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  return plant;
+}
+
+Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, const lsystem::Inputs& inputs,
+                           const PlainOptions& options, const Limits& limits) {
+  const auto bound = lsystem::bind(std::move(program), inputs, limits);
+  if (!bound) return bound.error();
+  const auto derived = lsystem::unfold(*bound.value(), options.seed, limits);
+  if (!derived) return derived.error();
+  Drawing drawing(limits);
+  drawing.begin();
+  const auto drawn =
+      lsystem::interpret(*bound.value(), *derived->string, options.turtle, drawing, options.seed, limits);
+  if (!drawn) return drawn.error();
+  if (drawing.trouble().reason != Reason::none) return drawing.trouble();
+  return plant_of(drawing, options);
+}
+
+}  // namespace panicle

@@ -1,0 +1,37 @@
+// A grammar drawn as it stands: what F draws are segments under one skin, what S draws are balls. A model that has
+// nothing to add is this and no more.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "lsystem/lsystem.hpp"
+#include "plant/drawing.hpp"
+#include "plant/plant.hpp"
+
+namespace panicle {
+
+struct PlainOptions {
+  std::uint64_t seed = 1;
+  float metres = 0.001f;  // of one unit of the grammar
+  bool meshes = true;
+  bool mesh_fingerprint = false;
+  std::uint32_t sides = 12;          // of a tube
+  std::uint32_t ball_segments = 16;  // round a ball
+  lsystem::Turtle turtle;            // where drawing begins
+};
+
+// Derives, interprets and dresses. Errors: those of lsystem's bind, unfold and interpret; limit.
+Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, const lsystem::Inputs& inputs,
+                           const PlainOptions& options, const Limits& limits);
+
+// What has been drawn as a plant: segments and organs in metres, and the meshes `stems` and `balls` where they are
+// asked for. Tags: `stem`, `ball`.
+Plant plant_of(const Drawing& drawing, const PlainOptions& options);
+
+// Over segments and organs (docs/fingerprint.md): for plants whose model has no order of its own.
+std::uint64_t fingerprint_of(const Plant& plant);
+
+}  // namespace panicle
