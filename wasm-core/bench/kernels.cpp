@@ -23,7 +23,7 @@ double derive(std::uint32_t steps) {
   if (!program) return -1;
   const auto bound = lsystem::bind(program.value(), {}, {});
   if (!bound) return -1;
-  const auto derived = lsystem::derive(*bound.value(), 1, steps, {});
+  const auto derived = lsystem::develop(*bound.value(), 1, steps, {});
   return derived ? static_cast<double>(derived->modules_written) : -1;
 }
 

@@ -23,7 +23,7 @@ std::string trouble_when_bound(std::string_view text, const Inputs& inputs, bool
   if (when_binding) *when_binding = !bound;
   Diagnostic diagnostic;
   if (bound) {
-    const auto result = lsystem::derive(*bound.value(), 1, 4096, Limits{});
+    const auto result = lsystem::develop(*bound.value(), 1, 4096, Limits{});
     if (result) return "none";
     diagnostic = result.error();
   } else {

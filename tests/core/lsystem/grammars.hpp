@@ -36,7 +36,7 @@ inline std::string text_of(const Bound& bound, const Derived& derived) {
 }
 
 inline Derived derived(const Bound& bound, std::uint32_t steps, std::uint64_t seed = 1) {
-  return sound(lsystem::derive(bound, seed, steps, Limits{}));
+  return sound(lsystem::develop(bound, seed, steps, Limits{}));
 }
 
 // The string after so many steps, as text.
@@ -46,7 +46,8 @@ inline std::string after(std::string_view text, std::uint32_t steps, const Input
   return text_of(*bound, derived(*bound, steps, seed));
 }
 
-// "reason line:column" of what goes wrong when a text is compiled, bound and derived; "none" when nothing does.
+// "reason line:column" of what goes wrong when a text is compiled, bound and derived, step by step and to its end;
+// "none" when nothing does.
 inline std::string trouble(std::string_view text, const Inputs& inputs = {}, const Limits& limits = {},
                            std::string* message = nullptr) {
   static const char* const reasons[] = {"none",      "bad_request", "bad_input", "syntax",
@@ -56,8 +57,10 @@ inline std::string trouble(std::string_view text, const Inputs& inputs = {}, con
     if (!program) return program.error();
     const auto bound = lsystem::bind(program.value(), inputs, limits);
     if (!bound) return bound.error();
-    const auto result = lsystem::derive(*bound.value(), 1, limits.steps, limits);
-    return result ? Diagnostic{} : result.error();
+    const auto steps = lsystem::develop(*bound.value(), 1, limits.steps, limits);
+    if (!steps) return steps.error();
+    const auto whole = lsystem::unfold(*bound.value(), 1, limits);
+    return whole ? Diagnostic{} : whole.error();
   }();
   if (message) *message = diagnostic.message;
   if (diagnostic.reason == Reason::none) return "none";

@@ -28,8 +28,8 @@ TEST_CASE("a string of exactly the words it may have is fine") {
   const BoundPointer bound = compiled("axiom: A\nA --> A A");
   for (const std::uint32_t steps : {3u, 10u, 14u}) {
     limits.words = 1u << steps;
-    CHECK(lsystem::derive(*bound, 1, steps, limits));
-    CHECK_FALSE(lsystem::derive(*bound, 1, steps + 1, limits));
+    CHECK(lsystem::develop(*bound, 1, steps, limits));
+    CHECK_FALSE(lsystem::develop(*bound, 1, steps + 1, limits));
   }
 }
 

@@ -103,13 +103,66 @@ TEST_CASE("one more step of the rachis changes no value of those before") {
   for (const auto& [label, value] : five) CHECK(six.at(label) == value);
 }
 
-TEST_CASE("a module keeps its value however many steps it waits") {
+TEST_CASE("where no steps are asked for, a random condition is tried once") {
   const char* text = "axiom: A(0)\nA(k) : k<9 --> B(k) A(k+1)\nB(k) : ran(1)<0.5 --> C(k)\nC(k) --> C2(k)";
   const BoundPointer bound = compiled(text);
-  const Derived end = derived(*bound, 4096);
+  const Derived end = sound(lsystem::unfold(*bound, 1, Limits{}));
   CHECK(end.steps < 15);  // what was not drawn at first is not drawn again
   CHECK(text_of(*bound, end).find("B(") != std::string::npos);
   CHECK(text_of(*bound, end).find("C2(") != std::string::npos);
+}
+
+TEST_CASE("with steps a random condition is tried anew in each: delays are geometrically distributed") {
+  constexpr double modules = 4000, chance = 0.3;
+  const BoundPointer bound = compiled("axiom: A(4000)\nA(i) : i>0 --> W A(i-1)\nW --> D\nD : ran(1)<0.3 --> E");
+  const BoundPointer weighted = compiled("axiom: A(4000)\nA(i) : i>0 --> W A(i-1)\nW --> D\nD --> E : ran(1)<0.3");
+  for (const BoundPointer& grammar : {bound, weighted}) {
+    // All D wait at once: as many W are written in as many steps, each tried once in the steps that follow.
+    const auto with = [&](std::uint32_t steps, char symbol) {
+      const std::string text = text_of(*grammar, derived(*grammar, steps));
+      return static_cast<double>(std::count(text.begin(), text.end(), symbol));
+    };
+    // In the long run each D waits 1 / 0.3 steps, so that this many stand in the string while new ones come.
+    const double waiting = (1 - chance) / chance;
+    CHECK(std::abs(with(2000, 'D') - 1 - waiting) < 4 * std::sqrt(waiting / chance) + 1);
+    double left = with(4002, 'D');
+    CHECK(left < 20);
+    CHECK(with(4060, 'D') == 0);
+    CHECK(with(4060, 'E') == modules);
+  }
+}
+
+TEST_CASE("in each step three of ten that wait go on") {
+  std::string text = "derivation length: 0\naxiom: ";
+  constexpr double modules = 3000, chance = 0.3;
+  for (int i = 0; i < 3000; ++i) text += "A ";
+  const BoundPointer bound = compiled(text + "\nA : ran(1)<0.3 --> B");
+  double waiting = modules;
+  for (std::uint32_t step = 1; step <= 8; ++step) {
+    const std::string now = text_of(*bound, derived(*bound, step));
+    const double left = static_cast<double>(std::count(now.begin(), now.end(), 'A'));
+    CAPTURE(step);
+    CHECK(std::abs(left - waiting * (1 - chance)) < 4 * std::sqrt(waiting * chance * (1 - chance)));
+    CHECK(std::count(now.begin(), now.end(), 'B') == modules - left);
+    waiting = left;
+  }
+}
+
+TEST_CASE("what is written after a delay is what would have been written at once") {
+  const char* axiom = "axiom: R(40)\nR(i) : i>0 --> A(i) R(i-1)\n";
+  const std::string late =
+      std::string(axiom) + "A(k) : ran(1)<0.3 --> V(k,ran(1)) [B(k)]\nB(k) --> V(k+100,RND(1,1000))";
+  const std::string soon = std::string(axiom) + "A(k) : ran(1)<2 --> V(k,ran(1)) [B(k)]\nB(k) --> V(k+100,RND(1,1000))";
+  const auto delayed = labelled(after(late, 300)), at_once = labelled(after(soon, 300));
+  CHECK(at_once.size() == 80);
+  CHECK(delayed == at_once);
+  CHECK(after(late, 300) == after(soon, 300));
+  CHECK(after(late, 42) != after(soon, 42));
+}
+
+TEST_CASE("a choice by weights alone is the same with steps and without") {
+  const BoundPointer bound = compiled("axiom: R(50)\nR(i) : i>0 --> A R(i-1)\nA --> B : 1\nA --> C(ran(1)) : 2");
+  CHECK(text_of(*bound, derived(*bound, 60)) == text_of(*bound, sound(lsystem::unfold(*bound, 1, Limits{}))));
 }
 
 TEST_CASE("stochastic productions are chosen as often as their weights say") {

@@ -1,6 +1,7 @@
 #include "lsystem/bound.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -21,8 +22,8 @@ const Given* named(const std::vector<Given>& given, std::string_view name) {
 
 class Binder {
  public:
-  Binder(std::shared_ptr<const Program> program, const Inputs& inputs)
-      : program_(*program), inputs_(inputs), bound_(std::make_shared<Bound>()) {
+  Binder(std::shared_ptr<const Program> program, const Inputs& inputs, const Limits& limits)
+      : program_(*program), inputs_(inputs), limits_(limits), bound_(std::make_shared<Bound>()) {
     bound_->program = std::move(program);
     bound_->registers = program_.code.registers;
     bound_->lists.resize(program_.code.arrays.size());
@@ -34,6 +35,7 @@ class Binder {
       const bool array = declaration.kind == Definition::Kind::array;
       if (!(array ? list(declaration) : scalar(declaration))) return trouble_;
     }
+    if (program_.steps.given && !steps()) return trouble_;
     work_out();
     if (!fill_in()) return trouble_;
     return std::shared_ptr<const Bound>(std::move(bound_));
@@ -85,6 +87,20 @@ class Binder {
     return true;
   }
 
+  bool steps() {
+    if (!execute(program_.steps.code.begin, program_.steps.code.end, trouble_)) return false;
+    const float value = bound_->registers[program_.steps.source];
+    if (!(value >= 0 && std::floor(value) == value))
+      return fail(Reason::evaluation, program_.steps.place,
+                  {"The derivation length comes to ", number_text(value), "; it must be a whole number of 0 or more."});
+    if (value > static_cast<float>(limits_.steps))
+      return fail(Reason::limit, program_.steps.place,
+                  {"The derivation length comes to ", number_text(value), "; the limit is ",
+                   std::to_string(limits_.steps), " steps."});
+    bound_->steps = static_cast<std::uint32_t>(value);
+    return true;
+  }
+
   // Results that went wrong, or follow from one that did, are marked. The productions that need them will find out, if
   // they are ever applied.
   void work_out() {
@@ -111,6 +127,7 @@ class Binder {
 
   const Program& program_;
   const Inputs& inputs_;
+  const Limits& limits_;
   std::shared_ptr<Bound> bound_;
   std::vector<bool> wrong_;  // by register
   Diagnostic trouble_;
@@ -118,8 +135,9 @@ class Binder {
 
 }  // namespace
 
-Result<std::shared_ptr<const Bound>> bind(std::shared_ptr<const Program> program, const Inputs& inputs, const Limits&) {
-  return Binder(std::move(program), inputs).run();
+Result<std::shared_ptr<const Bound>> bind(std::shared_ptr<const Program> program, const Inputs& inputs,
+                                          const Limits& limits) {
+  return Binder(std::move(program), inputs, limits).run();
 }
 
 const Program& program_of(const Bound& bound) { return *bound.program; }
@@ -128,6 +146,8 @@ float constant(const Bound& bound, std::string_view name, float otherwise) {
   const Definition* const definition = named(bound.definitions, name);
   return definition && definition->kind != Definition::Kind::array ? definition->values[0] : otherwise;
 }
+
+std::optional<std::uint32_t> derivation_length(const Bound& bound) { return bound.steps; }
 
 std::span<const Definition> definitions(const Bound& bound) { return bound.definitions; }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lsystem/program.hpp"
@@ -16,6 +17,7 @@ class Bound {
   std::vector<std::vector<float>> lists;  // by the place of their names in Code::arrays
   std::vector<std::uint32_t> words;       // as Program::words, with what the inputs decide
   std::vector<Definition> definitions;
+  std::optional<std::uint32_t> steps;  // the derivation length
 };
 
 }  // namespace panicle::lsystem

@@ -78,7 +78,7 @@ class Compiler {
       declaration.to = array ? lowering_.define_array(definition.name) : lowering_.define(definition.name);
       program_->declarations.push_back(std::move(declaration));
     }
-    return true;
+    return !grammar_.steps || value(*grammar_.steps, program_->steps);
   }
 
   bool symbols() {
@@ -87,7 +87,7 @@ class Compiler {
     for (const ProductionTree& production : grammar_.productions) {
       const std::uint32_t predecessor = add_symbol(production.predecessor);
       if (predecessors_.insert(predecessor).second) program_->predecessors.push_back(predecessor);
-      if (predecessor != ask_symbol) rewritten_.emplace(predecessor, production.formals.size());
+      rewritten_.emplace(predecessor, production.formals.size());
       for (const ModuleTree& module : production.successor) add_symbol(module.name);
     }
     if (program_->symbols.size() > most_symbols)
@@ -118,6 +118,7 @@ class Compiler {
       if (!production(tree, program_->productions[rules.productions.end])) return false;
       ++rules.productions.end;
       rules.weighted |= tree.weight.has_value();
+      rules.by_chance |= rules.weighted || program_->productions[rules.productions.end - 1].by_chance;
     }
     return true;
   }
@@ -127,7 +128,7 @@ class Compiler {
     for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_[tree.predecessor]];
     std::uint32_t first = 0;
     for (const std::uint32_t count : counts) {
-      program_->rules.push_back({{first, first}, false});
+      program_->rules.push_back({{first, first}, false, false});
       first += count;
     }
     program_->productions.resize(first);
@@ -138,6 +139,7 @@ class Compiler {
     if (tree.condition && !value(*tree.condition, production.condition)) return false;
     if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
     if (tree.weight && !value(*tree.weight, production.weight)) return false;
+    production.by_chance = (tree.condition && draws(*tree.condition)) || (tree.weight && draws(*tree.weight));
     production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32;
     program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
     return true;
@@ -197,17 +199,14 @@ class Compiler {
     const std::uint32_t symbol = numbers_[tree.name];
     const std::size_t count = tree.arguments.size();
     if (is_turtle_symbol(symbol) && !takes(symbol, count, tree.place)) return false;
-    if (answer && (!is_turtle_symbol(symbol) || symbol == ask_symbol))
-      return fail(
-          Reason::syntax, tree.place,
-          {"What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '", tree.name, "'."});
-    if (!answer && !stands_for_itself(tree.name, symbol))
+    if (answer && !drawable(tree, symbol)) return false;
+    if (!stands_for_itself(tree.name, symbol))
       return fail(Reason::syntax, tree.place,
                   {"'", tree.name, "' is read as one symbol, which nothing defines; put spaces between several."});
 
     const std::size_t at = program.words.size();
     const bool active = symbol == cut_symbol || rewritten_.contains({symbol, count});
-    const bool lineage = program.lineages && !answer && remembers(symbol);
+    const bool lineage = program.lineages && remembers(symbol);
     const std::size_t words = 1 + count + (lineage ? lineage_words : 0);
     program.words.push_back(header_of(symbol, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(words)));
     for (const Expression& argument : tree.arguments)
@@ -218,8 +217,20 @@ class Compiler {
           {static_cast<std::uint32_t>(program.words.size()) - first_, hash_combine(hash_text(tree.name), ordinal)});
       program.words.resize(program.words.size() + lineage_words);
     }
-    if (active && !answer) program.active.push_back(static_cast<std::uint32_t>(at) - first_);
+    if (active) program.active.push_back(static_cast<std::uint32_t>(at) - first_);
     return true;
+  }
+
+  // An answer is drawn in place unless it is rewritten in the next of a given number of steps.
+  bool drawable(const ModuleTree& tree, std::uint32_t symbol) {
+    if (is_turtle_symbol(symbol) && symbol != ask_symbol) return true;
+    Diagnostic& trouble = program_->not_drawable;
+    if (trouble.reason == Reason::none)
+      trouble = error_at(Reason::syntax, tree.place,
+                         {"What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '",
+                          tree.name, "'; with a derivation length answers can be rewritten in the next step instead."});
+    if (!grammar_.steps) trouble_ = trouble;
+    return grammar_.steps.has_value();
   }
 
   // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.

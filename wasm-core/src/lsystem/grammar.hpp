@@ -61,6 +61,7 @@ struct DefinitionTree {
 
 struct Grammar {
   std::vector<DefinitionTree> definitions;
+  std::optional<Expression> steps;  // `derivation length: expression`
   std::vector<ModuleTree> axiom;
   std::vector<ProductionTree> productions;
 };

@@ -1,5 +1,8 @@
+#include "lsystem/interpretation.hpp"
+
 #include <string>
 
+#include "lsystem/branch.hpp"
 #include "lsystem/machine.hpp"
 #include "lsystem/parser.hpp"
 
@@ -8,31 +11,28 @@ namespace {
 
 bool is_finite(const glm::vec3& p) { return p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0; }
 
-// The bracket that closes the branch in which `at` stands, or `end`.
-const std::uint32_t* end_of_branch(const std::uint32_t* at, const std::uint32_t* end) {
-  for (std::uint64_t open = 0; at < end; at += words_of(*at)) {
-    const std::uint32_t symbol = symbol_of(*at);
-    if (symbol == push_symbol) ++open;
-    if (symbol == pop_symbol && open-- == 0) break;
-  }
-  return at;
-}
+// What becomes of ?E.
+enum class Questions : std::uint8_t { drawn, written, unasked };
 
 class Interpreter {
  public:
   Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits)
       : machine_(bound, seed, limits), program_(*bound.program), limits_(limits), listener_(listener), turtle_(start) {}
 
-  Result<std::uint32_t> run(const String& string) {
+  // `answered` is the string itself where answers are written into it.
+  Result<std::uint32_t> run(const String& string, Questions questions, String* answered = nullptr) {
+    questions_ = questions;
+    answered_ = answered;
+    if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
     while (at < end) {
       const std::uint32_t* const module = at;
       at += words_of(*module);
       if (symbol_of(*module) == ask_symbol) {
-        if (ask(module)) at = end_of_branch(at, end);
+        if (ask(module)) at = rest_of_branch(at, end).end;
       } else if (is_turtle_symbol(symbol_of(*module))) {
-        if (act(module, module)) at = end_of_branch(at, end);
+        if (act(module, module)) at = rest_of_branch(at, end).end;
       }
       if (machine_.failed()) return machine_.trouble();
     }
@@ -125,14 +125,20 @@ class Interpreter {
                             " branches are open at once, which is the limit; nest fewer brackets."}));
   }
 
-  // Asks, applies the production that matches the answer and draws its successor in place. True: the answer cut the
-  // branch.
+  // True: the answer cut the branch.
   bool ask(const std::uint32_t* module) {
+    if (questions_ == Questions::unasked) return false;
     const std::uint32_t count = parameters_of(*module);
     float parameters[most_parameters];
     std::memcpy(parameters, module + 1, count * sizeof(float));
     listener_.ask(turtle_, {parameters, count}, lineage_of(module));
+    if (questions_ == Questions::drawn) return draw_answer(module, parameters, count);
+    std::memcpy(answered_->words.data() + (module - answered_->begin()) + 1, parameters, count * sizeof(float));
+    return false;
+  }
 
+  // Applies the production that matches the answer and draws its successor in place.
+  bool draw_answer(const std::uint32_t* module, const float* parameters, std::uint32_t count) {
     std::uint32_t answered[1 + most_parameters + lineage_words + block] = {};
     std::memcpy(answered, module, words_of(*module) * sizeof *module);
     std::memcpy(answered + 1, parameters, count * sizeof(float));
@@ -142,7 +148,8 @@ class Interpreter {
     if (!answer_.reserve(successor.words, successor.words))
       return !machine_.fail(
           error_at(Reason::limit, {}, {"There is no memory for the answer of ?E; make its production shorter."}));
-    if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
+    const Origin origin = has_lineage(*module) ? origin_of(module) : Origin{};
+    if (!machine_.write(successor, answer_.data(), origin, ask_symbol)) return false;
     return draw(answer_.data(), answer_.data() + successor.words, module);
   }
 
@@ -153,7 +160,7 @@ class Interpreter {
       const bool cut = act(module, bearer);
       if (machine_.failed()) return false;
       if (!cut) continue;
-      at = end_of_branch(at, end);
+      at = rest_of_branch(at, end).end;
       if (at == end) return true;
     }
     return false;
@@ -166,6 +173,8 @@ class Interpreter {
   Turtle turtle_;
   std::vector<Turtle> stack_;
   Words answer_;
+  Questions questions_ = Questions::drawn;
+  String* answered_ = nullptr;
   std::int32_t lines_ = 0;
 };
 
@@ -173,7 +182,17 @@ class Interpreter {
 
 Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
                                 std::uint64_t seed, const Limits& limits) {
-  return Interpreter(bound, start, listener, seed, limits).run(string);
+  return Interpreter(bound, start, listener, seed, limits).run(string, Questions::drawn);
+}
+
+Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
+                            const Limits& limits) {
+  return Interpreter(bound, start, listener, 0, limits).run(string, Questions::unasked);
+}
+
+Diagnostic answer(const Bound& bound, String& string, const Turtle& start, Listener& listener, const Limits& limits) {
+  const auto walked = Interpreter(bound, start, listener, 0, limits).run(string, Questions::written, &string);
+  return walked ? Diagnostic{} : walked.error();
 }
 
 }  // namespace panicle::lsystem

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -73,20 +74,26 @@ std::vector<std::string_view> predecessors(const Program& program);
 class String;
 struct Derived {
   std::shared_ptr<const String> string;
-  std::uint32_t steps = 0;            // steps taken until nothing was rewritten (or `max_steps`)
+  std::uint32_t steps = 0;            // the last step that rewrote anything
   std::uint64_t modules_written = 0;  // sum of the lengths of the strings over all steps
 };
 
-// Rewrites the axiom until nothing rewrites any more or `max_steps` is reached. Random values are hashes of (seed,
-// stream, address of the module in the derivation tree), `stream` being the call's own place in its production. Errors:
-// evaluation, with line and column; limit, also where `max_steps` is at least `limits.steps` and that many steps do not
-// end it.
-Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::uint32_t max_steps, const Limits& limits);
+// What the text says in its line `derivation length: …`, if there is one.
+std::optional<std::uint32_t> derivation_length(const Bound& bound);
 
-// The string that `derive` ends with, without the strings between: each module is rewritten to its end before the next
-// is looked at, so that the cost grows with what comes out and not with the steps as well. Productions see nothing but
-// a module's own parameters and address, so the order makes no difference. `steps` is the deepest module's generation,
-// `modules_written` the length. Errors as for `derive` without `max_steps`.
+// The string that a grammar grows to: after `steps` steps where they are given, else after as many as the text says,
+// else where nothing rewrites any more (`unfold`). Random values are hashes of (seed, stream, address of the module in
+// the derivation tree), `stream` being the call's own place in its production; with steps those of conditions and
+// weights are of the step as well (docs/grammar.md). Errors: evaluation, with line and column; limit, also where more
+// than `limits.steps` steps are asked for. For a string between steps, or answers to ?E: derivation.hpp.
+Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                        const Limits& limits);
+
+// The string that steps without end would lead to, without the strings between: each module is rewritten to its end
+// before the next is looked at, so that the cost grows with what comes out and not with the steps as well. Productions
+// see nothing but a module's own parameters and address, so the order makes no difference. A random condition is tried
+// once. `steps` is the deepest module's generation, `modules_written` the length. Errors: evaluation, with line and
+// column; limit, also where there is no end.
 Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits);
 
 // How many modules a string has.
@@ -97,8 +104,12 @@ std::uint64_t length(const String& string);
 std::string to_text(const Program& program, const String& string);
 
 // Walks the string from left to right and tells the listener. Returns how many lines were drawn. Errors: evaluation
-// (an answer or a position that is no number), limit (brackets, answers).
+// (an answer or a position that is no number), limit (brackets, answers), syntax (an answer that cannot be drawn).
 Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
                                 std::uint64_t seed, const Limits& limits);
+
+// The same, but ?E neither asks nor draws: for strings whose questions are answered between steps (derivation.hpp).
+Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
+                            const Limits& limits);
 
 }  // namespace panicle::lsystem

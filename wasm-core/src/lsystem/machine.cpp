@@ -1,5 +1,6 @@
 #include "lsystem/machine.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "foundation/random.hpp"
@@ -19,9 +20,27 @@ Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits)
       choice_stream_(hash_text("production")),
       sources_{bound.lists, seed, 0} {}
 
+// Conditions and weights decide whether a module is rewritten: in a step they are drawn for the module and the step.
+// Which of several applies, and what is written, is drawn for the module alone, since that happens but once.
+const Production* Machine::choose_by_chance(const Rules& rules, std::uint32_t count) {
+  const std::uint64_t address = sources_.address;
+  if (stepping_) sources_.address = hash_combine(address, step_);
+  const Production* const production =
+      rules.weighted ? draw_production(rules, count, address) : first_that_matches(rules, count);
+  sources_.address = address;
+  return production;
+}
+
+bool Machine::waits_for_chance(std::uint32_t header) const {
+  const Range range = rules_[symbol_of(header)].productions;
+  return std::any_of(productions_ + range.begin, productions_ + range.end, [&](const Production& production) {
+    return production.by_chance && production.arity == parameters_of(header);
+  });
+}
+
 // The first production that matches decides: one without a weight applies, one with a weight competes with all others
 // that match and have one. Two walks in place of a list of candidates.
-const Production* Machine::draw_production(const Rules& rules, std::uint32_t count) {
+const Production* Machine::draw_production(const Rules& rules, std::uint32_t count, std::uint64_t address) {
   const Production* fallback = nullptr;  // the first that matches and has no weight
   double total = 0;
   for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
@@ -41,7 +60,7 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
       return nullptr;
     }
   }
-  double left = total * random_unit(sources_.seed, choice_stream_, sources_.address);
+  double left = total * random_unit(sources_.seed, choice_stream_, address);
   const Production* drawn = fallback;
   for (std::uint32_t i = rules.productions.begin; i < rules.productions.end && total > 0; ++i) {
     const Production& production = productions_[i];

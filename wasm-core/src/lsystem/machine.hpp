@@ -23,13 +23,8 @@ class Machine {
     const std::uint32_t count = parameters_of(header);
     for (std::uint32_t i = 0; i < count; i += block) std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
     if (has_lineage(header)) sources_.address = origin_of(module).address;
-    if (rules.weighted) return draw_production(rules, count);
-    for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
-      const Production& production = productions_[i];
-      if (matches(production, count)) return &production;
-      if (failed()) return nullptr;
-    }
-    return nullptr;
+    if (rules.by_chance) return choose_by_chance(rules, count);
+    return first_that_matches(rules, count);
   }
 
   // Writes a successor to `to`, where it has room in whole blocks. `parent` is the origin of the module that
@@ -49,6 +44,18 @@ class Machine {
 
   // For an axiom, which no module writes.
   void begin(std::uint64_t address) { sources_.address = address; }
+
+  // From now on what decides whether a module is rewritten is drawn for this step: a module that was not rewritten is
+  // tried anew in the next. Before, for all steps at once.
+  void decide_at(std::uint32_t step) {
+    step_ = step;
+    stepping_ = true;
+  }
+
+  // Whether a module that no production matched may be rewritten in a later step, by chance.
+  bool tries_again(std::uint32_t header) const {
+    return stepping_ && rules_[symbol_of(header)].by_chance && waits_for_chance(header);
+  }
 
   // Takes units of Limits::evaluations. False: they are used up.
   bool spend(std::uint64_t units) {
@@ -83,7 +90,17 @@ class Machine {
     return evaluate(production.condition.code) && registers_[production.condition.source] != 0;
   }
   bool evaluate(Range code) { return execute(program_.code, code.begin, code.end, registers_, sources_, trouble_); }
-  [[gnu::noinline]] const Production* draw_production(const Rules& rules, std::uint32_t count);
+  [[gnu::noinline]] const Production* choose_by_chance(const Rules& rules, std::uint32_t count);
+  const Production* first_that_matches(const Rules& rules, std::uint32_t count) {
+    for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
+      const Production& production = productions_[i];
+      if (matches(production, count)) return &production;
+      if (failed()) return nullptr;
+    }
+    return nullptr;
+  }
+  const Production* draw_production(const Rules& rules, std::uint32_t count, std::uint64_t address);
+  [[gnu::noinline]] bool waits_for_chance(std::uint32_t header) const;
   bool weigh(const Production& production, float& weight);
   [[gnu::noinline]] void write_lineages(const Template& successor, std::uint32_t* to, const Origin& parent,
                                         std::uint32_t symbol);
@@ -102,6 +119,8 @@ class Machine {
   float* registers_;
   std::uint64_t choice_stream_;
   std::uint64_t spent_ = 0;
+  std::uint32_t step_ = 0;
+  bool stepping_ = false;
   Sources sources_;
   Diagnostic trouble_;
 };

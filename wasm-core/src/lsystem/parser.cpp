@@ -60,8 +60,13 @@ class GrammarParser {
     return tokens_[at].is("axiom") && at + 1 < tokens_.size() && tokens_[at + 1].is(':');
   }
 
-  // A line begins a statement when it begins with `#` or `axiom:` or holds an arrow; any other goes on with the one
-  // before.
+  bool is_length(std::size_t at) const {
+    return tokens_[at].is("derivation") && at + 2 < tokens_.size() && tokens_[at + 1].is("length") &&
+           tokens_[at + 2].is(':');
+  }
+
+  // A line begins a statement when it begins with `#`, `axiom:` or `derivation length:` or holds an arrow; any other
+  // goes on with the one before.
   bool begins_statement(std::size_t at) const {
     return tokens_[at].is('#') || is_axiom(at) || is_foreign_line(at) || arrow_of_line(at) < end_of_line(at);
   }
@@ -77,6 +82,7 @@ class GrammarParser {
     const std::size_t begin = at_;
     end_ = end_of_line(begin);
     if (tokens_[begin].is('#')) return directive();
+    if (is_length(begin)) return length();
     arrow_ = arrow_of_line(begin);
     const bool production = arrow_ < end_;
     if (!production && !is_axiom(begin)) {
@@ -109,6 +115,13 @@ class GrammarParser {
     if (input ? !input_form(definition) : !expression_to(end_, definition.expression)) return false;
     grammar_.definitions.push_back(std::move(definition));
     return true;
+  }
+
+  bool length() {
+    if (grammar_.steps) return wrong(tokens_[at_].place, {"There is a second derivation length; keep one of them."});
+    at_ += 3;
+    grammar_.steps.emplace();
+    return expression_to(end_, *grammar_.steps);
   }
 
   bool input_form(DefinitionTree& definition) {

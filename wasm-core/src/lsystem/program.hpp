@@ -67,6 +67,7 @@ struct Production {
   std::uint32_t arity = 0;
   Value condition;
   Value weight;
+  bool by_chance = false;  // whether its condition or weight draws
   std::uint32_t cost = 0;  // units of Limits::evaluations that trying it takes
   Template successor;
 };
@@ -75,6 +76,7 @@ struct Production {
 struct Rules {
   Range productions;
   bool weighted = false;
+  bool by_chance = false;  // whether any is weighted or draws in its condition
 };
 
 // A `#define` or `#input` of the text.
@@ -103,6 +105,8 @@ class Program {
   Code code;
   Range once_bound;                       // code that the inputs alone decide
   std::vector<Declaration> declarations;  // in the order of the text
+  Value steps;                            // the derivation length
+  Diagnostic not_drawable;                // the first module in an answer that the turtle cannot draw in place
 };
 
 }  // namespace panicle::lsystem

@@ -1,10 +1,12 @@
 // Derivation depth first: a stack of successors still to be looked at, and the string that is done behind them.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "foundation/random.hpp"
+#include "lsystem/branch.hpp"
 #include "lsystem/machine.hpp"
 
 namespace panicle::lsystem {
@@ -28,8 +30,8 @@ class Unfolding {
         successors_.pop_back();
       }
     }
-    derived_.modules_written = modules_;
-    derived_.string = std::make_shared<const String>(std::move(done_), done_used_, modules_);
+    derived_.modules_written = done_.modules;
+    derived_.string = std::make_shared<const String>(std::move(done_));
     return std::move(derived_);
   }
 
@@ -44,10 +46,12 @@ class Unfolding {
     const std::uint32_t* const module = pending_.data() + successor.at;
     const std::uint32_t header = *module;
     successor.at += words_of(header);
-    if (cutting_ && !ends_cut(symbol_of(header))) return true;
+    if (cutting_) {
+      if (!cutting_->reached(symbol_of(header))) return true;
+      cutting_.reset();
+    }
     if (symbol_of(header) == cut_symbol) {
-      cutting_ = true;
-      open_brackets_ = 0;
+      cutting_.emplace();
       return true;
     }
     if (const Production* const production = rewritable(header) ? machine_.choose(module) : nullptr) {
@@ -77,18 +81,10 @@ class Unfolding {
 
   bool keep(const std::uint32_t* module) {
     const std::uint32_t words = words_of(*module);
-    if (!machine_.make_room(done_, done_used_ + words)) return false;
-    copy_words(done_.data() + done_used_, module, words);
-    done_used_ += words;
-    ++modules_;
-    return true;
-  }
-
-  // Whether a module that follows a % closes the branch that was cut.
-  bool ends_cut(std::uint32_t symbol) {
-    if (symbol == push_symbol) ++open_brackets_;
-    if (symbol != pop_symbol || open_brackets_-- > 0) return false;
-    cutting_ = false;
+    if (!machine_.make_room(done_.words, done_.used + words)) return false;
+    copy_words(done_.words.data() + done_.used, module, words);
+    done_.used += words;
+    ++done_.modules;
     return true;
   }
 
@@ -99,11 +95,8 @@ class Unfolding {
   std::vector<Successor> successors_;
   Words pending_;
   std::uint64_t pending_used_ = 0;
-  Words done_;
-  std::uint64_t done_used_ = 0;
-  std::uint64_t modules_ = 0;
-  bool cutting_ = false;
-  std::uint64_t open_brackets_ = 0;
+  String done_;
+  std::optional<BranchEnd> cutting_;  // where what a % removes ends
 };
 
 }  // namespace

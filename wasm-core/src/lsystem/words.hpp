@@ -96,17 +96,12 @@ class Words {
 
 class String {
  public:
-  String(Words words, std::uint64_t used, std::uint64_t modules)
-      : words_(std::move(words)), used_(used), modules_(modules) {}
+  const std::uint32_t* begin() const { return words.data(); }
+  const std::uint32_t* end() const { return words.data() + used; }
 
-  const std::uint32_t* begin() const { return words_.data(); }
-  const std::uint32_t* end() const { return words_.data() + used_; }
-  std::uint64_t modules() const { return modules_; }
-
- private:
-  Words words_;
-  std::uint64_t used_;
-  std::uint64_t modules_;
+  Words words;
+  std::uint64_t used = 0;  // of them
+  std::uint64_t modules = 0;
 };
 
 }  // namespace panicle::lsystem

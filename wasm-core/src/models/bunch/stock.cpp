@@ -19,7 +19,7 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::Program> program, std:
                            const lsystem::Inputs& inputs, const Limits& limits) {
   auto bound = lsystem::bind(std::move(program), inputs, limits);
   if (!bound) return bound.error();
-  auto derived = lsystem::unfold(*bound.value(), seed, limits);
+  auto derived = lsystem::develop(*bound.value(), seed, {}, limits);
   if (!derived) return derived.error();
   return Stock{std::move(bound.value()), std::move(derived->string), seed};
 }

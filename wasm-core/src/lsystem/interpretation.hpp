@@ -1,0 +1,12 @@
+// What the derivation asks of the interpretation.
+#pragma once
+
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::lsystem {
+
+// Walks the string as `interpret` does, but writes each answer into the parameters of its ?E and draws nothing in its
+// place. Errors as for `interpret`; Reason::none when nothing went wrong.
+Diagnostic answer(const Bound& bound, String& string, const Turtle& start, Listener& listener, const Limits& limits);
+
+}  // namespace panicle::lsystem
