@@ -97,6 +97,8 @@ describe("a specimen out of a file", () => {
 		["list.json", '{"specimen":[1]}', "list.json holds no specimen"],
 		["proto.json", '{"asset":{"extras":"specimen"}}', "proto.json holds no specimen"],
 		["cut.glb", glb.subarray(0, 100), "cut.glb is a damaged or unfinished GLB"],
+		// All of the JSON is there, of the meshes all but a byte.
+		["nearly.glb", glb.subarray(0, glb.length - 1), "nearly.glb is a damaged or unfinished GLB"],
 		["short.glb", glb.subarray(0, 15), "short.glb is a damaged or unfinished GLB"],
 		["old.glb", glb.with(4, 1), "old.glb is glTF of version 1"],
 		["kind.glb", glb.with(16, 0), "kind.glb is a damaged or unfinished GLB"],

@@ -24,7 +24,7 @@ export function toyPlant(): Plant {
 				...[0.01, 0.15, 0, 0, 1, 0, 0, 0.03],
 			]),
 		},
-		meshes: [stem(), { ...blade("bract"), runs: [] }, blade("leaf")],
+		meshes: [stem(), bract(), blade("leaf")],
 		counts: { leaves: 3 },
 		notes: [],
 		fingerprint: "0000000000000001",
@@ -62,6 +62,12 @@ function stem(): PlantMesh {
 			{ name: "stub", firstVertex: 16, vertexCount: 0, firstIndex: 36, indexCount: 0 },
 		],
 	};
+}
+
+/** A small square beside the stem. */
+function bract(): PlantMesh {
+	const square = blade("bract");
+	return { ...square, positions: square.positions.map((value, i) => 0.02 * value + [-0.03, 0.04, 0][i % 3]) };
 }
 
 /** A unit square in the plane of x and y, its foot at the origin. */

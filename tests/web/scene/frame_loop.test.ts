@@ -71,6 +71,22 @@ describe("FrameLoop", () => {
 		expect(pending).toBeUndefined();
 	});
 
+	it("keeps a movement coarse though something else asks for the same frame", () => {
+		const ratios: number[] = [];
+		const loop = new FrameLoop(
+			({ ratio }) => {
+				ratios.push(ratio);
+				return false;
+			},
+			1,
+			true,
+		);
+		loop.request(true);
+		loop.request();
+		tick();
+		expect(ratios).toEqual([0.5]);
+	});
+
 	it("goes on while the movement does", () => {
 		let left = 3;
 		const draw = vi.fn(() => --left > 0);

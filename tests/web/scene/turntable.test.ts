@@ -1,3 +1,4 @@
+import { Vector3 } from "three";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { spindleOf } from "../../../web/src/scene/camera_fit";
 import { Turntable } from "../../../web/src/scene/turntable";
@@ -78,6 +79,49 @@ describe("Turntable", () => {
 		for (let i = 0; i < 50; i++) table.pan(1, 1);
 		table.fit();
 		expect(table.distance).toBeCloseTo(distance, 6);
+	});
+
+	/** Where a point of the plant's near side is in the view: right, up. */
+	const seen = () => {
+		table.camera.updateMatrixWorld();
+		return near.clone().project(table.camera);
+	};
+	let near: Vector3;
+	beforeEach(() => {
+		const { camera, controls } = table;
+		near = controls.target.clone().lerp(camera.position, 0.1);
+	});
+
+	it("turns the plant's near side to the right and down, as its words say", () => {
+		table.orbit(0.2, 0);
+		expect(seen().x).toBeGreaterThan(0.02);
+		expect(Math.abs(seen().y)).toBeLessThan(0.01);
+		table.orbit(-0.2, 0.2);
+		expect(Math.abs(seen().x)).toBeLessThan(1e-6);
+		expect(seen().y).toBeLessThan(-0.02);
+	});
+
+	it("shifts the plant to the right and down, but never out of sight", () => {
+		table.pan(0.05, 0.03);
+		expect(seen().x).toBeGreaterThan(0.02);
+		expect(seen().y).toBeLessThan(-0.02);
+		const centre = new Vector3(...spindle(90, 0.16).centre);
+		for (let i = 0; i < 50; i++) table.pan(1, 1);
+		const away = table.controls.target.distanceTo(centre);
+		// As far as the plant reaches from its middle, and no farther.
+		expect(away).toBeGreaterThan(0.05);
+		expect(away).toBeLessThan(0.12);
+	});
+
+	it("fits a plant of another kind as it fitted the first, and at once", () => {
+		const first = table.distance;
+		table.orbit(1, 0.4);
+		table.forget();
+		table.follow(spindle(90, 0.3), true);
+		const fitted = table.distance;
+		expect(fitted).toBeGreaterThan(1.4 * first);
+		table.advance(1000);
+		expect(table.distance).toBeCloseTo(fitted, 9);
 	});
 
 	it("never turns over the top", () => {

@@ -4,7 +4,7 @@ import { packReceivers, RECORD, receiverTexels } from "../../../../../web/src/mo
 import { berryTint } from "../../../../../web/src/models/bunch/parts/berry_tint";
 import { skinOf } from "../../../../../web/src/models/bunch/parts/skin";
 import { lampHidden } from "../../../../../web/src/scene/occlusion";
-import { LOOK, RIPE, sampleBunch } from "../sample_bunch";
+import { LOOK, RIPE, ripeTraits, sampleBunch } from "../sample_bunch";
 
 const skin = skinOf(LOOK);
 const key: Lamp = { direction: [-0.566, 0.602, 0.564], spread: 0.17 };
@@ -63,6 +63,68 @@ describe("Casters", () => {
 		}
 	});
 
+	it("hides so much as the spheres' own geometry says: all, half, a small share, none", () => {
+		const along = (by: number, aside = 0): Sphere => [
+			by * key.direction[0] + aside * across[0],
+			by * key.direction[1] + aside * across[1],
+			by * key.direction[2] + aside * across[2],
+			1,
+		];
+		const share = (...others: Sphere[]) => castOn([0, 0, 0, 1], ...others)[0];
+		expect(share(along(3))).toBeCloseTo(0, 6);
+		// Its edge on the ray to the lamp's middle: half of the lamp shows.
+		expect(share(along(4, 1))).toBeCloseTo(0.5, 5);
+		// Far away it is a disc before a larger one: nearly the ratio of their areas.
+		expect(Math.abs(share(along(12)) - (1 - (1 / (12 * key.spread)) ** 2))).toBeLessThan(0.05);
+		expect(share(along(-3))).toBe(1);
+		expect(share(along(4, 3))).toBe(1);
+		expect(share(along(3), along(4, 1))).toBeCloseTo(0, 6);
+	});
+
+	it("finds what stands aside of the column but within the penumbra", () => {
+		const far = [10, 2].map((by, k) => [key.direction, across][k].map((value) => by * value));
+		const at = [0, 1, 2].map((k) => far[0][k] + far[1][k]) as [number, number, number];
+		// Others spread the grid's cells, so that this one is not found by being in the same.
+		const rest = [-9, -6, 6, 9].map(
+			(by): Sphere => [
+				by * across[0] - 9 * key.direction[0],
+				by * across[1] - 9 * key.direction[1],
+				by * across[2] - 9 * key.direction[2],
+				1,
+			],
+		);
+		const [share] = castOn([0, 0, 0, 1], [...at, 1], ...rest);
+		expect(share).toBeLessThan(0.97);
+	});
+
+	it("lists spheres beside and a little behind, for the pixels on that side, and none wholly behind", () => {
+		const at = (by: number): Sphere => [
+			by * key.direction[0] + 1.5 * across[0],
+			by * key.direction[1] + 1.5 * across[1],
+			by * key.direction[2] + 1.5 * across[2],
+			1,
+		];
+		const listed = (by: number) => castOn([0, 0, 0, 1], at(by))[4 + 3] > 0;
+		expect([listed(0.5), listed(-0.5), listed(-1.5)]).toEqual([true, true, false]);
+	});
+
+	it("works again only for what has changed", () => {
+		const casters = new Casters();
+		const fresh = records.slice().fill(7);
+		expect(casters.cast(receivers, key, rim, fresh)).toBe(true);
+		expect(casters.cast(receivers, { ...key }, { ...rim }, fresh)).toBe(false);
+		const turned: Lamp = { ...rim, direction: [0, 0.6, 0.8] };
+		const before = fresh[0];
+		fresh[0] = -1;
+		expect(casters.cast(receivers, key, turned, fresh)).toBe(true);
+		// The key light's share was not worked out again.
+		expect(fresh[0]).toBe(-1);
+		expect(casters.cast(receivers, { ...key, spread: 0.2 }, turned, fresh)).toBe(true);
+		expect(fresh[0]).not.toBe(-1);
+		expect(before).toBeGreaterThanOrEqual(0);
+		expect(casters.cast({ ...receivers }, { ...key, spread: 0.2 }, turned, fresh)).toBe(true);
+	});
+
 	it("leaves the berries nearest the light in it", () => {
 		const toward = (i: number) =>
 			[0, 1, 2].reduce((sum, k) => sum + receivers.records[4 * RECORD * i + k] * key.direction[k], 0);
@@ -70,6 +132,34 @@ describe("Casters", () => {
 		expect(records[4 * CAST_RECORD * order[0]]).toBeGreaterThan(0.95);
 	});
 });
+
+type Sphere = [x: number, y: number, z: number, r: number];
+
+/** A direction across the key light's. */
+const across = [0.602, 0.566, 0].map((value) => value / Math.hypot(0.602, 0.566));
+
+/** The record of the first of some spheres, each a berry. */
+function castOn(...list: Sphere[]): Float32Array {
+	const berries = {
+		count: list.length,
+		spheres: Float32Array.from(list.flat()),
+		directions: Float32Array.from(list.flatMap(() => [0, -1, 0])),
+		parent: Int32Array.from(list, (_, i) => i),
+		ids: Uint32Array.from(list, (_, i) => i),
+		traits: ripeTraits(list.flat()),
+	};
+	const none = { ...bunch.internodes, count: 0, ends: new Float32Array(0), radii: new Float32Array(0) };
+	const few = { ...bunch, berries, internodes: none };
+	const on = packReceivers(few, (b) => berryTint(skin, b, RIPE), new Float32Array(4 * receiverTexels(few)));
+	const cast = new Float32Array(on.count * CAST_RECORD * 4);
+	new Casters().cast(on, { ...key, direction: unit(key.direction) }, rim, cast);
+	return cast;
+}
+
+function unit(v: Lamp["direction"]): Lamp["direction"] {
+	const length = Math.hypot(...v);
+	return [v[0] / length, v[1] / length, v[2] / length];
+}
 
 function nearestTo(centre: number[]): number {
 	const { spheres } = receivers.index;

@@ -1,0 +1,92 @@
+import { type Mesh, type MeshPhongMaterial, Vector3 } from "three";
+import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
+import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
+import { describe, expect, it } from "vitest";
+import { exportObj } from "../../../web/src/export/obj";
+import { encoded } from "../../../web/src/plant/colour";
+import type { Part } from "../../../web/src/plant/part";
+import { meshesOf } from "./reading";
+import { ABOUT, CENTRES, fruits, PULP, plain, tetrahedron } from "./toy_parts";
+
+function read(parts: Part[]): Map<string, Mesh> {
+	const { obj, mtl } = exportObj(parts, ABOUT, "toy");
+	const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
+	return new Map(meshesOf(group).map((mesh) => [mesh.name, mesh]));
+}
+
+const corner = (mesh: Mesh | undefined, i: number) =>
+	new Vector3().fromBufferAttribute((mesh as Mesh).geometry.attributes.position, i);
+
+describe("the OBJ of any parts", () => {
+	it("has one object for each part and each instance, baked where it grew", () => {
+		const meshes = read(plain());
+		expect([...meshes.keys()]).toEqual(["Trunk", "Branch", "Bract", "Leaf_001", "Leaf_002", "Leaf_003"]);
+		expect(corner(meshes.get("Leaf_002"), 1).distanceTo(new Vector3(0.03, 0.18, -0.02))).toBeLessThan(1e-6);
+		const normal = new Vector3().fromBufferAttribute((meshes.get("Leaf_002") as Mesh).geometry.attributes.normal, 1);
+		expect(normal.distanceTo(new Vector3(1, 0, 0))).toBeLessThan(1e-3);
+	});
+
+	it("bakes what hangs on a part where it grew", () => {
+		const [x, y, z] = CENTRES[1];
+		const meshes = read(fruits());
+		expect([...meshes.keys()]).toEqual(["Fruit_1", "Fruit_2", "Tuft"]);
+		expect(corner(meshes.get("Tuft"), 0).distanceTo(new Vector3(x - 0.002, y + 0.002, z - 0.002))).toBeLessThan(2e-6);
+	});
+
+	it("shares runs of texture coordinates as the parts do", () => {
+		const { obj } = exportObj(fruits(), ABOUT, "toy");
+		expect(obj.match(/^vt /gm)).toHaveLength(4);
+		expect(obj.match(/^v /gm)).toHaveLength(12);
+	});
+
+	it("names where it came from and what it needs", () => {
+		const { obj } = exportObj(plain(), ABOUT, "toy");
+		const [first, link, library] = obj.split("\n");
+		expect(first).toMatch(/^# Panicle [\d.]+: Toy one, metres, \+Y up$/);
+		expect([link, library]).toEqual(["# ?model=toy&seed=3", "mtllib toy.mtl"]);
+	});
+});
+
+describe("the materials of an OBJ", () => {
+	const blocks = (parts: Part[]) =>
+		new Map(
+			exportObj(parts, ABOUT, "toy")
+				.mtl.split("newmtl ")
+				.slice(1)
+				.map((block) => {
+					const [name, ...lines] = block.trim().split("\n");
+					return [name, new Map(lines.map((line) => [line.split(" ")[0], line.split(" ").slice(1).map(Number)]))];
+				}),
+		);
+
+	it("are the mean colour of each variant's parts, the material's own without", () => {
+		const found = blocks(fruits());
+		expect([...found.keys()]).toEqual(["Pulp", "Pulp_green", "Hair"]);
+		const close = (colour: [number, number, number]) => encoded(colour).map((value) => expect.closeTo(value, 3));
+		expect(found.get("Pulp")?.get("Kd")).toEqual(close([0.5, 0.2, 0.1]));
+		expect(found.get("Pulp_green")?.get("Kd")).toEqual(close([0.2, 0.6, 0.1]));
+		expect(found.get("Hair")?.get("Kd")).toEqual(close([0.9, 0.9, 0.8]));
+	});
+
+	it("have highlights as wide as the roughness says, stronger on what is smooth", () => {
+		const matt = { ...PULP, name: "Matt", roughness: Math.SQRT1_2 };
+		const found = blocks([...fruits(), { name: "Dull", shape: { mesh: tetrahedron([0, 0, 0], 1), material: matt } }]);
+		// Blinn–Phong's exponent: 2 / α² − 2 with α = roughness².
+		expect(found.get("Matt")?.get("Ns")).toEqual([6]);
+		expect(found.get("Pulp")?.get("Ns")).toEqual([76.1]);
+		expect(found.get("Matt")?.get("Ks")?.[0]).toBeLessThan(0.3 * (found.get("Pulp")?.get("Ks")?.[0] ?? 0));
+		expect(found.get("Pulp")?.get("Ps")).toEqual([0.12]);
+		expect(found.get("Pulp")?.get("Pr")).toEqual([0.4]);
+	});
+
+	it("have a name each, though two materials be called the same", () => {
+		const other = { ...PULP, colour: [0, 0, 1] as [number, number, number] };
+		const meshes = read([
+			{ name: "A", shape: { mesh: tetrahedron([0, 0, 0], 1), material: PULP } },
+			{ name: "B", shape: { mesh: tetrahedron([3, 0, 0], 1), material: other } },
+		]);
+		const material = (name: string) => meshes.get(name)?.material as MeshPhongMaterial;
+		expect([material("A").name, material("B").name]).toEqual(["Pulp", "Pulp_2"]);
+		expect(material("B").color.b).toBe(1);
+	});
+});

@@ -1,0 +1,93 @@
+import { Group, type InstancedMesh, type Mesh, type MeshPhysicalMaterial, PerspectiveCamera } from "three";
+import { describe, expect, it } from "vitest";
+import { partsOf } from "../../../web/src/plant/parts_of";
+import type { Plant } from "../../../web/src/plant/plant";
+import { PaperShadow } from "../../../web/src/scene/paper_shadow";
+import { partFigure } from "../../../web/src/scene/part_figure";
+import { StageLight } from "../../../web/src/scene/stage_light";
+import { fruits } from "../export/toy_parts";
+import { toyPlant } from "../plant/toy_plant";
+
+const plant = toyPlant();
+
+function staged() {
+	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+	const figure = partFigure<unknown, Plant>((grown) => partsOf(grown))(stage);
+	const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+	return { stage, figure, meshes };
+}
+
+describe("the figure of any plant", () => {
+	it("draws every part, instances as instances, each casting its shadow", () => {
+		const { stage, figure, meshes } = staged();
+		figure.show(plant, {});
+		expect(meshes().map(({ name }) => name)).toEqual(["Trunk", "Branch", "Bract", "Leaf"]);
+		expect((meshes()[3] as InstancedMesh).count).toBe(3);
+		// Four places of the lamp.
+		expect(stage.shadow.root.children).toHaveLength(4 * 4);
+		figure.show({ ...plant, meshes: plant.meshes.slice(0, 1) }, {});
+		expect(meshes()).toHaveLength(2);
+		expect(stage.shadow.root.children).toHaveLength(2 * 4);
+	});
+
+	it("holds the whole plant", () => {
+		const { figure } = staged();
+		figure.show(plant, {});
+		const { spheres, points } = figure.bounds();
+		expect(spheres).toHaveLength(4 * 3);
+		// A blade reaches √1.25 from its foot.
+		expect(spheres[3]).toBeCloseTo(0.05 * Math.sqrt(1.25), 6);
+		expect(points).toHaveLength(3 * (8 + 8 + 4));
+	});
+
+	it("finds the part that a ray meets first, each instance by itself, and marks it", () => {
+		const { figure, meshes } = staged();
+		figure.show(plant, {});
+		// The first leaf stands upright at (0, 0.1 … 0.15, 0), before the branch.
+		const leaf = figure.pick({ origin: [0.02, 0.14, 1], direction: [0, 0, -3] });
+		expect(leaf).toBe(3);
+		expect(figure.pick({ origin: [0, 0.05, 1], direction: [0, 0, -1] })).toBe(0);
+		expect(figure.pick({ origin: [-0.03, 0.05, 1], direction: [0, 0, -1] })).toBe(2);
+		expect(figure.pick({ origin: [0.9, 0.05, 1], direction: [0, 0, -1] })).toBeUndefined();
+		figure.mark(leaf);
+		const mark = meshes().at(-1) as Mesh;
+		expect((mark.material as MeshPhysicalMaterial).emissive.r).toBeGreaterThan(0.1);
+		expect(mark.position.toArray().map((value) => Math.round(1000 * value))).toEqual([0, 100, 0]);
+		figure.mark(undefined);
+		expect(meshes()).toHaveLength(4);
+		figure.mark(99);
+		expect(meshes()).toHaveLength(4);
+	});
+
+	it("takes everything along when it goes", () => {
+		const { stage, figure } = staged();
+		figure.show(plant, {});
+		figure.mark(0);
+		figure.dispose();
+		expect(stage.root.children).toEqual([]);
+		expect(stage.shadow.root.children).toEqual([]);
+	});
+
+	it("stands in the stage's light", () => {
+		const { stage, figure } = staged();
+		stage.light.setTheme("dark");
+		const camera = new PerspectiveCamera();
+		camera.updateMatrixWorld();
+		stage.light.aim(camera);
+		figure.prepare(camera);
+		const lamps = stage.root.children[0].children as unknown as { color: { r: number }; position: { x: number } }[];
+		expect(lamps[0].color.r).toBe(stage.light.rig.key.irradiance[0]);
+		expect(lamps[0].position.x).toBeCloseTo(stage.light.rig.key.direction.x, 9);
+	});
+
+	it("shows colours of vertices in place of the material's", () => {
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const figure = partFigure(() => fruits())(stage);
+		figure.show({}, {});
+		const [fruit, , tuft] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+		const of = (mesh: Mesh) => mesh.material as MeshPhysicalMaterial;
+		expect([of(fruit).vertexColors, of(fruit).color.r, of(fruit).sheen]).toEqual([true, 1, 1]);
+		expect([of(tuft).vertexColors, of(tuft).color.r]).toEqual([false, 0.9]);
+		expect(fruit.geometry.getAttribute("color").getX(0)).toBeCloseTo(0.8, 6);
+	});
+});
