@@ -30,7 +30,10 @@ function cplusplus(table) {
 	const rows = ofCore(table);
 	const entries = rows.map(
 		(p) =>
-			`    {"${p.key}", "${p.define ?? ""}", ${[bounds(p).min, bounds(p).max, p.gapBelow ?? 0, p.default].map(float).join(", ")}, ${p.kind !== "number"}},`,
+			`    {"${p.key}", "${p.define ?? ""}", "${p.procedure ?? ""}", ${[bounds(p).min, bounds(p).max, p.gapBelow ?? 0, p.default].map(float).join(", ")}, ${p.kind !== "number"}},`,
+	);
+	const roles = Object.entries(table.roles).map(
+		([role, symbol]) => `    {"${role}", "${symbol.replace(/\*$/, "")}", ${symbol.endsWith("*")}},`,
 	);
 	return `// ${notice}
 #pragma once
@@ -50,7 +53,8 @@ inline constexpr std::uint32_t parameter_count = ${rows.length};
 
 struct ParameterInfo {
   std::string_view key;
-  std::string_view define;  // the grammar's #define it replaces; empty for none
+  std::string_view define;     // the grammar's #define it replaces; empty for none
+  std::string_view procedure;  // the one that heeds it; empty where both do
   float min, max;
   float gap_below;  // values strictly between 0 and this are raised to it; 0 for none
   float standard;
@@ -62,6 +66,17 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
 ${entries.join("\n")}
 }};
 // clang-format on
+
+// What symbols draw where a grammar declares no roles.
+struct RoleInfo {
+  std::string_view role;
+  std::string_view symbol;
+  bool begins;  // whether it is the symbol's beginning only
+};
+
+inline constexpr std::array<RoleInfo, ${roles.length}> role_table = {{
+${roles.join("\n")}
+}};
 
 }  // namespace panicle::bunch
 `;

@@ -24,6 +24,7 @@ void count(Grown& grown) {
   counts.internodes = static_cast<std::uint32_t>(grown.internodes.size());
   counts.berries = static_cast<std::uint32_t>(grown.berries.size());
   for (const Internode& internode : grown.internodes) {
+    if (internode.joint) continue;
     counts.end_structures += internode.kind == Kind::end;
     counts.pedicels += internode.kind == Kind::pedicel;
     counts.withered += internode.state == State::withered;

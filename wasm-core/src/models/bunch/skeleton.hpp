@@ -18,6 +18,7 @@ struct Internode {
   glm::vec3 end{0};
   float radius = 0;      // at the start
   float radius_end = 0;  // at the end
+  bool joint = false;    // goes on with its parent: one organ, drawn in several pieces
 };
 
 struct Berry {

@@ -1,6 +1,5 @@
 #include "models/bunch/stock.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "foundation/random.hpp"
@@ -15,13 +14,10 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& reque
   return lsystem::compile(text, limits, lsystem::Lineages::always);
 }
 
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::Program> program, std::uint64_t seed,
-                           const lsystem::Inputs& inputs, const Limits& limits) {
-  auto bound = lsystem::bind(std::move(program), inputs, limits);
-  if (!bound) return bound.error();
-  auto derived = lsystem::develop(*bound.value(), seed, {}, limits);
+Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed, const Limits& limits) {
+  auto derived = lsystem::develop(*bound, seed, {}, limits);
   if (!derived) return derived.error();
-  return Stock{std::move(bound.value()), std::move(derived->string), seed};
+  return Stock{std::move(bound), std::move(derived->string), seed};
 }
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
@@ -31,15 +27,6 @@ Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener
   lsystem::turn(turtle, -stock.lean);
   const auto drawn = lsystem::interpret(*stock.bound, *stock.string, turtle, listener, stock.seed, limits);
   return drawn ? Diagnostic{} : drawn.error();
-}
-
-void remark_unknown(const lsystem::Bound& bound, const std::vector<lsystem::Inputs::Scalar>& defines,
-                    std::vector<std::string>& notes) {
-  const std::span<const lsystem::Definition> known = lsystem::definitions(bound);
-  for (const lsystem::Inputs::Scalar& given : defines) {
-    const bool found = std::any_of(known.begin(), known.end(), [&](const auto& one) { return one.name == given.name; });
-    if (!found) notes.push_back("The grammar has no #define " + given.name + ", so its parameter changes nothing.");
-  }
 }
 
 }  // namespace panicle::bunch

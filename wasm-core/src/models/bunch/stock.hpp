@@ -3,9 +3,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
@@ -26,17 +24,12 @@ struct Stock {
 // where the request has none.
 Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, int built_in, const Limits& limits);
 
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::Program> program, std::uint64_t seed,
-                           const lsystem::Inputs& inputs, const Limits& limits);
+Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed, const Limits& limits);
 
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);
 
 // Walks the derived string from p1 on. Returns what the interpretation itself ran into.
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener);
-
-// A note for each of `defines` that the text does not know, so that its parameter changes nothing.
-void remark_unknown(const lsystem::Bound& bound, const std::vector<lsystem::Inputs::Scalar>& defines,
-                    std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

@@ -24,11 +24,17 @@ Values::Values(const std::vector<float>& asked, std::vector<std::string>& notes)
   }
 }
 
+std::vector<const ParameterInfo*> Values::defining() const {
+  std::vector<const ParameterInfo*> rows;
+  for (std::uint32_t i = 0; i < parameter_count; ++i)
+    if (given_[i] && !parameter_table[i].define.empty()) rows.push_back(&parameter_table[i]);
+  return rows;
+}
+
 std::vector<lsystem::Inputs::Scalar> Values::defines() const {
   std::vector<lsystem::Inputs::Scalar> scalars;
-  for (std::uint32_t i = 0; i < parameter_count; ++i)
-    if (given_[i] && !parameter_table[i].define.empty())
-      scalars.push_back({std::string(parameter_table[i].define), values_[i]});
+  for (const ParameterInfo* row : defining())
+    scalars.push_back({std::string(row->define), values_[static_cast<std::size_t>(row - parameter_table.data())]});
   return scalars;
 }
 

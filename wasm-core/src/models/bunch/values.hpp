@@ -20,6 +20,8 @@ class Values {
 
   // The values that replace a #define: those given, and no others, so that a text's own constants stand.
   std::vector<lsystem::Inputs::Scalar> defines() const;
+  // Their rows of the table.
+  std::vector<const ParameterInfo*> defining() const;
 
   Profile profile() const;
 

@@ -6,26 +6,43 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
-#include "models/bunch/fruit/berry_body.hpp"
 #include "models/bunch/shape.hpp"
+#include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
 namespace {
 
-constexpr float units_per_pixel = 50.0f / 29.0f;  // bunch-model: one rachis segment is 29 pixels and l_i 50 units
-constexpr float standard_aim = 60;                // α_y
-constexpr float most_upward = 100;                // degrees from straight down
-constexpr float flowers_per_end = 3;
-constexpr float least_arm = 0.4f;  // of a first-order axis, in its steps
-// Flowers for each berry there is to be, at least: more to choose from than are needed, as in nature.
-constexpr float flowers_per_berry = 1.1f;
+constexpr float most_upward = 100;         // degrees from straight down
+constexpr std::size_t most_nodes = 4096;   // of a rachis: no text has more, for each takes a step to derive
+constexpr float least_arm = 0.4f;          // of a first-order axis, in its steps
+constexpr float flowers_per_berry = 1.1f;  // at least: more to choose from than are needed, as in nature
 constexpr float most_flowers = 10000;
-constexpr float least_nodes = 12;    // of a rachis: three axes to each side, however short it is
-constexpr float tip_spacing = 0.6f;  // of the rachis's nodes at its tip, over that above; `near` of L-system 4
-constexpr float tip_share = 0.4f;    // of the rachis over which they draw together; `tip` of L-system 4
-constexpr float base_closer = 0.7f;
+constexpr float least_nodes = 12;      // of a rachis: three axes to each side, however short it is
+constexpr float step_of_axis = 0.55f;  // between its nodes, in berry widths, where berries are middling
+constexpr float base_closer = 0.7f;    // times that
 constexpr float middling_size = 18;
 constexpr float middling_fill = 0.6f;
+constexpr float least_closer = 0.2f, most_closer = 1.4f;
+constexpr float closer_by = 0.85f;  // a try, where a count needs more flowers
+constexpr int most_tries = 16;
+
+// In berry widths.
+constexpr float twig_length = 0.35f;
+constexpr float berry_beyond = 0.75f;  // of a berry, inside the outline where an axis ends
+constexpr float berry_below = 0.9f;    // likewise below the rachis
+constexpr float rachis_width = 0.2f, pedicel_width = 0.07f;
+constexpr float standard_width = 15;  // w_i of the table
+
+// Of where axes aim.
+constexpr float shoulder_height = 0.8f;  // of a side's drop: where its first axis points
+constexpr float most_above = 0.18f;      // how far above its node that may be, over how far out it reaches
+constexpr float shoulder_fades = 0.4f;   // from one axis of a side to the next
+constexpr float hanging = 0.35f;         // of its angle left to an axis at the tip
+constexpr float hanging_nodes = 3;       // from the tip on which axes hang
+
+constexpr float least_length = 0.3f;      // of the rachis, over the outline's
+constexpr float room_over_volume = 1.2f;  // berries there can be, over those that the outline's volume holds
+constexpr float least_room = 12;
 
 // How far along `angle` from a node at `depth` the outline of a side lies.
 float reach(const Envelope& envelope, std::size_t side, float depth, float angle) {
@@ -50,43 +67,52 @@ float reach(const Envelope& envelope, std::size_t side, float depth, float angle
 }
 
 // The first axis of a side aims at its shoulder, however high that is; those below lean as the yaw says.
-float aim_at(const Envelope& envelope, const Profile& profile, float pixel, std::size_t side, std::size_t turn,
-             float depth, float left, float spacing) {
-  const float far = reach(envelope, side, depth, standard_aim);
-  const SinCos way = sincos_degrees(standard_aim);
+float aim_at(const Envelope& envelope, float shoulder_depth, float yaw, std::size_t side, std::size_t turn, float depth,
+             float left, float spacing) {
+  const float far = reach(envelope, side, depth, yaw);
+  const SinCos way = sincos_degrees(yaw);
   const float out = far * way.sine, low = far * way.cosine;
-  const float shoulder = std::max(profile.sides[side].drop * pixel * 0.8f - depth, -0.18f * out);
+  const float shoulder = std::max(shoulder_depth - depth, -most_above * out);
   float weight = 1;
-  for (std::size_t k = 0; k < turn; ++k) weight *= 0.4f;
+  for (std::size_t k = 0; k < turn; ++k) weight *= shoulder_fades;
   const float down = low + weight * (std::min(low, shoulder) - low);
-  const float angle = out > 0 ? std::min(most_upward, arc_tangent(out, down) * (180 / pi)) : standard_aim;
+  const float angle = out > 0 ? std::min(most_upward, arc_tangent(out, down) * (180 / pi)) : yaw;
   // The last axes hang down to the tip.
-  return angle * std::clamp(0.35f + 0.65f * left / (3 * spacing), 0.35f, 1.0f);
+  return angle * std::clamp(hanging + (1 - hanging) * left / (hanging_nodes * spacing), hanging, 1.0f);
 }
 
 // Lays the axes for the spacings in `plan`; returns how many flowers they bear, an axis counting by how much of it
 // there is.
-float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float size, float elongation) {
+float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text) {
   plan.arm.clear();
   plan.aim.clear();
   float flowers = 0;
-  const float end = plan.twig + plan.stalk + 0.75f * size * std::max(1.0f, elongation);
   float left = plan.length, apart = plan.spacing;
   for (std::size_t k = 0;; ++k) {
     // The text reckons the same; a node beyond the last is there for its rounding.
     const float share = std::clamp(left / apart, 0.0f, 1.0f);
     const float depth = plan.length - left + share * apart;
     left -= apart;
-    apart = plan.spacing * std::min(1.0f, tip_spacing + (1 - tip_spacing) * left / (tip_share * plan.length));
+    apart = plan.spacing *
+            std::min(1.0f, text.tip_spacing + (1 - text.tip_spacing) * left / (text.tip_share * plan.length));
     const std::size_t side = k % 4;
-    const float angle = aim_at(plan.envelope, profile, pixel, side, k / 4, depth, plan.length - depth, plan.spacing);
+    const float shoulder = profile.sides[side].drop * pixel * shoulder_height;
+    const float angle =
+        aim_at(plan.envelope, shoulder, text.yaw, side, k / 4, depth, plan.length - depth, plan.spacing);
     plan.aim.push_back(angle);
     const bool raceme = plan.plan.sides[side].n == 0;
     const float arm = raceme ? -1 : std::max(least_arm * plan.step, reach(plan.envelope, side, depth, angle) - end);
     plan.arm.push_back(arm);
-    flowers += share * (raceme ? 1 : flowers_per_end * std::max(1.0f, arm / plan.step));
-    if (share <= 0) return flowers;
+    flowers += share * (raceme ? 1 : text.flowers_per_end * std::max(1.0f, arm / plan.step));
+    if (share <= 0 || !(apart > 0) || k + 1 == most_nodes) return flowers;
   }
+}
+
+// The last turn about the rachis over and over.
+lsystem::Inputs::Array prolonged(const char* name, std::vector<float> values) {
+  values.reserve(most_nodes);
+  while (values.size() < most_nodes) values.push_back(values.size() < 4 ? values.back() : values[values.size() - 4]);
+  return {name, std::move(values)};
 }
 
 }  // namespace
@@ -99,28 +125,39 @@ float fill_of(float density) {
   return fills[below] + (fills[below + 1] - fills[below]) * (place - static_cast<float>(below));
 }
 
-NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float most_berries) {
+TextConstants constants_of(const lsystem::Bound& text, const TextConstants& before) {
+  const TextConstants standard;
+  TextConstants found = before;
+  found.tip_spacing = lsystem::constant(text, "near", standard.tip_spacing);
+  found.tip_share = lsystem::constant(text, "tip", standard.tip_share);
+  found.yaw = std::min(std::abs(lsystem::constant(text, "alpha_y", standard.yaw)), most_upward);
+  return found;
+}
+
+NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float most_berries,
+                              const TextConstants& text) {
   using enum Parameter;
   const float pixel = values[unit] * units_per_pixel;
   const float width = values[Parameter::size];
   Profile profile = drawn;
   for (SidePoint& side : profile.sides) side.width = std::max(side.width, width / 2 / pixel);
-  const float end_reach = sincos_degrees(standard_aim).sine * (0.35f * width + values[pedicel]) + width;
+  const float end_reach = sincos_degrees(text.yaw).sine * (twig_length * width + values[pedicel]) + width;
   Plan counts = make_plan(drawn);
   Envelope envelope(profile, pixel, end_reach);
   NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, 0, 0, false};
-  plan.twig = 0.35f * width;
+  plan.twig = twig_length * width;
   plan.stalk = values[pedicel];
-  plan.girth = values[wi] / 15 * std::clamp(0.2f * width, 1.2f, 7.0f);
-  plan.fine = values[wi] / 15 * std::clamp(0.07f * width, 0.4f, 3.0f);
-  plan.length = std::max(0.3f * envelope.length(), envelope.length() - plan.twig - plan.stalk - 0.9f * width);
+  plan.girth = values[wi] / standard_width * std::clamp(rachis_width * width, 1.2f, 7.0f);
+  plan.fine = values[wi] / standard_width * std::clamp(pedicel_width * width, 0.4f, 3.0f);
+  plan.length =
+      std::max(least_length * envelope.length(), envelope.length() - plan.twig - plan.stalk - berry_below * width);
 
   const float spread_share = values[spread] / 100;
   const float berry = pi / 6 * width * width * width * values[elongation] * (1 + 3 * spread_share * spread_share);
   // A raceme's berries hang outside what is drawn.
   const bool raceme =
       std::any_of(plan.plan.sides.begin(), plan.plan.sides.end(), [](const SidePlan& side) { return side.n == 0; });
-  plan.room = raceme ? most_berries : std::max(12.0f, 1.2f * envelope.volume() / berry);
+  plan.room = raceme ? most_berries : std::max(least_room, room_over_volume * envelope.volume() / berry);
   const bool asked = values[Parameter::count] > 0;
   const float filling = std::max(1.0f, fill_of(values[density]) * envelope.volume() / berry);
   plan.overfull = !asked && filling > most_berries;
@@ -128,14 +165,16 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   // Nodes as near as berries of that size and density want them in a bunch of middling width, whatever the profile, so
   // that dragging moves no node; nearer by steps where that bears too few flowers for a count.
   const float fill = asked ? middling_fill : fill_of(values[density]);
-  float closer = std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), 0.2f, 1.4f);
+  float closer =
+      std::clamp(base_closer * std::sqrt(width / middling_size * middling_fill / fill), least_closer, most_closer);
   closer *= std::sqrt(std::max(1.0f, filling / most_berries));
-  for (int tries = 0; tries < 16; ++tries) {
-    plan.step = closer * 0.55f * width;
+  const float end = plan.twig + plan.stalk + berry_beyond * width * std::max(1.0f, values[elongation]);
+  for (int tries = 0; tries < most_tries; ++tries) {
+    plan.step = closer * step_of_axis * width;
     plan.spacing = std::min(plan.step, plan.length / least_nodes);
-    const float flowers = lay_axes(plan, profile, pixel, width, values[elongation]);
+    const float flowers = lay_axes(plan, profile, pixel, end, text);
     if (!(asked || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
-    closer *= 0.85f;
+    closer *= closer_by;
   }
   return plan;
 }
@@ -151,10 +190,10 @@ lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, cons
   give("stalk", plan.stalk * units);
   give("girth", plan.girth * units);
   give("fine", plan.fine * units);
-  lsystem::Inputs::Array arms{"arm", {}}, aims{"aim", plan.aim};
-  for (const float arm : plan.arm) arms.values.push_back(arm * units);
-  inputs.arrays.push_back(std::move(arms));
-  inputs.arrays.push_back(std::move(aims));
+  std::vector<float> arms;
+  for (const float arm : plan.arm) arms.push_back(arm * units);
+  inputs.arrays.push_back(prolonged("arm", std::move(arms)));
+  inputs.arrays.push_back(prolonged("aim", plan.aim));
   return inputs;
 }
 

@@ -10,6 +10,19 @@
 
 namespace panicle::bunch {
 
+// What the text settles and the plan must know to lay the same rachis. The standard is L-system 4's, and stands where a
+// text has no such constant.
+struct TextConstants {
+  float tip_spacing = 0.6f;   // `near`: spacing of the rachis's nodes at its tip, over that above
+  float tip_share = 0.4f;     // `tip`: share of the rachis over which they draw together
+  float yaw = 60;             // `alpha_y`: of axes, twigs and pedicels; degrees, whichever way
+  float flowers_per_end = 3;  // that an end structure bears; counted where it is drawn
+  bool operator==(const TextConstants&) const = default;
+};
+
+// What `text` has; `flowers_per_end` as in `before`.
+TextConstants constants_of(const lsystem::Bound& text, const TextConstants& before);
+
 // Millimetres and degrees. Everything but the number of axes changes smoothly with the profile; an axis more begins
 // with no length.
 struct NaturalPlan {
@@ -27,12 +40,14 @@ struct NaturalPlan {
   bool overfull = false;      // whether the density would take more than there may be
 };
 
-NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries);
+NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries,
+                              const TextConstants& text = {});
 
 // The share of the outline's volume that berries of a density (OIV 204, 1 … 9) fill.
 float fill_of(float density);
 
-// Inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`.
+// Inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`. `arm` and `aim` go on
+// beyond the plan's axes as they end, for texts that lay more nodes than it does.
 lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, const Values& values);
 
 }  // namespace panicle::bunch

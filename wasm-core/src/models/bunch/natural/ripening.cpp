@@ -1,6 +1,7 @@
 #include "models/bunch/natural/ripening.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "foundation/easing.hpp"
 
@@ -45,6 +46,11 @@ Stage stage_at(float age, const Fortune& fortune) {
   stage.turned = smooth_step(turns, turns + 14, age);
   stage.shrivel = std::min(1.0f, smooth_step(102, 125, age) * (0.6f + 0.7f * fortune.luck));
   return stage;
+}
+
+float seeds_of(float ripening, float own) {
+  constexpr float short_of_five = 4.99f, least = 0.15f;
+  return std::floor(short_of_five * std::clamp(least + 0.5f * ripening + 0.3f * own, 0.0f, 1.0f));
 }
 
 float falls_at(float luck) { return 8.5f + 3 * luck; }

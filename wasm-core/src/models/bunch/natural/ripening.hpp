@@ -33,4 +33,7 @@ Stage stage_at(float age, const Fortune& fortune);
 // The age at which a flower that does not set falls.
 float falls_at(float luck);
 
+// Seeds of a berry, 0 … 4: of `ripening`, its luck in when it colours, and a little of a luck of its own (0 … 1 each).
+float seeds_of(float ripening, float own);
+
 }  // namespace panicle::bunch

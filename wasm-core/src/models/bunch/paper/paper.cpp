@@ -6,100 +6,146 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
+#include "models/bunch/berry_ids.hpp"
 #include "models/bunch/measures/measures.hpp"
 #include "models/bunch/paper/growth.hpp"
+#include "models/bunch/remarks.hpp"
 #include "models/bunch/shape.hpp"
 #include "models/bunch/stock.hpp"
+#include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
 namespace {
 
-constexpr float metres_per_millimetre = 0.001f;
-constexpr float units_per_pixel = 50.0f / 29.0f;
+// What is grown: one bunch, or two on one peduncle.
+struct Planned {
+  Stock first;
+  std::optional<Stock> second;
+};
+
+Result<Stock> stock_for(const Shape& shape, const Values& values, std::shared_ptr<const lsystem::Program> program,
+                        std::uint64_t seed, const Limits& limits) {
+  auto bound = lsystem::bind(std::move(program), inputs_for(shape, values), limits);
+  if (!bound) return bound.error();
+  return derive_stock(std::move(bound.value()), seed, limits);
+}
+
+Result<Planned> plan_stocks(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
+  using enum Parameter;
+  const Profile profile = values.profile();
+  auto shape = shape_for(request, profile, values[fit]);
+  if (!shape) return shape.error();
+  auto program = program_for(request, 3, limits);
+  if (!program) return program.error();
+  auto first = stock_for(shape.value(), values, program.value(), request.seed, limits);
+  if (!first) return first.error();
+  grown.plan = std::move(shape->plan);
+  Planned planned{std::move(first.value()), std::nullopt};
+  if (!(values[wing] > 0)) return planned;
+
+  Shape smaller = shape_of(scaled(profile, values[wing]), values[fit]);
+  auto second = stock_for(smaller, values, program.value(), second_seed(request.seed), limits);
+  if (!second) return second.error();
+  second->first_axis = grown.plan.m - 1;
+  second->lean = values[wing_angle];
+  grown.second = std::move(smaller.plan);
+  planned.second = std::move(second.value());
+  return planned;
+}
 
 // Interprets a bunch into the growth, among what stands there already.
-Diagnostic grow_stock(const Stock& stock, const Limits& limits, Growth& growth) {
-  growth.begin(*stock.bound, stock.seed, stock.first_axis);
+Diagnostic grow_stock(const Stock& stock, const Roles& roles, const Limits& limits, Growth& growth) {
+  growth.begin(*stock.bound, roles, stock.seed, stock.first_axis);
   const Diagnostic trouble = interpret(stock, limits, growth);
   return trouble.reason == Reason::none ? growth.trouble() : trouble;
 }
 
-// One bunch, or two on one peduncle. The second's rachis is laid first, for it would find no way through the first's
-// berries; the berries of both come later, as in nature.
-Diagnostic grow_all(const Stock& first, const Stock* second, const Limits& limits, Growth& growth) {
+// The second bunch's rachis is laid first, for it would find no way through the first's berries; the berries of both
+// come later, as in nature. `second_from` becomes the number of the second's first berry.
+Diagnostic grow_stocks(const Planned& planned, const Roles& roles, const Limits& limits, Growth& growth,
+                       std::size_t& second_from) {
   Diagnostic trouble;
-  if (second) {
+  if (planned.second) {
     growth.begin_laying();
-    trouble = grow_stock(*second, limits, growth);
+    trouble = grow_stock(*planned.second, roles, limits, growth);
     growth.end_laying();
   }
-  if (trouble.reason == Reason::none) trouble = grow_stock(first, limits, growth);
-  if (trouble.reason == Reason::none && second) trouble = grow_stock(*second, limits, growth);
+  if (trouble.reason == Reason::none) trouble = grow_stock(planned.first, roles, limits, growth);
+  second_from = growth.borne();
+  if (trouble.reason == Reason::none && planned.second) trouble = grow_stock(*planned.second, roles, limits, growth);
   return trouble;
 }
 
-void to_metres(std::vector<Internode>& internodes, std::vector<Berry>& berries, float scale) {
+std::vector<Internode> in_metres(std::vector<Internode> internodes, float scale) {
   for (Internode& internode : internodes) {
     internode.start *= scale;
     internode.end *= scale;
     internode.radius *= scale;
     internode.radius_end *= scale;
   }
-  for (Berry& berry : berries) {
-    berry.centre *= scale;
-    berry.radius *= scale;
+  return internodes;
+}
+
+std::vector<Berry> berries_of(std::span<const Ball> balls, std::size_t second_from, float scale) {
+  std::vector<std::uint64_t> addresses;
+  for (const Ball& ball : balls) addresses.push_back(ball.address);
+  const std::vector<std::uint32_t> ids = berry_ids(own_addresses(addresses), second_from);
+  std::vector<Berry> berries;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Ball& ball = balls[i];
+    berries.push_back({ball.centre * scale, ball.radius * scale, ball.heading, ball.segment, ids[i]});
   }
+  return berries;
+}
+
+// How far an end structure reaches sideways, in the paper's units: its twig, its pedicel and a berry, by the rates that
+// the text has (L-system 3's names), or the table where it has none.
+float end_reach(const lsystem::Bound& text, const Values& values) {
+  const auto rate = [&](Parameter key) {
+    return lsystem::constant(text, parameter_table[static_cast<std::size_t>(key)].define, values[key]);
+  };
+  using enum Parameter;
+  const float stalk = rate(li) * rate(rrf) * rate(re) * (1 + rate(rp)) * sincos_degrees(rate(yaw)).sine;
+  return std::abs(stalk) + rate(rmin) + rate(rmax);
+}
+
+std::vector<HungEnvelope> envelopes_of(const Planned& planned, const Values& values) {
+  using enum Parameter;
+  const Profile profile = values.profile();
+  const float pixel = values[unit] * units_per_pixel, reach = end_reach(*planned.first.bound, values) * values[unit];
+  std::vector<HungEnvelope> envelopes{{Envelope(profile, pixel, reach), 0}};
+  if (planned.second)
+    envelopes.push_back({Envelope(scaled(profile, values[wing]), pixel, reach), planned.second->lean});
+  return envelopes;
 }
 
 }  // namespace
 
 Diagnostic grow_paper(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
   using enum Parameter;
-  const Profile profile = values.profile();
-  auto shape = shape_for(request, profile, values[fit]);
-  if (!shape) return shape.error();
-
-  const auto program = program_for(request, 3, limits);
-  if (!program) return program.error();
-  const auto first = derive_stock(program.value(), request.seed, inputs_for(shape.value(), values), limits);
-  if (!first) return first.error();
-  grown.plan = std::move(shape->plan);
-
-  std::optional<Stock> second;
-  if (values[wing] > 0) {
-    Shape smaller = shape_of(scaled(profile, values[wing]), values[fit]);
-    auto stock = derive_stock(program.value(), second_seed(request.seed), inputs_for(smaller, values), limits);
-    if (!stock) return stock.error();
-    second = std::move(stock.value());
-    second->first_axis = grown.plan.m - 1;
-    second->lean = values[wing_angle];
-    grown.second = std::move(smaller.plan);
-  }
+  const auto planned = plan_stocks(request, values, limits, grown);
+  if (!planned) return planned.error();
+  const lsystem::Bound& text = *planned->first.bound;
+  const Roles roles = roles_of(lsystem::program_of(text), grown.notes);
 
   const InteractionOptions interaction{values[delta], static_cast<std::uint32_t>(values[t]), values[sag]};
   Growth growth(interaction, limits, std::max(values[rmin], values[rmax]));
-  const Diagnostic trouble = grow_all(first.value(), second ? &*second : nullptr, limits, growth);
+  std::size_t second_from = 0;
+  const Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, second_from);
   if (trouble.reason != Reason::none) return trouble;
+  const std::uint32_t loose = growth.finish();
 
-  remark_unknown(*first->bound, values.defines(), grown.notes);
-  if (growth.internodes.empty()) grown.notes.push_back("The grammar drew nothing.");
+  remark_unknown(text, values, "paper", grown.notes);
+  remark_drawn({growth.internodes.size(), growth.balls.size(), loose, growth.refused()}, grown.notes);
   if (growth.rachis_cut)
     grown.notes.push_back(
         "The rachis found no room and ends early; smaller berries or thinner internodes leave it more.");
-  to_metres(growth.internodes, growth.berries, values[unit] * metres_per_millimetre);
-  grown.internodes = std::move(growth.internodes);
-  grown.berries = std::move(growth.berries);
+  const float scale = values[unit] * metres_per_millimetre;
+  grown.berries = berries_of(growth.balls, second_from, scale);
+  grown.internodes = in_metres(std::move(growth.internodes), scale);
   grown.counts.cut = growth.cuts;
   for (const Berry& berry : grown.berries) grown.traits.push_back({2 * berry.radius, 2 * berry.radius});
-  if (request.measures) {
-    const float pixel = values[unit] * units_per_pixel;
-    // An end structure's twig and pedicel, and its berry (L-system 3's rates).
-    const float stalk = values[li] * values[rrf] * values[re] * (1 + values[rp]) * sincos_degrees(values[yaw]).sine;
-    const float reach = (std::abs(stalk) + values[rmin] + values[rmax]) * values[unit];
-    std::vector<HungEnvelope> envelopes{{Envelope(profile, pixel, reach), 0}};
-    if (second) envelopes.push_back({Envelope(scaled(profile, values[wing]), pixel, reach), values[wing_angle]});
-    grown.measures = measure(grown, envelopes);
-  }
+  if (request.measures) grown.measures = measure(grown, envelopes_of(planned.value(), values));
   return {};
 }
 

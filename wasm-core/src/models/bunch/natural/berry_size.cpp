@@ -1,0 +1,43 @@
+#include "models/bunch/natural/berry_size.hpp"
+
+#include <algorithm>
+
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float least_share = 0.55f, most_share = 1.5f;
+constexpr float sun_swing = 0.14f;     // between a berry in the shade and one in the sun, at full sunlight
+constexpr float hunger_swing = 0.25f;  // between base and tip, without vigour
+constexpr std::uint64_t draws = 12;    // uniform ones, whose sum less 6 is nearly normal with deviation 1
+
+float normal_luck(const Flower& flower, std::uint64_t seed) {
+  float luck = -0.5f * draws;
+  for (std::uint64_t k = 0; k < draws; ++k)
+    luck += random_unit(seed, hash_text("size"), hash_combine(flower.address, k + draws * flower.bunch));
+  return luck;
+}
+
+}  // namespace
+
+float width_share(const Flower& flower, const Situation& situation, const Nurture& nurture, std::uint64_t seed) {
+  const float sun = sun_swing * nurture.sunlight * (situation.lit - 0.5f);
+  const float fed = hunger_swing * (1 - nurture.vigour) * (0.5f - situation.along);
+  return std::clamp((1 + nurture.spread * normal_luck(flower, seed)) * (1 + sun + fed), least_share, most_share);
+}
+
+std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes) {
+  float sum = 0, weights = 0;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    sum += shares[k] * volumes[k];
+    weights += volumes[k];
+  }
+  std::vector<float> widths;
+  widths.reserve(shares.size());
+  for (std::size_t k = 0; k < shares.size(); ++k) widths.push_back(shares[k] * weights / sum * cube_root(volumes[k]));
+  return widths;
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,26 @@
+// How wide each berry will be over the mean one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/bunch/natural/flowers.hpp"
+#include "models/bunch/natural/situation.hpp"
+
+namespace panicle::bunch {
+
+struct Nurture {
+  float spread = 0;    // standard deviation of widths over their mean
+  float sunlight = 0;  // 0 … 1: how much light counts
+  float vigour = 1;    // 0 … 1: how far the sap comes
+};
+
+// A berry's width over the mean one: its luck, its light and how far the sap has come.
+float width_share(const Flower& flower, const Situation& situation, const Nurture& nurture, std::uint64_t seed);
+
+// Widths of the berries of those flowers that set, so that their mean is 1 whatever lot they have drawn; `volumes`,
+// above 0, are those of the berries over full ones.
+std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes);
+
+}  // namespace panicle::bunch

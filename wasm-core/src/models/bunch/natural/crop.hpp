@@ -1,0 +1,56 @@
+// The crop: which flowers set, how large their berries are to be, and where swelling leaves them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/bunch/natural/fruit_set.hpp"
+#include "models/bunch/natural/hanging.hpp"
+#include "models/bunch/natural/sprout.hpp"
+
+namespace panicle::bunch {
+
+// How many berries there are to be, and of what make.
+struct Wish {
+  float count = 0;                   // asked for; 0 leaves it to `fill`
+  float fill = 0;                    // share of the outline's space
+  float most = 0;                    // more there cannot be
+  std::uint32_t limit = 0;           // nor more than this, whatever the space
+  bool overfull = false;             // whether `fill` would take more than the limit
+  float size = 0;                    // mean width of a ripe berry, millimetres
+  float elongation = 1;              // length over width
+  std::vector<std::uint32_t> taken;  // ids of berries taken off by hand, in ascending order
+};
+
+struct FruitSet {
+  std::vector<float> volumes;  // per flower: of its berry over a full one; 0 where it does not set
+  bool full = false;           // whether it is as many as there may be, and not what was wished
+};
+
+FruitSet set_fruit(std::span<const Bud> buds, const Wish& wish);
+
+// The berries of those flowers that set, in the flowers' order; their mean width is that wished for, whatever lot they
+// have drawn. `shares` are the flowers' width_share.
+std::vector<Fruitlet> fruitlets_of(std::span<const float> volumes, std::span<const float> shares,
+                                   std::span<const Flower> flowers, const Wish& wish);
+
+struct Crop {
+  FruitSet set;
+  std::vector<Fruitlet> fruitlets;
+  std::vector<Swelling> berries;  // one a fruitlet
+  Swollen swollen;
+  float elongation = 1;
+
+  // At a size over the ripe one; millimetres.
+  float half_width(std::size_t berry, float size) const { return fruitlets[berry].half_width * size; }
+  float half_length(std::size_t berry, float size) const { return half_width(berry, size) * elongation; }
+  bool is_lost(std::size_t berry) const { return swollen.lost[berry] != Why{}; }
+};
+
+// `sizes` are those through which berries swell (ripening.hpp). Where some of a count find no room, others of the
+// flowers set in their place.
+Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
+               const Wish& wish, std::span<const float> sizes);
+
+}  // namespace panicle::bunch

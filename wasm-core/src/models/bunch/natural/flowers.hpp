@@ -1,0 +1,36 @@
+// The flowers of a bunch: one for every ball that the text draws.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "models/bunch/skeleton.hpp"
+#include "models/bunch/skeleton_drawing.hpp"
+
+namespace panicle::bunch {
+
+struct Flower {
+  std::int32_t bearer = -1;  // the internode it sits on: its pedicel's last, or a stem
+  std::uint32_t id = 0;
+  std::uint32_t bunch = 0;      // 0 the first, 1 the second
+  std::uint64_t address = 0;    // its own, from that of the module that bears it
+  glm::vec3 heading{0, -1, 0};  // unit
+  std::int32_t axis = -1;       // first-order axis it is of, as of its internode
+  std::int32_t depth = 0;       // internodes from the root to it
+  std::int32_t place = 0;       // among the flowers of its end structure
+  float strength = 1;           // 0 … 1: how far what bears it has grown; the radius that the text gives to S
+};
+
+// The internode at which an organ begins that is drawn in several.
+std::size_t beginning_of(std::span<const Internode> internodes, std::size_t internode);
+
+// In the order of the text; those of the balls from `second_from` on are of the second bunch.
+std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<const Ball> balls,
+                               std::size_t second_from);
+
+// How many an end structure bears, in the mean; 0 where there is none.
+float flowers_per_end(std::span<const Internode> internodes, std::span<const Flower> flowers);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,72 @@
+#include "models/bunch/natural/harvest.hpp"
+
+#include "foundation/mathematics.hpp"
+#include "models/bunch/natural/luck.hpp"
+#include "models/bunch/natural/ripening.hpp"
+#include "models/bunch/units.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float ovary_size = 0.075f;  // width of a flower's ovary over a ripe berry's
+constexpr float seat_depth = 0.96f;   // of a berry's half length, from its centre to where the pedicel ends
+
+void add(Harvest& harvest, std::uint32_t flower, std::uint32_t id, std::int32_t place, const BerryBody& body) {
+  const float ball = body.half_width * cube_root(body.half_length / body.half_width);
+  harvest.berries.push_back(
+      {body.centre * metres_per_millimetre, ball * metres_per_millimetre, body.direction, place, id});
+  harvest.bodies.push_back(body);
+  harvest.flowers.push_back(flower);
+}
+
+}  // namespace
+
+std::vector<Outcome> outcomes_of(const Crop& crop, std::span<const Flower> flowers, std::uint64_t seed, float age,
+                                 float size) {
+  std::vector<Outcome> outcomes(flowers.size());
+  for (std::size_t i = 0; i < flowers.size(); ++i)
+    if (!(crop.set.volumes[i] > 0) && age < falls_at(luck_of(flowers[i], seed, "fall")))
+      outcomes[i].fate = Fate::flower;
+  const Swollen& swollen = crop.swollen;
+  for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
+    Outcome& outcome = outcomes[crop.fruitlets[k].flower];
+    outcome.fate = crop.is_lost(k) ? Fate::stub : Fate::berry;
+    outcome.seat = swollen.centres[k] - swollen.directions[k] * (seat_depth * crop.half_length(k, size));
+  }
+  return outcomes;
+}
+
+Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, std::span<const Outcome> outcomes,
+                const Bent& bent, float size, float ripe_width) {
+  Harvest harvest;
+  const Swollen& swollen = crop.swollen;
+  const auto place_of = [&](const Flower& flower) { return bent.place_of[static_cast<std::size_t>(flower.bearer)]; };
+  for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
+    const Fruitlet& fruitlet = crop.fruitlets[k];
+    const Flower& flower = sprout.flowers[fruitlet.flower];
+    if (crop.is_lost(k))
+      harvest.thinned.push_back(
+          {flower.id, swollen.lost[k], swollen.ends[crop.berries[k].branch] * metres_per_millimetre});
+    else
+      add(harvest, fruitlet.flower, flower.id, place_of(flower),
+          {swollen.centres[k], swollen.directions[k], crop.half_width(k, size), crop.half_length(k, size), 0,
+           flower.id});
+  }
+  const float half = ripe_width / 2 * ovary_size;
+  for (std::uint32_t i = 0; i < outcomes.size(); ++i) {
+    const Flower& flower = sprout.flowers[i];
+    if (outcomes[i].fate == Fate::flower) {
+      const std::int32_t place = place_of(flower);
+      const glm::vec3 end = bent.internodes[static_cast<std::size_t>(place)].end / metres_per_millimetre;
+      add(harvest, i, flower.id, place, {end + flower.heading * half, flower.heading, half, half, 0, flower.id});
+    } else if (outcomes[i].fate == Fate::fallen) {
+      const std::int32_t from = hanging.stalk_from[static_cast<std::size_t>(flower.bearer)];
+      const Internode& first = sprout.internodes[static_cast<std::size_t>(from < 0 ? flower.bearer : from)];
+      harvest.thinned.push_back(
+          {flower.id, Why::not_set, (from < 0 ? first.end : first.start) * metres_per_millimetre});
+    }
+  }
+  return harvest;
+}
+
+}  // namespace panicle::bunch

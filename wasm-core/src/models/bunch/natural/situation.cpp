@@ -1,0 +1,69 @@
+#include "models/bunch/natural/situation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+#include "models/bunch/natural/luck.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float open_sky = 0.3f;                    // how much what lies outside faces upwards as well
+constexpr float golden = 0.618034f;                 // of a turn: neighbours along an axis fall as far apart as can be
+constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
+constexpr float own_luck = 0.15f;
+
+// A place in the frame of a bunch that leans.
+glm::vec3 upright(const glm::vec3& place, float lean) {
+  const SinCos turn = sincos_degrees(lean);
+  return {place.x * turn.cosine - place.y * turn.sine, place.x * turn.sine + place.y * turn.cosine, place.z};
+}
+
+Situation situated(const glm::vec3& place, const Bound& bound, const glm::vec3& sun) {
+  const glm::vec3 own = upright(place, bound.lean);
+  const float length = bound.envelope.length();
+  const float depth = std::clamp(-own.y, 0.0f, length);
+  const float x = std::max(1.0f, bound.envelope.half_width(own.x >= 0 ? 0 : 1, depth));
+  const float z = std::max(1.0f, bound.envelope.half_width(own.z >= 0 ? 2 : 3, depth));
+  const float out = std::sqrt(own.x / x * (own.x / x) + own.z / z * (own.z / z));
+  const float beyond =
+      std::max(0.0f, -own.y - depth) + std::max(0.0f, own.y) + std::max(0.0f, out - 1) * std::min(x, z);
+  const glm::vec3 outward = glm::vec3(place.x / x, open_sky, place.z / z);
+  const float facing = glm::dot(outward, sun) / std::max(1e-3f, glm::length(outward));
+  return {place, depth / std::max(1.0f, length), std::clamp(0.5f + 0.5f * facing * std::min(1.0f, out), 0.0f, 1.0f),
+          beyond};
+}
+
+}  // namespace
+
+std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const Internode> internodes,
+                               std::span<const Bound> bounds, float size, const glm::vec3& sun) {
+  std::vector<Situation> situations;
+  situations.reserve(flowers.size());
+  for (const Flower& flower : flowers) {
+    const Internode& bearer = internodes[static_cast<std::size_t>(flower.bearer)];
+    Situation one = situated(bearer.end + flower.heading * (0.5f * size), bounds[flower.bunch], sun);
+    // A raceme is as wide as its pedicels are long, whatever was drawn.
+    const std::int32_t foot = internodes[beginning_of(internodes, static_cast<std::size_t>(flower.bearer))].parent;
+    const bool raceme = foot >= 0 && internodes[static_cast<std::size_t>(foot)].kind == Kind::rachis;
+    one.misplaced = raceme ? 0 : one.misplaced / size;
+    situations.push_back(one);
+  }
+  return situations;
+}
+
+glm::vec3 towards_sun(float round, float height) {
+  const SinCos up = sincos_degrees(height), turn = sincos_degrees(round);
+  return {up.cosine * turn.sine, up.sine, up.cosine * turn.cosine};
+}
+
+float turn_of(const Flower& flower, std::uint64_t seed) {
+  const float sum = golden_axis * static_cast<float>(flower.axis + 1) + golden * static_cast<float>(flower.depth) +
+                    static_cast<float>(flower.place) / 3 + own_luck * luck_of(flower, seed, "set") +
+                    bunch_luck(seed, "set", 0, flower.bunch);
+  return sum - std::floor(sum);
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,32 @@
+// Where every flower is: along the bunch, in its outline and towards the sun; and whose turn it is to set.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "models/bunch/natural/flowers.hpp"
+#include "models/bunch/natural/swelling.hpp"
+
+namespace panicle::bunch {
+
+struct Situation {
+  glm::vec3 place{0};   // where its berry would hang, millimetres
+  float along = 0;      // 0 at the base … 1 at the tip of its bunch
+  float lit = 0;        // 0 … 1: how much its side of the outline faces the sun
+  float misplaced = 0;  // how far outside the outline, in berry widths; 0 inside
+};
+
+// One a flower. Millimetres; `size` is a berry's width, `sun` a unit vector towards it.
+std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const Internode> internodes,
+                               std::span<const Bound> bounds, float size, const glm::vec3& sun);
+
+// A unit vector towards a sun that stands `round` degrees from the front to the right and `height` above the horizon.
+glm::vec3 towards_sun(float round, float height);
+
+// A flower's turn to set, 0 … 1: spread evenly over an axis and over each end structure, so that what sets is. `seed`
+// is the request's.
+float turn_of(const Flower& flower, std::uint64_t seed);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,150 @@
+#include "models/bunch/natural/sprout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "models/bunch/remarks.hpp"
+#include "models/bunch/roles.hpp"
+#include "models/bunch/skeleton_drawing.hpp"
+#include "models/bunch/stock.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float farthest = 1e5f;  // millimetres from p1 that anything may be
+
+// As many flowers as may be, and no more.
+class Inflorescence final : public SkeletonDrawing {
+ public:
+  using SkeletonDrawing::SkeletonDrawing;
+  void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override {
+    if (within(balls.size(), limits().organs, "flowers")) SkeletonDrawing::sphere(turtle, radius, lineage);
+  }
+};
+
+// One bunch before it is drawn.
+struct Seedling {
+  NaturalPlan plan;
+  std::shared_ptr<const lsystem::Bound> text;
+};
+
+class Sower {
+ public:
+  Sower(const Request& request, const Values& values, const Limits& limits,
+        std::shared_ptr<const lsystem::Program> program)
+      : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
+
+  Result<Seedling> plant(const Profile& profile) {
+    auto seedling = plant_once(profile);
+    if (!seedling) return seedling;
+    const TextConstants found = constants_of(*seedling->text, constants_);
+    if (found == constants_) return seedling;
+    constants_ = found;
+    return plant_once(profile);
+  }
+
+  // Draws the bunch and the second where there is one.
+  Result<Sprout> draw(SkeletonDrawing& drawing, std::vector<std::string>& notes) {
+    const Profile profile = values_.profile();
+    const float wing = values_[Parameter::wing];
+    Sprout sprout;
+    if (const Diagnostic trouble = draw_one(profile, request_.seed, 0, drawing, sprout, notes);
+        trouble.reason != Reason::none)
+      return trouble;
+    const std::size_t second_from = drawing.borne();
+    if (wing > 0) {
+      const Diagnostic trouble = draw_one(scaled(profile, wing), second_seed(request_.seed),
+                                          values_[Parameter::wing_angle], drawing, sprout, notes);
+      if (trouble.reason != Reason::none) return trouble;
+    }
+    loose_balls_ = drawing.finish();
+    sprout.internodes = std::move(drawing.internodes);
+    sprout.flowers = flowers_of(sprout.internodes, drawing.balls, second_from);
+    return sprout;
+  }
+
+  // Whether a plan that counts on flowers was mistaken in how many there are; it will not be again.
+  bool corrects(const Sprout& sprout) {
+    const bool counts =
+        values_[Parameter::count] > 0 ||
+        std::any_of(sprout.plans.begin(), sprout.plans.end(), [](const NaturalPlan& plan) { return plan.overfull; });
+    const float found = flowers_per_end(sprout.internodes, sprout.flowers);
+    if (!counts || found == 0 || found == constants_.flowers_per_end) return false;
+    constants_.flowers_per_end = found;
+    return true;
+  }
+
+  // Of what was drawn last: balls that hang on nothing.
+  std::uint32_t loose_balls() const { return loose_balls_; }
+
+ private:
+  Result<Seedling> plant_once(const Profile& profile) const {
+    NaturalPlan plan = make_natural_plan(profile, values_, static_cast<float>(limits_.bodies), constants_);
+    auto text = lsystem::bind(program_, inputs_for(plan, profile, values_), limits_);
+    if (!text) return text.error();
+    return Seedling{std::move(plan), std::move(text.value())};
+  }
+
+  Diagnostic draw_one(const Profile& profile, std::uint64_t seed, float lean, SkeletonDrawing& drawing, Sprout& sprout,
+                      std::vector<std::string>& notes) {
+    auto seedling = plant(profile);
+    if (!seedling) return seedling.error();
+    auto stock = derive_stock(std::move(seedling->text), seed, limits_);
+    if (!stock) return stock.error();
+    const bool first = sprout.plans.empty();
+    stock->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());
+    stock->lean = lean;
+    if (first) remark_unknown(*stock->bound, values_, "natural", notes);
+    std::vector<std::string> said;
+    drawing.begin(*stock->bound, roles_of(*program_, first ? notes : said), stock->first_axis);
+    sprout.bounds.push_back({seedling->plan.envelope, lean});
+    sprout.plans.push_back(std::move(seedling->plan));
+    const Diagnostic trouble = interpret(stock.value(), limits_, drawing);
+    return trouble.reason == Reason::none ? drawing.trouble() : trouble;
+  }
+
+  const Request& request_;
+  const Values& values_;
+  const Limits& limits_;
+  std::shared_ptr<const lsystem::Program> program_;
+  TextConstants constants_;
+  std::uint32_t loose_balls_ = 0;
+};
+
+Diagnostic to_millimetres(std::vector<Internode>& internodes, float unit) {
+  for (Internode& internode : internodes) {
+    internode.start *= unit;
+    internode.end *= unit;
+    internode.radius *= unit;
+    internode.radius_end *= unit;
+    const glm::vec3& end = internode.end;
+    if (!(std::abs(end.x) < farthest && std::abs(end.y) < farthest && std::abs(end.z) < farthest))
+      return {Reason::limit,
+              "The grammar draws farther than 100 m from where the bunch hangs; make its lengths smaller.", 0, 0};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Sprout> sprout(const Request& request, const Values& values, const Limits& limits,
+                      std::vector<std::string>& notes) {
+  auto program = program_for(request, 4, limits);
+  if (!program) return program.error();
+  Sower sower(request, values, limits, std::move(program.value()));
+  for (bool again = true;; again = false) {
+    Inflorescence drawing(limits);
+    std::vector<std::string> said;
+    auto drawn = sower.draw(drawing, said);
+    if (!drawn) return drawn.error();
+    if (again && sower.corrects(drawn.value())) continue;
+    remark_drawn({drawn->internodes.size(), drawn->flowers.size(), sower.loose_balls(), false}, said);
+    notes.insert(notes.end(), said.begin(), said.end());
+    const Diagnostic astray = to_millimetres(drawn->internodes, values[Parameter::unit]);
+    if (astray.reason != Reason::none) return astray;
+    return drawn;
+  }
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,29 @@
+// Grammar → a bunch in flower: the skeleton as the text has it, nobody in anybody's way yet.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "models/bunch/bunch.hpp"
+#include "models/bunch/natural/flowers.hpp"
+#include "models/bunch/natural/natural_plan.hpp"
+#include "models/bunch/natural/swelling.hpp"
+#include "models/bunch/values.hpp"
+
+namespace panicle::bunch {
+
+struct Sprout {
+  std::vector<NaturalPlan> plans;     // of the bunch, and of the second where there is one
+  std::vector<Bound> bounds;          // their outlines, millimetres
+  std::vector<Internode> internodes;  // parents first; millimetres
+  std::vector<Flower> flowers;
+};
+
+// Plans each bunch with the constants of the text, so that both lay the same nodes; where flowers are counted on, also
+// with as many to an end structure as the text turns out to bear. `notes` gets what there is to say about the text.
+Result<Sprout> sprout(const Request& request, const Values& values, const Limits& limits,
+                      std::vector<std::string>& notes);
+
+}  // namespace panicle::bunch

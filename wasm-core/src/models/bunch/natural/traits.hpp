@@ -1,0 +1,31 @@
+// What a berry is besides its place, at an age.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/bunch/fruit/berry_body.hpp"
+#include "models/bunch/grown.hpp"
+#include "models/bunch/natural/flowers.hpp"
+#include "models/bunch/natural/ripening.hpp"
+
+namespace panicle::bunch {
+
+// A berry's own part in its traits.
+struct Ripener {
+  BerryBody body;      // millimetres
+  float along = 0;     // 0 at the base … 1 at the tip of the bunch
+  float exposure = 0;  // 0 … 1
+  bool sets = true;    // false: a flower that will not
+};
+
+struct Season {
+  float age = 100;     // percent
+  float sunlight = 0;  // 0 … 1: how much exposure counts
+  float vigour = 1;    // 0 … 1
+};
+
+Traits traits_of(const Ripener& berry, const Flower& flower, const Season& season, std::uint64_t seed);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,91 @@
+// The listener that both procedures build on: the plain one, which also knows what of a bunch each line is.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lsystem/lsystem.hpp"
+#include "models/bunch/communication.hpp"
+#include "models/bunch/roles.hpp"
+#include "models/bunch/skeleton.hpp"
+#include "plant/drawing.hpp"
+
+namespace panicle::bunch {
+
+// Several interpretations may follow one another; begin() starts each. Nobody is in anybody's way: what modules ask for
+// they get, unless a class that derives from this one answers otherwise.
+class SkeletonDrawing : public Drawing {
+ public:
+  using Drawing::Drawing;
+
+  // The next interpretation's text; its first-order axes count on from `first_axis`.
+  void begin(const lsystem::Bound& text, const Roles& roles, std::int32_t first_axis);
+
+  void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
+            const lsystem::Lineage& lineage) override;
+  void ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage& lineage) final;
+
+  // What has been drawn, in the grammar's unit: settles which internodes are pedicels, which only balls and answers can
+  // tell. Of `balls` it leaves out those that hang on no line, and returns how many these were.
+  std::uint32_t finish();
+
+  // How many balls hang on a line by now.
+  std::size_t borne() const;
+
+  std::vector<Internode> internodes;  // parents first; empty until it is finished
+
+ protected:
+  // What a communication module asks for.
+  struct Question {
+    bool pedicel = false;
+    float width = 0;
+    Slots slots;
+  };
+  // What its answer is to draw: every line of it, known by the address of its ?E.
+  struct Answer {
+    bool pedicel = false;
+    bool withered = false;
+    float width = 0;  // at the start of its first line; 0: the turtle's own
+  };
+
+  // Changes `parameters` into the answer.
+  virtual Answer answer(const Question& question, const lsystem::Turtle& turtle, std::span<float> parameters,
+                        const lsystem::Lineage& lineage);
+
+  // Forgets what has been drawn since begin().
+  void erase();
+
+  bool is_rachis(std::string_view symbol) const { return roles_.of(symbol) == Kind::rachis; }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  // What is known of a segment besides its place.
+  struct Part {
+    Kind kind = Kind::axis;
+    State state = State::grown;
+    std::int32_t axis = -1;
+    bool joint = false;
+    std::uint32_t question = none;  // the number of that whose answer drew it
+    std::int32_t rachis_depth = 0;  // rachis internodes from the root to its end
+  };
+
+  std::int32_t axis_of(const Segment& segment, Kind kind, const lsystem::Lineage& lineage) const;
+  void settle_pedicels();
+
+  Roles roles_;
+  float width_ = 1;                                 // `w`, for modules that do not carry one
+  std::size_t first_segment_ = 0, first_ball_ = 0;  // of this interpretation
+  std::int32_t first_axis_ = 0;
+
+  Answer answer_;  // the last
+  bool answering_ = false;
+  std::uint64_t asked_address_ = 0;
+  std::uint32_t questions_ = 0;
+
+  std::vector<Part> parts_;  // one a segment
+};
+
+}  // namespace panicle::bunch
