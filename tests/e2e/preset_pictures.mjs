@@ -16,22 +16,25 @@ const core = `/@fs${new URL("../../build/core/bunch.wasm", import.meta.url).path
 /** Runs in the page, where Vite serves the sources. */
 async function draw({ address, name, size, oversampling, quality, theme, views }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
-	const { BunchView } = await at("scene/bunch_view.ts");
+	const { Viewer } = await at("scene/viewer.ts");
+	const { bunchFigure } = await at("models/bunch/figure/bunch_figure.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
 	const { encodeRequest } = await at("models/bunch/request.ts");
+	const { readGrown } = await at("models/bunch/read_grown.ts");
 	const { specimenFromPreset } = await at("specimen/from_preset.ts");
 	const { MEASURE_KEYS } = await at("models/bunch/measures.generated.ts");
 	globalThis.core ??= await Core.instantiate(await compileCore(address));
 	const specimen = specimenFromPreset(name);
-	const grown = globalThis.core.grow(encodeRequest(specimen));
+	const grown = readGrown(globalThis.core.grow(encodeRequest(specimen)));
 	const [width, height] = [size.width * oversampling, size.height * oversampling];
 	// One view for all: building its programs takes longer than drawing.
 	if (!globalThis.view) {
 		const canvas = Object.assign(document.createElement("canvas"), { width, height });
-		globalThis.view = new BunchView(canvas, { still: true, reducedMotion: true, theme });
+		globalThis.view = new Viewer(canvas, { still: true, reducedMotion: true, theme });
+		globalThis.view.use(bunchFigure);
 	}
-	globalThis.view.show(grown, specimen.look);
+	globalThis.view.show(grown, specimen);
 	const pictures = {};
 	for (const view of views) {
 		globalThis.view.resetView(view);

@@ -15,7 +15,7 @@ export function toyPlant(): Plant {
 			count: 4,
 			tag: Uint8Array.from([0, 0, 1, 0]),
 			tags: ["leaf", "scar"],
-			segment: Int32Array.from([0, 1, 1, 1]),
+			segment: Int32Array.from([0, 1, -1, 1]),
 			mesh: Int32Array.from([2, 2, -1, 2]),
 			transforms: Float32Array.from([
 				...[0, 0.1, 0, 0, 0, 0, 1, 0.05],

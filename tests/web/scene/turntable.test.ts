@@ -25,11 +25,13 @@ function element(): HTMLElement {
 
 describe("Turntable", () => {
 	let table: Turntable;
+	let near: Vector3;
 	const changed = vi.fn();
 	beforeEach(() => {
 		table = new Turntable(element(), true, changed);
 		table.setAspect(1.6);
 		table.follow(spindle(90, 0.16), false);
+		near = table.controls.target.clone().lerp(table.camera.position, 0.1);
 		changed.mockClear();
 	});
 	afterEach(() => table.dispose());
@@ -86,11 +88,6 @@ describe("Turntable", () => {
 		table.camera.updateMatrixWorld();
 		return near.clone().project(table.camera);
 	};
-	let near: Vector3;
-	beforeEach(() => {
-		const { camera, controls } = table;
-		near = controls.target.clone().lerp(camera.position, 0.1);
-	});
 
 	it("turns the plant's near side to the right and down, as its words say", () => {
 		table.orbit(0.2, 0);

@@ -1,3 +1,4 @@
+import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { CAST_RECORD, CASTERS, Casters, type Lamp } from "../../../../../web/src/models/bunch/figure/casters";
 import { packReceivers, RECORD, receiverTexels } from "../../../../../web/src/models/bunch/figure/receivers";
@@ -81,20 +82,20 @@ describe("Casters", () => {
 		expect(share(along(3), along(4, 1))).toBeCloseTo(0, 6);
 	});
 
-	it("finds what stands aside of the column but within the penumbra", () => {
-		const far = [10, 2].map((by, k) => [key.direction, across][k].map((value) => by * value));
-		const at = [0, 1, 2].map((k) => far[0][k] + far[1][k]) as [number, number, number];
-		// Others spread the grid's cells, so that this one is not found by being in the same.
-		const rest = [-9, -6, 6, 9].map(
-			(by): Sphere => [
-				by * across[0] - 9 * key.direction[0],
-				by * across[1] - 9 * key.direction[1],
-				by * across[2] - 9 * key.direction[2],
-				1,
-			],
-		);
-		const [share] = castOn([0, 0, 0, 1], [...at, 1], ...rest);
-		expect(share).toBeLessThan(0.97);
+	it("finds what stands aside of the column but within the penumbra, on every side", () => {
+		const towards = new Vector3(...unit(key.direction));
+		const place = (by: number, aside: Vector3): Sphere => {
+			const at = towards.clone().multiplyScalar(by).add(aside);
+			return [at.x, at.y, at.z, 1];
+		};
+		for (let turn = 0; turn < 16; turn++) {
+			const aside = new Vector3(...across).applyAxisAngle(towards, (turn * Math.PI) / 8);
+			// Others, behind, spread the grid's cells.
+			const rest = [-9, 9].map((by) => place(-9, aside.clone().multiplyScalar(by)));
+			const [share] = castOn([0, 0, 0, 1], place(20, aside.clone().multiplyScalar(3.6)), ...rest);
+			expect(share).toBeLessThan(0.9999);
+			expect(share).toBeGreaterThan(0.9);
+		}
 	});
 
 	it("lists spheres beside and a little behind, for the pixels on that side, and none wholly behind", () => {

@@ -4,7 +4,7 @@
  */
 import { clamp, mix, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
-import type { BerrySurfaces, Grown } from "../grown";
+import type { Berries, BerrySurfaces, Grown } from "../grown";
 import { halvesOf, traitOf } from "../traits";
 import { type BerryTint, tintOf } from "./berry_tint";
 import type { Skin } from "./skin";
@@ -17,6 +17,8 @@ const SCAR_EDGE = 0.02;
 
 /** How much of each vertex of the pattern is marked, by v. */
 interface Marks {
+	/** 1 where any of these is. */
+	marked: Uint8Array;
 	scar: Float32Array;
 	halo: Float32Array;
 	seat: Float32Array;
@@ -38,11 +40,9 @@ export function berryColours(grown: Grown, surfaces: BerrySurfaces, skin: Skin):
 function marksOf({ uvs }: BerrySurfaces, from: number): Marks {
 	const along = Float32Array.from({ length: uvs.length / 2 }, (_, vertex) => uvs[2 * vertex + 1]);
 	const scar = along.map((v) => scarShare(v, from));
-	return {
-		scar,
-		halo: along.map((v, i) => HALO.share * smoothstep(from - HALO.width, from - HALO.end, v) * (1 - scar[i])),
-		seat: along.map((v) => SEAT.share * (1 - smoothstep(SEAT.from, SEAT.to, v))),
-	};
+	const halo = along.map((v, i) => HALO.share * smoothstep(from - HALO.width, from - HALO.end, v) * (1 - scar[i]));
+	const seat = along.map((v) => SEAT.share * (1 - smoothstep(SEAT.from, SEAT.to, v)));
+	return { marked: Uint8Array.from(scar, (value, i) => (value + halo[i] + seat[i] > 0 ? 1 : 0)), scar, halo, seat };
 }
 
 /** Writes the colours of berry `index`. */
@@ -52,31 +52,34 @@ function paint(
 	index: number,
 	{ positions, normals, pressed }: BerrySurfaces,
 	skin: Skin,
-	{ scar, halo, seat }: Marks,
+	{ marked, scar, halo, seat }: Marks,
 ): void {
 	const { berries } = grown;
 	const tint = tintOf(grown, index, skin);
 	const { unripe, ripe } = pigments(tint);
 	const turned = traitOf(berries, index, "turned");
 	const shrivel = traitOf(berries, index, "shrivel");
-	const { grooves, depth, rind } = skin.fruit;
+	const { grooves, rind } = skin.fruit;
 	const blotched = mix(1, RIND.least + RIND.span * FINE, rind);
-	const within = ballOf(grown, index);
+	const ball = new Ball(berries, index);
 	for (let vertex = 0; vertex < scar.length; vertex++) {
 		const at = 3 * (index * scar.length + vertex);
-		const { x, y, z, along } = within(positions, at);
-		const coarse = noiseAt(x, y, z, tint.phase);
-		const share = turnedAt(turned, along, coarse, skin.uneven);
-		const mottle = mottleAt(coarse, skin.uneven);
-		const high = smoothstep(depth[0], depth[1], Math.sqrt(x * x + y * y + z * z));
+		ball.enter(positions, at);
+		const coarse = ball.noise(tint.phase);
+		const share = turnedAt(turned, ball.along, coarse, skin.uneven);
+		const mottle = mottleAt(coarse, skin.uneven) * blotched;
+		const high = smoothstep(skin.fruit.depth[0], skin.fruit.depth[1], ball.height);
 		const bloom = skin.bloom * tint.bloom * (1 - scar[vertex]);
 		const waxed = waxAt(bloom, coarse, normals[at + 1], pressed[at / 3] / 255, shrivel);
 		for (let k = 0; k < 3; k++) {
-			let colour = mottle * Math.exp(mix(unripe[k], ripe[k], share)) * mix(grooves[k], 1, high) * blotched;
-			colour = mix(colour, HALO.skin * colour + HALO.light, halo[vertex]);
-			colour = mix(colour, SEAT.skin * colour + SEAT.colour[k], seat[vertex]);
-			colour = mix(colour, SCAR.colour[k] + SCAR.skin * colour, SCAR.share * scar[vertex]);
-			colours[at + k] = clamp(mix(colour, skin.wax[k], waxed));
+			let colour = mottle * Math.exp(unripe[k] + (ripe[k] - unripe[k]) * share);
+			if (high < 1) colour *= mix(grooves[k], 1, high);
+			if (marked[vertex]) {
+				colour = mix(colour, HALO.skin * colour + HALO.light, halo[vertex]);
+				colour = mix(colour, SEAT.skin * colour + SEAT.colour[k], seat[vertex]);
+				colour = mix(colour, SCAR.colour[k] + SCAR.skin * colour, SCAR.share * scar[vertex]);
+			}
+			colours[at + k] = clamp(colour + (skin.wax[k] - colour) * waxed);
 		}
 	}
 }
@@ -87,26 +90,48 @@ function pigments({ unripe, ripe }: BerryTint) {
 	return { unripe: unripe.map(depth), ripe: ripe.map(depth) };
 }
 
-/** Takes places into the space where the berry is the unit ball; `along` its axis, −1 at the seat … 1 at the tip. */
-function ballOf({ berries }: Grown, index: number) {
-	const [cx, cy, cz] = berries.spheres.subarray(4 * index, 4 * index + 3);
-	const [dx, dy, dz] = berries.directions.subarray(3 * index, 3 * index + 3);
-	const [width, length] = halvesOf(berries, index);
-	const found = { x: 0, y: 0, z: 0, along: 0 };
-	return (positions: Float32Array, at: number) => {
-		const [x, y, z] = [positions[at] - cx, positions[at + 1] - cy, positions[at + 2] - cz];
-		const shift = (x * dx + y * dy + z * dz) * (width / length - 1);
-		found.x = (x + dx * shift) / width;
-		found.y = (y + dy * shift) / width;
-		found.z = (z + dz * shift) / width;
-		found.along = found.x * dx + found.y * dy + found.z * dz;
-		return found;
-	};
-}
+/** The space where a berry is the unit ball, and a place in it. */
+class Ball {
+	readonly #centre: Float32Array;
+	readonly #axis: Float32Array;
+	readonly #width: number;
+	readonly #stretch: number;
+	#x = 0;
+	#y = 0;
+	#z = 0;
+	/** Along the berry's axis: −1 at the seat … 1 at the tip. */
+	along = 0;
+	/** From the centre. */
+	height = 0;
 
-function noiseAt(x: number, y: number, z: number, phase: number): number {
-	const shift = phase * COARSE.phase;
-	return noise(x * COARSE.cells + shift, y * COARSE.cells + shift, z * COARSE.cells + shift);
+	constructor(berries: Berries, index: number) {
+		const [width, length] = halvesOf(berries, index);
+		this.#centre = berries.spheres.subarray(4 * index, 4 * index + 3);
+		this.#axis = berries.directions.subarray(3 * index, 3 * index + 3);
+		this.#width = width;
+		this.#stretch = width / length - 1;
+	}
+
+	/** Goes to the place whose x, y and z stand from `at` on. */
+	enter(positions: Float32Array, at: number): void {
+		const centre = this.#centre;
+		const axis = this.#axis;
+		const x = positions[at] - centre[0];
+		const y = positions[at + 1] - centre[1];
+		const z = positions[at + 2] - centre[2];
+		const shift = (x * axis[0] + y * axis[1] + z * axis[2]) * this.#stretch;
+		this.#x = (x + axis[0] * shift) / this.#width;
+		this.#y = (y + axis[1] * shift) / this.#width;
+		this.#z = (z + axis[2] * shift) / this.#width;
+		this.along = this.#x * axis[0] + this.#y * axis[1] + this.#z * axis[2];
+		this.height = Math.sqrt(this.#x * this.#x + this.#y * this.#y + this.#z * this.#z);
+	}
+
+	/** The coarse pattern here, of a berry of that phase. */
+	noise(phase: number): number {
+		const shift = phase * COARSE.phase;
+		return noise(this.#x * COARSE.cells + shift, this.#y * COARSE.cells + shift, this.#z * COARSE.cells + shift);
+	}
 }
 
 /** How far the skin has turned at a place `along` the axis. */
