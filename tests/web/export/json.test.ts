@@ -5,10 +5,10 @@ import { exportJson, type NaturalBerryRecord } from "../../../web/src/export/jso
 import { shortFloat } from "../../../web/src/export/numbers";
 import { MEASURE_KEYS } from "../../../web/src/models/bunch/measures.generated";
 import { writtenSpecimen } from "../../../web/src/specimen/written";
-import * as arbitrary from "./arbitrary";
-import { fingerprintOfDocument } from "./fingerprint";
-import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
-import { makeNatural } from "./natural_fixture";
+import * as arbitrary from "../models/bunch/arbitrary";
+import { fingerprintOfDocument } from "../models/bunch/fingerprint";
+import { makeGrown, SKETCH, sampleSpecimen } from "../models/bunch/fixture";
+import { makeNatural } from "../models/bunch/natural_fixture";
 
 const grown = makeGrown(SKETCH);
 const specimen = sampleSpecimen({ seed: 7 });

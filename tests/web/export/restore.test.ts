@@ -2,9 +2,9 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { exportJson } from "../../../web/src/export/json";
 import { FileError, JSON_BYTES, specimenFromFile } from "../../../web/src/export/restore";
+import * as arbitrary from "../models/bunch/arbitrary";
+import { makeGrown, SKETCH, sampleSpecimen } from "../models/bunch/fixture";
 import { bunchGlb } from "../models/bunch/parts/files";
-import * as arbitrary from "./arbitrary";
-import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
 
 const grown = makeGrown(SKETCH);
 const specimen = sampleSpecimen({ preset: "rubus", seed: 12, thinned: [77, 5, 2 ** 30 - 1], grammar: "axiom: F(1)\n" });

@@ -1,6 +1,6 @@
 /** What a file says of where it came from; the model fills it in. */
 export interface About {
-	/** What the whole plant is called: `Bunch long-conical`. */
+	/** What the whole plant is called: its model and its preset. */
 	name: string;
 	/** The address, or the query alone, that brings the specimen back. */
 	link: string;

@@ -12,7 +12,7 @@ export class FileError extends Error {
 }
 
 /**
- * Most bytes of JSON that are read. A bunch has at most 100 000 internodes (wasm-core/src/foundation/limits.hpp), so no
+ * Most bytes of JSON that are read. A plant has at most 100 000 segments (wasm-core/src/foundation/limits.hpp), so no
  * export comes to half of this; the meshes of a GLB, which may be far larger, do not count.
  */
 export const JSON_BYTES = 128 * 1024 * 1024;

@@ -1,6 +1,6 @@
 /**
  * How much light spheres take from a point: the formulae that light_shader.ts also evaluates per pixel. Here they
- * serve what is settled once per berry or internode, and the tests.
+ * serve what is settled once for a whole body, and the tests.
  */
 
 /**

@@ -2,13 +2,13 @@ import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { type Fit, fitView, needsRefit, type Spindle } from "./camera_fit";
 
-/** A long lens, as for a portrait: berries stay round at the view's edge. */
+/** A long lens, as for a portrait: round things stay round at the view's edge. */
 const FOV = 24;
 const MARGIN = 0.07;
 /** Where the camera stands at first, in degrees: a little to the right, a little above. */
 const AZIMUTH = 24;
 const ELEVATION = 7;
-/** How long the view takes to follow a bunch that has outgrown it, ms. */
+/** How long the view takes to follow a plant that has outgrown it, ms. */
 const EASE = 320;
 
 export type ViewName = "three-quarter" | "front" | "side";
@@ -19,15 +19,15 @@ const VIEWS: Record<ViewName, { azimuth: number; elevation: number }> = {
 	side: { azimuth: 90, elevation: 0 },
 };
 
-/** The camera and the hand that turns the bunch before it. */
+/** The camera and the hand that turns the plant before it. */
 export class Turntable {
 	readonly camera = new PerspectiveCamera(FOV, 1, 0.01, 10);
 	readonly controls: OrbitControls;
 	#fit: Fit | undefined;
-	/** The bunch shown, and the one that `#fit` fits. */
+	/** The plant shown, and the one that `#fit` fits. */
 	#spindle: Spindle | undefined;
 	#fitted: Spindle | undefined;
-	/** Fits are for the elevation of the direction last asked for, so that turning the bunch changes none. */
+	/** Fits are for the elevation of the direction last asked for, so that turning the plant changes none. */
 	#fitElevation = MathUtils.degToRad(ELEVATION);
 	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
 
@@ -58,7 +58,7 @@ export class Turntable {
 		return this.camera.position.distanceTo(this.controls.target);
 	}
 
-	/** Distance from the eye to a paper that stands behind the bunch, clear of it however it is tilted. */
+	/** Distance from the eye to a paper that stands behind the plant, clear of it however it is tilted. */
 	get paper(): number {
 		const { breadth, radius } = this.#fit ?? { breadth: 0.05, radius: 0.1 };
 		const elevation = this.#elevation;
@@ -75,7 +75,7 @@ export class Turntable {
 		const before = this.#fit;
 		this.camera.aspect = aspect;
 		this.camera.updateProjectionMatrix();
-		// A window that changes shape keeps the bunch as large in it as it was.
+		// A window that changes shape keeps the plant as large in it as it was.
 		if (this.#fitted && before) {
 			const zoom = this.distance / before.distance;
 			this.#fit = this.#fitOf(this.#fitted);
@@ -84,7 +84,7 @@ export class Turntable {
 		}
 	}
 
-	/** Takes note of the bunch shown. The view follows only when it must, gliding, and never while `held`. */
+	/** Takes note of the plant shown. The view follows only when it must, gliding, and never while `held`. */
 	follow(spindle: Spindle, held: boolean): void {
 		this.#spindle = spindle;
 		const now = this.#fitOf(spindle);
@@ -100,7 +100,7 @@ export class Turntable {
 		this.#glide = undefined;
 	}
 
-	/** Shows the whole bunch, from the first direction or the one asked for. */
+	/** Shows the whole plant, from the first direction or the one asked for. */
 	fit(view: ViewName = "three-quarter"): void {
 		this.#glide = undefined;
 		this.#place(VIEWS[view]);
@@ -117,7 +117,7 @@ export class Turntable {
 		this.changed();
 	}
 
-	/** Turns the bunch by angles in radians: to the right, and its top towards the eye. */
+	/** Turns the plant by angles in radians: to the right, and its top towards the eye. */
 	orbit(right: number, down: number): void {
 		const arm = this.camera.position.clone().sub(this.controls.target);
 		const at = new Spherical().setFromVector3(arm);
@@ -127,14 +127,14 @@ export class Turntable {
 		this.#moved();
 	}
 
-	/** Makes the bunch look `factor` times as large. */
+	/** Makes the plant look `factor` times as large. */
 	zoom(factor: number): void {
 		const { minDistance, maxDistance } = this.controls;
 		this.#setDistance(MathUtils.clamp(this.distance / factor, minDistance, maxDistance));
 		this.#moved();
 	}
 
-	/** Shifts the bunch by shares of the view's height: to the right, down. */
+	/** Shifts the plant by shares of the view's height: to the right, down. */
 	pan(right: number, down: number): void {
 		const span = 2 * this.distance * Math.tan(MathUtils.degToRad(FOV) / 2);
 		const shift = new Vector3(-right * span, down * span, 0).applyQuaternion(this.camera.quaternion);
@@ -199,7 +199,7 @@ export class Turntable {
 		this.camera.position.copy(arm.add(this.controls.target));
 	}
 
-	/** From inside the outermost berries' bloom to a bunch as small as a stamp. */
+	/** From inside the outermost twigs to a plant as small as a stamp. */
 	#setLimits(): void {
 		const fit = this.#fit;
 		if (!fit) return;
@@ -210,7 +210,7 @@ export class Turntable {
 		this.camera.updateProjectionMatrix();
 	}
 
-	/** The bunch can be shifted, but not out of sight. */
+	/** The plant can be shifted, but not out of sight. */
 	#keepInReach(): void {
 		const fit = this.#fit;
 		if (!fit || this.#glide) return;

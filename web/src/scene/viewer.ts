@@ -111,12 +111,12 @@ export class Viewer<S, G> {
 		this.#turntable.zoom(factor);
 	}
 
-	/** Shifts the bunch by shares of the view's height, to the right and down. */
+	/** Shifts the plant by shares of the view's height, to the right and down. */
 	pan(dx: number, dy: number): void {
 		this.#turntable.pan(dx, dy);
 	}
 
-	/** The whole bunch, from the direction the page opens with or from a named one. */
+	/** The whole plant, from the direction the page opens with or from a named one. */
 	resetView(view?: ViewName): void {
 		this.#turntable.fit(view);
 	}
@@ -125,7 +125,7 @@ export class Viewer<S, G> {
 		return this.#turntable.camera;
 	}
 
-	/** Whether pointers turn the bunch; a handle in the scene switches this off while it is dragged. */
+	/** Whether pointers turn the plant; a handle in the scene switches this off while it is dragged. */
 	set orbiting(enabled: boolean) {
 		this.#turntable.controls.enabled = enabled;
 	}
@@ -149,8 +149,8 @@ export class Viewer<S, G> {
 	}
 
 	/**
-	 * What is under a point of the canvas (CSS pixels from its top left corner), by the figure's number for it: of a bunch,
-	 * the berry's id. Undefined where there is nothing.
+	 * What is under a point of the canvas (CSS pixels from its top left corner), by the figure's number for it. Undefined where
+	 * there is nothing.
 	 */
 	pick(x: number, y: number): number | undefined {
 		return this.#stage.pick(this.#rayThrough(x, y));
@@ -195,6 +195,7 @@ export class Viewer<S, G> {
 		return picture;
 	}
 
+	/** Lets go of the graphics card; the canvas cannot be drawn on again. */
 	dispose(): void {
 		this.#loop.stop();
 		this.#canvas.removeEventListener("webglcontextlost", this.#onLost);
@@ -202,6 +203,8 @@ export class Viewer<S, G> {
 		this.#turntable.dispose();
 		this.#stage.dispose();
 		this.#renderer.dispose();
+		// Browsers keep only so many contexts, and drop them late.
+		this.#renderer.forceContextLoss();
 	}
 
 	readonly #onLost = (event: Event) => {

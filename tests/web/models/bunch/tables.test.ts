@@ -2,9 +2,9 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { MEASURES } from "../../../../web/src/models/bunch/measures.generated";
 import { berriesCsv, measuresCsv } from "../../../../web/src/models/bunch/tables";
-import * as arbitrary from "../../export/arbitrary";
-import { makeGrown, SKETCH, sampleSpecimen } from "../../export/fixture";
-import { makeNatural } from "../../export/natural_fixture";
+import * as arbitrary from "./arbitrary";
+import { makeGrown, SKETCH, sampleSpecimen } from "./fixture";
+import { makeNatural } from "./natural_fixture";
 
 const grown = makeNatural(SKETCH, { traits: (i) => ({ exposure: 0.25 * i, turned: 0.5 }) });
 const specimen = sampleSpecimen({ preset: "short-conical", seed: 7 });

@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { berryTint } from "../../../../../web/src/models/bunch/parts/berry_tint";
+import { berryTint, tintOf } from "../../../../../web/src/models/bunch/parts/berry_tint";
 import { skinOf } from "../../../../../web/src/models/bunch/parts/skin";
 import { toLch } from "../../../../../web/src/plant/colour";
+import { pressedBunch } from "../pressed_bunch";
 import { LOOK, RIPE } from "../sample_bunch";
 
 const of = (skin: string, bloom = 0.3) => skinOf({ ...LOOK, skin, bloom }, "grape", true);
@@ -58,5 +59,16 @@ describe("berryTint", () => {
 		expect(late).toBeLessThan(0.07);
 		// None goes as far the other way.
 		expect(Math.min(...reddened)).toBeGreaterThan(-0.23);
+	});
+});
+
+describe("tintOf", () => {
+	it("reads a natural berry's sun, age and drying; the paper's stand half in the sun", () => {
+		const pale = of("a9b04e");
+		const natural = pressedBunch({ count: 2, exposure: 1, set: 0.5, shrivel: 0.25 });
+		const id = natural.berries.ids[1];
+		expect(tintOf(natural, 1, pale)).toEqual(berryTint(pale, id, { exposure: 1, set: 0.5, shrivel: 0.25 }));
+		const paper: typeof natural = { ...natural, procedure: "paper" };
+		expect(tintOf(paper, 1, pale)).toEqual(berryTint(pale, id, { exposure: 0.5, set: 0.5, shrivel: 0.25 }));
 	});
 });

@@ -3,9 +3,9 @@ import fc from "fast-check";
 import { Box3, type InstancedMesh, Matrix4, type Mesh, type MeshPhysicalMaterial, Quaternion, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { writtenSpecimen } from "../../../../../web/src/specimen/written";
-import * as arbitrary from "../../../export/arbitrary";
-import { makeGrown, paperSpecimen, SKETCH } from "../../../export/fixture";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import * as arbitrary from "../arbitrary";
+import { makeGrown, paperSpecimen, SKETCH } from "../fixture";
 import { bunchGlb } from "./files";
 
 const grown = makeGrown(SKETCH);

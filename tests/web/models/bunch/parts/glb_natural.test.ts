@@ -4,10 +4,10 @@ import { describe, expect, it } from "vitest";
 import type { GlbOptions } from "../../../../../web/src/export/glb";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { MEASURE_KEYS } from "../../../../../web/src/models/bunch/measures.generated";
-import * as arbitrary from "../../../export/arbitrary";
-import { SKETCH } from "../../../export/fixture";
-import { makeNatural, STAMENS_REACH } from "../../../export/natural_fixture";
 import { complaints, documentOf } from "../../../export/reading";
+import * as arbitrary from "../arbitrary";
+import { SKETCH } from "../fixture";
+import { makeNatural, STAMENS_REACH } from "../natural_fixture";
 import { bunchGlb } from "./files";
 import { placeOf, read, shade, specimen } from "./natural_reading";
 

@@ -2,8 +2,8 @@
 import { Color, type MeshPhysicalMaterial } from "three";
 import { describe, expect, it } from "vitest";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import { SKETCH } from "../../../export/fixture";
-import { makeNatural, type NaturalChanges } from "../../../export/natural_fixture";
+import { SKETCH } from "../fixture";
+import { makeNatural, type NaturalChanges } from "../natural_fixture";
 import { around, brightness, looking, read, shade } from "./natural_reading";
 
 const fine = { ...SKETCH, segments: 24 };

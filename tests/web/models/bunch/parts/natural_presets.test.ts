@@ -16,8 +16,8 @@ import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
 import { specimenFromPreset } from "../../../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../../../web/src/specimen/specimen";
 import { growBunch } from "../../../core/wasm";
-import { fingerprintOfDocument } from "../../../export/fingerprint";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import { fingerprintOfDocument } from "../fingerprint";
 import { bunchGlb, bunchObj } from "./files";
 
 let core: Core;

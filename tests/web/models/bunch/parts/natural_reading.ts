@@ -3,8 +3,8 @@ import { Color, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
 import type { GlbOptions } from "../../../../../web/src/export/glb";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import type { Look, Specimen } from "../../../../../web/src/specimen/specimen";
-import { sampleSpecimen } from "../../../export/fixture";
 import { load, meshesOf } from "../../../export/reading";
+import { sampleSpecimen } from "../fixture";
 import { bunchGlb } from "./files";
 
 export const specimen = sampleSpecimen({ preset: "short-conical", seed: 7 });

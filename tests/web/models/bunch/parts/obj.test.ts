@@ -5,9 +5,9 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
 import { version } from "../../../../../package.json";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import * as arbitrary from "../../../export/arbitrary";
-import { makeGrown, paperSpecimen, SKETCH } from "../../../export/fixture";
 import { meshesOf } from "../../../export/reading";
+import * as arbitrary from "../arbitrary";
+import { makeGrown, paperSpecimen, SKETCH } from "../fixture";
 import { bunchObj } from "./files";
 
 const grown = makeGrown(SKETCH);

@@ -3,9 +3,9 @@ import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import { SKETCH } from "../../../export/fixture";
-import { makeNatural } from "../../../export/natural_fixture";
 import { load, meshesOf } from "../../../export/reading";
+import { SKETCH } from "../fixture";
+import { makeNatural } from "../natural_fixture";
 import { bunchGlb, bunchObj } from "./files";
 import { specimen } from "./natural_reading";
 

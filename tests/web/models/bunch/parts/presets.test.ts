@@ -13,8 +13,8 @@ import { PRESETS } from "../../../../../web/src/models/bunch/presets/index";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
 import { specimenFromPreset } from "../../../../../web/src/specimen/from_preset";
 import { growBunch } from "../../../core/wasm";
-import { fingerprintOfDocument } from "../../../export/fingerprint";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import { fingerprintOfDocument } from "../fingerprint";
 import { bunchGlb, bunchObj } from "./files";
 
 let core: Core;

@@ -3,8 +3,8 @@ import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { stemColours } from "../../../../../web/src/models/bunch/parts/stem_colour";
 import { woodOf } from "../../../../../web/src/models/bunch/parts/stem_rules";
 import { linear, meanColour } from "../../../../../web/src/plant/colour";
-import { makeGrown, SKETCH } from "../../../export/fixture";
-import { makeNatural } from "../../../export/natural_fixture";
+import { makeGrown, SKETCH } from "../fixture";
+import { makeNatural } from "../natural_fixture";
 
 const HEX = "7d8a3f";
 const at = (turned: number, shrivel = 0) => makeNatural(SKETCH, { traits: () => ({ turned, shrivel }) });

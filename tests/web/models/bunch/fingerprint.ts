@@ -1,13 +1,13 @@
 /** The fingerprint of docs/fingerprint.md, computed from what a growth and its JSON hold. */
 
-import type { GrownDocument, NaturalBerryRecord } from "../../../web/src/export/json";
+import type { GrownDocument, NaturalBerryRecord } from "../../../../web/src/export/json";
 import {
 	type Berries,
 	INTERNODE_KINDS,
 	INTERNODE_STATES,
 	type Internodes,
 	type Procedure,
-} from "../../../web/src/models/bunch/grown";
+} from "../../../../web/src/models/bunch/grown";
 
 export function fingerprintOf(
 	{ count, parent, kind, axis, state, ends, radii }: Internodes,

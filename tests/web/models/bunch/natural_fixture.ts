@@ -1,7 +1,7 @@
 /** Small growths as the natural procedure gives them, made without the core: pressed berries, flowers, foliage. */
-import type { BerrySurfaces, Foliage, Grown, Mesh } from "../../../web/src/models/bunch/grown";
-import { MEASURES } from "../../../web/src/models/bunch/measures.generated";
-import { fromUp, rows } from "../../../web/src/plant/orientation";
+import type { BerrySurfaces, Foliage, Grown, Mesh } from "../../../../web/src/models/bunch/grown";
+import { MEASURES } from "../../../../web/src/models/bunch/measures.generated";
+import { fromUp, rows } from "../../../../web/src/plant/orientation";
 import { fingerprintOf } from "./fingerprint";
 import { type GrownSketch, makeBerry, makeGrown } from "./fixture";
 
