@@ -1,6 +1,5 @@
 #include "models/bunch/stock.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "foundation/random.hpp"
@@ -33,12 +32,16 @@ Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener
   return drawn ? Diagnostic{} : drawn.error();
 }
 
-void remark_unknown(const lsystem::Bound& bound, const std::vector<lsystem::Inputs::Scalar>& defines,
-                    std::vector<std::string>& notes) {
-  const std::span<const lsystem::Definition> known = lsystem::definitions(bound);
-  for (const lsystem::Inputs::Scalar& given : defines) {
-    const bool found = std::any_of(known.begin(), known.end(), [&](const auto& one) { return one.name == given.name; });
-    if (!found) notes.push_back("The grammar has no #define " + given.name + ", so its parameter changes nothing.");
+void note_remarks(const lsystem::Program& program, int built_in, const Values& values, const Limits& limits,
+                  std::vector<std::string>& notes) {
+  std::vector<lsystem::Inputs::Scalar> unknown = values.defines();
+  std::erase_if(unknown, [&](const auto& scalar) { return lsystem::declares(program, scalar.name); });
+  if (!unknown.empty())
+    if (const auto own = lsystem::compile(builtin_grammar(built_in), limits))
+      std::erase_if(unknown, [&](const auto& scalar) { return !lsystem::declares(*own.value(), scalar.name); });
+  for (const lsystem::Remark& remark : lsystem::remarks(program, unknown)) {
+    const std::string place = remark.line ? "Line " + std::to_string(remark.line) + ": " : std::string();
+    notes.push_back(place + remark.message);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
 #include "models/bunch/bunch.hpp"
+#include "models/bunch/values.hpp"
 
 namespace panicle::bunch {
 
@@ -35,8 +36,9 @@ std::uint64_t second_seed(std::uint64_t seed);
 // Walks the derived string from p1 on. Returns what the interpretation itself ran into.
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener);
 
-// A note for each of `defines` that the text does not know, so that its parameter changes nothing.
-void remark_unknown(const lsystem::Bound& bound, const std::vector<lsystem::Inputs::Scalar>& defines,
-                    std::vector<std::string>& notes);
+// A note for each thing that the text says and nothing heeds, and for each constant that a parameter sets, that the
+// procedure's own grammar has and this text has not.
+void note_remarks(const lsystem::Program& program, int built_in, const Values& values, const Limits& limits,
+                  std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

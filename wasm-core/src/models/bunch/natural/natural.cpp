@@ -414,6 +414,7 @@ class NaturalGrowth {
   }
 
   void remark() {
+    note_remarks(*program_, 4, values_, limits_, grown_.notes);
     if (sprouts_.internodes.empty()) grown_.notes.push_back("The grammar drew nothing.");
     const auto lost = static_cast<std::uint32_t>(std::count_if(
         grown_.thinned.begin(), grown_.thinned.end(), [](const Thinned& one) { return one.why == Why::no_room; }));

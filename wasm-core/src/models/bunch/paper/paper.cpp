@@ -81,7 +81,7 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   const Diagnostic trouble = grow_all(first.value(), second ? &*second : nullptr, limits, growth);
   if (trouble.reason != Reason::none) return trouble;
 
-  remark_unknown(*first->bound, values.defines(), grown.notes);
+  note_remarks(*program.value(), 3, values, limits, grown.notes);
   if (growth.internodes.empty()) grown.notes.push_back("The grammar drew nothing.");
   if (growth.rachis_cut)
     grown.notes.push_back(
