@@ -74,6 +74,7 @@ const Case cases[] = {
     {"axiom: A\n?E(x) --> F A", "syntax 2:13"},
     {"axiom: A\n?E(x) --> ?E(1)", "syntax 2:11"},
     {"axiom: A $", "syntax 1:10"},
+    {"#roll A\naxiom: A", "syntax 1:2"},
     {"δ α\naxiom: θ → B", "syntax 2:10"},
 };
 
@@ -90,6 +91,75 @@ TEST_CASE("syntax errors have line and column") {
     CHECK(message.back() == '.');
     CHECK(message.find('\n') == std::string::npos);
   }
+}
+
+namespace {
+
+void says(std::string_view text, const std::string& where, const std::string& part) {
+  std::string message;
+  CAPTURE(text);
+  CHECK(trouble(text, {}, {}, &message) == where);
+  CAPTURE(message);
+  CHECK(message.find(part) != std::string::npos);
+  CHECK(message.back() == '.');
+}
+
+}  // namespace
+
+TEST_CASE("statements of cpfg are told what they mean and what to do") {
+  says("Lsystem: 1\naxiom: A", "syntax 1:1", "a text is one L-system, so leave the line out");
+  says("axiom: A\nA --> B\nendlsystem", "syntax 3:1", "the end of the text does");
+  says("axiom: A\nderivation: 5", "syntax 2:1", "derivation length: 10");
+  says("axiom: A\nA --> B\nignore: + -", "syntax 3:1", "hand on as parameters what they would have seen");
+  says("axiom: A\n#consider A", "syntax 2:2", "cannot see their neighbours");
+  says("axiom: A\nA --> B\nhomomorphism\nB --> F", "syntax 3:1", "write what is drawn into the successors");
+  says("axiom: A\nA --> B\ndecomposition\nB --> F", "syntax 3:1", "in place of the whole");
+  says("axiom: A\nA --> B\nmaximum depth: 5", "syntax 3:1", "bounds decomposition");
+  says("axiom: A\nseed: 5", "syntax 2:1", "given with the request");
+  says("ω: A\nA --> B", "syntax 1:1", "written axiom: here");
+  says("axiom: A\nA --> B\nω: A", "syntax 3:1", "written axiom: here");
+  CHECK(after("axiom: ω seed\nω --> F ignore", 1) == "F ignore seed");
+}
+
+TEST_CASE("labels, printed arrows and comments are told what they are taken for") {
+  says("axiom: A\np1: A --> B", "syntax 2:1", "'p1:' labels a production");
+  says("axiom: A(1)\np1: A(i) : i>0 --> B", "syntax 2:1", "labels a production");
+  says("axiom: A\np1 : A < B --> C", "syntax 2:1", "labels a production");
+  says("axiom: A\np1 : [ --> C", "syntax 2:1", "labels a production");
+  CHECK(trouble("#define k 1\naxiom: B\nA : k>0 --> B") == "none");
+  CHECK(trouble("axiom: B\nA : k>0 --> B\n#define k 1") == "none");
+  CHECK(trouble("axiom: B\nA : sin(30)>0 --> B sin") == "none");
+  says("axiom: A\nA : k --> B", "undefined 2:5", "Nothing defines 'k'");
+  says("axiom: A\nA -.33-> B", "syntax 2:4", "A --> B : .33.");
+  says("axiom: A\nA -> B", "syntax 2:3", "An arrow is written -->.");
+  says("// a tree\naxiom: A", "syntax 1:1", "A comment is written /*");
+  says("axiom: A\n// the tree's stem", "syntax 2:12", "A comment is written /*");
+  says("axiom: A\n// A'", "syntax 2:5", "an apostrophe");
+}
+
+TEST_CASE("signs of cpfg are told what they do there") {
+  says("axiom: A $", "syntax 1:10", "roll by / or \\");
+  says("axiom: A { F . F }", "syntax 1:10", "Braces enclose a polygon");
+  says("axiom: F . F", "syntax 1:10", "a corner of a polygon");
+  says("axiom: ~l", "syntax 1:8", "draws a surface");
+  says("axiom: ;(2) F", "syntax 1:8", "changes the colour");
+  says("axiom: 'F", "syntax 1:8", "an apostrophe changes the colour");
+  says("axiom: F @O(2)", "syntax 1:10", "S(r) draws a sphere");
+  says("axiom: F , F", "syntax 1:10", "changes the colour");
+  says("axiom: F 1", "syntax 1:10", "A symbol begins with a letter");
+  says("axiom: _(2) F", "syntax 1:8", "write !(w)");
+  says("axiom: ?P(1,2,3)", "syntax 1:8", "the only communication module is ?E");
+  says("axiom: F `", "syntax 1:10", "not part of the notation");
+}
+
+TEST_CASE("what cannot stand in an expression is told what to do instead") {
+  says("axiom: A(1 2)", "syntax 1:12", "'2' follows a value; put an operator such as * between them");
+  says("axiom: A(2(3))", "syntax 1:11", "Two values stand side by side");
+  says("axiom: A(1)\nA(x) --> B(x>1 ? 2 : 3)", "syntax 2:16", "There is no choice by ?:");
+  says("axiom: A(1)\nA(x) : x>1 & x<2 --> B", "syntax 2:12", "And is written &&");
+  says("axiom: A(1)\nA(x) : x>1 | x<2 --> B", "syntax 2:12", "Or is written ||");
+  says("axiom: A(1 : 2", "syntax 1:12", "a ) is missing");
+  says("#define n[3] 1\naxiom: A", "syntax 1:10", "a list is declared by #input n[]");
 }
 
 TEST_CASE("names that nothing defines") {

@@ -9,11 +9,14 @@
 #include "lsystem/number_text.hpp"
 #include "lsystem/parser.hpp"
 #include "lsystem/program.hpp"
+#include "lsystem/remarks.hpp"
 
 namespace panicle::lsystem {
 namespace {
 
 constexpr std::size_t most_symbols = 0xfff0;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool draws(const Expression& expression) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(),
@@ -49,9 +52,10 @@ class Compiler {
   }
 
   Result<std::shared_ptr<const Program>> run() {
-    const bool fine = declarations() && symbols() && axiom() && productions();
+    const bool fine = declarations() && symbols() && roles() && axiom() && productions();
     if (!fine) return trouble_;
     program_->once_bound = lowering_.finish();
+    program_->remarks = remarks_on(grammar_);
     program_->words.resize(program_->words.size() + block);  // room for copies in whole blocks
     return std::shared_ptr<const Program>(std::move(program_));
   }
@@ -102,6 +106,36 @@ class Compiler {
     return place->second;
   }
 
+  bool roles() {
+    Roles& roles = program_->roles;
+    roles.of_symbol.assign(program_->symbols.size(), Roles::none);
+    for (const RoleTree& tree : grammar_.roles) {
+      const auto found = std::find(roles.names.begin(), roles.names.end(), tree.name);
+      const auto role = static_cast<std::uint32_t>(found - roles.names.begin());
+      if (found == roles.names.end()) roles.names.emplace_back(tree.name);
+      for (const Named& symbol : tree.symbols)
+        if (!give_role(role, symbol)) return false;
+    }
+    return true;
+  }
+
+  bool give_role(std::uint32_t role, const Named& symbol) {
+    Roles& roles = program_->roles;
+    const auto number = numbers_.find(symbol.name);
+    if (number == numbers_.end())
+      return fail(Reason::undefined, symbol.place,
+                  {"Neither the axiom nor a production has the symbol '", symbol.name, "'; take it out of the role."});
+    if (is_turtle_symbol(number->second))
+      return fail(Reason::syntax, symbol.place,
+                  {"'", symbol.name, "' is the turtle's and has no role; give one to the symbol that writes it."});
+    std::uint32_t& given = roles.of_symbol[number->second];
+    if (given != Roles::none && given != role)
+      return fail(Reason::syntax, symbol.place,
+                  {"'", symbol.name, "' has the role '", roles.names[given], "' already; a symbol has one."});
+    given = role;
+    return true;
+  }
+
   bool axiom() {
     lowering_.begin_production({}, hash_text("axiom"));
     return successor(grammar_.axiom, false, program_->axiom);
@@ -135,6 +169,8 @@ class Compiler {
   }
 
   bool production(const ProductionTree& tree, Production& production) {
+    production.predecessor = numbers_[tree.predecessor];
+    production.place = tree.place;
     production.arity = static_cast<std::uint32_t>(tree.formals.size());
     if (tree.condition && !value(*tree.condition, production.condition)) return false;
     if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
@@ -158,9 +194,10 @@ class Compiler {
     const TurtleSymbol& turtle = turtle_symbols[symbol];
     if (count <= turtle.most_arguments) return true;
     const char* most = turtle.most_arguments == 0 ? " takes no argument" : " takes at most one argument";
+    const char* otherwise = is_letter(turtle.symbol[0]) ? ", or name a symbol of your own otherwise." : ".";
     return fail(Reason::syntax, place,
                 {"'", turtle.symbol, "' (", turtle.name, ")", most, ", but here it has ", std::to_string(count),
-                 "; leave out the rest."});
+                 "; leave out the rest", otherwise});
   }
 
   bool value(const Expression& expression, Value& value) {
@@ -304,6 +341,13 @@ Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limi
   const Result<Grammar> grammar = parse(text);
   if (!grammar) return grammar.error();
   return Compiler(grammar.value(), lineages).run();
+}
+
+const Roles& roles(const Program& program) { return program.roles; }
+
+std::uint32_t symbol_named(const Program& program, std::string_view name) {
+  const auto found = std::find(program.symbols.begin(), program.symbols.end(), name);
+  return found == program.symbols.end() ? no_symbol : static_cast<std::uint32_t>(found - program.symbols.begin());
 }
 
 std::vector<std::string_view> predecessors(const Program& program) {

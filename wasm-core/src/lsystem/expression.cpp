@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include "lsystem/foreign.hpp"
+
 namespace panicle::lsystem {
 namespace {
 
@@ -160,7 +162,18 @@ class Parser {
     if (sign.is(',')) return next_argument(sign);
     for (const Operator& op : operators)
       if (spelled_here(op.text)) return binary(op);
-    return fail(Reason::syntax, sign.place, {"An operator is expected here, not '", sign.text, "'."});
+    return no_operator(sign);
+  }
+
+  bool no_operator(const Token& token) {
+    if (!foreign_operator(token.text).empty()) return fail(Reason::syntax, token.place, {foreign_operator(token.text)});
+    if (token.kind == TokenKind::name || token.kind == TokenKind::number)
+      return fail(Reason::syntax, token.place,
+                  {"'", token.text,
+                   "' follows a value; put an operator such as * between them, or a comma where they are "
+                   "two arguments."});
+    return fail(Reason::syntax, token.place,
+                {"'", token.text, "' cannot stand in an expression; if that ends before it, a ) is missing."});
   }
 
   bool spelled_here(std::string_view text) const {

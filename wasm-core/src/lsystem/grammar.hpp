@@ -36,7 +36,8 @@ struct ModuleTree {
   std::vector<Expression> arguments;
 };
 
-struct Formal {
+// A name and where it stands: a parameter of a predecessor, a symbol that has a role.
+struct Named {
   std::string_view name;
   Place place;
 };
@@ -45,7 +46,7 @@ struct Formal {
 struct ProductionTree {
   std::string_view predecessor;
   Place place;
-  std::vector<Formal> formals;
+  std::vector<Named> formals;
   std::optional<Expression> condition;
   std::vector<ModuleTree> successor;
   std::optional<Expression> weight;
@@ -59,9 +60,16 @@ struct DefinitionTree {
   Expression expression;
 };
 
+// `#role name symbol symbol …`
+struct RoleTree {
+  std::string_view name;
+  std::vector<Named> symbols;
+};
+
 struct Grammar {
   std::vector<DefinitionTree> definitions;
   std::optional<Expression> steps;  // `derivation length: expression`
+  std::vector<RoleTree> roles;
   std::vector<ModuleTree> axiom;
   std::vector<ProductionTree> productions;
 };

@@ -86,7 +86,8 @@ class Interpreter {
   Lineage lineage_of(const std::uint32_t* module) const {
     if (!has_lineage(*module)) return {};
     const Origin origin = origin_of(module);
-    return {name_of(origin.ancestors & 0xffff), name_of(origin.ancestors >> 16), origin.address};
+    const std::uint32_t parent = origin.ancestors & 0xffff, grandparent = origin.ancestors >> 16;
+    return {name_of(parent), name_of(grandparent), origin.address, parent, grandparent};
   }
 
   std::string_view name_of(std::uint32_t symbol) const {

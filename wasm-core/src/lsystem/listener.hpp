@@ -6,15 +6,18 @@
 #include <string_view>
 
 #include "lsystem/turtle.hpp"
+#include "lsystem/words.hpp"
 
 namespace panicle::lsystem {
 
 // Where a module comes from: who wrote it, in the derivation tree. Names are those of the text ("Ar1", "Ae"; "" for the
 // axiom).
 struct Lineage {
-  std::string_view parent;       // predecessor of the production that wrote the module
-  std::string_view grandparent;  // and of the production that wrote that predecessor
-  std::uint64_t address = 0;     // hash of the path from the axiom: stable when other branches change
+  std::string_view parent;                  // predecessor of the production that wrote the module
+  std::string_view grandparent;             // and of the production that wrote that predecessor
+  std::uint64_t address = 0;                // hash of the path from the axiom: stable when other branches change
+  std::uint32_t parent_symbol = no_symbol;  // the same by number, as in Roles
+  std::uint32_t grandparent_symbol = no_symbol;
 };
 
 // Who draws, and who answers. Called in the order of the string. What an answer of ?E draws has the lineage of that ?E.

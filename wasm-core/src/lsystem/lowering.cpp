@@ -39,7 +39,7 @@ std::uint32_t Lowering::define_array(std::string_view name) {
   return place;
 }
 
-void Lowering::begin_production(std::span<const Formal> formals, std::uint64_t key) {
+void Lowering::begin_production(std::span<const Named> formals, std::uint64_t key) {
   formals_.clear();
   drawn_.clear();
   for (std::uint32_t i = 0; i < formals.size(); ++i) formals_[formals[i].name] = i;

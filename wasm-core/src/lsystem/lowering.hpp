@@ -28,7 +28,7 @@ class Lowering {
   // The next expressions belong to a production. Names that they may use: the predecessor's parameters, which hide
   // defines of the same name, and random draws, whose streams are hashes of `key`, the function and how many of it came
   // before.
-  void begin_production(std::span<const Formal> formals, std::uint64_t key);
+  void begin_production(std::span<const Named> formals, std::uint64_t key);
   // Results of earlier expressions are not there any more: code that runs by itself begins here.
   void begin_code() { available_.clear(); }
   std::uint32_t here() const { return static_cast<std::uint32_t>(code_.instructions.size()); }

@@ -69,6 +69,33 @@ std::span<const Definition> definitions(const Bound& bound);
 // Symbols that productions rewrite, without repetition, in the order of the text.
 std::vector<std::string_view> predecessors(const Program& program);
 
+// Roles that the text declares by `#role name symbol …`; the engine does not know what they mean. Symbols are numbered
+// as in Lineage.
+struct Roles {
+  static constexpr std::uint32_t none = 0xffffffff;
+  std::vector<std::string> names;        // in the order of the text
+  std::vector<std::uint32_t> of_symbol;  // by symbol: the place of its role among the names, or `none`
+
+  std::uint32_t of(std::uint32_t symbol) const { return symbol < of_symbol.size() ? of_symbol[symbol] : none; }
+};
+const Roles& roles(const Program& program);
+// The number of a symbol of the text, or `no_symbol`.
+std::uint32_t symbol_named(const Program& program, std::string_view name);
+
+// What a text says and the engine passes over, in one sentence that says what to do. Line and column are 0 where no
+// text is concerned.
+struct Remark {
+  std::string message;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+// `asked` are constants that someone has set: those that the text does not know change nothing. `steps` as for
+// `develop`.
+std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> asked = {},
+                            std::optional<std::uint32_t> steps = {});
+// Whether the text has a #define or #input of that name.
+bool declares(const Program& program, std::string_view name);
+
 // A derived string: modules as 32-bit words (header, then parameters as float), with the lineage of each module
 // where the program needs it.
 class String;

@@ -1,21 +1,14 @@
 #include "lsystem/parser.hpp"
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "lsystem/expression.hpp"
+#include "lsystem/foreign.hpp"
 
 namespace panicle::lsystem {
 namespace {
-
-// First words of statements of cpfg that mean nothing here. They would otherwise go on with the statement before them.
-bool is_foreign(std::string_view name) {
-  static constexpr std::string_view foreign[] = {
-      "lsystem", "Lsystem", "endlsystem", "derivation", "decomposition", "homomorphism", "consider", "ignore", "seed"};
-  return std::find(std::begin(foreign), std::end(foreign), name) != std::end(foreign);
-}
 
 class GrammarParser {
  public:
@@ -68,14 +61,29 @@ class GrammarParser {
   // A line begins a statement when it begins with `#`, `axiom:` or `derivation length:` or holds an arrow; any other
   // goes on with the one before.
   bool begins_statement(std::size_t at) const {
-    return tokens_[at].is('#') || is_axiom(at) || is_foreign_line(at) || arrow_of_line(at) < end_of_line(at);
+    return tokens_[at].is('#') || is_axiom(at) || is_length(at) || is_foreign_line(at) || foreign_arrow(at) != 0 ||
+           arrow_of_line(at) < end_of_line(at);
   }
 
-  // `derivation length: 5`, `endlsystem` and the like.
+  // `Lsystem: 1`, `endlsystem` and the like. They would otherwise go on with the statement before them.
   bool is_foreign_line(std::size_t at) const {
     const std::size_t end = end_of_line(at);
-    if (tokens_[at].kind != TokenKind::name || !is_foreign(tokens_[at].text) || arrow_of_line(at) < end) return false;
-    return at + 1 == end || tokens_[at + 1].is(':') || tokens_[at].is("derivation");
+    if (tokens_[at].kind != TokenKind::name || foreign_statement(tokens_[at].text).empty()) return false;
+    const bool followed = at + 1 < end && (tokens_[at].is("derivation") || tokens_[at].is("maximum"));
+    return arrow_of_line(at) == end && (at + 1 == end || tokens_[at + 1].is(':') || followed);
+  }
+
+  // Where `->` or `-.33->` stands in a line without an arrow; 0 where neither does.
+  std::size_t foreign_arrow(std::size_t at) const {
+    const std::size_t end = end_of_line(at);
+    if (arrow_of_line(at) < end) return 0;
+    for (++at; at + 1 < end; ++at)
+      if (tokens_[at].is('-') && tokens_[at + 1].is('>') && touching(tokens_[at], tokens_[at + 1])) return at;
+    return 0;
+  }
+
+  bool is_comment(std::size_t at) const {
+    return at + 1 < tokens_.size() && tokens_[at].is('/') && tokens_[at + 1].is('/');
   }
 
   bool statement() {
@@ -85,24 +93,53 @@ class GrammarParser {
     if (is_length(begin)) return length();
     arrow_ = arrow_of_line(begin);
     const bool production = arrow_ < end_;
-    if (!production && !is_axiom(begin)) {
-      if (is_foreign_line(begin))
-        return wrong(tokens_[begin].place, {"'", tokens_[begin].text,
-                                            "' is a statement of cpfg that means nothing here; leave the line out."});
-      return wrong(tokens_[begin].place,
-                   {"This line belongs to no statement; begin with #define, #input, axiom: or a production with -->."});
-    }
+    if (!production && !is_axiom(begin)) return no_statement(begin);
     while (end_ < tokens_.size() && !begins_statement(end_)) end_ = end_of_line(end_);
     return production ? this->production() : axiom();
   }
 
+  bool no_statement(std::size_t begin) {
+    const Place& place = tokens_[begin].place;
+    if (is_foreign_line(begin)) return wrong(place, {foreign_statement(tokens_[begin].text)});
+    if (const std::size_t arrow = foreign_arrow(begin)) {
+      if (tokens_[arrow - 1].kind != TokenKind::number)
+        return wrong(tokens_[arrow].place, {"An arrow is written -->."});
+      return wrong(tokens_[arrow - 1].place,
+                   {"A weight stands behind the successor and a colon here: A --> B : ", tokens_[arrow - 1].text, "."});
+    }
+    if (is_comment(begin)) return wrong(place, {"A comment is written /* … */ here; // is two rolls of the turtle."});
+    return wrong(place, {"This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation "
+                         "length: or a production with -->."});
+  }
+
   bool directive() {
     ++at_;
-    if (!on_name()) return wrong(here(), {"A name is expected after #: define or input."});
+    if (!on_name()) return wrong(here(), {"A name is expected after #: define, input or role."});
     const Token& keyword = tokens_[at_++];
+    if (keyword.text == "role") return role();
     const bool input = keyword.text == "input";
-    if (!input && keyword.text != "define")
-      return wrong(keyword.place, {"There is no #", keyword.text, "; write #define or #input."});
+    if (!input && keyword.text != "define") {
+      if (!foreign_directive(keyword.text).empty()) return wrong(keyword.place, {foreign_directive(keyword.text)});
+      return wrong(keyword.place, {"There is no #", keyword.text, "; write #define, #input or #role."});
+    }
+    return definition(input);
+  }
+
+  bool role() {
+    if (!on_name()) return wrong(here(), {"A role's name is expected here, not '", found(), "'."});
+    RoleTree role{tokens_[at_++].text, {}};
+    while (at_ < end_) {
+      Named symbol{{}, here()};
+      if (!this->symbol(symbol.name)) return false;
+      role.symbols.push_back(symbol);
+    }
+    if (role.symbols.empty())
+      return wrong(here(), {"Which symbols have the role '", role.name, "'? Write them behind its name."});
+    grammar_.roles.push_back(std::move(role));
+    return true;
+  }
+
+  bool definition(bool input) {
     if (!on_name()) return wrong(here(), {"A name is expected here, not '", found(), "'."});
     DefinitionTree definition;
     definition.name = tokens_[at_].text;
@@ -112,6 +149,9 @@ class GrammarParser {
     if (!added)
       return wrong(definition.place, {"'", definition.name, "' is defined twice, first in line ",
                                       std::to_string(first->second), "; give one of them another name."});
+    if (!input && on_sign('['))
+      return wrong(here(), {"A #define holds one number; a list is declared by #input ", definition.name,
+                            "[] and given with the request."});
     if (input ? !input_form(definition) : !expression_to(end_, definition.expression)) return false;
     grammar_.definitions.push_back(std::move(definition));
     return true;
@@ -160,6 +200,9 @@ class GrammarParser {
 
   bool production() {
     ProductionTree production;
+    if (is_label())
+      return wrong(here(),
+                   {"In cpfg '", found(), ":' labels a production; there are no labels here, so leave it out."});
     if (!predecessor(production) || !condition(production)) return false;
     at_ = arrow_ + 1;
     const std::size_t end = end_of_line(arrow_);
@@ -178,6 +221,35 @@ class GrammarParser {
     if (at_ < end_) return wrong(here(), {"Nothing but a weight may follow *, but here is '", found(), "'."});
     grammar_.productions.push_back(std::move(production));
     return true;
+  }
+
+  // Whether the production begins with `p1 :`. So it does when another colon follows, or when the name stands nowhere
+  // else and what follows its colon is no expression.
+  bool is_label() {
+    if (!on_name() || at_ + 2 >= arrow_ || !tokens_[at_ + 1].is(':')) return false;
+    for (std::size_t i = at_ + 2; i < arrow_; ++i)
+      if (tokens_[i].is(':')) return true;
+    const Token& next = tokens_[at_ + 2];
+    static constexpr std::string_view never_begin_expressions = "&^/\\|[]%?";
+    if (times_named(found()) > 1) return false;
+    if (next.kind == TokenKind::name) return times_named(next.text) > 1 && !is_value(at_ + 2);
+    return next.kind == TokenKind::sign && never_begin_expressions.find(next.text[0]) != std::string_view::npos;
+  }
+
+  // Whether the name at `at` is a constant's or calls a function.
+  bool is_value(std::size_t at) const {
+    for (const Function& function : functions)
+      if (tokens_[at].is(function.name)) return true;
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i)
+      if (tokens_[i].is('#') && tokens_[i + 2].is(tokens_[at].text)) return true;
+    return false;
+  }
+
+  // How often a name stands in the text.
+  std::size_t times_named(std::string_view name) {
+    if (names_.empty())
+      for (const Token& token : tokens_) ++names_[token.text];
+    return names_[name];
   }
 
   bool predecessor(ProductionTree& production) {
@@ -211,19 +283,28 @@ class GrammarParser {
     const Token& token = tokens_[at_];
     name = token.text;
     if (token.is('?')) {
+      if (at_ + 1 < end_ && !foreign_query(tokens_[at_ + 1].text).empty())
+        return wrong(token.place, {foreign_query(tokens_[at_ + 1].text)});
       if (at_ + 1 >= end_ || !tokens_[at_ + 1].is("E") || !touching(token, tokens_[at_ + 1]))
         return wrong(token.place, {"The only communication module is ?E; write it in one word."});
       name = {token.text.data(), 2};
       ++at_;
     } else if (token.kind != TokenKind::name && signs.find(token.text[0]) == std::string_view::npos) {
-      return wrong(token.place,
-                   {"'", token.text, "' cannot stand in a string of modules; docs/turtle.md lists what can."});
+      return no_symbol(token);
     }
     ++at_;
     return true;
   }
 
-  bool formals(std::vector<Formal>& formals) {
+  bool no_symbol(const Token& token) {
+    if (!foreign_module(token.text).empty()) return wrong(token.place, {foreign_module(token.text)});
+    if (token.kind == TokenKind::number)
+      return wrong(token.place, {"A symbol begins with a letter; '", token.text, "' cannot be one."});
+    return wrong(token.place,
+                 {"'", token.text, "' cannot stand in a string of modules; docs/turtle.md lists what can."});
+  }
+
+  bool formals(std::vector<Named>& formals) {
     if (!on_sign('(')) return true;
     const Place opened = here();
     ++at_;
@@ -234,7 +315,7 @@ class GrammarParser {
         ++at_;
       }
       if (!on_name()) return wrong(here(), {"A predecessor's parameters are names; here is '", found(), "'."});
-      for (const Formal& earlier : formals)
+      for (const Named& earlier : formals)
         if (earlier.name == found()) return wrong(here(), {"The parameter '", found(), "' stands here twice."});
       if (formals.size() == most_parameters) return too_many(opened);
       formals.push_back({tokens_[at_].text, tokens_[at_].place});
@@ -288,6 +369,7 @@ class GrammarParser {
   std::size_t end_ = 0;                                // of the statement
   std::size_t arrow_ = 0;                              // of the production
   std::map<std::string_view, std::uint32_t> defined_;  // name → line
+  std::map<std::string_view, std::size_t> names_;      // name → how often it stands in the text
   Grammar grammar_;
   Diagnostic trouble_;
 };

@@ -64,6 +64,8 @@ struct Value {
 };
 
 struct Production {
+  std::uint32_t predecessor = 0;
+  Place place;
   std::uint32_t arity = 0;
   Value condition;
   Value weight;
@@ -106,7 +108,9 @@ class Program {
   Range once_bound;                       // code that the inputs alone decide
   std::vector<Declaration> declarations;  // in the order of the text
   Value steps;                            // the derivation length
-  Diagnostic not_drawable;                // the first module in an answer that the turtle cannot draw in place
+  Roles roles;
+  std::vector<Remark> remarks;  // on the text alone
+  Diagnostic not_drawable;      // the first module in an answer that the turtle cannot draw in place
 };
 
 }  // namespace panicle::lsystem

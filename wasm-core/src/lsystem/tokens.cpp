@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "lsystem/foreign.hpp"
 #include "lsystem/number_text.hpp"
 
 namespace panicle::lsystem {
@@ -191,7 +192,21 @@ class Tokenizer {
     for (const Spelling& spelling : spellings)
       if (spelling.pasted == point.value)
         return fail(place_, {"'", character, "' is not part of the notation; write ", spelling.written, "."});
+    if (in_comment()) return fail(place_, {"A comment is written /* … */ here; // is two rolls of the turtle."});
+    if (!foreign_sign(character).empty()) return fail(place_, {foreign_sign(character)});
     return fail(place_, {"'", character, "' is not part of the notation; take it out."});
+  }
+
+  // Whether the line begins as `// two words`.
+  bool in_comment() const {
+    const std::size_t newline = text_.rfind('\n', at_);
+    const std::size_t begin = text_.find_first_not_of(" \t", newline == std::string_view::npos ? 0 : newline + 1);
+    if (begin == std::string_view::npos || text_.substr(begin, 2) != "//") return false;
+    const std::size_t first = text_.find_first_not_of(" \t", begin + 2);
+    const auto letter = [&](std::size_t at) { return at < text_.size() && is_letter(decode(text_.substr(at)).value); };
+    std::size_t behind = first;
+    while (letter(behind)) behind += decode(text_.substr(behind)).bytes;
+    return letter(first) && behind < text_.size() && text_[behind] == ' ' && letter(behind + 1);
   }
 
   std::string_view text_;
