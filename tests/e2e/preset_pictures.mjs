@@ -20,7 +20,7 @@ async function draw({ address, name, size, oversampling, quality, theme, views }
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
 	const { encodeRequest } = await at("models/bunch/request.ts");
-	const { specimenFromPreset } = await at("specimen/from_preset.ts");
+	const { specimenFromPreset } = await at("models/bunch/species.ts");
 	const { MEASURE_KEYS } = await at("models/bunch/measures.generated.ts");
 	globalThis.core ??= await Core.instantiate(await compileCore(address));
 	const specimen = specimenFromPreset(name);
