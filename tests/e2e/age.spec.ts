@@ -88,7 +88,7 @@ test("where motion is unwelcome, play goes from stage to stage", async ({ page }
 			new Promise<string[]>((resolve) => {
 				const values = new Set<string>();
 				const look = () => {
-					values.add(document.querySelector<HTMLInputElement>("#slide-age")?.value ?? "");
+					values.add(document.querySelector<HTMLInputElement>("panicle-life input[type=range]")?.value ?? "");
 					if (values.has("100")) resolve([...values]);
 					else requestAnimationFrame(look);
 				};

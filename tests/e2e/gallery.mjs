@@ -1,11 +1,11 @@
 /**
- * `npm run gallery`: renders every preset in both themes with the app's own scene, as public/gallery/*.webp. Run it when
+ * `npm run gallery`: renders every preset in both themes with the app's own scene, as public/gallery/<model>/*.webp. Run it when
  * a preset or the scene's light has changed, and commit what it writes.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { drawPresets } from "./preset_pictures.mjs";
 
-const folder = new URL("../../public/gallery/", import.meta.url);
+const folder = new URL("../../public/gallery/bunch/", import.meta.url);
 /** Twice the size they are shown at, for dense screens. */
 const PICTURE = { size: { width: 120, height: 150 }, oversampling: 4, quality: 0.86, views: ["three-quarter"] };
 

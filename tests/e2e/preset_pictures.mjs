@@ -22,7 +22,7 @@ async function draw({ address, name, size, oversampling, quality, theme, views }
 	const { compileCore } = await at("core/loader.ts");
 	const { encodeRequest } = await at("models/bunch/request.ts");
 	const { readGrown } = await at("models/bunch/read_grown.ts");
-	const { specimenFromPreset } = await at("specimen/from_preset.ts");
+	const { specimenFromPreset } = await at("models/bunch/species.ts");
 	const { MEASURE_KEYS } = await at("models/bunch/measures.generated.ts");
 	globalThis.core ??= await Core.instantiate(await compileCore(address));
 	const specimen = specimenFromPreset(name);

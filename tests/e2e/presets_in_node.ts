@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
 import { PRESETS } from "../../web/src/models/bunch/presets/index";
-import { specimenFromPreset } from "../../web/src/specimen/from_preset";
+import { specimenFromPreset } from "../../web/src/models/bunch/species";
 import { growBunch } from "../web/core/wasm";
 
 const core = await loadCoreFromBytes(readFileSync("build/core/bunch.wasm"));

@@ -1,7 +1,6 @@
 import fc from "fast-check";
 import { expect, it } from "vitest";
-import { decodeLink, encodeLink } from "../../web/src/specimen/link";
-import { ENTRIES } from "../../web/src/specimen/table";
+import { decodeLink, ENTRIES, encodeLink } from "../web/bunch";
 import { faults } from "../web/specimen/arbitrary";
 
 const KEYS = [

@@ -3,6 +3,7 @@
  * links mean. bunch.json has the paper's procedure, which links of version 1 mean; natural.json what grows by swelling.
  * `UPDATE_GOLDENS=1 npx vitest run tests/golden` writes natural.json anew, and nothing else writes bunch.json.
  */
+
 import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { beforeAll, describe, expect, it } from "vitest";
@@ -14,7 +15,7 @@ import { PRESETS } from "../../web/src/models/bunch/presets/index";
 import { readGrown } from "../../web/src/models/bunch/read_grown";
 import { encodeRequest } from "../../web/src/models/bunch/request";
 import { readPlant } from "../../web/src/plant/read_plant";
-import { specimenFromPreset } from "../../web/src/specimen/from_preset";
+import { specimenFromPreset } from "../web/bunch";
 import { freshCore } from "../web/core/wasm";
 
 type Golden = ReturnType<typeof digest>;

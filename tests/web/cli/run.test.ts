@@ -1,9 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { run } from "../../../web/src/cli/run";
-import { withParameters } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { encodeLink } from "../../../web/src/specimen/link";
-import { restore } from "../../../web/src/specimen/restore";
+import { encodeLink, restore, specimenFromPreset, withParameters } from "../bunch";
 import { memoryWorld } from "./world";
 
 async function grow(words: string[], files?: Parameters<typeof memoryWorld>[0]) {

@@ -4,8 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { restore } from "../../../web/src/specimen/restore";
+import { restore, specimenFromPreset } from "../bunch";
 import { freshCore, growBunch } from "../core/wasm";
 
 const repository = fileURLToPath(new URL("../../../", import.meta.url));

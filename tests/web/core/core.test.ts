@@ -7,10 +7,7 @@ import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../web/src/models/bunch/grown";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
-import { withParameters } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { BERRY_IDS } from "../../../web/src/specimen/limits";
-import type { Specimen } from "../../../web/src/specimen/specimen";
+import { BERRY_IDS, type Specimen, specimenFromPreset, withParameters } from "../bunch";
 import { TABLE_3 } from "../specimen/table_3";
 import { freshCore, growBunch, wasmBytes } from "./wasm";
 

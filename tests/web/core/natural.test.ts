@@ -1,12 +1,11 @@
 /** What the natural procedure says across the border; whether a bunch is right is for the core's own tests. */
+
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../web/src/core/core";
 import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../web/src/models/bunch/grown";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
-import { thin, withParameters } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import type { Specimen } from "../../../web/src/specimen/specimen";
-import { type ChoiceEntry, entryOf } from "../../../web/src/specimen/table";
+import type { ChoiceEntry } from "../../../web/src/specimen/table";
+import { entryOf, type Specimen, specimenFromPreset, thin, withParameters } from "../bunch";
 import { freshCore, growBunch } from "./wasm";
 
 let core: Core;

@@ -3,9 +3,7 @@ import { Columns, writeContainer } from "../../../web/src/core/container";
 import { CoreError } from "../../../web/src/core/errors";
 import { NUMBER_KEYS, type NumberKey } from "../../../web/src/models/bunch/parameters.generated";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
-import { withParameters } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import type { Specimen } from "../../../web/src/specimen/specimen";
+import { type Specimen, specimenFromPreset, withParameters } from "../bunch";
 
 const columns = (specimen: Specimen, options?: Parameters<typeof encodeRequest>[1]) =>
 	new Columns(writeContainer(encodeRequest(specimen, options)));

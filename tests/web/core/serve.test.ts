@@ -4,7 +4,7 @@ import type { FromWorker, ToWorker } from "../../../web/src/core/messages";
 import { serve } from "../../../web/src/core/serve";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { readPlant } from "../../../web/src/plant/read_plant";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { specimenFromPreset } from "../bunch";
 import { wasmBytes } from "./wasm";
 
 let module: WebAssembly.Module;

@@ -4,7 +4,7 @@ import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import type { Grown } from "../../../web/src/models/bunch/grown";
 import { readGrown } from "../../../web/src/models/bunch/read_grown";
 import { encodeRequest, type RequestOptions } from "../../../web/src/models/bunch/request";
-import type { Specimen } from "../../../web/src/specimen/specimen";
+import type { Specimen } from "../bunch";
 
 /** The bytes of the core as it was last built. */
 export const wasmBytes = () => readFile(new URL("../../../build/core/bunch.wasm", import.meta.url));

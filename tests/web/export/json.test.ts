@@ -1,10 +1,10 @@
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { exportJson, type NaturalBerryRecord } from "../../../web/src/export/json";
 import { shortFloat } from "../../../web/src/export/numbers";
 import { MEASURE_KEYS } from "../../../web/src/models/bunch/measures.generated";
-import { writtenSpecimen } from "../../../web/src/specimen/written";
+import type { NaturalBerryRecord } from "../../../web/src/models/bunch/record";
+import { exportJson, writtenSpecimen } from "../bunch";
 import * as arbitrary from "../models/bunch/arbitrary";
 import { fingerprintOfDocument } from "../models/bunch/fingerprint";
 import { makeGrown, SKETCH, sampleSpecimen } from "../models/bunch/fixture";
@@ -16,7 +16,7 @@ const specimen = sampleSpecimen({ seed: 7 });
 describe("the JSON document", () => {
 	it("has the fields that were promised, and no others", () => {
 		const document = exportJson(grown, specimen);
-		const fields = ["specimen", "procedure", "form", "plan", "counts", "berries", "thinned", "internodes"];
+		const fields = ["specimen", "counts", "procedure", "form", "plan", "berries", "thinned", "internodes"];
 		fields.push("notes", "fingerprint", "timings");
 		expect(Object.keys(document)).toEqual(fields);
 		expect(Object.keys(document.plan)).toEqual(["m", "sides", "axes"]);

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { exportJson } from "../../../web/src/export/json";
-import { FileError, JSON_BYTES, specimenFromFile } from "../../../web/src/export/restore";
+import { FileError, JSON_BYTES } from "../../../web/src/export/restore";
+import { exportJson, specimenFromFile } from "../bunch";
 import * as arbitrary from "../models/bunch/arbitrary";
 import { makeGrown, SKETCH, sampleSpecimen } from "../models/bunch/fixture";
 import { bunchGlb } from "../models/bunch/parts/files";

@@ -1,9 +1,7 @@
 import fc from "fast-check";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { BERRY_IDS, MOST_THINNED } from "../../../web/src/specimen/limits";
-import type { Specimen } from "../../../web/src/specimen/specimen";
-import { type ChoiceEntry, ENTRIES, isLook, type NumberEntry } from "../../../web/src/specimen/table";
+import { type ChoiceEntry, type NumberEntry, valueIn } from "../../../web/src/specimen/table";
+import { BERRY_IDS, ENTRIES, MOST_THINNED, type Specimen, specimenFromPreset } from "../bunch";
 
 /** Any value that the table allows and a link can hold. */
 function allowed(entry: NumberEntry | ChoiceEntry): fc.Arbitrary<number> {
@@ -47,7 +45,7 @@ export const anySpecimen: fc.Arbitrary<Specimen> = fc
 		const specimen: Specimen = { ...specimenFromPreset(preset, version), seed, thinned };
 		for (const entry of ENTRIES) {
 			if (!(entry.key in changes)) continue;
-			Object.assign(isLook(entry.key) ? specimen.look : specimen.parameters, { [entry.key]: changes[entry.key] });
+			Object.assign(entry.look ? specimen.look : specimen.parameters, { [entry.key]: changes[entry.key] });
 		}
 		const { rmin, rmax } = specimen.parameters;
 		specimen.parameters.rmin = Math.min(rmin, rmax);
@@ -61,7 +59,7 @@ export const anySpecimen: fc.Arbitrary<Specimen> = fc
 export function faults(specimen: Specimen): string[] {
 	const found: string[] = [];
 	for (const entry of ENTRIES) {
-		const value = isLook(entry.key) ? specimen.look[entry.key] : specimen.parameters[entry.key];
+		const value = valueIn(specimen, entry);
 		if (entry.kind === "colour") {
 			if (!/^[0-9a-f]{6}$/.test(String(value))) found.push(`${entry.key} ${value}`);
 			continue;

@@ -1,11 +1,10 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { NUMBER_KEYS } from "../../../web/src/models/bunch/parameters.generated";
-import { thin, unthin, unthinAll, withLook, withParameters, withSeed } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import { withSeed } from "../../../web/src/specimen/edit";
 import { change, startHistory, undo } from "../../../web/src/specimen/history";
-import { MOST_THINNED } from "../../../web/src/specimen/limits";
-import { sameSpecimen } from "../../../web/src/specimen/same";
+import { growsAlike, sameSpecimen } from "../../../web/src/specimen/same";
+import { MOST_THINNED, specimenFromPreset, thin, unthin, unthinAll, withLook, withParameters } from "../bunch";
 import { anySpecimen, faults } from "./arbitrary";
 
 describe("edits", () => {
@@ -26,10 +25,10 @@ describe("edits", () => {
 
 	it("change the look and the seed", () => {
 		const specimen = specimenFromPreset();
-		expect(withLook(specimen, "skin", "abcdef").look.skin).toBe("abcdef");
+		expect(withLook(specimen, { skin: "abcdef" }).look.skin).toBe("abcdef");
 		for (const key of ["bloom", "glow", "uneven", "lenticels"] as const) {
-			expect(withLook(specimen, key, 7).look[key]).toBe(1);
-			expect(withLook(specimen, key, 0.333).look[key]).toBe(0.33);
+			expect(withLook(specimen, { [key]: 7 }).look[key]).toBe(1);
+			expect(withLook(specimen, { [key]: 0.333 }).look[key]).toBe(0.33);
 		}
 		expect(withSeed(specimen, 4294967296).seed).toBe(0);
 		expect(withSeed(specimen, -1).seed).toBe(4294967295);
@@ -43,7 +42,7 @@ describe("edits", () => {
 	it("leave the specimen they start from alone", () => {
 		const specimen = specimenFromPreset();
 		thin(specimen, 3);
-		withLook(withParameters(specimen, { l: 100 }), "skin", "ffffff");
+		withLook(withParameters(specimen, { l: 100 }), { skin: "ffffff" });
 		expect(specimen).toEqual(specimenFromPreset());
 	});
 });
@@ -79,7 +78,7 @@ describe("sameSpecimen", () => {
 		expect(sameSpecimen(specimen, structuredClone(specimen))).toBe(true);
 		const others = [
 			withParameters(specimen, { vary: 0 }),
-			withLook(specimen, "bloom", 0.2),
+			withLook(specimen, { bloom: 0.2 }),
 			withSeed(specimen, 2),
 			{ ...specimen, preset: "duku" },
 			{ ...specimen, inputs: { m: 3 } },
@@ -91,4 +90,12 @@ describe("sameSpecimen", () => {
 		for (const other of others) expect(sameSpecimen(specimen, other)).toBe(false);
 		expect(sameSpecimen({ ...specimen, thinned: [1, 2] }, { ...specimen, thinned: [2, 1] })).toBe(false);
 	});
+});
+
+it("colours grow nothing; anything else does", () => {
+	const bunch = specimenFromPreset("grape-15c");
+	expect(growsAlike(bunch, withLook(bunch, { skin: "ffffff" }))).toBe(true);
+	expect(growsAlike(bunch, withSeed(bunch, 2))).toBe(false);
+	expect(growsAlike(bunch, { ...bunch, grammar: "axiom: F" })).toBe(false);
+	expect(growsAlike(bunch, withParameters(bunch, { sag: 3 }))).toBe(false);
 });

@@ -1,6 +1,4 @@
 import { describe, expect, it } from "vitest";
-import { withParameters } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
 import {
 	canRedo,
 	canUndo,
@@ -12,6 +10,7 @@ import {
 	startHistory,
 	undo,
 } from "../../../web/src/specimen/history";
+import { specimenFromPreset, withParameters } from "../bunch";
 
 const long = (l: number) => withParameters(specimenFromPreset(), { l });
 const lengths = (history: History) =>

@@ -1,9 +1,17 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { thin, withParameters } from "../../../web/src/specimen/edit";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { decodeLink, decodeQuery, encodeLink, encodeQuery, hasGrammar } from "../../../web/src/specimen/link";
-import type { Specimen } from "../../../web/src/specimen/specimen";
+import { hasPacked } from "../../../web/src/specimen/link";
+import {
+	BUNCH,
+	decodeLink,
+	decodeQuery,
+	encodeLink,
+	encodeQuery,
+	type Specimen,
+	specimenFromPreset,
+	thin,
+	withParameters,
+} from "../bunch";
 import { anySpecimen } from "./arbitrary";
 
 async function throughLink(specimen: Specimen) {
@@ -137,9 +145,9 @@ describe("a grammar in the fragment", () => {
 	});
 
 	it("is known to be there before it is unpacked", () => {
-		expect(hasGrammar("#g=abc")).toBe(true);
-		expect(hasGrammar("#top")).toBe(false);
-		expect(hasGrammar("")).toBe(false);
+		expect(hasPacked(BUNCH, "#g=abc")).toBe(true);
+		expect(hasPacked(BUNCH, "#top")).toBe(false);
+		expect(hasPacked(BUNCH, "")).toBe(false);
 	});
 
 	it("that is damaged is left out, and a note says so", async () => {

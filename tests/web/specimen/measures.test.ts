@@ -1,7 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { classOf, classText, measureOf, measureText, skinClass } from "../../../web/src/models/bunch/measures";
+import { measureOf, skinClass } from "../../../web/src/models/bunch/measures";
 import { MEASURE_GROUPS, MEASURE_KEYS, MEASURES, SKIN_COLOUR } from "../../../web/src/models/bunch/measures.generated";
+import { classOf, classText, measureText } from "../../../web/src/specimen/measures";
 
 const info = (key: (typeof MEASURE_KEYS)[number]) => MEASURES[MEASURE_KEYS.indexOf(key)];
 

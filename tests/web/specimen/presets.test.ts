@@ -1,8 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { DEFAULT_PRESET, PRESETS, presetNamed } from "../../../web/src/models/bunch/presets/index";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { restore } from "../../../web/src/specimen/restore";
-import { entryOf } from "../../../web/src/specimen/table";
+import { DEFAULT_PRESET, PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { entryOf, presetNamed, restore, specimenFromPreset } from "../bunch";
 import { TABLE_3 } from "./table_3";
 
 describe("presets", () => {

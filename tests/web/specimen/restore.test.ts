@@ -1,8 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import { restore } from "../../../web/src/specimen/restore";
-import { writtenSpecimen } from "../../../web/src/specimen/written";
+import { restore, specimenFromPreset, writtenSpecimen } from "../bunch";
 import { anySpecimen, faults } from "./arbitrary";
 
 const texts = (record: unknown, from?: Parameters<typeof restore>[1]) =>

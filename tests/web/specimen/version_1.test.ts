@@ -1,8 +1,9 @@
 /** What version 1 of a link means, as published. Where one of these fails, old links have changed: make a new version. */
+
 import { expect, it } from "vitest";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
-import { decodeLink, decodeQuery } from "../../../web/src/specimen/link";
-import { ENTRIES, valueIn } from "../../../web/src/specimen/table";
+import { valueIn } from "../../../web/src/specimen/table";
+import { decodeLink, decodeQuery, ENTRIES } from "../bunch";
 
 it("presets and defaults are those that were published", async () => {
 	const known = ENTRIES.filter(({ since }) => since === 1);

@@ -1,7 +1,8 @@
 /** What version 2 of a link means, as published. Where one of these fails, old links have changed: make a new version. */
+
 import { expect, it } from "vitest";
 import { PRESETS } from "../../../web/src/models/bunch/presets/index";
-import { decodeLink, decodeQuery } from "../../../web/src/specimen/link";
+import { decodeLink, decodeQuery } from "../bunch";
 
 it("presets and defaults are those that were published", async () => {
 	const lines = PRESETS.map(({ name }) => {

@@ -1,22 +1,25 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
-import type { Grown } from "../../../web/src/models/bunch/grown";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
+import type { Model } from "../../../web/src/models/model";
+import type { Plant } from "../../../web/src/plant/plant";
 import { Growing } from "../../../web/src/studio/growing";
 import type { Studio } from "../../../web/src/studio/studio";
+import { specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+import { bunchModel } from "./desk";
 
 const specimen = (seed: number) => ({ ...specimenFromPreset("duku"), seed });
-const bunch = (fingerprint: string) => ({ fingerprint }) as Grown;
+const bunch = (fingerprint: string) => ({ fingerprint }) as Plant;
 
 describe("growing", () => {
 	interface Call {
-		resolve(grown: Grown): void;
+		resolve(grown: Plant): void;
 		reject(reason: unknown): void;
 		signal: AbortSignal;
 	}
 	let calls: Call[];
 	const studio = {
-		state: { grown: undefined as Grown | undefined },
+		state: { shown: undefined as { model: Model } | undefined },
 		grew: vi.fn(),
 		setGrowing: vi.fn(),
 		notify: vi.fn(),
@@ -28,10 +31,10 @@ describe("growing", () => {
 		vi.useFakeTimers();
 		vi.clearAllMocks();
 		calls = [];
-		studio.state.grown = bunch("before");
+		studio.state.shown = { model: bunchModel };
 		const client = {
-			grow: (_specimen: unknown, { signal }: { signal?: AbortSignal } = {}) =>
-				new Promise<Grown>((resolve, reject) => {
+			grow: (_model: unknown, _specimen: unknown, { signal }: { signal?: AbortSignal } = {}) =>
+				new Promise<Plant>((resolve, reject) => {
 					calls.push({ resolve, reject, signal: signal as AbortSignal });
 					signal?.addEventListener("abort", () => reject(signal.reason));
 				}),
@@ -41,7 +44,7 @@ describe("growing", () => {
 	afterEach(() => vi.useRealTimers());
 
 	it("hands over what grew, with what it grew from", async () => {
-		const done = growing.grow(specimen(1));
+		const done = growing.grow(bunchModel, specimen(1));
 		calls[0].resolve(bunch("a"));
 		await done;
 		expect(studio.grew).toHaveBeenCalledExactlyOnceWith(bunch("a"), specimen(1));
@@ -50,7 +53,11 @@ describe("growing", () => {
 	});
 
 	it("shows every answer of a drag, but never an older one after a newer", async () => {
-		const all = [growing.grow(specimen(1)), growing.grow(specimen(2)), growing.grow(specimen(3))];
+		const all = [
+			growing.grow(bunchModel, specimen(1)),
+			growing.grow(bunchModel, specimen(2)),
+			growing.grow(bunchModel, specimen(3)),
+		];
 		calls[0].resolve(bunch("a"));
 		calls[2].resolve(bunch("c"));
 		await vi.advanceTimersByTimeAsync(0);
@@ -61,13 +68,13 @@ describe("growing", () => {
 
 	it("says that it grows when an answer takes long, not when a drag does", async () => {
 		for (let seed = 1; seed <= 10; seed++) {
-			void growing.grow(specimen(seed));
+			void growing.grow(bunchModel, specimen(seed));
 			await vi.advanceTimersByTimeAsync(100);
 			calls[seed - 1].resolve(bunch(`${seed}`));
 		}
 		await vi.advanceTimersByTimeAsync(0);
 		expect(studio.setGrowing).not.toHaveBeenCalledWith(true);
-		void growing.grow(specimen(11));
+		void growing.grow(bunchModel, specimen(11));
 		await vi.advanceTimersByTimeAsync(250);
 		expect(studio.setGrowing).toHaveBeenLastCalledWith(true);
 		calls[10].resolve(bunch("11"));
@@ -76,13 +83,13 @@ describe("growing", () => {
 	});
 
 	it("cancels, says so once, and grows again afterwards", async () => {
-		const first = growing.grow(specimen(1));
-		const second = growing.grow(specimen(2));
+		const first = growing.grow(bunchModel, specimen(1));
+		const second = growing.grow(bunchModel, specimen(2));
 		growing.cancel();
 		await Promise.all([first, second]);
 		expect(studio.notify).toHaveBeenCalledOnce();
 		expect(studio.notify.mock.lastCall?.[0]).toMatch(/cancelled/);
-		const third = growing.grow(specimen(3));
+		const third = growing.grow(bunchModel, specimen(3));
 		expect(calls[2].signal.aborted).toBe(false);
 		calls[2].resolve(bunch("c"));
 		await third;
@@ -90,8 +97,8 @@ describe("growing", () => {
 	});
 
 	it("keeps quiet about what was superseded, and about the failure of what is no longer wanted", async () => {
-		const first = growing.grow(specimen(1));
-		const second = growing.grow(specimen(2));
+		const first = growing.grow(bunchModel, specimen(1));
+		const second = growing.grow(bunchModel, specimen(2));
 		calls[0].reject(new CoreError("limit", "too large"));
 		calls[1].reject(new Superseded());
 		await Promise.all([first, second]);
@@ -106,11 +113,24 @@ describe("growing", () => {
 		[new UnsupportedError("fetch", "no core"), "fail", "no core"],
 		[new Error("odd"), "fail", "odd"],
 	] as const)("explains %o where a bunch stands", async (error, how, words) => {
-		const done = growing.grow(specimen(1));
+		const done = growing.grow(bunchModel, specimen(1));
 		calls[0].reject(error);
 		await done;
 		expect(studio[how]).toHaveBeenCalledOnce();
 		expect(JSON.stringify(studio[how].mock.lastCall)).toContain(words);
+	});
+
+	it("speaks of the model that is asked for, and of the one that stays", async () => {
+		const failing = () => calls[calls.length - 1].reject(new CoreTrap("unreachable"));
+		const beside = growing.grow(toy as unknown as Model, specimen(1));
+		failing();
+		await beside;
+		expect(studio.notify.mock.lastCall?.[1]).toEqual(["The last bunch stays; any change grows again."]);
+		studio.state.shown = undefined;
+		const first = growing.grow(toy as unknown as Model, specimen(1));
+		failing();
+		await first;
+		expect(studio.fail.mock.lastCall?.[0].details).toEqual(["There is no pole yet; any change grows again."]);
 	});
 
 	it.each([
@@ -118,8 +138,8 @@ describe("growing", () => {
 		[new CoreTrap("unreachable"), ["again", "other"], "There is no bunch yet"],
 		[new UnsupportedError("fetch", "no core"), ["again"], "no core"],
 	] as const)("says in place of the first bunch why there is none: %o", async (error, remedies, words) => {
-		studio.state.grown = undefined;
-		const done = growing.grow(specimen(1));
+		studio.state.shown = undefined;
+		const done = growing.grow(bunchModel, specimen(1));
 		calls[0].reject(error);
 		await done;
 		expect(studio.notify).not.toHaveBeenCalled();
@@ -130,8 +150,8 @@ describe("growing", () => {
 	});
 
 	it("has no last bunch to speak of when the first growth is cancelled", async () => {
-		studio.state.grown = undefined;
-		const done = growing.grow(specimen(1));
+		studio.state.shown = undefined;
+		const done = growing.grow(bunchModel, specimen(1));
 		growing.cancel();
 		await done;
 		expect(studio.notify).not.toHaveBeenCalled();

@@ -1,24 +1,47 @@
 import { describe, expect, it } from "vitest";
-import { PROCEDURES } from "../../../web/src/models/bunch/grown";
-import { PARAMETERS } from "../../../web/src/models/bunch/parameters.generated";
-import { groupsFor } from "../../../web/src/studio/panel_groups";
+import type { Tool } from "../../../web/src/controls/tool";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { applying, groupsFor } from "../../../web/src/studio/panel_groups";
+import { BUNCH, specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+import { studioWith } from "./desk";
 
-const keys = (procedure: (typeof PROCEDURES)[number]) =>
-	groupsFor(procedure).flatMap(({ infos }) => infos.map(({ key }) => key));
+const keysOf = (groups: ReturnType<typeof groupsFor>) => groups.map(({ group }) => group.key);
+const entriesOf = (groups: ReturnType<typeof groupsFor>) =>
+	groups.flatMap(({ entries }) => entries.map(({ key }) => key));
 
 describe("the panel's groups", () => {
-	it.each(PROCEDURES)("holds what %s heeds, and nothing else", (procedure) => {
-		const heeded = PARAMETERS.filter((info) => info.procedure === undefined || info.procedure === procedure);
-		const elsewhere = procedure === "natural" ? ["age"] : [];
-		const expected = heeded.map(({ key }) => key).filter((key) => !elsewhere.includes(key));
-		expect(keys(procedure).sort()).toEqual(expected.sort());
+	it("hold what the specimen heeds, in the table's order, and no group without anything", () => {
+		expect(entriesOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["height", "flag", "paint"]);
+		expect(entriesOf(groupsFor(toy.table, fromPreset(toy, "märz"), []))).toEqual(["height", "flag", "wind", "paint"]);
+		expect(keysOf(groupsFor(toy.table, fromPreset(toy), []))).toEqual(["pole"]);
 	});
 
-	it("shows the paper's groups with the paper's procedure alone", () => {
-		const groups = (procedure: (typeof PROCEDURES)[number]) => groupsFor(procedure).map(({ group }) => group.key);
-		expect(groups("paper")).toContain("interaction");
-		expect(groups("natural")).not.toContain("interaction");
-		expect(groups("natural")).toContain("age");
-		expect(groups("paper")).not.toContain("age");
+	it("leave to tools what is theirs, and give them their place", () => {
+		const above: Tool = {
+			name: "a",
+			initial: 0,
+			parameters: ["height"],
+			panel: { group: "pole", place: "above", draw: () => "" },
+		};
+		const below: Tool = { name: "b", initial: 0, panel: { group: "rest", place: "below", draw: () => "" } };
+		const [pole, rest] = groupsFor(toy.table, fromPreset(toy), [above, below]);
+		expect(pole.entries.map(({ key }) => key)).toEqual(["flag", "paint"]);
+		expect([pole.above, pole.below]).toEqual([[above], []]);
+		expect([rest.entries, rest.below]).toEqual([[], [below]]);
+	});
+
+	it("of a bunch show what its procedure heeds; the age stands below the view", async () => {
+		const { studio } = await studioWith(specimenFromPreset());
+		const shown = (version: number) => {
+			const specimen = specimenFromPreset(undefined, version);
+			return groupsFor(BUNCH.table, specimen, applying(studio.state.face?.tools, specimen));
+		};
+		expect(keysOf(shown(1))).toEqual(expect.arrayContaining(["interaction", "branching"]));
+		expect(keysOf(shown(1))).not.toContain("age");
+		expect(keysOf(shown(2))).not.toContain("interaction");
+		expect(keysOf(shown(2))).toContain("age");
+		expect(entriesOf(shown(2))).not.toContain("age");
+		expect(entriesOf(shown(2))).toContain("sun");
 	});
 });

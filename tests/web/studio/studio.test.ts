@@ -1,30 +1,34 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import type { Grown } from "../../../web/src/models/bunch/grown";
-import { specimenFromPreset } from "../../../web/src/specimen/from_preset";
-import type { Specimen } from "../../../web/src/specimen/specimen";
-import { PLAY, Studio } from "../../../web/src/studio/studio";
+import type { Model } from "../../../web/src/models/model";
+import type { Plant } from "../../../web/src/plant/plant";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import type { Studio } from "../../../web/src/studio/studio";
 import { FIRST_VISIT } from "../../../web/src/studio/ui_state";
+import { specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+import { bunchModel, studioWith } from "./desk";
 
-const opened = specimenFromPreset("grape-15c");
+const opened = specimenFromPreset("long-conical");
+const toyModel = toy as unknown as Model;
 
 describe("the studio", () => {
-	const surroundings = { grow: vi.fn(), cancel: vi.fn(), settled: vi.fn(), remember: vi.fn() };
 	let studio: Studio;
-	const grownLast = () => surroundings.grow.mock.lastCall?.[0] as Specimen;
+	let surroundings: Awaited<ReturnType<typeof studioWith>>["surroundings"];
+
+	const grownLast = () => surroundings.grow.mock.lastCall?.[1];
 	const length = () => studio.state.specimen.parameters.l;
 
-	beforeEach(() => {
-		vi.clearAllMocks();
-		studio = new Studio(opened, FIRST_VISIT, surroundings);
+	beforeEach(async () => {
+		({ studio, surroundings } = await studioWith(opened));
 	});
 
 	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
 		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
 		expect(surroundings.grow).toHaveBeenCalledTimes(3);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(studio.state.specimen, { measures: false });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { measures: false });
 		expect(surroundings.settled).not.toHaveBeenCalled();
 		studio.settle();
-		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(studio.state.specimen);
+		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen);
 		studio.undo();
 		expect(studio.state.specimen).toEqual(opened);
 		expect(grownLast()).toEqual(opened);
@@ -36,50 +40,28 @@ describe("the studio", () => {
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
 		expect(surroundings.grow).toHaveBeenCalledTimes(2);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(studio.state.specimen, { measures: true });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { measures: true });
 		studio.settle();
 		expect(surroundings.grow).toHaveBeenCalledTimes(2);
 		studio.edit({ parameters: { l: 300 } });
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
-		expect(surroundings.grow.mock.lastCall?.[1]).toEqual({ measures: true });
+		expect(surroundings.grow.mock.lastCall?.[2]).toEqual({ measures: true });
 		surroundings.grow.mockClear();
 		studio.set({ parameters: { l: 390 } });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(studio.state.specimen, { measures: true });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { measures: true });
 	});
 
-	it("keeps what was last measured while a drag asks for nothing", () => {
+	it("keeps what was last measured while a drag asks for nothing, but not of another model", () => {
 		const measures = Float32Array.of(1, 2);
-		studio.grew({ measures } as Grown, opened);
-		studio.grew({} as Grown, opened);
+		studio.grew({ measures } as Plant, opened);
+		studio.grew({} as Plant, opened);
 		expect(studio.state.measures).toBe(measures);
-	});
-
-	it("takes berries off by hand, one step each, and puts them all back as one", () => {
-		studio.thin(7, 9);
-		expect(studio.state.marked).toBe(9);
-		studio.thin(3);
-		expect(studio.state.specimen.thinned).toEqual([7, 3]);
-		expect(grownLast().thinned).toEqual([7, 3]);
-		studio.putBack();
-		expect(studio.state.specimen.thinned).toEqual([]);
+		studio.choosePreset("plain", toyModel);
+		expect(studio.state.measures).toBeUndefined();
+		studio.grew({} as Plant, studio.state.specimen);
 		studio.undo();
-		expect(studio.state.specimen.thinned).toEqual([7, 3]);
-		studio.undo();
-		expect(studio.state.specimen.thinned).toEqual([7]);
-		expect(surroundings.settled.mock.lastCall?.[0].thinned).toEqual([7]);
-	});
-
-	it("makes a play one step, and a drag meanwhile another", () => {
-		studio.setPlaying(true);
-		for (const age of [10, 20]) studio.edit({ parameters: { age } }, PLAY);
-		studio.edit({ parameters: { l: 300 } });
-		studio.setPlaying(false);
-		expect(studio.state.history.gesture).toBeDefined();
-		studio.settle();
-		expect(studio.state.history.past).toHaveLength(2);
-		studio.undo();
-		expect(studio.state.specimen.parameters).toMatchObject({ l: opened.parameters.l, age: 20 });
+		expect(studio.state.measures).toBeUndefined();
 	});
 
 	it("makes a step of every drag", () => {
@@ -87,7 +69,7 @@ describe("the studio", () => {
 		studio.set({ parameters: { l: 300 } });
 		studio.undo();
 		expect(length()).toBe(400);
-		expect(surroundings.settled.mock.lastCall?.[0].parameters.l).toBe(400);
+		expect(surroundings.settled.mock.lastCall?.[1].parameters.l).toBe(400);
 	});
 
 	it("leaves no step where a drag ends where it began", () => {
@@ -108,8 +90,8 @@ describe("the studio", () => {
 
 	it("says which parts of a link could not be used, once, until dismissed", () => {
 		const notes = [{ key: "l", problem: "", text: "l: too long." }];
-		studio.take({ specimen: specimenFromPreset("lychee"), notes }, "link");
-		studio.take({ specimen: specimenFromPreset("lychee"), notes }, "link");
+		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
+		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");
 		expect(studio.state.notices).toMatchObject([
 			{ title: "Not everything in the link could be used", details: ["l: too long."] },
 		]);
@@ -122,8 +104,8 @@ describe("the studio", () => {
 		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
 		expect(studio.state.specimen).toEqual(grammar);
 		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(grammar, { measures: true });
-		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(grammar);
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { measures: true });
+		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar);
 		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
 	});
 
@@ -136,51 +118,132 @@ describe("the studio", () => {
 		expect(studio.state.specimen).toEqual(opened);
 	});
 
-	it("brings locked sides together at once and undoes that as one step", () => {
-		studio.toggleLock("leftRight");
-		const { p3w, p4w } = studio.state.specimen.parameters;
-		expect(p4w).toBe(p3w);
-		studio.edit({ parameters: { p3w: 111 } });
-		expect(studio.state.specimen.parameters.p4w).toBe(111);
-		studio.settle();
-		studio.undo();
-		studio.undo();
-		expect(studio.state.specimen).toEqual(opened);
-		expect(studio.state.ui.locks.leftRight).toBe(true);
-	});
-
-	it.each([
-		["leftRight", "p3", "p4"],
-		["frontBack", "p5", "p6"],
-	] as const)("mirrors %s as one step, locked or not", (pair, a, b) => {
-		studio.setUi({ locks: { leftRight: true, frontBack: true } });
-		const { parameters } = opened;
-		studio.mirror(pair);
-		expect(studio.state.specimen.parameters).toEqual({
-			...parameters,
-			[`${a}w`]: parameters[`${b}w`],
-			[`${a}r`]: parameters[`${b}r`],
-			[`${b}w`]: parameters[`${a}w`],
-			[`${b}r`]: parameters[`${a}r`],
-		});
-		studio.undo();
-		expect(studio.state.specimen).toEqual(opened);
-	});
-
-	it("switches to the paper's letter and back to what was before", () => {
-		studio.set({ parameters: { vary: 0.7 } });
-		studio.setAsPrinted(true);
-		expect(studio.state.specimen.parameters).toMatchObject({ fit: 0, vary: 0 });
-		studio.setAsPrinted(false);
-		expect(studio.state.specimen.parameters).toMatchObject({ fit: 1, vary: 0.7 });
-	});
-
-	it("remembers which groups are closed, and tells each change once", () => {
+	it("remembers which groups a person has opened or closed, and tells each change once", () => {
 		studio.setGroup("shape", false);
 		studio.setGroup("shape", false);
 		expect(surroundings.remember).toHaveBeenCalledOnce();
-		expect(studio.state.ui.closed).toContain("shape");
+		expect(studio.state.ui.groups).toEqual({ shape: false });
 		studio.setGroup("shape", true);
-		expect(studio.state.ui.closed).not.toContain("shape");
+		expect(studio.state.ui.groups).toEqual({ shape: true });
+	});
+
+	it("is dark as the system is, until a theme is chosen", () => {
+		expect(studio.state.dark).toBe(false);
+		studio.setSystemDark(true);
+		expect(studio.state.dark).toBe(true);
+		studio.setUi({ theme: "light" });
+		expect(studio.state.dark).toBe(false);
+		studio.setUi({ theme: "dark" });
+		studio.setSystemDark(false);
+		expect(studio.state.dark).toBe(true);
+	});
+
+	it("lets brief notices go by themselves, and others stay", async () => {
+		vi.useFakeTimers();
+		studio.notify("Link copied", [], { brief: true });
+		studio.notify("Mind the gap");
+		await vi.advanceTimersByTimeAsync(5000);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Mind the gap"]);
+		vi.useRealTimers();
+	});
+
+	it("forgets a failure as soon as something grows", () => {
+		studio.fail({ title: "No", details: [], remedies: [] });
+		studio.grew({} as Plant, opened);
+		expect(studio.state.failure).toBeUndefined();
+	});
+
+	it("says while a hand is on a control", () => {
+		studio.edit({ parameters: { l: 400 } });
+		expect(studio.state.held).toBe(true);
+		studio.settle("another gesture");
+		expect(studio.state.held).toBe(true);
+		studio.settle();
+		expect(studio.state.held).toBe(false);
+	});
+});
+
+describe("a preset of another model", () => {
+	it("is one step: its model, its growth and its address, and back", async () => {
+		const { studio, surroundings } = await studioWith(opened);
+		const bunch = {} as Plant;
+		studio.grew(bunch, opened);
+		studio.choosePreset("plain", toyModel);
+		expect(studio.state.model).toBe(toyModel);
+		expect(studio.state.specimen).toEqual(fromPreset(toyModel));
+		expect(surroundings.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { measures: true });
+		expect(surroundings.settled).toHaveBeenLastCalledWith(toyModel, studio.state.specimen);
+		expect(studio.preset).toEqual(fromPreset(toyModel));
+		studio.undo();
+		expect(studio.state.model).toBe(bunchModel);
+		expect(studio.state.specimen).toEqual(opened);
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, opened, { measures: true });
+		studio.redo();
+		expect(studio.state.model).toBe(toyModel);
+	});
+
+	it("leaves the last plant in view, and out of reach of the new tools", async () => {
+		const { studio } = await studioWith(opened);
+		const bunch = {} as Plant;
+		studio.grew(bunch, opened);
+		studio.choosePreset("plain", toyModel);
+		expect(studio.state.shown).toMatchObject({ model: bunchModel, grown: bunch });
+		expect([studio.state.grown, studio.state.grownFrom]).toEqual([undefined, undefined]);
+		const pole = {} as Plant;
+		studio.grew(pole, studio.state.specimen);
+		expect(studio.state).toMatchObject({ shown: { model: toyModel }, grownFrom: { model: "toy" } });
+		expect(studio.state.grown).toBe(pole);
+	});
+
+	it("brings its tools, and ends what the last one's are at", async () => {
+		const end = vi.fn();
+		const start = vi.fn(() => end);
+		const press = vi.fn();
+		const tool = { name: "hoist", initial: 0, start, press };
+		const { studio } = await studioWith(opened);
+		const bunchFace = studio.state.face;
+		const model: Model = { ...toyModel, studio: async () => ({ tools: [tool] }) };
+		studio.choosePreset("plain", model);
+		expect(studio.state.face).toBeUndefined();
+		await vi.waitFor(() => expect(studio.state.face?.tools).toEqual([tool]));
+		expect(start).toHaveBeenCalledExactlyOnceWith(studio);
+		studio.setToolState(tool, 3);
+		studio.undo();
+		expect(end).toHaveBeenCalledOnce();
+		await vi.waitFor(() => expect(studio.state.face).toBe(bunchFace));
+		expect(studio.toolState(tool)).toBe(3);
+		studio.redo();
+		await vi.waitFor(() => expect(start).toHaveBeenCalledTimes(2));
+		expect(studio.toolState(tool)).toBe(3);
+	});
+
+	it("does without tools that cannot be fetched, and says so", async () => {
+		const { studio } = await studioWith(opened);
+		const broken: Model = { ...toyModel, studio: () => Promise.reject(new Error("offline")) };
+		studio.choosePreset("plain", broken);
+		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools: [] }));
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
+	});
+});
+
+describe("what tools keep", () => {
+	const flag = { name: "flag", initial: { up: false }, recall: (kept: unknown) => ({ up: kept === "up" }) };
+
+	it("is recalled where a tool wants it, and remembered when it changes", async () => {
+		const model: Model = { ...toyModel, studio: async () => ({ tools: [flag] }) };
+		const ui = { ...FIRST_VISIT, tools: { toy: { flag: "up" } } };
+		const { studio, surroundings } = await studioWith(fromPreset(toyModel), model, ui);
+		expect(studio.toolState(flag)).toEqual({ up: true });
+		studio.setToolState(flag, { up: false });
+		expect(studio.toolState(flag)).toEqual({ up: false });
+		expect(surroundings.remember.mock.lastCall?.[0].tools).toEqual({ toy: { flag: { up: false } } });
+	});
+
+	it("is forgotten with the page where none recalls it", async () => {
+		const { studio, surroundings } = await studioWith(opened);
+		const tool = { name: "mode", initial: "off" };
+		studio.setToolState(tool, "on");
+		expect(studio.toolState(tool)).toBe("on");
+		expect(surroundings.remember).not.toHaveBeenCalled();
 	});
 });

@@ -16,8 +16,8 @@ describe("what the page remembers", () => {
 		const ui: UiState = {
 			...FIRST_VISIT,
 			theme: "dark",
-			closed: ["rates"],
-			locks: { leftRight: true, frontBack: false },
+			groups: { rates: true, look: false },
+			tools: { bunch: { sides: { leftRight: true } } },
 		};
 		const kept = storage();
 		saveUi(kept, ui);
@@ -26,15 +26,14 @@ describe("what the page remembers", () => {
 
 	it("starts afresh with what shows a picture first: a view, not a mode", () => {
 		const kept = storage();
-		saveUi(kept, { ...FIRST_VISIT, view: "side", stems: true, octahedron: true });
+		saveUi(kept, { ...FIRST_VISIT, view: "side" });
 		expect(loadUi(kept)).toEqual(FIRST_VISIT);
 	});
 
-	it.each(["", "nonsense", "null", "[]", "7", '{"theme":"pink","closed":{},"locks":3}', '{"closed":[1,2]}'])(
+	it.each(["", "nonsense", "null", "[]", "7", '{"theme":"pink","groups":[1],"tools":3}', '{"groups":{"look":"shut"}}'])(
 		"is the first visit's where %j was kept",
 		(text) => {
-			const ui = loadUi(storage(text));
-			expect(ui).toEqual({ ...FIRST_VISIT, closed: text.includes("[1") ? [] : FIRST_VISIT.closed });
+			expect(loadUi(storage(text))).toEqual(FIRST_VISIT);
 		},
 	);
 

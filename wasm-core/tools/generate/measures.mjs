@@ -1,20 +1,20 @@
-/** From wasm-core/parameters/measures.json: the C++ list, the TypeScript table and the page of docs. */
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
-import { coreFolder } from "../repository.mjs";
-
-const source = "wasm-core/parameters/measures.json";
-const notice = `Made from ${source} by wasm-core/tools/generate.mjs; edit the table, not this.`;
+/** From wasm-core/parameters/<model>.measures.json: that model's C++ list, its TypeScript table and its page of docs. */
+import { noticeOf, tablesOf } from "./tables.mjs";
 
 /** The generated files. */
 export function outputs() {
-	const table = JSON.parse(readFileSync(join(coreFolder, "parameters/measures.json"), "utf8"));
-	checkMeasures(table, source);
-	return [
-		{ path: "wasm-core/src/models/bunch/measures/measures.generated.hpp", text: cplusplus(table) },
-		{ path: "web/src/models/bunch/measures.generated.ts", text: typescript(table) },
-		{ path: "docs/measures.md", text: markdown(table) },
-	];
+	return tablesOf(".measures.json").flatMap(({ model, source, table }) => {
+		checkMeasures(table, source);
+		const notice = noticeOf(source);
+		return [
+			{
+				path: `wasm-core/src/models/${model}/measures/measures.generated.hpp`,
+				text: cplusplus(table, model, notice),
+			},
+			{ path: `web/src/models/${model}/measures.generated.ts`, text: typescript(table, notice) },
+			{ path: `docs/models/${model}/measures.md`, text: markdown(table, notice) },
+		];
+	});
 }
 
 const kinds = ["number", "share", "whole", "note"];
@@ -49,22 +49,22 @@ export function checkMeasures(table, from) {
 	if (problems.length > 0) throw new Error(`${from}: ${problems.join("; ")}`);
 }
 
-function cplusplus({ measures }) {
+function cplusplus({ measures }, model, notice) {
 	return `// ${notice}
 #pragma once
 
 #include <cstdint>
 
-namespace panicle::bunch {
+namespace panicle::${model} {
 
-// In the order of Grown::measures; docs/measures.md has their units.
+// In the order of Grown::measures; docs/models/${model}/measures.md has their units.
 enum class Measure : std::uint32_t {
 ${measures.map(({ key }) => `  ${key},`).join("\n")}
 };
 
 inline constexpr std::uint32_t measure_count = ${measures.length};
 
-}  // namespace panicle::bunch
+}  // namespace panicle::${model}
 `;
 }
 
@@ -83,55 +83,29 @@ function object({ classes, ...properties }, indent) {
 	return `{\n${pairs.map((pair) => `${tabs}\t${pair}\n`).join("")}${tabs}}`;
 }
 
-function typescript({ groups, measures, skin }) {
+function typescript({ groups, measures, skin }, notice) {
 	return `// ${notice}
+import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
 
-/** Keys of the measures, in the order of \`Grown.measures\`. */
+/** Keys of the measures, in the order in which the core gives them. */
 export const MEASURE_KEYS = [
 ${measures.map(({ key }) => `\t"${key}",\n`).join("")}] as const;
 export type MeasureKey = (typeof MEASURE_KEYS)[number];
 
-/** A class of a descriptor: values nearest to \`at\`, or from \`from\` on. */
-export interface MeasureClass {
-	readonly note: number;
-	readonly words: string;
-	readonly at?: number;
-	readonly from?: number;
-}
-
-/** What a measure is called, how it is written and how it is classed. */
-export interface MeasureInfo {
-	readonly key: MeasureKey;
-	readonly label: string;
-	readonly group: string;
-	/** A share is 0 … 1 and shown in percent; a note's value is its class. */
-	readonly kind: "number" | "share" | "whole" | "note";
-	/** Of the value; empty for shares, counts and notes. */
-	readonly unit: string;
-	/** Digits after the point where it is shown; a share's in percent. */
-	readonly decimals: number;
-	/** Code of the OIV's descriptor. */
-	readonly oiv?: number;
-	/** One plain sentence. */
-	readonly help: string;
-	readonly source: string;
-	/** What of it was not compared with its source: the classes' limits, say. */
-	readonly unchecked?: string;
-	readonly classes?: readonly MeasureClass[];
-}
-
-/** Every measure, in the order of \`Grown.measures\`. */
+/** Every measure, in the same order. */
 export const MEASURES: readonly MeasureInfo[] = [
 ${measures.map((measure) => `\t${object(measure, 1)},\n`).join("")}];
 
 /** The groups that panels and pages show, in order. */
-export const MEASURE_GROUPS: readonly { readonly key: string; readonly title: string }[] = [
+export const MEASURE_GROUPS: readonly MeasureGroup[] = [
 ${groups.map((group) => `\t${line(group)},\n`).join("")}];
+${skin ? ofLook(skin) : ""}`;
+}
 
+const ofLook = (skin) => `
 /** The descriptor of skin colour, which is of the look and not measured by the core. */
 export const SKIN_COLOUR = ${object(skin, 0)} as const;
 `;
-}
 
 const cell = (text) => String(text).replaceAll("|", "\\|");
 
@@ -148,21 +122,19 @@ function row(measure) {
 	return `| ${cells.map(cell).join(" | ")} |`;
 }
 
-function markdown({ groups, measures, skin }) {
+function markdown({ noun, groups, measures, skin, remarks }, notice) {
 	const head = "| key | name | unit | what it is | classes | source |\n|---|---|---|---|---|---|";
 	const sections = groups.map((group) => {
 		const rows = measures.filter((measure) => measure.group === group.key).map(row);
 		return `## ${group.title}\n\n${head}\n${rows.join("\n")}\n`;
 	});
-	const look = `## Of the look\n\n${head}\n${row({ ...skin, kind: "note", unit: "" })}\n`;
+	if (skin) sections.push(`## Of the look\n\n${head}\n${row({ ...skin, kind: "note", unit: "" })}\n`);
 	return `<!-- ${notice} -->
 
-# Measures of a bunch
+# Measures of a ${noun}
 
-What the core measures on a grown bunch, by the keys that the JSON and the tables of the app and the command line use. How each is reckoned is
-in [measuring.md](measuring.md). A measure that does not apply to a bunch (the weight of a berry where there is none) is NaN in the core
-and \`null\` in JSON. Classes are those of the OIV's descriptor list (2nd edition, 2009); a number in parentheses is about where
-the class lies. *Unchecked* means: written from memory and not compared with the print, so take it as a guide and not as the OIV's word.
+What the core measures on a grown ${noun}, by the keys that the JSON and the tables of the app and the command line use. A measure that does
+not apply is NaN in the core and \`null\` in JSON. ${remarks}
 
-${[...sections, look].join("\n")}`;
+${sections.join("\n")}`;
 }

@@ -1,21 +1,18 @@
-/** From wasm-core/parameters/bunch.json: the C++ table, the TypeScript table and the page of docs. */
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
-import { coreFolder } from "../repository.mjs";
+/** From wasm-core/parameters/<model>.json: that model's C++ table, its TypeScript table and its page of docs. */
 import { checkTable } from "./check_table.mjs";
-
-const source = "wasm-core/parameters/bunch.json";
-const notice = `Made from ${source} by wasm-core/tools/generate.mjs; edit the table, not this.`;
+import { noticeOf, tablesOf } from "./tables.mjs";
 
 /** The generated files. */
 export function outputs() {
-	const table = JSON.parse(readFileSync(join(coreFolder, "parameters/bunch.json"), "utf8"));
-	checkTable(table, source);
-	return [
-		{ path: "wasm-core/src/models/bunch/parameters.generated.hpp", text: cplusplus(table) },
-		{ path: "web/src/models/bunch/parameters.generated.ts", text: typescript(table) },
-		{ path: "docs/parameters.md", text: markdown(table) },
-	];
+	return tablesOf(".json").flatMap(({ model, source, table }) => {
+		checkTable(table, source);
+		const notice = noticeOf(source);
+		return [
+			{ path: `wasm-core/src/models/${model}/parameters.generated.hpp`, text: cplusplus(table, model, notice) },
+			{ path: `web/src/models/${model}/parameters.generated.ts`, text: typescript(table, notice) },
+			{ path: `docs/models/${model}/parameters.md`, text: markdown(table, notice) },
+		];
+	});
 }
 
 /** Parameters that the core reads, in the request's order. */
@@ -26,13 +23,26 @@ const bounds = (p) => (p.kind === "choice" ? { min: 0, max: p.options.length - 1
 
 const float = (value) => (Number.isInteger(value) ? `${value}.0f` : `${value}f`);
 
-function cplusplus(table) {
+const rolesOf = (roles) => `// What symbols draw where a grammar declares no roles.
+struct RoleInfo {
+  std::string_view role;
+  std::string_view symbol;
+  bool begins;  // whether it is the symbol's beginning only
+};
+
+inline constexpr std::array<RoleInfo, ${roles.length}> role_table = {{
+${roles.join("\n")}
+}};
+
+`;
+
+function cplusplus(table, model, notice) {
 	const rows = ofCore(table);
 	const entries = rows.map(
 		(p) =>
-			`    {"${p.key}", "${p.define ?? ""}", "${p.procedure ?? ""}", ${[bounds(p).min, bounds(p).max, p.gapBelow ?? 0, p.default].map(float).join(", ")}, ${p.kind !== "number"}},`,
+			`    {"${p.key}", "${p.define ?? ""}", "${Object.values(p.where ?? {})[0] ?? ""}", ${[bounds(p).min, bounds(p).max, p.gapBelow ?? 0, p.default].map(float).join(", ")}, ${p.kind !== "number"}},`,
 	);
-	const roles = Object.entries(table.roles).map(
+	const roles = Object.entries(table.roles ?? {}).map(
 		([role, symbol]) => `    {"${role}", "${symbol.replace(/\*$/, "")}", ${symbol.endsWith("*")}},`,
 	);
 	return `// ${notice}
@@ -42,7 +52,7 @@ function cplusplus(table) {
 #include <cstdint>
 #include <string_view>
 
-namespace panicle::bunch {
+namespace panicle::${model} {
 
 // In the order of the request's words.
 enum class Parameter : std::uint32_t {
@@ -53,8 +63,8 @@ inline constexpr std::uint32_t parameter_count = ${rows.length};
 
 struct ParameterInfo {
   std::string_view key;
-  std::string_view define;     // the grammar's #define it replaces; empty for none
-  std::string_view procedure;  // the one that heeds it; empty where both do
+  std::string_view define;  // the grammar's #define it replaces; empty for none
+  std::string_view where;   // the option that must be chosen for it to be heeded; empty: always
   float min, max;
   float gap_below;  // values strictly between 0 and this are raised to it; 0 for none
   float standard;
@@ -67,22 +77,17 @@ ${entries.join("\n")}
 }};
 // clang-format on
 
-// What symbols draw where a grammar declares no roles.
-struct RoleInfo {
-  std::string_view role;
-  std::string_view symbol;
-  bool begins;  // whether it is the symbol's beginning only
-};
-
-inline constexpr std::array<RoleInfo, ${roles.length}> role_table = {{
-${roles.join("\n")}
-}};
-
-}  // namespace panicle::bunch
+${roles.length > 0 ? rolesOf(roles) : ""}}  // namespace panicle::${model}
 `;
 }
 
-const literal = (value) => (Array.isArray(value) ? `[${value.map(literal).join(", ")}]` : JSON.stringify(value));
+function literal(value) {
+	if (Array.isArray(value)) return `[${value.map(literal).join(", ")}]`;
+	if (typeof value !== "object" || value === null) return JSON.stringify(value);
+	return `{ ${Object.entries(value)
+		.map(([key, each]) => `${key}: ${literal(each)}`)
+		.join(", ")} }`;
+}
 
 /** An object literal as the formatter lays it out: one line where it fits, else one property a line. */
 function object(properties, indent) {
@@ -98,7 +103,7 @@ function object(properties, indent) {
 
 const fields = (
 	"key link slot label symbol group kind unit options min max gapBelow default step " +
-	"procedure help since before define look"
+	"where help since before define look"
 ).split(" ");
 
 function info(p) {
@@ -112,73 +117,29 @@ const keyList = (name, doc, parameters) =>
 const shortKeyList = (name, doc, parameters) =>
 	`/** ${doc} */\nexport const ${name} = [${parameters.map((p) => `"${p.key}"`).join(", ")}] as const;`;
 
-function typescript(table) {
+/** `"a" | "b"`; where there are none, `never`. */
+const union = (parameters) => parameters.map((p) => literal(p.key)).join(" | ") || "never";
+
+function typescript(table, notice) {
+	const look = table.parameters.filter((p) => p.look);
 	return `// ${notice}
+import type { Entry, Group } from "../../specimen/table";
 
 ${keyList("NUMBER_KEYS", "Keys of the parameters that the core reads, in the request's order.", ofCore(table))}
 export type NumberKey = (typeof NUMBER_KEYS)[number];
 
-${shortKeyList(
-	"LOOK_KEYS",
-	"Keys of the parameters that only colour the result.",
-	table.parameters.filter((p) => p.look),
-)}
+${shortKeyList("LOOK_KEYS", "Keys of the parameters that only colour the result.", look)}
 export type LookKey = (typeof LOOK_KEYS)[number];
 /** Those of them that are colours, as six hexadecimal digits. */
-export type ColourKey = ${table.parameters
-		.filter((p) => p.kind === "colour")
-		.map((p) => literal(p.key))
-		.join(" | ")};
-
-export type ParameterKey = NumberKey | LookKey;
-
-/** One parameter: what it is called, what it may be, and where it stands in a link. */
-export interface ParameterInfo {
-	readonly key: ParameterKey;
-	/** Key in the link, for ever. Parameters that share one are its comma-separated values, by \`slot\`. */
-	readonly link: string;
-	readonly slot?: number;
-	readonly label: string;
-	/** The paper's symbol, or empty. */
-	readonly symbol: string;
-	readonly group: string;
-	readonly kind: "number" | "integer" | "choice" | "colour";
-	readonly unit: string;
-	/** A choice's values as links write them; its number is the place of one of them. */
-	readonly options?: readonly string[];
-	readonly min?: number;
-	readonly max?: number;
-	/** Values strictly between 0 and this are raised to it. */
-	readonly gapBelow?: number;
-	/** A number, or a colour as six hexadecimal digits. */
-	readonly default: number | string;
-	readonly step?: number;
-	/** The one procedure that heeds it; absent where both do. */
-	readonly procedure?: "paper" | "natural";
-	readonly help: string;
-	/** The link version that first knew it. */
-	readonly since: number;
-	/** What a link from before \`since\` means; the preset's value where absent. */
-	readonly before?: number;
-	/** The grammar's \`#define\` that it replaces. */
-	readonly define?: string;
-	/** Whether it only colours the result. */
-	readonly look?: boolean;
-}
+export type ColourKey = ${union(look.filter((p) => p.kind === "colour"))};
 
 /** Every parameter, in the order in which panels and pages show them. */
-export const PARAMETERS: readonly ParameterInfo[] = [
+export const PARAMETERS: readonly Entry[] = [
 ${table.parameters.map((p) => object(info(p), 1)).join("\n")}
 ];
 
-export interface GroupInfo {
-	readonly key: string;
-	readonly title: string;
-	readonly help: string;
-}
-
 /** The groups that panels and pages show, in order. */
-export const GROUPS: readonly GroupInfo[] = [
+export const GROUPS: readonly Group[] = [
 ${table.groups.map((group) => object(group, 1)).join("\n")}
 ];
 `;
@@ -198,6 +159,12 @@ function standardOf(p) {
 	return p.kind === "colour" ? `\`${p.default}\`` : p.default;
 }
 
+/** Which specimens heed it. */
+const heedingOf = ({ where = {} }) =>
+	Object.entries(where)
+		.map(([key, option]) => `\`${key}=${option}\``)
+		.join(", ") || "all";
+
 function row(p) {
 	const link = p.slot === undefined ? `\`${p.link}\`` : `\`${p.link}\`, value ${p.slot + 1}`;
 	const cells = [
@@ -208,13 +175,13 @@ function row(p) {
 		p.unit ?? "",
 		link,
 		p.define ? `\`${p.define}\`` : "",
-		p.procedure ?? "both",
+		heedingOf(p),
 		p.help,
 	];
 	return `| ${cells.map(cell).join(" | ")} |`;
 }
 
-function markdown(table) {
+function markdown(table, notice) {
 	const sections = table.groups.map((group) => {
 		const rows = table.parameters.filter((p) => p.group === group.key).map(row);
 		const head =
@@ -223,12 +190,10 @@ function markdown(table) {
 	});
 	return `<!-- ${notice} -->
 
-# Parameters of the bunch
+# Parameters of the ${table.noun}
 
-*Key* is what the custom \`--set\` of \`npm run grow\` and the programming interfaces call it, *in the link* what the address bar
-does; to a link from before it was known it means what the preset says, but for \`procedure\`, which is \`paper\` there. *In the
-grammar* names the \`#define\` that a value other than the default replaces. Units: px is a pixel of the paper's
-600 × 600 view, u one unit of its grammars, of \`unit\` millimetres.
+*Key* is what \`--set\` of \`npm run grow\` and the programming interfaces call it, *in the link* what the address bar does. *In the
+grammar* names the \`#define\` that a value other than the default replaces. ${table.remarks}
 
 ${sections.join("\n")}`;
 }

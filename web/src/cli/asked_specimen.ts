@@ -3,21 +3,23 @@
  * way; what was typed here is refused where it cannot be used, since a silent change would spoil a series.
  */
 
-import { presetNamed } from "../models/bunch/presets/index";
-import { specimenFromPreset } from "../specimen/from_preset";
+import { BUNCH, specimenFromPreset } from "../models/bunch/species";
+import type { BunchSpecimen as Specimen } from "../models/bunch/specimen";
 import { GRAMMAR_BYTES } from "../specimen/limits";
 import { decodeLink } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
 import { readNumbers } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
-import type { Specimen } from "../specimen/specimen";
-import { entriesOfLink, entryOf, onStep, procedureOf } from "../specimen/table";
+import { onStep } from "../specimen/table";
 import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
 
 /** @throws UsageError */
-export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings, "readFile">): Promise<Restored> {
+export async function askedSpecimen(
+	call: Call,
+	{ readFile }: Pick<Surroundings, "readFile">,
+): Promise<Restored<Specimen>> {
 	const { specimen: start, notes } = await readSource(call.source);
 	let specimen = start;
 	if (call.seed !== undefined) specimen = typed({ seed: call.seed }, specimen, (note) => `--seed: ${note.problem}`);
@@ -29,22 +31,19 @@ export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings,
 	return { specimen, notes: [...notes, ...idle] };
 }
 
-async function readSource(source: string | undefined): Promise<Restored> {
-	if (source === undefined || presetNamed(source)) return { specimen: specimenFromPreset(source), notes: [] };
+async function readSource(source: string | undefined): Promise<Restored<Specimen>> {
+	if (source === undefined || BUNCH.presets.named(source)) return { specimen: specimenFromPreset(source), notes: [] };
 	const query = source.indexOf("?");
 	const hash = source.indexOf("#");
 	const end = hash < 0 ? source.length : hash;
-	if (query >= 0 && query < end) return decodeLink(source.slice(query, end), source.slice(end));
-	if (hash >= 0 || source.includes("://")) return decodeLink("", source.slice(end));
+	if (query >= 0 && query < end) return decodeLink(BUNCH, source.slice(query, end), source.slice(end));
+	if (hash >= 0 || source.includes("://")) return decodeLink(BUNCH, "", source.slice(end));
 	throw new UsageError(`“${source}” is neither a preset nor a link; --help lists the presets`);
 }
 
-/** What --set takes besides the parameters. */
-const SETTABLE = new Set(["m", "n", "thin"]);
-
 function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
 	for (const key of Object.keys(settings)) {
-		const known = SETTABLE.has(key) || entryOf(key) || entriesOfLink(key).length > 0;
+		const known = detailOf(key) || entryOf(key);
 		if (!known) throw new UsageError(`--set ${key}: no parameter has that key; see --help`);
 	}
 	const read = typed(settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
@@ -52,18 +51,21 @@ function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
 	return read;
 }
 
-/** Inputs of the paper's grammars; the natural procedure has others (wasm-core/grammars/bunch/grape-bunch-4.lsys). */
-const PAPER_INPUTS = new Set(["m", "n"]);
+/** The parameter that a key of the table or of links means; the first of those that share one. */
+const entryOf = (key: string) => BUNCH.table.entry(key) ?? BUNCH.table.linked(key)[0];
+
+/** The detail that --set takes by that key. */
+const detailOf = (key: string) =>
+	BUNCH.details.find(({ settings = [] }) => settings.some((each) => each.split("=")[0] === key));
 
 /** What was typed and is right, but nothing comes of it: not refused, so that a series may vary the procedure. */
 function idleSettings(settings: Call["set"], specimen: Specimen): Note[] {
 	const notes = new Notes();
-	const used = procedureOf(specimen);
 	for (const key of Object.keys(settings)) {
-		const entry = entryOf(key) ?? entriesOfLink(key)[0];
-		const heeding = PAPER_INPUTS.has(key) ? "paper" : entry?.kind === "colour" ? undefined : entry?.procedure;
-		if (heeding && heeding !== used) {
-			notes.add(key, `procedure=${used} does not heed it`, `--set procedure=${heeding} does`);
+		const { where = {} } = detailOf(key) ?? entryOf(key) ?? {};
+		for (const [choice, heeding] of Object.entries(where)) {
+			const used = BUNCH.table.option(specimen, choice);
+			if (heeding !== used) notes.add(key, `${choice}=${used} does not heed it`, `--set ${choice}=${heeding} does`);
 		}
 	}
 	return notes.all();
@@ -72,7 +74,7 @@ function idleSettings(settings: Call["set"], specimen: Specimen): Note[] {
 /** A link's further decimals are rounded without a word; someone who types them means them. */
 function refuseFinerSteps(settings: Call["set"]): void {
 	for (const [key, value] of Object.entries(settings)) {
-		if (key === "thin" || entryOf(key)?.kind === "colour") continue;
+		if (!entryOf(key) || entryOf(key)?.kind === "colour") continue;
 		const fine = readNumbers(value)?.find((number) => onStep(number) !== number);
 		if (fine !== undefined) throw new UsageError(`--set ${key}: ${fine} has more than two decimals`);
 	}
@@ -80,7 +82,7 @@ function refuseFinerSteps(settings: Call["set"]): void {
 
 /** Reads values that a person typed: the first that cannot be used as it is ends it. */
 function typed(values: Readonly<Record<string, string>>, from: Specimen, message: (note: Note) => string): Specimen {
-	const { specimen, notes } = restore(values, from);
+	const { specimen, notes } = restore(BUNCH, values, from);
 	if (notes.length > 0) throw new UsageError(message(notes[0]));
 	return specimen;
 }

@@ -1,16 +1,16 @@
 /** The command: grows one specimen and writes it. */
 import { basename } from "node:path";
 import { CoreError } from "../core/errors";
+import { aboutPlant } from "../export/about_plant";
 import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import type { Grown } from "../models/bunch/grown";
-import { aboutBunch } from "../models/bunch/parts/about";
-import { bunchParts } from "../models/bunch/parts/bunch_parts";
+import { model } from "../models/bunch/index";
 import { readGrown } from "../models/bunch/read_grown";
 import { encodeRequest } from "../models/bunch/request";
+import type { BunchSpecimen as Specimen } from "../models/bunch/specimen";
 import { berriesCsv } from "../models/bunch/tables";
-import type { Specimen } from "../specimen/specimen";
 import { type Call, readArguments } from "./arguments";
 import { askedSpecimen, reasonOf } from "./asked_specimen";
 import type { Surroundings } from "./surroundings";
@@ -72,7 +72,7 @@ async function filesOf(
 ): Promise<[file: string, data: string | Uint8Array][]> {
 	if (as === "json") return [[file, jsonOf(grown, specimen)]];
 	if (as === "csv") return [[file, berriesCsv(grown, specimen)]];
-	const [parts, about] = [bunchParts(grown, specimen), await aboutBunch(grown, specimen)];
+	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
 	if (as === "glb") return [[file, exportGlb(parts, about)]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl } = exportObj(parts, about, basename(stem));
@@ -83,5 +83,5 @@ async function filesOf(
 }
 
 function jsonOf(grown: Grown, specimen: Specimen): string {
-	return `${JSON.stringify(exportJson(grown, specimen))}\n`;
+	return `${JSON.stringify(exportJson(model, grown, specimen))}\n`;
 }

@@ -1,6 +1,6 @@
 /** What the command says about itself. */
 import { DEFAULT_PRESET, PRESETS } from "../models/bunch/presets/index";
-import { byLink } from "../specimen/table";
+import { BUNCH } from "../models/bunch/species";
 
 /** A mistake in how the command was called: one line, and exit status 2. */
 export class UsageError extends Error {
@@ -9,7 +9,7 @@ export class UsageError extends Error {
 
 /** The text of --help. */
 export function usage(): string {
-	const keys = [...byLink].map(([key, [entry, second]]) => {
+	const keys = [...BUNCH.table.links].map(([key, [entry, second]]) => {
 		if (second) return `${key}=W,R`;
 		return entry.kind === "choice" ? `${key}=${entry.options.join("|")}` : key;
 	});
@@ -22,14 +22,14 @@ export function usage(): string {
   LINK             what Copy link copies, or its part from the ? on
   --seed N         0 … 4294967295; another seed is another bunch of the same shape
   --set KEY=VALUE  as often as needed; KEY is one of
-                   ${wrapped([...keys, "m", "n=N1,N2,…", "thin=ID.ID.…"])}
+                   ${wrapped([...keys, ...BUNCH.details.flatMap(({ settings = [] }) => settings)])}
   --grammar FILE   grammar text in place of the procedure's own
   --out FILE       .glb, .obj (with its .mtl beside it), .json or .csv (berries); without it, JSON goes to
                    standard output
   --help           this
 
 Exit status: 0 grown, 1 the core broke or is missing, 2 something in the call cannot be used.
-What the keys mean: docs/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.
+What the keys mean: docs/models/*/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.
 `;
 }
 

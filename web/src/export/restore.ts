@@ -1,9 +1,8 @@
 /**
  * A specimen out of a file that Panicle exported: a GLB (`asset.extras.specimen`) or the JSON document (`specimen`).
  * Files come from anywhere: sizes are checked before anything is read, of a GLB nothing but its JSON is read, and what is
- * found goes through specimen/restore.ts like everything from outside.
+ * found must go through specimen/restore.ts like everything from outside.
  */
-import { type Restored, restore } from "../specimen/restore";
 import { CHUNK_HEADER_BYTES, CHUNK_JSON, GLB_MAGIC, GLB_VERSION, HEADER_BYTES } from "./binary_gltf";
 
 /** A file that holds no specimen; the message names the file and says what to do. */
@@ -20,10 +19,10 @@ export const JSON_BYTES = 128 * 1024 * 1024;
 /**
  * @param name what the file is called, for messages only: its kind is told from its first bytes
  * @param file the whole file, of any size
- * @returns a complete specimen in range, with notes on what had to be changed
- * @throws FileError when there is no specimen in it
+ * @returns the record of a specimen, of whatever model, as it stands in the file
+ * @throws FileError when there is none in it
  */
-export async function specimenFromFile(name: string, file: Blob): Promise<Restored> {
+export async function recordInFile(name: string, file: Blob): Promise<object> {
 	if (file.size === 0) throw new FileError(`${name} is empty.`);
 	const json = await jsonIn(name, file);
 	if (json.size > JSON_BYTES) {
@@ -33,7 +32,7 @@ export async function specimenFromFile(name: string, file: Blob): Promise<Restor
 	if (found === undefined) {
 		throw new FileError(`${name} holds no specimen: only files exported by Panicle and not saved again elsewhere do.`);
 	}
-	return restore(found);
+	return found;
 }
 
 /** The JSON chunk of a GLB; any other file whole. */

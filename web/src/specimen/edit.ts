@@ -1,50 +1,41 @@
 /** Changes to a specimen that controls make: always in range, always on the steps that a link can hold. */
+import type { Species } from "./species";
+import type { Specimen } from "./specimen";
+import { nearestWithin } from "./table";
 
-import type { LookKey, NumberKey } from "../models/bunch/parameters.generated";
-import { MOST_THINNED } from "./limits";
-import type { Look, Specimen } from "./specimen";
-import { type CoreEntry, entryOf, nearestWithin } from "./table";
-
-/** Sets parameters; smallest and largest radius push each other along, so that they never cross. */
-export function withParameters(specimen: Specimen, changes: Partial<Record<NumberKey, number>>): Specimen {
-	const parameters = { ...specimen.parameters };
-	for (const [key, value] of Object.entries(changes) as [NumberKey, number][]) {
-		if (Number.isNaN(value)) continue;
-		parameters[key] = nearestWithin(entryOf(key) as CoreEntry, value);
+/** Sets parameters; the model's details bring along what goes with them. */
+export function withParameters<S extends Specimen>(
+	{ table, details }: Species<S>,
+	specimen: S,
+	changes: Readonly<Partial<Record<string, number>>>,
+): S {
+	const parameters: S["parameters"] = { ...specimen.parameters };
+	for (const [key, value] of Object.entries(changes)) {
+		const entry = table.entry(key);
+		if (!entry || entry.look || entry.kind === "colour" || value === undefined || Number.isNaN(value)) continue;
+		Object.assign(parameters, { [key]: nearestWithin(entry, value) });
 	}
-	if (parameters.rmin > parameters.rmax) {
-		if (changes.rmin !== undefined) parameters.rmax = parameters.rmin;
-		else parameters.rmin = parameters.rmax;
-	}
+	for (const detail of details) detail.push?.(parameters, changes);
 	return { ...specimen, parameters };
 }
 
-/** Sets one value of the look: a colour of six hexadecimal digits, or a number. */
-export function withLook<Key extends LookKey>(specimen: Specimen, key: Key, value: Look[Key]): Specimen {
-	const entry = entryOf(key);
-	const fitted = typeof value === "number" && entry && entry.kind !== "colour" ? nearestWithin(entry, value) : value;
-	return { ...specimen, look: { ...specimen.look, [key]: fitted } };
+/** Sets values of the look: colours of six hexadecimal digits, or numbers. */
+export function withLook<S extends Specimen>(
+	{ table }: Species<S>,
+	specimen: S,
+	changes: Readonly<Partial<Record<string, number | string>>>,
+): S {
+	const look: S["look"] = { ...specimen.look };
+	for (const [key, value] of Object.entries(changes)) {
+		const entry = table.entry(key);
+		if (!entry?.look || value === undefined) continue;
+		const fitted = typeof value === "number" && entry.kind !== "colour" ? nearestWithin(entry, value) : value;
+		Object.assign(look, { [key]: fitted });
+	}
+	return { ...specimen, look };
 }
 
 /** Sets the seed: a whole number from 0 to 4294967295, going round at the ends. */
-export function withSeed(specimen: Specimen, seed: number): Specimen {
+export function withSeed<S extends Specimen>(specimen: S, seed: number): S {
 	return { ...specimen, seed: Math.trunc(seed) >>> 0 };
-}
-
-/** Takes a berry off by hand; the same specimen where it is off already or `MOST_THINNED` are. */
-export function thin(specimen: Specimen, id: number): Specimen {
-	const { thinned } = specimen;
-	if (thinned.includes(id) || thinned.length >= MOST_THINNED) return specimen;
-	return { ...specimen, thinned: [...thinned, id] };
-}
-
-/** Puts a berry back that was taken off by hand. */
-export function unthin(specimen: Specimen, id: number): Specimen {
-	if (!specimen.thinned.includes(id)) return specimen;
-	return { ...specimen, thinned: specimen.thinned.filter((each) => each !== id) };
-}
-
-/** Puts all of them back. */
-export function unthinAll(specimen: Specimen): Specimen {
-	return specimen.thinned.length === 0 ? specimen : { ...specimen, thinned: [] };
 }

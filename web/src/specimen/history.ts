@@ -2,12 +2,12 @@
 import { sameSpecimen } from "./same";
 import type { Specimen } from "./specimen";
 
-export interface History {
+export interface History<S extends Specimen = Specimen> {
 	/** Oldest first. */
-	readonly past: readonly Specimen[];
-	readonly present: Specimen;
+	readonly past: readonly S[];
+	readonly present: S;
 	/** Nearest first. While a drag lasts, what there was before it: a drag that ends where it began loses nothing. */
-	readonly future: readonly Specimen[];
+	readonly future: readonly S[];
 	/** The drag that made the present, while it lasts. */
 	readonly gesture?: string | undefined;
 }
@@ -15,7 +15,7 @@ export interface History {
 /** Steps that can be undone; the oldest are forgotten. */
 export const LONGEST_HISTORY = 200;
 
-export function startHistory(present: Specimen): History {
+export function startHistory<S extends Specimen>(present: S): History<S> {
 	return { past: [], present, future: [] };
 }
 
@@ -23,7 +23,7 @@ export function startHistory(present: Specimen): History {
  * Goes on to another specimen.
  * @param gesture names a drag; all changes of one gesture in a row are one step. Without it every change is a step.
  */
-export function change(history: History, next: Specimen, gesture?: string): History {
+export function change<S extends Specimen>(history: History<S>, next: S, gesture?: string): History<S> {
 	if (gesture !== undefined && gesture === history.gesture) return { ...history, present: next };
 	const settled = settle(history);
 	if (sameSpecimen(settled.present, next)) return settled;
@@ -32,7 +32,7 @@ export function change(history: History, next: Specimen, gesture?: string): Hist
 }
 
 /** Ends a drag: what follows is a new step. A drag that ended where it began leaves none. */
-export function settle(history: History): History {
+export function settle<S extends Specimen>(history: History<S>): History<S> {
 	if (history.gesture === undefined) return history;
 	const { past, present, future } = history;
 	const before = past.at(-1);
@@ -49,7 +49,7 @@ export function canRedo(history: History): boolean {
 }
 
 /** One step back, or the same history at its beginning. */
-export function undo(history: History): History {
+export function undo<S extends Specimen>(history: History<S>): History<S> {
 	const { past, present, future } = settle(history);
 	const before = past.at(-1);
 	return before
@@ -58,7 +58,7 @@ export function undo(history: History): History {
 }
 
 /** One step forward, or the same history at its end. */
-export function redo(history: History): History {
+export function redo<S extends Specimen>(history: History<S>): History<S> {
 	const { past, present, future } = settle(history);
 	const [next, ...rest] = future;
 	return next ? { past: [...past, present], present: next, future: rest } : { past, present, future };

@@ -1,44 +1,58 @@
 /**
  * The link: a specimen as the part of an address from the `?` on (docs/links.md). Parameters are readable in the
- * query, only what differs from the preset; grammar text goes compressed into the fragment, which never leaves the
+ * query, only what differs from the preset; long texts go compressed into the fragment, which never leaves the
  * browser. Reading never throws: whatever comes in gives a complete specimen and notes.
  */
 
-import { DEFAULT_PRESET } from "../models/bunch/presets/index";
 import { compressText, expandText } from "./compressed_text";
-import { DEFAULT_SEED, specimenFromPreset } from "./from_preset";
-import { GRAMMAR_BYTES } from "./limits";
+import { DEFAULT_SEED, fromPreset } from "./from_preset";
 import { Notes } from "./notes";
 import { type Restored, restore } from "./restore";
+import type { Packed, Species } from "./species";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
-import { byLink, writtenIn } from "./table";
-import { writeThinned } from "./thinned";
+import { writtenIn } from "./table";
 
 /** Characters that are read of a query and of a fragment; the rest is not looked at. */
 const LONGEST_QUERY = 16 * 1024;
 const LONGEST_FRAGMENT = 512 * 1024;
 
 /** `?v=2&…#g=…`: the whole specimen. */
-export async function encodeLink(specimen: Specimen): Promise<string> {
-	const query = encodeQuery(specimen);
-	return specimen.grammar === undefined ? query : `${query}#g=${await compressText(specimen.grammar)}`;
+export async function encodeLink<S extends Specimen>(species: Species<S>, specimen: S): Promise<string> {
+	const texts = textsOf(species, specimen);
+	const packed = await Promise.all(texts.map(async ([key, text]) => `${key}=${await compressText(text)}`));
+	return `${encodeQuery(species, specimen)}${packed.length > 0 ? `#${packed.join("&")}` : ""}`;
 }
 
-/** `?v=2&…`: the specimen without its grammar text. */
-export function encodeQuery(specimen: Specimen): string {
-	const preset = specimenFromPreset(specimen.preset);
+/** `?v=2&…`: the specimen without its long texts. */
+export function encodeQuery<S extends Specimen>(species: Species<S>, specimen: S): string {
+	const preset = fromPreset(species, specimen.preset);
 	const parts = [`v=${SPECIMEN_VERSION}`];
-	if (specimen.preset !== DEFAULT_PRESET) parts.push(`preset=${specimen.preset}`);
+	if (!species.unnamed) parts.push(`model=${species.name}`);
+	if (specimen.preset !== species.presets.standard) parts.push(`preset=${specimen.preset}`);
 	if (specimen.seed !== DEFAULT_SEED) parts.push(`seed=${specimen.seed}`);
-	for (const [key, entries] of byLink) {
+	for (const [key, entries] of species.table.links) {
 		const values = entries.map((entry) => shortest(writtenIn(specimen, entry))).join(",");
 		const before = entries.map((entry) => shortest(writtenIn(preset, entry))).join(",");
 		if (values !== before) parts.push(`${key}=${values}`);
 	}
-	if (specimen.thinned.length > 0) parts.push(`thin=${writeThinned(specimen.thinned)}`);
-	if (specimen.inputs?.m !== undefined) parts.push(`m=${specimen.inputs.m}`);
-	if (specimen.inputs?.n !== undefined) parts.push(`n=${specimen.inputs.n.join(",")}`);
+	for (const { query } of species.details) {
+		for (const [key, value] of query?.(specimen, preset) ?? []) parts.push(`${key}=${value}`);
+	}
 	return `?${parts.join("&")}`;
+}
+
+/** Whether the query alone is the whole link. */
+export function isQueryWhole<S extends Specimen>(species: Species<S>, specimen: S): boolean {
+	return textsOf(species, specimen).length === 0;
+}
+
+/** The texts that its fragment carries, by their keys. */
+function textsOf<S extends Specimen>(species: Species<S>, specimen: S): [key: string, text: string][] {
+	return packedOf(species).flatMap(({ link, textOf }) => {
+		const text = textOf(specimen);
+		const same = text === undefined || text === textOf(fromPreset(species, specimen.preset));
+		return same ? [] : [[link, text]];
+	});
 }
 
 /**
@@ -46,21 +60,38 @@ export function encodeQuery(specimen: Specimen): string {
  * @param search the query, with or without its `?`
  * @param hash the fragment, with or without its `#`
  */
-export async function decodeLink(search: string, hash = ""): Promise<Restored> {
+export async function decodeLink<S extends Specimen>(
+	species: Species<S>,
+	search: string,
+	hash = "",
+): Promise<Restored<S>> {
 	const notes = new Notes();
 	const values = valuesOf(search, notes);
-	const text = await grammarOf(hash, notes);
-	return restored(text === undefined ? values : { ...values, grammar: text }, notes);
+	for (const packed of packedOf(species)) {
+		const text = await textIn(hash, packed, notes);
+		if (text !== undefined) values[packed.key] = text;
+	}
+	return restored(species, values, notes);
 }
 
 /** Reads the query alone: at once, and all there is to most links. */
-export function decodeQuery(search: string): Restored {
+export function decodeQuery<S extends Specimen>(species: Species<S>, search: string): Restored<S> {
 	const notes = new Notes();
-	return restored(valuesOf(search, notes), notes);
+	return restored(species, valuesOf(search, notes), notes);
 }
 
-function restored(values: Record<string, string>, notes: Notes): Restored {
-	const { specimen, notes: more } = restore(values);
+/** The name of the model that a query says it is of; undefined where it says none. */
+export function modelInQuery(search: string): string | undefined {
+	return new URLSearchParams(search.slice(0, LONGEST_QUERY)).getAll("model").at(-1);
+}
+
+/** Whether a fragment holds anything of a specimen, so that the link needs `decodeLink`. */
+export function hasPacked<S extends Specimen>(species: Species<S>, hash: string): boolean {
+	return packedOf(species).some(({ link }) => inFragment(hash, link) !== null);
+}
+
+function restored<S extends Specimen>(species: Species<S>, values: Record<string, string>, notes: Notes): Restored<S> {
+	const { specimen, notes: more } = restore(species, values);
 	return { specimen, notes: [...notes.all(), ...more] };
 }
 
@@ -74,24 +105,27 @@ function valuesOf(search: string, notes: Notes): Record<string, string> {
 	return Object.fromEntries(values);
 }
 
-/** Whether a fragment holds a grammar, so that the link needs `decodeLink`. */
-export function hasGrammar(hash: string): boolean {
-	return packedGrammar(hash) !== null;
+function packedOf<S extends Specimen>({ details }: Species<S>): Packed<S>[] {
+	return details.flatMap(({ packed }) => packed ?? []);
 }
 
-function packedGrammar(hash: string): string | null {
-	return new URLSearchParams(hash.replace(/^#/, "").slice(0, LONGEST_FRAGMENT)).get("g");
+function inFragment(hash: string, link: string): string | null {
+	return new URLSearchParams(hash.replace(/^#/, "").slice(0, LONGEST_FRAGMENT)).get(link);
 }
 
-async function grammarOf(hash: string, notes: Notes): Promise<string | undefined> {
-	const packed = packedGrammar(hash);
+async function textIn<S extends Specimen>(
+	hash: string,
+	{ link, key, longest, otherwise }: Packed<S>,
+	notes: Notes,
+): Promise<string | undefined> {
+	const packed = inFragment(hash, link);
 	if (packed === null) return undefined;
 	if (hash.length > LONGEST_FRAGMENT) {
-		notes.add("grammar", "the link is too long", "the built-in grammar is used");
+		notes.add(key, "the link is too long", otherwise);
 		return undefined;
 	}
-	const text = await expandText(packed, GRAMMAR_BYTES);
-	if (text === undefined) notes.add("grammar", "the link is damaged here", "the built-in grammar is used");
+	const text = await expandText(packed, longest);
+	if (text === undefined) notes.add(key, "the link is damaged here", otherwise);
 	return text;
 }
 

@@ -14,22 +14,22 @@ const LONGEST_QUOTE = 32;
 
 /** Collects notes in the order in which parts are read. */
 export class Notes {
-	private readonly list: Note[] = [];
-	private left = 0;
+	readonly #list: Note[] = [];
+	#left = 0;
 
 	add(key: string, problem: string, outcome: string): void {
-		if (this.list.length >= MOST_NOTES) {
-			this.left++;
+		if (this.#list.length >= MOST_NOTES) {
+			this.#left++;
 			return;
 		}
 		const name = cut(key);
-		this.list.push({ key: name, problem, text: `${name}: ${problem}; ${outcome}.` });
+		this.#list.push({ key: name, problem, text: `${name}: ${problem}; ${outcome}.` });
 	}
 
 	all(): Note[] {
-		if (this.left === 0) return this.list;
-		const problem = `${this.left} more parts could not be used`;
-		return [...this.list, { key: "", problem, text: `${problem}.` }];
+		if (this.#left === 0) return this.#list;
+		const problem = `${this.#left} more parts could not be used`;
+		return [...this.#list, { key: "", problem, text: `${problem}.` }];
 	}
 }
 

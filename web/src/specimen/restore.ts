@@ -2,45 +2,31 @@
  * The one door by which data from outside becomes a specimen: links, exported files and the command line all enter
  * here. Nothing is refused: what cannot be used is replaced, and a note says so.
  */
-
-import { presetNamed } from "../models/bunch/presets/index";
-import { specimenFromPreset } from "./from_preset";
-import { GRAMMAR_BYTES, INPUT_M, INPUT_N, INPUT_N_LENGTH, SEED } from "./limits";
+import { fromPreset } from "./from_preset";
+import { SEED } from "./limits";
 import { type Note, Notes, quote } from "./notes";
-import { isRecord, readChoice, readColour, readList, readNumber, readNumbers } from "./read_values";
+import { isRecord, readChoice, readColour, readNumber, readNumbers } from "./read_values";
+import { readWithin } from "./read_within";
+import type { Species } from "./species";
 import { SPECIMEN_VERSION, type Specimen } from "./specimen";
-import {
-	type ChoiceEntry,
-	type ColourEntry,
-	type Entry,
-	entriesOfLink,
-	entryOf,
-	inGap,
-	isLook,
-	type NumberEntry,
-	nearestWithin,
-	type Range,
-	valueIn,
-	writtenIn,
-} from "./table";
-import { readThinned } from "./thinned";
+import { type Entry, valueIn, writtenIn } from "./table";
 
-export interface Restored {
+export interface Restored<S extends Specimen = Specimen> {
 	/** Complete and in range, whatever came in. */
-	specimen: Specimen;
+	specimen: S;
 	notes: Note[];
 }
 
 /** What may surround the values: the groups of a specimen written as JSON. */
-const GROUPS = ["parameters", "look", "inputs"];
+const GROUPS = ["parameters", "look"];
 /** Read before, or not of the specimen itself. */
 const READ_FIRST = new Set(["v", "model", "preset"]);
-/** What a specimen holds besides the parameters of the table. */
-const OWN_KEYS = new Set([...READ_FIRST, "seed", "thin", "thinned", "m", "n", "grammar"]);
 
 /** Whether a key of a link or a table key means something here. */
-export function isKnown(key: string): boolean {
-	return OWN_KEYS.has(key) || entryOf(key) !== undefined || entriesOfLink(key).length > 0;
+export function isKnown<S extends Specimen>({ table, details }: Species<S>, key: string): boolean {
+	if (READ_FIRST.has(key) || key === "seed") return true;
+	if (table.entry(key) !== undefined || table.linked(key).length > 0) return true;
+	return details.some(({ keys }) => keys.includes(key));
 }
 
 /**
@@ -49,34 +35,41 @@ export function isKnown(key: string): boolean {
  *
  * A record of an older version gives what it meant then, as a specimen of now.
  *
+ * @param species what the specimen is to be one of; a record that names another model is read as far as it goes
  * @param record what came in; anything but an object is noted and passed over
  * @param from   the specimen whose values hold where the record is silent; without one, the record's preset
  */
-export function restore(record: unknown, from?: Specimen): Restored {
+export function restore<S extends Specimen>(species: Species<S>, record: unknown, from?: S): Restored<S> {
 	const notes = new Notes();
-	const parts = flatten(record, notes);
+	const parts = flatten(species, record, notes);
 	const named = new Map(parts);
 	// Links from before versions were written are version 1; what says nothing of a specimen is no link.
-	const isLink = from === undefined && parts.some(([key]) => isKnown(key));
+	const isLink = from === undefined && parts.some(([key]) => isKnown(species, key));
 	const version = readVersion(named.get("v"), isLink ? 1 : SPECIMEN_VERSION, notes);
-	readModel(named.get("model"), notes);
-	const specimen = readPreset(named.get("preset"), version, from, notes);
+	readModel(species.name, named.get("model"), notes);
+	const specimen = readPreset(species, named.get("preset"), version, from, notes);
 	for (const [key, value] of parts) {
-		if (!READ_FIRST.has(key)) readPart(specimen, key, value, notes);
+		if (!READ_FIRST.has(key)) readPart(species, specimen, key, value, notes);
 	}
-	matchInputs(specimen, notes);
-	orderRadii(specimen, notes);
+	for (const detail of species.details) detail.agree?.(specimen, notes);
 	return { specimen, notes: notes.all() };
 }
 
-function flatten(record: unknown, notes: Notes): [string, unknown][] {
+/** The name of the model that a record says it is of; undefined where it says none. */
+export function modelIn(record: unknown): string | undefined {
+	const named = isRecord(record) && Object.hasOwn(record, "model") ? record.model : undefined;
+	return typeof named === "string" ? named : undefined;
+}
+
+function flatten<S extends Specimen>({ details }: Species<S>, record: unknown, notes: Notes): [string, unknown][] {
 	if (!isRecord(record)) {
 		if (record !== undefined && record !== null) notes.add("specimen", `${quote(record)} is not a specimen`, "ignored");
 		return [];
 	}
+	const groups = [...GROUPS, ...details.flatMap(({ group }) => group ?? [])];
 	return Object.entries(record)
 		.flatMap(([key, value]) =>
-			GROUPS.includes(key) && isRecord(value) ? Object.entries(value) : [[key, value] as const],
+			groups.includes(key) && isRecord(value) ? Object.entries(value) : [[key, value] as const],
 		)
 		.filter(([, value]) => value !== undefined && value !== null)
 		.map(([key, value]) => [key, value]);
@@ -95,28 +88,38 @@ function readVersion(value: unknown, silent: number, notes: Notes): number {
 	return version;
 }
 
-function readModel(value: unknown, notes: Notes): void {
-	if (value !== undefined && value !== "bunch")
-		notes.add("model", `${quote(value)} is not known here`, "bunch is used");
+function readModel(name: string, value: unknown, notes: Notes): void {
+	if (value !== undefined && value !== name) notes.add("model", `${quote(value)} is not known here`, `${name} is used`);
 }
 
 /** A copy that may be written to. */
-function readPreset(value: unknown, version: number, from: Specimen | undefined, notes: Notes): Specimen {
-	const known = typeof value === "string" && presetNamed(value) !== undefined;
-	const base = known || !from ? specimenFromPreset(known ? value : undefined, version) : from;
+function readPreset<S extends Specimen>(
+	species: Species<S>,
+	value: unknown,
+	version: number,
+	from: S | undefined,
+	notes: Notes,
+): S {
+	const known = typeof value === "string" && species.presets.named(value) !== undefined;
+	const base = known || !from ? fromPreset(species, known ? value : undefined, version) : from;
 	if (value !== undefined && !known) {
 		notes.add("preset", `${quote(value)} is not a preset`, `${base.preset} is used`);
 	}
-	return { ...base, parameters: { ...base.parameters }, look: { ...base.look }, thinned: [...base.thinned] };
+	return structuredClone(base);
 }
 
-function readPart(specimen: Specimen, key: string, value: unknown, notes: Notes): void {
-	const entry = entryOf(key);
-	const linked = entriesOfLink(key);
+function readPart<S extends Specimen>(
+	{ table, details }: Species<S>,
+	specimen: S,
+	key: string,
+	value: unknown,
+	notes: Notes,
+): void {
+	const detail = details.find(({ keys }) => keys.includes(key));
+	const entry = table.entry(key);
+	const linked = table.linked(key);
 	if (key === "seed") specimen.seed = readWithin(SEED, key, value, specimen.seed, notes) ?? specimen.seed;
-	else if (key === "grammar") readGrammar(specimen, value, notes);
-	else if (key === "thin" || key === "thinned") specimen.thinned = readThinned(key, value, notes);
-	else if (key === "m" || key === "n") readInput(specimen, key, value, notes);
+	else if (detail) detail.read?.(specimen, key, value, notes);
 	else if (entry) readEntry(specimen, entry, key, value, notes);
 	else if (linked.length > 0) readPoint(specimen, linked, key, value, notes);
 	else notes.add(key, "not known here", "ignored");
@@ -138,7 +141,7 @@ function readEntry(specimen: Specimen, entry: Entry, name: string, value: unknow
 	}
 }
 
-/** A control point, `w,r`: both or none. */
+/** Parameters that share a link key, such as a control point's `w,r`: all or none. */
 function readPoint(specimen: Specimen, entries: readonly Entry[], key: string, value: unknown, notes: Notes): void {
 	const numbers = readNumbers(value);
 	if (numbers?.length !== entries.length) {
@@ -151,87 +154,6 @@ function readPoint(specimen: Specimen, entries: readonly Entry[], key: string, v
 	});
 }
 
-/** The number that fits the range, noted where it is not the one given; undefined where there is none. */
-function readWithin(range: Range, key: string, value: unknown, before: unknown, notes: Notes): number | undefined {
-	const number = readNumber(value);
-	if (number === undefined) {
-		notes.add(key, `${quote(value)} is not a number`, `${before} is used`);
-		return undefined;
-	}
-	const used = nearestWithin(range, number);
-	const problem = misfit(range, number);
-	if (problem) notes.add(key, problem, `${used} is used`);
-	return used;
-}
-
-function misfit(range: Range, number: number): string | undefined {
-	const { kind, min, max, gapBelow } = range;
-	if (number < min) return `${number} is below the least value, ${min}`;
-	if (number > max) return `${number} is above the greatest value, ${max}`;
-	if (kind === "integer" && !Number.isInteger(number)) return `${number} is not a whole number`;
-	return inGap(range, number) ? `${number} lies between 0 and ${gapBelow}, where nothing is` : undefined;
-}
-
-function readInput(specimen: Specimen, key: "m" | "n", value: unknown, notes: Notes): void {
-	if (key === "m") {
-		const m = readWithin(INPUT_M, key, value, "the profile's", notes);
-		if (m !== undefined) specimen.inputs = { ...specimen.inputs, m };
-		return;
-	}
-	const given = readList(value);
-	const n = readNumbers(given.slice(0, INPUT_N_LENGTH));
-	if (!n || n.length === 0) {
-		notes.add(key, `${quote(value)} is not a list of numbers like “1,2”`, "the profile's is used");
-		return;
-	}
-	if (given.length > n.length) notes.add(key, `${given.length} values are too many`, `the first ${n.length} are used`);
-	specimen.inputs = { ...specimen.inputs, n: n.map((each) => readWithin(INPUT_N, key, each, 0, notes) ?? 0) };
-}
-
-/** The grammar reads n₁ … n₍m−1₎: `n` alone says what m is, and one of another length than m asks for is of no use. */
-function matchInputs(specimen: Specimen, notes: Notes): void {
-	const { m, n } = specimen.inputs ?? {};
-	if (!n) return;
-	if (m === undefined) specimen.inputs = { m: n.length + 1, n };
-	else if (n.length !== m - 1) {
-		notes.add(
-			"n",
-			`m = ${m} needs ${m - 1} ${m === 2 ? "value" : "values"}, not ${n.length}`,
-			"the profile's are used",
-		);
-		specimen.inputs = { m };
-	}
-}
-
-function readGrammar(specimen: Specimen, value: unknown, notes: Notes): void {
-	const problem = typeof value === "string" ? oversize(value) : `${quote(value)} is not text`;
-	if (problem)
-		notes.add("grammar", problem, specimen.grammar ? "the one before is used" : "the built-in grammar is used");
-	else if (value === "") delete specimen.grammar;
-	else specimen.grammar = wellFormed(value as string);
-}
-
-function oversize(text: string): string | undefined {
-	const bytes = text.length > GRAMMAR_BYTES ? text.length : new TextEncoder().encode(text).length;
-	return bytes > GRAMMAR_BYTES ? `longer than ${GRAMMAR_BYTES / 1024} KiB` : undefined;
-}
-
-/** Half a surrogate pair has no UTF-8, so no link or request could carry it. */
-function wellFormed(text: string): string {
-	return new TextDecoder("utf-8", { ignoreBOM: true }).decode(new TextEncoder().encode(text));
-}
-
-function orderRadii(specimen: Specimen, notes: Notes): void {
-	const { rmin, rmax } = specimen.parameters;
-	if (rmin <= rmax) return;
-	notes.add("rmin", `${rmin} is above rmax, ${rmax}`, "the two are swapped");
-	specimen.parameters.rmin = rmax;
-	specimen.parameters.rmax = rmin;
-}
-
-function setValue(specimen: Specimen, entry: NumberEntry | ChoiceEntry, value: number): void;
-function setValue(specimen: Specimen, entry: ColourEntry, value: string): void;
-function setValue(specimen: Specimen, entry: Entry, value: number | string): void {
-	if (isLook(entry.key)) Object.assign(specimen.look, { [entry.key]: value });
-	else Object.assign(specimen.parameters, { [entry.key]: value });
+function setValue(specimen: Specimen, { key, look }: Entry, value: number | string): void {
+	Object.assign(look ? specimen.look : specimen.parameters, { [key]: value });
 }

@@ -1,16 +1,20 @@
 import type { Specimen } from "./specimen";
-import { ENTRIES, valueIn } from "./table";
 
-/** Whether two specimens are the same document, and so have the same link. */
-export function sameSpecimen(a: Specimen, b: Specimen): boolean {
-	return (
-		a === b ||
-		(a.preset === b.preset &&
-			a.seed === b.seed &&
-			a.grammar === b.grammar &&
-			a.inputs?.m === b.inputs?.m &&
-			a.inputs?.n?.join() === b.inputs?.n?.join() &&
-			a.thinned.join() === b.thinned.join() &&
-			ENTRIES.every((entry) => valueIn(a, entry) === valueIn(b, entry)))
-	);
+/** Whether two specimens are the same document, of whatever model, and so have the same link. */
+export function sameSpecimen<S extends Specimen>(a: S, b: S): boolean {
+	return alike(a, b);
+}
+
+/** Whether two specimens grow the same plant; colours do not count. */
+export function growsAlike<S extends Specimen>(a: S, b: S): boolean {
+	return alike({ ...a, look: b.look, preset: b.preset }, b);
+}
+
+/** Equality of plain data; what is undefined is absent. */
+function alike(a: unknown, b: unknown): boolean {
+	if (Object.is(a, b)) return true;
+	if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
+	if (Array.isArray(a) !== Array.isArray(b)) return false;
+	const [one, other] = [a, b] as Readonly<Record<string, unknown>>[];
+	return [...new Set([...Object.keys(one), ...Object.keys(other)])].every((key) => alike(one[key], other[key]));
 }

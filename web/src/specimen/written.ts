@@ -1,12 +1,14 @@
-import type { NumberKey } from "../models/bunch/parameters.generated";
+import type { Species } from "./species";
 import type { Specimen } from "./specimen";
-import { CORE_ENTRIES, writtenIn } from "./table";
+import { writtenIn } from "./table";
 
 /** A specimen as files hold it: choices by the names of their options. */
-export type WrittenSpecimen = Omit<Specimen, "parameters"> & { parameters: Record<NumberKey, number | string> };
+export type WrittenSpecimen<S extends Specimen = Specimen> = Omit<S, "parameters"> & {
+	parameters: Record<keyof S["parameters"], number | string>;
+};
 
 /** What goes into JSON and glTF; `restore` brings it back as it was. */
-export function writtenSpecimen(specimen: Specimen): WrittenSpecimen {
-	const parameters = Object.fromEntries(CORE_ENTRIES.map((entry) => [entry.key, writtenIn(specimen, entry)]));
-	return { ...specimen, parameters: parameters as Record<NumberKey, number | string> };
+export function writtenSpecimen<S extends Specimen>({ table }: Species<S>, specimen: S): WrittenSpecimen<S> {
+	const parameters = Object.fromEntries(table.core.map((entry) => [entry.key, writtenIn(specimen, entry)]));
+	return { ...specimen, parameters: parameters as WrittenSpecimen<S>["parameters"] };
 }

@@ -1,34 +1,70 @@
 /** The address bar: always holds the specimen that is at rest. */
-import { decodeLink, decodeQuery, encodeLink, encodeQuery, hasGrammar } from "../specimen/link";
+import {
+	decodeLink,
+	decodeQuery,
+	encodeLink,
+	encodeQuery,
+	hasPacked,
+	isQueryWhole,
+	modelInQuery,
+} from "../specimen/link";
 import type { Restored } from "../specimen/restore";
+import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 
-/** What the address says, at once; a grammar in the fragment has to be unpacked and follows by `readWhole`. */
-export function readAddress({ search, hash }: Pick<Location, "search" | "hash">): Restored & { whole: boolean } {
-	return { ...decodeQuery(search), whole: !hasGrammar(hash) };
+type Address = Pick<Location, "search" | "hash">;
+
+/** The name of the model that the address says it is of. */
+export function modelInAddress({ search }: Pick<Location, "search">): string | undefined {
+	return modelInQuery(search);
 }
 
-/** What the address says, its grammar included. */
-export function readWholeAddress({ search, hash }: Pick<Location, "search" | "hash">): Promise<Restored> {
-	return decodeLink(search, hash);
+/** What the address says, at once; a text in the fragment has to be unpacked and follows by `readWholeAddress`. */
+export function readAddress<S extends Specimen>(
+	species: Species<S>,
+	{ search, hash }: Address,
+): Restored<S> & { whole: boolean } {
+	return { ...decodeQuery(species, search), whole: !hasPacked(species, hash) };
 }
 
-let newest: Specimen | undefined;
-
-/** Writes the specimen into the address bar in place of the one before. */
-export async function writeAddress(specimen: Specimen): Promise<void> {
-	newest = specimen;
-	const link = specimen.grammar === undefined ? encodeQuery(specimen) : await encodeLink(specimen);
-	// Packing a grammar takes its time: a newer specimen may have come to rest meanwhile.
-	if (newest !== specimen || `${location.search}${location.hash}` === link) return;
-	try {
-		history.replaceState(null, "", `${location.pathname}${link}`);
-	} catch {
-		// Browsers forbid more than some hundred writes in a few seconds; the next one will hold.
-	}
+/** What the address says, its fragment included. */
+export function readWholeAddress<S extends Specimen>(
+	species: Species<S>,
+	{ search, hash }: Address,
+): Promise<Restored<S>> {
+	return decodeLink(species, search, hash);
 }
 
 /** The whole link, for copying and for files. */
-export async function linkOf(specimen: Specimen): Promise<string> {
-	return `${location.origin}${location.pathname}${await encodeLink(specimen)}`;
+export async function linkOf<S extends Specimen>(species: Species<S>, specimen: S): Promise<string> {
+	return `${location.origin}${location.pathname}${await encodeLink(species, specimen)}`;
+}
+
+/** Writes specimens into the address bar, each in place of the one before. */
+export class AddressBar {
+	readonly #location: Pick<Location, "search" | "hash" | "pathname">;
+	readonly #history: Pick<History, "replaceState">;
+	#newest: Specimen | undefined;
+
+	constructor(
+		place: Pick<Location, "search" | "hash" | "pathname"> = location,
+		past: Pick<History, "replaceState"> = history,
+	) {
+		this.#location = place;
+		this.#history = past;
+	}
+
+	async write<S extends Specimen>(species: Species<S>, specimen: S): Promise<void> {
+		this.#newest = specimen;
+		const whole = isQueryWhole(species, specimen);
+		const link = whole ? encodeQuery(species, specimen) : await encodeLink(species, specimen);
+		const { search, hash, pathname } = this.#location;
+		// Packing a text takes its time: a newer specimen may have come to rest meanwhile.
+		if (this.#newest !== specimen || `${search}${hash}` === link) return;
+		try {
+			this.#history.replaceState(null, "", `${pathname}${link}`);
+		} catch {
+			// Browsers forbid more than some hundred writes in a few seconds; the next one will hold.
+		}
+	}
 }

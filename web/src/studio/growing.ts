@@ -1,57 +1,53 @@
-import type { GrowOptions } from "../core/client";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
-import type { Grown } from "../models/bunch/grown";
-import type { RequestOptions } from "../models/bunch/request";
+import type { GrowthOptions, Model } from "../models/model";
 import type { Specimen } from "../specimen/specimen";
+import type { Grower } from "./cores";
 import type { Studio } from "./studio";
 import type { Failure, Remedy } from "./types";
 
 /** What takes longer than this shows that it grows, and can be cancelled; milliseconds. */
 const PATIENCE = 200;
 
-/** The measure from asking for a bunch to having its buffers: the last one stands, an observer hears of all (`npm run bench`). */
+/** The measure from asking for a plant to having its buffers: the last one stands, an observer hears of all (`npm run bench`). */
 const REGROW = "regrow";
 
-/** Grows a specimen off the page's thread; rejects as Client.grow does. */
-export interface Grower {
-	grow(specimen: Specimen, options?: RequestOptions & GrowOptions): Promise<Grown>;
-}
-
-/** Keeps the studio's bunch in step with its specimen: asks the client, hands over what grew, says what went wrong. */
+/** Keeps the studio's plant in step with its specimen: asks the core, hands over what grew, says what went wrong. */
 export class Growing {
+	readonly #grower: Grower;
+	readonly #studio: () => Studio;
 	/** The newest request; older answers are shown too while a drag goes on, so that every frame is the latest there is. */
 	#newest = 0;
 	#shown = 0;
 	#cancel: AbortController | undefined;
 	#timer: ReturnType<typeof setTimeout> | undefined;
 
-	constructor(
-		private readonly client: Grower,
-		private readonly studio: () => Studio,
-	) {}
+	constructor(grower: Grower, studio: () => Studio) {
+		this.#grower = grower;
+		this.#studio = studio;
+	}
 
 	/** Grows a specimen, measured unless it says not; a newer call takes its place. */
-	async grow(specimen: Specimen, options: RequestOptions = {}): Promise<void> {
+	async grow(model: Model, specimen: Specimen, options: GrowthOptions = {}): Promise<void> {
 		const turn = ++this.#newest;
 		this.#cancel ??= new AbortController();
 		this.#timer ??= this.#patience();
 		const start = performance.now();
 		try {
-			const grown = await this.client.grow(specimen, { ...options, signal: this.#cancel.signal });
+			const grown = await this.#grower.grow(model, specimen, { ...options, signal: this.#cancel.signal });
 			performance.clearMeasures(REGROW);
 			performance.measure(REGROW, { start });
 			if (turn < this.#shown) return;
 			this.#shown = turn;
 			this.#answered(turn);
-			this.studio().grew(grown, specimen);
+			this.#studio().grew(grown, specimen);
 		} catch (error) {
 			if (turn !== this.#newest) return;
 			this.#answered(turn);
-			this.#explain(error);
+			this.#explain(error, model.noun);
 		}
 	}
 
-	/** Ends what is under way; the last bunch stays, if there is one. */
+	/** Ends what is under way; the last plant stays, if there is one. */
 	cancel(): void {
 		this.#cancel?.abort(new Cancelled());
 	}
@@ -59,43 +55,44 @@ export class Growing {
 	/** Patience is with the answer that is awaited, not with a whole drag. */
 	#answered(turn: number): void {
 		clearTimeout(this.#timer);
-		this.studio().setGrowing(false);
+		this.#studio().setGrowing(false);
 		const atRest = turn === this.#newest;
 		this.#timer = atRest ? undefined : this.#patience();
 		if (atRest) this.#cancel = undefined;
 	}
 
 	#patience(): ReturnType<typeof setTimeout> {
-		return setTimeout(() => this.studio().setGrowing(true), PATIENCE);
+		return setTimeout(() => this.#studio().setGrowing(true), PATIENCE);
 	}
 
-	#explain(error: unknown): void {
+	#explain(error: unknown, noun: string): void {
 		if (error instanceof Superseded) return;
-		const studio = this.studio();
-		const failure = failureOf(error);
-		// Where the place is at fault, no change of the specimen helps, so a notice beside the last bunch would not do.
-		if (!studio.state.grown || !failure.remedies.includes("other")) studio.fail(failure);
-		else if (error instanceof CoreError) studio.notify(`${failure.title}; the last bunch stays`, failure.details);
-		else studio.notify(failure.title, ["The last bunch stays; any change grows again."]);
+		const studio = this.#studio();
+		const { shown } = studio.state;
+		const failure = failureOf(error, noun);
+		// Where the place is at fault, no change of the specimen helps, so a notice beside the last plant would not do.
+		if (!shown || !failure.remedies.includes("other")) studio.fail(failure);
+		else if (error instanceof CoreError)
+			studio.notify(`${failure.title}; the last ${shown.model.noun} stays`, failure.details);
+		else studio.notify(failure.title, [`The last ${shown.model.noun} stays; any change grows again.`]);
 	}
 }
 
-const NONE_YET = "There is no bunch yet; any change grows again.";
-
-/** What went wrong, in the words for a page without a bunch. */
-function failureOf(error: unknown): Failure {
+/** What went wrong, in the words for a page without a plant. */
+function failureOf(error: unknown, noun: string): Failure {
 	if (error instanceof CoreError) {
 		return { title: "This cannot be grown", details: [where(error)], remedies: ["other"] };
 	}
 	const remedies: readonly Remedy[] = ["again", "other"];
+	const noneYet = `There is no ${noun} yet; any change grows again.`;
 	if (error instanceof Cancelled) {
-		return { title: "Growing was cancelled", details: [NONE_YET], remedies };
+		return { title: "Growing was cancelled", details: [noneYet], remedies };
 	}
 	if (error instanceof CoreTrap) {
-		return { title: "Growing broke off and its worker was replaced", details: [NONE_YET], remedies };
+		return { title: "Growing broke off and its worker was replaced", details: [noneYet], remedies };
 	}
 	const text = error instanceof Error ? error.message : String(error);
-	return { title: "No bunch can grow here", details: [text], remedies: ["again"] };
+	return { title: `No ${noun} can grow here`, details: [text], remedies: ["again"] };
 }
 
 class Cancelled extends Error {

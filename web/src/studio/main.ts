@@ -1,60 +1,30 @@
-/** The application's start: wires the store to the worker, the address bar and the page, and nothing else. */
-import coreUrl from "../../../build/core/bunch.wasm?url";
-import { Client } from "../core/client";
-import { presetNamed } from "../models/bunch/presets/index";
-import { readGrown } from "../models/bunch/read_grown";
-import { encodeRequest } from "../models/bunch/request";
-import { readAddress, readWholeAddress, writeAddress } from "./address";
-import { AgePlayer } from "./age_player";
+/** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
+import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
+import type { Model } from "../models/model";
+import { AddressBar, modelInAddress, readAddress, readWholeAddress } from "./address";
+import { coreAddress } from "./core_address";
+import { Cores } from "./cores";
 import { Growing } from "./growing";
+import type { Help } from "./parts/help";
+import type { StudioPart } from "./parts/studio_part";
 import { listenForShortcuts } from "./shortcuts";
-import { loadScene } from "./solid_view";
+import { loadFigure, loadScene } from "./solid_view";
 import { Studio } from "./studio";
-import { applyTheme, onSystemTheme } from "./theme";
+import { applyTheme, isSystemDark, onSystemTheme } from "./theme";
 import { loadUi, saveUi } from "./ui_state";
 import "./parts/stage";
-import type { Help } from "./parts/help";
-import type { StudioElement } from "./parts/studio_element";
-import "./parts/age_bar";
+import "./parts/bars";
 import "./parts/drop";
+import "./parts/editors";
 import "./parts/gallery";
 import "./parts/help";
 import "./parts/history_bar";
 import "./parts/notices";
 import "./parts/panel";
-import "./parts/profiles";
 import "./parts/share_bar";
 import "./parts/speaker";
 import "./parts/variation";
 import "./parts/view_switch";
-
-// The core's fetch, its worker and the 3-D view's script start together; the page is drawn meanwhile.
-const client = new Client({ onNote: (text) => console.info(text) });
-client.warm(coreUrl);
-const growing = new Growing(
-	{
-		grow: async (specimen, { signal, ...options } = {}) => {
-			const order = { wasm: coreUrl, blocks: encodeRequest(specimen, options) };
-			return readGrown(await client.grow(order, signal ? { signal } : {}));
-		},
-	},
-	() => studio,
-);
-void loadScene();
-
-const ui = loadUi(localStorageOr());
-applyTheme(ui.theme);
-
-const opened = readAddress(location);
-const studio = new Studio(opened.specimen, ui, {
-	grow: (specimen, options) => void growing.grow(specimen, options),
-	cancel: () => growing.cancel(),
-	settled: (specimen) => void writeAddress(specimen),
-	remember: (next) => {
-		saveUi(localStorageOr(), next);
-		applyTheme(next.theme);
-	},
-});
 
 /** The parts that draw the studio, by their tags in index.html. */
 const PARTS = [
@@ -63,8 +33,8 @@ const PARTS = [
 	"panicle-share",
 	"panicle-view-switch",
 	"panicle-stage",
-	"panicle-profiles",
-	"panicle-age",
+	"panicle-editors",
+	"panicle-bars",
 	"panicle-gallery",
 	"panicle-panel",
 	"panicle-notices",
@@ -73,31 +43,90 @@ const PARTS = [
 	"panicle-speaker",
 ].join();
 
-start();
+// The link's model, its core and the 3-D view's script start together; the page is drawn meanwhile.
+const asked = modelInAddress(location) ?? DEFAULT_MODEL;
+const cores = new Cores(coreAddress);
+cores.warm(`${isModel(asked) ? asked : DEFAULT_MODEL}.wasm`);
+void loadScene();
+const ui = loadUi(localStorageOr());
+applyTheme(ui.theme);
+modelNamed(asked).then(start, refuse);
 
-function start(): void {
-	// Asked for before the parts are drawn, the bunch grows meanwhile; a grammar has to be unpacked first.
+function start(model: Model): void {
+	loadFigure(model).catch(() => {}); // The stage asks again, and says why not.
+	const growing = new Growing(cores, () => studio);
+	const bar = new AddressBar();
+	const opened = readAddress(model, location);
+	const { specimen } = opened;
+	const studio = new Studio(
+		{ model, specimen, ui, systemDark: isSystemDark() },
+		{
+			grow: (of, each, options) => void growing.grow(of, each, options),
+			cancel: () => growing.cancel(),
+			settled: (of, each) => void bar.write(of, each),
+			remember: (next) => {
+				saveUi(localStorageOr(), next);
+				applyTheme(next.theme);
+			},
+		},
+	);
+	// Asked for before the parts are drawn, the plant grows meanwhile; a text in the fragment has to be unpacked first.
 	if (opened.whole) studio.open(opened, "link");
-	else void readWholeAddress(location).then((whole) => studio.open(whole, "link"));
-	for (const part of document.querySelectorAll<StudioElement>(PARTS)) part.studio = studio;
+	else void readWholeAddress(model, location).then((whole) => studio.open(whole, "link"));
+	draw(studio);
+	listCatalogue(studio);
+	addEventListener("popstate", () => void follow(studio));
+}
+
+function draw(studio: Studio): void {
+	for (const part of document.querySelectorAll<StudioPart>(PARTS)) part.desk = studio;
 	const help = document.querySelector<Help>("panicle-help");
 	document.addEventListener("panicle-help", () => help?.open());
-	new AgePlayer(studio);
 	listenForShortcuts(studio, () => help?.open());
-	onSystemTheme(() => studio.setUi({}));
+	onSystemTheme((dark) => studio.setSystemDark(dark));
+	const nameTab = () => {
+		document.title = titleOf(studio);
+	};
+	nameTab();
 	studio.subscribe(nameTab);
-	addEventListener("popstate", () => void follow());
 }
 
 /** Tabs and bookmarks are told apart by what they hold. */
-function nameTab(): void {
-	const { preset, seed } = studio.state.specimen;
-	document.title = `${presetNamed(preset)?.title ?? "Grape bunch"} ${seed} · Panicle`;
+function titleOf({ state: { model, specimen } }: Studio): string {
+	const { preset, seed } = specimen;
+	return `${model.presets.named(preset)?.title ?? model.title} ${seed} · Panicle`;
 }
 
+/** Once the first plant is there, or is known not to come, the gallery gets every model's presets. */
+function listCatalogue(studio: Studio): void {
+	const end = studio.subscribe(() => {
+		const { shown, failure } = studio.state;
+		if (!shown && !failure) return;
+		end();
+		void Promise.allSettled(modelNames().map((name) => modelNamed(name))).then((models) => {
+			studio.list(models.flatMap((model) => (model.status === "fulfilled" ? [model.value] : [])));
+		});
+	});
+}
+
+let followed = 0;
+
 /** The address is another one: by Back, Forward or by hand. */
-async function follow(): Promise<void> {
-	studio.take(await readWholeAddress(location), "link");
+async function follow(studio: Studio): Promise<void> {
+	const turn = ++followed;
+	const { search, hash } = location;
+	const model = await modelNamed(modelInAddress({ search }));
+	const restored = await readWholeAddress(model, { search, hash });
+	if (turn === followed) studio.take(model, restored, "link");
+}
+
+/** Not even the model has come, so there is nothing to draw the page from. */
+function refuse(): void {
+	const words = document.createElement("p");
+	words.className = "noscript";
+	words.role = "alert";
+	words.textContent = "Part of this page could not be fetched; check the connection and load it again.";
+	document.querySelector("main")?.append(words);
 }
 
 /** Storage that forgets, where the browser forbids it. */

@@ -1,32 +1,37 @@
-/** Which of the table's groups and parameters the panel shows: those that the chosen procedure heeds. */
-import { PROCEDURES, type Procedure } from "../models/bunch/grown";
-import { GROUPS, type GroupInfo, PARAMETERS, type ParameterInfo } from "../models/bunch/parameters.generated";
+/** Which of a table's groups and parameters the panel shows: those that the specimen heeds, and what tools add. */
+import type { Tool } from "../controls/tool";
 import type { Specimen } from "../specimen/specimen";
-
-/** Those with a control of their own elsewhere: the age stands below the view, at hand on every screen. */
-const ELSEWHERE: readonly string[] = ["age"];
+import type { Entry, Group, Table } from "../specimen/table";
 
 export interface PanelGroup {
-	readonly group: GroupInfo;
-	readonly infos: readonly ParameterInfo[];
+	readonly group: Group;
+	readonly entries: readonly Entry[];
+	/** Tools with something above the group's controls, and below them. */
+	readonly above: readonly Tool[];
+	readonly below: readonly Tool[];
 }
 
-export function procedureOf({ parameters }: Pick<Specimen, "parameters">): Procedure {
-	return PROCEDURES[parameters.procedure];
+/**
+ * The groups with anything in them, in the table's order.
+ * @param tools those that mean anything to the specimen
+ */
+export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool[]): readonly PanelGroup[] {
+	const elsewhere = new Set(tools.flatMap(({ parameters = [] }) => parameters));
+	const heeded = table.entries.filter((entry) => table.heeds(specimen, entry) && !elsewhere.has(entry.key));
+	return table.groups
+		.map((group) => {
+			const own = tools.filter(({ panel }) => panel?.group === group.key);
+			return {
+				group,
+				entries: heeded.filter((entry) => entry.group === group.key),
+				above: own.filter(({ panel }) => panel?.place === "above"),
+				below: own.filter(({ panel }) => panel?.place === "below"),
+			};
+		})
+		.filter(({ entries, above, below }) => entries.length + above.length + below.length > 0);
 }
 
-/** The groups with anything in them, in the table's order. */
-export function groupsFor(procedure: Procedure): readonly PanelGroup[] {
-	return BY_PROCEDURE[procedure];
+/** The tools that mean anything to a specimen. */
+export function applying(tools: readonly Tool[] = [], specimen: Specimen): readonly Tool[] {
+	return tools.filter(({ applies }) => applies?.(specimen) ?? true);
 }
-
-function gather(procedure: Procedure): readonly PanelGroup[] {
-	const heeded = PARAMETERS.filter(
-		(info) => (info.procedure ?? procedure) === procedure && !ELSEWHERE.includes(info.key),
-	);
-	return GROUPS.map((group) => ({ group, infos: heeded.filter((info) => info.group === group.key) })).filter(
-		({ infos }) => infos.length > 0,
-	);
-}
-
-const BY_PROCEDURE: Record<Procedure, readonly PanelGroup[]> = { paper: gather("paper"), natural: gather("natural") };

@@ -1,36 +1,48 @@
-import { procedureOf } from "./panel_groups";
+import type { ToolKey } from "../controls/tool";
+import { applying } from "./panel_groups";
 import type { Studio } from "./studio";
+import type { StudioState } from "./studio_state";
 
 interface Shortcut {
 	readonly keys: readonly string[];
 	readonly does: string;
 }
 
-/** What the help lists, those of the views and controls included. */
-export const SHORTCUTS: readonly Shortcut[] = [
+const FIRST: readonly Shortcut[] = [
 	{ keys: ["Ctrl+Z"], does: "Undo" },
 	{ keys: ["Ctrl+Shift+Z", "Ctrl+Y"], does: "Redo" },
 	{ keys: ["N"], does: "New variation" },
-	{ keys: ["S"], does: "Stems only, and back" },
-	{ keys: ["O"], does: "Octahedron and its handles in 3-D, and back" },
-	{ keys: ["T"], does: "Thin by hand: a click takes a berry off; and back" },
-	{ keys: ["K"], does: "Play the bunch's life, and pause" },
+];
+const LAST: readonly Shortcut[] = [
 	{ keys: ["?"], does: "This help" },
 	{ keys: ["←", "→", "↑", "↓"], does: "In the 3-D view: orbit; with Shift: move" },
 	{ keys: ["+", "−", "0"], does: "In the 3-D view: nearer, further, reset view" },
-	{ keys: ["Page ↑", "Page ↓"], does: "On the age: the next stage, the one before" },
-	{ keys: ["Delete"], does: "On a slider: the preset's value; on the berry's: take it off" },
+	{ keys: ["Delete"], does: "On a slider: the preset's value" },
 ];
 
-/** Keys for the whole page. While text is typed, they are the text's. */
-export function listenForShortcuts(studio: Studio, openHelp: () => void): void {
-	window.addEventListener("keydown", (event) => {
+/** What the help lists, those of the views, controls and tools included. */
+export function shortcuts({ face }: Pick<StudioState, "face">): readonly Shortcut[] {
+	const tools = face?.tools ?? [];
+	const letter = ({ letter, does }: ToolKey) => ({ keys: [letter.toUpperCase()], does });
+	return [
+		...FIRST,
+		...tools.flatMap(({ key }) => (key ? [letter(key)] : [])),
+		...LAST,
+		...tools.flatMap(({ keys = [] }) => keys),
+	];
+}
+
+/** Keys for the whole page. While text is typed, they are the text's. Returns what ends it. */
+export function listenForShortcuts(studio: Studio, openHelp: () => void): () => void {
+	const listener = (event: KeyboardEvent) => {
 		if (event.defaultPrevented || isTyping(event)) return;
 		const action = event.ctrlKey || event.metaKey ? commandOf(event, studio) : letterOf(event, studio, openHelp);
 		if (!action) return;
 		event.preventDefault();
 		action();
-	});
+	};
+	window.addEventListener("keydown", listener);
+	return () => window.removeEventListener("keydown", listener);
 }
 
 function commandOf(event: KeyboardEvent, studio: Studio): (() => void) | undefined {
@@ -40,20 +52,14 @@ function commandOf(event: KeyboardEvent, studio: Studio): (() => void) | undefin
 	return undefined;
 }
 
-function letterOf(event: KeyboardEvent, studio: Studio, openHelp: () => void): (() => unknown) | undefined {
+function letterOf(event: KeyboardEvent, studio: Studio, openHelp: () => void): (() => void) | undefined {
 	if (event.altKey || document.querySelector("dialog[open]")) return undefined;
-	const { ui, playing, specimen } = studio.state;
-	// Only a natural bunch ages and is thinned.
-	const natural = procedureOf(specimen) === "natural";
-	const actions: Readonly<Record<string, () => unknown>> = {
-		n: () => studio.newVariation(),
-		s: () => studio.setUi({ stems: !ui.stems }),
-		o: () => studio.setUi({ octahedron: !ui.octahedron }),
-		t: () => natural && studio.setUi({ thinning: !ui.thinning }),
-		k: () => natural && studio.setPlaying(!playing),
-		"?": openHelp,
-	};
-	return actions[event.key.toLowerCase()];
+	const pressed = event.key.toLowerCase();
+	if (pressed === "n") return () => studio.newVariation();
+	if (pressed === "?") return openHelp;
+	const { face, specimen } = studio.state;
+	const tool = applying(face?.tools, specimen).find(({ key }) => key?.letter === pressed);
+	return tool && (() => tool.press?.(studio));
 }
 
 /** In a field that holds text, Ctrl+Z and letters belong to it; sliders, switches and pictures of colour hold none. */

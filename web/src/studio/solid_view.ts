@@ -1,25 +1,39 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
-
-import type { Grown } from "../models/bunch/grown";
-import type { OctahedronHandles } from "../models/bunch/profile/octahedron";
-import type { OctahedronColours } from "../models/bunch/profile/octahedron_figure";
+import type { Camera, Object3D } from "three";
+import type { Face, ToolHands, ToolView } from "../controls/tool";
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import type { FigureMaker } from "../scene/figure";
 import type { Viewer } from "../scene/viewer";
 import type { Specimen } from "../specimen/specimen";
-import type { Studio, StudioState } from "./studio";
-import { isDark } from "./theme";
-import { ThinningPointer } from "./thinning_pointer";
+import type { Studio } from "./studio";
+import type { Shown, StudioState } from "./studio_state";
 
-type SceneModules = [typeof import("../scene/viewer"), typeof import("../models/bunch/figure/bunch_figure")];
+type SceneModule = typeof import("../scene/viewer");
+type Maker = FigureMaker<Specimen, Plant>;
 
-let loading: Promise<SceneModules> | undefined;
+let loading: Promise<SceneModule> | undefined;
+const figures = new Map<Model, Promise<Maker>>();
 
 /** Starts loading the scene's script, the largest of the page; asked for again, it is the same one. */
-export function loadScene(): Promise<SceneModules> {
-	loading ??= Promise.all([import("../scene/viewer"), import("../models/bunch/figure/bunch_figure")]);
+export function loadScene(): Promise<SceneModule> {
+	loading ??= import("../scene/viewer");
 	return loading;
 }
 
-/** What the canvas has to tell besides the bunch. */
+/** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
+export function loadFigure(model: Model): Promise<Maker> {
+	const before = figures.get(model);
+	if (before) return before;
+	const figure =
+		model.figure?.() ??
+		import("../scene/part_figure").then(({ partFigure }) => partFigure((grown, from) => model.parts(grown, from)));
+	figures.set(model, figure);
+	figure.catch(() => figures.delete(model));
+	return figure;
+}
+
+/** What the canvas has to tell besides the plant. */
 export interface SolidViewEvents {
 	lost(): void;
 	restored(): void;
@@ -31,100 +45,171 @@ const ZOOM_STEP = 1.15;
 /** Pixels of a picture to one of the page. */
 const PICTURE_SCALE = 2;
 
-export class SolidView {
-	#shown: Pick<StudioState, "grown" | "specimen"> | undefined;
+export class SolidView implements ToolView {
+	readonly canvas: HTMLCanvasElement;
+	readonly #view: Viewer<Specimen, Plant>;
+	readonly #studio: Studio;
+	#orbiting = true;
+	#disposed = false;
+	/** Whose figure is on the stage, and whose is on its way. */
+	#figured: Model | undefined;
+	#awaited: Model | undefined;
+	#shown: Shown | undefined;
+	#look: StudioState["specimen"]["look"] | undefined;
 	#dark: boolean | undefined;
-	#handles: Promise<OctahedronHandles> | undefined;
-	#thinning: ThinningPointer;
+	/** The hands of the tools of `#face`. */
+	#hands: ToolHands[] = [];
+	#face: Face | undefined;
 
-	private constructor(
-		readonly view: Viewer<Specimen, Grown>,
-		private readonly canvas: HTMLCanvasElement,
-		private readonly studio: Studio,
-	) {
-		this.#thinning = new ThinningPointer(canvas, {
-			berryAt: (x, y) => view.pick(x, y),
-			mark: (id) => studio.mark(id),
-			take: (id) => studio.thin(id),
-		});
+	private constructor(canvas: HTMLCanvasElement, view: Viewer<Specimen, Plant>, studio: Studio) {
+		this.canvas = canvas;
+		this.#view = view;
+		this.#studio = studio;
 	}
 
 	/** @throws NoWebGL2Error where the browser has none, and whatever the loading of the script throws */
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
-		const [{ Viewer }, { bunchFigure }] = await loadScene();
+		const { Viewer } = await loadScene();
+		const { model, dark } = studio.state;
 		const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
-		const theme = isDark(studio.state.ui.theme) ? "dark" : "light";
-		const view = new Viewer<Specimen, Grown>(canvas, { reducedMotion, theme, checked: import.meta.env.DEV });
-		view.use(bunchFigure);
+		const theme = dark ? "dark" : "light";
+		const view = new Viewer<Specimen, Plant>(canvas, { reducedMotion, theme, checked: import.meta.env.DEV });
 		view.onFirstDraw = () => performance.mark("first-bunch");
 		view.onContextLost = () => events.lost();
 		view.onContextRestored = () => events.restored();
-		return new SolidView(view, canvas, studio);
+		const solid = new SolidView(canvas, view, studio);
+		await solid.#use(model);
+		return solid;
 	}
 
 	/** Brings the view to the state; what has not changed costs nothing. */
-	update({ grown, specimen, history, marked, ui }: StudioState): void {
-		this.view.holdView(history.gesture !== undefined);
-		if (grown && (grown !== this.#shown?.grown || specimen.look !== this.#shown.specimen.look)) {
-			this.view.show(grown, specimen);
+	update(state: StudioState): void {
+		const { shown, model, specimen, held, dark, face } = state;
+		if (shown && shown.model !== this.#figured) {
+			this.#bring(shown.model);
+			return;
 		}
-		this.#shown = { grown, specimen };
-		this.#thinning.enabled = ui.thinning && !ui.stems;
-		this.view.mark(marked);
-		this.view.setMode(ui.stems ? "stems" : "whole");
-		const dark = isDark(ui.theme);
-		if (dark !== this.#dark) this.view.setTheme(dark ? "dark" : "light");
-		const themed = dark !== this.#dark;
+		this.#view.holdView(held);
+		// Colours change without growing: those on the controls, where what is shown is of the same model.
+		const look = shown?.model === model ? specimen.look : shown?.from.look;
+		if (shown && look && (shown !== this.#shown || look !== this.#look)) {
+			this.#view.show(shown.grown, { ...shown.from, look });
+		}
+		this.#shown = shown;
+		this.#look = look;
+		if (dark !== this.#dark) this.#view.setTheme(dark ? "dark" : "light");
 		this.#dark = dark;
-		void this.#updateHandles(ui.octahedron, themed);
+		// What is in view may still be another model's.
+		this.#arm(shown && shown.model !== model ? undefined : face);
+		for (const hands of this.#hands) hands.update(state);
 	}
 
 	/** The present view as a PNG. */
 	picture(): Promise<Blob> {
 		const { clientWidth, clientHeight } = this.canvas;
-		return this.view.snapshot(clientWidth * PICTURE_SCALE, clientHeight * PICTURE_SCALE);
+		return this.#view.snapshot(clientWidth * PICTURE_SCALE, clientHeight * PICTURE_SCALE);
 	}
 
 	/** Turns, moves and zooms by keys; tells whether the key was one of them. */
 	press({ key, shiftKey }: KeyboardEvent): boolean {
 		const arrow = ARROWS[key];
-		if (arrow && shiftKey) this.view.pan(arrow[0] * PAN_STEP, arrow[1] * PAN_STEP);
-		else if (arrow) this.view.orbit(arrow[0] * ORBIT_STEP, arrow[1] * ORBIT_STEP);
-		else if (key === "+" || key === "=") this.view.zoom(ZOOM_STEP);
-		else if (key === "-" || key === "−") this.view.zoom(1 / ZOOM_STEP);
-		else if (key === "0") this.view.resetView();
+		if (arrow && shiftKey) this.#view.pan(arrow[0] * PAN_STEP, arrow[1] * PAN_STEP);
+		else if (arrow) this.#view.orbit(arrow[0] * ORBIT_STEP, arrow[1] * ORBIT_STEP);
+		else if (key === "+" || key === "=") this.#view.zoom(ZOOM_STEP);
+		else if (key === "-" || key === "−") this.#view.zoom(1 / ZOOM_STEP);
+		else if (key === "0") this.reset();
 		else return false;
 		return true;
 	}
 
-	async #updateHandles(visible: boolean, themed: boolean): Promise<void> {
-		if (!visible && !this.#handles) return;
-		const first = this.#handles === undefined;
-		this.#handles ??= this.#createHandles();
-		const handles = await this.#handles;
-		const { specimen, ui } = this.studio.state;
-		handles.locks = ui.locks;
-		if (first || themed) handles.setColours(coloursOf(this.canvas));
-		handles.setVisible(ui.octahedron);
-		if (ui.octahedron) handles.update(specimen.parameters);
+	/** The whole plant again, as the page opens with it. */
+	reset(): void {
+		this.#view.resetView();
 	}
 
-	async #createHandles(): Promise<OctahedronHandles> {
-		const { OctahedronHandles } = await import("../models/bunch/profile/octahedron");
-		const { view, canvas, studio } = this;
-		const handles = new OctahedronHandles({
-			canvas,
-			camera: view.camera,
-			requestRender: () => view.requestRender(),
-			setControlsEnabled: (on) => {
-				view.orbiting = on;
-				this.#thinning.blocked = !on;
-			},
-		});
-		handles.onInput = (parameters) => studio.edit({ parameters });
-		handles.onChange = () => studio.settle();
-		view.addOverlay(handles.object);
-		return handles;
+	/** The canvas has another size. */
+	resize(): void {
+		this.#view.resize();
+	}
+
+	dispose(): void {
+		this.#disposed = true;
+		this.#arm(undefined);
+		this.#view.dispose();
+	}
+
+	get camera(): Camera {
+		return this.#view.camera;
+	}
+
+	get orbiting(): boolean {
+		return this.#orbiting;
+	}
+
+	set orbiting(on: boolean) {
+		this.#orbiting = on;
+		this.#view.orbiting = on;
+	}
+
+	addOverlay(object: Object3D): void {
+		this.#view.addOverlay(object);
+	}
+
+	removeOverlay(object: Object3D): void {
+		this.#view.removeOverlay(object);
+	}
+
+	requestRender(): void {
+		this.#view.requestRender();
+	}
+
+	pick(x: number, y: number): number | undefined {
+		return this.#view.pick(x, y);
+	}
+
+	mark(picked: number | undefined): void {
+		this.#view.mark(picked);
+	}
+
+	setMode(mode: string | undefined): void {
+		this.#view.setMode(mode ?? this.#view.modes[0]);
+	}
+
+	/** Puts a model's figure on the stage, in place of the last one's. */
+	async #use(model: Model): Promise<void> {
+		const figure = await loadFigure(model);
+		if (this.#disposed) return;
+		this.#view.use(figure);
+		this.#figured = model;
+		this.#shown = undefined;
+	}
+
+	/** The same while the page goes on; the newest that was asked for is the one that comes. */
+	#bring(model: Model): void {
+		if (model === this.#awaited) return;
+		this.#awaited = model;
+		loadFigure(model)
+			.then(() => (model === this.#awaited ? this.#use(model) : undefined))
+			.then(() => {
+				if (model === this.#awaited && !this.#disposed) {
+					this.#awaited = undefined;
+					this.update(this.#studio.state);
+				}
+			})
+			.catch(() => {
+				this.#awaited = undefined;
+				this.#studio.notify(`The ${model.noun} cannot be drawn`, [
+					"Part of the page could not be fetched; sliders and downloads work all the same.",
+				]);
+			});
+	}
+
+	/** Gives the canvas into the hands of a model's tools. */
+	#arm(face: Face | undefined): void {
+		if (face === this.#face) return;
+		for (const hands of this.#hands) hands.dispose();
+		this.#face = face;
+		this.#hands = face?.tools.flatMap((tool) => tool.hands?.(this, this.#studio) ?? []) ?? [];
 	}
 }
 
@@ -134,18 +219,3 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 	ArrowUp: [0, -1],
 	ArrowDown: [0, 1],
 };
-
-function coloursOf(element: Element): OctahedronColours {
-	const colour = (name: string) => resolve(getComputedStyle(element).getPropertyValue(name));
-	return { line: colour("--ink"), handle: colour("--wine"), rim: colour("--paper") };
-}
-
-/** `light-dark()` as the plain colour it means here. */
-function resolve(colour: string): string {
-	const probe = document.createElement("i");
-	probe.style.color = colour;
-	document.body.append(probe);
-	const plain = getComputedStyle(probe).color;
-	probe.remove();
-	return plain;
-}

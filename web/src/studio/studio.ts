@@ -1,101 +1,81 @@
-import type { Grown } from "../models/bunch/grown";
-import { mirrorFrontBack, mirrorLeftRight } from "../models/bunch/profile/drag";
-import { thin, unthinAll } from "../specimen/edit";
-import { specimenFromPreset } from "../specimen/from_preset";
+import type { Change, Desk, NoticeOptions, Stateful } from "../controls/desk";
+import type { Face } from "../controls/tool";
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import { fromPreset } from "../specimen/from_preset";
 import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
+import { growsAlike } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
-import { apply, asPrinted, growsAlike, isAsPrinted, lockSides, otherSeed } from "./change";
-import type { Change, Failure, Locks, Notice } from "./types";
+import { apply, otherSeed } from "./change";
+import { inStep, type StudioState } from "./studio_state";
+import type { Opening, Surroundings } from "./surroundings";
+import { stateOf, withState, withTools } from "./tool_states";
+import type { Failure } from "./types";
 import type { UiState } from "./ui_state";
-
-export interface StudioState {
-	/** The document as it is on the controls now, mid-drag included. */
-	readonly specimen: Specimen;
-	readonly history: histories.History;
-	/** The last bunch that grew; it stays on screen whatever goes wrong. */
-	readonly grown: Grown | undefined;
-	/** The specimen `grown` grew from: what the exporters write beside it. */
-	readonly grownFrom: Specimen | undefined;
-	/** What was last measured; it stays while a drag asks for none. In the order of MEASURES. */
-	readonly measures: Float32Array | undefined;
-	/** Id of the berry that is pointed at, in the view or on the panel. */
-	readonly marked: number | undefined;
-	/** Whether the age runs by itself. */
-	readonly playing: boolean;
-	/** Whether a growth takes long enough to say so. */
-	readonly growing: boolean;
-	/** Why there is no bunch, in place of one. */
-	readonly failure: Failure | undefined;
-	readonly notices: readonly Notice[];
-	readonly ui: UiState;
-}
-
-/** What the studio does outside itself; main.ts wires it. */
-export interface Surroundings {
-	/** Asks for growth, measured or not; the newest request wins. */
-	grow(specimen: Specimen, options: { measures: boolean }): void;
-	/** Ends a long growth. */
-	cancel(): void;
-	/** The document came to rest: the address bar is to hold it. */
-	settled(specimen: Specimen): void;
-	/** The interface changed: remember it. */
-	remember(ui: UiState): void;
-}
 
 /** Confirmations stay this long, in milliseconds. */
 const BRIEF = 4000;
 const MOST_NOTICES = 3;
 const DRAG = "drag";
-/** The gesture of an age that runs by itself: a drag meanwhile is a step of its own. */
-export const PLAY = "play";
+/** The page's side of a model that has none. */
+const BARE: Face = { tools: [] };
 
 /**
  * The one place where the page's state lives. It flows one way: a part calls an action, the action replaces the state,
- * every part draws the new one.
+ * every part draws the new one. What models' tools keep is here too, and unknown.
  */
-export class Studio {
+export class Studio implements Desk {
 	#state: StudioState;
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
+	/** Models of all specimens there have been, and their faces once they have come. */
+	readonly #models = new Map<string, Model>();
+	readonly #faces = new Map<Model, Face>();
+	/** Whose a tool is. */
+	readonly #owners = new Map<Stateful<unknown>, string>();
+	/** What ends the tools that work by themselves. */
+	#ends: (() => void)[] = [];
 	#noticeId = 0;
 	/** Whether what was last asked for is to be measured. */
 	#measured = true;
 	#preset: Specimen | undefined;
-	/** What `fit` and `vary` were before *as printed*. */
-	#beforePrinted: { fit: number; vary: number } | undefined;
-	/** Takes a picture of the 3-D view, as PNG; set by the stage while it has a view. */
-	picture: (() => Promise<Blob>) | undefined;
 
-	constructor(specimen: Specimen, ui: UiState, surroundings: Surroundings) {
+	constructor(opening: Opening, surroundings: Surroundings) {
 		this.#surroundings = surroundings;
-		this.#state = {
-			specimen,
-			history: histories.startHistory(specimen),
+		this.#models.set(opening.model.name, opening.model);
+		this.#state = inStep({
+			...opening,
+			face: undefined,
+			history: histories.startHistory(opening.specimen),
+			shown: undefined,
 			grown: undefined,
 			grownFrom: undefined,
 			measures: undefined,
-			marked: undefined,
-			playing: false,
+			held: false,
+			dark: false,
 			growing: false,
 			failure: undefined,
 			notices: [],
-			ui,
-		};
+			tools: {},
+			catalogue: [opening.model],
+			picture: undefined,
+		});
+		void this.#bringFace(opening.model);
 	}
 
 	get state(): StudioState {
 		return this.#state;
 	}
 
-	/** The specimen of the current preset as published: what double clicks go back to. */
 	get preset(): Specimen {
-		const { preset } = this.#state.specimen;
-		if (this.#preset?.preset !== preset) this.#preset = specimenFromPreset(preset);
+		const { model, specimen } = this.#state;
+		if (this.#preset?.model !== model.name || this.#preset.preset !== specimen.preset) {
+			this.#preset = fromPreset(model, specimen.preset);
+		}
 		return this.#preset;
 	}
 
-	/** Calls back after every change of the state; returns the function that ends it. */
 	subscribe(listener: () => void): () => void {
 		this.#listeners.add(listener);
 		return () => this.#listeners.delete(listener);
@@ -103,45 +83,44 @@ export class Studio {
 
 	// The document.
 
-	/** A change while the hand still moves: it grows at once, but becomes an undo step only with `settle`. */
 	edit(change: Change, gesture = DRAG): void {
-		const next = apply(this.#state.specimen, change, this.#state.ui.locks);
-		this.#go(histories.change(this.#state.history, next, gesture));
+		this.#go(histories.change(this.#state.history, this.#changed(change), gesture));
 	}
 
-	/** The end of a drag: one undo step, and the address bar follows. */
-	settle(): void {
+	settle(gesture?: string): void {
+		if (gesture !== undefined && gesture !== this.#state.history.gesture) return;
 		this.#go(histories.settle(this.#state.history));
-		this.#surroundings.settled(this.#state.specimen);
+		this.#rested();
 	}
 
-	/** A change that is a step of its own. */
 	set(change: Change): void {
-		this.replace(apply(this.#state.specimen, change, this.#state.ui.locks));
+		this.replace(this.#changed(change));
 	}
 
-	/** Another document in place of this one, as one step: a preset, a dropped file, a link. */
 	replace(specimen: Specimen): void {
 		this.#travel(histories.change(this.#state.history, specimen));
 	}
 
-	/** Starts with a document from outside: there is nothing before it to go back to. */
+	/** Starts with a document from outside, of the model it opened with: there is nothing before it to go back to. */
 	open(restored: Restored, from: string): void {
 		const { specimen } = restored;
 		this.#update({ specimen, history: histories.startHistory(specimen) });
 		this.#ask();
-		this.#surroundings.settled(specimen);
+		this.#rested();
 		this.#report(restored, from);
 	}
 
 	/** Takes a document from outside in place of this one, as one step. */
-	take(restored: Restored, from: string): void {
+	take(model: Model, restored: Restored, from: string): void {
+		this.#models.set(model.name, model);
 		this.replace(restored.specimen);
 		this.#report(restored, from);
 	}
 
-	choosePreset(name: string): void {
-		this.replace(specimenFromPreset(name));
+	/** A preset as it was published: of this model, or of another. */
+	choosePreset(name: string, model: Model = this.#state.model): void {
+		this.#models.set(model.name, model);
+		this.replace(fromPreset(model, name));
 	}
 
 	/** The preset as it was published. */
@@ -151,48 +130,6 @@ export class Studio {
 
 	newVariation(): void {
 		this.set({ seed: otherSeed(this.#state.specimen.seed) });
-	}
-
-	/** Exchanges the two sides of a pair; every number is named, so that locks have nothing to add. */
-	mirror(pair: keyof Locks): void {
-		const { parameters } = this.#state.specimen;
-		this.set({ parameters: pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters) });
-	}
-
-	setAsPrinted(on: boolean): void {
-		const { specimen } = this.#state;
-		const { fit, vary } = specimen.parameters;
-		this.set(asPrinted(specimen, on, this.#beforePrinted));
-		this.#beforePrinted = on && !isAsPrinted(specimen) ? { fit, vary } : undefined;
-	}
-
-	/** The profile's own m and n again, or the built-in grammar, in place of those a link or a file brought. */
-	drop(key: "inputs" | "grammar"): void {
-		const { [key]: _, ...specimen } = this.#state.specimen;
-		this.replace(specimen);
-	}
-
-	/** Takes a berry off by hand; the mark goes on to `next`. */
-	thin(id: number, next?: number): void {
-		this.replace(thin(this.#state.specimen, id));
-		this.mark(next);
-	}
-
-	/** Gives back every berry that was taken off by hand. */
-	putBack(): void {
-		this.replace(unthinAll(this.#state.specimen));
-	}
-
-	/** Points at a berry, or at none. */
-	mark(id: number | undefined): void {
-		if (id !== this.#state.marked) this.#update({ marked: id });
-	}
-
-	/** Lets the age run (age_player.ts drives it), or stops it where it stands: one undo step in all. */
-	setPlaying(playing: boolean): void {
-		if (playing === this.#state.playing) return;
-		this.#update({ playing });
-		if (!playing && this.#state.history.gesture === PLAY) this.settle();
 	}
 
 	undo(): void {
@@ -205,16 +142,18 @@ export class Studio {
 
 	// Growth, reported by growing.ts.
 
-	grew(grown: Grown, from: Specimen): void {
-		const measures = grown.measures ?? this.#state.measures;
-		this.#update({ grown, grownFrom: from, measures, failure: undefined });
+	grew(grown: Plant, from: Specimen): void {
+		const model = this.#models.get(from.model);
+		if (!model) return;
+		const { measures = model === this.#state.model ? this.#state.measures : undefined } = grown;
+		this.#update({ shown: { model, grown, from }, measures, failure: undefined });
 	}
 
 	setGrowing(growing: boolean): void {
 		if (growing !== this.#state.growing) this.#update({ growing });
 	}
 
-	/** There is no bunch to show, and none comes without a remedy. */
+	/** There is no plant to show, and none comes without a remedy. */
 	fail(failure: Failure): void {
 		this.#update({ failure });
 	}
@@ -230,9 +169,9 @@ export class Studio {
 
 	// The page.
 
-	/** Shows a notice above the page; the same words are not stacked. */
-	notify(title: string, details: readonly string[] = [], options: { copy?: string; brief?: boolean } = {}): void {
+	notify(title: string, details: readonly string[] = [], options: NoticeOptions = {}): void {
 		const id = ++this.#noticeId;
+		// The same words are not stacked.
 		const others = this.#state.notices.filter((notice) => notice.title !== title);
 		this.#update({ notices: [...others, { id, title, details, ...options }].slice(-MOST_NOTICES) });
 		if (options.brief) setTimeout(() => this.dismiss(id), BRIEF);
@@ -248,52 +187,110 @@ export class Studio {
 		this.#surroundings.remember(ui);
 	}
 
+	/** Opens or closes a group of the panel. */
 	setGroup(key: string, open: boolean): void {
-		const { closed } = this.#state.ui;
-		if (closed.includes(key) !== open) return;
-		this.setUi({ closed: open ? closed.filter((each) => each !== key) : [...closed, key] });
+		const { groups } = this.#state.ui;
+		if (groups[key] !== open) this.setUi({ groups: { ...groups, [key]: open } });
 	}
 
-	/** Locking brings the two sides together at once, so that what is shown is what is locked. */
-	toggleLock(lock: keyof Locks): void {
-		const { locks } = this.#state.ui;
-		this.setUi({ locks: { ...locks, [lock]: !locks[lock] } });
-		if (!locks[lock]) this.set(lockSides(this.#state.specimen, lock));
+	setSystemDark(systemDark: boolean): void {
+		this.#update({ systemDark });
+	}
+
+	/** Models whose presets the gallery is to show. */
+	list(catalogue: readonly Model[]): void {
+		this.#update({ catalogue });
+	}
+
+	/** The 3-D view has come, and takes pictures from now on; or it has gone. */
+	showPicture(picture: StudioState["picture"]): void {
+		this.#update({ picture });
+	}
+
+	toolState<T>(tool: Stateful<T>): T {
+		return stateOf(this.#state.tools, this.#ownerOf(tool), tool);
+	}
+
+	setToolState<T>(tool: Stateful<T>, state: T): void {
+		const owner = this.#ownerOf(tool);
+		const { ui } = this.#state;
+		this.#update({ tools: withState(this.#state.tools, owner, tool, state) });
+		if (tool.recall) this.setUi({ tools: withState(ui.tools, owner, tool, state) });
+	}
+
+	#ownerOf(tool: Stateful<unknown>): string {
+		return this.#owners.get(tool) ?? this.#state.model.name;
 	}
 
 	/** Says what could not be used of a document. */
 	#report({ notes }: Restored, from: string): void {
-		if (notes.length > 0) {
-			this.notify(
-				`Not everything in the ${from} could be used`,
-				notes.map((note) => note.text),
-			);
-		}
+		if (notes.length === 0) return;
+		this.notify(
+			`Not everything in the ${from} could be used`,
+			notes.map((note) => note.text),
+		);
+	}
+
+	/** The document with a change in it, and with what the tools let follow from it. */
+	#changed(change: Change): Specimen {
+		const { model, specimen, face } = this.#state;
+		const whole = face?.tools.reduce((done, tool) => tool.follow?.(done, this) ?? done, change);
+		return apply(model, specimen, whole ?? change);
 	}
 
 	#travel(history: histories.History): void {
 		this.#go(history);
-		this.#surroundings.settled(this.#state.specimen);
+		this.#rested();
+	}
+
+	#rested(): void {
+		this.#surroundings.settled(this.#state.model, this.#state.specimen);
 	}
 
 	#go(history: histories.History): void {
-		const { specimen: before } = this.#state;
+		const { specimen: before, model: left } = this.#state;
 		const { present } = history;
 		if (history === this.#state.history) return;
-		this.#update({ history, specimen: present });
-		const rests = history.gesture === undefined;
-		if (!growsAlike(before, present) || (rests && !this.#measured)) this.#ask();
+		const model = this.#models.get(present.model) ?? left;
+		const face = model === left ? this.#state.face : undefined;
+		this.#update({ history, specimen: present, model, face });
+		if (model !== left) void this.#bringFace(model);
+		if (!growsAlike(before, present) || (!this.#state.held && !this.#measured)) this.#ask();
 	}
 
 	/** While the hand still moves, only the shape is asked for; what is measured follows when it rests. */
 	#ask(): void {
-		const { specimen, history } = this.#state;
-		this.#measured = history.gesture === undefined;
-		this.#surroundings.grow(specimen, { measures: this.#measured });
+		const { model, specimen, held } = this.#state;
+		this.#measured = !held;
+		this.#surroundings.grow(model, specimen, { measures: this.#measured });
+	}
+
+	/** Puts the tools of a model on the desk, in place of the last one's. */
+	async #bringFace(model: Model): Promise<void> {
+		for (const end of this.#ends.splice(0)) end();
+		const face = this.#faces.get(model) ?? (await this.#faceOf(model));
+		if (this.#state.model !== model || this.#state.face === face) return;
+		for (const tool of face.tools) this.#owners.set(tool, model.name);
+		const { tools, ui } = this.#state;
+		this.#update({ face, tools: withTools(tools, model.name, face.tools, ui.tools) });
+		this.#ends = face.tools.flatMap((tool) => tool.start?.(this) ?? []);
+	}
+
+	async #faceOf(model: Model): Promise<Face> {
+		try {
+			const face = (await model.studio?.()) ?? BARE;
+			this.#faces.set(model, face);
+			return face;
+		} catch {
+			this.notify(`The tools of the ${model.noun} could not be fetched`, [
+				"Sliders and downloads work all the same; loading the page again brings them.",
+			]);
+			return BARE;
+		}
 	}
 
 	#update(patch: Partial<StudioState>): void {
-		this.#state = { ...this.#state, ...patch };
+		this.#state = inStep({ ...this.#state, ...patch });
 		for (const listener of this.#listeners) listener();
 	}
 }

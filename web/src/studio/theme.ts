@@ -2,9 +2,13 @@ import type { UiState } from "./ui_state";
 
 const darkSystem = () => window.matchMedia("(prefers-color-scheme: dark)");
 
-/** Whether the page is dark now. */
-export function isDark(theme: UiState["theme"]): boolean {
-	return theme === "dark" || (theme === "system" && darkSystem().matches);
+export function isSystemDark(): boolean {
+	return darkSystem().matches;
+}
+
+/** Calls back when the system goes from light to dark or back. */
+export function onSystemTheme(callback: (dark: boolean) => void): void {
+	darkSystem().addEventListener("change", ({ matches }) => callback(matches));
 }
 
 /** Puts the theme on the page; style/tokens.css does the rest. */
@@ -17,9 +21,4 @@ export function applyTheme(theme: UiState["theme"]): void {
 		const own = meta.dataset.theme;
 		meta.media = theme === "system" ? `(prefers-color-scheme: ${own})` : own === theme ? "all" : "not all";
 	}
-}
-
-/** Calls back when the system goes from light to dark or back. */
-export function onSystemTheme(callback: () => void): void {
-	darkSystem().addEventListener("change", callback);
 }

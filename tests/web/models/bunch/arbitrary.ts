@@ -1,6 +1,7 @@
 /** Random small growths and specimens for property tests. */
+
 import fc from "fast-check";
-import type { Specimen } from "../../../../web/src/specimen/specimen";
+import type { Specimen } from "../../bunch";
 import { type GrownSketch, sampleSpecimen, unit, type Vector } from "./fixture";
 
 const part = fc.double({ min: -1, max: 1, noNaN: true });

@@ -1,6 +1,5 @@
 /** The fingerprint of docs/fingerprint.md, computed from what a growth and its JSON hold. */
 
-import type { GrownDocument, NaturalBerryRecord } from "../../../../web/src/export/json";
 import {
 	type Berries,
 	INTERNODE_KINDS,
@@ -8,6 +7,7 @@ import {
 	type Internodes,
 	type Procedure,
 } from "../../../../web/src/models/bunch/grown";
+import type { BunchRecord, NaturalBerryRecord } from "../../../../web/src/models/bunch/record";
 
 export function fingerprintOf(
 	{ count, parent, kind, axis, state, ends, radii }: Internodes,
@@ -38,7 +38,7 @@ export function fingerprintOfDocument({
 	internodes,
 	berries,
 	procedure,
-}: Pick<GrownDocument, "internodes" | "berries" | "procedure">): string {
+}: Pick<BunchRecord, "internodes" | "berries" | "procedure">): string {
 	const values = internodes.flatMap(({ parent, kind, axis, state, start, end, radius, radiusEnd }) => [
 		parent,
 		INTERNODE_KINDS.indexOf(kind),

@@ -1,8 +1,7 @@
 /** Small growths made without the core: a rachis, axes of one internode, pedicels with berries or withered. */
 import type { Berries, Grown, Internodes, Mesh, StemMesh, StemPart } from "../../../../web/src/models/bunch/grown";
 import { EMPTY_PLANT } from "../../../../web/src/plant/plant";
-import { specimenFromPreset } from "../../../../web/src/specimen/from_preset";
-import type { Specimen } from "../../../../web/src/specimen/specimen";
+import { type Specimen, specimenFromPreset } from "../../bunch";
 import { fingerprintOf } from "./fingerprint";
 
 export type Vector = [x: number, y: number, z: number];

@@ -1,7 +1,7 @@
 import { CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3 } from "three";
 import type { Grown, Internodes, Mesh, Plan, StemMesh } from "../../../../web/src/models/bunch/grown";
 import { EMPTY_PLANT } from "../../../../web/src/plant/plant";
-import type { Look } from "../../../../web/src/specimen/specimen";
+import type { Look } from "../../bunch";
 
 export const LOOK: Look = {
 	skin: "43264f",

@@ -63,8 +63,8 @@ inline constexpr std::uint32_t parameter_count = 48;
 
 struct ParameterInfo {
   std::string_view key;
-  std::string_view define;     // the grammar's #define it replaces; empty for none
-  std::string_view procedure;  // the one that heeds it; empty where both do
+  std::string_view define;  // the grammar's #define it replaces; empty for none
+  std::string_view where;   // the option that must be chosen for it to be heeded; empty: always
   float min, max;
   float gap_below;  // values strictly between 0 and this are raised to it; 0 for none
   float standard;

@@ -8,7 +8,7 @@ void remark_unknown(const lsystem::Bound& text, const Values& values, std::strin
                     std::vector<std::string>& notes) {
   const std::span<const lsystem::Definition> known = lsystem::definitions(text);
   for (const ParameterInfo* info : values.defining()) {
-    if (!info->procedure.empty() && info->procedure != procedure) continue;
+    if (!info->where.empty() && info->where != procedure) continue;
     if (std::any_of(known.begin(), known.end(), [info](const auto& one) { return one.name == info->define; })) continue;
     notes.push_back("The grammar has no #define " + std::string(info->define) + ", so its parameter changes nothing.");
   }

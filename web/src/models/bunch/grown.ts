@@ -52,7 +52,8 @@ export interface Plan {
 	axes: number[];
 }
 
-export interface Counts {
+/** By name; a type, so that it is a record as well. */
+export type Counts = {
 	endStructures: number;
 	internodes: number;
 	pedicels: number;
@@ -60,7 +61,7 @@ export interface Counts {
 	withered: number;
 	/** Internodes that found no room and were cut with all they would have borne. */
 	cut: number;
-}
+};
 
 /** The skeleton; parents come first. */
 export interface Internodes {
@@ -155,7 +156,7 @@ export interface StemMesh extends Mesh {
 	parts: StemPart[];
 }
 
-export interface Grown extends Omit<Plant, "counts"> {
+export interface Grown extends Plant {
 	procedure: Procedure;
 	form: BerryForm;
 	plan: Plan;

@@ -1,6 +1,7 @@
-// Made from wasm-core/parameters/measures.json by wasm-core/tools/generate.mjs; edit the table, not this.
+// Made from wasm-core/parameters/bunch.measures.json by wasm-core/tools/generate.mjs; edit the table, not this.
+import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
 
-/** Keys of the measures, in the order of `Grown.measures`. */
+/** Keys of the measures, in the order in which the core gives them. */
 export const MEASURE_KEYS = [
 	"coverage",
 	"spill",
@@ -38,36 +39,7 @@ export const MEASURE_KEYS = [
 ] as const;
 export type MeasureKey = (typeof MEASURE_KEYS)[number];
 
-/** A class of a descriptor: values nearest to `at`, or from `from` on. */
-export interface MeasureClass {
-	readonly note: number;
-	readonly words: string;
-	readonly at?: number;
-	readonly from?: number;
-}
-
-/** What a measure is called, how it is written and how it is classed. */
-export interface MeasureInfo {
-	readonly key: MeasureKey;
-	readonly label: string;
-	readonly group: string;
-	/** A share is 0 … 1 and shown in percent; a note's value is its class. */
-	readonly kind: "number" | "share" | "whole" | "note";
-	/** Of the value; empty for shares, counts and notes. */
-	readonly unit: string;
-	/** Digits after the point where it is shown; a share's in percent. */
-	readonly decimals: number;
-	/** Code of the OIV's descriptor. */
-	readonly oiv?: number;
-	/** One plain sentence. */
-	readonly help: string;
-	readonly source: string;
-	/** What of it was not compared with its source: the classes' limits, say. */
-	readonly unchecked?: string;
-	readonly classes?: readonly MeasureClass[];
-}
-
-/** Every measure, in the order of `Grown.measures`. */
+/** Every measure, in the same order. */
 export const MEASURES: readonly MeasureInfo[] = [
 	{
 		key: "coverage",
@@ -520,12 +492,12 @@ export const MEASURES: readonly MeasureInfo[] = [
 ];
 
 /** The groups that panels and pages show, in order. */
-export const MEASURE_GROUPS: readonly { readonly key: string; readonly title: string }[] = [
-	{ key: "outline", title: "Fit to the outline" },
+export const MEASURE_GROUPS: readonly MeasureGroup[] = [
 	{ key: "bunch", title: "Bunch" },
 	{ key: "compactness", title: "Compactness" },
 	{ key: "berries", title: "Berries" },
 	{ key: "view", title: "What is seen" },
+	{ key: "outline", title: "Fit to the outline" },
 ];
 
 /** The descriptor of skin colour, which is of the look and not measured by the core. */

@@ -1,35 +1,10 @@
-/** Measures in words: a value with its unit, the class of a descriptor it falls into. */
-
-import type { Look } from "../../specimen/specimen";
-import { MEASURE_KEYS, type MeasureClass, type MeasureInfo, type MeasureKey, SKIN_COLOUR } from "./measures.generated";
+/** The bunch's measures by their keys, and the class of its skin's colour. */
+import { MEASURE_KEYS, type MeasureKey, SKIN_COLOUR } from "./measures.generated";
+import type { Look } from "./specimen";
 
 /** What a bunch measures by one key: NaN where that does not apply or was not asked for. */
 export function measureOf(measures: Float32Array | undefined, key: MeasureKey): number {
 	return measures?.[MEASURE_KEYS.indexOf(key)] ?? Number.NaN;
-}
-
-/** The class a value falls into; none where the measure has no classes or does not apply. */
-export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number): MeasureClass | undefined {
-	if (!classes || !Number.isFinite(value)) return undefined;
-	return classes.reduce((best, one) => {
-		if (one.from !== undefined) return value >= one.from ? one : best;
-		return Math.abs(value - (one.at ?? 0)) < Math.abs(value - (best.at ?? 0)) ? one : best;
-	});
-}
-
-/** A value as it is read: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
-export function measureText(info: MeasureInfo, value: number): string {
-	if (!Number.isFinite(value)) return "–";
-	if (info.kind === "note") return classOf(info, value)?.words ?? "–";
-	if (info.kind === "share") return `${(100 * value).toFixed(info.decimals)} %`;
-	const text = value.toFixed(info.decimals);
-	return info.unit ? `${text} ${info.unit}` : text;
-}
-
-/** The class as a table shows it: `7 long`; empty without one. */
-export function classText(info: MeasureInfo, value: number): string {
-	const found = classOf(info, value);
-	return found ? `${found.note} ${found.words}` : "";
 }
 
 /** CIELAB coordinates (D65) of six hexadecimal digits of sRGB. */

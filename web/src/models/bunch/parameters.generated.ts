@@ -1,4 +1,5 @@
 // Made from wasm-core/parameters/bunch.json by wasm-core/tools/generate.mjs; edit the table, not this.
+import type { Entry, Group } from "../../specimen/table";
 
 /** Keys of the parameters that the core reads, in the request's order. */
 export const NUMBER_KEYS = [
@@ -59,44 +60,8 @@ export type LookKey = (typeof LOOK_KEYS)[number];
 /** Those of them that are colours, as six hexadecimal digits. */
 export type ColourKey = "skin" | "stem" | "unripe";
 
-export type ParameterKey = NumberKey | LookKey;
-
-/** One parameter: what it is called, what it may be, and where it stands in a link. */
-export interface ParameterInfo {
-	readonly key: ParameterKey;
-	/** Key in the link, for ever. Parameters that share one are its comma-separated values, by `slot`. */
-	readonly link: string;
-	readonly slot?: number;
-	readonly label: string;
-	/** The paper's symbol, or empty. */
-	readonly symbol: string;
-	readonly group: string;
-	readonly kind: "number" | "integer" | "choice" | "colour";
-	readonly unit: string;
-	/** A choice's values as links write them; its number is the place of one of them. */
-	readonly options?: readonly string[];
-	readonly min?: number;
-	readonly max?: number;
-	/** Values strictly between 0 and this are raised to it. */
-	readonly gapBelow?: number;
-	/** A number, or a colour as six hexadecimal digits. */
-	readonly default: number | string;
-	readonly step?: number;
-	/** The one procedure that heeds it; absent where both do. */
-	readonly procedure?: "paper" | "natural";
-	readonly help: string;
-	/** The link version that first knew it. */
-	readonly since: number;
-	/** What a link from before `since` means; the preset's value where absent. */
-	readonly before?: number;
-	/** The grammar's `#define` that it replaces. */
-	readonly define?: string;
-	/** Whether it only colours the result. */
-	readonly look?: boolean;
-}
-
 /** Every parameter, in the order in which panels and pages show them. */
-export const PARAMETERS: readonly ParameterInfo[] = [
+export const PARAMETERS: readonly Entry[] = [
 	{
 		key: "l",
 		link: "l",
@@ -284,7 +249,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 60,
 		default: 18,
 		step: 0.5,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Mean width of a ripe berry.",
 		since: 2,
 	},
@@ -300,7 +265,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 40,
 		default: 7,
 		step: 1,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "How much berries differ in width: their standard deviation over their mean.",
 		since: 2,
 	},
@@ -316,7 +281,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 9,
 		default: 7,
 		step: 0.5,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "As OIV 204 words it: 1 very loose, berries apart; 5 medium, pedicels hidden; 9 very dense, berries deformed.",
 		since: 2,
 	},
@@ -332,7 +297,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 3000,
 		default: 0,
 		step: 1,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "How many berries; 0 leaves it to density and size.",
 		since: 2,
 	},
@@ -348,7 +313,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 3.5,
 		default: 1.04,
 		step: 0.02,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Length of a berry over its width.",
 		since: 2,
 	},
@@ -364,7 +329,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1,
 		default: 0,
 		step: 0.05,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Below 0 the stalk's end is the wider (ovoid), above 0 the tip's (obovoid).",
 		since: 2,
 	},
@@ -380,7 +345,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1,
 		default: 0,
 		step: 0.05,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "0 is an ellipsoid, 1 nearly a cylinder with round ends: the finger grapes.",
 		since: 2,
 	},
@@ -396,7 +361,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 60,
 		default: 8,
 		step: 0.5,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Length of a ripe berry's pedicel.",
 		since: 2,
 	},
@@ -413,7 +378,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 5,
 		default: 0,
 		step: 1,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Whose skin and surface the berries have.",
 		since: 2,
 	},
@@ -429,7 +394,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 125,
 		default: 100,
 		step: 0.5,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "0 first flowers open, 10 fruit set, 60 colouring begins, 100 ripe, 125 shrivelled.",
 		since: 2,
 	},
@@ -445,7 +410,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 360,
 		default: 40,
 		step: 5,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Where the sun stands: 0 in front, 90 at the right, 180 behind.",
 		since: 2,
 	},
@@ -461,7 +426,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 90,
 		default: 45,
 		step: 5,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Height of the sun above the horizon.",
 		since: 2,
 	},
@@ -477,7 +442,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1,
 		default: 0.4,
 		step: 0.05,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "How much exposure to the sun changes size and colour; 0 not at all.",
 		since: 2,
 	},
@@ -493,7 +458,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1,
 		default: 0.7,
 		step: 0.05,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "How well the vine feeds its berries; the lower, the smaller and paler those far from the stalk.",
 		since: 2,
 	},
@@ -509,7 +474,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1,
 		default: 0.3,
 		step: 0.05,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "How much side branches give way under load.",
 		since: 2,
 	},
@@ -525,7 +490,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 5,
 		default: 0,
 		step: 1,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "Leaves on the cane above the bunch.",
 		since: 2,
 	},
@@ -542,7 +507,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1,
 		default: 0,
 		step: 1,
-		procedure: "natural",
+		where: { procedure: "natural" },
 		help: "The piece of cane that the bunch hangs from; leaves bring it along.",
 		since: 2,
 	},
@@ -589,7 +554,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 80,
 		default: 20,
 		step: 1,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Least berry radius, in units of the paper.",
 		since: 1,
 		define: "r_min",
@@ -606,7 +571,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 80,
 		default: 30,
 		step: 1,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Greatest berry radius, in units of the paper.",
 		since: 1,
 		define: "r_max",
@@ -623,7 +588,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 90,
 		default: 15,
 		step: 1,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Turn given by a full push, and the most an internode may turn in all.",
 		since: 1,
 	},
@@ -639,7 +604,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 200,
 		default: 50,
 		step: 1,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "How often a newborn may turn before it is cut or withers.",
 		since: 1,
 	},
@@ -655,7 +620,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 30,
 		default: 2,
 		step: 0.5,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Bend towards gravity where nothing is in the way.",
 		since: 1,
 	},
@@ -687,7 +652,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 180,
 		default: 120,
 		step: 1,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Roll of the outer pedicels, as printed after the yaw.",
 		since: 1,
 		define: "alpha_r",
@@ -704,7 +669,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 120,
 		default: 50,
 		step: 1,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Length of the first rachis internode.",
 		since: 1,
 		define: "l_i",
@@ -721,7 +686,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 60,
 		default: 10,
 		step: 1,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Length of a pedicel that lost its berry.",
 		since: 1,
 		define: "l_w",
@@ -770,7 +735,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1.2,
 		default: 0.99,
 		step: 0.01,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Length of a rachis internode over the one before.",
 		since: 1,
 		define: "r_rr",
@@ -787,7 +752,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1.5,
 		default: 0.89,
 		step: 0.01,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Length of an axis's first internode over the rachis's.",
 		since: 1,
 		define: "r_rf",
@@ -804,7 +769,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1.5,
 		default: 0.6,
 		step: 0.01,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Length of an end structure's internode over its axis's.",
 		since: 1,
 		define: "r_e",
@@ -821,7 +786,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1.2,
 		default: 0.99,
 		step: 0.01,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Length of an axis internode over the one before.",
 		since: 1,
 		define: "r_ff",
@@ -838,7 +803,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 4,
 		default: 1.5,
 		step: 0.05,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "Length of a pedicel over its end structure's internode.",
 		since: 1,
 		define: "r_p",
@@ -855,7 +820,7 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 		max: 1,
 		default: 1,
 		step: 0.05,
-		procedure: "paper",
+		where: { procedure: "paper" },
 		help: "1 lets every pixel of the profile count; 0 is the paper's whole segments.",
 		since: 1,
 	},
@@ -980,41 +945,58 @@ export const PARAMETERS: readonly ParameterInfo[] = [
 	},
 ];
 
-export interface GroupInfo {
-	readonly key: string;
-	readonly title: string;
-	readonly help: string;
-}
-
 /** The groups that panels and pages show, in order. */
-export const GROUPS: readonly GroupInfo[] = [
+export const GROUPS: readonly Group[] = [
 	{
 		key: "shape",
+		everyday: true,
+		plain: true,
 		title: "Shape",
 		help: "The octahedral profile, in pixels of the paper's 600 × 600 view (section 4.2).",
 	},
-	{ key: "berries", title: "Berries", help: "How many, how large, how close and of what form." },
+	{ key: "berries", everyday: true, title: "Berries", help: "How many, how large, how close and of what form." },
 	{
 		key: "age",
+		everyday: true,
 		title: "Age",
 		help: "From flowering through colouring to ripe and shrivelled; what sun and vigour do to it.",
 	},
 	{
 		key: "wing",
+		everyday: true,
+		closed: true,
 		title: "Second bunch",
 		help: "A second, smaller bunch on the same peduncle: the paper's double bunch winged.",
 	},
-	{ key: "look", title: "Look", help: "Colour, bloom and texture of the skin, and what hangs around the bunch." },
+	{
+		key: "look",
+		everyday: true,
+		closed: true,
+		title: "Look",
+		help: "Colour, bloom and texture of the skin, and what hangs around the bunch.",
+	},
 	{
 		key: "procedure",
+		closed: true,
 		title: "Procedure",
 		help: "How berries come by their places: swelling against each other, or as the paper has it.",
 	},
-	{ key: "interaction", title: "Interaction", help: "How a newborn internode looks for room (section 4.3.2)." },
-	{ key: "branching", title: "Branching", help: "Angles and lengths of the grammar (section 4.3.3)." },
-	{ key: "rates", title: "Rates", help: "How lengths and widths shrink from one internode to the next (L-system 3)." },
+	{
+		key: "interaction",
+		closed: true,
+		title: "Interaction",
+		help: "How a newborn internode looks for room (section 4.3.2).",
+	},
+	{ key: "branching", closed: true, title: "Branching", help: "Angles and lengths of the grammar (section 4.3.3)." },
+	{
+		key: "rates",
+		closed: true,
+		title: "Rates",
+		help: "How lengths and widths shrink from one internode to the next (L-system 3).",
+	},
 	{
 		key: "between",
+		closed: true,
 		title: "Between the integers",
 		help: "What the paper's grammar steps over; both at 0 is the paper as printed.",
 	},

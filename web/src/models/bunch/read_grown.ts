@@ -30,7 +30,7 @@ export function readGrown(answer: Answer): Grown {
 		procedure: columns.text("procedure") as Procedure,
 		form: { fruit: FRUITS[columns.words("fruit")[0]], taper, blunt },
 		plan: readPlan(columns, "plan"),
-		counts: plant.counts as unknown as Counts,
+		counts: plant.counts as Counts,
 		internodes: readInternodes(columns, plant),
 		berries: readBerries(columns),
 		thinned: readThinned(columns),

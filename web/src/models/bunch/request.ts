@@ -1,9 +1,12 @@
 /** Specimen → the blocks of a request, as wasm-core/src/models/bunch/model.hpp lists them. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
-import { GRAMMAR_BYTES, INPUT_N_LENGTH } from "../../specimen/limits";
-import type { Specimen } from "../../specimen/specimen";
-import { CORE_ENTRIES, type CoreEntry } from "../../specimen/table";
+import { GRAMMAR_BYTES } from "../../specimen/limits";
+import type { CoreEntry } from "../../specimen/table";
+import { INPUT_N_LENGTH } from "./details/inputs";
+import type { NumberKey } from "./parameters.generated";
+import type { BunchSpecimen as Specimen } from "./specimen";
+import { BUNCH_TABLE } from "./table";
 
 export interface RequestOptions {
 	/** Whether triangles are wanted besides the skeleton; the default is yes. */
@@ -34,7 +37,10 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		{ name: "model", data: "bunch" },
 		{ name: "seed", data: words("seed", [specimen.seed]) },
 		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
-		{ name: "parameters", data: Float32Array.from(CORE_ENTRIES, (entry) => asked(entry, parameters[entry.key])) },
+		{
+			name: "parameters",
+			data: Float32Array.from(BUNCH_TABLE.core, (entry) => asked(entry, parameters[entry.key as NumberKey])),
+		},
 		{ name: "thinned", data: words("thinned", thinned) },
 		{ name: "stem_sides", data: words("stemSides", [stemSides]) },
 		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },

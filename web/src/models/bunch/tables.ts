@@ -3,12 +3,13 @@
  * docs/export.md.
  */
 import { type Cell, writeCsv } from "../../export/csv";
+import { measureValues } from "../../export/measures";
 import { rounded } from "../../export/numbers";
-import type { Specimen } from "../../specimen/specimen";
+import { classOf } from "../../specimen/measures";
 import type { Grown } from "./grown";
-import { classOf } from "./measures";
+import type { BunchSpecimen as Specimen } from "./specimen";
+import { BUNCH_TABLE } from "./table";
 import { traitOf } from "./traits";
-import { measureValues } from "./written_measures";
 
 /** Millimetres to the micrometre. */
 const MM_DECIMALS = 3;
@@ -52,7 +53,7 @@ export function berriesCsv(grown: Grown, { preset, seed }: Specimen): string {
 
 /** One row a measure; none where none were asked for. A value that does not apply is empty. */
 export function measuresCsv(grown: Grown, { preset, seed }: Specimen): string {
-	const rows = measureValues(grown).map(([info, value]) => {
+	const rows = measureValues(BUNCH_TABLE, grown).map(([info, value]) => {
 		const { key, label, kind, unit, oiv = null } = info;
 		const found = classOf(info, value ?? Number.NaN);
 		const ofShare = kind === "share" ? "1" : unit;

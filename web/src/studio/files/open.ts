@@ -1,10 +1,14 @@
+import { modelNamed } from "../../models/index";
+import { modelIn, restore } from "../../specimen/restore";
 import type { Studio } from "../studio";
 
-/** Brings back the specimen of a GLB or JSON; whatever is wrong with the file is said, and the bunch stays. */
+/** Brings back the specimen of a GLB or JSON, of whatever model; whatever is wrong with the file is said, and the plant stays. */
 export async function openFile(studio: Studio, file: File): Promise<void> {
-	const { FileError, specimenFromFile } = await import("../../export/restore");
+	const { FileError, recordInFile } = await import("../../export/restore");
 	try {
-		studio.take(await specimenFromFile(file.name, file), "file");
+		const record = await recordInFile(file.name, file);
+		const model = await modelNamed(modelIn(record));
+		studio.take(model, restore(model, record), "file");
 	} catch (error) {
 		const reason = error instanceof FileError ? error.message : `${file.name} could not be read; try to drop it again.`;
 		studio.notify("The file was not opened", [reason]);

@@ -1,44 +1,52 @@
 import { html, nothing } from "lit";
+import { icon } from "../../controls/icons";
 import { linkOf } from "../address";
-import { FORMATS, type Format, fileName, save } from "../files/formats";
+import { type Download, fileName, formatsOf, save } from "../files/formats";
 import type { Studio } from "../studio";
-import { icon } from "./icons";
-import { StudioElement } from "./studio_element";
+import { StudioPart } from "./studio_part";
 
 /** `Download` and its menu of formats. */
-export class DownloadMenu extends StudioElement {
-	static override properties = { ...StudioElement.properties, open: { state: true } };
-	declare private open: boolean;
+export class DownloadMenu extends StudioPart {
+	#open = false;
 
 	protected override draw(studio: Studio): unknown {
-		const grownBy = studio.state.grown?.procedure;
-		const formats = FORMATS.filter(
-			({ key, procedure = grownBy }) => procedure === grownBy && (key !== "png" || studio.picture !== undefined),
-		);
+		const { shown } = studio.state;
+		const formats = shown && this.#open ? formatsOf(shown, studio.state.picture) : [];
 		return html`<button
-				class="button wine" type="button" aria-label="Download" aria-haspopup="menu" aria-expanded=${Boolean(this.open)}
-				?disabled=${!studio.state.grown} @click=${this.#toggle}
+				class="button wine" type="button" aria-label="Download" aria-haspopup="menu" aria-expanded=${this.#open}
+				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
-			${this.open ? html`<div class="menu" role="menu" aria-label="Download" @keydown=${this.#keyDown}>${formats.map((format) => this.#item(format))}</div>` : nothing}`;
+			${this.#open ? html`<div class="menu" role="menu" aria-label="Download" @keydown=${this.#keyDown}>${formats.map((format) => this.#item(format))}</div>` : nothing}`;
 	}
 
-	#item(format: Format): unknown {
+	#item(format: Download): unknown {
 		return html`<button type="button" role="menuitem" data-format=${format.key} @click=${() => this.#download(format)}>
 			${format.title}<small>${format.about}</small>
 		</button>`;
 	}
 
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#close();
+	}
+
 	#toggle(): void {
-		this.open = !this.open;
-		if (!this.open) return;
+		if (this.#open) {
+			this.#close();
+			return;
+		}
+		this.#open = true;
+		this.requestUpdate();
 		// What is saved is at rest, and measured.
-		this.studio.setPlaying(false);
+		const { face } = this.desk.state;
+		for (const tool of face?.tools ?? []) tool.rest?.(this.desk);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
 		window.addEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
 	#close(): void {
-		this.open = false;
+		this.#open = false;
+		this.requestUpdate();
 		window.removeEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
@@ -63,21 +71,19 @@ export class DownloadMenu extends StudioElement {
 		return [...this.querySelectorAll<HTMLElement>("[role=menuitem]")];
 	}
 
-	async #download(format: Format): Promise<void> {
+	async #download(format: Download): Promise<void> {
 		this.#close();
 		this.querySelector<HTMLElement>("button")?.focus();
-		const { grown, grownFrom } = this.studio.state;
-		if (!grown || !grownFrom) return;
-		const name = fileName(grownFrom);
+		const { shown, model, specimen } = this.desk.state;
+		if (!shown) return;
+		// The look may have changed since it grew; shape and look on screen are what is saved.
+		const from = shown.model === model ? { ...shown.from, look: specimen.look } : shown.from;
+		const name = fileName(from);
 		try {
-			const picture = () =>
-				this.studio.picture?.() ?? Promise.reject(new Error("There is no 3-D view to take a picture of."));
-			// The look may have changed since it grew; shape and look on screen are what is saved.
-			const specimen = { ...grownFrom, look: this.studio.state.specimen.look };
-			const blob = await format.make({ grown, specimen, link: await linkOf(specimen), name, picture });
+			const blob = await format.make({ ...shown, from }, await linkOf(shown.model, from), name);
 			save(blob, `${name}${format.suffix}`);
 		} catch (error) {
-			this.studio.notify(`The ${format.title} could not be made`, [
+			this.desk.notify(`The ${format.title} could not be made`, [
 				error instanceof Error ? error.message : String(error),
 			]);
 		}

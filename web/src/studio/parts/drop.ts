@@ -1,15 +1,14 @@
 import { html, nothing } from "lit";
 import { openFile } from "../files/open";
 import type { Studio } from "../studio";
-import { StudioElement } from "./studio_element";
+import { StudioPart } from "./studio_part";
 
 /** Takes files dropped anywhere on the page; while one hovers, says what will happen. */
-export class Drop extends StudioElement {
-	static override properties = { ...StudioElement.properties, hovering: { state: true } };
-	declare private hovering: boolean;
+export class Drop extends StudioPart {
+	#hovering = false;
 
 	protected override draw(_studio: Studio): unknown {
-		return this.hovering ? html`<div class="drop">Drop a GLB or JSON and its bunch comes back</div>` : nothing;
+		return this.#hovering ? html`<div class="drop">Drop a GLB or JSON and its plant comes back</div>` : nothing;
 	}
 
 	override connectedCallback(): void {
@@ -26,23 +25,28 @@ export class Drop extends StudioElement {
 		window.removeEventListener("drop", this.#drop);
 	}
 
+	#hover(on: boolean): void {
+		this.#hovering = on;
+		this.requestUpdate();
+	}
+
 	readonly #over = (event: DragEvent): void => {
 		if (!event.dataTransfer?.types.includes("Files")) return;
 		event.preventDefault();
-		this.hovering = true;
+		this.#hover(true);
 	};
 
 	readonly #leave = (event: DragEvent): void => {
 		// Leaving one element for another inside the page is no leaving.
-		if (event.relatedTarget === null) this.hovering = false;
+		if (event.relatedTarget === null) this.#hover(false);
 	};
 
 	readonly #drop = (event: DragEvent): void => {
-		this.hovering = false;
+		this.#hover(false);
 		const file = event.dataTransfer?.files[0];
 		if (!file) return;
 		event.preventDefault();
-		void openFile(this.studio, file);
+		void openFile(this.desk, file);
 	};
 }
 

@@ -1,51 +1,171 @@
-import { html } from "lit";
-import { PRESETS, type Preset, type PresetKind } from "../../models/bunch/presets/index";
+import { html, nothing, type PropertyValues } from "lit";
+import { repeat } from "lit/directives/repeat.js";
+import type { Model } from "../../models/model";
+import type { Preset } from "../../specimen/presets";
+import { findPresets, kindKey, type PresetSection, sectionsOf } from "../preset_search";
 import type { Studio } from "../studio";
-import { isDark } from "../theme";
-import { StudioElement } from "./studio_element";
+import { StudioPart } from "./studio_part";
 
 /** Rendered by the app itself on the paper of each theme (`npm run gallery`). */
-const pictureOf = (name: string, dark: boolean) =>
-	`${import.meta.env.BASE_URL}gallery/${name}-${dark ? "dark" : "light"}.webp`;
+const pictureOf = (model: Model, { name }: Preset, dark: boolean) =>
+	`${import.meta.env.BASE_URL}gallery/${model.name}/${name}-${dark ? "dark" : "light"}.webp`;
 
-const SECTIONS: readonly (readonly [PresetKind, string])[] = [
-	["shape", "Shapes"],
-	["variety", "Varieties"],
-	["fruit", "Other fruits"],
-];
-
-/** The presets as small pictures, by kind; choosing one is one undo step. */
-export class Gallery extends StudioElement {
+/**
+ * The presets of every model as small pictures, by kind, to be searched and filtered; choosing one is one undo step. The
+ * strip is one stop of the Tab key: arrow keys go from preset to preset.
+ */
+export class Gallery extends StudioPart {
+	#query = "";
+	/** Key of the one kind shown; empty for all. */
+	#kind = "";
+	/** The preset last brought into sight, by model and name. */
 	#revealed: string | undefined;
+	/** What of the state was drawn. */
+	#drawn: readonly unknown[] = [];
+
+	protected override concerns(studio: Studio): boolean {
+		return concern(studio).some((each, index) => each !== this.#drawn[index]);
+	}
 
 	protected override draw(studio: Studio): unknown {
-		const { specimen, ui } = studio.state;
-		const dark = isDark(ui.theme);
-		const item = (preset: Preset) => html`<li>
-			<button
-				class="preset" type="button" aria-current=${preset.name === specimen.preset} title=${described(preset)} data-preset=${preset.name}
-				@click=${() => studio.choosePreset(preset.name)}
-			>
-				<img src=${pictureOf(preset.name, dark)} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">${preset.title}
-			</button>
-		</li>`;
-		return html`<div class="strip">${SECTIONS.map(
-			([kind, title]) => html`<section aria-labelledby="presets-${kind}">
-				<h2 id="presets-${kind}">${title}</h2>
-				<ul>${PRESETS.filter((preset) => preset.kind === kind).map(item)}</ul>
-			</section>`,
-		)}</div>`;
+		this.#drawn = concern(studio);
+		const { catalogue } = studio.state;
+		const sections = sectionsOf(catalogue);
+		const found = findPresets(sections, this.#query, this.#kind);
+		return html`<div class="find" role="search" aria-label="Presets" @keydown=${this.#findKey}>
+				<input
+					type="search" aria-label="Search presets" placeholder="Search presets" autocomplete="off" spellcheck="false"
+					.value=${this.#query} @input=${(event: Event) => this.#look({ query: (event.target as HTMLInputElement).value })}
+				>
+				<select
+					aria-label="Kind of preset" .value=${this.#kind}
+					@change=${(event: Event) => this.#look({ kind: (event.target as HTMLSelectElement).value })}
+				>
+					<option value="">All kinds</option>
+					${catalogue.map((model) => this.#kinds(model, sections, catalogue.length > 1))}
+				</select>
+				<p class="found" role="status">${inWords(found)}</p>
+			</div>
+			<div class="strip" @keydown=${this.#stripKey}>
+				${repeat(found, kindKey, (section) => this.#section(studio, section, catalogue.length > 1))}
+				${
+					found.length === 0
+						? html`<p class="none">No preset has that in its name or description.
+							<button class="button" type="button" @click=${this.#clear}>Show all</button></p>`
+						: nothing
+				}
+			</div>`;
 	}
 
-	/** The chosen preset is in sight, also when a link or a file has chosen it. */
-	protected override updated(): void {
-		const { preset } = this.studio.state.specimen;
+	#kinds(model: Model, sections: readonly PresetSection[], many: boolean): unknown {
+		const options = sections
+			.filter((section) => section.model === model)
+			.map((section) => {
+				const key = kindKey(section);
+				return html`<option value=${key} ?selected=${key === this.#kind}>${section.kind.title}</option>`;
+			});
+		return many ? html`<optgroup label=${model.title}>${options}</optgroup>` : options;
+	}
+
+	#section(studio: Studio, section: PresetSection, many: boolean): unknown {
+		const { model, kind, presets } = section;
+		const id = this.idOf(`kind-${kindKey(section).replace(" ", "-")}`);
+		return html`<section aria-labelledby=${id} data-model=${model.name}>
+			<h2 id=${id}>${many ? html`<b>${model.title}</b> ` : nothing}${kind.title}</h2>
+			<ul>${repeat(
+				presets,
+				({ name }) => name,
+				(preset) => this.#item(studio, model, preset),
+			)}</ul>
+		</section>`;
+	}
+
+	#item(studio: Studio, model: Model, preset: Preset): unknown {
+		const { specimen, dark } = studio.state;
+		const chosen = model.name === specimen.model && preset.name === specimen.preset;
+		return html`<li>
+			<button
+				class="preset" type="button" aria-current=${chosen} title=${described(preset)} data-preset=${preset.name} tabindex="-1"
+				@click=${() => studio.choosePreset(preset.name, model)}
+			>
+				<img
+					src=${pictureOf(model, preset, dark)} alt="" width="60" height="75" loading="lazy" fetchpriority="low"
+					decoding="async"
+				>${preset.title}
+			</button>
+		</li>`;
+	}
+
+	/** The chosen preset is in sight, also when a link or a file has chosen it; where it is not found, the first is. */
+	protected override updated(_changed: PropertyValues): void {
+		const { model, preset } = this.desk.state.specimen;
 		const strip = this.querySelector<HTMLElement>(".strip");
 		const chosen = this.querySelector<HTMLElement>("[aria-current=true]");
-		if (this.#revealed === preset || !strip || !chosen) return;
-		this.#revealed = preset;
+		this.#stopAt(this.#items().find((item) => item === document.activeElement) ?? chosen ?? this.#items()[0]);
+		if (this.#revealed === `${model} ${preset}` || !strip || !chosen) return;
+		this.#revealed = `${model} ${preset}`;
 		reveal(strip, chosen);
 	}
+
+	#look({ query = this.#query, kind = this.#kind }: { query?: string; kind?: string }): void {
+		this.#query = query;
+		this.#kind = kind;
+		this.#revealed = undefined;
+		const strip = this.querySelector(".strip");
+		if (strip) strip.scrollLeft = 0;
+		this.requestUpdate();
+	}
+
+	readonly #clear = (): void => {
+		this.#look({ query: "", kind: "" });
+		this.querySelector<HTMLElement>("input[type=search]")?.focus();
+	};
+
+	#findKey(event: KeyboardEvent): void {
+		const field = event.target as HTMLElement;
+		if (event.key === "Escape" && (this.#query !== "" || this.#kind !== "")) {
+			event.preventDefault();
+			this.#clear();
+		} else if (field instanceof HTMLInputElement && (event.key === "ArrowDown" || event.key === "Enter")) {
+			event.preventDefault();
+			const [first] = this.#items();
+			if (event.key === "ArrowDown") first?.focus();
+			else if (this.#query !== "") first?.click();
+		}
+	}
+
+	#stripKey(event: KeyboardEvent): void {
+		const items = this.#items();
+		const at = items.indexOf(document.activeElement as HTMLElement);
+		const next = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: items.length - 1 }[event.key];
+		const item = next === undefined || at < 0 ? undefined : items[next];
+		if (event.key === "Escape") this.querySelector<HTMLElement>("input[type=search]")?.focus();
+		if (!item) return;
+		event.preventDefault();
+		this.#stopAt(item);
+		item.focus();
+	}
+
+	/** The Tab key stops at one preset. */
+	#stopAt(stop: HTMLElement | undefined): void {
+		for (const item of this.#items()) item.tabIndex = item === stop ? 0 : -1;
+	}
+
+	#items(): HTMLElement[] {
+		return [...this.querySelectorAll<HTMLElement>(".preset")];
+	}
+}
+
+/** What of the state the gallery draws. */
+function concern({ state: { catalogue, dark, specimen } }: Studio): readonly unknown[] {
+	return [catalogue, dark, specimen.model, specimen.preset];
+}
+
+/** "31 presets". */
+function inWords(sections: readonly PresetSection[]): string {
+	const count = sections.reduce((sum, { presets }) => sum + presets.length, 0);
+	if (count === 0) return "No preset found";
+	return count === 1 ? "1 preset" : `${count} presets`;
 }
 
 function described({ about, figure }: Preset): string {

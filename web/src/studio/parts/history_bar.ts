@@ -1,12 +1,12 @@
 import { html } from "lit";
+import { icon } from "../../controls/icons";
 import { canRedo, canUndo } from "../../specimen/history";
 import { sameSpecimen } from "../../specimen/same";
 import type { Studio } from "../studio";
-import { icon } from "./icons";
-import { StudioElement } from "./studio_element";
+import { StudioPart } from "./studio_part";
 
 /** Undo, redo, and back to the preset. */
-export class HistoryBar extends StudioElement {
+export class HistoryBar extends StudioPart {
 	protected override draw(studio: Studio): unknown {
 		const { history, specimen } = studio.state;
 		return html`<button

@@ -1,11 +1,11 @@
 import { html, nothing } from "lit";
+import { icon } from "../../controls/icons";
 import type { Studio } from "../studio";
 import type { Notice } from "../types";
-import { icon } from "./icons";
-import { StudioElement } from "./studio_element";
+import { StudioPart } from "./studio_part";
 
 /** What the page has to say, one below the other, until dismissed. */
-export class Notices extends StudioElement {
+export class Notices extends StudioPart {
 	protected override draw(studio: Studio): unknown {
 		return html`<div class="notices" role="status">${studio.state.notices.map((notice) => drawNotice(studio, notice))}</div>`;
 	}

@@ -1,51 +1,50 @@
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import type { Procedure } from "../../models/bunch/grown";
-import type { ParameterInfo } from "../../models/bunch/parameters.generated";
-import { isAsPrinted } from "../change";
+import { control } from "../../controls/control";
+import { symbol } from "../../controls/symbol";
 import { type Explained, explainedBy, FIRST_WORDS, presetInWords } from "../explained";
-import { groupsFor, type PanelGroup, procedureOf } from "../panel_groups";
+import { applying, groupsFor, type PanelGroup } from "../panel_groups";
 import type { Studio } from "../studio";
-import type { Locks } from "../types";
-import { icon } from "./icons";
-import { grammarOverride, inputsOverride } from "./overrides";
 import { readout } from "./readout";
-import { StudioElement } from "./studio_element";
-import { symbol } from "./symbol";
-import "./choice";
-import "./colour";
-import "./number";
-import "./thinning";
+import { StudioPart } from "./studio_part";
 
-/** The controls in their groups, made from the parameter table; which groups are closed is remembered. */
-export class Panel extends StudioElement {
-	static override properties = { ...StudioElement.properties, explained: { state: true } };
+/** A group of the panel, ready to be drawn. */
+interface Section {
+	readonly key: string;
+	readonly title: string;
+	readonly closed?: boolean;
+	readonly body: unknown;
+}
+
+/** The controls in their groups, made from the model's table; which groups are closed is remembered. */
+export class Panel extends StudioPart {
 	/** What is under the pointer or in focus. */
-	declare private explained: Explained | undefined;
+	#explained: Explained | undefined;
 
 	protected override draw(studio: Studio): unknown {
-		const procedure = procedureOf(studio.state.specimen);
-		const parts = groupsFor(procedure).map((each) => ({
-			key: each.group.key,
-			title: each.group.title,
-			body: controls(studio, each, procedure),
-		}));
-		const everyday = parts.filter(({ key }) => EVERYDAY.includes(key));
-		const constants = parts.filter(({ key }) => !EVERYDAY.includes(key));
+		const { model, specimen, face } = studio.state;
+		if (!face) return nothing;
+		const groups = groupsFor(model.table, specimen, applying(face.tools, specimen));
+		const everyday = groups.filter(({ group }) => group.everyday).map((group) => sectionOf(studio, group));
+		const constants = groups.filter(({ group }) => !group.everyday).map((group) => sectionOf(studio, group));
+		// The numbers stand between what most people touch and the rest.
 		const numbers = { key: "numbers", title: "Numbers", body: readout(studio.state) };
 		return html`<div class="panel-groups" @pointerover=${this.#explain} @focusin=${this.#explain}>
 				${repeat(
 					[...everyday, numbers, ...constants],
-					({ key }) => key,
-					({ key, title, body }) => this.#group(studio, key, title, body),
+					({ key }) => `${model.name} ${key}`,
+					(section) => this.#section(studio, section),
 				)}
 			</div>
-			<p class="explain" aria-hidden="true">${this.explained ? explanation(this.explained, studio) : FIRST_WORDS}</p>`;
+			<p class="explain" aria-hidden="true">${this.#explained ? explanation(this.#explained, studio) : FIRST_WORDS}</p>`;
 	}
 
-	#group(studio: Studio, key: string, title: string, body: unknown): unknown {
-		const open = !studio.state.ui.closed.includes(key);
-		const toggled = (event: Event) => studio.setGroup(key, (event.target as HTMLDetailsElement).open);
+	#section(studio: Studio, { key, title, closed = false, body }: Section): unknown {
+		const open = studio.state.ui.groups[key] ?? !closed;
+		const toggled = (event: Event) => {
+			const shown = (event.target as HTMLDetailsElement).open;
+			if (shown !== (studio.state.ui.groups[key] ?? !closed)) studio.setGroup(key, shown);
+		};
 		return html`<details class="group" data-group=${key} .open=${open} @toggle=${toggled}>
 			<summary @click=${(event: Event) => this.#flip(event, key, !open)}>${title}</summary>
 			<div class="group-body">${body}</div>
@@ -55,62 +54,35 @@ export class Panel extends StudioElement {
 	/** The state opens and closes, not the element of itself; a search in the page still may (`toggle`). */
 	#flip(event: Event, key: string, open: boolean): void {
 		event.preventDefault();
-		this.studio.setGroup(key, open);
+		this.desk.setGroup(key, open);
 	}
 
 	#explain(event: Event): void {
 		const key = (event.target as Element).closest<HTMLElement>("[data-key]")?.dataset.key;
-		this.explained = (key === undefined ? undefined : explainedBy(key)) ?? this.explained;
+		const found = key === undefined ? undefined : explainedBy(this.desk.state.model.table, key);
+		if (!found || found.key === this.#explained?.key) return;
+		this.#explained = found;
+		this.requestUpdate();
 	}
 }
 
-/** What most people touch; the numbers stand between these and the grammar's constants. */
-const EVERYDAY: readonly string[] = ["shape", "berries", "age", "wing", "look"];
-
-/** The controls of one group, with what else belongs there. */
-function controls(studio: Studio, { group, infos }: PanelGroup, procedure: Procedure): unknown {
-	const { key } = group;
-	return html`${key === "shape" ? inputsOverride(studio) : html`<p>${group.help}</p>`}
-		${key === "between" && procedure === "paper" ? asPrintedSwitch(studio) : nothing}
-		${key === "branching" ? grammarOverride(studio) : nothing}
+/** The controls of one group, with what the tools add. */
+function sectionOf(studio: Studio, { group, entries, above, below }: PanelGroup): Section {
+	const { key, title, closed, help, plain } = group;
+	const tool = ({ panel }: (typeof above)[number]) => panel?.draw(studio);
+	const body = html`${plain ? nothing : html`<p>${help}</p>`} ${above.map(tool)}
 		${repeat(
-			infos,
-			(info) => info.key,
-			(info) => control(studio, info),
+			entries,
+			(entry) => entry.key,
+			(entry) => control(studio, entry),
 		)}
-		${key === "shape" ? sideActions(studio) : nothing}
-		${key === "berries" && procedure === "natural" ? html`<panicle-thinning .studio=${studio}></panicle-thinning>` : nothing}`;
+		${below.map(tool)}`;
+	return { key, title, closed, body };
 }
 
-function explanation({ key, label, symbol: sign, text }: Explained, studio: Studio): unknown {
-	const preset = presetInWords(studio.preset, key);
-	return html`<strong>${label}</strong>${symbol(sign)}: ${text} ${preset === undefined ? nothing : `Double-click for ${preset}.`}`;
-}
-
-function control(studio: Studio, info: ParameterInfo): unknown {
-	if (info.kind === "colour") return html`<panicle-colour .studio=${studio} .info=${info}></panicle-colour>`;
-	if (info.kind === "choice") return html`<panicle-choice .studio=${studio} .info=${info}></panicle-choice>`;
-	return html`<panicle-number .studio=${studio} .info=${info}></panicle-number>`;
-}
-
-function asPrintedSwitch(studio: Studio): unknown {
-	const changed = (event: Event) => studio.setAsPrinted((event.target as HTMLInputElement).checked);
-	return html`<label class="toggle">
-		<input type="checkbox" role="switch" .checked=${isAsPrinted(studio.state.specimen)} @change=${changed}>As printed
-	</label>`;
-}
-
-function sideActions(studio: Studio): unknown {
-	const lock = (which: keyof Locks, words: string) =>
-		html`<button class="button" type="button" aria-pressed=${studio.state.ui.locks[which]} @click=${() => studio.toggleLock(which)}>
-			${words}
-		</button>`;
-	const mirror = (which: keyof Locks, words: string) =>
-		html`<button class="button" type="button" @click=${() => studio.mirror(which)}>${icon("mirror")}${words}</button>`;
-	return html`<div class="actions">
-		${lock("leftRight", "Lock left–right")} ${lock("frontBack", "Lock front–back")}
-		${mirror("leftRight", "Mirror left–right")} ${mirror("frontBack", "Mirror front–back")}
-	</div>`;
+function explanation({ key, label, symbol: sign, text }: Explained, { state, preset }: Studio): unknown {
+	const published = presetInWords(state.model.table, preset, key);
+	return html`<strong>${label}</strong>${symbol(sign)}: ${text} ${published === undefined ? nothing : `Double-click for ${published}.`}`;
 }
 
 customElements.define("panicle-panel", Panel);

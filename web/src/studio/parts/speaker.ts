@@ -1,31 +1,33 @@
 import { html } from "lit";
-import type { Grown } from "../../models/bunch/grown";
 import type { Studio } from "../studio";
-import { bunchInWords } from "../words";
-import { StudioElement } from "./studio_element";
+import type { Shown } from "../studio_state";
+import { StudioPart } from "./studio_part";
 
-/** A bunch is spoken of once it has stayed this long, in milliseconds: a drag is not a stream of numbers. */
+/** A plant is spoken of once it has stayed this long, in milliseconds: a drag is not a stream of numbers. */
 const SETTLED = 700;
 
 /** Tells a screen reader what has grown. */
-export class Speaker extends StudioElement {
-	static override properties = { ...StudioElement.properties, words: { state: true } };
-	declare private words: string | undefined;
-
-	#spokenOf: Grown | undefined;
+export class Speaker extends StudioPart {
+	#words: string | undefined;
+	#spokenOf: Shown | undefined;
 	#timer: ReturnType<typeof setTimeout> | undefined;
 
 	protected override draw({ state }: Studio): unknown {
-		if (state.grown !== this.#spokenOf) this.#wait(state.grown);
-		return html`<p class="unseen" role="status" aria-live="polite">${this.words}</p>`;
+		if (state.shown !== this.#spokenOf) this.#wait(state.shown);
+		return html`<p class="unseen" role="status" aria-live="polite">${this.#words}</p>`;
 	}
 
-	#wait(grown: Grown | undefined): void {
-		this.#spokenOf = grown;
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		clearTimeout(this.#timer);
+	}
+
+	#wait(shown: Shown | undefined): void {
+		this.#spokenOf = shown;
 		clearTimeout(this.#timer);
 		this.#timer = setTimeout(() => {
-			const { grownFrom } = this.studio.state;
-			if (grown && grownFrom) this.words = bunchInWords(grown, grownFrom);
+			this.#words = shown?.model.words(shown.grown, shown.from);
+			this.requestUpdate();
 		}, SETTLED);
 	}
 }

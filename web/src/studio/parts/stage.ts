@@ -1,24 +1,18 @@
 import { html, nothing } from "lit";
-import { classMap } from "lit/directives/class-map.js";
-import { DEFAULT_PRESET, presetNamed } from "../../models/bunch/presets/index";
+import { type IconName, icon } from "../../controls/icons";
 import { withParameters } from "../../specimen/edit";
-import { specimenFromPreset } from "../../specimen/from_preset";
-import { sameSpecimen } from "../../specimen/same";
-import { growsAlike } from "../change";
-import { procedureOf } from "../panel_groups";
+import { fromPreset } from "../../specimen/from_preset";
+import { growsAlike, sameSpecimen } from "../../specimen/same";
+import { applying } from "../panel_groups";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
 import type { Failure } from "../types";
-import { bunchInWords, stemsInWords } from "../words";
-import { type IconName, icon } from "./icons";
-import { StudioElement } from "./studio_element";
+import { StudioPart } from "./studio_part";
 
 /** The 3-D view with its tools, its caption, and in its place the words for when there is nothing to see. */
-export class Stage extends StudioElement {
-	static override properties = { ...StudioElement.properties, trouble: { state: true } };
+export class Stage extends StudioPart {
 	/** Why there is no picture: no WebGL 2, or a lost context. */
-	declare private trouble: { title: string; text: string } | undefined;
-
+	#trouble: { title: string; text: string } | undefined;
 	#solid: SolidView | undefined;
 	#started = false;
 	/** A phone shows another view in its place: what cannot be seen is not drawn. */
@@ -26,68 +20,84 @@ export class Stage extends StudioElement {
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
 		this.#visible = contentRect.width > 0;
 		if (!this.#visible) return;
-		this.#solid?.view.resize();
+		this.#solid?.resize();
 		this.requestUpdate();
 	});
 
 	protected override draw(studio: Studio): unknown {
-		const { failure, growing, grown, ui } = studio.state;
-		const surface = classMap({ "stage-surface": true, handles: ui.octahedron, thinning: ui.thinning && !ui.stems });
+		const { failure, growing, shown } = studio.state;
 		return html`<canvas
-				class=${surface} tabindex="0" role="img" aria-label=${described(studio)} aria-describedby="stage-keys" @keydown=${this.#press}
+				class="stage-surface" tabindex="0" role="img" aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
+				@keydown=${this.#press}
 			></canvas>
-			<p class="unseen" id="stage-keys">${KEYS}</p>
-			${grown ? caption(studio) : nothing}
-			${this.trouble && !failure ? message(this.trouble.title, [this.trouble.text]) : nothing}
+			<p class="unseen" id=${this.idOf("keys")}>${KEYS}</p>
+			${shown ? caption(studio) : nothing}
+			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text]) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
-			${this.#solid && !this.trouble ? this.#tools(studio) : nothing}
+			${this.#solid && !this.#trouble ? this.#tools(studio, this.#solid) : nothing}
 			${growing ? progress(studio) : nothing}`;
 	}
 
 	protected override updated(): void {
 		if (!this.#started) void this.#start();
-		if (this.#visible) this.#solid?.update(this.studio.state);
+		if (this.#visible) this.#solid?.update(this.desk.state);
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#resized.disconnect();
+		this.#solid?.dispose();
+		this.#solid = undefined;
+		if (this.#started) this.desk.showPicture(undefined);
 	}
 
 	async #start(): Promise<void> {
 		this.#started = true;
 		const canvas = this.querySelector("canvas") as HTMLCanvasElement;
 		try {
-			this.#solid = await SolidView.create(canvas, this.studio, {
-				lost: () => {
-					this.trouble = {
+			const solid = await SolidView.create(canvas, this.desk, {
+				lost: () =>
+					this.#say({
 						title: "The picture was lost",
 						text: "The graphics card dropped it; it comes back by itself in a moment.",
-					};
-				},
-				restored: () => {
-					this.trouble = undefined;
-				},
+					}),
+				restored: () => this.#say(undefined),
 			});
-			this.studio.picture = () => (this.#solid as SolidView).picture();
+			if (!this.isConnected) {
+				solid.dispose();
+				return;
+			}
+			this.#solid = solid;
 			this.#resized.observe(this);
+			this.desk.showPicture(() => solid.picture());
 		} catch (error) {
 			const text = error instanceof Error ? error.message : String(error);
-			this.trouble = {
+			this.#say({
 				title: "No 3-D view here",
-				text: `${text} The profile views, the sliders and the downloads work all the same.`,
-			};
+				text: `${text} The flat views, the sliders and the downloads work all the same.`,
+			});
 		}
-		this.studio.setUi({});
 	}
 
-	#tools(studio: Studio): unknown {
-		const { stems, octahedron, thinning } = studio.state.ui;
-		const natural = procedureOf(studio.state.specimen) === "natural";
-		const tool = (name: IconName, label: string, click: () => void, pressed?: boolean) =>
+	#say(trouble: { title: string; text: string } | undefined): void {
+		this.#trouble = trouble;
+		this.requestUpdate();
+	}
+
+	#tools(studio: Studio, solid: SolidView): unknown {
+		const { face, specimen } = studio.state;
+		const button = (drawn: Parameters<typeof icon>[0], label: string, click: () => void, pressed?: boolean) =>
 			html`<button
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
-			>${icon(name)}</button>`;
+			>${icon(drawn)}</button>`;
+		const frame: IconName = "frame";
 		return html`<div class="stage-tools" role="group" aria-label="3-D view">
-			${tool("frame", "Reset view", () => this.#solid?.view.resetView())}
-			${tool("stems", "Show stems only", () => studio.setUi({ stems: !stems }), stems)}
-			${tool("octahedron", "Octahedron", () => studio.setUi({ octahedron: !octahedron }), octahedron)}
-			${natural ? tool("thin", "Thin", () => studio.setUi({ thinning: !thinning }), thinning) : nothing}
+			${button(frame, "Reset view", () => solid.reset())}
+			${applying(face?.tools, specimen).map((tool) =>
+				tool.button
+					? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))
+					: nothing,
+			)}
 		</div>`;
 	}
 
@@ -101,25 +111,31 @@ export class Stage extends StudioElement {
 const KEYS = "Arrow keys orbit, with Shift they move; plus and minus go nearer and further, 0 resets the view.";
 
 /** What the picture shows, in words. */
-function described(studio: Studio): string {
-	const { failure, grown, grownFrom } = studio.state;
-	if (grown && grownFrom) return `Grape bunch: ${bunchInWords(grown, grownFrom)}`;
-	return failure ? "No bunch has grown" : "Grape bunch, growing";
+function described({ state: { failure, shown, model } }: Studio): string {
+	if (shown) return `${shown.model.title}: ${shown.model.words(shown.grown, shown.from)}`;
+	return failure ? `No ${model.noun} has grown` : `${model.title}, growing`;
 }
 
 /** As under an engraving: what it is called, and what grew. */
 function caption(studio: Studio): unknown {
-	const { grown, grownFrom } = studio.state;
-	if (!grown || !grownFrom) return nothing;
-	const title = presetNamed(grownFrom.preset)?.title;
-	// Another seed or another age is no other shape.
-	const { seed, parameters } = studio.preset;
-	const alike = withParameters({ ...grownFrom, seed }, { age: parameters.age });
-	const altered = !growsAlike(alike, studio.preset);
+	const { shown, face, grown } = studio.state;
+	if (!shown) return nothing;
+	const { model, from } = shown;
+	const words = grown && face?.caption ? face.caption(grown, studio) : model.words(shown.grown, from);
 	return html`<div class="caption">
-		<h2>${title}${altered ? ", altered" : nothing}</h2>
-		<p>${studio.state.ui.stems ? stemsInWords(grown) : bunchInWords(grown, grownFrom)}</p>
+		<h2>${model.presets.named(from.preset)?.title}${isAltered(studio) ? ", altered" : nothing}</h2>
+		<p>${words}</p>
 	</div>`;
+}
+
+/** Whether what is shown is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
+function isAltered({ state: { shown, model, face } }: Studio): boolean {
+	if (!shown) return false;
+	const preset = fromPreset(shown.model, shown.from.preset);
+	const tools = shown.model === model ? (face?.tools ?? []) : [];
+	const running = tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
+	const values = Object.fromEntries(running.map((key) => [key, preset.parameters[key]]));
+	return !growsAlike(withParameters(shown.model, { ...shown.from, seed: preset.seed }, values), preset);
 }
 
 function message(title: string, details: readonly string[], actions: unknown = nothing): unknown {
@@ -130,16 +146,18 @@ function message(title: string, details: readonly string[], actions: unknown = n
 	</div>`;
 }
 
-/** The ways to a bunch from where there is none. */
+/** The ways to a plant from where there is none. */
 function remedies(studio: Studio, failure: Failure): unknown {
 	const button = (words: string, click: () => void) =>
 		html`<button class="button" type="button" @click=${click}>${words}</button>`;
 	return failure.remedies.map((remedy) => {
 		if (remedy === "again") return button("Try again", () => studio.growAgain());
-		const { specimen } = studio.state;
-		if (specimen.grammar !== undefined) return button("Use the built-in grammar", () => studio.drop("grammar"));
-		if (sameSpecimen(specimen, specimenFromPreset(DEFAULT_PRESET))) return nothing;
-		return button("Open the default bunch", () => studio.choosePreset(DEFAULT_PRESET));
+		const { model, specimen, face } = studio.state;
+		const own = applying(face?.tools, specimen).find((tool) => tool.remedy)?.remedy;
+		if (own) return button(own.words, () => own.press(studio));
+		const standard = fromPreset(model);
+		if (sameSpecimen(specimen, standard)) return nothing;
+		return button(`Open the default ${model.noun}`, () => studio.replace(standard));
 	});
 }
 

@@ -1,30 +1,34 @@
-import { html } from "lit";
+import { html, nothing } from "lit";
 import type { Studio } from "../studio";
-import type { View } from "../types";
-import { StudioElement } from "./studio_element";
-
-const VIEWS: readonly [View, string][] = [
-	["front", "Front"],
-	["side", "Side"],
-	["solid", "3-D"],
-];
+import { SOLID } from "../ui_state";
+import { editorsOf, viewOf } from "./editors";
+import { StudioPart } from "./studio_part";
 
 /** A phone shows one view at a time; this chooses which. */
-export class ViewSwitch extends StudioElement {
+export class ViewSwitch extends StudioPart {
 	protected override draw(studio: Studio): unknown {
-		const { view } = studio.state.ui;
+		const editors = editorsOf(studio.state);
+		if (editors.length === 0) return nothing;
+		const shown = viewOf(studio.state);
+		const views = [...editors.map(({ name, editor }) => [name, editor?.title] as const), [SOLID, "3-D"] as const];
 		return html`<fieldset class="switch">
 			<legend class="unseen">View</legend>
-			${VIEWS.map(
-				([key, words]) => html`<label>
-					<input type="radio" name="view" .checked=${key === view} @change=${() => studio.setUi({ view: key })}>${words}
+			${views.map(
+				([name, words]) => html`<label>
+					<input
+						type="radio" name=${this.idOf("view")} .checked=${name === shown} @change=${() => studio.setUi({ view: name })}
+					>${words}
 				</label>`,
 			)}
 		</fieldset>`;
 	}
 
 	protected override updated(): void {
-		this.closest<HTMLElement>(".studio")?.setAttribute("data-view", this.studio.state.ui.view);
+		const { state } = this.desk;
+		const page = this.closest<HTMLElement>(".studio");
+		page?.setAttribute("data-view", viewOf(state));
+		// Until the tools have come, the views keep their place.
+		page?.toggleAttribute("data-one-view", state.face !== undefined && editorsOf(state).length === 0);
 	}
 }
 

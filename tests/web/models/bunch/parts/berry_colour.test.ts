@@ -3,7 +3,7 @@ import type { BerrySurfaces, Fruit, Grown } from "../../../../../web/src/models/
 import { berryColours, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
 import { FRUIT_SKINS } from "../../../../../web/src/models/bunch/parts/fruit_skin";
 import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
-import type { Look } from "../../../../../web/src/specimen/specimen";
+import type { Look } from "../../../bunch";
 import { type PressedOptions, pressedBunch } from "../pressed_bunch";
 import { LOOK } from "../sample_bunch";
 

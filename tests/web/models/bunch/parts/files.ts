@@ -1,12 +1,10 @@
 /** The files of a bunch, as the studio and the command line write them. */
+
 import { exportGlb, type GlbOptions } from "../../../../../web/src/export/glb";
 import { exportObj } from "../../../../../web/src/export/obj";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import { aboutBunch } from "../../../../../web/src/models/bunch/parts/about";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
-import { plantName } from "../../../../../web/src/models/bunch/parts/names";
-import { encodeQuery } from "../../../../../web/src/specimen/link";
-import type { Specimen } from "../../../../../web/src/specimen/specimen";
+import { aboutBunch, encodeQuery, type Specimen } from "../../../bunch";
 
 export async function bunchGlb(
 	grown: Grown,
@@ -17,6 +15,6 @@ export async function bunchGlb(
 }
 
 export function bunchObj(grown: Grown, specimen: Specimen, name: string): { obj: string; mtl: string } {
-	const about = { name: plantName(specimen), link: encodeQuery(specimen), extras: {} };
+	const about = { name: `Bunch ${specimen.preset}`, link: encodeQuery(specimen), extras: {} };
 	return exportObj(bunchParts(grown, specimen), about, name);
 }

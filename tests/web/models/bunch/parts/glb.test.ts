@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { Box3, type InstancedMesh, Matrix4, type Mesh, type MeshPhysicalMaterial, Quaternion, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { writtenSpecimen } from "../../../../../web/src/specimen/written";
+import { writtenSpecimen } from "../../../bunch";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
 import * as arbitrary from "../arbitrary";
 import { makeGrown, paperSpecimen, SKETCH } from "../fixture";

@@ -1,4 +1,5 @@
 /** Natural bunches of the real core in every form: all presets, ages, looks, random ones. */
+
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { Box3, Vector3 } from "three";
@@ -7,14 +8,11 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
-import { exportJson } from "../../../../../web/src/export/json";
-import { specimenFromFile } from "../../../../../web/src/export/restore";
 import type { NumberKey } from "../../../../../web/src/models/bunch/parameters.generated";
 import { PRESETS } from "../../../../../web/src/models/bunch/presets/index";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
 import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
-import { specimenFromPreset } from "../../../../../web/src/specimen/from_preset";
-import type { Specimen } from "../../../../../web/src/specimen/specimen";
+import { exportJson, type Specimen, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
 import { fingerprintOfDocument } from "../fingerprint";

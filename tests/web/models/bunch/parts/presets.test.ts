@@ -1,4 +1,5 @@
 /** The paper's presets, grown by its procedure in the real core and exported in every form. */
+
 import { readFileSync } from "node:fs";
 import { Box3, type InstancedMesh, Matrix4, Vector3 } from "three";
 import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
@@ -6,12 +7,10 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
-import { exportJson } from "../../../../../web/src/export/json";
-import { specimenFromFile } from "../../../../../web/src/export/restore";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { PRESETS } from "../../../../../web/src/models/bunch/presets/index";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
-import { specimenFromPreset } from "../../../../../web/src/specimen/from_preset";
+import { exportJson, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
 import { fingerprintOfDocument } from "../fingerprint";

@@ -7,7 +7,7 @@ import {
 	filledWidth,
 	sideEnvelope,
 } from "../../../../../web/src/models/bunch/profile/envelope";
-import type { Specimen } from "../../../../../web/src/specimen/specimen";
+import type { Specimen } from "../../../bunch";
 import { anyShape, DEFAULTS } from "./shape";
 
 type Parameters = Specimen["parameters"];

@@ -1,11 +1,11 @@
-// Made from wasm-core/parameters/measures.json by wasm-core/tools/generate.mjs; edit the table, not this.
+// Made from wasm-core/parameters/bunch.measures.json by wasm-core/tools/generate.mjs; edit the table, not this.
 #pragma once
 
 #include <cstdint>
 
 namespace panicle::bunch {
 
-// In the order of Grown::measures; docs/measures.md has their units.
+// In the order of Grown::measures; docs/models/bunch/measures.md has their units.
 enum class Measure : std::uint32_t {
   coverage,
   spill,

@@ -1,6 +1,6 @@
 import { EMPTY_PLANT } from "../../../plant/plant";
-import type { Look } from "../../../specimen/specimen";
 import { type Grown, type Mesh, type PlanSide, TRAITS } from "../grown";
+import type { Look } from "../specimen";
 
 const side: PlanSide = { w: 0, r: 0, n: 0, rd: 0 };
 

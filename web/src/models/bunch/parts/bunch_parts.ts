@@ -1,8 +1,8 @@
 /** A bunch in parts: axes with their pedicels, berries, cane, leaves and petioles, each to be taken by itself. */
 import { linear, meanColour } from "../../../plant/colour";
 import { cut, type Part } from "../../../plant/part";
-import type { Look, Specimen } from "../../../specimen/specimen";
 import type { Foliage, Grown, StemMesh } from "../grown";
+import type { Look, BunchSpecimen as Specimen } from "../specimen";
 import { meanOf } from "../traits";
 import { naturalBerries, sharedBerries } from "./berries";
 import { foliageMaterials, stemMaterial } from "./materials";

@@ -1,8 +1,8 @@
 /** What a bunch is made of. Why each value is so is in docs/export.md. */
 import { type Colour, linear, mix, smoothstep, toLch } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
-import type { Look } from "../../../specimen/specimen";
 import type { FoliagePart } from "../grown";
+import type { Look } from "../specimen";
 import { CANE, leafColour, PETIOLE, STAMEN } from "./foliage_colour";
 import type { FruitSkin } from "./fruit_skin";
 

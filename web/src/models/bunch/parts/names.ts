@@ -2,14 +2,7 @@
  * The names a reader of an export sees in an outliner: the same in GLB and OBJ. Numbers start at 1, as people count,
  * and are padded so that sorting by name keeps their order.
  */
-import type { Specimen } from "../../../specimen/specimen";
 import type { FoliagePart } from "../grown";
-
-/** Node of the whole plant, e.g. `Bunch long-conical`. */
-export function plantName(specimen: Specimen): string {
-	const kind = specimen.model.charAt(0).toUpperCase() + specimen.model.slice(1);
-	return `${kind} ${specimen.preset}`;
-}
 
 /** Name of a part of the stem: `Rachis` for −1, else `Axis 01` for s = 0 (the top one) and so on. */
 export function stemName(axis: number): string {

@@ -1,6 +1,6 @@
 import { type Colour, clamp, fromLch, linear, mix, mixed, smoothstep, toLch } from "../../../plant/colour";
-import type { Look } from "../../../specimen/specimen";
 import type { Fruit, Grown } from "../grown";
+import type { Look } from "../specimen";
 import { FRUIT_SKINS, type FruitSkin } from "./fruit_skin";
 
 /** Flesh under a skin of one colour. */

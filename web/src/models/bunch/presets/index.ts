@@ -1,7 +1,6 @@
-import { readChoice } from "../../../specimen/read_values";
-import type { Look } from "../../../specimen/specimen";
-import { entryOf } from "../../../specimen/table";
+import { numbersIn, type Preset, type PresetKind } from "../../../specimen/presets";
 import type { NumberKey } from "../parameters.generated";
+import { BUNCH_TABLE } from "../table";
 import cylindrical from "./cylindrical.json";
 import doubleBunchWinged from "./double-bunch-winged.json";
 import duku from "./duku.json";
@@ -34,37 +33,26 @@ import tempranillo from "./varieties/tempranillo.json";
 import thompsonSeedless from "./varieties/thompson-seedless.json";
 import wingedCylindrical from "./winged-cylindrical.json";
 
-/** What the paper shows as a shape, the paper's other fruits, and named varieties of the vine. */
-export type PresetKind = "shape" | "fruit" | "variety";
-
 /**
- * A named bunch to start from; it holds only what differs from the defaults of the parameter table. Shapes and fruits
- * have the profiles of Table 3 (Huang et al. 2013); where the numbers of varieties come from is in docs/varieties.md.
- * Links hold only what differs from their preset, so what a published preset says never changes.
+ * Shapes and fruits have the profiles of Table 3 (Huang et al. 2013); where the numbers of varieties come from is in
+ * docs/varieties.md.
  *
  * The paper leaves the double bunch winged at being two bunches. Ours keeps the first one's left side narrow and sends
  * the second out over it, sagging: in the paper's procedure, a second bunch that meets the axes of the first finds no
  * room and is cut.
  */
-export interface Preset {
-	/** As in links and on the command line. */
-	name: string;
-	kind: PresetKind;
-	title: string;
-	/** The paper's figure; varieties have none. */
-	figure?: string;
-	/** One line about it. */
-	about: string;
-	parameters: Partial<Record<NumberKey, number>>;
-	look: Partial<Look>;
-}
+export const PRESET_KINDS = [
+	{ key: "shape", title: "Shapes" },
+	{ key: "variety", title: "Varieties" },
+	{ key: "fruit", title: "Other fruits" },
+] as const satisfies readonly PresetKind[];
 
 /** As the file holds it: choices by name. */
 interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
-	parameters: Partial<Record<NumberKey, number | string>>;
+	parameters: Readonly<Partial<Record<NumberKey, number | string>>>;
 }
 
-/** All presets, in the order of the gallery. */
+/** All presets. */
 export const PRESETS: readonly Preset[] = [
 	...ofKind("shape", [
 		shortConical,
@@ -99,25 +87,9 @@ export const PRESETS: readonly Preset[] = [
 	]),
 ];
 
-function ofKind(kind: PresetKind, files: readonly PresetFile[]): Preset[] {
-	return files.map((file) => ({ ...file, kind, parameters: numbersIn(file.parameters) }));
-}
-
-function numbersIn(values: PresetFile["parameters"]): Preset["parameters"] {
-	const numbers: Preset["parameters"] = {};
-	for (const [key, value] of Object.entries(values) as [NumberKey, number | string][]) {
-		const entry = entryOf(key);
-		numbers[key] = entry?.kind === "choice" ? readChoice(value, entry.options) : (value as number);
-	}
-	return numbers;
+function ofKind(kind: (typeof PRESET_KINDS)[number]["key"], files: readonly PresetFile[]): Preset[] {
+	return files.map((file) => ({ ...file, kind, parameters: numbersIn(BUNCH_TABLE, file.parameters) }));
 }
 
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "long-conical";
-
-const byName = new Map(PRESETS.map((preset) => [preset.name, preset]));
-
-/** The preset of that name, if there is one. */
-export function presetNamed(name: string): Preset | undefined {
-	return byName.get(name);
-}

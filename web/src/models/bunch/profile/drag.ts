@@ -2,7 +2,8 @@
  * What a drag or an arrow key does to the profile: pure functions from parameters to new parameters, in pixels of the
  * profile (handles.ts), clamped to the table's ranges and rounded to whole pixels.
  */
-import { PARAMETERS } from "../parameters.generated";
+import type { CoreEntry } from "../../../specimen/table";
+import { BUNCH_TABLE } from "../table";
 import {
 	type Handle,
 	handleKeys,
@@ -31,11 +32,9 @@ const ARROWS: Readonly<Record<string, Point>> = {
 	ArrowDown: { x: 0, y: 1 },
 };
 
-const ranges = new Map(PARAMETERS.map(({ key, min = -Infinity, max = Infinity }) => [key as string, { min, max }]));
-
 /** The nearest whole pixel in the table's range. */
 export function clampPixels(key: ShapeKey, value: number): number {
-	const { min, max } = ranges.get(key) as { min: number; max: number };
+	const { min, max } = BUNCH_TABLE.entry(key) as CoreEntry;
 	return Math.min(Math.max(Math.round(value), min), max) + 0; // −0 is 0
 }
 

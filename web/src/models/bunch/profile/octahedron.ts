@@ -3,7 +3,7 @@
  * as in the flat views. In metres, in the bunch's frame: add `object` where the bunch is.
  */
 import { type Camera, type Group, Matrix4, Raycaster, Vector2, Vector3 } from "three";
-import type { Specimen } from "../../../specimen/specimen";
+import type { BunchSpecimen as Specimen } from "../specimen";
 import { type DragOptions, nearestHandle } from "./drag";
 import { DragSession } from "./drag_session";
 import { type Freedom, handleVector, type Ray, rayToView, visibleFreedom } from "./handle_ray";
@@ -19,6 +19,12 @@ export interface OctahedronHost {
 	requestRender(): void;
 	/** Orbit, zoom and pan rest while a handle is held. */
 	setControlsEnabled(on: boolean): void;
+	/** Whether the sides of a pair move as one. */
+	locks(): Locks;
+	/** Live while a handle is dragged, once a frame at most; also with what was before, when Escape calls it off. */
+	input(parameters: Parameters): void;
+	/** A drag is over: with what it made, or, when it was called off, with what was before. */
+	change(parameters: Parameters): void;
 }
 
 /** How near to a handle, in CSS pixels, a mouse or pen and a finger take hold of it. */
@@ -26,12 +32,6 @@ const MOUSE_REACH = 16;
 const TOUCH_REACH = 26;
 
 export class OctahedronHandles {
-	/** Live while a handle is dragged, once a frame at most; also with what was before, when Escape calls it off. */
-	onInput?: (parameters: Parameters) => void;
-	/** A drag is over: with what it made, or, when it was called off, with what was before. */
-	onChange?: (parameters: Parameters) => void;
-	locks: Locks = { leftRight: false, frontBack: false };
-
 	readonly #host: OctahedronHost;
 	readonly #figure: OctahedronFigure;
 	readonly #raycaster = new Raycaster();
@@ -44,18 +44,22 @@ export class OctahedronHandles {
 	constructor(host: OctahedronHost) {
 		this.#host = host;
 		this.#figure = new OctahedronFigure(host.canvas);
-		const tell = (parameters: Parameters, listener?: (parameters: Parameters) => void) => {
+		const input = (parameters: Parameters) => {
 			this.update(parameters);
-			listener?.(parameters);
+			host.input(parameters);
+		};
+		const change = (parameters: Parameters) => {
+			this.update(parameters);
+			host.change(parameters);
 		};
 		this.#drags = new DragSession<Parameters>({
 			handles: () => HANDLES,
 			get: () => this.#parameters as Parameters,
-			input: (parameters) => tell(parameters, this.onInput),
-			change: (parameters) => tell(parameters, this.onChange),
+			input,
+			change,
 			cancel: (parameters) => {
-				tell(parameters, this.onInput);
-				this.onChange?.(parameters);
+				input(parameters);
+				change(parameters);
 			},
 			schedule: (callback) => requestAnimationFrame(callback),
 		});
@@ -121,7 +125,7 @@ export class OctahedronHandles {
 		const handle = this.#drags.heldBy(event.pointerId);
 		if (handle) {
 			const at = this.#point(event, handle);
-			const options: DragOptions = { locks: this.locks, mirror: event.altKey };
+			const options: DragOptions = { locks: this.#host.locks(), mirror: event.altKey };
 			if (at) this.#drags.move(event.pointerId, at, event.shiftKey, options);
 		} else if (event.buttons === 0 && event.pointerType !== "touch") {
 			this.#hover(this.#handleAt(event));

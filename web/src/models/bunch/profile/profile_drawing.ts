@@ -1,7 +1,7 @@
 /** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
 import { html, nothing, svg, type TemplateResult } from "lit";
 import { guard } from "lit/directives/guard.js";
-import type { Specimen } from "../../../specimen/specimen";
+import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";
 import { type Handle, handleLabel, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
 import { type DrawnBunch, silhouette } from "./silhouette";

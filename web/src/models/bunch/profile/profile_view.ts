@@ -3,9 +3,8 @@
  * figures 5 and 8). It draws what it is given and tells what a person does to it; the document stays with the page.
  */
 import { html, LitElement, nothing, type PropertyValues } from "lit";
-import { customElement, property, state } from "lit/decorators.js";
 import { classMap } from "lit/directives/class-map.js";
-import type { Specimen } from "../../../specimen/specimen";
+import type { BunchSpecimen as Specimen } from "../specimen";
 import { type DragOptions, nearestHandle, nudgeHandle } from "./drag";
 import { DragSession } from "./drag_session";
 import {
@@ -31,35 +30,52 @@ export type ProfileEvent = CustomEvent<{ parameters: Parameters }>;
 
 const HELP = "Drag, or use the arrow keys: one pixel a step, ten with Shift. Escape calls off a drag.";
 
-@customElement("panicle-profile")
 export class ProfileView extends LitElement {
 	static override styles = profileStyle;
-
-	@property({ reflect: true }) view: View = "front";
-	@property({ attribute: false }) parameters?: Parameters;
-	@property({ attribute: false }) locks: Locks = { leftRight: false, frontBack: false };
+	static override properties = {
+		view: { reflect: true },
+		parameters: { attribute: false },
+		locks: { attribute: false },
+		berries: { attribute: false },
+		initial: { attribute: false },
+		extent: { type: Number },
+		disabled: { type: Boolean, reflect: true },
+	};
+	declare view: View;
+	declare parameters: Parameters | undefined;
+	declare locks: Locks;
 	/** The bunch drawn behind; a `Grown` will do. */
-	@property({ attribute: false }) berries?: DrawnBunch;
+	declare berries: DrawnBunch | undefined;
 	/** What a double click on a handle brings back, if anything. */
-	@property({ attribute: false }) initial?: Parameters;
+	declare initial: Parameters | undefined;
 	/** Side of the square shown, in pixels of the profile; chosen to suit the parameters where it is not given. */
-	@property({ type: Number }) extent?: number;
-	@property({ type: Boolean, reflect: true }) disabled = false;
+	declare extent: number | undefined;
+	declare disabled: boolean;
 
-	@state() private size = { width: 240, height: 240 };
+	#size = { width: 240, height: 240 };
+	/** Whether the size is another since the last drawing. */
+	#resizing = false;
 	/** The handle the mouse is over or the keyboard is on: its numbers are shown. */
-	@state() private shown?: Handle;
+	#shown: Handle | undefined;
 	/** What a screen reader says after a key step. */
-	@state() private spoken = "";
-
+	#spoken = "";
 	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
-	@state() private pointed = false;
+	#pointed = false;
 
 	readonly #steady = new SteadyExtent();
 	#asking?: ReturnType<typeof setTimeout>;
-	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
-		if (contentRect.width > 0) this.size = { width: contentRect.width, height: contentRect.height };
-	});
+	readonly #resized = new ResizeObserver(
+		([
+			{
+				contentRect: { width, height },
+			},
+		]) => {
+			if (width === 0 || (width === this.#size.width && height === this.#size.height)) return;
+			this.#size = { width, height };
+			this.#resizing = true;
+			this.requestUpdate();
+		},
+	);
 	readonly #drags = new DragSession<Parameters>({
 		handles: () => this.#handles(),
 		get: () => this.parameters as Parameters,
@@ -69,6 +85,13 @@ export class ProfileView extends LitElement {
 		schedule: (callback) => requestAnimationFrame(callback),
 	});
 
+	constructor() {
+		super();
+		this.view = "front";
+		this.locks = { leftRight: false, frontBack: false };
+		this.disabled = false;
+	}
+
 	override connectedCallback(): void {
 		super.connectedCallback();
 		this.#resized.observe(this);
@@ -77,15 +100,17 @@ export class ProfileView extends LitElement {
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#resized.disconnect();
+		clearTimeout(this.#asking);
 		this.#cancel();
 	}
 
 	protected override willUpdate(changed: PropertyValues): void {
 		if (changed.has("disabled") && this.disabled) this.#cancel();
 		if (!this.parameters) return;
-		const wanted = this.extent ?? viewExtent(this.parameters, this.size.width, this.size.height);
+		const wanted = this.extent ?? viewExtent(this.parameters, this.#size.width, this.#size.height);
 		const motion = this.#drags.active ? "held" : changed.has("parameters") ? "moved" : "still";
-		if (changed.has("size")) this.#steady.forget();
+		if (this.#resizing) this.#steady.forget();
+		this.#resizing = false;
 		const later = this.#steady.follow(wanted, motion, performance.now());
 		clearTimeout(this.#asking);
 		if (later !== undefined) this.#asking = setTimeout(() => this.requestUpdate(), later);
@@ -95,9 +120,9 @@ export class ProfileView extends LitElement {
 		const { parameters, view, disabled } = this;
 		if (!parameters) return nothing;
 		const frame = this.#frame();
-		const shown = this.#handles().filter((handle) => handle === this.shown || this.#drags.holds(handle));
+		const shown = this.#handles().filter((handle) => handle === this.#shown || this.#drags.holds(handle));
 		return html`<div
-			class=${classMap({ dragging: this.#drags.active, pointed: this.pointed })}
+			class=${classMap({ dragging: this.#drags.active, pointed: this.#pointed })}
 			role="group"
 			aria-label="Profile, ${view} view"
 			@pointerdown=${this.#onPointerDown}
@@ -122,7 +147,7 @@ export class ProfileView extends LitElement {
 				drawHandle(parameters, handle, frame, { held: this.#drags.holds(handle), disabled }),
 			)}
 			<p class="spoken" id="help">${HELP}</p>
-			<p class="spoken" aria-live="polite">${this.spoken}</p>
+			<p class="spoken" aria-live="polite">${this.#spoken}</p>
 		</div>`;
 	}
 
@@ -131,7 +156,7 @@ export class ProfileView extends LitElement {
 	}
 
 	#frame(): ViewFrame {
-		return viewFrame(this.size.width, this.size.height, this.#steady.extent);
+		return viewFrame(this.#size.width, this.#size.height, this.#steady.extent);
 	}
 
 	#tell(parameters: Parameters, ...events: string[]): void {
@@ -170,7 +195,7 @@ export class ProfileView extends LitElement {
 		if (!handle || !this.#drags.begin(event.pointerId, handle, this.#point(event))) return;
 		(event.currentTarget as Element).setPointerCapture(event.pointerId);
 		this.#element(handle)?.focus({ preventScroll: true });
-		this.pointed = true;
+		this.#pointed = true;
 		window.addEventListener("keydown", this.#onEscape, { capture: true });
 		this.requestUpdate();
 	}
@@ -207,22 +232,22 @@ export class ProfileView extends LitElement {
 	}
 
 	#onPointerOver(event: PointerEvent): void {
-		if (event.pointerType === "mouse" && !this.disabled) this.shown = handleOf(event);
+		if (event.pointerType === "mouse" && !this.disabled) this.#show(handleOf(event));
 	}
 
 	/** The numbers of a handle that the mouse leaves go; those of the one the keyboard is on stay. */
 	#onPointerOut(): void {
-		const focused = this.pointed ? null : this.shadowRoot?.querySelector(".handle:focus-visible");
-		this.shown = focused ? handleOf({ target: focused }) : undefined;
+		const focused = this.#pointed ? null : this.shadowRoot?.querySelector(".handle:focus-visible");
+		this.#show(focused ? handleOf({ target: focused }) : undefined);
 	}
 
 	#onFocusIn(event: FocusEvent): void {
-		if ((event.target as Element).matches(":focus-visible")) this.shown = handleOf(event);
+		if ((event.target as Element).matches(":focus-visible")) this.#show(handleOf(event));
 	}
 
 	#onFocusOut(): void {
-		this.pointed = false;
-		this.shown = undefined;
+		this.#pointed = false;
+		this.#show(undefined);
 	}
 
 	#onDoubleClick(event: MouseEvent): void {
@@ -241,10 +266,15 @@ export class ProfileView extends LitElement {
 		const parameters = nudgeHandle(this.parameters, handle, event.key, step, this.#options(event));
 		if (!parameters) return;
 		event.preventDefault();
-		this.pointed = false;
-		this.shown = handle;
-		this.spoken = handleValue(parameters, handle);
+		this.#pointed = false;
+		this.#spoken = handleValue(parameters, handle);
+		this.#show(handle);
 		this.#tell(parameters, "profile-input", "profile-change");
+	}
+
+	#show(handle: Handle | undefined): void {
+		this.#shown = handle;
+		this.requestUpdate();
 	}
 
 	#element(handle: Handle): HTMLElement | null | undefined {
@@ -256,6 +286,8 @@ export class ProfileView extends LitElement {
 function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
 	return (target as Element).closest<HTMLElement>("[data-handle]")?.dataset.handle as Handle | undefined;
 }
+
+customElements.define("panicle-profile", ProfileView);
 
 declare global {
 	interface HTMLElementTagNameMap {

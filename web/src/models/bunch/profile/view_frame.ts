@@ -1,7 +1,6 @@
 /** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
-
-import type { Specimen } from "../../../specimen/specimen";
 import { PROCEDURES } from "../grown";
+import type { BunchSpecimen as Specimen } from "../specimen";
 import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
 
 export interface ViewFrame {

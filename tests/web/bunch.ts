@@ -1,0 +1,47 @@
+/** The bunch's document as tests want it: what specimen/ does for any model, bound to this one. */
+
+import { aboutPlant } from "../../web/src/export/about_plant";
+import * as json from "../../web/src/export/json";
+import { recordInFile } from "../../web/src/export/restore";
+import type { Grown } from "../../web/src/models/bunch/grown";
+import { model } from "../../web/src/models/bunch/index";
+import { BUNCH } from "../../web/src/models/bunch/species";
+import type { BunchSpecimen, Look } from "../../web/src/models/bunch/specimen";
+import * as edit from "../../web/src/specimen/edit";
+import * as link from "../../web/src/specimen/link";
+import * as restored from "../../web/src/specimen/restore";
+import type { CoreEntry, Entry } from "../../web/src/specimen/table";
+import * as written from "../../web/src/specimen/written";
+
+export {
+	BERRY_IDS,
+	MOST_THINNED,
+	thin,
+	unthin,
+	unthinAll,
+} from "../../web/src/models/bunch/details/thinned";
+export { BUNCH, specimenFromPreset } from "../../web/src/models/bunch/species";
+export type { BunchSpecimen as Specimen, Look };
+
+export const ENTRIES: readonly Entry[] = BUNCH.table.entries;
+export const CORE_ENTRIES: readonly CoreEntry[] = BUNCH.table.core;
+export const entryOf = (key: string) => BUNCH.table.entry(key);
+export const presetNamed = (name: string) => BUNCH.presets.named(name);
+
+export const restore = (record: unknown, from?: BunchSpecimen) => restored.restore(BUNCH, record, from);
+export const writtenSpecimen = (specimen: BunchSpecimen) => written.writtenSpecimen(BUNCH, specimen);
+
+export const withParameters = (specimen: BunchSpecimen, changes: Partial<BunchSpecimen["parameters"]>) =>
+	edit.withParameters(BUNCH, specimen, changes);
+export const withLook = (specimen: BunchSpecimen, changes: Partial<Look>) => edit.withLook(BUNCH, specimen, changes);
+
+export const encodeLink = (specimen: BunchSpecimen) => link.encodeLink(BUNCH, specimen);
+export const encodeQuery = (specimen: BunchSpecimen) => link.encodeQuery(BUNCH, specimen);
+export const decodeLink = (search: string, hash?: string) => link.decodeLink(BUNCH, search, hash);
+export const decodeQuery = (search: string) => link.decodeQuery(BUNCH, search);
+
+export const specimenFromFile = async (name: string, file: Blob) => restore(await recordInFile(name, file));
+
+export const exportJson = (grown: Grown, specimen: BunchSpecimen) => json.exportJson(model, grown, specimen);
+export const aboutBunch = (grown: Grown, specimen: BunchSpecimen, link?: string) =>
+	aboutPlant(model, grown, specimen, link);

@@ -1,0 +1,49 @@
+import { describe, expect, it, vi } from "vitest";
+import { Columns, writeContainer } from "../../../web/src/core/container";
+import type { Model } from "../../../web/src/models/model";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { Cores } from "../../../web/src/studio/cores";
+import { toy } from "../toy";
+
+const model = toy as unknown as Model;
+const address = (file: string) => (file === "toy.wasm" ? "/cores/toy.wasm" : undefined);
+
+describe("the cores", () => {
+	it("grow a specimen by its model's core, in its model's words both ways", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		const grow = vi.fn(async () => ({ columns, milliseconds: 7 }));
+		const { signal } = new AbortController();
+		const grown = await new Cores(address, { grow, warm: vi.fn() }).grow(
+			model,
+			{ ...fromPreset(model), seed: 5 },
+			{ measures: false, signal },
+		);
+		expect(grown).toMatchObject({ fingerprint: "0123", timings: { grow: 7 } });
+		expect(grow).toHaveBeenCalledExactlyOnceWith(
+			{
+				wasm: "/cores/toy.wasm",
+				blocks: [
+					{ name: "model", data: "toy" },
+					{ name: "seed", data: Uint32Array.of(5) },
+				],
+			},
+			{ signal },
+		);
+	});
+
+	it("are warmed by their files, where there is one of that name", () => {
+		const warm = vi.fn();
+		const cores = new Cores(address, { grow: vi.fn(), warm });
+		cores.warm("plum.wasm");
+		expect(warm).not.toHaveBeenCalled();
+		cores.warm("toy.wasm");
+		expect(warm).toHaveBeenCalledExactlyOnceWith("/cores/toy.wasm");
+	});
+
+	it("say where one is missing", async () => {
+		const cores = new Cores(() => undefined, { grow: vi.fn(), warm: vi.fn() });
+		await expect(cores.grow(model, fromPreset(model))).rejects.toThrow(
+			"The core of the pole is not part of this page.",
+		);
+	});
+});

@@ -1,0 +1,42 @@
+import { describe, expect, it } from "vitest";
+import type { Format, Model } from "../../../web/src/models/model";
+import { EMPTY_PLANT } from "../../../web/src/plant/plant";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { fileName, formatsOf } from "../../../web/src/studio/files/formats";
+import { specimenFromPreset } from "../bunch";
+import { toy } from "../toy";
+
+const model = toy as unknown as Model;
+const shown = (formats: readonly Format[]) => ({
+	model: { ...model, formats },
+	grown: EMPTY_PLANT,
+	from: fromPreset(model),
+});
+const format: Format = {
+	key: "txt",
+	title: "Text",
+	about: "In words",
+	suffix: ".txt",
+	type: "text/plain",
+	make: async (_, { preset }, link) => `${preset} ${link}`,
+};
+
+it("names files after what grew", () => {
+	expect(fileName({ ...specimenFromPreset("grape-15a"), seed: 7 })).toBe("grape-15a-7");
+});
+
+describe("what can be downloaded", () => {
+	it("is what every plant has, and a picture where there is a view", () => {
+		const keys = (picture?: () => Promise<Blob>) => formatsOf(shown([]), picture).map(({ key }) => key);
+		expect(keys()).toEqual(["glb", "obj", "json"]);
+		expect(keys(async () => new Blob())).toEqual(["glb", "obj", "json", "png"]);
+	});
+
+	it("is what the model makes besides, of what suits it", async () => {
+		const plant = shown([format, { ...format, key: "no", applies: () => false }]);
+		const [own, ...others] = formatsOf(plant, undefined).filter(({ key }) => key === "txt" || key === "no");
+		expect(others).toEqual([]);
+		const blob = await own.make(plant, "?v=2", "plain-1");
+		expect([blob.type, await blob.text()]).toEqual(["text/plain", "plain ?v=2"]);
+	});
+});

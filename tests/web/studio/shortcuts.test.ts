@@ -1,0 +1,13 @@
+import { expect, it } from "vitest";
+import { shortcuts } from "../../../web/src/studio/shortcuts";
+import { specimenFromPreset } from "../bunch";
+import { studioWith } from "./desk";
+
+it("lists the page's keys and the model's, each letter once", async () => {
+	const { studio } = await studioWith(specimenFromPreset());
+	const keys = shortcuts(studio.state).map((shortcut) => shortcut.keys.join());
+	for (const key of ["Ctrl+Z", "N", "S", "O", "T", "K", "?"]) expect(keys).toContain(key);
+	const letters = keys.filter((key) => key.length === 1);
+	expect(new Set(letters).size).toBe(letters.length);
+	expect(shortcuts({ face: undefined }).map((shortcut) => shortcut.keys.join())).not.toContain("T");
+});

@@ -1,0 +1,66 @@
+/** What controls and tools have of the page: the document before them and the ways to change it. */
+import type { Plant } from "../plant/plant";
+import type { Species } from "../specimen/species";
+import type { Specimen } from "../specimen/specimen";
+
+/** What a control changes; what it leaves out stays. */
+export interface Change {
+	seed?: number;
+	parameters?: Readonly<Partial<Record<string, number>>>;
+	look?: Readonly<Partial<Record<string, number | string>>>;
+}
+
+export interface DeskState<S extends Specimen = Specimen, G extends Plant = Plant> {
+	/** The document as it is on the controls now, mid-drag included. */
+	readonly specimen: S;
+	/** What `specimen` is one of. */
+	readonly model: Species<S>;
+	/** The last plant that grew; it stays on screen whatever goes wrong. */
+	readonly grown: G | undefined;
+	/** The specimen that `grown` grew from. */
+	readonly grownFrom: S | undefined;
+	/** What was last measured, in the order of the table; it stays while a drag asks for none. */
+	readonly measures: Float32Array | undefined;
+	/** Whether a hand is on a control: what is seen is on its way. */
+	readonly held: boolean;
+	/** Whether the page is dark now. */
+	readonly dark: boolean;
+}
+
+/** Something with a state of its own on the page: plain data, kept under the name of its model. */
+export interface Stateful<T> {
+	readonly name: string;
+	/** What it is at first. */
+	readonly initial: T;
+	/** Makes a state of what a former visit left; a state without it is forgotten with the page. */
+	recall?(kept: unknown): T;
+}
+
+/** How a notice behaves. */
+export interface NoticeOptions {
+	/** Text to copy by hand. */
+	copy?: string;
+	/** Goes by itself after a while: confirmations, never warnings. */
+	brief?: boolean;
+}
+
+/** The studio is one; a test may be another. */
+export interface Desk<S extends Specimen = Specimen, G extends Plant = Plant> {
+	readonly state: DeskState<S, G>;
+	/** The specimen of the current preset as published: what double clicks go back to. */
+	readonly preset: S;
+	/** Calls back after every change of the state; returns the function that ends it. */
+	subscribe(listener: () => void): () => void;
+	/** A change while the hand still moves: it grows at once, but becomes an undo step only with `settle`. */
+	edit(change: Change, gesture?: string): void;
+	/** The end of a drag: one undo step, and the address bar follows. Of a named gesture only where that goes on. */
+	settle(gesture?: string): void;
+	/** A change that is a step of its own. */
+	set(change: Change): void;
+	/** Another document in place of this one, as one step. */
+	replace(specimen: S): void;
+	/** Says something above the page. */
+	notify(title: string, details?: readonly string[], options?: NoticeOptions): void;
+	toolState<T>(tool: Stateful<T>): T;
+	setToolState<T>(tool: Stateful<T>, state: T): void;
+}

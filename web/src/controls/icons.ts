@@ -1,0 +1,28 @@
+import { html, type SVGTemplateResult, svg, type TemplateResult } from "lit";
+
+/** Line drawings on a 20 × 20 field, drawn with the pen of the page. */
+const DRAWINGS = {
+	undo: svg`<path d="M4 8h8.5a4 4 0 0 1 0 8H9M4 8l3.5-3.5M4 8l3.5 3.5"/>`,
+	redo: svg`<path d="M16 8H7.5a4 4 0 0 0 0 8H11M16 8l-3.5-3.5M16 8l-3.5 3.5"/>`,
+	reset: svg`<path d="M4.5 10a5.5 5.5 0 1 0 1.6-3.9L4.5 7.7M4.5 4v3.7h3.7"/>`,
+	open: svg`<path d="M3 15.5v-11h5l2 2.5h6v2M3 15.5 5.5 9H18l-2.5 6.5z"/>`,
+	link: svg`<path d="M8.5 11.5 11.5 8.5M9.5 6.5l2-2a3.2 3.2 0 0 1 4.5 4.5l-2 2M10.5 13.5l-2 2A3.2 3.2 0 0 1 4 11l2-2"/>`,
+	download: svg`<path d="M10 3v9.5M6.5 9.5 10 13l3.5-3.5M4 16.5h12"/>`,
+	light: svg`<circle cx="10" cy="10" r="3.2"/><path d="M10 2.5v2M10 15.5v2M2.5 10h2M15.5 10h2M4.7 4.7l1.4 1.4M13.9 13.9l1.4 1.4M4.7 15.3l1.4-1.4M13.9 6.1l1.4-1.4"/>`,
+	dark: svg`<path d="M16 12A6.5 6.5 0 0 1 8 4a6.5 6.5 0 1 0 8 8z"/>`,
+	help: svg`<circle cx="10" cy="10" r="7"/><path d="M8 8.2a2 2 0 1 1 2.8 1.85c-.6.3-.8.6-.8 1.3M10 13.8v.1"/>`,
+	frame: svg`<path d="M3.5 7V3.5H7M13 3.5h3.5V7M16.5 13v3.5H13M7 16.5H3.5V13"/><circle cx="10" cy="10" r="2"/>`,
+	again: svg`<rect x="3.5" y="3.5" width="13" height="13" rx="3"/><path d="M7 7v.1M13 7v.1M10 10v.1M7 13v.1M13 13v.1" stroke-width="2"/>`,
+	play: svg`<path d="M6.5 4.2v11.6L16 10z" fill="currentcolor"/>`,
+	pause: svg`<path d="M7 4.5v11M13 4.5v11" stroke-width="2.6"/>`,
+	search: svg`<circle cx="8.5" cy="8.5" r="5"/><path d="m12.3 12.3 4.2 4.2"/>`,
+	close: svg`<path d="m5.5 5.5 9 9M14.5 5.5l-9 9"/>`,
+} satisfies Record<string, SVGTemplateResult>;
+
+export type IconName = keyof typeof DRAWINGS;
+
+/** A decorative icon, one of these or a model's own drawing; the button around it carries the name. */
+export function icon(drawn: IconName | SVGTemplateResult): TemplateResult {
+	const drawing = typeof drawn === "string" ? DRAWINGS[drawn] : drawn;
+	return html`<svg class="icon-mark" viewBox="0 0 20 20" aria-hidden="true">${drawing}</svg>`;
+}

@@ -1,0 +1,38 @@
+/** The life of a plant as one parameter runs through it, with names for its stages. */
+
+export interface Stage {
+	/** Where it is at its most typical: what its button sets. */
+	readonly at: number;
+	/** From where on it is called so; from `at` where absent. */
+	readonly from?: number;
+	readonly name: string;
+}
+
+export interface Life {
+	/** The parameter that runs, in percent. */
+	readonly parameter: string;
+	/** What it is called: "Age". */
+	readonly label: string;
+	/** By `at`; the first is at the parameter's least value. */
+	readonly stages: readonly Stage[];
+	/** Where a play ends. */
+	readonly end: number;
+	/** How long a play of the whole takes, milliseconds. */
+	readonly milliseconds: number;
+	/** What playing does: "Play from flower to ripe bunch". */
+	readonly play: string;
+	/** For those who hear the slider: what the numbers mean. */
+	readonly help: string;
+}
+
+/** What a plant of that age is called. */
+export function stageOf({ stages }: Life, age: number): Stage {
+	return stages.findLast(({ at, from = at }) => from <= age) ?? stages[0];
+}
+
+/** The stage after that age, or before it; the ends stay. */
+export function nextStage({ stages }: Life, age: number, direction: 1 | -1): Stage {
+	return direction > 0
+		? (stages.find(({ at }) => at > age) ?? stages[stages.length - 1])
+		: (stages.findLast(({ at }) => at < age) ?? stages[0]);
+}

@@ -1,0 +1,129 @@
+import { html } from "lit";
+import { live } from "lit/directives/live.js";
+import { type NumberEntry, nearestWithin } from "../specimen/table";
+import type { Desk, Stateful } from "./desk";
+import { DeskElement } from "./desk_element";
+import { HeldKey } from "./held_key";
+import { icon } from "./icons";
+import { type Life, nextStage, stageOf } from "./life";
+import type { PlayState } from "./life_player";
+import { readTyped } from "./typed";
+
+const STEP = 0.5;
+
+/** A life below the view: a slider over its stages, a button that lets it run, the number to type. */
+export class LifeBar extends DeskElement {
+	static override properties = {
+		...DeskElement.properties,
+		life: { attribute: false },
+		play: { attribute: false },
+	};
+	declare life: Life;
+	/** Where it stands whether the life runs. */
+	declare play: Stateful<PlayState>;
+
+	readonly #held = new HeldKey(() => this.desk.settle());
+
+	protected override draw(desk: Desk): unknown {
+		const { life, age } = this;
+		const { min, max } = this.#entry;
+		const stage = stageOf(life, age);
+		const { playing } = desk.toolState(this.play);
+		const name = life.label.toLowerCase();
+		return html`<div class="life-bar" @keydown=${this.#shortcut}>
+			<button
+				class="button icon play" type="button" aria-label=${playing ? "Pause" : "Play"} aria-keyshortcuts="K"
+				title="${playing ? "Pause" : life.play} (K)" @click=${this.#toggle}
+			>${icon(playing ? "pause" : "play")}</button>
+			<div class="life">
+				<input
+					type="range" min=${min} max=${max} step=${STEP} .value=${live(String(age))}
+					aria-label=${life.label} aria-valuetext="${stage.name}, ${age} percent" aria-describedby=${this.idOf("help")}
+					@input=${this.#slide} @change=${this.#held.slid} @dblclick=${this.#reset}
+					@keydown=${this.#keyDown} @keyup=${this.#held.up} @blur=${this.#held.up}
+				>
+				<div class="stages" role="group" aria-label="Stages">${life.stages.map(
+					({ at, name: words }) => html`<button
+						class="stage-name" type="button" aria-current=${words === stage.name} .style=${`--at: ${(at - min) / (max - min)}`}
+						@click=${() => this.#set(at)}
+					>${words}</button>`,
+				)}</div>
+				<p class="stage-now" aria-hidden="true">${stage.name}</p>
+			</div>
+			<input
+				class="typed" type="text" inputmode="decimal" autocomplete="off" .value=${live(String(age))}
+				aria-label="${life.label} in percent"
+				@change=${this.#type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
+			><span class="unit" aria-hidden="true">%</span>
+			<span class="unseen" id=${this.idOf("help")}>${life.help} Page keys go from stage to stage, K plays, Delete brings the
+				preset’s ${name} back. ${min} … ${max} percent.</span>
+		</div>`;
+	}
+
+	protected override updated(): void {
+		const { min, max } = this.#entry;
+		const done = (this.age - min) / (max - min);
+		this.querySelector<HTMLElement>("input[type=range]")?.style.setProperty("--done", `${done * 100}%`);
+	}
+
+	get age(): number {
+		return this.desk.state.specimen.parameters[this.life.parameter];
+	}
+
+	get #entry(): NumberEntry {
+		return this.desk.state.model.table.entry(this.life.parameter) as NumberEntry;
+	}
+
+	#set(age: number): void {
+		this.desk.set({ parameters: { [this.life.parameter]: age } });
+	}
+
+	#edit(age: number): void {
+		this.desk.edit({ parameters: { [this.life.parameter]: age } });
+	}
+
+	readonly #toggle = (): void => {
+		this.desk.setToolState(this.play, { playing: !this.desk.toolState(this.play).playing });
+	};
+
+	#slide(event: Event): void {
+		this.#edit(Number((event.target as HTMLInputElement).value));
+	}
+
+	#keyDown(event: KeyboardEvent): void {
+		const { key } = event;
+		if (key === "Delete" || key === "Backspace") this.#reset();
+		else this.#held.down(event);
+		if (key !== "PageUp" && key !== "PageDown") return;
+		event.preventDefault();
+		this.#edit(nextStage(this.life, this.age, key === "PageUp" ? 1 : -1).at);
+	}
+
+	/** On a button the space bar is the button's own. */
+	#shortcut(event: KeyboardEvent): void {
+		if (event.key !== " " || (event.target as HTMLInputElement).type !== "range") return;
+		event.preventDefault();
+		this.#toggle();
+	}
+
+	#reset(): void {
+		this.#set(this.desk.preset.parameters[this.life.parameter]);
+	}
+
+	#type(event: Event): void {
+		const field = event.target as HTMLInputElement;
+		const typed = readTyped(field.value);
+		if (Number.isFinite(typed)) this.#set(nearestWithin(this.#entry, typed));
+		const { age, life } = this;
+		const { min, max } = this.#entry;
+		const name = life.label.toLowerCase();
+		if (!Number.isFinite(typed)) {
+			this.desk.notify(`“${field.value.trim().slice(0, 20)}” is not an ${name}`, [`${life.label} ${age} % stays.`]);
+		} else if (age !== typed) {
+			this.desk.notify(`${life.label} takes ${min} … ${max} %`, [`${typed} became ${age}.`]);
+		}
+		field.value = String(age);
+	}
+}
+
+customElements.define("panicle-life", LifeBar);

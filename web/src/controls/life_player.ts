@@ -1,0 +1,115 @@
+/**
+ * Lets a life run from where it stands to its end. A frame asks for the age of its own moment, and the client answers
+ * the newest question only, so that nothing queues however long a growth takes.
+ */
+import type { Specimen } from "../specimen/specimen";
+import type { Desk, Stateful } from "./desk";
+import { type Life, nextStage } from "./life";
+
+/** How long each stage stands where motion is unwelcome, in milliseconds. */
+const STAND = 1500;
+/** A page that was hidden or busy goes on where it was, not where it would be; milliseconds. */
+const LONGEST_FRAME = 500;
+/** Ages are told to this part of a percent, so that a link stays short. */
+const STEPS_PER_PERCENT = 10;
+/** The gesture of a life that runs by itself: a drag meanwhile is a step of its own. */
+export const PLAY = "play";
+
+export interface Clock {
+	/** Calls back once, with the time in milliseconds, when the next frame is due. */
+	request(callback: (now: number) => void): void;
+	/** Whether motion is unwelcome: the age then goes from stage to stage. */
+	stepwise(): boolean;
+}
+
+export interface PlayState {
+	readonly playing: boolean;
+}
+
+export class LifePlayer {
+	readonly #desk: Desk;
+	readonly #life: Life;
+	readonly #state: Stateful<PlayState>;
+	readonly #clock: Clock;
+	readonly #unsubscribe: () => void;
+	#running = false;
+	#age = 0;
+	#last = 0;
+	/** What the last frame made; anything else on the controls means that a hand has taken over. */
+	#made: Specimen | undefined;
+
+	/** @param state where it stands whether the life runs: whoever wants it to run or to stop says so there */
+	constructor(desk: Desk, life: Life, state: Stateful<PlayState>, clock: Clock = FRAMES) {
+		this.#desk = desk;
+		this.#life = life;
+		this.#state = state;
+		this.#clock = clock;
+		this.#unsubscribe = desk.subscribe(() => this.#follow());
+	}
+
+	/** Stops for good, where the age stands. */
+	dispose(): void {
+		this.#unsubscribe();
+		this.#stop();
+	}
+
+	#follow(): void {
+		const { playing } = this.#desk.toolState(this.#state);
+		if (playing === this.#running) return;
+		if (!playing) {
+			this.#stop();
+			return;
+		}
+		const age = this.#desk.state.specimen.parameters[this.#life.parameter];
+		this.#running = true;
+		this.#made = undefined;
+		this.#age = age >= this.#life.end ? this.#life.stages[0].at : age;
+		this.#last = Number.NaN;
+		this.#clock.request(this.#frame);
+	}
+
+	/** One undo step in all. */
+	#stop(): void {
+		if (!this.#running) return;
+		this.#running = false;
+		if (this.#desk.toolState(this.#state).playing) this.#desk.setToolState(this.#state, { playing: false });
+		this.#desk.settle(PLAY);
+	}
+
+	readonly #frame = (now: number): void => {
+		if (!this.#running) return;
+		const desk = this.#desk;
+		if (this.#made && desk.state.specimen !== this.#made) {
+			this.#stop();
+			return;
+		}
+		if (this.#advance(now)) {
+			const age = Math.round(this.#age * STEPS_PER_PERCENT) / STEPS_PER_PERCENT;
+			desk.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);
+			this.#made = desk.state.specimen;
+		}
+		if (this.#age >= this.#life.end) this.#stop();
+		else this.#clock.request(this.#frame);
+	};
+
+	/** Moves the age on to a moment; tells whether it has moved. */
+	#advance(now: number): boolean {
+		const first = Number.isNaN(this.#last);
+		const passed = first ? 0 : now - this.#last;
+		const { end, milliseconds, stages } = this.#life;
+		if (this.#clock.stepwise()) {
+			if (!first && passed < STAND) return false;
+			if (!first) this.#age = nextStage(this.#life, this.#age, 1).at;
+		} else {
+			const whole = end - stages[0].at;
+			this.#age = Math.min(end, this.#age + (Math.min(passed, LONGEST_FRAME) / milliseconds) * whole);
+		}
+		this.#last = now;
+		return true;
+	}
+}
+
+const FRAMES: Clock = {
+	request: (callback) => requestAnimationFrame(callback),
+	stepwise: () => matchMedia("(prefers-reduced-motion: reduce)").matches,
+};

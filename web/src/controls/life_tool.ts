@@ -1,0 +1,33 @@
+import { html } from "lit";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+import type { Life } from "./life";
+import { LifePlayer, type PlayState } from "./life_player";
+import type { Tool } from "./tool";
+import "./life_bar";
+
+/** The tool of a model whose plants have a life that can run: the bar below the view, and K. */
+export function lifeTool<S extends Specimen, G extends Plant>(
+	life: Life,
+	applies?: (specimen: S) => boolean,
+): Tool<S, G, PlayState> {
+	const tool: Tool<S, G, PlayState> = {
+		name: life.parameter,
+		initial: { playing: false },
+		applies,
+		parameters: [life.parameter],
+		press: (desk) => desk.setToolState(tool, { playing: !desk.toolState(tool).playing }),
+		key: { letter: "k", does: `${life.play}, and pause` },
+		keys: [{ keys: ["Page ↑", "Page ↓"], does: `On the ${life.label.toLowerCase()}: the next stage, the one before` }],
+		bar: {
+			title: life.label,
+			draw: (desk) => html`<panicle-life .desk=${desk} .life=${life} .play=${tool}></panicle-life>`,
+		},
+		rest: (desk) => desk.setToolState(tool, { playing: false }),
+		start: (desk) => {
+			const player = new LifePlayer(desk, life, tool);
+			return () => player.dispose();
+		},
+	};
+	return tool;
+}

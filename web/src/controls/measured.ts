@@ -1,0 +1,39 @@
+import { html, nothing } from "lit";
+import { classOf, type MeasureInfo, measureText } from "../specimen/measures";
+import type { Table } from "../specimen/table";
+import type { ReadoutRow } from "./tool";
+
+/**
+ * What was measured, group by group, each with its unit, its descriptor's class, and a sentence that unfolds. What does
+ * not apply is left out.
+ * @param measures in the order of the table
+ * @param more rows that close their groups; a group without a measure is not shown for them alone
+ */
+export function measured(table: Table, measures: Float32Array, more: readonly ReadoutRow[] = []): unknown {
+	return table.measureGroups.map(({ key: group, title }) => {
+		const rows = table.measures.flatMap((info, index) =>
+			info.group === group && Number.isFinite(measures[index]) ? [rowOf(info, measures[index])] : [],
+		);
+		if (rows.length === 0) return nothing;
+		const all = [...rows, ...more.filter((row) => row.group === group)];
+		return html`<section class="measures"><h3>${title}</h3>${all.map(drawn)}</section>`;
+	});
+}
+
+function rowOf(info: MeasureInfo, value: number): ReadoutRow {
+	return { ...info, text: measureText(info, value), found: classOf(info, value) };
+}
+
+function drawn({ key, label, help, oiv, unchecked, text, found }: ReadoutRow): unknown {
+	// A descriptor whose value is a note has the words for a value already.
+	const words = found && found.words !== text ? `${found.note}, ${found.words}` : found?.note;
+	const classed =
+		oiv === undefined || found === undefined
+			? nothing
+			: html`<small>OIV ${oiv}: class ${words}${unchecked ? html`<abbr title="not compared with its source: ${unchecked}"> ?</abbr>` : nothing}</small>`;
+	const doubt = unchecked ? ` Not compared with its source: ${unchecked}.` : "";
+	return html`<details class="measure" data-key="measure-${key}" data-measure=${key}>
+		<summary><span class="what">${label}${classed}</span><span class="value">${text}</span></summary>
+		<p>${help}${doubt}</p>
+	</details>`;
+}

@@ -1,0 +1,119 @@
+/**
+ * What a model brings to the page besides the table's sliders. A tool has as many faces as it needs: a button on the
+ * 3-D view, a key, a place in the panel, a bar below the view, a flat view of its own, hands on the canvas. The studio
+ * shows each where it belongs and knows none of them.
+ */
+
+import type { SVGTemplateResult } from "lit";
+import type { Camera, Object3D } from "three";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+import type { Change, Desk, DeskState, Stateful } from "./desk";
+
+/** A button on the 3-D view. */
+export interface ToolButton<S extends Specimen = Specimen, G extends Plant = Plant> {
+	/** A line drawing on a 20 × 20 field (icons.ts). */
+	readonly icon: SVGTemplateResult;
+	readonly label: string;
+	/** Whether it is switched on; absent for a button that does something once. */
+	pressed?(desk: Desk<S, G>): boolean;
+}
+
+/** A letter for the whole page. */
+export interface ToolKey {
+	/** A small letter that no other tool of the model has, nor the page (n, ?). */
+	readonly letter: string;
+	/** What the help says of it. */
+	readonly does: string;
+}
+
+/** A place in the panel, in one of the table's groups. */
+export interface ToolPanel<S extends Specimen = Specimen, G extends Plant = Plant> {
+	readonly group: string;
+	/** Above the group's controls or below them. */
+	readonly place: "above" | "below";
+	draw(desk: Desk<S, G>): unknown;
+}
+
+/** A bar below the 3-D view, or a flat view: at the left of it, on a phone in its place. */
+export interface ToolPlace<S extends Specimen = Specimen, G extends Plant = Plant> {
+	readonly title: string;
+	draw(desk: Desk<S, G>): unknown;
+}
+
+/** What a tool has of the 3-D view. */
+export interface ToolView {
+	readonly canvas: HTMLCanvasElement;
+	readonly camera: Camera;
+	/** Whether pointers turn the plant. A tool that takes hold of something switches this off meanwhile. */
+	orbiting: boolean;
+	/** Adds something to the scene, in the plant's metres. */
+	addOverlay(object: Object3D): void;
+	removeOverlay(object: Object3D): void;
+	requestRender(): void;
+	/** What is under a point of the canvas (CSS pixels from its top left corner), by the model's own number for it. */
+	pick(x: number, y: number): number | undefined;
+	/** Marks that, by the same number; nothing where undefined. */
+	mark(picked: number | undefined): void;
+	/** One of the model's figure's ways of showing; the first where undefined. */
+	setMode(mode: string | undefined): void;
+}
+
+/** A tool's hands on the canvas, from when the view has come until the model goes. */
+export interface ToolHands<S extends Specimen = Specimen, G extends Plant = Plant> {
+	/** After every change of the state, and of the theme. */
+	update(state: DeskState<S, G>): void;
+	dispose(): void;
+}
+
+export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T = unknown> extends Stateful<T> {
+	/** Whether it means anything to this specimen; where not, none of its faces is shown. */
+	applies?(specimen: S): boolean;
+	/** What the button and the key do. */
+	press?(desk: Desk<S, G>): void;
+	readonly button?: ToolButton<S, G>;
+	readonly key?: ToolKey;
+	readonly panel?: ToolPanel<S, G>;
+	readonly bar?: ToolPlace<S, G>;
+	readonly editor?: ToolPlace<S, G>;
+	/** Further keys that its faces know, for the help. */
+	readonly keys?: readonly { readonly keys: readonly string[]; readonly does: string }[];
+	/** Parameters whose control it is: the panel shows none for them. */
+	readonly parameters?: readonly string[];
+	/** What a change brings along, besides what the table's details do: locked sides follow each other. */
+	follow?(change: Change, desk: Desk<S, G>): Change;
+	hands?(view: ToolView, desk: Desk<S, G>): ToolHands<S, G>;
+	/** A way out where this specimen cannot be grown. */
+	readonly remedy?: { readonly words: string; press(desk: Desk<S, G>): void };
+	/** Brings what runs by itself to rest: something is to be saved. */
+	rest?(desk: Desk<S, G>): void;
+	/** Works while the model is on the desk; returns what ends it. */
+	start?(desk: Desk<S, G>): () => void;
+}
+
+/** A line of the read-out that is not measured by the core. */
+export interface ReadoutRow {
+	/** The group of measures that it closes. */
+	readonly group: string;
+	readonly key: string;
+	readonly label: string;
+	readonly help: string;
+	readonly text: string;
+	readonly oiv?: number;
+	readonly unchecked?: string;
+	readonly found?: { readonly note: number; readonly words: string };
+}
+
+/** The page's side of a model: what the studio shows of it besides the table. */
+export interface Face<S extends Specimen = Specimen, G extends Plant = Plant> {
+	/** In the order in which they are shown. */
+	readonly tools: readonly Tool<S, G>[];
+	/** What the read-out says between the measures and the fingerprint. */
+	readout?(grown: G, specimen: S): unknown;
+	/** Rows that join the measures. */
+	rows?(specimen: S): readonly ReadoutRow[];
+	/** The words below the picture, where tools change what is seen; else the model's `words`. */
+	caption?(grown: G, desk: Desk<S, G>): string;
+	/** What the help says of it: what to do, whose paper it follows. */
+	readonly about?: unknown;
+}

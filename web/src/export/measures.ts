@@ -1,0 +1,29 @@
+/** The measures of a growth by their keys. */
+import type { Plant } from "../plant/plant";
+import type { MeasureInfo } from "../specimen/measures";
+import type { Table } from "../specimen/table";
+import { shortFloat } from "./numbers";
+
+/** A measure's description and its value: null where it does not apply to this plant. */
+export type MeasureValue = readonly [info: MeasureInfo, value: number | null];
+
+/** Every measure in the order of the table; empty where none were asked for. */
+export function measureValues(table: Pick<Table, "measures">, { measures }: Pick<Plant, "measures">): MeasureValue[] {
+	if (!measures) return [];
+	return table.measures.map((info, index) => {
+		const value = measures[index] ?? Number.NaN;
+		return [info, Number.isFinite(value) ? shortFloat(value) : null];
+	});
+}
+
+/** What a file says of them: by key. */
+export type WrittenMeasures = Record<string, number | null>;
+
+/** `{ measures }` for a file; nothing where none were asked for. */
+export function measuresOf(
+	table: Pick<Table, "measures">,
+	grown: Pick<Plant, "measures">,
+): { measures?: WrittenMeasures } {
+	if (!grown.measures) return {};
+	return { measures: Object.fromEntries(measureValues(table, grown).map(([{ key }, value]) => [key, value])) };
+}

@@ -1,0 +1,15 @@
+/** Files of a bunch besides those of every plant. */
+import type { Format } from "../model";
+import type { Grown } from "./grown";
+import type { BunchSpecimen } from "./specimen";
+
+export const BUNCH_FORMATS: readonly Format<BunchSpecimen, Grown>[] = [
+	{
+		key: "csv",
+		title: "Berries as CSV",
+		about: "One line a berry: place, size, exposure, colour, ripeness",
+		suffix: "-berries.csv",
+		type: "text/csv",
+		make: async (grown, specimen) => (await import("./tables")).berriesCsv(grown, specimen),
+	},
+];

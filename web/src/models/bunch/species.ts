@@ -1,0 +1,30 @@
+/** The bunch's side of the document: its table, its presets, and what a specimen of it holds besides. */
+import { fromPreset } from "../../specimen/from_preset";
+import { grammarText } from "../../specimen/grammar_text";
+import { Presets } from "../../specimen/presets";
+import type { Species } from "../../specimen/species";
+import { grammarInputs } from "./details/inputs";
+import { radii } from "./details/radii";
+import { thinnedBerries } from "./details/thinned";
+import { PROCEDURES, type Procedure } from "./grown";
+import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/index";
+import type { BunchSpecimen } from "./specimen";
+import { BUNCH_TABLE } from "./table";
+
+export const BUNCH: Species<BunchSpecimen> = {
+	name: "bunch",
+	unnamed: true,
+	table: BUNCH_TABLE,
+	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	details: [thinnedBerries, grammarInputs, grammarText(), radii],
+};
+
+/** A fresh bunch (specimen/from_preset.ts). */
+export function specimenFromPreset(name?: string, version?: number): BunchSpecimen {
+	return fromPreset(BUNCH, name, version);
+}
+
+/** By which procedure a bunch grows. */
+export function procedureOf({ parameters }: Pick<BunchSpecimen, "parameters">): Procedure {
+	return PROCEDURES[parameters.procedure];
+}

@@ -1,0 +1,44 @@
+/** Where a berry sits, in the words of someone who looks at the bunch; and the order in which they are gone through. */
+import { type Berries, TRAITS } from "../grown";
+
+/** Below this share of a berry's distance from the axis a direction goes without saying. */
+const SLANT = 0.38;
+/** Berries nearer to the axis than this share of the widest are inside. */
+const INSIDE = 0.3;
+
+/** Indices of all berries, from the top of the bunch down. */
+export function fromTheTop({ count, spheres }: Berries): number[] {
+	return Array.from({ length: count }, (_, berry) => berry).sort((a, b) => spheres[4 * b + 1] - spheres[4 * a + 1]);
+}
+
+/** "at the top, front left": height in thirds of the bunch, direction as seen from the front. */
+export function placeInWords(berries: Berries, berry: number): string {
+	let [top, bottom, widest] = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY, 0];
+	for (let at = 0; at < 4 * berries.count; at += 4) {
+		const [x, y, z] = berries.spheres.subarray(at, at + 3);
+		top = Math.max(top, y);
+		bottom = Math.min(bottom, y);
+		widest = Math.max(widest, Math.hypot(x, z));
+	}
+	const [x, y, z] = berries.spheres.subarray(4 * berry, 4 * berry + 3);
+	const height = ["at the top", "in the middle", "at the tip"][
+		Math.min(2, Math.floor((3 * (top - y)) / (top - bottom || 1)))
+	];
+	return `${height}, ${directionInWords(x, z, widest)}`;
+}
+
+function directionInWords(x: number, z: number, widest: number): string {
+	const away = Math.hypot(x, z);
+	if (away < INSIDE * widest) return "inside";
+	const words = [
+		Math.abs(z) > SLANT * away ? (z > 0 ? "front" : "back") : "",
+		Math.abs(x) > SLANT * away ? (x > 0 ? "right" : "left") : "",
+	];
+	return words.filter((word) => word !== "").join(" ");
+}
+
+/** "18 mm", "8.5 mm": a berry's width. */
+export function widthInWords({ traits }: Berries, berry: number): string {
+	const millimetres = traits[TRAITS.length * berry + TRAITS.indexOf("width")] * 1000;
+	return `${millimetres < 10 ? Math.round(millimetres * 10) / 10 : Math.round(millimetres)} mm`;
+}

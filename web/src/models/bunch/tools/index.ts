@@ -1,0 +1,32 @@
+/** The page's side of the bunch: loaded with the first bunch, in a page alone. */
+import { html } from "lit";
+import { grammarTool } from "../../../controls/grammar_tool";
+import type { Face } from "../../../controls/tool";
+import type { Grown } from "../grown";
+import type { BunchSpecimen } from "../specimen";
+import { bunchInWords, stemsInWords } from "../words";
+import { age } from "./age";
+import { asPrinted } from "./as_printed";
+import { inputs } from "./inputs";
+import { octahedron } from "./octahedron";
+import { front, side } from "./profile";
+import { readout, skinRow } from "./readout";
+import { sides } from "./sides";
+import { stems } from "./stems";
+import { thinning } from "./thinning";
+import "./thinning_panel";
+
+export const face: Face<BunchSpecimen, Grown> = {
+	tools: [front, side, stems, octahedron, thinning, age, inputs, sides, asPrinted, grammarTool("branching", "bunch")],
+	readout,
+	rows: (specimen) => [skinRow(specimen)],
+	caption: (grown, desk) => {
+		const { grownFrom, specimen } = desk.state;
+		return desk.toolState(stems) ? stemsInWords(grown) : bunchInWords(grown, grownFrom ?? specimen);
+	},
+	about: html`<p>Drag the handles of a grape bunch and it regrows from its botanical grammar.</p>
+		<p>
+			After C.-Y. Huang, W.-T. Jheng, W.-K. Tai, C.-C. Chang and D.-L. Way, “Procedural grape bunch modeling”,
+			<i>Computers &amp; Graphics</i> 37 (2013).
+		</p>`,
+};

@@ -1,0 +1,24 @@
+import { html } from "lit";
+import type { BunchDesk, BunchTool } from "./desk";
+
+/** Says that the grammar's inputs do not follow the handles, and offers to let them again. */
+export const inputs: BunchTool = {
+	name: "inputs",
+	initial: undefined,
+	applies: (specimen) => specimen.inputs !== undefined,
+	panel: { group: "shape", place: "above", draw },
+};
+
+function draw(desk: BunchDesk): unknown {
+	const { m, n } = desk.state.specimen.inputs ?? {};
+	const given = [m === undefined ? [] : [`m = ${m}`], n === undefined ? [] : [`n = ${n.join(", ")}`]].flat().join("; ");
+	return html`<div class="override">
+		<p>Set by the link in place of the profile: ${given}.</p>
+		<button class="button" type="button" @click=${() => follow(desk)}>Follow the profile</button>
+	</div>`;
+}
+
+function follow(desk: BunchDesk): void {
+	const { inputs: _, ...specimen } = desk.state.specimen;
+	desk.replace(specimen);
+}

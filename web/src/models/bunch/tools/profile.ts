@@ -1,0 +1,24 @@
+import { html } from "lit";
+import type { View } from "../profile/handles";
+import type { ProfileEvent } from "../profile/profile_view";
+import type { BunchDesk, BunchTool } from "./desk";
+import { sides } from "./sides";
+import "../profile/profile_view";
+
+/** One flat view of the octahedral profile with its handles. */
+function profile(view: View, title: string): BunchTool {
+	return { name: view, initial: undefined, editor: { title, draw: (desk) => draw(desk, view) } };
+}
+
+function draw(desk: BunchDesk, view: View): unknown {
+	const { specimen, grown } = desk.state;
+	return html`<panicle-profile
+		view=${view} .parameters=${specimen.parameters} .locks=${desk.toolState(sides)} .berries=${grown}
+		.initial=${desk.preset.parameters}
+		@profile-input=${({ detail }: ProfileEvent) => desk.edit(detail)}
+		@profile-change=${() => desk.settle()} @profile-cancel=${() => desk.settle()}
+	></panicle-profile>`;
+}
+
+export const front = profile("front", "Front");
+export const side = profile("side", "Side");

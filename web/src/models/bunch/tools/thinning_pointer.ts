@@ -1,0 +1,108 @@
+/**
+ * The pointer of thinning by hand: it marks the berry it is over, and a click takes that berry off. A pointer that moves
+ * while it is down turns the bunch, as ever, and takes nothing.
+ */
+
+/** What the pointer has of the view. */
+export interface ThinningView {
+	readonly canvas: HTMLElement;
+	/** Whether pointers turn the bunch: where they do not, a handle has them. */
+	readonly orbiting: boolean;
+}
+
+export interface ThinningHost {
+	/** Id of the berry at a point of the canvas, in CSS pixels from its top left corner. */
+	berryAt(x: number, y: number): number | undefined;
+	mark(id: number | undefined): void;
+	take(id: number): void;
+}
+
+/** A click may tremble this much, in CSS pixels; a thumb more. */
+const MOUSE_TREMBLE = 4;
+const TOUCH_TREMBLE = 10;
+
+interface Press {
+	readonly pointer: number;
+	readonly x: number;
+	readonly y: number;
+}
+
+export class ThinningPointer {
+	readonly #view: ThinningView;
+	readonly #host: ThinningHost;
+	#enabled = false;
+	#press: Press | undefined;
+	/** Pointers that are down: two of them zoom. */
+	readonly #down = new Set<number>();
+
+	constructor(view: ThinningView, host: ThinningHost) {
+		this.#view = view;
+		this.#host = host;
+		const { canvas } = view;
+		canvas.addEventListener("pointerdown", this.#onDown);
+		canvas.addEventListener("pointermove", this.#onMove);
+		canvas.addEventListener("pointerup", this.#onUp);
+		canvas.addEventListener("pointercancel", this.#onCancel);
+		canvas.addEventListener("pointerleave", this.#onLeave);
+	}
+
+	dispose(): void {
+		this.enabled = false;
+		const { canvas } = this.#view;
+		canvas.removeEventListener("pointerdown", this.#onDown);
+		canvas.removeEventListener("pointermove", this.#onMove);
+		canvas.removeEventListener("pointerup", this.#onUp);
+		canvas.removeEventListener("pointercancel", this.#onCancel);
+		canvas.removeEventListener("pointerleave", this.#onLeave);
+	}
+
+	set enabled(on: boolean) {
+		if (on === this.#enabled) return;
+		this.#enabled = on;
+		this.#press = undefined;
+		this.#view.canvas.classList.toggle("thinning", on);
+		if (!on) this.#host.mark(undefined);
+	}
+
+	readonly #onDown = (event: PointerEvent): void => {
+		this.#down.add(event.pointerId);
+		const alone = this.#down.size === 1 && event.button === 0 && this.#view.orbiting;
+		this.#press = alone && this.#enabled ? { pointer: event.pointerId, x: event.clientX, y: event.clientY } : undefined;
+	};
+
+	readonly #onMove = (event: PointerEvent): void => {
+		if (!this.#enabled) return;
+		if (this.#press && !near(this.#press, event)) this.#press = undefined;
+		if (event.buttons === 0 && event.pointerType !== "touch" && this.#view.orbiting)
+			this.#host.mark(this.#berryAt(event));
+	};
+
+	readonly #onUp = (event: PointerEvent): void => {
+		this.#down.delete(event.pointerId);
+		const press = this.#press;
+		this.#press = undefined;
+		if (!press || press.pointer !== event.pointerId || !near(press, event)) return;
+		const id = this.#berryAt(event);
+		if (id !== undefined) this.#host.take(id);
+	};
+
+	readonly #onCancel = (event: PointerEvent): void => {
+		this.#down.delete(event.pointerId);
+		this.#press = undefined;
+	};
+
+	readonly #onLeave = (event: PointerEvent): void => {
+		this.#onCancel(event);
+		if (this.#enabled) this.#host.mark(undefined);
+	};
+
+	#berryAt({ clientX, clientY }: PointerEvent): number | undefined {
+		const { left, top } = this.#view.canvas.getBoundingClientRect();
+		return this.#host.berryAt(clientX - left, clientY - top);
+	}
+}
+
+function near({ x, y }: Press, { clientX, clientY, pointerType }: PointerEvent): boolean {
+	const tremble = pointerType === "touch" ? TOUCH_TREMBLE : MOUSE_TREMBLE;
+	return Math.hypot(clientX - x, clientY - y) <= tremble;
+}

@@ -1,0 +1,39 @@
+/** The bunch in a few plain words: for the caption, the picture's description and the screen reader. */
+import type { Grown } from "./grown";
+import { metresPerPixel } from "./profile/handles";
+import type { BunchSpecimen } from "./specimen";
+
+/** The age in percent from which on there are berries. */
+export const FRUIT_SET = 10;
+
+/** "22 cm", "4.2 cm". */
+export function lengthInWords(metres: number): string {
+	const centimetres = metres * 100;
+	return `${centimetres < 10 ? Math.round(centimetres * 10) / 10 : Math.round(centimetres)} cm`;
+}
+
+/** From the highest berry's top to the lowest one's end; the paper's bunch is as long as its profile says. */
+function bunchLength({ procedure, berries }: Grown, { parameters: { l, unit } }: BunchSpecimen): number {
+	if (procedure === "paper" || berries.count === 0) return l * metresPerPixel(unit);
+	let top = Number.NEGATIVE_INFINITY;
+	let bottom = Number.POSITIVE_INFINITY;
+	for (let at = 0; at < 4 * berries.count; at += 4) {
+		top = Math.max(top, berries.spheres[at + 1] + berries.spheres[at + 3]);
+		bottom = Math.min(bottom, berries.spheres[at + 1] - berries.spheres[at + 3]);
+	}
+	return top - bottom;
+}
+
+/** "73 berries, 22 cm long"; before they set, "73 flowers". */
+export function bunchInWords(grown: Grown, specimen: BunchSpecimen): string {
+	const { procedure, counts } = grown;
+	const { berries } = counts;
+	const inFlower = procedure === "natural" && specimen.parameters.age < FRUIT_SET;
+	const [one, many] = inFlower ? ["flower", "flowers"] : ["berry", "berries"];
+	return `${berries} ${berries === 1 ? one : many}, ${lengthInWords(bunchLength(grown, specimen))} long`;
+}
+
+/** "120 pedicels, 34 withered": of the stems alone. In a natural bunch nothing withers. */
+export function stemsInWords({ procedure, counts: { pedicels, withered } }: Grown): string {
+	return procedure === "paper" ? `${pedicels} pedicels, ${withered} withered` : `${pedicels} pedicels`;
+}

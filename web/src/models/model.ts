@@ -1,0 +1,73 @@
+/**
+ * What a model is to everyone else: studio, element, exporters and command line know this interface and the index
+ * (index.ts), never a model. A model is a folder beside this file whose index.ts exports one as `model`; how to add one
+ * is in docs/adding-a-model.md. Types only.
+ *
+ * What is here at once is small: document, container, words. What needs Lit or three.js comes by `studio()` and
+ * `figure()`, so that the command line and workers never load it.
+ */
+import type { Face } from "../controls/tool";
+import type { Block } from "../core/container";
+import type { Answer } from "../core/core";
+import type { Part } from "../plant/part";
+import type { Plant } from "../plant/plant";
+import type { FigureMaker } from "../scene/figure";
+import type { Species } from "../specimen/species";
+import type { Specimen } from "../specimen/specimen";
+
+/** What of a growth is wanted. */
+export interface GrowthOptions {
+	/** Whether triangles are wanted besides segments and organs; the default is yes. */
+	meshes?: boolean;
+	/** Whether `measures` are wanted; the default is yes. */
+	measures?: boolean;
+}
+
+/** Something that `Download` and the command line's `--out` give besides what every plant has. */
+export interface Format<S extends Specimen = Specimen, G extends Plant = Plant> {
+	/** Its name for programs: `csv`. */
+	readonly key: string;
+	readonly title: string;
+	/** One line about it. */
+	readonly about: string;
+	/** After the plant's name: `-berries.csv`. */
+	readonly suffix: string;
+	/** The media type of the file. */
+	readonly type: string;
+	/** Whether it suits this growth; absent where it suits all. */
+	applies?(grown: G): boolean;
+	/** @param link the address that brings the specimen back */
+	make(grown: G, specimen: S, link: string): Promise<string | Uint8Array<ArrayBuffer>>;
+}
+
+export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> extends Species<S> {
+	/** What a person calls it, as a heading: "Grape bunch". */
+	readonly title: string;
+	/** What sentences call one: "the last bunch stays". */
+	readonly noun: string;
+	/** The file of its core, beside the others: `bunch.wasm`. */
+	readonly wasm: string;
+
+	/**
+	 * A specimen as the core's request: `model`, `seed`, `outputs`, `parameters` and what else the model asks for.
+	 * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts
+	 */
+	encode(specimen: S, options?: GrowthOptions): Block[];
+	/** What came back, typed. */
+	read(answer: Answer): G;
+	/** What the plant is made of, for the scene and the exporters: meshes or instances with their materials. */
+	parts(grown: G, specimen: S): Iterable<Part>;
+	/** What grew in a few plain words, for people and screen readers: "73 berries, 22 cm long". */
+	words(grown: G, specimen: S): string;
+	/** The plant as numbers in the JSON document, by key; its segments and organs where absent. */
+	record?(grown: G, specimen: S): object;
+	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
+	extras?(grown: G, specimen: S): Record<string, unknown>;
+	/** Files besides those of every plant. */
+	readonly formats?: readonly Format<S, G>[];
+
+	/** Where parts are not enough, the model's own way of being drawn: from the module with three.js in it. */
+	figure?(): Promise<FigureMaker<S, G>>;
+	/** The page's side: tools, flat views, panel sections, read-out, bars: the module with Lit in it. */
+	studio?(): Promise<Face<S, G>>;
+}

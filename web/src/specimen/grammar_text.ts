@@ -1,0 +1,44 @@
+/** The detail of models that are grown by a grammar: its text, in place of the built-in one. */
+import { GRAMMAR_BYTES } from "./limits";
+import { type Notes, quote } from "./notes";
+import type { Detail } from "./species";
+import type { Specimen } from "./specimen";
+
+/** What a specimen with this detail holds. */
+export interface WithGrammar {
+	/** Grammar text in place of the built-in one. */
+	grammar?: string;
+}
+
+const BUILT_IN = "the built-in grammar is used";
+
+export function grammarText<S extends Specimen & WithGrammar>(): Detail<S> {
+	return {
+		keys: ["grammar"],
+		read: (specimen, _, value, notes) => readGrammar(specimen, value, notes),
+		packed: {
+			link: "g",
+			key: "grammar",
+			longest: GRAMMAR_BYTES,
+			otherwise: BUILT_IN,
+			textOf: ({ grammar }) => grammar,
+		},
+	};
+}
+
+function readGrammar(specimen: WithGrammar, value: unknown, notes: Notes): void {
+	const problem = typeof value === "string" ? oversize(value) : `${quote(value)} is not text`;
+	if (problem) notes.add("grammar", problem, specimen.grammar ? "the one before is used" : BUILT_IN);
+	else if (value === "") delete specimen.grammar;
+	else specimen.grammar = wellFormed(value as string);
+}
+
+function oversize(text: string): string | undefined {
+	const bytes = text.length > GRAMMAR_BYTES ? text.length : new TextEncoder().encode(text).length;
+	return bytes > GRAMMAR_BYTES ? `longer than ${GRAMMAR_BYTES / 1024} KiB` : undefined;
+}
+
+/** Half a surrogate pair has no UTF-8, so no link or request could carry it. */
+function wellFormed(text: string): string {
+	return new TextDecoder("utf-8", { ignoreBOM: true }).decode(new TextEncoder().encode(text));
+}

@@ -1,0 +1,59 @@
+/** Measures in words: a value with its unit, the class of a descriptor it falls into. */
+
+/** A class of a descriptor: values nearest to `at`, or from `from` on. */
+export interface MeasureClass {
+	readonly note: number;
+	readonly words: string;
+	readonly at?: number;
+	readonly from?: number;
+}
+
+/** What a measure is called, how it is written and how it is classed. */
+export interface MeasureInfo {
+	readonly key: string;
+	readonly label: string;
+	readonly group: string;
+	/** A share is 0 … 1 and shown in percent; a note's value is its class. */
+	readonly kind: "number" | "share" | "whole" | "note";
+	/** Of the value; empty for shares, counts and notes. */
+	readonly unit: string;
+	/** Digits after the point where it is shown; a share's in percent. */
+	readonly decimals: number;
+	/** Code of the OIV's descriptor. */
+	readonly oiv?: number;
+	/** One plain sentence. */
+	readonly help: string;
+	readonly source: string;
+	/** What of it was not compared with its source: the classes' limits, say. */
+	readonly unchecked?: string;
+	readonly classes?: readonly MeasureClass[];
+}
+
+export interface MeasureGroup {
+	readonly key: string;
+	readonly title: string;
+}
+
+/** The class a value falls into; none where the measure has no classes or does not apply. */
+export function classOf({ classes }: Pick<MeasureInfo, "classes">, value: number): MeasureClass | undefined {
+	if (!classes || !Number.isFinite(value)) return undefined;
+	return classes.reduce((best, one) => {
+		if (one.from !== undefined) return value >= one.from ? one : best;
+		return Math.abs(value - (one.at ?? 0)) < Math.abs(value - (best.at ?? 0)) ? one : best;
+	});
+}
+
+/** A value as it is read: `182 mm`, `94.1 %`, the words of a note, `–` where it does not apply. */
+export function measureText(info: MeasureInfo, value: number): string {
+	if (!Number.isFinite(value)) return "–";
+	if (info.kind === "note") return classOf(info, value)?.words ?? "–";
+	if (info.kind === "share") return `${(100 * value).toFixed(info.decimals)} %`;
+	const text = value.toFixed(info.decimals);
+	return info.unit ? `${text} ${info.unit}` : text;
+}
+
+/** The class as a table shows it: `7 long`; empty without one. */
+export function classText(info: MeasureInfo, value: number): string {
+	const found = classOf(info, value);
+	return found ? `${found.note} ${found.words}` : "";
+}

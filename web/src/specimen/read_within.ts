@@ -1,0 +1,34 @@
+/** Reading a number that has a range, with the note for one that does not fit. */
+import { type Notes, quote } from "./notes";
+import { readNumber } from "./read_values";
+import { inGap, nearestWithin, type Range } from "./table";
+
+/**
+ * The number that fits the range, noted where it is not the one given; undefined where there is none.
+ * @param before what is used where it is no number, as the note says it
+ */
+export function readWithin(
+	range: Range,
+	key: string,
+	value: unknown,
+	before: unknown,
+	notes: Notes,
+): number | undefined {
+	const number = readNumber(value);
+	if (number === undefined) {
+		notes.add(key, `${quote(value)} is not a number`, `${before} is used`);
+		return undefined;
+	}
+	const used = nearestWithin(range, number);
+	const problem = misfit(range, number);
+	if (problem) notes.add(key, problem, `${used} is used`);
+	return used;
+}
+
+function misfit(range: Range, number: number): string | undefined {
+	const { kind, min, max, gapBelow } = range;
+	if (number < min) return `${number} is below the least value, ${min}`;
+	if (number > max) return `${number} is above the greatest value, ${max}`;
+	if (kind === "integer" && !Number.isInteger(number)) return `${number} is not a whole number`;
+	return inGap(range, number) ? `${number} lies between 0 and ${gapBelow}, where nothing is` : undefined;
+}

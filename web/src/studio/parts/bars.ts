@@ -1,0 +1,19 @@
+import { html } from "lit";
+import { repeat } from "lit/directives/repeat.js";
+import { applying } from "../panel_groups";
+import type { Studio } from "../studio";
+import { StudioPart } from "./studio_part";
+
+/** The bars below the 3-D view that the model's tools bring. */
+export class Bars extends StudioPart {
+	protected override draw(studio: Studio): unknown {
+		const { face, specimen } = studio.state;
+		return repeat(
+			applying(face?.tools, specimen).filter(({ bar }) => bar),
+			({ name }) => name,
+			({ bar }) => html`<div role="group" aria-label=${bar?.title ?? ""}>${bar?.draw(studio)}</div>`,
+		);
+	}
+}
+
+customElements.define("panicle-bars", Bars);

@@ -1,0 +1,54 @@
+import type { DeskState } from "../controls/desk";
+import type { Face } from "../controls/tool";
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import type { History } from "../specimen/history";
+import type { Specimen } from "../specimen/specimen";
+import type { ToolStates } from "./tool_states";
+import type { Failure, Notice } from "./types";
+import type { UiState } from "./ui_state";
+
+/** What is in the 3-D view: the last plant that grew, of whatever model. */
+export interface Shown {
+	readonly model: Model;
+	readonly grown: Plant;
+	/** The specimen it grew from. */
+	readonly from: Specimen;
+}
+
+export interface StudioState extends DeskState {
+	readonly model: Model;
+	/** The model's tools and words; undefined until they have come. */
+	readonly face: Face | undefined;
+	readonly history: History;
+	/** Stays whatever goes wrong. */
+	readonly shown: Shown | undefined;
+	/** Whether a growth takes long enough to say so. */
+	readonly growing: boolean;
+	/** Why there is no plant, in place of one. */
+	readonly failure: Failure | undefined;
+	readonly notices: readonly Notice[];
+	readonly ui: UiState;
+	/** What models' tools keep. */
+	readonly tools: ToolStates;
+	/** Models whose presets the gallery shows. */
+	readonly catalogue: readonly Model[];
+	/** Takes a picture of the 3-D view, as PNG, while there is one. */
+	readonly picture: (() => Promise<Blob>) | undefined;
+	/** Whether the system is dark. */
+	readonly systemDark: boolean;
+}
+
+/** What follows from the rest of the state, brought into step with it. */
+export function inStep(state: StudioState): StudioState {
+	const { model, shown, history, ui, systemDark } = state;
+	const own = shown?.model === model ? shown : undefined;
+	return {
+		...state,
+		grown: own?.grown,
+		grownFrom: own?.from,
+		measures: own && state.measures,
+		held: history.gesture !== undefined,
+		dark: ui.theme === "system" ? systemDark : ui.theme === "dark",
+	};
+}
