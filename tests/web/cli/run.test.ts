@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { run } from "../../../web/src/cli/run";
+import { PRESETS } from "../../../web/src/models/bunch/presets/index";
 import { encodeLink, restore, specimenFromPreset, withParameters } from "../bunch";
 import { memoryWorld } from "./world";
 
@@ -41,6 +42,23 @@ describe("the JSON", () => {
 		expect(json.timings.grow).toBeGreaterThan(0);
 	});
 
+	it("has of any plant its segments, parents first, and its organs", async () => {
+		const { json } = await grow(["rubus"]);
+		for (const key of ["specimen", "counts", "measures", "notes", "fingerprint", "timings", "segments", "organs"]) {
+			expect(json).toHaveProperty(key);
+		}
+		expect(json.segments).toHaveLength(json.internodes.length);
+		json.segments.forEach((segment: Record<string, unknown>, index: number) => {
+			const { kind, parent, start, end, radius, radiusEnd } = json.internodes[index];
+			expect(segment).toEqual({ kind, parent, start, end, radius, radiusEnd });
+			expect(parent).toBeLessThan(index);
+		});
+		expect(json.organs).toHaveLength(json.berries.length);
+		const [berry] = json.berries;
+		expect(json.organs[0]).toMatchObject({ kind: "berry", segment: berry.parent, radius: berry.r });
+		expect(json.organs[0].position).toEqual([berry.x, berry.y, berry.z]);
+	});
+
 	it("has the second bunch's plan where there is one", async () => {
 		expect((await grow(["?v=1&preset=double-bunch-winged"])).json.plan.second.m).toBe(10);
 		expect((await grow(["?v=1&preset=cylindrical"])).json.plan).not.toHaveProperty("second");
@@ -51,6 +69,24 @@ describe("the JSON", () => {
 		expect(meant(json)).toEqual(specimenFromPreset());
 		expect([json.notes, said]).toEqual([[], []]);
 		expect(json.counts.berries).toBeGreaterThan(100);
+	});
+});
+
+describe("many models", () => {
+	it("are listed with their titles and presets", async () => {
+		const { status, printed, said } = await grow(["--list"]);
+		expect([status, said]).toEqual([0, []]);
+		const [bunch] = JSON.parse(printed[0]);
+		expect(bunch).toMatchObject({ model: "bunch", title: "Grape bunch" });
+		expect(bunch.presets).toEqual(PRESETS.map(({ name }) => name));
+	});
+
+	it("have presets named after them; the default's keep their bare names", async () => {
+		const { fingerprint } = (await grow(["rubus"])).json;
+		expect((await grow(["bunch/rubus"])).json.fingerprint).toBe(fingerprint);
+		expect((await grow(["bunch"])).json.specimen.preset).toBe("long-conical");
+		expect(await complaint(["bunch/plum"])).toBe("“bunch/plum”: the bunch has no preset “plum”; --list lists them");
+		expect(await complaint(["leaf/oak/red"])).toMatch(/neither a preset nor a link/);
 	});
 });
 
@@ -213,7 +249,7 @@ describe("files", () => {
 
 describe("what cannot be used", () => {
 	it("is said in one line: preset and options", async () => {
-		expect(await complaint(["plum"])).toBe("“plum” is neither a preset nor a link; --help lists the presets");
+		expect(await complaint(["plum"])).toBe("“plum” is neither a preset nor a link; --list lists the presets");
 		expect(await complaint(["duku", "rubus"])).toMatch(/“rubus” is one too many/);
 		expect(await complaint(["--sed", "3"])).toBe("Unknown option --sed; see --help");
 		expect(await complaint(["--seed"])).toMatch(/^Option --seed <value> argument missing; see --help$/);
@@ -278,6 +314,17 @@ it("--help says all there is, and grows nothing", async () => {
 		expect(printed[0]).toContain(word);
 	}
 	for (const line of printed[0].split("\n")) expect(line.length).toBeLessThan(120);
+});
+
+it("asks for the model's own core", async () => {
+	const memory = memoryWorld();
+	const asked: string[] = [];
+	const loadCore = (wasm: string) => {
+		asked.push(wasm);
+		return memory.world.loadCore(wasm);
+	};
+	expect(await run(["rubus"], { ...memory.world, loadCore })).toBe(0);
+	expect(asked).toEqual(["bunch.wasm"]);
 });
 
 it("a core that is missing or breaks is another exit status", async () => {

@@ -2,18 +2,18 @@
 import { parseArgs } from "node:util";
 import { UsageError } from "./usage";
 
-export const OUTPUTS = ["glb", "obj", "json", "csv"] as const;
-export type Output = (typeof OUTPUTS)[number];
-
 export interface Call {
 	help: boolean;
-	/** Preset name or link. */
+	/** Whether the models and their presets are asked for, and no plant. */
+	list: boolean;
+	/** Preset or link: `long-conical`, `leaf/oak`, `leaf`, `?v=2&…`. */
 	source: string | undefined;
 	seed: string | undefined;
 	/** By key; where a key is given twice, the last value. */
 	set: Record<string, string>;
 	grammarFile: string | undefined;
-	out: { file: string; as: Output } | undefined;
+	/** A file, and the ending of its name in lower case. */
+	out: { file: string; ending: string } | undefined;
 }
 
 /** @throws UsageError */
@@ -24,6 +24,7 @@ export function readArguments(words: readonly string[]): Call {
 	}
 	return {
 		help: values.help ?? false,
+		list: values.list ?? false,
 		source: positionals[0],
 		seed: last(values.seed),
 		set: Object.fromEntries((values.set ?? []).map(readSetting)),
@@ -34,6 +35,7 @@ export function readArguments(words: readonly string[]): Call {
 
 const OPTIONS = {
 	help: { type: "boolean", short: "h" },
+	list: { type: "boolean" },
 	seed: { type: "string", multiple: true },
 	set: { type: "string", multiple: true },
 	grammar: { type: "string", multiple: true },
@@ -63,9 +65,7 @@ function readSetting(setting: string): [string, string] {
 
 function readOut(file: string | undefined): Call["out"] {
 	if (file === undefined) return undefined;
-	const as = OUTPUTS.find((ending) => file.toLowerCase().endsWith(`.${ending}`));
-	if (!as) throw new UsageError(`--out ${file}: the name must end in .glb, .obj, .json or .csv`);
-	return { file, as };
+	return { file, ending: /\.([^./\\]*)$/.exec(file)?.[1].toLowerCase() ?? "" };
 }
 
 function last<Value>(values: readonly Value[] | undefined): Value | undefined {

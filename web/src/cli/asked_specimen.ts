@@ -3,68 +3,97 @@
  * way; what was typed here is refused where it cannot be used, since a silent change would spoil a series.
  */
 
-import { BUNCH, specimenFromPreset } from "../models/bunch/species";
-import type { BunchSpecimen as Specimen } from "../models/bunch/specimen";
+import { isModel, modelNamed } from "../models/index";
+import type { Model } from "../models/model";
+import { fromPreset } from "../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../specimen/limits";
-import { decodeLink } from "../specimen/link";
+import { decodeLink, modelInQuery } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
 import { readNumbers } from "../specimen/read_values";
 import { type Restored, restore } from "../specimen/restore";
+import type { Specimen } from "../specimen/specimen";
 import { onStep } from "../specimen/table";
 import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
 
-/** @throws UsageError */
-export async function askedSpecimen(
-	call: Call,
-	{ readFile }: Pick<Surroundings, "readFile">,
-): Promise<Restored<Specimen>> {
-	const { specimen: start, notes } = await readSource(call.source);
-	let specimen = start;
-	if (call.seed !== undefined) specimen = typed({ seed: call.seed }, specimen, (note) => `--seed: ${note.problem}`);
-	specimen = readSettings(call.set, specimen);
-	const idle = idleSettings(call.set, specimen);
-	if (call.grammarFile !== undefined) {
-		specimen = { ...specimen, grammar: await readGrammar(call.grammarFile, readFile) };
-	}
-	return { specimen, notes: [...notes, ...idle] };
+/** What is to be grown. */
+export interface Asked extends Restored {
+	model: Model;
 }
 
-async function readSource(source: string | undefined): Promise<Restored<Specimen>> {
-	if (source === undefined || BUNCH.presets.named(source)) return { specimen: specimenFromPreset(source), notes: [] };
+/** @throws UsageError */
+export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings, "readFile">): Promise<Asked> {
+	const { model, specimen: start, notes } = await readSource(call.source);
+	let specimen = start;
+	const seed = { seed: call.seed };
+	if (call.seed !== undefined) specimen = typed(model, seed, specimen, (note) => `--seed: ${note.problem}`);
+	specimen = readSettings(model, call.set, specimen);
+	const idle = idleSettings(model, call.set, specimen);
+	if (call.grammarFile !== undefined) {
+		const grammar = await readGrammar(model, call.grammarFile, readFile);
+		specimen = typed(model, { grammar }, specimen, (note) => `--grammar ${call.grammarFile}: ${note.problem}`);
+	}
+	return { model, specimen, notes: [...notes, ...idle] };
+}
+
+/** The model that a call names, by its preset, its link or its own name; the default where it names none. */
+export async function askedModel(source: string | undefined): Promise<Model> {
+	const [model] = source?.split("/") ?? [];
+	return modelNamed(source?.includes("?") ? modelInQuery(source.slice(source.indexOf("?"))) : model);
+}
+
+/** A preset of the default model has its bare name, those of others their model's before it. */
+async function readSource(source: string | undefined): Promise<Asked> {
+	const standard = await modelNamed();
+	if (source === undefined || standard.presets.named(source)) return fresh(standard, source);
+	const [name, preset, ...rest] = source.split("/");
+	if (isModel(name) && rest.length === 0) {
+		const model = await modelNamed(name);
+		if (preset === undefined || model.presets.named(preset)) return fresh(model, preset);
+		throw new UsageError(`“${source}”: the ${model.noun} has no preset “${preset}”; --list lists them`);
+	}
 	const query = source.indexOf("?");
 	const hash = source.indexOf("#");
 	const end = hash < 0 ? source.length : hash;
-	if (query >= 0 && query < end) return decodeLink(BUNCH, source.slice(query, end), source.slice(end));
-	if (hash >= 0 || source.includes("://")) return decodeLink(BUNCH, "", source.slice(end));
-	throw new UsageError(`“${source}” is neither a preset nor a link; --help lists the presets`);
+	if (query >= 0 && query < end) return readLink(source.slice(query, end), source.slice(end));
+	if (hash >= 0 || source.includes("://")) return readLink("", source.slice(end));
+	throw new UsageError(`“${source}” is neither a preset nor a link; --list lists the presets`);
 }
 
-function readSettings(settings: Call["set"], specimen: Specimen): Specimen {
+function fresh(model: Model, preset: string | undefined): Asked {
+	return { model, specimen: fromPreset(model, preset), notes: [] };
+}
+
+async function readLink(query: string, hash: string): Promise<Asked> {
+	const model = await modelNamed(modelInQuery(query));
+	return { model, ...(await decodeLink(model, query, hash)) };
+}
+
+function readSettings(model: Model, settings: Call["set"], specimen: Specimen): Specimen {
 	for (const key of Object.keys(settings)) {
-		const known = detailOf(key) || entryOf(key);
+		const known = detailOf(model, key) || entryOf(model, key);
 		if (!known) throw new UsageError(`--set ${key}: no parameter has that key; see --help`);
 	}
-	const read = typed(settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
-	refuseFinerSteps(settings);
+	const read = typed(model, settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
+	refuseFinerSteps(model, settings);
 	return read;
 }
 
 /** The parameter that a key of the table or of links means; the first of those that share one. */
-const entryOf = (key: string) => BUNCH.table.entry(key) ?? BUNCH.table.linked(key)[0];
+const entryOf = ({ table }: Model, key: string) => table.entry(key) ?? table.linked(key)[0];
 
 /** The detail that --set takes by that key. */
-const detailOf = (key: string) =>
-	BUNCH.details.find(({ settings = [] }) => settings.some((each) => each.split("=")[0] === key));
+const detailOf = ({ details }: Model, key: string) =>
+	details.find(({ settings = [] }) => settings.some((each) => each.split("=")[0] === key));
 
 /** What was typed and is right, but nothing comes of it: not refused, so that a series may vary the procedure. */
-function idleSettings(settings: Call["set"], specimen: Specimen): Note[] {
+function idleSettings(model: Model, settings: Call["set"], specimen: Specimen): Note[] {
 	const notes = new Notes();
 	for (const key of Object.keys(settings)) {
-		const { where = {} } = detailOf(key) ?? entryOf(key) ?? {};
+		const { where = {} } = detailOf(model, key) ?? entryOf(model, key) ?? {};
 		for (const [choice, heeding] of Object.entries(where)) {
-			const used = BUNCH.table.option(specimen, choice);
+			const used = model.table.option(specimen, choice);
 			if (heeding !== used) notes.add(key, `${choice}=${used} does not heed it`, `--set ${choice}=${heeding} does`);
 		}
 	}
@@ -72,22 +101,31 @@ function idleSettings(settings: Call["set"], specimen: Specimen): Note[] {
 }
 
 /** A link's further decimals are rounded without a word; someone who types them means them. */
-function refuseFinerSteps(settings: Call["set"]): void {
+function refuseFinerSteps(model: Model, settings: Call["set"]): void {
 	for (const [key, value] of Object.entries(settings)) {
-		if (!entryOf(key) || entryOf(key)?.kind === "colour") continue;
+		const entry = entryOf(model, key);
+		if (!entry || entry.kind === "colour") continue;
 		const fine = readNumbers(value)?.find((number) => onStep(number) !== number);
 		if (fine !== undefined) throw new UsageError(`--set ${key}: ${fine} has more than two decimals`);
 	}
 }
 
 /** Reads values that a person typed: the first that cannot be used as it is ends it. */
-function typed(values: Readonly<Record<string, string>>, from: Specimen, message: (note: Note) => string): Specimen {
-	const { specimen, notes } = restore(BUNCH, values, from);
+function typed(
+	model: Model,
+	values: Readonly<Record<string, string | undefined>>,
+	from: Specimen,
+	message: (note: Note) => string,
+): Specimen {
+	const { specimen, notes } = restore(model, values, from);
 	if (notes.length > 0) throw new UsageError(message(notes[0]));
 	return specimen;
 }
 
-async function readGrammar(file: string, readFile: Surroundings["readFile"]): Promise<string> {
+async function readGrammar(model: Model, file: string, readFile: Surroundings["readFile"]): Promise<string> {
+	if (!model.details.some(({ packed }) => packed?.key === "grammar")) {
+		throw new UsageError(`--grammar ${file}: the ${model.noun} is not grown by a grammar's text`);
+	}
 	const bytes = await readFile(file).catch((error: unknown) => {
 		throw new UsageError(`--grammar ${file}: ${reasonOf(error)}`);
 	});

@@ -3,12 +3,12 @@ import { readFile, writeFile } from "node:fs/promises";
 import { loadCoreFromBytes } from "../core/loader";
 import { run } from "./run";
 
-// The bundle lies as deep in the repository as this file, so the way to the core is the same from both.
-const corePath = new URL("../../../build/core/bunch.wasm", import.meta.url);
+// The bundle lies as deep in the repository as this file, so the way to the cores is the same from both.
+const cores = new URL("../../../build/core/", import.meta.url);
 
-async function coreBytes(): Promise<Uint8Array<ArrayBuffer>> {
-	return readFile(corePath).catch(() => {
-		throw new Error("build/core/bunch.wasm is missing; npm run core builds it");
+async function coreBytes(wasm: string): Promise<Uint8Array<ArrayBuffer>> {
+	return readFile(new URL(wasm, cores)).catch(() => {
+		throw new Error(`build/core/${wasm} is missing; npm run core builds it`);
 	});
 }
 
@@ -20,7 +20,7 @@ process.stdout.on("error", (error: NodeJS.ErrnoException) => {
 process.exitCode = await run(process.argv.slice(2), {
 	readFile,
 	writeFile,
-	loadCore: async () => loadCoreFromBytes(await coreBytes()),
+	loadCore: async (wasm) => loadCoreFromBytes(await coreBytes(wasm)),
 	print: (text) => process.stdout.write(text),
 	say: (line) => process.stderr.write(`${line}\n`),
 });

@@ -1,18 +1,10 @@
-/** The command: grows one specimen and writes it. */
-import { basename } from "node:path";
+/** The command: grows one specimen of any model and writes it. */
 import { CoreError } from "../core/errors";
-import { aboutPlant } from "../export/about_plant";
-import { exportGlb } from "../export/glb";
-import { exportJson } from "../export/json";
-import { exportObj } from "../export/obj";
-import type { Grown } from "../models/bunch/grown";
-import { model } from "../models/bunch/index";
-import { readGrown } from "../models/bunch/read_grown";
-import { encodeRequest } from "../models/bunch/request";
-import type { BunchSpecimen as Specimen } from "../models/bunch/specimen";
-import { berriesCsv } from "../models/bunch/tables";
+import { modelNamed, modelNames } from "../models/index";
+import type { Plant } from "../plant/plant";
 import { type Call, readArguments } from "./arguments";
-import { askedSpecimen, reasonOf } from "./asked_specimen";
+import { askedModel, askedSpecimen, reasonOf } from "./asked_specimen";
+import { endingsOf, filesOf, jsonOf, knowsEnding } from "./outputs";
 import type { Surroundings } from "./surroundings";
 import { UsageError, usage } from "./usage";
 
@@ -20,7 +12,8 @@ import { UsageError, usage } from "./usage";
 export async function run(words: readonly string[], world: Surroundings): Promise<number> {
 	try {
 		const call = readArguments(words);
-		if (call.help) world.print(usage());
+		if (call.help) world.print(usage(await askedModel(call.source), modelNames()));
+		else if (call.list) world.print(await listed());
 		else await growAndWrite(call, world);
 		return 0;
 	} catch (error) {
@@ -29,17 +22,33 @@ export async function run(words: readonly string[], world: Surroundings): Promis
 	}
 }
 
+/** Every model with its title and the names of its presets, as JSON. */
+async function listed(): Promise<string> {
+	const models = await Promise.all(modelNames().map(modelNamed));
+	const rows = models.map(({ name, title, presets }) => ({
+		model: name,
+		title,
+		presets: presets.list.map((preset) => preset.name),
+	}));
+	return `${JSON.stringify(rows)}\n`;
+}
+
 async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
-	const { specimen, notes } = await askedSpecimen(call, world);
-	const core = await world.loadCore();
-	const meshes = call.out?.as === "glb" || call.out?.as === "obj";
-	const grown = growing(grammarName(call, specimen), () => readGrown(core.grow(encodeRequest(specimen, { meshes }))));
-	const all: Grown = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
-	if (!call.out) {
-		world.print(jsonOf(all, specimen));
+	const { model, specimen, notes } = await askedSpecimen(call, world);
+	const { out } = call;
+	if (out && !knowsEnding(model, out.ending)) {
+		throw new UsageError(`--out ${out.file}: the name must end in ${endingsOf(model)}`);
+	}
+	const core = await world.loadCore(model.wasm);
+	const meshes = out !== undefined && out.ending !== "json";
+	const text = "grammar" in specimen ? "the link's grammar" : undefined;
+	const grown = growing(call.grammarFile ?? text, () => model.read(core.grow(model.encode(specimen, { meshes }))));
+	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
+	if (!out) {
+		world.print(jsonOf(model, all, specimen));
 		return;
 	}
-	for (const [file, data] of await filesOf(call.out, all, specimen)) {
+	for (const [file, data] of await filesOf(out, model, all, specimen)) {
 		await world.writeFile(file, data).catch((error: unknown) => {
 			throw new UsageError(`--out ${file}: ${reasonOf(error)}`);
 		});
@@ -47,13 +56,11 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	for (const note of all.notes) world.say(`note: ${note}`);
 }
 
-/** What messages call the grammar: its file; undefined for the built-in one. */
-function grammarName({ grammarFile }: Call, { grammar }: Specimen): string | undefined {
-	return grammarFile ?? (grammar === undefined ? undefined : "the link's grammar");
-}
-
-/** What the core refuses was asked for in the call; a place in the grammar is given as compilers do. */
-function growing(grammar: string | undefined, grow: () => Grown): Grown {
+/**
+ * What the core refuses was asked for in the call; a place in the grammar is given as compilers do.
+ * @param grammar what messages call the grammar: its file; undefined for the built-in one
+ */
+function growing(grammar: string | undefined, grow: () => Plant): Plant {
 	try {
 		return grow();
 	} catch (error) {
@@ -63,25 +70,4 @@ function growing(grammar: string | undefined, grow: () => Grown): Grown {
 		const place = line > 0 ? `:${line}:${column}` : "";
 		throw new UsageError(ofGrammar ? `${grammar}${place}: ${message}` : message);
 	}
-}
-
-async function filesOf(
-	{ file, as }: NonNullable<Call["out"]>,
-	grown: Grown,
-	specimen: Specimen,
-): Promise<[file: string, data: string | Uint8Array][]> {
-	if (as === "json") return [[file, jsonOf(grown, specimen)]];
-	if (as === "csv") return [[file, berriesCsv(grown, specimen)]];
-	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
-	if (as === "glb") return [[file, exportGlb(parts, about)]];
-	const stem = file.slice(0, -".obj".length);
-	const { obj, mtl } = exportObj(parts, about, basename(stem));
-	return [
-		[file, obj],
-		[`${stem}.mtl`, mtl],
-	];
-}
-
-function jsonOf(grown: Grown, specimen: Specimen): string {
-	return `${JSON.stringify(exportJson(model, grown, specimen))}\n`;
 }

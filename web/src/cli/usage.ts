@@ -1,32 +1,40 @@
 /** What the command says about itself. */
-import { DEFAULT_PRESET, PRESETS } from "../models/bunch/presets/index";
-import { BUNCH } from "../models/bunch/species";
+import { DEFAULT_MODEL } from "../models/index";
+import type { Model } from "../models/model";
+import { endingsOf } from "./outputs";
 
 /** A mistake in how the command was called: one line, and exit status 2. */
 export class UsageError extends Error {
 	override name = "UsageError";
 }
 
-/** The text of --help. */
-export function usage(): string {
-	const keys = [...BUNCH.table.links].map(([key, [entry, second]]) => {
+/** The text of --help: of one model, with the names of the others. */
+export function usage(
+	{ name, title, noun, table, presets, details, formats }: Model,
+	models: readonly string[],
+): string {
+	const keys = [...table.links].map(([key, [entry, second]]) => {
 		if (second) return `${key}=W,R`;
 		return entry.kind === "choice" ? `${key}=${entry.options.join("|")}` : key;
 	});
-	return `Grows a grape bunch.
+	const prefix = name === DEFAULT_MODEL ? "" : `${name}/`;
+	const others = models.filter((each) => each !== name).map((each) => `${each} --help`);
+	return `Grows a plant: ${title.toLowerCase()}.
 
   npm run -s grow -- [PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--out FILE]
+  npm run -s grow -- --list
 
-  PRESET           ${wrapped(PRESETS.map(({ name }) => name))}
-                   (default: ${DEFAULT_PRESET})
+  PRESET           ${wrapped(presets.list.map((preset) => prefix + preset.name))}
+                   (default: ${prefix}${presets.standard})
   LINK             what Copy link copies, or its part from the ? on
-  --seed N         0 … 4294967295; another seed is another bunch of the same shape
+  --seed N         0 … 4294967295; another seed is another ${noun} of the same shape
   --set KEY=VALUE  as often as needed; KEY is one of
-                   ${wrapped([...keys, ...BUNCH.details.flatMap(({ settings = [] }) => settings)])}
-  --grammar FILE   grammar text in place of the procedure's own
-  --out FILE       .glb, .obj (with its .mtl beside it), .json or .csv (berries); without it, JSON goes to
+                   ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
+  --grammar FILE   grammar text in place of the model's own
+  --out FILE       ${endingsOf({ formats })} (an .obj has its .mtl beside it); without it, JSON goes to
                    standard output
-  --help           this
+  --list           all models with their presets, as JSON
+  --help           this${others.length > 0 ? `; of other models: ${wrapped(others)}` : ""}
 
 Exit status: 0 grown, 1 the core broke or is missing, 2 something in the call cannot be used.
 What the keys mean: docs/models/*/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.

@@ -10,12 +10,43 @@ import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { measuresOf, type WrittenMeasures } from "./measures";
 import { shortFloat } from "./numbers";
 
+type Vector = [x: number, y: number, z: number];
+
+/** A drawn module. */
+export interface SegmentRecord {
+	/** Index of the segment it grows from, which comes earlier; −1 at a root. */
+	parent: number;
+	/** By the model's own names. */
+	kind: string;
+	start: Vector;
+	end: Vector;
+	/** At the start. */
+	radius: number;
+	radiusEnd: number;
+}
+
+/** Something borne. */
+export interface OrganRecord {
+	/** By the model's own names. */
+	kind: string;
+	/** Index of the segment that bears it; −1 for none. */
+	segment: number;
+	position: Vector;
+	/** Unit quaternion x y z w. */
+	rotation: [x: number, y: number, z: number, w: number];
+	scale: number;
+}
+
 /** What every plant's document has; the rest is its model's. */
 export interface PlantDocument<S extends Specimen> {
 	specimen: WrittenSpecimen<S>;
 	counts: Plant["counts"];
-	/** By key; null where one does not apply. Absent where they were not asked for. */
-	measures?: WrittenMeasures;
+	/** By key; null where one does not apply; none where the model measures nothing or nothing was asked for. */
+	measures: WrittenMeasures;
+	/** One a drawn module, unmerged, parents first; absent where nothing was drawn. */
+	segments?: SegmentRecord[];
+	/** Absent where nothing is borne. */
+	organs?: OrganRecord[];
 	notes: string[];
 	fingerprint: string;
 	timings: Plant["timings"];
@@ -23,7 +54,7 @@ export interface PlantDocument<S extends Specimen> {
 
 /** A model as far as documents go. */
 export interface Recorded<S extends Specimen, G extends Plant, R extends object> extends Species<S> {
-	/** The plant as numbers, in the model's own words; segments and organs where it has none. */
+	/** What the document has of the plant besides, or in place of, what it has of every plant. */
 	record?(grown: G, specimen: S): R;
 }
 
@@ -37,27 +68,30 @@ export function exportJson<S extends Specimen, G extends Plant, R extends object
 	return {
 		specimen: writtenSpecimen(model, specimen),
 		counts,
+		measures: {},
 		...measuresOf(model.table, grown),
-		...(model.record?.(grown, specimen) ?? (plantRecord(grown) as unknown as R)),
+		...plantRecord(grown),
+		...(model.record?.(grown, specimen) as R),
 		notes,
 		fingerprint,
 		timings,
 	};
 }
 
-/** A plant of whose parts nothing more is known: what was drawn, and what is borne. */
-function plantRecord({ segments, organs }: Plant): object {
+/** What was drawn, and what is borne. */
+function plantRecord({ segments, organs }: Plant): Pick<PlantDocument<Specimen>, "segments" | "organs"> {
+	const each = <Row>(count: number, row: (index: number) => Row) => Array.from({ length: count }, (_, i) => row(i));
 	return {
-		segments: Array.from({ length: segments.count }, (_, index) => segmentRecord(segments, index)),
-		organs: Array.from({ length: organs.count }, (_, index) => organRecord(organs, index)),
+		...(segments.count > 0 ? { segments: each(segments.count, (index) => segmentRecord(segments, index)) } : {}),
+		...(organs.count > 0 ? { organs: each(organs.count, (index) => organRecord(organs, index)) } : {}),
 	};
 }
 
-function segmentRecord({ parent, tag, tags, ends, radii }: Segments, index: number): object {
+function segmentRecord({ parent, tag, tags, ends, radii }: Segments, index: number): SegmentRecord {
 	const [ax, ay, az, bx, by, bz] = Array.from(ends.subarray(6 * index, 6 * index + 6), shortFloat);
 	return {
 		parent: parent[index],
-		tag: tags[tag[index]],
+		kind: tags[tag[index]],
 		start: [ax, ay, az],
 		end: [bx, by, bz],
 		radius: shortFloat(radii[2 * index]),
@@ -65,7 +99,7 @@ function segmentRecord({ parent, tag, tags, ends, radii }: Segments, index: numb
 	};
 }
 
-function organRecord({ segment, tag, tags, transforms }: Organs, index: number): object {
+function organRecord({ segment, tag, tags, transforms }: Organs, index: number): OrganRecord {
 	const [x, y, z, qx, qy, qz, qw, scale] = Array.from(transforms.subarray(8 * index, 8 * index + 8), shortFloat);
-	return { segment: segment[index], tag: tags[tag[index]], position: [x, y, z], rotation: [qx, qy, qz, qw], scale };
+	return { kind: tags[tag[index]], segment: segment[index], position: [x, y, z], rotation: [qx, qy, qz, qw], scale };
 }

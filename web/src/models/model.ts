@@ -59,7 +59,7 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	parts(grown: G, specimen: S): Iterable<Part>;
 	/** What grew in a few plain words, for people and screen readers: "73 berries, 22 cm long". */
 	words(grown: G, specimen: S): string;
-	/** The plant as numbers in the JSON document, by key; its segments and organs where absent. */
+	/** What the JSON document has of it besides its segments and organs, or in their place, by key. */
 	record?(grown: G, specimen: S): object;
 	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;

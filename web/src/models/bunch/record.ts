@@ -71,6 +71,20 @@ export interface BunchRecord {
 	berries: (BerryRecord | NaturalBerryRecord)[];
 	thinned: ThinnedRecord[];
 	internodes: InternodeRecord[];
+	/** What pedicels bear, as any plant's organs are listed. */
+	organs: BerryOrgan[];
+}
+
+/** A berry as an organ among others. */
+export interface BerryOrgan {
+	kind: "berry" | "flower";
+	/** Index of its pedicel among `segments`. */
+	segment: number;
+	position: Point;
+	/** Of the ball of its volume. */
+	radius: number;
+	/** Unit vector from the pedicel towards the tip scar. */
+	direction: Point;
 }
 
 /** `grown` is only read. Needs no meshes. */
@@ -87,6 +101,7 @@ export function bunchRecord(grown: Grown): BunchRecord {
 			return { id, why, x, y, z };
 		}),
 		internodes: Array.from({ length: internodes.count }, (_, index) => internodeRecord(internodes, index)),
+		organs: Array.from({ length: berries.count }, (_, index) => berryOrgan(grown, index)),
 	};
 }
 
@@ -106,6 +121,18 @@ function naturalBerryRecord(grown: Grown, index: number): NaturalBerryRecord {
 		length: trait("length"),
 		direction: [x, y, z],
 		...(Object.fromEntries(STATES.map((name) => [name, trait(name)])) as Record<(typeof STATES)[number], number>),
+	};
+}
+
+function berryOrgan({ berries }: Grown, index: number): BerryOrgan {
+	const [x, y, z, radius] = Array.from(berries.spheres.subarray(4 * index, 4 * index + 4), shortFloat);
+	const [dx, dy, dz] = Array.from(berries.directions.subarray(3 * index, 3 * index + 3), shortFloat);
+	return {
+		kind: traitOf(berries, index, "set") > 0 ? "berry" : "flower",
+		segment: berries.parent[index],
+		position: [x, y, z],
+		radius,
+		direction: [dx, dy, dz],
 	};
 }
 

@@ -1,0 +1,53 @@
+/** What the command can write of a plant. */
+import { basename } from "node:path";
+import { aboutPlant } from "../export/about_plant";
+import { exportGlb } from "../export/glb";
+import { exportJson } from "../export/json";
+import { exportObj } from "../export/obj";
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import { encodeLink } from "../specimen/link";
+import type { Specimen } from "../specimen/specimen";
+
+type File = [file: string, data: string | Uint8Array];
+
+/** Endings of names that every model knows. */
+const COMMON = ["glb", "obj", "json"];
+
+const endings = ({ formats = [] }: Pick<Model, "formats">) => [...COMMON, ...formats.map(({ key }) => key)];
+
+/** The endings that a model knows, in a sentence: ".glb, .obj or .json". */
+export function endingsOf(model: Pick<Model, "formats">): string {
+	const all = endings(model).map((ending) => `.${ending}`);
+	return `${all.slice(0, -1).join(", ")} or ${all.at(-1)}`;
+}
+
+/** Whether a model can be written to a file with that ending. */
+export function knowsEnding(model: Pick<Model, "formats">, ending: string): boolean {
+	return endings(model).includes(ending);
+}
+
+/** The files of a plant by the ending of the name that was asked for; an OBJ has its materials beside it. */
+export async function filesOf(
+	{ file, ending }: { file: string; ending: string },
+	model: Model,
+	grown: Plant,
+	specimen: Specimen,
+): Promise<File[]> {
+	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
+	const format = model.formats?.find(({ key }) => key === ending);
+	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
+	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
+	if (ending === "glb") return [[file, exportGlb(parts, about)]];
+	const stem = file.slice(0, -".obj".length);
+	const { obj, mtl } = exportObj(parts, about, basename(stem));
+	return [
+		[file, obj],
+		[`${stem}.mtl`, mtl],
+	];
+}
+
+/** The JSON document, one line. */
+export function jsonOf(model: Model, grown: Plant, specimen: Specimen): string {
+	return `${JSON.stringify(exportJson(model, grown, specimen))}\n`;
+}
