@@ -32,6 +32,15 @@ describe("what can be downloaded", () => {
 		expect(keys(async () => new Blob())).toEqual(["glb", "obj", "json", "png"]);
 	});
 
+	it("is a file with instances where parts share meshes", () => {
+		const organs = { ...EMPTY_PLANT.organs, count: 1, mesh: Int32Array.of(0) };
+		const keys = (model: Partial<Model>, grown = { ...EMPTY_PLANT, organs }) =>
+			formatsOf({ ...shown([]), model: { ...shown([]).model, ...model }, grown }, undefined).map(({ key }) => key);
+		expect(keys({})).toContain("glb-instanced");
+		expect(keys({ instanced: () => false })).not.toContain("glb-instanced");
+		expect(keys({ instanced: () => true }, EMPTY_PLANT)).toContain("glb-instanced");
+	});
+
 	it("is what the model makes besides, of what suits it", async () => {
 		const plant = shown([format, { ...format, key: "no", applies: () => false }]);
 		const [own, ...others] = formatsOf(plant, undefined).filter(({ key }) => key === "txt" || key === "no");
