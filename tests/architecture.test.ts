@@ -22,22 +22,23 @@ function read(file: string): string {
 	}
 }
 
-const coreRooms = ["foundation", "geometry", "environment", "lsystem", "models", "boundary"];
+const coreRooms = ["foundation", "geometry", "environment", "lsystem", "plant", "models", "boundary"];
 
-/** What each room of web/src may import besides itself; `element` is a room to come. */
+/** What each room of web/src may import besides itself. `models` is the interface and the index; `element` is to come. */
+const beforeModels = ["core", "specimen", "plant", "controls", "scene", "export"];
 const webRooms: Record<string, string[]> = {
 	core: [],
 	specimen: ["core"],
-	scene: ["core", "specimen"],
-	profile: ["core", "specimen"],
-	export: ["core", "specimen"],
-	element: ["core", "specimen", "scene", "profile", "export"],
-	studio: ["core", "specimen", "scene", "profile", "export", "element"],
-	cli: ["core", "specimen", "export"],
+	plant: ["core"],
+	controls: ["core", "specimen", "plant"],
+	scene: ["core", "plant"],
+	export: ["core", "specimen", "plant"],
+	models: beforeModels,
+	element: [...beforeModels, "models"],
+	studio: [...beforeModels, "models", "element"],
+	cli: ["core", "specimen", "plant", "export", "models"],
 };
 
-/** What the room `core` may know of the one after it: its tables of ranges, and the specimen as a type. */
-const tablesOfSpecimen = ["parameters.generated", "table", "limits"].map((name) => `web/src/specimen/${name}`);
 /** Rooms that say where the built core lies; the others get it from them. */
 const knowBuild = ["core", "element", "studio", "cli"];
 
@@ -45,31 +46,56 @@ interface Import {
 	from: string;
 	to: string;
 	typeOnly: boolean;
+	/** Not there when the module is: `import()`, an address, a glob. */
+	lazy: boolean;
 }
 
-/** Imports of a module's text by relative address, as addresses in the repository without their ending. */
+/** Imports of a module's text by relative address, globs included, as addresses in the repository without their ending. */
 function importsOf(file: string, text: string): Import[] {
 	const statement =
-		/(?:^|\n)\s*(import|export)\s+(type\s)?(?:[^"';]*?\sfrom\s+)?"([^"]+)"|import\("([^"]+)"\)|new URL\("(\.[^"]+)"/g;
+		/(?:^|\n)\s*(import|export)\s+(type\s)?(?:[^"';]*?\sfrom\s+)?"([^"]+)"|import\("([^"]+)"\)|new URL\("(\.[^"]+)"|import\.meta\.glob(?:<[^>]+>)?\("([^"]+)"/g;
 	return [...text.matchAll(statement)]
-		.map(([, , type, plain, lazy, address]) => ({ address: plain ?? lazy ?? address, typeOnly: type !== undefined }))
+		.map(([, keyword, type, plain, lazy, address, glob]) => ({
+			address: plain ?? lazy ?? address ?? glob,
+			typeOnly: type !== undefined,
+			lazy: keyword === undefined,
+		}))
 		.filter(({ address }) => address.startsWith("."))
-		.map(({ address, typeOnly }) => ({
+		.map(({ address, typeOnly, lazy }) => ({
 			from: file,
 			to: posix.join(posix.dirname(file), address.replace(/\?.*$/, "").replace(/\.ts$/, "")),
 			typeOnly,
+			lazy,
 		}));
 }
 
-const webRoomOf = (path: string) => /^web\/src\/([^/]+)\//.exec(path)?.[1];
+/** The room of a path in web/src; of a model, its own: `models/bunch`. */
+const webRoomOf = (path: string) => /^web\/src\/(models\/[^/]+(?=\/)|[^/]+)\//.exec(path)?.[1];
+const isOfModel = (room: string) => room.startsWith("models/");
 
 /** Whether the arrow allows an import. */
-function isAllowed({ from, to, typeOnly }: Import): boolean {
+function isAllowed({ from, to, typeOnly }: Pick<Import, "from" | "to" | "typeOnly">): boolean {
 	const [room, other] = [webRoomOf(from), webRoomOf(to)];
 	if (to.startsWith("build/")) return room !== undefined && knowBuild.includes(room);
 	if (!room || !other || room === other) return true;
-	if (room === "core" && other === "specimen") return typeOnly || tablesOfSpecimen.includes(to);
+	// Models are found by the index alone, and know nothing of it but what they are to be.
+	if (isOfModel(other)) return from === "web/src/models/index.ts";
+	if (isOfModel(room))
+		return other === "models" ? typeOnly && to === "web/src/models/model" : beforeModels.includes(other);
+	// The interface is types, of whatever room.
+	if (room === "models" && from === "web/src/models/model.ts") return typeOnly && beforeModels.includes(other);
 	return webRooms[room]?.includes(other) ?? false;
+}
+
+/** Packages that a module comes with: those of everything it imports but lazily. */
+function packagesOf(module: string, seen = new Set<string>()): string[] {
+	const file = [`${module}.ts`, module].find((each) => files.includes(each));
+	if (!file?.endsWith(".ts") || seen.has(file)) return [];
+	seen.add(file);
+	const text = read(file);
+	const own = [...text.matchAll(/(?:^|\n)import (?!type)[^"';]*?(?:from )?"([^."][^"]*)"/g)].map(([, name]) => name);
+	const further = importsOf(file, text).filter(({ lazy, typeOnly }) => !lazy && !typeOnly);
+	return [...own, ...further.flatMap(({ to }) => packagesOf(to, seen))];
 }
 
 describe("the arrow between the rooms", () => {
@@ -98,6 +124,13 @@ describe("the arrow between the rooms", () => {
 		expect(against).toEqual([]);
 	});
 
+	it.each(files.filter((file) => /^web\/src\/models\/[^/]+\/index\.ts$/.test(file)))(
+		"%s comes without Lit and three",
+		(file) => {
+			expect(packagesOf(file).filter((name) => /^(lit|three)\b/.test(name))).toEqual([]);
+		},
+	);
+
 	it("sees imports of every form", () => {
 		const text = [
 			'import { a } from "../scene/a";',
@@ -105,23 +138,54 @@ describe("the arrow between the rooms", () => {
 			'import "./side";',
 			'const c = await import("../export/c");',
 			'new Worker(new URL("../core/worker.ts", import.meta.url));',
+			'import.meta.glob<Model>("../models/*/index.ts", { import: "model" });',
 			'import { LitElement } from "lit";',
 		].join("\n");
+		const found = (to: string, typeOnly = false, lazy = false) => ({ from: "web/src/core/x.ts", to, typeOnly, lazy });
 		expect(importsOf("web/src/core/x.ts", text)).toEqual([
-			{ from: "web/src/core/x.ts", to: "web/src/scene/a", typeOnly: false },
-			{ from: "web/src/core/x.ts", to: "web/src/studio/b", typeOnly: true },
-			{ from: "web/src/core/x.ts", to: "web/src/core/side", typeOnly: false },
-			{ from: "web/src/core/x.ts", to: "web/src/export/c", typeOnly: false },
-			{ from: "web/src/core/x.ts", to: "web/src/core/worker", typeOnly: false },
+			found("web/src/scene/a"),
+			found("web/src/studio/b", true),
+			found("web/src/core/side"),
+			found("web/src/export/c", false, true),
+			found("web/src/core/worker", false, true),
+			found("web/src/models/*/index", false, true),
 		]);
 	});
 
-	it("refuses what goes against it", () => {
-		const core = (to: string, typeOnly = false) => isAllowed({ from: "web/src/core/x.ts", to, typeOnly });
-		expect(core("web/src/specimen/link")).toBe(false);
-		expect(core("web/src/specimen/specimen", true)).toBe(true);
-		expect(core(tablesOfSpecimen[0])).toBe(true);
+	it("sees what a module comes with", () => {
+		expect(packagesOf("web/src/models/bunch/tools/index")).toEqual(expect.arrayContaining(["lit"]));
+		expect(packagesOf("web/src/scene/viewer")).toContain("three");
+		expect(packagesOf("web/src/specimen/link")).toEqual([]);
+	});
+
+	it.each([
+		["core/x.ts", "specimen/link", false],
+		["core/x.ts", "specimen/specimen", true],
+		["scene/x.ts", "models/bunch/grown", true],
+		["studio/x.ts", "models/bunch/index", false],
+		["models/leaf/index.ts", "models/bunch/grown", true],
+		["models/leaf/index.ts", "models/index", false],
+		["models/leaf/index.ts", "studio/studio", true],
+		["models/model.ts", "controls/tool", false],
+		["controls/x.ts", "studio/studio", true],
+		["specimen/x.ts", "plant/plant", true],
+	])("refuses what goes against it: %s → %s", (from, to, typeOnly) => {
+		expect(isAllowed({ from: `web/src/${from}`, to: `web/src/${to}`, typeOnly })).toBe(false);
+	});
+
+	it.each([
+		["models/index.ts", "models/*/index", false],
+		["models/leaf/index.ts", "models/model", true],
+		["models/leaf/index.ts", "controls/life", false],
+		["models/model.ts", "scene/figure", true],
+		["studio/x.ts", "models/index", false],
+	])("allows what goes with it: %s → %s", (from, to, typeOnly) => {
+		expect(isAllowed({ from: `web/src/${from}`, to: `web/src/${to}`, typeOnly })).toBe(true);
+	});
+
+	it("lets three rooms alone say where the core lies", () => {
 		expect(isAllowed({ from: "web/src/scene/x.ts", to: "build/core/bunch.wasm", typeOnly: false })).toBe(false);
+		expect(isAllowed({ from: "web/src/studio/x.ts", to: "build/core/bunch.wasm", typeOnly: false })).toBe(true);
 	});
 });
 

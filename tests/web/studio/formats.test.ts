@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Format, Model } from "../../../web/src/models/model";
-import { EMPTY_PLANT } from "../../../web/src/plant/plant";
+import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { fileName, formatsOf } from "../../../web/src/studio/files/formats";
 import { specimenFromPreset } from "../bunch";
@@ -30,6 +30,15 @@ describe("what can be downloaded", () => {
 		const keys = (picture?: () => Promise<Blob>) => formatsOf(shown([]), picture).map(({ key }) => key);
 		expect(keys()).toEqual(["glb", "obj", "json"]);
 		expect(keys(async () => new Blob())).toEqual(["glb", "obj", "json", "png"]);
+	});
+
+	it("is a file with instances where parts share meshes", () => {
+		const organs = { ...EMPTY_PLANT.organs, count: 1, mesh: Int32Array.of(0) };
+		const keys = (model: Partial<Model>, grown: Plant = { ...EMPTY_PLANT, organs }) =>
+			formatsOf({ ...shown([]), model: { ...shown([]).model, ...model }, grown }, undefined).map(({ key }) => key);
+		expect(keys({})).toContain("glb-instanced");
+		expect(keys({ instanced: () => false })).not.toContain("glb-instanced");
+		expect(keys({ instanced: () => true }, EMPTY_PLANT)).toContain("glb-instanced");
 	});
 
 	it("is what the model makes besides, of what suits it", async () => {

@@ -18,6 +18,7 @@ export const model = {
 	encode: encodeRequest,
 	read: readGrown,
 	parts: bunchParts,
+	instanced: ({ procedure }) => procedure === "paper",
 	words: bunchInWords,
 	record: bunchRecord,
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),

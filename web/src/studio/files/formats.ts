@@ -65,8 +65,8 @@ function pictureBy(take: () => Promise<Blob>): Download {
 }
 
 /** Whether some parts are one mesh many times, so that instances make the file another one. */
-function hasInstances({ grown: { organs } }: Shown): boolean {
-	return organs.mesh.some((mesh) => mesh >= 0);
+function hasInstances({ model, grown }: Shown): boolean {
+	return model.instanced?.(grown) ?? grown.organs.mesh.some((mesh) => mesh >= 0);
 }
 
 async function glb({ model, grown, from }: Shown, link: string, instancing: boolean): Promise<Blob> {
