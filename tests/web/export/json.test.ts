@@ -16,8 +16,8 @@ const specimen = sampleSpecimen({ seed: 7 });
 describe("the JSON document", () => {
 	it("has the fields that were promised, and no others", () => {
 		const document = exportJson(grown, specimen);
-		const fields = ["specimen", "counts", "procedure", "form", "plan", "berries", "thinned", "internodes"];
-		fields.push("notes", "fingerprint", "timings");
+		const fields = ["specimen", "counts", "measures", "procedure", "form", "plan", "berries", "thinned", "internodes"];
+		fields.push("organs", "notes", "fingerprint", "timings");
 		expect(Object.keys(document)).toEqual(fields);
 		expect(Object.keys(document.plan)).toEqual(["m", "sides", "axes"]);
 		expect(document.plan.sides).toHaveLength(4);
@@ -113,7 +113,7 @@ describe("the JSON document of a natural bunch", () => {
 		expect(Object.keys(measures ?? {})).toEqual(MEASURE_KEYS);
 		expect(measures?.spill).toBe(0.1);
 		expect(measures?.coverage_side).toBeNull();
-		expect("measures" in exportJson({ ...natural, measures: undefined }, specimen)).toBe(false);
+		expect(exportJson({ ...natural, measures: undefined }, specimen).measures).toEqual({});
 	});
 
 	it("gives the fingerprint again, for any growth", () => {

@@ -4,7 +4,7 @@
  */
 import { html, LitElement, nothing, type PropertyValues } from "lit";
 import { classMap } from "lit/directives/class-map.js";
-import type { BunchSpecimen as Specimen } from "../specimen";
+import type { BunchSpecimen } from "../specimen";
 import { type DragOptions, nearestHandle, nudgeHandle } from "./drag";
 import { DragSession } from "./drag_session";
 import {
@@ -23,8 +23,7 @@ import type { DrawnBunch } from "./silhouette";
 import { SteadyExtent } from "./steady_extent";
 import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
 
-type Parameters = Specimen["parameters"];
-
+type Parameters = BunchSpecimen["parameters"];
 /** `profile-input`: live, once a frame at most. `profile-change`: a drag ended, a key stepped. `profile-cancel`: Escape. */
 export type ProfileEvent = CustomEvent<{ parameters: Parameters }>;
 

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { Columns, writeContainer } from "../../../web/src/core/container";
-import { CoreError } from "../../../web/src/core/errors";
-import { NUMBER_KEYS, type NumberKey } from "../../../web/src/models/bunch/parameters.generated";
-import { encodeRequest } from "../../../web/src/models/bunch/request";
-import { type Specimen, specimenFromPreset, withParameters } from "../bunch";
+import { Columns, writeContainer } from "../../../../web/src/core/container";
+import { CoreError } from "../../../../web/src/core/errors";
+import { NUMBER_KEYS, type NumberKey } from "../../../../web/src/models/bunch/parameters.generated";
+import { encodeRequest } from "../../../../web/src/models/bunch/request";
+import { type Specimen, specimenFromPreset, withParameters } from "../../bunch";
 
 const columns = (specimen: Specimen, options?: Parameters<typeof encodeRequest>[1]) =>
 	new Columns(writeContainer(encodeRequest(specimen, options)));

@@ -1,12 +1,12 @@
 /** What the natural procedure says across the border; whether a bunch is right is for the core's own tests. */
 
 import { beforeAll, describe, expect, it } from "vitest";
-import type { Core } from "../../../web/src/core/core";
-import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../web/src/models/bunch/grown";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
-import type { ChoiceEntry } from "../../../web/src/specimen/table";
-import { entryOf, type Specimen, specimenFromPreset, thin, withParameters } from "../bunch";
-import { freshCore, growBunch } from "./wasm";
+import type { Core } from "../../../../web/src/core/core";
+import { FRUITS, PROCEDURES, TRAITS, type Trait } from "../../../../web/src/models/bunch/grown";
+import { PRESETS } from "../../../../web/src/models/bunch/presets/index";
+import type { ChoiceEntry } from "../../../../web/src/specimen/table";
+import { entryOf, type Specimen, specimenFromPreset, thin, withParameters } from "../../bunch";
+import { freshCore, growBunch } from "../../core/wasm";
 
 let core: Core;
 beforeAll(async () => {

@@ -1,11 +1,11 @@
 /** Named varieties come out with the counts and weights of docs/varieties.md: the mean of a few seeds. */
 
 import { beforeAll, expect, it } from "vitest";
-import type { Core } from "../../../web/src/core/core";
-import { MEASURE_KEYS, type MeasureKey } from "../../../web/src/models/bunch/measures.generated";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
-import { specimenFromPreset } from "../bunch";
-import { freshCore, growBunch } from "./wasm";
+import type { Core } from "../../../../web/src/core/core";
+import { MEASURE_KEYS, type MeasureKey } from "../../../../web/src/models/bunch/measures.generated";
+import { PRESETS } from "../../../../web/src/models/bunch/presets/index";
+import { specimenFromPreset } from "../../bunch";
+import { freshCore, growBunch } from "../../core/wasm";
 
 type Range = [least: number, most: number];
 
