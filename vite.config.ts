@@ -22,7 +22,7 @@ export default defineConfig({
 	},
 	server: { fs: { allow: [at(".")] } },
 	test: {
-		include: ["tests/{web,golden,fuzz,tools}/**/*.test.ts", "tests/*.test.ts"],
+		include: ["tests/{web,golden,fuzz,tools,toy}/**/*.test.ts", "tests/*.test.ts"],
 		globalSetup: at("tests/core_module.ts"),
 		testTimeout: 20_000,
 	},

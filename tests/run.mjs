@@ -92,7 +92,7 @@ const all = [
 	["layout", () => mustSucceed("wasm-core/tools/format.mjs", ["--check"])],
 	["types", types],
 	["native core", nativeTests],
-	["wasm core", () => buildCore("wasm", ["all"])],
+	["wasm core", () => buildCore("wasm", ["all", "toy"])],
 	["web", webTests],
 	["app", () => mustSucceed("node_modules/vite/bin/vite.js", ["build"])],
 	["e2e", endToEndTests],

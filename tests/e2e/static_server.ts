@@ -4,7 +4,7 @@ import type { AddressInfo } from "node:net";
 import { extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const dist = fileURLToPath(new URL("../../dist/", import.meta.url));
+const repository = new URL("../../", import.meta.url);
 
 const TYPES: Readonly<Record<string, string>> = {
 	".html": "text/html",
@@ -17,13 +17,14 @@ const TYPES: Readonly<Record<string, string>> = {
 	".webmanifest": "application/manifest+json",
 };
 
-/** A plain static host that has dist/ below `base` and nothing anywhere else. */
-export async function serveUnder(base: string): Promise<{ address: string; close(): Promise<void> }> {
+/** A plain static host that has a built app below `base` and nothing anywhere else. */
+export async function serveUnder(base: string, app = "dist"): Promise<{ address: string; close(): Promise<void> }> {
+	const folder = fileURLToPath(new URL(`${app}/`, repository));
 	const server = createServer(async (request, response) => {
 		const { pathname } = new URL(request.url ?? "/", "http://host");
 		try {
 			if (!pathname.startsWith(base)) throw new Error("outside");
-			const file = join(dist, pathname.slice(base.length) || "index.html");
+			const file = join(folder, pathname.slice(base.length) || "index.html");
 			const bytes = await readFile(file);
 			response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" }).end(bytes);
 		} catch {

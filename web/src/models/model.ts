@@ -45,7 +45,7 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	readonly title: string;
 	/** What sentences call one: "the last bunch stays". */
 	readonly noun: string;
-	/** The file of its core, beside the others: `bunch.wasm`. */
+	/** The file of its core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere. */
 	readonly wasm: string;
 
 	/**

@@ -5,7 +5,7 @@ const addresses = import.meta.glob<string>("../../../build/core/*.wasm", {
 	eager: true,
 });
 
-/** The address of a core's file; undefined where none of that name was built. */
+/** The address of a core: of a file that was built, by its name, or what is an address already; else undefined. */
 export function coreAddress(file: string): string | undefined {
-	return addresses[`../../../build/core/${file}`];
+	return addresses[`../../../build/core/${file}`] ?? (URL.canParse(file) ? file : undefined);
 }

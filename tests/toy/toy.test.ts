@@ -1,0 +1,114 @@
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { beforeAll, describe, expect, it } from "vitest";
+import { buildCore } from "../../wasm-core/tools/core.mjs";
+import { run } from "../../web/src/cli/run";
+import type { Core } from "../../web/src/core/core";
+import { loadCoreFromBytes } from "../../web/src/core/loader";
+import { aboutPlant } from "../../web/src/export/about_plant";
+import { exportGlb } from "../../web/src/export/glb";
+import { exportObj } from "../../web/src/export/obj";
+import { addModel, modelNamed, modelNames } from "../../web/src/models/index";
+import { fromPreset } from "../../web/src/specimen/from_preset";
+import { decodeLink, encodeLink } from "../../web/src/specimen/link";
+import { freshCore } from "../web/core/wasm";
+import { complaint, memoryWorld } from "../web/cli/world";
+import { complaints } from "../web/export/reading";
+import { model, type ToySpecimen } from "./index";
+
+let core: Core;
+beforeAll(async () => {
+	await buildCore("wasm", ["toy"]);
+	core = await loadCoreFromBytes(readFileSync("build/core-test/toy.wasm"));
+	addModel("toy", async () => model);
+}, 300_000);
+
+const upright: ToySpecimen = fromPreset(model);
+const grow = (specimen: ToySpecimen) => model.read(core.grow(model.encode(specimen)));
+
+/** Runs the command where both cores are. */
+async function command(...words: string[]) {
+	const memory = memoryWorld();
+	const loadCore = async (wasm: string) => (wasm === "toy.wasm" ? core : freshCore());
+	const status = await run(words, { ...memory.world, loadCore });
+	return { status, ...memory };
+}
+
+describe("a model of three files", () => {
+	it("is named nowhere in the house", () => {
+		const grep = ["grep", "-ilw", "toy", "--", "web/src", "wasm-core/src", "wasm-core/parameters", "wasm-core/grammars"];
+		const naming = (() => {
+			try {
+				return execFileSync("git", grep, { encoding: "utf8" });
+			} catch {
+				return ""; // git says so with its status
+			}
+		})();
+		expect(naming).toBe("");
+	});
+
+	it("is found by its name, after the default", async () => {
+		expect(modelNames()).toEqual(["bunch", "toy"]);
+		expect(await modelNamed("toy")).toBe(model);
+	});
+
+	it("grows what its text says: three branches at each of three nodes, a fruit on every twig", () => {
+		const { segments, organs, counts, notes } = grow(upright);
+		expect(segments.count).toBe(1 + 3 + 9 + 27);
+		expect(organs.count).toBe(27);
+		expect(counts).toEqual({ segments: 40, organs: 27 });
+		expect(notes).toEqual([]);
+		expect(segments.ends[1]).toBeCloseTo(0);
+		expect(segments.ends[4]).toBeCloseTo(0.04);
+		const tall = grow({ ...upright, parameters: { ...upright.parameters, height: 100 } });
+		expect(tall.segments.ends[4]).toBeCloseTo(0.1);
+		expect(grow({ ...upright, grammar: "axiom: F(7)F(7)" }).segments.count).toBe(2);
+	});
+
+	it("links, its text in the fragment, and comes back", async () => {
+		const specimen = { ...fromPreset(model, "open"), seed: 9, grammar: "axiom: F(3)" };
+		const link = await encodeLink(model, specimen);
+		expect(link).toMatch(/^\?v=2&model=toy&preset=open&seed=9#g=/);
+		const [query, hash] = link.split("#");
+		expect(await decodeLink(model, query, hash)).toEqual({ specimen, notes: [] });
+	});
+
+	it("is exported as GLB, to which Khronos' validator has nothing to say, and as OBJ", async () => {
+		const plant = grow(upright);
+		const about = await aboutPlant(model, plant, upright);
+		for (const options of [{}, { compact: true }, { instancing: true }]) {
+			expect(await complaints(exportGlb(model.parts(plant, upright), about, options))).toEqual([]);
+		}
+		const { obj, mtl } = exportObj(model.parts(plant, upright), about, "shrub");
+		expect(obj.match(/^o /gm)).toHaveLength(28);
+		expect(mtl).toContain("newmtl Stem");
+	});
+
+	it("is printed and listed by the command line", async () => {
+		const { status, printed } = await command("toy/open", "--seed", "3", "--set", "h=50");
+		expect(status).toBe(0);
+		const json = JSON.parse(printed[0]);
+		expect(json).toMatchObject({
+			specimen: { model: "toy", preset: "open", seed: 3, parameters: { height: 50 } },
+			counts: { segments: 40 },
+			measures: {},
+			notes: [],
+		});
+		expect(json.segments[0]).toMatchObject({ parent: -1, kind: "stem", start: [0, 0, 0] });
+		expect(json.organs[0].kind).toBe("ball");
+		expect(json.organs[0].scale).toBeCloseTo(0.01);
+		expect((await command("?model=toy&h=50")).status).toBe(0);
+		expect(JSON.parse((await command("--list")).printed[0])[1]).toEqual({
+			model: "toy",
+			title: "Toy shrub",
+			presets: ["upright", "open"],
+		});
+		expect((await command("toy", "--help")).printed[0]).toContain("toy/upright toy/open");
+		const { written } = await command("toy", "--out", "shrub.glb");
+		expect([...written.keys()]).toEqual(["shrub.glb"]);
+		expect(await complaint(["toy", "--out", "x.csv"])).toBe(
+			"--out x.csv: the name must end in .glb, .obj or .json",
+		);
+		expect(await complaint(["toy", "--set", "l=3"])).toBe("--set l: no parameter has that key; see --help");
+	});
+});
