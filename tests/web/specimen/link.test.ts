@@ -99,6 +99,15 @@ describe("a link", () => {
 		]);
 	});
 
+	it("that is far too long is read as far as its first 16,384 characters", () => {
+		const { specimen, notes } = decodeQuery(`?v=2&l=300&utm=${"x".repeat(20_000)}&p3w=10`);
+		expect(specimen).toEqual(withParameters(specimenFromPreset(), { l: 300 }));
+		expect(notes.map((note) => note.text)).toEqual([
+			"link: too long; its first 16384 characters are read.",
+			"utm: not known here; ignored.",
+		]);
+	});
+
 	it("says choices by name, and reads their numbers too", () => {
 		const chosen = withParameters(specimenFromPreset(), { procedure: 0, fruit: 3, cane: 1 });
 		expect(encodeQuery(chosen)).toBe("?v=2&procedure=paper&fruit=lychee&cane=on");
@@ -160,6 +169,23 @@ describe("a grammar in the fragment", () => {
 				"grammar: the link is damaged here; the built-in grammar is used.",
 			]);
 		}
+	});
+
+	it("that is no UTF-8 is left out, and a note says so", async () => {
+		// C3 28, deflated without a header: the first half of a letter, and then no second half.
+		const { specimen, notes } = await decodeLink("?v=2", "#g=O6wBAA");
+		expect(specimen).toEqual(specimenFromPreset());
+		expect(notes.map((note) => note.text)).toEqual([
+			"grammar: the link is damaged here; the built-in grammar is used.",
+		]);
+	});
+
+	it("in a link that is far too long is not even unpacked", async () => {
+		const link = await encodeLink({ ...specimenFromPreset(), grammar: text });
+		const hash = `${link.slice(link.indexOf("#"))}&x=${"x".repeat(512 * 1024)}`;
+		const { specimen, notes } = await decodeLink("?v=2", hash);
+		expect(specimen).toEqual(specimenFromPreset());
+		expect(notes.map((note) => note.text)).toEqual(["grammar: the link is too long; the built-in grammar is used."]);
 	});
 
 	it("that unpacks to more than a grammar may be is refused before it fills the memory", async () => {

@@ -7,8 +7,8 @@ export function measureOf(measures: Float32Array | undefined, key: MeasureKey): 
 	return measures?.[MEASURE_KEYS.indexOf(key)] ?? Number.NaN;
 }
 
-/** CIELAB coordinates (D65) of six hexadecimal digits of sRGB. */
-function lab(colour: string): [number, number, number] {
+/** CIELAB coordinates (D65) of six hexadecimal digits of sRGB (IEC 61966-2-1, CIE 15). */
+export function lab(colour: string): [number, number, number] {
 	const [r, g, b] = [0, 2, 4].map((at) => {
 		const value = Number.parseInt(colour.slice(at, at + 2), 16) / 255;
 		return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;

@@ -109,6 +109,19 @@ describe("a drag", () => {
 		expect(drags.active).toBe(false);
 	});
 
+	it("of two fingers, called off, gives back what was before the first of them", () => {
+		const { page, drags } = view();
+		drags.begin(1, "p3", { x: 150, y: 150 });
+		drags.move(1, { x: 200, y: 150 });
+		page.frame();
+		drags.begin(2, "p4", { x: -150, y: 102 });
+		drags.move(2, { x: -100, y: 102 });
+		page.frame();
+		expect(page.parameters).toMatchObject({ p3w: 200, p4w: 100 });
+		drags.cancel();
+		expect(page.parameters).toEqual(DEFAULTS);
+	});
+
 	it("called off keeps what another view changed meanwhile", () => {
 		const { page, drags } = view(["p2", "p3", "p4"]);
 		drags.begin(1, "p3", { x: 150, y: 150 });

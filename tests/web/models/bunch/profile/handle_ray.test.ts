@@ -77,6 +77,27 @@ describe("rayToView", () => {
 		expect(rayToView(DEFAULTS, "p2", "plumb", ray, UNIT)).toEqual({ x: 0, y: expect.closeTo(300, 6) });
 	});
 
+	it("does not depend on how long the ray's direction is", () => {
+		const factor = fc.double({ min: 0.01, max: 100, noNaN: true });
+		fc.assert(
+			fc.property(anyShape, anyHandle, anyEye, factor, (shape, handle, eye, longer) => {
+				const ray = rayTo(eye, handleVector(shape, handle, UNIT));
+				const stretched = { ...ray, direction: ray.direction.map((value) => value * longer) as unknown as Vector };
+				const freedom = visibleFreedom(handle, ray);
+				const [one, other] = [ray, stretched].map((each) => rayToView(shape, handle, freedom, each, UNIT));
+				expect(other?.x).toBeCloseTo(one?.x ?? Number.NaN, 3);
+				expect(other?.y).toBeCloseTo(one?.y ?? Number.NaN, 3);
+			}),
+		);
+	});
+
+	it.each(["plane", "plumb", "level"] as const)("is nothing where the %s lies behind the eye", (freedom) => {
+		const away: Ray = { origin: [0.05, -0.1, 0.6], direction: [0.1, 0.05, 1] };
+		expect(rayToView(DEFAULTS, "p3", freedom, away, UNIT)).toBeUndefined();
+		const towards: Ray = { origin: [0.05, -0.1, 0.6], direction: [-0.1, -0.05, -1] };
+		expect(rayToView(DEFAULTS, "p3", freedom, towards, UNIT)).toBeDefined();
+	});
+
 	it("never is NaN", () => {
 		const any = fc.tuple(fc.double(), fc.double(), fc.double());
 		fc.assert(

@@ -68,6 +68,7 @@ describe("scaleBar", () => {
 		expect(scaleBar(600, 0.25)).toEqual({ label: "5 cm", length: expect.closeTo(116, 9) });
 		expect(scaleBar(150, 0.05)).toEqual({ label: "2 mm", length: expect.closeTo(23.2, 9) });
 		expect(scaleBar(600, 2).label).toBe("50 cm");
+		expect(scaleBar(120, 0.25).label).toBe("1 cm");
 	});
 
 	it("takes between a tenth and a quarter of the view", () => {

@@ -193,7 +193,7 @@ export class ProfileView extends LitElement {
 		const handle = this.#handleAt(event);
 		if (!handle || !this.#drags.begin(event.pointerId, handle, this.#point(event))) return;
 		(event.currentTarget as Element).setPointerCapture(event.pointerId);
-		this.#element(handle)?.focus({ preventScroll: true });
+		this.shadowRoot?.querySelector<HTMLElement>(`[data-handle=${handle}]`)?.focus({ preventScroll: true });
 		this.#pointed = true;
 		window.addEventListener("keydown", this.#onEscape, { capture: true });
 		this.requestUpdate();
@@ -274,10 +274,6 @@ export class ProfileView extends LitElement {
 	#show(handle: Handle | undefined): void {
 		this.#shown = handle;
 		this.requestUpdate();
-	}
-
-	#element(handle: Handle): HTMLElement | null | undefined {
-		return this.shadowRoot?.querySelector<HTMLElement>(`[data-handle=${handle}]`);
 	}
 }
 

@@ -1,8 +1,13 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { measureOf, skinClass } from "../../../web/src/models/bunch/measures";
-import { MEASURE_GROUPS, MEASURE_KEYS, MEASURES, SKIN_COLOUR } from "../../../web/src/models/bunch/measures.generated";
-import { classOf, classText, measureText } from "../../../web/src/specimen/measures";
+import { lab, measureOf, skinClass } from "../../../../web/src/models/bunch/measures";
+import {
+	MEASURE_GROUPS,
+	MEASURE_KEYS,
+	MEASURES,
+	SKIN_COLOUR,
+} from "../../../../web/src/models/bunch/measures.generated";
+import { classOf, classText, measureText } from "../../../../web/src/specimen/measures";
 
 const info = (key: (typeof MEASURE_KEYS)[number]) => MEASURES[MEASURE_KEYS.indexOf(key)];
 
@@ -67,6 +72,19 @@ describe("measureText", () => {
 		["compactness", 1.239, "1.24 g/cm²"],
 		["bunch_weight", Number.NaN, "–"],
 	] as const)("%s of %d reads %s", (key, value, text) => expect(measureText(info(key), value)).toBe(text));
+});
+
+describe("CIELAB", () => {
+	it.each([
+		["000000", [0, 0, 0]],
+		["ffffff", [100, 0, 0]],
+		["ff0000", [53.24, 80.09, 67.2]],
+		["00ff00", [87.73, -86.18, 83.18]],
+		["0000ff", [32.3, 79.19, -107.86]],
+		["808080", [53.59, 0, 0]],
+	])("of #%s is %j, as tables have it", (colour, expected) => {
+		for (const [index, value] of lab(colour).entries()) expect(Math.abs(value - expected[index])).toBeLessThan(0.03);
+	});
 });
 
 describe("skinClass", () => {
