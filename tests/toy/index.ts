@@ -35,6 +35,7 @@ export const model: Model<ToySpecimen, Plant> = {
 	title: "Toy shrub",
 	noun: "shrub",
 	wasm: "toy.wasm",
+	pictures: false,
 	table,
 	presets: new Presets(
 		[preset("upright", "Upright shrub", { spread: 15 }), preset("open", "Open shrub", { spread: 60 })],

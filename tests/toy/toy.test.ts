@@ -11,8 +11,8 @@ import { exportObj } from "../../web/src/export/obj";
 import { addModel, modelNamed, modelNames } from "../../web/src/models/index";
 import { fromPreset } from "../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../web/src/specimen/link";
-import { freshCore } from "../web/core/wasm";
 import { complaint, memoryWorld } from "../web/cli/world";
+import { freshCore } from "../web/core/wasm";
 import { complaints } from "../web/export/reading";
 import { model, type ToySpecimen } from "./index";
 
@@ -36,7 +36,16 @@ async function command(...words: string[]) {
 
 describe("a model of three files", () => {
 	it("is named nowhere in the house", () => {
-		const grep = ["grep", "-ilw", "toy", "--", "web/src", "wasm-core/src", "wasm-core/parameters", "wasm-core/grammars"];
+		const grep = [
+			"grep",
+			"-lwE",
+			"toy|Toy",
+			"--",
+			"web/src",
+			"wasm-core/src",
+			"wasm-core/parameters",
+			"wasm-core/grammars",
+		];
 		const naming = (() => {
 			try {
 				return execFileSync("git", grep, { encoding: "utf8" });
@@ -106,9 +115,7 @@ describe("a model of three files", () => {
 		expect((await command("toy", "--help")).printed[0]).toContain("toy/upright toy/open");
 		const { written } = await command("toy", "--out", "shrub.glb");
 		expect([...written.keys()]).toEqual(["shrub.glb"]);
-		expect(await complaint(["toy", "--out", "x.csv"])).toBe(
-			"--out x.csv: the name must end in .glb, .obj or .json",
-		);
+		expect(await complaint(["toy", "--out", "x.csv"])).toBe("--out x.csv: the name must end in .glb, .obj or .json");
 		expect(await complaint(["toy", "--set", "l=3"])).toBe("--set l: no parameter has that key; see --help");
 	});
 });

@@ -43,7 +43,7 @@ export abstract class DeskElement<D extends Desk = Desk> extends LitElement {
 	}
 
 	/** Elements of the page stand there before there is a desk. */
-	protected override shouldUpdate(): boolean {
+	protected override shouldUpdate(_changed?: PropertyValues): boolean {
 		return this.desk !== undefined;
 	}
 

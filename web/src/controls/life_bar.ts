@@ -24,6 +24,15 @@ export class LifeBar extends DeskElement {
 
 	readonly #held = new HeldKey(() => this.desk.settle());
 
+	/** Another model's plant has no such life: whoever draws the bar is about to take it away. */
+	protected override concerns({ state }: Desk): boolean {
+		return state.model.table.entry(this.life.parameter) !== undefined;
+	}
+
+	protected override shouldUpdate(): boolean {
+		return super.shouldUpdate() && this.concerns(this.desk);
+	}
+
 	protected override draw(desk: Desk): unknown {
 		const { life, age } = this;
 		const { min, max } = this.#entry;

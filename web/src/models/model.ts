@@ -48,6 +48,9 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	/** The file of its core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere. */
 	readonly wasm: string;
 
+	/** Whether its presets have pictures in public/gallery; absent where they have. */
+	readonly pictures?: false;
+
 	/**
 	 * A specimen as the core's request: `model`, `seed`, `outputs`, `parameters` and what else the model asks for.
 	 * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts

@@ -10,6 +10,9 @@ import { StudioPart } from "./studio_part";
 const pictureOf = (model: Model, { name }: Preset, dark: boolean) =>
 	`${import.meta.env.BASE_URL}gallery/${model.name}/${name}-${dark ? "dark" : "light"}.webp`;
 
+const picture = (src: string) =>
+	html`<img src=${src} alt="" width="60" height="75" loading="lazy" fetchpriority="low" decoding="async">`;
+
 /**
  * The presets of every model as small pictures, by kind, to be searched and filtered; choosing one is one undo step. The
  * strip is one stop of the Tab key: arrow keys go from preset to preset.
@@ -88,10 +91,7 @@ export class Gallery extends StudioPart {
 				class="preset" type="button" aria-current=${chosen} title=${described(preset)} data-preset=${preset.name} tabindex="-1"
 				@click=${() => studio.choosePreset(preset.name, model)}
 			>
-				<img
-					src=${pictureOf(model, preset, dark)} alt="" width="60" height="75" loading="lazy" fetchpriority="low"
-					decoding="async"
-				>${preset.title}
+				${model.pictures === false ? html`<span class="no-picture"></span>` : picture(pictureOf(model, preset, dark))}${preset.title}
 			</button>
 		</li>`;
 	}
