@@ -88,6 +88,11 @@ TEST_CASE("constants that are asked for and that the text does not know") {
         "0:0 The grammar has no #define b, so its parameter changes nothing.");
 }
 
+TEST_CASE("a remark is written with its place where it has one") {
+  CHECK(lsystem::to_text(Remark{"F1 draws nothing.", 3, 7}) == "Line 3, column 7: F1 draws nothing.");
+  CHECK(lsystem::to_text(Remark{"No more.", 0, 0}) == "No more.");
+}
+
 TEST_CASE("remarks stand in the order of the text") {
   CHECK(remarked("axiom: !\nA --> T\n  F3\nS --> A").find("1:8 !") == 0);
   const std::string all = remarked("axiom: !\nA --> T\n  F3\nS --> A");

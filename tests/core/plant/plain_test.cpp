@@ -107,6 +107,22 @@ TEST_CASE("what draws nothing says so; what draws too much ends in words") {
   CHECK(plant.error().message.find("5 segments") != std::string::npos);
 }
 
+TEST_CASE("a plant takes as many steps as it is asked for, else as its text says") {
+  const char* text = "derivation length: 3\naxiom: A\nA --> F(1) A";
+  CHECK(drawn(text).segments.size() == 3);
+  PlainOptions younger;
+  younger.steps = 2;
+  CHECK(drawn(text, younger).segments.size() == 2);
+}
+
+TEST_CASE("what a text says and nothing heeds is noted") {
+  CHECK(drawn("axiom: F(1)").notes.empty());
+  const std::vector<std::string> notes = drawn("axiom: F(1)\nA : ran(1)<0.5 --> F2").notes;
+  REQUIRE(notes.size() == 2);
+  CHECK(notes[0] == "Line 2, column 20: F2 is one symbol of its own and draws nothing; write F(2).");
+  CHECK(notes[1].find("Line 2, column 1: A tries") == 0);
+}
+
 TEST_CASE("the ball is closed, round and faces outwards") {
   const Mesh ball = make_ball(12);
   double volume = 0;

@@ -345,10 +345,7 @@ Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limi
 
 const Roles& roles(const Program& program) { return program.roles; }
 
-std::uint32_t symbol_named(const Program& program, std::string_view name) {
-  const auto found = std::find(program.symbols.begin(), program.symbols.end(), name);
-  return found == program.symbols.end() ? no_symbol : static_cast<std::uint32_t>(found - program.symbols.begin());
-}
+std::span<const std::string> symbols(const Program& program) { return program.symbols; }
 
 std::vector<std::string_view> predecessors(const Program& program) {
   std::vector<std::string_view> names;

@@ -79,8 +79,8 @@ struct Roles {
   std::uint32_t of(std::uint32_t symbol) const { return symbol < of_symbol.size() ? of_symbol[symbol] : none; }
 };
 const Roles& roles(const Program& program);
-// The number of a symbol of the text, or `no_symbol`.
-std::uint32_t symbol_named(const Program& program, std::string_view name);
+// What symbols are called, by number: the turtle's and those of the text.
+std::span<const std::string> symbols(const Program& program);
 
 // What a text says and the engine passes over, in one sentence that says what to do. Line and column are 0 where no
 // text is concerned.
@@ -93,8 +93,8 @@ struct Remark {
 // `develop`.
 std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scalar> asked = {},
                             std::optional<std::uint32_t> steps = {});
-// Whether the text has a #define or #input of that name.
-bool declares(const Program& program, std::string_view name);
+// With the place before it, for a list of notes.
+std::string to_text(const Remark& remark);
 
 // A derived string: modules as 32-bit words (header, then parameters as float), with the lineage of each module
 // where the program needs it.

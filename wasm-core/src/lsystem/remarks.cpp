@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "lsystem/program.hpp"
@@ -117,6 +118,11 @@ class Reader {
   std::vector<Remark> remarks_;
 };
 
+bool declares(const Program& program, std::string_view name) {
+  return std::any_of(program.declarations.begin(), program.declarations.end(),
+                     [&](const Declaration& declaration) { return declaration.name == name; });
+}
+
 }  // namespace
 
 std::vector<Remark> remarks_on(const Grammar& grammar) { return Reader(grammar).run(); }
@@ -135,9 +141,10 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
   return all;
 }
 
-bool declares(const Program& program, std::string_view name) {
-  return std::any_of(program.declarations.begin(), program.declarations.end(),
-                     [&](const Declaration& declaration) { return declaration.name == name; });
+std::string to_text(const Remark& remark) {
+  if (remark.line == 0) return remark.message;
+  return joined(
+      {"Line ", std::to_string(remark.line), ", column ", std::to_string(remark.column), ": ", remark.message});
 }
 
 }  // namespace panicle::lsystem

@@ -95,7 +95,7 @@ Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, cons
                            const PlainOptions& options, const Limits& limits) {
   const auto bound = lsystem::bind(std::move(program), inputs, limits);
   if (!bound) return bound.error();
-  const auto derived = lsystem::unfold(*bound.value(), options.seed, limits);
+  const auto derived = lsystem::develop(*bound.value(), options.seed, options.steps, limits);
   if (!derived) return derived.error();
   Drawing drawing(limits);
   drawing.begin();
@@ -103,7 +103,11 @@ Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, cons
       lsystem::interpret(*bound.value(), *derived->string, options.turtle, drawing, options.seed, limits);
   if (!drawn) return drawn.error();
   if (drawing.trouble().reason != Reason::none) return drawing.trouble();
-  return plant_of(drawing, options);
+  Plant plant = plant_of(drawing, options);
+  for (const lsystem::Remark& remark :
+       lsystem::remarks(lsystem::program_of(*bound.value()), inputs.scalars, options.steps))
+    plant.notes.push_back(lsystem::to_text(remark));
+  return plant;
 }
 
 }  // namespace panicle

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
@@ -15,7 +16,8 @@ namespace panicle {
 
 struct PlainOptions {
   std::uint64_t seed = 1;
-  float metres = 0.001f;  // of one unit of the grammar
+  std::optional<std::uint32_t> steps;  // of the derivation; as the text says where it is not given
+  float metres = 0.001f;               // of one unit of the grammar
   bool meshes = true;
   bool mesh_fingerprint = false;
   std::uint32_t sides = 12;          // of a tube
@@ -23,7 +25,7 @@ struct PlainOptions {
   lsystem::Turtle turtle;            // where drawing begins
 };
 
-// Derives, interprets and dresses. Errors: those of lsystem's bind, unfold and interpret; limit.
+// Derives, interprets and dresses. Errors: those of lsystem's bind, develop and interpret; limit.
 Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, const lsystem::Inputs& inputs,
                            const PlainOptions& options, const Limits& limits);
 

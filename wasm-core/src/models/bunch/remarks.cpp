@@ -1,17 +1,14 @@
 #include "models/bunch/remarks.hpp"
 
-#include <algorithm>
-
 namespace panicle::bunch {
 
-void remark_unknown(const lsystem::Bound& text, const Values& values, std::string_view procedure,
-                    std::vector<std::string>& notes) {
-  const std::span<const lsystem::Definition> known = lsystem::definitions(text);
-  for (const ParameterInfo* info : values.defining()) {
-    if (!info->where.empty() && info->where != procedure) continue;
-    if (std::any_of(known.begin(), known.end(), [info](const auto& one) { return one.name == info->define; })) continue;
-    notes.push_back("The grammar has no #define " + std::string(info->define) + ", so its parameter changes nothing.");
-  }
+void remark_text(const lsystem::Bound& text, const Values& values, std::string_view procedure,
+                 std::vector<std::string>& notes) {
+  std::vector<lsystem::Inputs::Scalar> heeded;
+  for (const ParameterInfo* info : values.defining())
+    if (info->where.empty() || info->where == procedure) heeded.push_back({std::string(info->define), 0});
+  for (const lsystem::Remark& remark : lsystem::remarks(lsystem::program_of(text), heeded))
+    notes.push_back(lsystem::to_text(remark));
 }
 
 void remark_drawn(const Drawn& drawn, std::vector<std::string>& notes) {

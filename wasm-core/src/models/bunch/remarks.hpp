@@ -12,10 +12,10 @@
 
 namespace panicle::bunch {
 
-// A note for each parameter that was given, is heeded by `procedure` and replaces a #define that the text does not
-// have, so that it changes nothing.
-void remark_unknown(const lsystem::Bound& text, const Values& values, std::string_view procedure,
-                    std::vector<std::string>& notes);
+// A note for each thing that the text says and nothing heeds, and for each parameter that was given, is heeded by
+// `procedure` and replaces a #define that the text does not have, so that it changes nothing.
+void remark_text(const lsystem::Bound& text, const Values& values, std::string_view procedure,
+                 std::vector<std::string>& notes);
 
 // What came of a text.
 struct Drawn {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "models/bunch/parameters.generated.hpp"
@@ -47,6 +48,14 @@ Kind Roles::of(std::string_view symbol) const {
   return claim == claims_.end() ? Kind::axis : claim->kind;
 }
 
-Roles roles_of(const lsystem::Program&, std::vector<std::string>&) { return {}; }
+Roles roles_of(const lsystem::Program& text, std::vector<std::string>& notes) {
+  const lsystem::Roles& roles = lsystem::roles(text);
+  const std::span<const std::string> symbols = lsystem::symbols(text);
+  std::vector<Roles::Declaration> declared;
+  for (std::uint32_t symbol = 0; symbol < symbols.size(); ++symbol)
+    if (const std::uint32_t role = roles.of(symbol); role != lsystem::Roles::none)
+      declared.push_back({roles.names[role], symbols[symbol]});
+  return {declared, notes};
+}
 
 }  // namespace panicle::bunch

@@ -95,7 +95,7 @@ class Sower {
     const bool first = sprout.plans.empty();
     stock->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());
     stock->lean = lean;
-    if (first) remark_unknown(*stock->bound, values_, "natural", notes);
+    if (first) remark_text(*stock->bound, values_, "natural", notes);
     std::vector<std::string> said;
     drawing.begin(*stock->bound, roles_of(*program_, first ? notes : said), stock->first_axis);
     sprout.bounds.push_back({seedling->plan.envelope, lean});
