@@ -42,7 +42,8 @@ void PointGrid::lay(std::span<const glm::vec3> points, float edge) {
   ids_.resize(placed);
   count_ = {0, 0, 0};
   if (placed == 0) return;
-  constexpr float most_cells = 1 << 18;
+  // Few points far apart need no finer cells than there are points.
+  const float most_cells = 8.0f * static_cast<float>(placed) + 64;
   const glm::vec3 size = high - low_;
   edge_ = edge > 0 ? edge : 1;
   const auto cells = [&] { return (size.x / edge_ + 1) * (size.y / edge_ + 1) * (size.z / edge_ + 1); };

@@ -17,7 +17,7 @@ namespace panicle {
 class PointGrid {
  public:
   PointGrid() = default;
-  // `edge`: the cells' width, above 0; wider where more than 2^18 cells would come of it.
+  // `edge`: the cells' width, above 0; wider where more than about eight cells a point would come of it.
   PointGrid(std::span<const glm::vec3> points, float edge) { lay(points, edge); }
 
   // Forgets what was there; memory is kept.

@@ -7,13 +7,9 @@
 #include <vector>
 
 #include "foundation/lanes.hpp"
+#include "geometry/sphere.hpp"
 
 namespace panicle {
-
-struct Sphere {
-  glm::vec3 centre{0};
-  float radius = 0;
-};
 
 // Result of probing with one sphere.
 struct Push {

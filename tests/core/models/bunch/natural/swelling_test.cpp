@@ -74,9 +74,25 @@ TEST_CASE("a loaded branch gives way, a stiff one does not") {
 TEST_CASE("berries keep to the outline as far as they may") {
   const std::vector<Bound> narrow{{Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
-  const std::vector<Swelling> berries{berry_at(0, {1, 0, 0}), berry_at(0, {-1, 0, 0})};
-  const Swollen kept = swell(branches, berries, narrow, ripe);
+  std::vector<Swelling> berries{berry_at(0, {1, 0, 0}), berry_at(0, {-1, 0, 0})};
+  for (Swelling& berry : berries) berry.stalk = 30;  // which would bear them 18 mm beyond it
+  const Swollen kept = swell(branches, berries, narrow, ripe), free = swell(branches, berries, roomy, ripe);
+  for (const glm::vec3& centre : free.centres) CHECK(std::abs(centre.x) > 30);
   for (const glm::vec3& centre : kept.centres) CHECK(std::abs(centre.x) < 20 + 0.5f * 8);
+}
+
+TEST_CASE("a stem much longer than a berry is an obstacle all along") {
+  // Upright, through the place where the berry would hang, which is near the stem's lower end, middle or upper end.
+  for (const float middle : {-20.0f, -100.0f, -180.0f}) {
+    CAPTURE(middle);
+    const glm::vec3 through(15, middle, 1), half(0, 100, 0);
+    const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 0, 0}, {through + half, through - half, -1, 2, 0}};
+    const std::vector<Swelling> berries{berry_at(0, {1, 0, 0})};
+    const Swollen one = swell(branches, berries, roomy, ripe);
+    const glm::vec3 away = one.centres[0] - through;
+    CHECK(std::hypot(away.x, away.z) > 8 + 2 - 0.1f);
+    CHECK(one.ends[1] == branches[1].end);
+  }
 }
 
 TEST_CASE("a berry that cannot get room is lost, and only then; one taken by hand is") {

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "environment/touching.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/closest.hpp"
-#include "models/bunch/fruit/berry_neighbours.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -175,11 +175,11 @@ void BerryContacts::move(std::size_t plane, float distance) {
 }
 
 BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMeridian& meridian, float reach) {
-  std::vector<Ball> balls;
-  balls.reserve(frames.size());
+  std::vector<Sphere> spheres;
+  spheres.reserve(frames.size());
   for (const BerryFrame& frame : frames) {
     const float longest = std::max(glm::length(frame.axes[0]), glm::length(frame.axes[1]));
-    balls.push_back({frame.centre, longest * meridian.outermost() * reach});
+    spheres.push_back({frame.centre, longest * meridian.outermost() * reach});
   }
   struct Contact {
     std::uint32_t a, b;
@@ -188,7 +188,9 @@ BerryContacts find_contacts(std::span<const BerryFrame> frames, const BerryMerid
   std::vector<Contact> contacts;
   BerryContacts result;
   result.first.assign(frames.size() + 1, 0);
-  for (const auto& [a, b] : touching_pairs(balls)) {
+  std::vector<SpherePair> pairs;
+  TouchingSpheres(spheres).pairs(pairs);
+  for (const auto& [a, b] : pairs) {
     if (const auto plane = plane_between(frames[a], frames[b], meridian, reach)) {
       contacts.push_back({a, b, *plane});
       ++result.first[a + 1];

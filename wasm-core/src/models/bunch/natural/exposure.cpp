@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "environment/point_grid.hpp"
+#include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 #include "models/bunch/fruit/projection.hpp"
 
@@ -17,15 +18,33 @@ constexpr float penumbra = 0.25f;    // width of a shadow's edge, in radii of wh
 constexpr float behind_at = 0.5f;    // by how many of its outer radii one berry lies before another to shade it in full
 constexpr float golden_angle = 137.50776f;  // degrees
 
+// The samples of a disc side by side, and a few more to make whole groups of four.
+constexpr std::size_t padded = (samples + 3) / 4 * 4;
+struct Disc {
+  std::array<float, padded> x{}, y{};
+};
+
 // Evenly over the unit disc: the sunflower's spiral (Vogel 1979).
-std::array<glm::vec2, samples> even_disc() {
-  std::array<glm::vec2, samples> points;
+Disc even_disc() {
+  Disc disc;
   for (std::size_t k = 0; k < samples; ++k) {
     const float radius = std::sqrt((static_cast<float>(k) + 0.5f) / samples);
     const SinCos turn = sincos_degrees(golden_angle * static_cast<float>(k));
-    points[k] = {radius * turn.cosine, radius * turn.sine};
+    disc.x[k] = radius * turn.cosine;
+    disc.y[k] = radius * turn.sine;
   }
-  return points;
+  return disc;
+}
+
+// The disc that a berry turns to the sun, about its centre.
+Disc disc_of(const ProjectedBerry& berry, const Disc& unit) {
+  Disc disc;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const glm::vec2 place = berry.on_disc({unit.x[k], unit.y[k]});
+    disc.x[k] = place.x;
+    disc.y[k] = place.y;
+  }
+  return disc;
 }
 
 // Which berries may lie over a place of the picture: cells as wide as the widest berry with its penumbra.
@@ -40,14 +59,17 @@ PointGrid cells_of(std::span<const ProjectedBerry> berries) {
 }
 
 // Darkens the samples of `lit` by what `shading` casts on it.
-void shade(const ProjectedBerry& lit, const ProjectedBerry& shading, std::span<const glm::vec2> disc,
-           std::array<float, samples>& light) {
+void shade(const ProjectedBerry& lit, const ProjectedBerry& shading, const Disc& disc,
+           std::array<float, padded>& light) {
   const float before = std::min(1.0f, (shading.depth - lit.depth) / (behind_at * lit.outer));
   const glm::vec2 between = shading.centre - lit.centre;
-  for (std::size_t k = 0; k < samples; ++k) {
-    const float out = std::sqrt(shading.level(disc[k] - between));
-    const float cover = (1 + penumbra / 2 - out) / penumbra;
-    light[k] *= 1 - before * std::clamp(cover, 0.0f, 1.0f);
+  const Four zero{0, 0, 0, 0}, one = 1 - zero;
+  for (std::size_t k = 0; k < padded; k += 4) {
+    const Four x = load(&disc.x[k]) - between.x, y = load(&disc.y[k]) - between.y;
+    const Four out = square_root(shading.uu * x * x + 2 * shading.uv * x * y + shading.vv * y * y);
+    const Four cover = (1 + penumbra / 2 - out) / penumbra;
+    const Four above = cover > zero ? cover : zero;
+    store(&light[k], load(&light[k]) * (1 - before * (above < one ? above : one)));
   }
 }
 
@@ -60,12 +82,11 @@ std::vector<float> sun_exposure(std::span<const BerryBody> berries, glm::vec3 to
   std::vector<ProjectedBerry> seen(berries.size());
   for (std::size_t i = 0; i < berries.size(); ++i) seen[i] = project(berries[i], view);
   const PointGrid cells = cells_of(seen);
-  const std::array<glm::vec2, samples> unit = even_disc();
-  std::array<glm::vec2, samples> disc;
-  std::array<float, samples> light;
+  const Disc unit = even_disc();
+  std::array<float, padded> light;
   for (std::size_t i = 0; i < berries.size(); ++i) {
     const ProjectedBerry& lit = seen[i];
-    for (std::size_t k = 0; k < samples; ++k) disc[k] = lit.on_disc(unit[k]);
+    const Disc disc = disc_of(lit, unit);
     light.fill(1.0f);
     cells.visit({lit.centre, 0}, [&](std::uint32_t j) {
       const ProjectedBerry& other = seen[j];
@@ -75,7 +96,7 @@ std::vector<float> sun_exposure(std::span<const BerryBody> berries, glm::vec3 to
       if (between.x * between.x + between.y * between.y < reach * reach) shade(lit, other, disc, light);
     });
     float sum = 0;
-    for (const float share : light) sum += share;
+    for (std::size_t k = 0; k < samples; ++k) sum += light[k];
     exposure[i] = sum / samples;
   }
   return exposure;

@@ -1,11 +1,10 @@
 #include "models/bunch/natural/swelling.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "environment/point_grid.hpp"
+#include "environment/touching.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/closest.hpp"
 
@@ -13,6 +12,7 @@ namespace panicle::bunch {
 namespace {
 
 // Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has what each does).
+constexpr float margin = 0.35f;       // of the widest berry: how far apart neighbours may be when they are looked for
 constexpr int projections = 2;        // of all constraints in a step
 constexpr int settling = 12;          // steps at the last size
 constexpr int refresh = 4;            // steps between two searches for neighbours
@@ -31,8 +31,22 @@ constexpr int most_rounds = 64;         // of thinning, where far too many have 
 constexpr float parallel = 1e-5f;       // square of a sine: cores at less do not cross
 constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
 
-struct Pair {
-  std::uint32_t i, j;
+// A berry at its present size.
+struct Size {
+  float half_width, half_length;
+  float ball;  // one longer than wide is a ball of this radius
+  float core;  // swept along its core, as far as this from the centre
+  float stalk;
+};
+
+Size size_of(const Swelling& berry, float scale) {
+  const float a = berry.half_width * scale, b = berry.half_length * scale;
+  return {a, b, b >= a ? a : (2 * a + b) / 3, std::max(0.0f, b - a), berry.stalk * stalk_at(scale)};
+}
+
+// A berry and a stem that it may lean on.
+struct Leaning {
+  std::uint32_t berry, stem;
 };
 
 class Solver {
@@ -45,14 +59,12 @@ class Solver {
       centres_.push_back(branches[berry.branch].end + berry.heading * (berry.stalk + berry.half_length * 0.1f));
     }
     lost_.resize(berries.size());
-    for (const Bound& bound : bounds) {
-      const SinCos lean = sincos_degrees(bound.lean);
-      turns_.push_back(lean);
-    }
+    sizes_.resize(berries.size());
+    for (const Bound& bound : bounds) turns_.push_back(sincos_degrees(bound.lean));
   }
 
   void step(float scale, int index) {
-    scale_ = scale;
+    for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = size_of(berries_[i], scale);
     if (index % refresh == 0) find_neighbours();
     std::fill(pushes_.begin(), pushes_.end(), 0.0f);
     std::fill(bound_pushes_.begin(), bound_pushes_.end(), 0.0f);
@@ -85,16 +97,6 @@ class Solver {
 
  private:
   bool gone(std::size_t i) const { return lost_[i] != Why{}; }
-  float half_width(std::size_t i) const { return berries_[i].half_width * scale_; }
-  float half_length(std::size_t i) const { return berries_[i].half_length * scale_; }
-  // A berry longer than wide is a ball swept along its core, as far from the centre as this.
-  float core(std::size_t i) const { return std::max(0.0f, half_length(i) - half_width(i)); }
-  float ball(std::size_t i) const {
-    const float a = half_width(i), b = half_length(i);
-    return b >= a ? a : (2 * a + b) / 3;
-  }
-
-  float stalk(std::size_t i) const { return berries_[i].stalk * stalk_at(scale_); }
 
   // Berries point away from where their pedicels grow.
   void aim() {
@@ -108,50 +110,35 @@ class Solver {
   // From the nearest point of one berry's core to that of another's.
   glm::vec3 between_cores(std::size_t i, std::size_t j) const {
     const glm::vec3 between = centres_[j] - centres_[i];
-    const float p = core(i), q = core(j);
+    const float p = sizes_[i].core, q = sizes_[j].core;
     if (!(p + q > 0)) return between;
     const auto [s, t] = closest_points(between, {headings_[i], p}, {headings_[j], q}, parallel);
     return between + headings_[j] * t - headings_[i] * s;
   }
 
+  // What may meet before the next search: half a margin round every berry and stem. A stem is looked for along all of
+  // its length, which beside young berries is many of theirs.
   void find_neighbours() {
     aim();
     float widest = 0;
-    for (std::size_t i = 0; i < berries_.size(); ++i) widest = std::max(widest, ball(i) + core(i));
-    const float margin = 0.35f * widest;
-    alive_.clear();
-    points_.clear();
-    for (std::uint32_t i = 0; i < berries_.size(); ++i) {
-      if (gone(i)) continue;
-      alive_.push_back(i);
-      points_.push_back(centres_[i]);
+    for (const Size& size : sizes_) widest = std::max(widest, size.ball + size.core);
+    const float half_margin = 0.5f * margin * widest;
+    std::vector<Sphere> spheres;
+    std::size_t there = 0;
+    for (std::size_t i = 0; i < berries_.size(); ++i) {
+      spheres.push_back({centres_[i], gone(i) ? -1 : sizes_[i].ball + sizes_[i].core + half_margin});
+      there += !gone(i);
     }
-    const PointGrid grid(points_, 2 * widest + margin);
+    nearby_.lay(spheres);
     pairs_.clear();
-    for (std::uint32_t at = 0; at < alive_.size(); ++at) {
-      const std::uint32_t i = alive_[at];
-      grid.visit(points_[at], [&](std::uint32_t other) {
-        const std::uint32_t j = alive_[other];
-        if (j <= i || pairs_.size() >= most_pairs * alive_.size()) return;
-        const float near = ball(i) + core(i) + ball(j) + core(j) + margin;
-        const glm::vec3 between = points_[other] - points_[at];
-        if (glm::dot(between, between) < near * near) pairs_.push_back({i, j});
-      });
-    }
+    nearby_.pairs(pairs_, most_pairs * there);
     pushes_.resize(pairs_.size());
     bound_pushes_.resize(berries_.size());
 
-    touching_.clear();
+    leaning_.clear();
     for (std::uint32_t k = 0; k < branches_.size(); ++k) {
-      const glm::vec3 start = start_of(k), along = ends_[k] - start;
-      const float half = glm::length(along) / 2;
-      grid.visit(start + along * 0.5f, [&](std::uint32_t other) {
-        const std::uint32_t i = alive_[other];
-        if (berries_[i].branch == k) return;
-        const float near = ball(i) + core(i) + half + branches_[k].radius + margin;
-        const glm::vec3 between = points_[other] - (start + along * 0.5f);
-        if (glm::dot(between, between) < near * near) touching_.push_back({i, k});
-      });
+      for (const std::uint32_t i : nearby_.along(start_of(k), ends_[k], branches_[k].radius + half_margin))
+        if (berries_[i].branch != k) leaning_.push_back({i, k});
     }
   }
 
@@ -163,9 +150,10 @@ class Solver {
   void sink() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       const Swelling& berry = berries_[i];
-      const glm::vec3 straight = ends_[berry.branch] + berry.heading * (stalk(i) + half_length(i));
+      const Size& size = sizes_[i];
+      const glm::vec3 straight = ends_[berry.branch] + berry.heading * (size.stalk + size.half_length);
       centres_[i] += (straight - centres_[i]) * straighten;
-      centres_[i].y -= gravity * 2 * half_width(i);
+      centres_[i].y -= gravity * 2 * size.half_width;
     }
   }
 
@@ -188,7 +176,8 @@ class Solver {
       if (!(far > 1e-4f)) continue;
       const glm::vec3 heading = way / far;
       headings_[i] = heading;
-      const float most = stalk(i) + half_length(i), least = shortest * stalk(i) + half_length(i);
+      const Size& size = sizes_[i];
+      const float most = size.stalk + size.half_length, least = shortest * size.stalk + size.half_length;
       const float off = far > most ? far - most : far < least ? far - least : 0;
       const float give = 0.3f * branches_[berry.branch].give;
       centres_[i] -= heading * (off * (1 - give));
@@ -198,13 +187,21 @@ class Solver {
     }
   }
 
+  // Are two berries farther from each other than `reach` for certain, however their cores lie?
+  bool apart(std::uint32_t i, std::uint32_t j, float reach) const {
+    const glm::vec3 between = centres_[j] - centres_[i];
+    const float most = reach + sizes_[i].core + sizes_[j].core;
+    return glm::dot(between, between) > 1.0001f * most * most;
+  }
+
   void part_berries(bool backwards) {
     const std::size_t count = pairs_.size();
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t at = backwards ? count - 1 - k : k;
       const auto [i, j] = pairs_[at];
+      const float reach = sizes_[i].ball + sizes_[j].ball;
+      if (pushes_[at] == 0 && apart(i, j, reach)) continue;
       const glm::vec3 between = between_cores(i, j);
-      const float reach = ball(i) + ball(j);
       const float square = glm::dot(between, between);
       if (square >= reach * reach && pushes_[at] == 0) continue;
       const float far = std::sqrt(square);
@@ -218,15 +215,16 @@ class Solver {
   }
 
   void part_stems() {
-    for (const auto [i, k] : touching_) {
+    for (const auto [i, k] : leaning_) {
       if (gone(i)) continue;
       const glm::vec3 start = start_of(k), along = ends_[k] - start;
       const float length = glm::length(along);
       if (!(length > 1e-4f)) continue;
       const glm::vec3 between = start + along * 0.5f - centres_[i];
-      const auto [s, t] = closest_points(between, {headings_[i], core(i)}, {along / length, length / 2}, parallel);
+      const auto [s, t] =
+          closest_points(between, {headings_[i], sizes_[i].core}, {along / length, length / 2}, parallel);
       const glm::vec3 way = between + along * (t / length) - headings_[i] * s;
-      const float reach = ball(i) + branches_[k].radius;
+      const float reach = sizes_[i].ball + branches_[k].radius;
       const float square = glm::dot(way, way);
       if (square >= reach * reach || !(square > 1e-8f)) continue;
       const float far = std::sqrt(square);
@@ -246,9 +244,10 @@ class Solver {
       c = {c.x * lean.cosine - c.y * lean.sine, c.x * lean.sine + c.y * lean.cosine, c.z};
       const glm::vec3 before = c;
       // A long berry reaches as far as its core leans.
-      const float upright = headings_[i].y * headings_[i].y, inset = bound_inset * half_width(i);
-      const float lying = inset + core_inset * core(i) * (1 - upright);
-      const float standing = inset + core_inset * core(i) * upright, length = bound.envelope.length();
+      const Size& size = sizes_[i];
+      const float upright = headings_[i].y * headings_[i].y, inset = bound_inset * size.half_width;
+      const float lying = inset + core_inset * size.core * (1 - upright);
+      const float standing = inset + core_inset * size.core * upright, length = bound.envelope.length();
       const float depth = std::clamp(-c.y, standing, std::max(standing, length - standing));
       c.y = -depth;
       const float x = std::max(0.005f * length, bound.envelope.half_width(c.x >= 0 ? 0 : 1, depth) - lying);
@@ -263,7 +262,7 @@ class Solver {
       const float off = glm::length(way);
       if (!(off > 1e-5f)) continue;
       const float push = std::max(
-          {0.0f, (off - bound_give * bound_pushes_[i]) / (1 + bound_give), off - furthest_out * half_width(i)});
+          {0.0f, (off - bound_give * bound_pushes_[i]) / (1 + bound_give), off - furthest_out * size.half_width});
       bound_pushes_[i] += push;
       way *= push / off;
       centres_[i] +=
@@ -278,14 +277,14 @@ class Solver {
     for (const auto [i, j] : pairs_) {
       if (gone(i) || gone(j)) continue;
       const glm::vec3 between = between_cores(i, j);
-      const float deep = (ball(i) + ball(j) - glm::length(between)) / 2;
+      const float deep = (sizes_[i].ball + sizes_[j].ball - glm::length(between)) / 2;
       if (deep <= 0) continue;
       const auto cap = [deep](float r, float c) {
         const float h = std::min(deep, r);
         return h * h * (3 * r - h) / (4 * r * r * r + 6 * r * r * c);
       };
-      pressed_[i] += cap(ball(i), core(i));
-      pressed_[j] += cap(ball(j), core(j));
+      pressed_[i] += cap(sizes_[i].ball, sizes_[i].core);
+      pressed_[j] += cap(sizes_[j].ball, sizes_[j].core);
     }
     // The most pressed of a neighbourhood goes; its neighbours then have room.
     keeps_.assign(berries_.size(), 0);
@@ -304,21 +303,22 @@ class Solver {
   }
 
   void drop_pairs() {
-    pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), [&](const Pair& p) { return gone(p.i) || gone(p.j); }),
-                 pairs_.end());
+    pairs_.erase(
+        std::remove_if(pairs_.begin(), pairs_.end(), [&](const SpherePair& p) { return gone(p.a) || gone(p.b); }),
+        pairs_.end());
     pushes_.resize(pairs_.size());
   }
 
   std::span<const Branch> branches_;
   std::span<const Swelling> berries_;
   std::span<const Bound> bounds_;
-  float scale_ = 0;
-  std::vector<glm::vec3> ends_, centres_, headings_, points_;
+  std::vector<glm::vec3> ends_, centres_, headings_;
+  std::vector<Size> sizes_;  // of the berries, at this step
   std::vector<Why> lost_;
   std::vector<SinCos> turns_;
-  std::vector<std::uint32_t> alive_;
-  std::vector<Pair> pairs_;     // berries that may touch
-  std::vector<Pair> touching_;  // berry and branch that may
+  TouchingSpheres nearby_;
+  std::vector<SpherePair> pairs_;  // berries that may touch
+  std::vector<Leaning> leaning_;   // by stem
   std::vector<float> pushes_, bound_pushes_, pressed_;
   std::vector<std::uint8_t> keeps_;
 };
