@@ -5,7 +5,7 @@ import type { Desk } from "./desk";
 let made = 0;
 
 /**
- * A part of the page or a control: draws the desk's state and calls its actions. Such elements draw into the page
+ * A part of the page, or a control (control_element.ts): draws the desk's state and calls its actions. Such elements draw into the page
  * itself, not into shadow trees, so that one style sheet and one order of focus serve them all.
  */
 export abstract class DeskElement<D extends Desk = Desk> extends LitElement {
@@ -43,7 +43,7 @@ export abstract class DeskElement<D extends Desk = Desk> extends LitElement {
 	}
 
 	/** Elements of the page stand there before there is a desk. */
-	protected override shouldUpdate(_changed?: PropertyValues): boolean {
+	protected override shouldUpdate(_changed: PropertyValues): boolean {
 		return this.desk !== undefined;
 	}
 

@@ -1,10 +1,10 @@
 import { type Entry, valueIn } from "../specimen/table";
+import { ControlElement } from "./control_element";
 import type { Change, Desk } from "./desk";
-import { DeskElement } from "./desk_element";
 
 /** The control of one parameter. A double click on its name, or Delete, brings the preset's value back. */
-export abstract class EntryElement<E extends Entry> extends DeskElement {
-	static override properties = { ...DeskElement.properties, entry: { attribute: false } };
+export abstract class EntryElement<E extends Entry> extends ControlElement {
+	static override properties = { ...ControlElement.properties, entry: { attribute: false } };
 	declare entry: E;
 
 	#drawn: readonly [value: number | string, published: number | string] | undefined;

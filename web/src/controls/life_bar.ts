@@ -1,8 +1,8 @@
 import { html } from "lit";
 import { live } from "lit/directives/live.js";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
+import { ControlElement } from "./control_element";
 import type { Desk, Stateful } from "./desk";
-import { DeskElement } from "./desk_element";
 import { HeldKey } from "./held_key";
 import { icon } from "./icons";
 import { type Life, nextStage, stageOf } from "./life";
@@ -12,9 +12,9 @@ import { readTyped } from "./typed";
 const STEP = 0.5;
 
 /** A life below the view: a slider over its stages, a button that lets it run, the number to type. */
-export class LifeBar extends DeskElement {
+export class LifeBar extends ControlElement {
 	static override properties = {
-		...DeskElement.properties,
+		...ControlElement.properties,
 		life: { attribute: false },
 		play: { attribute: false },
 	};
@@ -23,15 +23,6 @@ export class LifeBar extends DeskElement {
 	declare play: Stateful<PlayState>;
 
 	readonly #held = new HeldKey(() => this.desk.settle());
-
-	/** Another model's plant has no such life: whoever draws the bar is about to take it away. */
-	protected override concerns({ state }: Desk): boolean {
-		return state.model.table.entry(this.life.parameter) !== undefined;
-	}
-
-	protected override shouldUpdate(): boolean {
-		return super.shouldUpdate() && this.concerns(this.desk);
-	}
 
 	protected override draw(desk: Desk): unknown {
 		const { life, age } = this;

@@ -7,10 +7,10 @@ import { StudioPart } from "./studio_part";
 /** The bars below the 3-D view that the model's tools bring. */
 export class Bars extends StudioPart {
 	protected override draw(studio: Studio): unknown {
-		const { face, specimen } = studio.state;
+		const { face, specimen, model } = studio.state;
 		return repeat(
 			applying(face?.tools, specimen).filter(({ bar }) => bar),
-			({ name }) => name,
+			({ name }) => `${model.name} ${name}`,
 			({ bar }) => html`<div role="group" aria-label=${bar?.title ?? ""}>${bar?.draw(studio)}</div>`,
 		);
 	}

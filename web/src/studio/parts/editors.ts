@@ -22,9 +22,10 @@ export function viewOf(state: Pick<StudioState, "face" | "specimen" | "ui">): st
 export class Editors extends StudioPart {
 	protected override draw(studio: Studio): unknown {
 		const view = viewOf(studio.state);
+		const { model } = studio.state;
 		return repeat(
 			editorsOf(studio.state),
-			({ name }) => name,
+			({ name }) => `${model.name} ${name}`,
 			({ name, editor }) => html`<section
 				class="editor" data-editor=${name} ?data-shown=${name === view} aria-label="${editor?.title} view"
 			>

@@ -21,7 +21,7 @@ export class Gallery extends StudioPart {
 	#query = "";
 	/** Key of the one kind shown; empty for all. */
 	#kind = "";
-	/** The preset last brought into sight, by model and name. */
+	/** The preset last brought into sight, and among how many models. */
 	#revealed: string | undefined;
 	/** What of the state was drawn. */
 	#drawn: readonly unknown[] = [];
@@ -98,12 +98,13 @@ export class Gallery extends StudioPart {
 
 	/** The chosen preset is in sight, also when a link or a file has chosen it; where it is not found, the first is. */
 	protected override updated(_changed: PropertyValues): void {
-		const { model, preset } = this.desk.state.specimen;
+		const { specimen, catalogue } = this.desk.state;
+		const wanted = `${catalogue.length} ${specimen.model} ${specimen.preset}`;
 		const strip = this.querySelector<HTMLElement>(".strip");
 		const chosen = this.querySelector<HTMLElement>("[aria-current=true]");
 		this.#stopAt(this.#items().find((item) => item === document.activeElement) ?? chosen ?? this.#items()[0]);
-		if (this.#revealed === `${model} ${preset}` || !strip || !chosen) return;
-		this.#revealed = `${model} ${preset}`;
+		if (this.#revealed === wanted || !strip || !chosen) return;
+		this.#revealed = wanted;
 		reveal(strip, chosen);
 	}
 

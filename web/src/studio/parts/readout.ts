@@ -21,8 +21,14 @@ export function readout({ grown, measures, model, face, specimen }: StudioState)
 	</div>`;
 }
 
+/** "endStructures", "end_structures" → "End structures". */
+export function inWords(key: string): string {
+	const words = key.replaceAll("_", " ").replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
+	return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
 /** What there is of a model without words of its own. */
 function counts(numbers: Readonly<Record<string, number>>): unknown {
-	const words = (key: string) => key.charAt(0).toUpperCase() + key.slice(1).replaceAll("_", " ");
-	return html`<dl>${Object.entries(numbers).map(([key, value]) => term(words(key), value))}</dl>`;
+	return html`<h3>Counts</h3>
+		<dl>${Object.entries(numbers).map(([key, value]) => term(inWords(key), value))}</dl>`;
 }

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
-import { DeskElement } from "../../../controls/desk_element";
+import { ControlElement } from "../../../controls/control_element";
 import { icon } from "../../../controls/icons";
 import type { Berries, Grown } from "../grown";
 import { fromTheTop, placeInWords, widthInWords } from "./berry_places";
@@ -12,7 +12,7 @@ import { mark, putBack, takeOff, thinning } from "./thinning";
  * Thinning by hand without a pointer: a slider goes from berry to berry, from the top of the bunch down, and the view
  * marks where it is; Delete or the button takes the berry off. The pointer's way is in the 3-D view.
  */
-export class Thinning extends DeskElement<BunchDesk> {
+export class Thinning extends ControlElement<BunchDesk> {
 	#orderOf: Berries | undefined;
 	#order: number[] = [];
 	/** Where the slider was last, so that it stays there when its berry goes. */
