@@ -19,7 +19,7 @@ export function usage(
 	});
 	const prefix = name === DEFAULT_MODEL ? "" : `${name}/`;
 	const others = models.filter((each) => each !== name).map((each) => `${each} --help`);
-	return `Grows a plant: ${title.toLowerCase()}.
+	return `Grows a plant; here: ${title.toLowerCase()}.
 
   npm run -s grow -- [PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--out FILE]
   npm run -s grow -- --list
