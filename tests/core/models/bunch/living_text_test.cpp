@@ -70,7 +70,7 @@ TEST_CASE("both procedures note what a text says and nothing heeds") {
 
 TEST_CASE("two pedicels in p8 give 2 A + Z pedicels") {
   const std::string two =
-      edited("  [ /(vary*(ran(50)-25)) -(alpha_y+vary*(ran(30)-15)) \\(alpha_r) Ap(l*r_p, w*r_w) ]\n", "");
+      edited(3, "  [ /(vary*(ran(50)-25)) -(alpha_y+vary*(ran(30)-15)) \\(alpha_r) Ap(l*r_p, w*r_w) ]\n", "");
   const Grown bunch = grown(roomy(), two);
   CHECK(bunch.counts.cut == 0);
   CHECK(bunch.counts.end_structures == 40);
@@ -100,7 +100,7 @@ TEST_CASE("rachis and lateral brackets swapped in p1 to p4 place the laterals fi
 }
 
 TEST_CASE("without p7b the redcurrant keeps only its tip") {
-  const std::string text = edited("Af(i,l,w) : i<1 --> Ap(l*r_e*r_p, w*r_w)\n", "");
+  const std::string text = edited(3, "Af(i,l,w) : i<1 --> Ap(l*r_e*r_p, w*r_w)\n", "");
   const Grown bunch = grown(as_printed(table3[9].profile()), text);
   CHECK(bunch.counts.pedicels == 3);
 }
@@ -109,7 +109,7 @@ TEST_CASE("without yaw all pedicels are collinear with their axis") {
   Request request = roomy();
   set(request, Parameter::sag, 0);
   set(request, Parameter::t, 0);
-  const Grown bunch = grown(request, edited("#define alpha_y 60", "#define alpha_y 0"));
+  const Grown bunch = grown(request, edited(3, "#define alpha_y 60", "#define alpha_y 0"));
   std::size_t pedicels = 0;
   for (const Internode& internode : bunch.internodes) {
     const glm::vec3 along = glm::normalize(internode.end - internode.start);

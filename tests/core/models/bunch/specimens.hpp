@@ -69,9 +69,9 @@ inline bunch::Profile random_profile(std::uint64_t seed) {
   return profile;
 }
 
-// The built-in L-system 3 with one passage replaced wherever it stands; empty if it stands nowhere.
-inline std::string edited(std::string_view from, std::string_view to) {
-  std::string text(bunch::builtin_grammar(3));
+// A built-in grammar with one passage replaced wherever it stands; empty if it stands nowhere.
+inline std::string edited(int number, std::string_view from, std::string_view to) {
+  std::string text(bunch::builtin_grammar(number));
   bool found = false;
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
     text.replace(at, from.size(), to);

@@ -33,7 +33,7 @@ TEST_CASE("berries fill the share of space that is wanted, in a crowd of flowers
   const float size = 10, edge = 120;
   const auto buds = cloud(6000, edge, 1);
   for (const float fill : {0.2f, 0.4f, 0.6f}) {
-    const double berries = sum(choose_set(buds, fill, size));
+    const double berries = sum(choose_set(ranks_of(buds, size), fill));
     CHECK(berries * 3.14159 / 6 * size * size * size / (edge * edge * edge) == doctest::Approx(fill).epsilon(0.25));
   }
 }
@@ -42,7 +42,7 @@ TEST_CASE("lonely flowers always set; misplaced ones, and weak ones beside stron
   std::vector<Bud> buds{{{0, 0, 0}, 0.9f}, {{100, 0, 0}, 0.9f}, {{200, 0, 0}, 0.9f}, {{201, 0, 0}, 0.1f}};
   buds[1].misplaced = 1;
   buds[2].strength = 0.05f;
-  const auto shares = choose_set(buds, 0.5f, 10);
+  const auto shares = choose_set(ranks_of(buds, 10), 0.5f);
   CHECK(shares[0] == 1);
   CHECK(shares[1] == 0);
   CHECK(shares[2] == 0);
@@ -51,9 +51,9 @@ TEST_CASE("lonely flowers always set; misplaced ones, and weak ones beside stron
 
 TEST_CASE("what sets at one end does not hang on the other end") {
   auto buds = cloud(600, 80, 2);
-  const auto before = choose_set(buds, 0.5f, 10);
+  const auto before = choose_set(ranks_of(buds, 10), 0.5f);
   for (const Bud& far : cloud(300, 80, 3)) buds.push_back({far.place + glm::vec3(500, 0, 0), far.chance});
-  const auto after = choose_set(buds, 0.5f, 10);
+  const auto after = choose_set(ranks_of(buds, 10), 0.5f);
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(before[i] == after[i]);
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("a count wanted is the count that sets, to the one") {
   const auto buds = cloud(900, 90, 4);
   for (const float wanted : {1.0f, 40.0f, 333.0f, 899.0f, 900.0f, 5000.0f}) {
     int berries = 0;
-    for (const float share : choose_count(buds, wanted, 10)) berries += share > 0;
+    for (const float share : choose_count(ranks_of(buds, 10), wanted)) berries += share > 0;
     CHECK(std::abs(berries - std::min(wanted, 900.0f)) <= std::max(1.0f, 0.02f * wanted));
   }
 }
@@ -70,7 +70,7 @@ TEST_CASE("shares change little when places do") {
   const auto buds = cloud(500, 80, 5);
   auto moved = buds;
   for (Bud& bud : moved) bud.place *= 1.0005f;
-  const auto a = choose_set(buds, 0.5f, 10), b = choose_set(moved, 0.5f, 10);
+  const auto a = choose_set(ranks_of(buds, 10), 0.5f), b = choose_set(ranks_of(moved, 10), 0.5f);
   double difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i) difference += std::abs(a[i] - b[i]);
   CHECK(difference < 0.02 * sum(a));

@@ -93,3 +93,30 @@ TEST_CASE("more berries are asked for where density is higher, berries smaller o
   CHECK(plan_for(profile, Parameter::count, 600).spacing < plan_for(profile, Parameter::count, 100).spacing);
   for (float density = 1; density < 9; density += 0.25f) CHECK(fill_of(density + 0.25f) > fill_of(density));
 }
+
+TEST_CASE("the plan lays nodes as the text's constants say, and gives as many lengths as a text can ask for") {
+  const Profile profile = table3[2].profile();
+  Request request = natural_request(profile);
+  std::vector<std::string> notes;
+  const Values values(request.parameters, notes);
+  const auto nodes = [&](const TextConstants& text) {
+    return make_natural_plan(profile, values, 3000, text).arm.size();
+  };
+  TextConstants near, even, steep;
+  near.tip_spacing = 0.2f;
+  even.tip_spacing = 1;
+  steep.yaw = 25;
+  CHECK(nodes(near) > nodes({}) + 2);
+  CHECK(nodes(even) < nodes({}));
+  CHECK(make_natural_plan(profile, values, 3000, steep).aim[8] < make_natural_plan(profile, values, 3000).aim[8] - 10);
+  TextConstants endless;
+  endless.tip_spacing = 0;
+  CHECK(nodes(endless) <= 4096);
+  const NaturalPlan plan = make_natural_plan(profile, values, 3000);
+  for (const lsystem::Inputs::Array& array : inputs_for(plan, profile, values).arrays)
+    if (array.name == "aim" || array.name == "arm") {
+      REQUIRE(array.values.size() == 4096);
+      CHECK(array.values[4095] == array.values[4091]);
+      CHECK(array.values[plan.aim.size()] == array.values[plan.aim.size() - 4]);
+    }
+}

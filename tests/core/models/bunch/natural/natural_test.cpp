@@ -8,6 +8,7 @@
 
 #include "models/bunch/fruit/berry_meridian.hpp"
 #include "models/bunch/measures/measures.generated.hpp"
+#include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;
@@ -235,14 +236,13 @@ TEST_CASE("a berry taken off by hand is gone, says so, and leaves the others whe
   CHECK(way / less.counts.berries < 0.3);
 }
 
-TEST_CASE("ages pass into one another: flowers, then berries that grow, and the same picture again") {
+TEST_CASE("ages pass into one another: flowers, then berries that grow") {
   const auto at = [](float age) {
     Request request = natural_request(table3[0].profile());
     set(request, Parameter::age, age);
     return grown(request);
   };
   CHECK(at(3).counts.berries > 1.2 * at(30).counts.berries);
-  CHECK(at(42).fingerprint == at(42).fingerprint);
   float before = 0;
   for (const float age : {12.0f, 25.0f, 45.0f, 70.0f, 100.0f}) {
     const Grown bunch = at(age);
@@ -357,4 +357,70 @@ TEST_CASE("pressed berries hold their volume within 3 %, however dense the bunch
                        << " % at the most");
     CHECK(worst < 0.03);
   }
+}
+
+TEST_CASE("an age is a function of the request alone: what was grown between changes nothing of it") {
+  Request request = natural_request(table3[0].profile());
+  set(request, Parameter::age, 42);
+  request.meshes = request.mesh_fingerprint = true;
+  const Grown first = grown(request);
+  for (const float age : {0.0f, 125.0f}) {
+    Request other = request;
+    set(other, Parameter::age, age);
+    CHECK(grown(other).fingerprint != first.fingerprint);
+  }
+  const Grown again = grown(request);
+  CHECK(again.fingerprint == first.fingerprint);
+  CHECK(again.mesh_fingerprint == first.mesh_fingerprint);
+  // Widths at 42 lie on the double sigmoid, whatever was grown before.
+  const Grown ripe = grown(natural_request(table3[0].profile()));
+  std::map<std::uint32_t, float> widths;
+  for (std::size_t i = 0; i < ripe.berries.size(); ++i) widths[ripe.berries[i].id] = ripe.traits[i].width;
+  int common = 0;
+  for (std::size_t i = 0; i < first.berries.size(); ++i)
+    if (const auto found = widths.find(first.berries[i].id); found != widths.end()) {
+      CHECK(first.traits[i].width / found->second == doctest::Approx(size_at(42)).epsilon(1e-4));
+      ++common;
+    }
+  CHECK(common > 30);
+}
+
+TEST_CASE("dried berries are furrowed in the mesh as far as their traits say") {
+  Request request = natural_request(table3[0].profile());
+  set(request, Parameter::age, 125);
+  request.meshes = true;
+  request.berry_segments = 24;
+  const Grown bunch = grown(request);
+  std::vector<BerryBody> bodies;
+  for (std::size_t i = 0; i < bunch.berries.size(); ++i) {
+    const Traits& traits = bunch.traits[i];
+    CHECK(traits.shrivel > 0.3f);
+    bodies.push_back({bunch.berries[i].centre * 1000.0f, bunch.berries[i].direction, traits.width * 500,
+                      traits.length * 500, traits.shrivel, bunch.berries[i].id});
+  }
+  // The same bodies pressed apart from the growth.
+  BerryOptions options;
+  options.segments = request.berry_segments;
+  const BerrySurfaces surfaces = press_berries(bodies, bunch.form, options);
+  REQUIRE(surfaces.positions.size() == bunch.surfaces->positions.size());
+  float worst = 0;
+  for (std::size_t i = 0; i < surfaces.positions.size(); ++i)
+    worst = std::max(worst, std::abs(surfaces.positions[i] - 1000 * bunch.surfaces->positions[i]));
+  CHECK(worst < 0.05f);  // millimetres; furrows are deeper by far
+}
+
+TEST_CASE("what is not there says where it hung: on the skeleton, in metres") {
+  Request request = natural_request(table3[2].profile());
+  set(request, Parameter::count, 600);  // more than there is room for
+  const Grown bunch = grown(request);
+  std::set<Why> reasons;
+  for (const Thinned& one : bunch.thinned) {
+    reasons.insert(one.why);
+    float nearest = 1;
+    for (const Internode& internode : bunch.internodes)
+      nearest = std::min({nearest, glm::length(internode.end - one.place), glm::length(internode.start - one.place)});
+    CHECK(nearest < 0.02f);  // branches bend by less
+    if (one.why == Why::no_room) CHECK(nearest < 1e-6f);
+  }
+  CHECK(reasons == std::set<Why>{Why::not_set, Why::no_room});
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -122,4 +123,66 @@ TEST_CASE("nothing to swell is no trouble") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, 0, 0}, -1, 1, 0}};
   const std::vector<Swelling> berries{berry_at(0, {0, -1, 0})};
   CHECK(swell(branches, berries, roomy, {}).centres.size() == 1);
+}
+
+TEST_CASE("a berry and a stem part") {
+  // The stem passes where the berry would hang.
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}, {{14, -130, 3}, {14, -80, 3}, -1, 2, 0}};
+  const Swollen one = swell(branches, std::vector<Swelling>{berry_at(0, {1, 0, 0})}, roomy, ripe);
+  const glm::vec3 way = one.centres[0] - glm::vec3(14, one.centres[0].y, 3);
+  CHECK(glm::length(way) > 9.5f);
+}
+
+TEST_CASE("a pedicel bends to six tenths of its length, and no further") {
+  // Stems in the form of a funnel press its berry back towards its foot.
+  std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
+  const glm::vec3 apex{30, -100, 0};
+  for (const glm::vec3 rim : {glm::vec3(0, 1, 0), glm::vec3(0, -0.5f, 0.866f), glm::vec3(0, -0.5f, -0.866f)})
+    branches.push_back({apex, apex + rim * 24.0f - glm::vec3(20, 0, 0), -1, 2, 0});
+  std::vector<Swelling> berries{berry_at(0, {1, 0, 0})};
+  berries[0].stalk = 20;
+  const Swollen pressed = swell(branches, berries, roomy, ripe);
+  CHECK(glm::length(pressed.centres[0] - pressed.ends[0]) > 0.6f * 20 + 8 - 0.5f);
+}
+
+TEST_CASE("berries press each other off while they swell, not only at the end: the rest have the room") {
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
+  std::vector<Swelling> berries;
+  for (int k = 0; k < 40; ++k) {
+    const SinCos turn = sincos_degrees(static_cast<float>(k) * 137.5f);
+    const float y = 1 - (static_cast<float>(k) + 0.5f) / 20;
+    const float out = std::sqrt(1 - y * y);
+    berries.push_back(berry_at(0, {out * turn.cosine, y, out * turn.sine}, 14));
+  }
+  const auto lost = [&](const std::vector<float>& sizes) {
+    int count = 0;
+    for (const Why why : swell(branches, berries, roomy, sizes).lost) count += why == Why::no_room;
+    return count;
+  };
+  // All at once, nobody has been lost on the way, and more are lost than would have been.
+  CHECK(lost(ripe) < lost({1.0f}));
+}
+
+TEST_CASE("late berries join where others found no room, in their order, and only as many as are wanted") {
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}, {{0, 0, 0}, {60, -60, 0}, -1, 1, 0}};
+  std::vector<Swelling> berries;
+  for (int k = 0; k < 24; ++k) {
+    const SinCos turn = sincos_degrees(static_cast<float>(k) * 137.5f);
+    const float y = 1 - (static_cast<float>(k) + 0.5f) / 12;
+    const float out = std::sqrt(1 - y * y);
+    berries.push_back(berry_at(k < 20 ? 0 : 1, {out * turn.cosine, y, out * turn.sine}, k < 20 ? 14.0f : 8.0f));
+    berries.back().late = k >= 20;
+  }
+  const auto there = [](const Swollen& some) { return std::count(some.lost.begin(), some.lost.end(), Why{}); };
+  const Swollen alone = swell(branches, berries, roomy, ripe);
+  for (std::size_t k = 20; k < 24; ++k) CHECK(alone.lost[k] == Why::not_set);
+  const auto kept = static_cast<std::size_t>(there(alone));
+  REQUIRE(kept < 20);
+  const Swollen enough = swell(branches, berries, roomy, ripe, kept);
+  for (std::size_t k = 20; k < 24; ++k) CHECK(enough.lost[k] == Why::not_set);
+  const Swollen more = swell(branches, berries, roomy, ripe, kept + 1);
+  CHECK(more.lost[20] == Why{});
+  CHECK(there(more) > there(alone));
+  for (std::size_t k = 20; k < 24; ++k)
+    if (more.lost[k] == Why{}) CHECK(glm::length(more.centres[k] - more.ends[1]) < 16.1f);
 }

@@ -28,9 +28,9 @@ float width_share(const Flower& flower, const Situation& situation, const Nurtur
   return std::clamp((1 + nurture.spread * normal_luck(flower, seed)) * (1 + sun + fed), least_share, most_share);
 }
 
-std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes) {
+std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes, std::size_t regular) {
   float sum = 0, weights = 0;
-  for (std::size_t k = 0; k < shares.size(); ++k) {
+  for (std::size_t k = 0; k < regular; ++k) {
     sum += shares[k] * volumes[k];
     weights += volumes[k];
   }

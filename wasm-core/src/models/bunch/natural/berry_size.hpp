@@ -1,6 +1,7 @@
 // How wide each berry will be over the mean one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,8 +20,8 @@ struct Nurture {
 // A berry's width over the mean one: its luck, its light and how far the sap has come.
 float width_share(const Flower& flower, const Situation& situation, const Nurture& nurture, std::uint64_t seed);
 
-// Widths of the berries of those flowers that set, so that their mean is 1 whatever lot they have drawn; `volumes`,
-// above 0, are those of the berries over full ones.
-std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes);
+// Widths of the berries of those flowers that set, so that the mean of the first `regular` ones is 1 whatever lot they
+// have drawn; the others are those that may stand in. `volumes`, above 0, are those of the berries over full ones.
+std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes, std::size_t regular);
 
 }  // namespace panicle::bunch

@@ -8,36 +8,67 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr int most_tries = 3;         // to find room for a count
-constexpr float near_enough = 0.98f;  // of a count
-constexpr float over_missing = 1.5f;  // more set than were lost, for some of those will be lost too
+constexpr float most_stand_ins = 0.3f;  // of a count
 
-std::size_t count_lost(const Swollen& swollen) {
-  return static_cast<std::size_t>(std::count(swollen.lost.begin(), swollen.lost.end(), Why::no_room));
+template <class Value>
+std::vector<Value> picked(const std::vector<Value>& values, std::span<const std::size_t> places) {
+  std::vector<Value> some;
+  some.reserve(places.size());
+  for (const std::size_t place : places) some.push_back(values[place]);
+  return some;
+}
+
+// Leaves out the stand-ins who were not wanted, and brings the rest into the flowers' order.
+void settle(Crop& crop) {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
+    if (crop.swollen.lost[k] == Why::not_set)
+      crop.set.volumes[crop.fruitlets[k].flower] = 0;
+    else
+      places.push_back(k);
+  }
+  std::sort(places.begin(), places.end(),
+            [&](std::size_t a, std::size_t b) { return crop.fruitlets[a].flower < crop.fruitlets[b].flower; });
+  crop.fruitlets = picked(crop.fruitlets, places);
+  crop.berries = picked(crop.berries, places);
+  crop.swollen.centres = picked(crop.swollen.centres, places);
+  crop.swollen.directions = picked(crop.swollen.directions, places);
+  crop.swollen.lost = picked(crop.swollen.lost, places);
 }
 
 }  // namespace
 
-FruitSet set_fruit(std::span<const Bud> buds, const Wish& wish) {
+FruitSet set_fruit(std::span<const float> ranks, const Wish& wish) {
+  const std::vector<float> own(ranks.begin(), ranks.end());
   if (wish.count > 0 || wish.overfull)
-    return {choose_count(buds, wish.count > 0 ? std::min(wish.count, wish.most) : wish.most, wish.size), wish.overfull};
-  std::vector<float> volumes = choose_set(buds, wish.fill, wish.size);
+    return {choose_count(own, wish.count > 0 ? std::min(wish.count, wish.most) : wish.most), wish.overfull};
+  std::vector<float> volumes = choose_set(own, wish.fill);
   const auto setting = std::count_if(volumes.begin(), volumes.end(), [](float volume) { return volume > 0; });
   if (setting <= static_cast<std::ptrdiff_t>(wish.limit)) return {std::move(volumes), false};
-  return {choose_count(buds, wish.most, wish.size), true};
+  return {choose_count(own, wish.most), true};
 }
 
-std::vector<Fruitlet> fruitlets_of(std::span<const float> volumes, std::span<const float> shares,
+std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes, const Wish& wish) {
+  std::vector<std::uint32_t> in_turn;
+  if (!(wish.count > 0)) return in_turn;
+  const auto most = static_cast<std::size_t>(
+      std::max(0.0f, std::min(most_stand_ins * wish.count + 1, static_cast<float>(wish.limit) - wish.count)));
+  for (const std::uint32_t i : setting_order(ranks))
+    if (!(volumes[i] > 0) && in_turn.size() < most) in_turn.push_back(i);
+  return in_turn;
+}
+
+std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
+                                   std::span<const float> volumes, std::span<const float> shares,
                                    std::span<const Flower> flowers, const Wish& wish) {
   std::vector<Fruitlet> fruitlets;
-  std::vector<float> chosen_shares, chosen_volumes;
-  for (std::uint32_t i = 0; i < volumes.size(); ++i) {
-    if (!(volumes[i] > 0)) continue;
-    chosen_shares.push_back(shares[i]);
-    chosen_volumes.push_back(volumes[i]);
+  std::vector<float> own_shares, own_volumes;
+  for (const std::uint32_t i : setting) {
+    own_shares.push_back(shares[i]);
+    own_volumes.push_back(volumes[i]);
     fruitlets.push_back({i, 0, 0, std::binary_search(wish.taken.begin(), wish.taken.end(), flowers[i].id)});
   }
-  const std::vector<float> widths = balanced_widths(chosen_shares, chosen_volumes);
+  const std::vector<float> widths = balanced_widths(own_shares, own_volumes, regular);
   for (std::size_t k = 0; k < fruitlets.size(); ++k) {
     fruitlets[k].half_width = wish.size / 2 * widths[k];
     fruitlets[k].half_length = fruitlets[k].half_width * wish.elongation;
@@ -48,20 +79,26 @@ std::vector<Fruitlet> fruitlets_of(std::span<const float> volumes, std::span<con
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
                const Wish& wish, std::span<const float> sizes) {
   Crop crop;
-  crop.set = set_fruit(buds, wish);
   crop.elongation = wish.elongation;
-  const float asked = std::min(wish.count, wish.most), most = std::min(wish.most, static_cast<float>(buds.size()));
-  float wanted = asked;
-  for (int tries = 1;; ++tries) {
-    crop.fruitlets = fruitlets_of(crop.set.volumes, shares, sprout.flowers, wish);
-    std::vector<Branch> branches = hanging.branches;
-    crop.berries = hang_berries(crop.fruitlets, sprout.internodes, sprout.flowers, hanging, branches);
-    crop.swollen = swell(branches, crop.berries, sprout.bounds, sizes);
-    const auto kept = static_cast<float>(crop.fruitlets.size() - count_lost(crop.swollen));
-    if (kept >= near_enough * asked || tries == most_tries || wanted >= most) return crop;
-    wanted = std::min(wanted + over_missing * (asked - kept) + 1, wish.most);
-    crop.set.volumes = choose_count(buds, wanted, wish.size);
+  const std::vector<float> ranks = ranks_of(buds, wish.size);
+  crop.set = set_fruit(ranks, wish);
+  std::vector<float>& volumes = crop.set.volumes;
+  std::vector<std::uint32_t> setting;
+  for (std::uint32_t i = 0; i < volumes.size(); ++i)
+    if (volumes[i] > 0) setting.push_back(i);
+  const std::size_t regular = setting.size();
+  for (const std::uint32_t i : stand_ins(ranks, volumes, wish)) {
+    setting.push_back(i);
+    volumes[i] = 1;
   }
+  crop.fruitlets = fruitlets_of(setting, regular, volumes, shares, sprout.flowers, wish);
+  std::vector<Branch> branches = hanging.branches;
+  crop.berries = hang_berries(crop.fruitlets, sprout.internodes, sprout.flowers, hanging, branches);
+  for (std::size_t k = regular; k < crop.berries.size(); ++k) crop.berries[k].late = true;
+  const auto wanted = static_cast<std::size_t>(std::min(wish.count, wish.most));
+  crop.swollen = swell(branches, crop.berries, sprout.bounds, sizes, regular < setting.size() ? wanted : 0);
+  settle(crop);
+  return crop;
 }
 
 }  // namespace panicle::bunch

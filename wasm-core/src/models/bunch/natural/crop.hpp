@@ -28,17 +28,21 @@ struct FruitSet {
   bool full = false;           // whether it is as many as there may be, and not what was wished
 };
 
-FruitSet set_fruit(std::span<const Bud> buds, const Wish& wish);
+FruitSet set_fruit(std::span<const float> ranks, const Wish& wish);
 
-// The berries of those flowers that set, in the flowers' order; their mean width is that wished for, whatever lot they
-// have drawn. `shares` are the flowers' width_share.
-std::vector<Fruitlet> fruitlets_of(std::span<const float> volumes, std::span<const float> shares,
+// Flowers that set where some of a count find no room, in their order: as many as could be wanted for that.
+std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes, const Wish& wish);
+
+// The berries of `setting`, flowers whose `volumes` are above 0; the mean width of the first `regular` ones is that
+// wished for, whatever lot they have drawn. `shares` are the flowers' width_share.
+std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::size_t regular,
+                                   std::span<const float> volumes, std::span<const float> shares,
                                    std::span<const Flower> flowers, const Wish& wish);
 
 struct Crop {
   FruitSet set;
-  std::vector<Fruitlet> fruitlets;
-  std::vector<Swelling> berries;  // one a fruitlet
+  std::vector<Fruitlet> fruitlets;  // in the flowers' order
+  std::vector<Swelling> berries;    // one a fruitlet
   Swollen swollen;
   float elongation = 1;
 
@@ -48,8 +52,7 @@ struct Crop {
   bool is_lost(std::size_t berry) const { return swollen.lost[berry] != Why{}; }
 };
 
-// `sizes` are those through which berries swell (ripening.hpp). Where some of a count find no room, others of the
-// flowers set in their place.
+// `sizes` are those through which berries swell (ripening.hpp).
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
                const Wish& wish, std::span<const float> sizes);
 

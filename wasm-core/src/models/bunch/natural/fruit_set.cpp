@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
 
 #include "environment/point_grid.hpp"
 
@@ -15,7 +17,16 @@ constexpr float near = 1.3f;          // reach of a bud's crowd, in berry widths
 // What a crowd of 1 fills: the kernel (1 − r²/h²)² holds 32 π h³ / 105, a berry π / 6.
 constexpr float fill_of_crowd = (1.0f / 6) / (32.0f / 105 * near * near * near);
 
-// Chance times the share of the space that a bud's neighbours would fill with it.
+std::vector<float> shares_below(std::vector<float> ranks, float limit) {
+  for (float& rank : ranks) {
+    const float share = limit > 0 ? std::clamp((limit - rank) / (ramp * limit), 0.0f, 1.0f) : rank <= limit;
+    rank = share < least_share ? 0 : share;
+  }
+  return ranks;
+}
+
+}  // namespace
+
 std::vector<float> ranks_of(std::span<const Bud> buds, float size) {
   std::vector<glm::vec3> places;
   for (const Bud& bud : buds) places.push_back(bud.place);
@@ -34,27 +45,22 @@ std::vector<float> ranks_of(std::span<const Bud> buds, float size) {
   return ranks;
 }
 
-std::vector<float> shares_below(std::vector<float> ranks, float limit) {
-  for (float& rank : ranks) {
-    const float share = limit > 0 ? std::clamp((limit - rank) / (ramp * limit), 0.0f, 1.0f) : rank <= limit;
-    rank = share < least_share ? 0 : share;
-  }
-  return ranks;
-}
+std::vector<float> choose_set(std::vector<float> ranks, float fill) { return shares_below(std::move(ranks), fill); }
 
-}  // namespace
-
-std::vector<float> choose_set(std::span<const Bud> buds, float fill, float size) {
-  return shares_below(ranks_of(buds, size), fill);
-}
-
-std::vector<float> choose_count(std::span<const Bud> buds, float berries, float size) {
-  std::vector<float> ranks = ranks_of(buds, size);
+std::vector<float> choose_count(std::vector<float> ranks, float berries) {
   const auto whole = static_cast<std::size_t>(berries + 0.5f);
   if (whole >= ranks.size()) return std::vector<float>(ranks.size(), 1);
   std::vector<float> sorted = ranks;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(whole), sorted.end());
   return shares_below(std::move(ranks), sorted[whole]);
+}
+
+std::vector<std::uint32_t> setting_order(std::span<const float> ranks) {
+  std::vector<std::uint32_t> order(ranks.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [ranks](std::uint32_t a, std::uint32_t b) { return ranks[a] != ranks[b] ? ranks[a] < ranks[b] : a < b; });
+  return order;
 }
 
 }  // namespace panicle::bunch

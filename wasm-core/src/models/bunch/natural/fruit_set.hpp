@@ -15,13 +15,20 @@ struct Bud {
   float strength = 1;   // 0 … 1: how far what bears it has grown
 };
 
-// Per bud the volume its berry will have over that of a berry of its own; 0 where it does not set. A bud sets where its
-// chance is below `fill` over what all buds within reach of it would fill if they set, so that berries of width `size`
-// fill that share of the space everywhere alike. What a bud does hangs on its neighbours alone: growing one end of a
-// bunch changes nothing at the other. Berries that only just set stay small (shot berries), so nothing jumps.
-std::vector<float> choose_set(std::span<const Bud> buds, float fill, float size);
+// Per bud how soon it sets, the lowest first: its chance times the share of space that all buds within reach of it
+// would fill if they set as berries of width `size`. What a bud does hangs on its neighbours alone: growing one end of
+// a bunch changes nothing at the other.
+std::vector<float> ranks_of(std::span<const Bud> buds, float size);
+
+// Per bud the volume its berry will have over that of a berry of its own; 0 where it does not set. Those of ranks below
+// `fill` set, so that berries fill that share of the space everywhere alike. Berries that only just set stay small
+// (shot berries), so nothing jumps.
+std::vector<float> choose_set(std::vector<float> ranks, float fill);
 
 // The same with as many berries as are wanted, wherever that puts `fill`.
-std::vector<float> choose_count(std::span<const Bud> buds, float berries, float size);
+std::vector<float> choose_count(std::vector<float> ranks, float berries);
+
+// Buds by rank.
+std::vector<std::uint32_t> setting_order(std::span<const float> ranks);
 
 }  // namespace panicle::bunch

@@ -30,6 +30,11 @@ constexpr std::size_t most_pairs = 64;  // neighbours of a berry, on average, th
 constexpr int most_rounds = 64;         // of thinning, where far too many have set
 constexpr float parallel = 1e-5f;       // square of a sine: cores at less do not cross
 constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
+constexpr int joining = 8;              // steps in which those that join late catch up
+constexpr int most_joinings = 3;        // lots of them
+constexpr float over_missing = 1.6f;    // as many join as are missing, and more, for some of them will be lost too
+constexpr float near_enough = 0.98f;    // of the number that is wanted
+constexpr float youngest = 0.08f;       // size of one that joins
 
 // A berry at its present size.
 struct Size {
@@ -58,13 +63,14 @@ class Solver {
       headings_.push_back(berry.heading);
       centres_.push_back(branches[berry.branch].end + berry.heading * (berry.stalk + berry.half_length * 0.1f));
     }
-    lost_.resize(berries.size());
+    for (const Swelling& berry : berries) lost_.push_back(berry.late ? Why::not_set : Why{});
     sizes_.resize(berries.size());
     for (const Bound& bound : bounds) turns_.push_back(sincos_degrees(bound.lean));
   }
 
   void step(float scale, int index) {
     for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = size_of(berries_[i], scale);
+    for (const std::uint32_t i : young_) sizes_[i] = size_of(berries_[i], youngest + (scale - youngest) * young_share_);
     if (index % refresh == 0) find_neighbours();
     std::fill(pushes_.begin(), pushes_.end(), 0.0f);
     std::fill(bound_pushes_.begin(), bound_pushes_.end(), 0.0f);
@@ -76,12 +82,35 @@ class Solver {
       part_stems();
       keep_within();
     }
-    if (scale >= thinning_from && index % refresh == refresh - 1) thin();
+    if (scale >= thinning_from && young_.empty() && index % refresh == refresh - 1) thin();
   }
 
   // Until nobody is pressed harder than berries can be.
   void thin_out() {
     for (int round = 0; round < most_rounds && thin(); ++round) continue;
+  }
+
+  // Where fewer than `wanted` have found room, others grow up among them, in their order.
+  void join(std::size_t wanted, float scale, int& index) {
+    std::uint32_t next = 0;
+    for (int lot = 0; lot < most_joinings; ++lot) {
+      thin_out();
+      const auto there = static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), Why{}));
+      if (static_cast<float>(there) >= near_enough * static_cast<float>(wanted)) return;
+      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - there)) + 1;
+      for (; next < berries_.size() && places > 0; ++next) {
+        if (lost_[next] != Why::not_set) continue;
+        begin(next);
+        --places;
+      }
+      if (young_.empty()) return;
+      for (int k = 1; k <= joining; ++k) {
+        young_share_ = static_cast<float>(k) / joining;
+        if (k == 1) index += (refresh - index % refresh) % refresh;  // they need their neighbours at once
+        step(scale, index++);
+      }
+      young_.clear();
+    }
   }
 
   void take_by_hand() {
@@ -96,6 +125,14 @@ class Solver {
   }
 
  private:
+  void begin(std::uint32_t i) {
+    const Swelling& berry = berries_[i];
+    lost_[i] = Why{};
+    headings_[i] = berry.heading;
+    centres_[i] = ends_[berry.branch] + berry.heading * (berry.stalk * stalk_at(youngest));
+    young_.push_back(i);
+  }
+
   bool gone(std::size_t i) const { return lost_[i] != Why{}; }
 
   // Berries point away from where their pedicels grow.
@@ -314,6 +351,8 @@ class Solver {
   std::span<const Bound> bounds_;
   std::vector<glm::vec3> ends_, centres_, headings_;
   std::vector<Size> sizes_;  // of the berries, at this step
+  std::vector<std::uint32_t> young_;  // those that are catching up
+  float young_share_ = 1;             // how far they have come
   std::vector<Why> lost_;
   std::vector<SinCos> turns_;
   TouchingSpheres nearby_;
@@ -328,10 +367,14 @@ class Solver {
 float stalk_at(float size) { return 0.55f + 0.45f * std::min(1.0f, size / 0.6f); }
 
 Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds,
-              std::span<const float> scales) {
+              std::span<const float> scales, std::size_t wanted) {
   Solver solver(branches, berries, bounds);
+  const auto full = std::max_element(scales.begin(), scales.end());
   int index = 0;
-  for (const float scale : scales) solver.step(scale, index++);
+  for (auto scale = scales.begin(); scale != scales.end(); ++scale) {
+    solver.step(*scale, index++);
+    if (scale == full && *scale >= thinning_from && wanted > 0) solver.join(wanted, *scale, index);
+  }
   if (!scales.empty() && scales.back() >= thinning_from) solver.thin_out();
   solver.take_by_hand();
   for (int k = 0; k < settling && !scales.empty(); ++k) solver.step(scales.back(), index++);

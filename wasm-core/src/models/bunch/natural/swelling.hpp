@@ -30,6 +30,7 @@ struct Swelling {
   float half_width = 0, half_length = 0;  // ripe
   std::uint32_t bunch = 0;                // which outline it keeps to
   bool taken = false;                     // taken off by hand once it is grown
+  bool late = false;                      // joins only where others found no room, in the order given
 };
 
 // An outline with the turn that takes the bunch's frame into its own.
@@ -42,14 +43,15 @@ struct Swollen {
   std::vector<glm::vec3> ends;        // of the branches
   std::vector<glm::vec3> centres;     // of the berries
   std::vector<glm::vec3> directions;  // unit, from the pedicel's foot to the berry's tip
-  std::vector<Why> lost;              // of the berries; 0 for those that are there
+  std::vector<Why> lost;              // of the berries; 0 for those that are there, not_set for who never joined
 };
 
-// `scales`: the berries' size over the ripe one, step by step; the last is the size they end with.
 // A pedicel's length over its ripe one, when berries are of a size.
 float stalk_at(float size);
 
+// `scales`: the berries' size over the ripe one, step by step; the last is the size they end with. Where fewer than
+// `wanted` berries find room, late ones grow up in the gaps; 0: none do.
 Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds,
-              std::span<const float> scales);
+              std::span<const float> scales, std::size_t wanted = 0);
 
 }  // namespace panicle::bunch

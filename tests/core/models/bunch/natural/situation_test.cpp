@@ -1,0 +1,74 @@
+#include "models/bunch/natural/situation.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "foundation/random.hpp"
+#include "models/bunch/natural/stages.hpp"
+
+using namespace panicle;
+using namespace panicle::bunch;
+using namespace panicle::tests;
+
+namespace {
+
+// 200 mm long, 60 mm to every side.
+const Envelope drum(Profile{400, {{{120, 40}, {120, 40}, {120, 40}, {120, 40}}}}, 0.5f, 60);
+
+Situation at(const glm::vec3& foot, const glm::vec3& heading, const glm::vec3& sun, float lean = 0) {
+  const std::vector<Internode> internodes{stem(-1, Kind::axis, {0, 0, 0}, foot),
+                                          stem(0, Kind::pedicel, foot, foot + heading)};
+  const std::vector<Flower> flowers{flower_on(1, heading)};
+  const std::vector<Bound> bounds{{drum, lean}};
+  return situate(flowers, internodes, bounds, 10, sun)[0];
+}
+
+}  // namespace
+
+TEST_CASE("the sun stands in front at 0, at the right at 90, and as high as it is said to") {
+  CHECK(glm::length(towards_sun(0, 0) - glm::vec3(0, 0, 1)) < 1e-6f);
+  CHECK(glm::length(towards_sun(90, 0) - glm::vec3(1, 0, 0)) < 1e-6f);
+  CHECK(towards_sun(40, 45).y == doctest::Approx(0.7071));
+}
+
+TEST_CASE("the side that faces the sun is lit, the other is not") {
+  const glm::vec3 right = towards_sun(90, 0);
+  CHECK(at({50, -100, 0}, {1, 0, 0}, right).lit > 0.9f);
+  CHECK(at({-50, -100, 0}, {-1, 0, 0}, right).lit < 0.1f);
+  CHECK(at({0, -100, 50}, {0, 0, 1}, right).lit == doctest::Approx(0.5).epsilon(0.05));
+}
+
+TEST_CASE("along goes from base to tip; what is outside is misplaced by so many berry widths, whichever way") {
+  const glm::vec3 sun = towards_sun(0, 0);
+  CHECK(at({0, -20, 0}, {0, -1, 0}, sun).along == doctest::Approx(0.13).epsilon(0.05));
+  CHECK(at({0, -150, 0}, {0, -1, 0}, sun).along == doctest::Approx(0.78).epsilon(0.05));
+  CHECK(at({40, -100, 0}, {1, 0, 0}, sun).misplaced == 0);
+  // A flower's berry would hang half a width beyond its pedicel's end.
+  CHECK(at({73, -100, 0}, {1, 0, 0}, sun).misplaced == doctest::Approx(1.9).epsilon(0.02));
+  CHECK(at({0, -213, 0}, {0, -1, 0}, sun).misplaced == doctest::Approx(1.9).epsilon(0.02));
+}
+
+TEST_CASE("a bunch that leans is looked at in its own frame") {
+  const glm::vec3 sun = towards_sun(0, 0);
+  const Situation leaning = at({-100, 0, 0}, {-1, 0, 0}, sun, 90);
+  CHECK(leaning.misplaced == 0);
+  CHECK(leaning.along == doctest::Approx(0.53).epsilon(0.05));
+}
+
+TEST_CASE("turns to set are spread evenly over an axis, and the second bunch has its own") {
+  std::vector<float> turns;
+  for (int depth = 0; depth < 34; ++depth) {
+    Flower flower = flower_on(0, {0, -1, 0}, 5);
+    flower.depth = depth;
+    turns.push_back(turn_of(flower, 1));
+  }
+  std::sort(turns.begin(), turns.end());
+  for (std::size_t i = 1; i < turns.size(); ++i) CHECK(turns[i] - turns[i - 1] < 0.06f);
+  CHECK(turns.front() >= 0);
+  CHECK(turns.back() < 1);
+  Flower first = flower_on(0, {0, -1, 0}, 5), second = first;
+  second.bunch = 1;
+  CHECK(turn_of(first, 1) != turn_of(second, 1));
+  CHECK(turn_of(first, 1) != turn_of(first, 2));
+}

@@ -1,0 +1,61 @@
+#include "models/bunch/paper/growth.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string_view>
+
+using namespace panicle;
+using namespace panicle::bunch;
+
+namespace {
+
+Growth grown_from(std::string_view text, float sag = 0) {
+  Growth growth({15, 50, sag}, {}, 30);
+  auto program = lsystem::compile(text, {}, lsystem::Lineages::always);
+  REQUIRE_MESSAGE(program, (program ? "" : program.error().message));
+  const auto bound = lsystem::bind(program.value(), {}, {});
+  REQUIRE(bound);
+  const auto derived = lsystem::develop(*bound.value(), 1, {}, {});
+  REQUIRE(derived);
+  growth.begin(*bound.value(), {}, 1, 0);
+  REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, growth, 1, {}));
+  growth.finish();
+  return growth;
+}
+
+constexpr std::string_view answers =
+    "?E(type,theta,phi,l,w,b) : type=0 && l>0    --> +(theta) &(phi) !(w) F(l)\n"
+    "?E(type,theta,phi,l,w,b) : type=0 && l=0    --> %\n"
+    "?E(type,theta,phi,l,w,b) : type=1 && l=l_w  --> +(theta) &(phi) !(w) F(l) %\n"
+    "?E(type,theta,phi,l,w,b) : type=1 && l!=l_w --> +(theta) &(phi) !(w) F(l) S(b)\n";
+
+std::string with_answers(std::string_view text) {
+  return "#define l_w 10\n" + std::string(text) + std::string(answers);
+}
+
+}  // namespace
+
+TEST_CASE("the tip of its parent is no obstacle to what grows from it") {
+  // Tips 20 across and steps of 12: each would collide with the one before, and only with that.
+  const Growth growth = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,12,20,0) ]\n"));
+  CHECK(growth.cuts == 0);
+  REQUIRE(growth.internodes.size() == 2);
+  CHECK(growth.internodes[1].end == glm::vec3(0, -42, 0));
+  // A grandparent's is one.
+  const Growth third = grown_from(with_answers("axiom: ?E(0,0,0,30,20,0) [ ?E(0,0,0,8,20,0) [ ?E(0,0,0,8,20,0) ] ]\n"));
+  CHECK(!(third.cuts == 0 && third.internodes[2].end == glm::vec3(0, -46, 0)));
+}
+
+TEST_CASE("a pedicel between berries withers, an internode is cut with what it would bear") {
+  const Growth pedicel = grown_from(with_answers(
+      "axiom: F(40) [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ]"
+      " [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ] [ ?E(1,0,0,12,2,20) ]\n"));
+  std::size_t withered = 0;
+  for (const Internode& one : pedicel.internodes) {
+    withered += one.state == State::withered;
+    if (one.state == State::withered) CHECK(one.kind == Kind::pedicel);
+  }
+  CHECK(withered > 0);
+  CHECK(pedicel.balls.size() + withered == 8);
+  CHECK(pedicel.refused());
+}

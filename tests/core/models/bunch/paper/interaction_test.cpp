@@ -1,0 +1,74 @@
+#include "models/bunch/paper/interaction.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+
+using namespace panicle;
+using namespace panicle::bunch;
+
+namespace {
+
+constexpr float degrees = 180 / pi;
+
+// A wall of spheres in front of a turtle at the origin that looks down, a little to its right.
+SphereGrid wall(float radius) {
+  SphereGrid structure(radius);
+  for (int k = 0; k < 6; ++k) structure.add({{0.2f, -20, static_cast<float>(k - 3)}, radius});
+  return structure;
+}
+
+float turned(const Room& room) {
+  const SinCos theta = sincos_degrees(room.theta), phi = sincos_degrees(room.phi);
+  return std::acos(theta.cosine * phi.cosine) * degrees;
+}
+
+}  // namespace
+
+TEST_CASE("an internode stops once it has turned by δ in all; a pedicel goes on") {
+  // Free only from about 24° on, and the first push turns by less.
+  Newborn newborn;
+  newborn.length = 20;
+  newborn.radius = 2;
+  newborn.tie = {1, 0, 0};
+  const SphereGrid structure = wall(6);
+  CHECK(!find_room(structure, {}, newborn, {15, 50, 0}).found);
+  const Room wide = find_room(structure, {}, newborn, {20, 50, 0});
+  REQUIRE(wide.found);
+  CHECK(turned(wide) > 20);
+  newborn.pedicel = true;
+  newborn.length = 18;
+  const Room pedicel = find_room(structure, {}, newborn, {15, 50, 0});
+  REQUIRE(pedicel.found);
+  CHECK(turned(pedicel) > 20);
+}
+
+TEST_CASE("nobody tries more often than t") {
+  Newborn newborn;
+  newborn.pedicel = true;
+  newborn.length = 18;
+  newborn.radius = 2;
+  newborn.tie = {1, 0, 0};
+  const SphereGrid structure = wall(6);
+  CHECK(find_room(structure, {}, newborn, {15, 50, 0}).found);
+  CHECK(!find_room(structure, {}, newborn, {15, 1, 0}).found);
+}
+
+TEST_CASE("what is free sags by the angle asked for, and never past vertical") {
+  const SphereGrid empty(5);
+  for (const float upright : {90.0f, 30.0f, 1.0f}) {
+    lsystem::Turtle turtle;
+    lsystem::turn(turtle, upright);
+    Newborn newborn;
+    newborn.length = 20;
+    newborn.radius = 2;
+    const Room room = find_room(empty, turtle, newborn, {15, 50, 5});
+    REQUIRE(room.found);
+    const float angle = std::acos(-room.sphere.centre.y / glm::length(room.sphere.centre)) * degrees;
+    CHECK(angle == doctest::Approx(std::fmax(0.0f, upright - 5)).epsilon(0.02));
+    CHECK(room.sphere.centre.x * glm::dot(turtle.heading, glm::vec3(1, 0, 0)) >= -1e-3f);
+  }
+}
