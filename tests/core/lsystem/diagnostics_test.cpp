@@ -130,6 +130,7 @@ TEST_CASE("labels, printed arrows and comments are told what they are taken for"
   CHECK(trouble("axiom: B\nA : k>0 --> B\n#define k 1") == "none");
   CHECK(trouble("axiom: B\nA : sin(30)>0 --> B sin") == "none");
   says("axiom: A\nA : k --> B", "undefined 2:5", "Nothing defines 'k'");
+  says("axiom: A B\nA : B --> C", "undefined 2:5", "Nothing defines 'B'");
   says("axiom: A\nA -.33-> B", "syntax 2:4", "A --> B : .33.");
   says("axiom: A\nA -> B", "syntax 2:3", "An arrow is written -->.");
   says("// a tree\naxiom: A", "syntax 1:1", "A comment is written /*");

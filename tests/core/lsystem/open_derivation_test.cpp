@@ -68,18 +68,18 @@ TEST_CASE("a shoot grows until the environment tells it that it has come to the 
 }
 
 TEST_CASE("an answer stands in the string, and only who was asked since the last step is rewritten") {
-  const BoundPointer bound = compiled("axiom: A(2) [ ?E(0,5) ] F\nA(i) : i>0 --> A(i-1) ?E(1,1)\n?E(a,b) : a>6 --> F");
+  const BoundPointer bound = compiled("axiom: A(2) [ ?E(0,5) ] F\nA(i) : i>0 --> A(i-1) ?E(9,1)\n?E(a,b) : a>6 --> F");
   Derivation derivation(*bound, 1, Limits{});
   CHECK(derivation.step());
-  CHECK(text_of(*bound, derivation) == "A(1)?E(1,1)[?E(0,5)]F");
+  CHECK(text_of(*bound, derivation) == "A(1)?E(9,1)[?E(0,5)]F");
   Recorder recorder;
   recorder.answers = {{7}, {6, 4}};
   CHECK(derivation.ask({}, recorder));
-  CHECK(recorder.asked == std::vector<std::vector<float>>{{1, 1}, {0, 5}});
+  CHECK(recorder.asked == std::vector<std::vector<float>>{{9, 1}, {0, 5}});
   CHECK(recorder.asked_by == std::vector<std::string>{"A", ""});
   CHECK(text_of(*bound, derivation) == "A(1)?E(7,1)[?E(6,4)]F");
   CHECK(derivation.step());
-  CHECK(text_of(*bound, derivation) == "A(0)?E(1,1)F[?E(6,4)]F");
+  CHECK(text_of(*bound, derivation) == "A(0)?E(9,1)F[?E(6,4)]F");
   CHECK_FALSE(derivation.step());
   CHECK(derivation.at_rest());
   recorder.answers = {{8}};

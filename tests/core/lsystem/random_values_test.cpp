@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "lsystem/derivation.hpp"
 #include "lsystem/grammars.hpp"
 
 using namespace panicle;
@@ -146,6 +147,17 @@ TEST_CASE("in each step three of ten that wait go on") {
     CHECK(std::count(now.begin(), now.end(), 'B') == modules - left);
     waiting = left;
   }
+}
+
+TEST_CASE("only modules that a random condition may still rewrite are waited for") {
+  const auto steps_at_rest = [](std::string_view text) {
+    const BoundPointer bound = compiled(text);
+    lsystem::Derivation derivation(*bound, 1, Limits{});
+    while (derivation.steps() < 100 && !derivation.at_rest()) derivation.step();
+    return derivation.steps();
+  };
+  CHECK(steps_at_rest("axiom: A\nA(x) : ran(1)<0.3 --> B\nA : 0 --> C") == 1);
+  CHECK(steps_at_rest("axiom: A(1)\nA(x) : ran(1)<0 --> B\nA : 0 --> C") == 100);
 }
 
 TEST_CASE("what is written after a delay is what would have been written at once") {

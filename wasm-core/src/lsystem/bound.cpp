@@ -101,20 +101,19 @@ class Binder {
     return true;
   }
 
-  // Results that went wrong, or follow from one that did, are marked. The productions that need them will find out, if
-  // they are ever applied.
+  // Results that went wrong, or follow from one that did, stay 0, which the turtle takes: the productions that need
+  // them will find out, if they are ever applied.
   void work_out() {
-    wrong_.assign(bound_->registers.size(), false);
+    std::vector<bool> wrong(bound_->registers.size(), false);
     Diagnostic unheard;
     for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at) {
       const Instruction& step = program_.code.instructions[at];
-      wrong_[step.out] = wrong_[step.a] || wrong_[step.b] || !execute(at, at + 1, unheard);
+      wrong[step.out] = wrong[step.a] || wrong[step.b] || !execute(at, at + 1, unheard);
     }
   }
 
   bool fill_in() {
     for (const Patch& patch : program_.bound_patches) {
-      if (wrong_[patch.source]) continue;
       const float value = bound_->registers[patch.source];
       if (!Machine::meets(patch.demand, value)) {
         trouble_ = Machine::refusal(program_, patch, value);
@@ -129,7 +128,6 @@ class Binder {
   const Inputs& inputs_;
   const Limits& limits_;
   std::shared_ptr<Bound> bound_;
-  std::vector<bool> wrong_;  // by register
   Diagnostic trouble_;
 };
 

@@ -149,8 +149,7 @@ class Interpreter {
     if (!answer_.reserve(successor.words, successor.words))
       return !machine_.fail(
           error_at(Reason::limit, {}, {"There is no memory for the answer of ?E; make its production shorter."}));
-    const Origin origin = has_lineage(*module) ? origin_of(module) : Origin{};
-    if (!machine_.write(successor, answer_.data(), origin, ask_symbol)) return false;
+    if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
     return draw(answer_.data(), answer_.data() + successor.words, module);
   }
 
