@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/order.hpp"
+
 namespace panicle {
 namespace {
 
@@ -101,9 +103,10 @@ class Finder {
       const bool carried_on = parents_[i] != none && successor_[parents_[i]] == static_cast<std::int32_t>(i);
       if (!carried_on && usable_[i]) found.push_back(static_cast<std::int32_t>(i));
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [this](std::int32_t a, std::int32_t b) { return stems_.group_of(a) < stems_.group_of(b); });
-    return found;
+    std::vector<std::int32_t> groups, sorted;
+    for (const std::int32_t head : found) groups.push_back(stems_.group_of(head));
+    for (const std::uint32_t place : order_of(groups)) sorted.push_back(found[place]);
+    return sorted;
   }
 
   void trace(std::int32_t first) {

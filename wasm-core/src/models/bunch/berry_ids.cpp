@@ -1,7 +1,4 @@
 #include "models/bunch/berry_ids.hpp"
-
-#include <unordered_set>
-
 #include "foundation/random.hpp"
 
 namespace panicle::bunch {
@@ -10,6 +7,29 @@ namespace {
 constexpr int bits_dropped = 34;  // of an address's 64
 
 std::uint32_t id_of(std::uint64_t address) { return static_cast<std::uint32_t>(address >> bits_dropped); }
+
+// The ids that have been given, in a table twice as large as it need be.
+class Taken {
+ public:
+  explicit Taken(std::size_t ids) {
+    std::size_t size = 16;
+    while (size < 2 * ids) size *= 2;
+    slots_.assign(size, free_slot);
+  }
+
+  // False where it is taken already.
+  bool insert(std::uint32_t id) {
+    std::size_t slot = id & (slots_.size() - 1);
+    for (; slots_[slot] != free_slot; slot = (slot + 1) & (slots_.size() - 1))
+      if (slots_[slot] == id) return false;
+    slots_[slot] = id;
+    return true;
+  }
+
+ private:
+  static constexpr std::uint32_t free_slot = 0xffffffff;  // ids are below 2^30
+  std::vector<std::uint32_t> slots_;
+};
 
 }  // namespace
 
@@ -27,11 +47,10 @@ std::vector<std::uint64_t> own_addresses(std::span<const std::uint64_t> bearers)
 std::vector<std::uint32_t> berry_ids(std::span<const std::uint64_t> addresses, std::size_t second_from) {
   std::vector<std::uint32_t> ids;
   ids.reserve(addresses.size());
-  std::unordered_set<std::uint32_t> taken;
-  taken.reserve(addresses.size());
+  Taken taken(addresses.size());
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     std::uint64_t address = i < second_from ? addresses[i] : hash_combine(addresses[i], 2);
-    while (!taken.insert(id_of(address)).second) address = hash_combine(address, 1);
+    while (!taken.insert(id_of(address))) address = hash_combine(address, 1);
     ids.push_back(id_of(address));
   }
   return ids;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "foundation/order.hpp"
 #include "models/bunch/measures/silhouette.hpp"
 
 namespace panicle::bunch {
@@ -83,16 +84,30 @@ class Onlooker {
         entries_.push_back({dot(p, view.towards), {dot(p, view.right), dot(p, view.up)}, i, false});
       }
     }
-    std::sort(entries_.begin(), entries_.end());
+    bring_in_order();
     const float size = std::max(high.x - low.x, high.y - low.y);
     grid_ = PixelGrid::over(low, high, std::max(subject_.mean_radius / pixels_to_radius, size / most_pixels), 1);
     image_.reset(grid_.columns, grid_.rows);
   }
 
   const Subject& subject_;
+  // By depth, and where that says nothing by the rest, which hardly ever moves anything.
+  void bring_in_order() {
+    depths_.clear();
+    for (const Entry& entry : entries_) depths_.push_back(-entry.depth);
+    sorted_.clear();
+    for (const std::uint32_t place : order_of(depths_)) {
+      sorted_.push_back(entries_[place]);
+      for (std::size_t i = sorted_.size() - 1; i > 0 && sorted_[i] < sorted_[i - 1]; --i)
+        std::swap(sorted_[i], sorted_[i - 1]);
+    }
+    std::swap(entries_, sorted_);
+  }
+
   float pedicel_length_ = 0, berries_ = 0, pedicels_ = 0;
   std::vector<ProjectedBerry> projected_;
-  std::vector<Entry> entries_;
+  std::vector<Entry> entries_, sorted_;
+  std::vector<float> depths_;
   PixelGrid grid_;
   BitImage image_;
 };

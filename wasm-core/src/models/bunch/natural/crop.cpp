@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "foundation/order.hpp"
 #include "models/bunch/natural/berry_size.hpp"
 
 namespace panicle::bunch {
@@ -20,15 +21,18 @@ std::vector<Value> picked(const std::vector<Value>& values, std::span<const std:
 
 // Leaves out the stand-ins who were not wanted, and brings the rest into the flowers' order.
 void settle(Crop& crop) {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> kept;
+  std::vector<std::int32_t> flowers;
   for (std::size_t k = 0; k < crop.fruitlets.size(); ++k) {
-    if (crop.swollen.lost[k] == Why::not_set)
+    if (crop.swollen.lost[k] == Why::not_set) {
       crop.set.volumes[crop.fruitlets[k].flower] = 0;
-    else
-      places.push_back(k);
+    } else {
+      kept.push_back(k);
+      flowers.push_back(static_cast<std::int32_t>(crop.fruitlets[k].flower));
+    }
   }
-  std::sort(places.begin(), places.end(),
-            [&](std::size_t a, std::size_t b) { return crop.fruitlets[a].flower < crop.fruitlets[b].flower; });
+  std::vector<std::size_t> places;
+  for (const std::uint32_t place : order_of(flowers)) places.push_back(kept[place]);
   crop.fruitlets = picked(crop.fruitlets, places);
   crop.berries = picked(crop.berries, places);
   crop.swollen.centres = picked(crop.swollen.centres, places);

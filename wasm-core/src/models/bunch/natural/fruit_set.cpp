@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <utility>
 
 #include "environment/point_grid.hpp"
+#include "foundation/order.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -51,16 +51,10 @@ std::vector<float> choose_count(std::vector<float> ranks, float berries) {
   const auto whole = static_cast<std::size_t>(berries + 0.5f);
   if (whole >= ranks.size()) return std::vector<float>(ranks.size(), 1);
   std::vector<float> sorted = ranks;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(whole), sorted.end());
+  std::sort(sorted.begin(), sorted.end());
   return shares_below(std::move(ranks), sorted[whole]);
 }
 
-std::vector<std::uint32_t> setting_order(std::span<const float> ranks) {
-  std::vector<std::uint32_t> order(ranks.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [ranks](std::uint32_t a, std::uint32_t b) { return ranks[a] != ranks[b] ? ranks[a] < ranks[b] : a < b; });
-  return order;
-}
+std::vector<std::uint32_t> setting_order(std::span<const float> ranks) { return order_of(ranks); }
 
 }  // namespace panicle::bunch

@@ -350,7 +350,7 @@ class Solver {
   std::span<const Swelling> berries_;
   std::span<const Bound> bounds_;
   std::vector<glm::vec3> ends_, centres_, headings_;
-  std::vector<Size> sizes_;  // of the berries, at this step
+  std::vector<Size> sizes_;           // of the berries, at this step
   std::vector<std::uint32_t> young_;  // those that are catching up
   float young_share_ = 1;             // how far they have come
   std::vector<Why> lost_;
