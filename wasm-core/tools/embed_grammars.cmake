@@ -1,22 +1,21 @@
-# Writes OUTPUT, a C++ file that holds the text of every grammar in INPUTS by the number that ends its name. A script of
-# CMake's, so that a build needs no Node.
-set(cases "")
+# Writes OUTPUT, a C++ file that holds the text of every grammar in INPUTS, each by the name of its file, less its comments
+# (line ends stay, so that lines keep their numbers). A script of CMake's, so that a build needs no Node.
+set(constants "")
 foreach(input IN LISTS INPUTS)
-  if(NOT input MATCHES "-([0-9]+)\\.lsys$")
-    message(FATAL_ERROR "${input}: the name of a built-in grammar ends in its number, as in grape-bunch-3.lsys")
-  endif()
-  set(number ${CMAKE_MATCH_1})
+  get_filename_component(name ${input} NAME_WE)
+  string(REPLACE "-" "_" name ${name})
   file(READ ${input} text)
-  string(APPEND cases "    case ${number}:\n      return R\"lsys(${text})lsys\";\n")
+  # CMake takes brackets and semicolons in lists amiss; nothing here is one.
+  string(REGEX MATCHALL "/\\*[^*]*\\*+([^/*][^*]*\\*+)*/" comments "${text}")
+  foreach(comment IN LISTS comments)
+    string(REGEX REPLACE "[^\n]+" "" ends "${comment}")
+    string(REPLACE "${comment}" "${ends}" text "${text}")
+  endforeach()
+  string(REGEX REPLACE " +\n" "\n" text "${text}")
+  string(APPEND constants "extern const std::string_view ${name} = R\"lsys(${text})lsys\";\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made from grammars/${MODEL}/*.lsys by tools/embed_grammars.cmake.\n\
-#include \"models/${MODEL}/builtin_grammars.hpp\"\n\n\
-namespace panicle::${MODEL} {\n\n\
-std::string_view builtin_grammar(int number) {\n\
-  switch (number) {\n\
-${cases}\
-    default:\n\
-      return {};\n\
-  }\n\
-}\n\n\
-}  // namespace panicle::${MODEL}\n")
+#include <string_view>\n\n\
+namespace panicle::${MODEL}::grammars {\n\n\
+${constants}\n\
+}  // namespace panicle::${MODEL}::grammars\n")

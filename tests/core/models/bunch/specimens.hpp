@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "foundation/random.hpp"
-#include "models/bunch/builtin_grammars.hpp"
+#include "models/bunch/builtin.hpp"
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/parameters.generated.hpp"
 #include "models/bunch/table3.hpp"

@@ -1,4 +1,5 @@
 #include "models/bunch/berry_ids.hpp"
+
 #include "foundation/random.hpp"
 
 namespace panicle::bunch {

@@ -3,15 +3,13 @@
 #include <utility>
 
 #include "foundation/random.hpp"
-#include "models/bunch/builtin_grammars.hpp"
 
 namespace panicle::bunch {
 
-Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, int built_in,
+Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, std::string_view built_in,
                                                             const Limits& limits) {
   if (request.program) return request.program;
-  const std::string_view text = request.grammar.empty() ? builtin_grammar(built_in) : request.grammar;
-  return lsystem::compile(text, limits, lsystem::Lineages::always);
+  return lsystem::compile(request.grammar.empty() ? built_in : request.grammar, limits, lsystem::Lineages::always);
 }
 
 Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed, const Limits& limits) {

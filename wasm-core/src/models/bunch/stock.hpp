@@ -20,9 +20,10 @@ struct Stock {
   float lean = 0;  // degrees that the whole bunch leans to the left
 };
 
-// The grammar that every bunch of a request is derived from: compiled before, or now; the built-in one of that number
-// where the request has none.
-Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, int built_in, const Limits& limits);
+// The grammar that every bunch of a request is derived from: compiled before, or now; `built_in` where the request
+// has none.
+Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, std::string_view built_in,
+                                                            const Limits& limits);
 
 Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed, const Limits& limits);
 

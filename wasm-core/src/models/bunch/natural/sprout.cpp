@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "models/bunch/grammars.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/roles.hpp"
 #include "models/bunch/skeleton_drawing.hpp"
@@ -130,7 +131,7 @@ Diagnostic to_millimetres(std::vector<Internode>& internodes, float unit) {
 
 Result<Sprout> sprout(const Request& request, const Values& values, const Limits& limits,
                       std::vector<std::string>& notes) {
-  auto program = program_for(request, 4, limits);
+  auto program = program_for(request, grammars::grape_bunch_4, limits);
   if (!program) return program.error();
   Sower sower(request, values, limits, std::move(program.value()));
   for (bool again = true;; again = false) {

@@ -7,6 +7,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/berry_ids.hpp"
+#include "models/bunch/grammars.hpp"
 #include "models/bunch/measures/measures.hpp"
 #include "models/bunch/paper/growth.hpp"
 #include "models/bunch/remarks.hpp"
@@ -35,7 +36,7 @@ Result<Planned> plan_stocks(const Request& request, const Values& values, const 
   const Profile profile = values.profile();
   auto shape = shape_for(request, profile, values[fit]);
   if (!shape) return shape.error();
-  auto program = program_for(request, 3, limits);
+  auto program = program_for(request, grammars::grape_bunch_3, limits);
   if (!program) return program.error();
   auto first = stock_for(shape.value(), values, program.value(), request.seed, limits);
   if (!first) return first.error();
