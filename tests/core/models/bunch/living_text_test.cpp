@@ -41,23 +41,6 @@ double mean_berries(const std::string& grammar, float radius) {
 
 }  // namespace
 
-TEST_CASE("a renamed symbol is what its role says") {
-  std::string renamed(builtin_grammar(3));
-  for (std::size_t at = 0; (at = renamed.find("Ae(", at)) != std::string::npos;) renamed.replace(at, 2, "Zz");
-  const auto of_kind = [](const std::string& grammar, Kind kind) {
-    const Grown bunch = grown(roomy(), grammar);
-    return std::count_if(bunch.internodes.begin(), bunch.internodes.end(),
-                         [kind](const Internode& internode) { return internode.kind == kind; });
-  };
-  const std::string printed(builtin_grammar(3));
-  const std::string others = "#role rachis Ar1 Ar2 Ar3 Ar4\n#role pedicel Ap\n";
-  const std::string declared = others + "#role end Zz\n" + renamed, mistaken = others + "#role axis Zz\n" + renamed;
-  REQUIRE(of_kind(printed, Kind::end) > 0);
-  for (const Kind kind : {Kind::rachis, Kind::axis, Kind::end, Kind::pedicel})
-    CHECK(of_kind(declared, kind) == of_kind(printed, kind));
-  CHECK(of_kind(mistaken, Kind::end) == 0);
-}
-
 TEST_CASE("both procedures note what a text says and nothing heeds") {
   for (const int number : {3, 4}) {
     Request request = number == 3 ? roomy() : natural_request(table3[1].profile());
