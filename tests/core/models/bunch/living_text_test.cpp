@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;
@@ -121,4 +122,17 @@ TEST_CASE("the constants of the text are the parameter table's defaults, and a p
   };
   const std::string builtin(builtin_grammar(3));
   CHECK(drop(grown(longer, builtin)) < 1.8f * drop(grown(roomy(), builtin)));
+}
+
+TEST_CASE("the outline that is measured against reaches as far as the text's own rates do") {
+  // The same bunch, once by its text and once by a parameter.
+  Request request = request_for(table3[4].profile());
+  request.measures = true;
+  const Grown by_text = grown(request, edited(3, "#define r_e 0.6", "#define r_e 1.1"));
+  set(request, Parameter::re, 1.1f);
+  const Grown by_parameter = grown(request, std::string(builtin_grammar(3)));
+  REQUIRE(by_text.fingerprint == by_parameter.fingerprint);
+  const auto coverage = [](const Grown& bunch) { return bunch.measures[static_cast<std::size_t>(Measure::coverage)]; };
+  CHECK(coverage(by_text) == coverage(by_parameter));
+  CHECK(coverage(by_text) != coverage(grown(request_for(table3[4].profile()), std::string(builtin_grammar(3)))));
 }
