@@ -180,7 +180,12 @@ TEST_CASE("a parameter that the text does not know is told by both procedures") 
     request.grammar = "axiom: F(50) [ F(40) S(10) ]";
     const auto result = grow(request);
     REQUIRE(result);
-    REQUIRE(result->notes.size() == 1);
-    CHECK(result->notes[0].find("no #define vary") != std::string::npos);
+    CHECK(says(result.value(), "no #define vary"));
   }
+  // The natural plan heeds w_i, which its text does not have.
+  Request stout = natural_request(table3[1].profile());
+  set(stout, Parameter::wi, 20);
+  const auto result = grow(stout);
+  REQUIRE(result);
+  CHECK(result->notes.empty());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;
@@ -40,23 +41,6 @@ double mean_berries(const std::string& grammar, float radius) {
 }
 
 }  // namespace
-
-TEST_CASE("a renamed symbol is what its role says") {
-  std::string renamed(builtin_grammar(3));
-  for (std::size_t at = 0; (at = renamed.find("Ae(", at)) != std::string::npos;) renamed.replace(at, 2, "Zz");
-  const auto of_kind = [](const std::string& grammar, Kind kind) {
-    const Grown bunch = grown(roomy(), grammar);
-    return std::count_if(bunch.internodes.begin(), bunch.internodes.end(),
-                         [kind](const Internode& internode) { return internode.kind == kind; });
-  };
-  const std::string printed(builtin_grammar(3));
-  const std::string others = "#role rachis Ar1 Ar2 Ar3 Ar4\n#role pedicel Ap\n";
-  const std::string declared = others + "#role end Zz\n" + renamed, mistaken = others + "#role axis Zz\n" + renamed;
-  REQUIRE(of_kind(printed, Kind::end) > 0);
-  for (const Kind kind : {Kind::rachis, Kind::axis, Kind::end, Kind::pedicel})
-    CHECK(of_kind(declared, kind) == of_kind(printed, kind));
-  CHECK(of_kind(mistaken, Kind::end) == 0);
-}
 
 TEST_CASE("both procedures note what a text says and nothing heeds") {
   for (const int number : {3, 4}) {
@@ -138,4 +122,17 @@ TEST_CASE("the constants of the text are the parameter table's defaults, and a p
   };
   const std::string builtin(builtin_grammar(3));
   CHECK(drop(grown(longer, builtin)) < 1.8f * drop(grown(roomy(), builtin)));
+}
+
+TEST_CASE("the outline that is measured against reaches as far as the text's own rates do") {
+  // The same bunch, once by its text and once by a parameter.
+  Request request = request_for(table3[4].profile());
+  request.measures = true;
+  const Grown by_text = grown(request, edited(3, "#define r_e 0.6", "#define r_e 1.1"));
+  set(request, Parameter::re, 1.1f);
+  const Grown by_parameter = grown(request, std::string(builtin_grammar(3)));
+  REQUIRE(by_text.fingerprint == by_parameter.fingerprint);
+  const auto coverage = [](const Grown& bunch) { return bunch.measures[static_cast<std::size_t>(Measure::coverage)]; };
+  CHECK(coverage(by_text) == coverage(by_parameter));
+  CHECK(coverage(by_text) != coverage(grown(request_for(table3[4].profile()), std::string(builtin_grammar(3)))));
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,9 +14,10 @@
 namespace panicle::bunch {
 
 // A note for each thing that the text says and nothing heeds, and for each parameter that was given, is heeded by
-// `procedure` and replaces a #define that the text does not have, so that it changes nothing.
+// `procedure` and replaces a #define that the text does not have, so that it changes nothing; `besides` are those that
+// the procedure itself heeds.
 void remark_text(const lsystem::Bound& text, const Values& values, std::string_view procedure,
-                 std::vector<std::string>& notes);
+                 std::span<const Parameter> besides, std::vector<std::string>& notes);
 
 // What came of a text.
 struct Drawn {

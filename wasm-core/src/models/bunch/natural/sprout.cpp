@@ -14,6 +14,7 @@ namespace panicle::bunch {
 namespace {
 
 constexpr float farthest = 1e5f;  // millimetres from p1 that anything may be
+constexpr Parameter heeded_by_plan[] = {Parameter::wi};
 
 // As many flowers as may be, and no more.
 class Inflorescence final : public SkeletonDrawing {
@@ -96,7 +97,7 @@ class Sower {
     const bool first = sprout.plans.empty();
     stock->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());
     stock->lean = lean;
-    if (first) remark_text(*stock->bound, values_, "natural", notes);
+    if (first) remark_text(*stock->bound, values_, "natural", heeded_by_plan, notes);
     std::vector<std::string> said;
     drawing.begin(*stock->bound, roles_of(*program_, first ? notes : said), stock->first_axis);
     sprout.bounds.push_back({seedling->plan.envelope, lean});

@@ -136,7 +136,7 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
   if (trouble.reason != Reason::none) return trouble;
   const std::uint32_t loose = growth.finish();
 
-  remark_text(text, values, "paper", grown.notes);
+  remark_text(text, values, "paper", {}, grown.notes);
   remark_drawn({growth.internodes.size(), growth.balls.size(), loose, growth.refused()}, grown.notes);
   if (growth.rachis_cut)
     grown.notes.push_back(

@@ -1,0 +1,121 @@
+// A symbol is what its role says, whatever it is called.
+#include "models/bunch/roles.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "models/bunch/specimens.hpp"
+
+using namespace panicle;
+using namespace panicle::bunch;
+using namespace panicle::tests;
+
+namespace {
+
+Roles declared(std::vector<Roles::Declaration> declarations, std::vector<std::string>& notes) {
+  return {declarations, notes};
+}
+
+Grown grown(Request request, const std::string& grammar) {
+  request.grammar = grammar;
+  auto result = grow(request);
+  REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
+  return std::move(result.value());
+}
+
+// Of text `number`, with `from` as a whole word called `to`.
+std::string renamed(int number, std::string_view from, std::string_view to) {
+  const auto of_word = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  };
+  std::string text(builtin_grammar(number));
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; ++at) {
+    if (of_word(text[at + from.size()]) || (at > 0 && of_word(text[at - 1]))) continue;
+    text.replace(at, from.size(), to);
+    ++found;
+  }
+  REQUIRE(found > 2);
+  return text;
+}
+
+// The text as it was before there were roles to declare.
+std::string undeclared(int number) {
+  std::string text(builtin_grammar(number));
+  for (std::size_t at = 0; (at = text.find("#role", at)) != std::string::npos;)
+    text.erase(at, text.find('\n', at) + 1 - at);
+  return text;
+}
+
+// Where the paper's text has all the room it wants and nothing is left to luck.
+Request settled() {
+  Request request = as_printed(table3[1].profile());
+  set_radius(request, 2, 2);
+  return request;
+}
+
+Request in_flower() {
+  Request request = natural_request(table3[1].profile());
+  set(request, Parameter::age, 5);
+  return request;
+}
+
+std::array<std::ptrdiff_t, 4> kinds_of(const Grown& bunch) {
+  std::array<std::ptrdiff_t, 4> counts = {};
+  for (const Internode& one : bunch.internodes) ++counts[static_cast<std::size_t>(one.kind)];
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("a text that declares nothing has the table's roles") {
+  const Roles roles;
+  CHECK(roles.of("Ar") == Kind::rachis);
+  CHECK(roles.of("Ar17") == Kind::rachis);
+  CHECK(roles.of("Ae") == Kind::end);
+  CHECK(roles.of("Ae2") == Kind::axis);
+  CHECK(roles.of("Ap") == Kind::pedicel);
+  CHECK(roles.of("Af") == Kind::axis);
+  CHECK(roles.of("") == Kind::axis);
+}
+
+TEST_CASE("a text that declares roles has those and no others; one that a bunch does not have is told, once") {
+  std::vector<std::string> notes;
+  const Roles roles = declared({{"rachis", "Q"}, {"pedicel", "P"}, {"tendril", "T"}, {"tendril", "U"}}, notes);
+  CHECK(roles.of("Q") == Kind::rachis);
+  CHECK(roles.of("P") == Kind::pedicel);
+  CHECK(roles.of("T") == Kind::axis);
+  CHECK(roles.of("Ar1") == Kind::axis);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].find("no role tendril") != std::string::npos);
+  const Grown bunch = grown(settled(), std::string(builtin_grammar(3)) + "#role leaf Az\nAz --> F(1)\n");
+  CHECK(std::any_of(bunch.notes.begin(), bunch.notes.end(),
+                    [](const std::string& note) { return note.find("no role leaf") != std::string::npos; }));
+}
+
+TEST_CASE("links made before there were roles grow what they grew") {
+  CHECK(grown(settled(), undeclared(3)).fingerprint == grown(settled(), "").fingerprint);
+  for (const int number : {1, 2, 3})
+    CHECK(grown(settled(), undeclared(number)).fingerprint ==
+          grown(settled(), std::string(builtin_grammar(number))).fingerprint);
+  CHECK(grown(in_flower(), undeclared(4)).fingerprint == grown(in_flower(), "").fingerprint);
+}
+
+TEST_CASE("a renamed symbol draws the same skeleton: addresses are of names, so only luck is another") {
+  const std::array<std::pair<const char*, const char*>, 4> names = {
+      {{"Ap", "Zz"}, {"Ae", "Zz"}, {"Ar1", "Zz"}, {"Af", "Zz"}}};
+  for (const auto& [from, to] : names) {
+    CAPTURE(from);
+    CHECK(grown(settled(), renamed(3, from, to)).fingerprint == grown(settled(), "").fingerprint);
+    Request natural = in_flower();
+    set(natural, Parameter::vary, 0);
+    CHECK(kinds_of(grown(natural, renamed(4, from, to))) == kinds_of(grown(natural, "")));
+  }
+  // And with another role it is another thing.
+  const std::string mistaken = edited(3, "#role end Ae", "#role axis Ae");
+  CHECK(kinds_of(grown(settled(), mistaken))[static_cast<std::size_t>(Kind::end)] == 0);
+}
