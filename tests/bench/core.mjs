@@ -35,7 +35,7 @@ export function grower(core, request) {
 	const at = core.panicle_allocate(request.length);
 	new Uint8Array(core.memory.buffer, at, request.length).set(request);
 	return (rounds) => {
-		for (let i = 0; i < rounds; i++) core.panicle_free(core.panicle_grow(at, request.length));
+		for (let i = 0; i < rounds; i++) core.panicle_release(core.panicle_grow(at, request.length));
 	};
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "models/bunch/stems.hpp"
+
 namespace panicle::bunch {
 namespace {
 
@@ -33,10 +35,7 @@ void add_plan(Columns& columns, const std::string& name, const Plan& plan) {
 
 void add_skeleton(Plant& plant, const std::vector<Internode>& internodes) {
   plant.tags = {"rachis", "axis", "end", "pedicel"};
-  plant.segments.reserve(internodes.size());
-  for (const Internode& one : internodes)
-    plant.segments.push_back(
-        {one.parent, static_cast<std::uint32_t>(one.kind), one.start, one.end, one.radius, one.radius_end});
+  plant.segments = segments_of(internodes);
   plant.columns.add("segments.axis", column_of<std::int32_t>(internodes, 1, [](const Internode& one, std::int32_t* at) {
                       *at = one.axis;
                     }));

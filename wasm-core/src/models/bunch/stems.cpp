@@ -1,7 +1,5 @@
 #include "models/bunch/stems.hpp"
 
-#include <vector>
-
 namespace panicle::bunch {
 namespace {
 
@@ -15,16 +13,22 @@ StemEnd end_of(const Internode& internode) {
 
 }  // namespace
 
-StemMesh sweep_internodes(std::span<const Internode> skeleton, const TubeOptions& options, float scale) {
+std::vector<Segment> segments_of(std::span<const Internode> skeleton) {
   std::vector<Segment> segments;
+  segments.reserve(skeleton.size());
+  for (const Internode& one : skeleton)
+    segments.push_back(
+        {one.parent, static_cast<std::uint32_t>(one.kind), one.start, one.end, one.radius, one.radius_end});
+  return segments;
+}
+
+StemMesh sweep_internodes(std::span<const Internode> skeleton, const TubeOptions& options, float scale) {
+  const std::vector<Segment> segments = segments_of(skeleton);
   std::vector<std::int32_t> groups;
   std::vector<StemEnd> ends;
-  segments.reserve(skeleton.size());
   groups.reserve(skeleton.size());
   ends.reserve(skeleton.size());
   for (const Internode& one : skeleton) {
-    segments.push_back(
-        {one.parent, static_cast<std::uint32_t>(one.kind), one.start, one.end, one.radius, one.radius_end});
     groups.push_back(one.axis);
     ends.push_back(end_of(one));
   }

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "geometry/tubes.hpp"
 #include "models/bunch/skeleton.hpp"
 
 namespace panicle::bunch {
+
+// The internodes as neutral segments, tagged by their kind.
+std::vector<Segment> segments_of(std::span<const Internode> skeleton);
 
 // A group of the mesh for the rachis (−1) and for each first-order axis with its pedicels (Internode::axis). A pedicel
 // widens under its berry; a withered one narrows to its tip. Positions come out in the skeleton's unit times `scale`.
