@@ -11,6 +11,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   options.seed = request.word("seed", 1);
   options.meshes = request.wants("meshes");
   options.mesh_fingerprint = request.wants("mesh_fingerprint");
+  if (request.has("steps")) options.steps = request.word("steps");
   const auto parameters = request.floats("parameters");
   const auto program = request.program(limits);
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;

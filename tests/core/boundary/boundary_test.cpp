@@ -166,6 +166,24 @@ TEST_CASE("a grammar that was compiled before grows what its text grows") {
   CHECK(wrong.word("status", 1) == 1);
 }
 
+TEST_CASE("a request may say how many steps a text is derived; else the text does, else all that it takes") {
+  const auto internodes = [](std::string_view text, int steps) {
+    Asked asked;
+    asked.writer.add("grammar", text);
+    const auto number = static_cast<std::uint32_t>(steps);
+    if (steps >= 0) asked.writer.add("steps", std::span<const std::uint32_t>(&number, 1));
+    const Answer answer(asked);
+    REQUIRE_MESSAGE(answer.reason() == Reason::none, answer.message());
+    return answer.word("counts", 1);
+  };
+  const std::string_view endless = "axiom: A\nA --> F(9) A", ending = "axiom: A(5)\nA(n) : n>0 --> F(9) A(n-1)";
+  CHECK(internodes(endless, 3) == 3);
+  CHECK(internodes(ending, 2) == 2);
+  CHECK(internodes(ending, -1) == 5);
+  CHECK(internodes("derivation length: 4\naxiom: A\nA --> F(9) A", -1) == 4);
+  CHECK(internodes("derivation length: 4\naxiom: A\nA --> F(9) A", 1) == 1);
+}
+
 TEST_CASE("compiled grammars are kept up to a limit, and said to be") {
   std::vector<std::uint32_t> handles;
   for (std::size_t i = 0; i < Programs::most; ++i)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Request {
   std::vector<std::int32_t> n;                      // n₁ … n₍m−1₎ in place of the profile's; empty: from the profile
   std::string_view grammar;                         // empty: the procedure's own
   std::shared_ptr<const lsystem::Program> program;  // that text compiled, with lineages; null: compiled here
+  std::optional<std::uint32_t> steps;               // of the derivation, in place of the text's own
   std::vector<std::uint32_t> thinned;               // berries taken off by hand, by id
   bool meshes = true;
   bool measures = true;

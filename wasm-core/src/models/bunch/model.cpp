@@ -132,6 +132,7 @@ Result<Request> read_request(panicle::Request& blocks) {
   request.parameters.assign(parameters.begin(), parameters.end());
   request.grammar = blocks.text("grammar");
   request.program = blocks.kept_program();
+  if (blocks.has("steps")) request.steps = blocks.word("steps");
   request.m = blocks.integer("m");
   const auto n = blocks.integers("n");
   request.n.assign(n.begin(), n.end());

@@ -2,6 +2,7 @@
 //
 // Blocks of a request besides everyone's (plant/request.hpp):
 //   grammar or program   where both are absent: the procedure's own
+//   steps           uint32: of the derivation, in place of the text's own
 //   m, n            int32: segments in place of the profile's; n is n₁ … n₍m−1₎ as the paper counts
 //   thinned         uint32: ids of berries taken off by hand
 //   stem_sides, berry_segments   uint32: of the meshes; 0: default

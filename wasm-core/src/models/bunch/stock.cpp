@@ -12,8 +12,9 @@ Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& reque
   return lsystem::compile(request.grammar.empty() ? built_in : request.grammar, limits, lsystem::Lineages::always);
 }
 
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed, const Limits& limits) {
-  auto derived = lsystem::develop(*bound, seed, {}, limits);
+Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed,
+                           std::optional<std::uint32_t> steps, const Limits& limits) {
+  auto derived = lsystem::develop(*bound, seed, steps, limits);
   if (!derived) return derived.error();
   return Stock{std::move(bound), std::move(derived->string), seed};
 }

@@ -25,7 +25,9 @@ struct Stock {
 Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, std::string_view built_in,
                                                             const Limits& limits);
 
-Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed, const Limits& limits);
+// `steps` as for lsystem::develop.
+Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uint64_t seed,
+                           std::optional<std::uint32_t> steps, const Limits& limits);
 
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);

@@ -92,7 +92,7 @@ class Sower {
                       std::vector<std::string>& notes) {
     auto seedling = plant(profile);
     if (!seedling) return seedling.error();
-    auto stock = derive_stock(std::move(seedling->text), seed, limits_);
+    auto stock = derive_stock(std::move(seedling->text), seed, request_.steps, limits_);
     if (!stock) return stock.error();
     const bool first = sprout.plans.empty();
     stock->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());

@@ -25,10 +25,10 @@ struct Planned {
 };
 
 Result<Stock> stock_for(const Shape& shape, const Values& values, std::shared_ptr<const lsystem::Program> program,
-                        std::uint64_t seed, const Limits& limits) {
+                        std::uint64_t seed, std::optional<std::uint32_t> steps, const Limits& limits) {
   auto bound = lsystem::bind(std::move(program), inputs_for(shape, values), limits);
   if (!bound) return bound.error();
-  return derive_stock(std::move(bound.value()), seed, limits);
+  return derive_stock(std::move(bound.value()), seed, steps, limits);
 }
 
 Result<Planned> plan_stocks(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
@@ -38,14 +38,14 @@ Result<Planned> plan_stocks(const Request& request, const Values& values, const 
   if (!shape) return shape.error();
   auto program = program_for(request, grammars::grape_bunch_3, limits);
   if (!program) return program.error();
-  auto first = stock_for(shape.value(), values, program.value(), request.seed, limits);
+  auto first = stock_for(shape.value(), values, program.value(), request.seed, request.steps, limits);
   if (!first) return first.error();
   grown.plan = std::move(shape->plan);
   Planned planned{std::move(first.value()), std::nullopt};
   if (!(values[wing] > 0)) return planned;
 
   Shape smaller = shape_of(scaled(profile, values[wing]), values[fit]);
-  auto second = stock_for(smaller, values, program.value(), second_seed(request.seed), limits);
+  auto second = stock_for(smaller, values, program.value(), second_seed(request.seed), request.steps, limits);
   if (!second) return second.error();
   second->first_axis = grown.plan.m - 1;
   second->lean = values[wing_angle];
