@@ -19,6 +19,7 @@ const AIMS = { mean: { coverage: 0.92, spill: 0.03 }, worst: { coverage: 0.85, s
 
 const source = async (path) => (await runnerImport(join(repository, path))).module;
 const { encodeRequest } = await source("web/src/models/bunch/request.ts");
+const { readGrown } = await source("web/src/models/bunch/read_grown.ts");
 const { Core } = await source("web/src/core/core.ts");
 const { PROCEDURES } = await source("web/src/models/bunch/grown.ts");
 const { PRESETS } = await source("web/src/models/bunch/presets/index.ts");
@@ -80,7 +81,7 @@ function measured({ title, specimen }) {
 }
 
 function grownFit(specimen) {
-	const { measures, berries } = core.grow(encodeRequest(specimen, { meshes: false }));
+	const { measures, berries } = readGrown(core.grow(encodeRequest(specimen, { meshes: false })));
 	const of = (key) => measureOf(measures, key);
 	return { coverage: of("coverage"), spill: of("spill"), berries: berries.count };
 }

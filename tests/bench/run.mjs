@@ -30,12 +30,17 @@ const source = async (path) => (await runnerImport(join(repository, path))).modu
 
 const PAPER = 1; // links of version 1 mean the paper's procedure
 
-const { encodeRequest } = await source("web/src/models/bunch/request.ts");
+const { writeContainer } = await source("web/src/core/container.ts");
 const { Core } = await source("web/src/core/core.ts");
+const { readGrown } = await source("web/src/models/bunch/read_grown.ts");
+const { encodeRequest: blocksOf } = await source("web/src/models/bunch/request.ts");
 const { PRESETS } = await source("web/src/models/bunch/presets/index.ts");
 const { specimenFromPreset } = await source("web/src/models/bunch/species.ts");
 const core = await loadBenchCore();
-const reader = await Core.instantiate(benchModule());
+const instance = await Core.instantiate(benchModule());
+/** A request as the bytes that cross the border. */
+const encodeRequest = (specimen, options) => writeContainer(blocksOf(specimen, options));
+const reader = { grow: (request) => readGrown(instance.growBytes(request)) };
 const ratios = [];
 
 if (process.argv[2] !== "browser") benchCore();

@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { Columns, writeContainer } from "../../../../web/src/core/container";
 import { CoreError } from "../../../../web/src/core/errors";
@@ -24,7 +25,12 @@ describe("a request", () => {
 		expect(columns(specimenFromPreset(), { meshFingerprint: true }).text("outputs")).toBe(
 			"meshes measures mesh_fingerprint",
 		);
-		expect(asked.has("grammar")).toBe(false);
+	});
+
+	it("brings the procedure's own text where the specimen has none", () => {
+		const file = (number: number) => readFileSync(`wasm-core/grammars/bunch/grape-bunch-${number}.lsys`, "utf8");
+		expect(columns(specimenFromPreset()).text("grammar")).toBe(file(4));
+		expect(columns(specimenFromPreset(undefined, 1)).text("grammar")).toBe(file(3));
 	});
 
 	it("leaves a grammar's constants alone unless they were moved; the profile is always given", () => {

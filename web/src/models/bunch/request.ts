@@ -4,9 +4,15 @@ import { CoreError } from "../../core/errors";
 import { GRAMMAR_BYTES } from "../../specimen/limits";
 import type { CoreEntry } from "../../specimen/table";
 import { INPUT_N_LENGTH } from "./details/inputs";
+import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "./grammars.generated";
+import type { Procedure } from "./grown";
 import type { NumberKey } from "./parameters.generated";
+import { procedureOf } from "./species";
 import type { BunchSpecimen as Specimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
+
+/** The text that a procedure grows by. It goes with every request; the core compiles it once (core/core.ts). */
+const BUILT_IN: Readonly<Record<Procedure, string>> = { paper: GRAPE_BUNCH_3, natural: GRAPE_BUNCH_4 };
 
 export interface RequestOptions {
 	/** Whether triangles are wanted besides the skeleton; the default is yes. */
@@ -41,13 +47,13 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 			name: "parameters",
 			data: Float32Array.from(BUNCH_TABLE.core, (entry) => asked(entry, parameters[entry.key as NumberKey])),
 		},
+		{ name: "grammar", data: grammar ?? BUILT_IN[procedureOf(specimen)] },
 		{ name: "thinned", data: words("thinned", thinned) },
 		{ name: "stem_sides", data: words("stemSides", [stemSides]) },
 		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },
 	];
 	if (inputs?.m !== undefined) blocks.push({ name: "m", data: Int32Array.of(whole("m", inputs.m)) });
 	if (inputs?.n) blocks.push({ name: "n", data: Int32Array.from(inputs.n, (value) => whole("n", value)) });
-	if (grammar !== undefined) blocks.push({ name: "grammar", data: grammar });
 	return blocks;
 }
 
