@@ -110,6 +110,41 @@ describe("the arrow between the rooms", () => {
 		expect(against).toEqual([]);
 	});
 
+	/** Includes of one model's files by another's, as `from to`. */
+	const betweenModels = (file: string, text: string) => {
+		const own = /^wasm-core\/src\/models\/([^/]+)\//.exec(file)?.[1];
+		const others = [...text.matchAll(/#include "models\/([^/"]+)\//g)].map(([, other]) => other);
+		return own === undefined ? [] : others.filter((other) => other !== own).map((other) => `${own} ${other}`);
+	};
+
+	it("lets no model of the core include another", () => {
+		expect(betweenModels("wasm-core/src/models/leaf/leaf.cpp", '#include "models/bunch/plan.hpp"')).toEqual([
+			"leaf bunch",
+		]);
+		expect(betweenModels("wasm-core/src/models/leaf/leaf.cpp", '#include "models/leaf/vein.hpp"')).toEqual([]);
+		expect(files.flatMap((file) => betweenModels(file, read(file)))).toEqual([]);
+	});
+
+	/** Words of the one model there is, in code and messages; comments may take it as an example. */
+	const words = /berr(?:y|ies)|pedicel|rachis|grape|(?<!first-)bunch/i;
+	const withoutComments = (text: string) => text.replace(/\/\*[\s\S]*?\*\/|(?<![:"'])\/\/.*$/gm, "");
+
+	it("keeps models' words out of the rooms that all share", () => {
+		const shared = /^(?:wasm-core\/src\/(?!models\/)|web\/src\/(?!models\/[^/]+\/))[^.]+\.(?:cpp|hpp|h|ts)$/;
+		const naming = files
+			.filter((file) => shared.test(file))
+			.flatMap((file) =>
+				withoutComments(read(file))
+					.split("\n")
+					.filter((line) => words.test(line))
+					.map((line) => `${file}: ${line.trim()}`),
+			);
+		expect(words.test(withoutComments("// a berry\nconst berry = 1;"))).toBe(true);
+		expect(words.test(withoutComments("/* a bunch */ const plant = 1; // of grapes"))).toBe(false);
+		// What a link means that names no model.
+		expect(naming).toEqual(['web/src/models/index.ts: export const DEFAULT_MODEL = "bunch";']);
+	});
+
 	it("knows every room", () => {
 		const rooms = (prefix: RegExp) => new Set(files.map((file) => prefix.exec(file)?.[1]).filter(Boolean));
 		expect([...rooms(/^wasm-core\/src\/([^/]+)\//)].filter((room) => !coreRooms.includes(room!))).toEqual([]);

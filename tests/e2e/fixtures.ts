@@ -2,33 +2,33 @@ import { test as base, expect, type Page } from "@playwright/test";
 
 /** What a page complained of, and what a test says it will complain of. */
 export class Complaints {
-	private readonly heard: string[] = [];
-	private readonly expected: RegExp[] = [];
+	readonly #heard: string[] = [];
+	readonly #expected: RegExp[] = [];
 
 	/** Complaints that match are no failure of this test. */
 	expect(pattern: RegExp): void {
-		this.expected.push(pattern);
+		this.#expected.push(pattern);
 	}
 
 	/** Listens to another page, for tests that open more than one. */
 	listenTo(page: Page): void {
 		page.on("console", (message) => {
-			if (message.type() === "error") this.heard.push(`console: ${message.text()} (${message.location().url})`);
+			if (message.type() === "error") this.#heard.push(`console: ${message.text()} (${message.location().url})`);
 		});
-		page.on("pageerror", (error) => this.heard.push(`uncaught: ${error.message}`));
+		page.on("pageerror", (error) => this.#heard.push(`uncaught: ${error.message}`));
 		page.on("requestfailed", (request) => {
 			const reason = request.failure()?.errorText ?? "";
 			// A page that is left drops its requests; so does a worker that is ended.
-			if (reason !== "net::ERR_ABORTED") this.heard.push(`request: ${request.url()} ${reason}`);
+			if (reason !== "net::ERR_ABORTED") this.#heard.push(`request: ${request.url()} ${reason}`);
 		});
 		page.on("response", (response) => {
-			if (response.status() >= 400) this.heard.push(`response: ${response.status()} ${response.url()}`);
+			if (response.status() >= 400) this.#heard.push(`response: ${response.status()} ${response.url()}`);
 		});
 	}
 
 	/** What was heard and not expected. */
 	unexpected(): string[] {
-		return this.heard.filter((complaint) => !this.expected.some((pattern) => pattern.test(complaint)));
+		return this.#heard.filter((complaint) => !this.#expected.some((pattern) => pattern.test(complaint)));
 	}
 }
 

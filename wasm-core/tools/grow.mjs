@@ -1,5 +1,5 @@
 /**
- * `npm run -s grow -- …`: grows a bunch without a page. Makes what is missing, talking to standard error only, and
+ * `npm run -s grow -- …`: grows a plant without a page. Makes what is missing, talking to standard error only, and
  * then hands over to the command in web/src/cli, bundled for Node.
  */
 import { existsSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";

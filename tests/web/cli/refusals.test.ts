@@ -18,7 +18,7 @@ describe("what cannot be used", () => {
 
 	it("is said in one line: settings", async () => {
 		const set = (...settings: string[]) => complaint(settings.flatMap((setting) => ["--set", setting]));
-		expect(await set("l")).toBe("--set l: write KEY=VALUE, as in --set l=300");
+		expect(await set("l")).toBe("--set l: write KEY=VALUE, as in --set age=50");
 		expect(await set("=3")).toMatch(/write KEY=VALUE/);
 		for (const key of ["length", "seed", "preset", "v", "grammar", "thinned", "toString", "__proto__"]) {
 			expect(await set(`${key}=1`)).toBe(`--set ${key}: no parameter has that key; see --help`);

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Client } from "../../../web/src/core/client";
+import { Superseded } from "../../../web/src/core/errors";
 import { Pool, type PoolOptions } from "../../../web/src/core/pool";
 import { FakeWorker, module, seedOf, settled, withSeed } from "./fake_worker";
 
@@ -72,6 +73,19 @@ describe("a pool of seats", () => {
 			FakeWorker.all[0].finish();
 		}
 		expect((await Promise.all(all)).map(seedOf)).toEqual([1, 2]);
+	});
+
+	it("goes on when one of its clients is closed", async () => {
+		start({ seats: 2 });
+		const [one, other] = [new Client({ pool }), new Client({ pool })];
+		const ended = expect(one.grow(withSeed(1))).rejects.toBeInstanceOf(Superseded);
+		const kept = other.grow(withSeed(2));
+		await settled();
+		one.close();
+		await ended;
+		FakeWorker.all[1].finish();
+		expect(seedOf(await kept)).toBe(2);
+		expect(FakeWorker.all.map(({ terminated }) => terminated)).toEqual([true, false]);
 	});
 
 	it("does not hand out a spare that has died", async () => {

@@ -1,26 +1,39 @@
-/* The boundary: a plain C ABI, the same for every model. web/src/core/ holds the one loader that speaks it.
- *
- * What crosses it, both ways, is a container of named arrays (foundation/container.hpp has the layout). The caller
- * copies a request in, calls panicle_grow, copies the answer out and releases both. Pointers are offsets into the
- * module's memory.
- *
- * A request holds `model`, `seed`, `outputs`, `parameters` and what else its model reads (plant/request.hpp, and the
- * model's own folder).
- *
- * An answer always holds `status` (uint32 × 3: reason (foundation/result.hpp; 0 = grown), line, column). A failed
- * growth has `message` (text) besides, and nothing else. A plant has notes             text, one a line fingerprint
- * uint32 × 2: low, high word; over segments and organs mesh_fingerprint  the same over the meshes, where it was asked
- * for counts            uint32 each; counts.names: text, one a line measures          float32 each, in the order of the
- * model's table; NaN: does not apply; where asked for segments.parent   int32 each: index of an earlier segment, −1 at
- * a root segments.tag      uint8 each: which line of segments.tags (text) segments.ends     float32 × 6 each: start,
- * end; metres segments.radii    float32 × 2 each: at the start, at the end; metres organs.tag, organs.segment,
- * organs.mesh   where there are organs: uint8, line of organs.tags; int32, −1 for none; int32, which of `meshes`, −1
- * for none organs.transforms float32 × 8 each: position; rotation as a unit quaternion x y z w; scale meshes text:
- * names of the meshes, one a line; and for each mesh.NAME.material   text: its kind mesh.NAME.positions  float32 × 3
- * per vertex, metres;  .normals × 3;  .uvs × 2 mesh.NAME.indices    uint32 × 3 per triangle, counter-clockwise
- *     mesh.NAME.runs       uint32 × 4 each: first vertex, vertices, first index, indices; names in runs.names
- *     mesh.NAME.…          what the model knows of its vertices or runs besides
- * and the model's own columns by name, described in the model's folder (models/<model>/model.hpp). */
+// The boundary: a plain C ABI, the same for every model. web/src/core/ holds the one loader that speaks it.
+//
+// What crosses it, both ways, is a container of named arrays (foundation/container.hpp has the layout). The caller
+// copies a request in, calls panicle_grow, copies the answer out and releases both. Pointers are offsets into the
+// module's memory.
+//
+// A request holds `model`, `seed`, `outputs`, `parameters` and what else its model reads (plant/request.hpp, and the
+// model's own folder).
+//
+// An answer always holds
+//   status                uint32 x 3: reason (foundation/result.hpp; 0 = grown), line, column
+// A failed growth has besides, and nothing else,
+//   message               text
+// A plant has
+//   notes                 text, one a line
+//   fingerprint           uint32 x 2: low, high word; over segments and organs
+//   mesh_fingerprint      the same over the meshes, where it was asked for
+//   counts                uint32 each;  counts.names: text, one a line
+//   measures              float32 each, in the order of the model's table; NaN: does not apply; where asked for
+//   segments.parent       int32 each: index of an earlier segment, -1 at a root
+//   segments.tag          uint8 each: which line of segments.tags (text)
+//   segments.ends         float32 x 6 each: start, end; metres
+//   segments.radii        float32 x 2 each: at the start, at the end; metres
+// where there are organs
+//   organs.tag            uint8 each: which line of organs.tags (text)
+//   organs.segment        int32 each: the segment that bears it, -1 for none
+//   organs.mesh           int32 each: which of `meshes`, -1 for none
+//   organs.transforms     float32 x 8 each: position; rotation as a unit quaternion x y z w; scale
+// its meshes
+//   meshes                text: their names, one a line; and for each
+//   mesh.NAME.material    text: its kind
+//   mesh.NAME.positions   float32 x 3 per vertex, metres;  .normals x 3;  .uvs x 2
+//   mesh.NAME.indices     uint32 x 3 per triangle, counter-clockwise
+//   mesh.NAME.runs        uint32 x 4 each: first vertex, vertices, first index, indices;  .runs.names: text
+//   mesh.NAME....         what the model knows of its vertices or runs besides
+// and the model's own columns by name, described in the model's folder (models/<model>/model.hpp).
 #ifndef PANICLE_H
 #define PANICLE_H
 

@@ -59,7 +59,7 @@ function parse(words: readonly string[]) {
 
 function readSetting(setting: string): [string, string] {
 	const at = setting.indexOf("=");
-	if (at < 1) throw new UsageError(`--set ${setting}: write KEY=VALUE, as in --set l=300`);
+	if (at < 1) throw new UsageError(`--set ${setting}: write KEY=VALUE, as in --set age=50`);
 	return [setting.slice(0, at).trim(), setting.slice(at + 1).trim()];
 }
 

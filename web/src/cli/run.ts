@@ -40,9 +40,13 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		throw new UsageError(`--out ${out.file}: the name must end in ${endingsOf(model)}`);
 	}
 	const core = await world.loadCore(model.wasm);
-	const meshes = out !== undefined && out.ending !== "json";
+	// What a file does not say is not worked out for it.
+	const json = out === undefined || out.ending === "json";
+	const [meshes, measures] = [!json, json || out.ending === "glb"];
 	const text = "grammar" in specimen ? "the link's grammar" : undefined;
-	const grown = growing(call.grammarFile ?? text, () => model.read(core.grow(model.encode(specimen, { meshes }))));
+	const grown = growing(call.grammarFile ?? text, () =>
+		model.read(core.grow(model.encode(specimen, { meshes, measures }))),
+	);
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (!out) {
 		world.print(jsonOf(model, all, specimen));

@@ -13,8 +13,9 @@ export function usage(
 	{ name, title, noun, table, presets, details, formats }: Model,
 	models: readonly string[],
 ): string {
-	const keys = [...table.links].map(([key, [entry, second]]) => {
-		if (second) return `${key}=W,R`;
+	const keys = [...table.links].map(([key, entries]) => {
+		const [entry, ...others] = entries;
+		if (others.length > 0) return `${key}=${entries.map((_, index) => String.fromCharCode(65 + index)).join()}`;
 		return entry.kind === "choice" ? `${key}=${entry.options.join("|")}` : key;
 	});
 	const prefix = name === DEFAULT_MODEL ? "" : `${name}/`;

@@ -31,10 +31,14 @@ interface Waiting {
 
 export class Client {
 	readonly #pool: Pool;
+	/** Ends what is under way when the client is closed; a pool that others share goes on. */
+	readonly #closing = new AbortController();
+	readonly #ownsPool: boolean;
 	#running = 0;
 	#waiting: Waiting | undefined;
 
 	constructor({ pool, workerFactory = spawnWorker, compile, onNote }: ClientOptions = {}) {
+		this.#ownsPool = pool === undefined;
 		this.#pool = pool ?? new Pool({ spawn: workerFactory, compile: compile ?? ((wasm) => compileCore(wasm, onNote)) });
 	}
 
@@ -53,7 +57,7 @@ export class Client {
 			const begin = () => {
 				this.#running++;
 				this.#pool
-					.run(order, { worthAgain: () => this.#waiting === undefined, ...(signal ? { signal } : {}) })
+					.run(order, { worthAgain: () => this.#waiting === undefined, signal: this.#ending(signal) })
 					.finally(() => {
 						this.#running--;
 						this.#next();
@@ -65,11 +69,17 @@ export class Client {
 		});
 	}
 
-	/** Ends the pool's workers. What is under way rejects with Superseded. */
+	/** What is under way rejects with Superseded. Ends the workers of a pool of its own. */
 	close(): void {
 		this.#waiting?.reject(new Superseded());
 		this.#waiting = undefined;
-		this.#pool.close();
+		if (this.#ownsPool) this.#pool.close();
+		else this.#closing.abort(new Superseded());
+	}
+
+	/** A growth ends with its caller's wish or with the client. */
+	#ending(signal: AbortSignal | undefined): AbortSignal {
+		return signal ? AbortSignal.any([signal, this.#closing.signal]) : this.#closing.signal;
 	}
 
 	#wait(waiting: Waiting, signal: AbortSignal | undefined): void {

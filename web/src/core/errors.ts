@@ -1,4 +1,4 @@
-/** What can go wrong on the way to a grown bunch, by type. Every message is one plain sentence that can be shown. */
+/** What can go wrong on the way to a grown plant, by type. Every message is one plain sentence that can be shown. */
 
 /** Reasons that the core gives, by code (wasm-core/src/foundation/result.hpp). */
 export const CORE_REASONS = [

@@ -15,6 +15,16 @@ export interface ViewerOptions {
 	still?: boolean;
 	/** Checks shaders for errors, which takes time: for whoever works on them. */
 	checked?: boolean;
+	events?: ViewerEvents;
+}
+
+/** What a viewer tells. */
+export interface ViewerEvents {
+	/** Once, when the first draw with a plant has been submitted. */
+	firstDraw?(): void;
+	/** The GPU has dropped the page's pictures; the canvas is blank until `contextRestored`. */
+	contextLost?(): void;
+	contextRestored?(): void;
 }
 
 /**
@@ -24,13 +34,9 @@ export interface ViewerOptions {
  * @typeParam G what it grows into
  */
 export class Viewer<S, G> {
-	/** Called once, when the first draw with a plant has been submitted. */
-	onFirstDraw?: () => void;
-	/** The GPU has dropped the page's pictures; the canvas is blank until `onContextRestored`. */
-	onContextLost?: () => void;
-	onContextRestored?: () => void;
-
 	readonly #canvas: HTMLCanvasElement;
+	readonly #events: ViewerEvents;
+	#drawnFirst = false;
 	readonly #renderer: WebGLRenderer;
 	readonly #stage = new Stage<S, G>();
 	readonly #turntable: Turntable;
@@ -44,6 +50,7 @@ export class Viewer<S, G> {
 	/** @throws NoWebGL2Error where the browser has no WebGL 2 */
 	constructor(canvas: HTMLCanvasElement, options: ViewerOptions = {}) {
 		this.#canvas = canvas;
+		this.#events = options.events ?? {};
 		this.#renderer = createRenderer(canvas, options.checked ?? false);
 		const slow = drawsBySoftware(this.#renderer.getContext());
 		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio, slow);
@@ -210,14 +217,14 @@ export class Viewer<S, G> {
 	readonly #onLost = (event: Event) => {
 		event.preventDefault();
 		this.#lost = true;
-		this.onContextLost?.();
+		this.#events.contextLost?.();
 	};
 
 	readonly #onRestored = () => {
 		// three sends its buffers, textures and programs again with the next draw.
 		this.#lost = false;
 		this.#loop.request();
-		this.onContextRestored?.();
+		this.#events.contextRestored?.();
 	};
 
 	#rayThrough(x: number, y: number): Ray {
@@ -250,9 +257,8 @@ export class Viewer<S, G> {
 		this.#prepare(ratio);
 		this.#stage.draw(this.#renderer, this.camera, this.#turntable.paper);
 		this.#rendered++;
-		if (this.#stage.filled && this.onFirstDraw) {
-			this.onFirstDraw();
-			this.onFirstDraw = undefined;
-		}
+		if (!this.#stage.filled || this.#drawnFirst) return;
+		this.#drawnFirst = true;
+		this.#events.firstDraw?.();
 	}
 }

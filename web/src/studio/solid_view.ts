@@ -73,10 +73,16 @@ export class SolidView implements ToolView {
 		const { model, dark } = studio.state;
 		const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
 		const theme = dark ? "dark" : "light";
-		const view = new Viewer<Specimen, Plant>(canvas, { reducedMotion, theme, checked: import.meta.env.DEV });
-		view.onFirstDraw = () => performance.mark("first-bunch");
-		view.onContextLost = () => events.lost();
-		view.onContextRestored = () => events.restored();
+		const view = new Viewer<Specimen, Plant>(canvas, {
+			reducedMotion,
+			theme,
+			checked: import.meta.env.DEV,
+			events: {
+				firstDraw: () => performance.mark("first-bunch"),
+				contextLost: () => events.lost(),
+				contextRestored: () => events.restored(),
+			},
+		});
 		const solid = new SolidView(canvas, view, studio);
 		await solid.#use(model);
 		return solid;
