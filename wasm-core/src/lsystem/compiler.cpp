@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "foundation/random.hpp"
 #include "lsystem/lowering.hpp"
 #include "lsystem/machine.hpp"
+#include "lsystem/names.hpp"
 #include "lsystem/number_text.hpp"
 #include "lsystem/parser.hpp"
 #include "lsystem/program.hpp"
@@ -90,8 +89,8 @@ class Compiler {
     for (const ModuleTree& module : grammar_.axiom) add_symbol(module.name);
     for (const ProductionTree& production : grammar_.productions) {
       const std::uint32_t predecessor = add_symbol(production.predecessor);
-      if (predecessors_.insert(predecessor).second) program_->predecessors.push_back(predecessor);
-      rewritten_.emplace(predecessor, production.formals.size());
+      if (!is_rewritten(predecessor)) program_->predecessors.push_back(predecessor);
+      rewritten_[predecessor] |= std::uint64_t{1} << production.formals.size();
       for (const ModuleTree& module : production.successor) add_symbol(module.name);
     }
     if (program_->symbols.size() > most_symbols)
@@ -101,10 +100,16 @@ class Compiler {
   }
 
   std::uint32_t add_symbol(std::string_view name) {
-    const auto [place, added] = numbers_.try_emplace(name, static_cast<std::uint32_t>(program_->symbols.size()));
-    if (added) program_->symbols.emplace_back(name);
-    return place->second;
+    const std::uint32_t number = numbers_.add(name);
+    if (number == program_->symbols.size()) {
+      program_->symbols.emplace_back(name);
+      rewritten_.push_back(0);
+      ordinals_.push_back(0);
+    }
+    return number;
   }
+
+  bool is_rewritten(std::uint32_t symbol) const { return rewritten_[symbol] != 0; }
 
   bool roles() {
     Roles& roles = program_->roles;
@@ -121,14 +126,14 @@ class Compiler {
 
   bool give_role(std::uint32_t role, const Named& symbol) {
     Roles& roles = program_->roles;
-    const auto number = numbers_.find(symbol.name);
-    if (number == numbers_.end())
+    const std::uint32_t number = numbers_.find(symbol.name);
+    if (number == Names::none)
       return fail(Reason::undefined, symbol.place,
                   {"Neither the axiom nor a production has the symbol '", symbol.name, "'; take it out of the role."});
-    if (is_turtle_symbol(number->second))
+    if (is_turtle_symbol(number))
       return fail(Reason::syntax, symbol.place,
                   {"'", symbol.name, "' is the turtle's and has no role; give one to the symbol that writes it."});
-    std::uint32_t& given = roles.of_symbol[number->second];
+    std::uint32_t& given = roles.of_symbol[number];
     if (given != Roles::none && given != role)
       return fail(Reason::syntax, symbol.place,
                   {"'", symbol.name, "' has the role '", roles.names[given], "' already; a symbol has one."});
@@ -145,7 +150,7 @@ class Compiler {
   bool productions() {
     make_places();
     for (const ProductionTree& tree : grammar_.productions) {
-      const std::uint32_t predecessor = numbers_[tree.predecessor];
+      const std::uint32_t predecessor = numbers_.find(tree.predecessor);
       if (!may_rewrite(tree, predecessor)) return false;
       Rules& rules = program_->rules[predecessor];
       lowering_.begin_production(tree.formals, rules.productions.size());
@@ -159,7 +164,7 @@ class Compiler {
 
   void make_places() {
     std::vector<std::uint32_t> counts(program_->symbols.size(), 0);
-    for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_[tree.predecessor]];
+    for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_.find(tree.predecessor)];
     std::uint32_t first = 0;
     for (const std::uint32_t count : counts) {
       program_->rules.push_back({{first, first}, false, false});
@@ -169,7 +174,7 @@ class Compiler {
   }
 
   bool production(const ProductionTree& tree, Production& production) {
-    production.predecessor = numbers_[tree.predecessor];
+    production.predecessor = numbers_.find(tree.predecessor);
     production.place = tree.place;
     production.arity = static_cast<std::uint32_t>(tree.formals.size());
     if (tree.condition && !value(*tree.condition, production.condition)) return false;
@@ -213,7 +218,6 @@ class Compiler {
   bool successor(const std::vector<ModuleTree>& modules, bool answer, Template& result) {
     Program& program = *program_;
     lowering_.begin_code();
-    ordinals_.clear();
     first_ = result.first = static_cast<std::uint32_t>(program.words.size());
     result.code.begin = lowering_.here();
     result.patches.begin = static_cast<std::uint32_t>(program.patches.size());
@@ -221,6 +225,7 @@ class Compiler {
     result.active.begin = static_cast<std::uint32_t>(program.active.size());
     for (const ModuleTree& tree : modules)
       if (!module(tree, answer)) return false;
+    for (const ModuleTree& tree : modules) ordinals_[numbers_.find(tree.name)] = 0;
     result.modules = static_cast<std::uint32_t>(modules.size());
     result.words = static_cast<std::uint32_t>(program.words.size()) - first_;
     result.code.end = lowering_.here();
@@ -233,7 +238,7 @@ class Compiler {
 
   bool module(const ModuleTree& tree, bool answer) {
     Program& program = *program_;
-    const std::uint32_t symbol = numbers_[tree.name];
+    const std::uint32_t symbol = numbers_.find(tree.name);
     const std::size_t count = tree.arguments.size();
     if (is_turtle_symbol(symbol) && !takes(symbol, count, tree.place)) return false;
     if (answer && !drawable(tree, symbol)) return false;
@@ -242,7 +247,7 @@ class Compiler {
                   {"'", tree.name, "' is read as one symbol, which nothing defines; put spaces between several."});
 
     const std::size_t at = program.words.size();
-    const bool active = symbol == cut_symbol || rewritten_.contains({symbol, count});
+    const bool active = symbol == cut_symbol || (rewritten_[symbol] >> count & 1) != 0;
     const bool lineage = program.lineages && remembers(symbol);
     const std::size_t words = 1 + count + (lineage ? lineage_words : 0);
     program.words.push_back(header_of(symbol, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(words)));
@@ -272,7 +277,7 @@ class Compiler {
 
   // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.
   bool remembers(std::uint32_t symbol) const {
-    if (predecessors_.contains(symbol)) return true;
+    if (is_rewritten(symbol)) return true;
     if (!is_turtle_symbol(symbol)) return false;
     const Action action = turtle_symbols[symbol].action;
     return action == Action::line || action == Action::sphere || action == Action::ask;
@@ -281,11 +286,10 @@ class Compiler {
   // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
   // nothing.
   bool stands_for_itself(std::string_view name, std::uint32_t symbol) const {
-    if (is_turtle_symbol(symbol) || predecessors_.contains(symbol)) return true;
+    if (is_turtle_symbol(symbol) || is_rewritten(symbol)) return true;
     for (std::size_t i = 0; i < name.size(); ++i) {
-      const auto letter = numbers_.find(name.substr(i, 1));
-      if (letter == numbers_.end()) return true;
-      if (!is_turtle_symbol(letter->second) && !predecessors_.contains(letter->second)) return true;
+      const std::uint32_t letter = numbers_.find(name.substr(i, 1));
+      if (letter == Names::none || !(is_turtle_symbol(letter) || is_rewritten(letter))) return true;
     }
     return false;
   }
@@ -323,11 +327,10 @@ class Compiler {
   const Grammar& grammar_;
   std::shared_ptr<Program> program_;
   Lowering lowering_;
-  std::map<std::string_view, std::uint32_t> numbers_;  // of symbols
-  std::set<std::uint32_t> predecessors_;
-  std::set<std::pair<std::uint32_t, std::size_t>> rewritten_;  // symbol and arity of productions of the derivation
-  std::map<std::uint32_t, std::uint32_t> ordinals_;            // symbol → how many stand before in the successor
-  std::uint32_t first_ = 0;                                    // word of the template
+  Names numbers_;                         // of symbols
+  std::vector<std::uint64_t> rewritten_;  // by symbol: a bit for each arity (at most 32) of its productions
+  std::vector<std::uint32_t> ordinals_;   // by symbol: how many stand before in the successor
+  std::uint32_t first_ = 0;               // word of the template
   Diagnostic trouble_;
 };
 

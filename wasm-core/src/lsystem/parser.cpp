@@ -1,11 +1,11 @@
 #include "lsystem/parser.hpp"
 
-#include <map>
 #include <string>
 #include <utility>
 
 #include "lsystem/expression.hpp"
 #include "lsystem/foreign.hpp"
+#include "lsystem/names.hpp"
 
 namespace panicle::lsystem {
 namespace {
@@ -145,10 +145,11 @@ class GrammarParser {
     definition.name = tokens_[at_].text;
     definition.place = tokens_[at_].place;
     ++at_;
-    const auto [first, added] = defined_.try_emplace(definition.name, definition.place.line);
-    if (!added)
-      return wrong(definition.place, {"'", definition.name, "' is defined twice, first in line ",
-                                      std::to_string(first->second), "; give one of them another name."});
+    const std::uint32_t first = defined_.add(definition.name);
+    if (first < grammar_.definitions.size())
+      return wrong(definition.place,
+                   {"'", definition.name, "' is defined twice, first in line ",
+                    std::to_string(grammar_.definitions[first].place.line), "; give one of them another name."});
     if (!input && on_sign('['))
       return wrong(here(), {"A #define holds one number; a list is declared by #input ", definition.name,
                             "[] and given with the request."});
@@ -245,11 +246,13 @@ class GrammarParser {
     return false;
   }
 
-  // How often a name stands in the text.
-  std::size_t times_named(std::string_view name) {
-    if (names_.empty())
-      for (const Token& token : tokens_) ++names_[token.text];
-    return names_[name];
+  // How often a name of the text stands there.
+  std::uint32_t times_named(std::string_view name) {
+    if (times_.empty()) {
+      times_.assign(tokens_.size(), 0);
+      for (const Token& token : tokens_) ++times_[words_.add(token.text)];
+    }
+    return times_[words_.find(name)];
   }
 
   bool predecessor(ProductionTree& production) {
@@ -366,10 +369,11 @@ class GrammarParser {
 
   std::span<const Token> tokens_;
   std::size_t at_ = 0;
-  std::size_t end_ = 0;                                // of the statement
-  std::size_t arrow_ = 0;                              // of the production
-  std::map<std::string_view, std::uint32_t> defined_;  // name → line
-  std::map<std::string_view, std::size_t> names_;      // name → how often it stands in the text
+  std::size_t end_ = 0;               // of the statement
+  std::size_t arrow_ = 0;             // of the production
+  Names defined_;                     // in the order of the definitions
+  Names words_;                       // all that stands in the text
+  std::vector<std::uint32_t> times_;  // how often each word does
   Grammar grammar_;
   Diagnostic trouble_;
 };

@@ -1,10 +1,11 @@
 #include "lsystem/remarks.hpp"
 
 #include <algorithm>
-#include <set>
+#include <iterator>
 #include <string>
 #include <utility>
 
+#include "lsystem/names.hpp"
 #include "lsystem/program.hpp"
 
 namespace panicle::lsystem {
@@ -17,11 +18,13 @@ class Reader {
   explicit Reader(const Grammar& grammar) : grammar_(grammar) {}
 
   std::vector<Remark> run() {
-    for (const ProductionTree& production : grammar_.productions) known_.insert(production.predecessor);
-    for (const TurtleSymbol& turtle : turtle_symbols) known_.insert(turtle.symbol);
+    for (const ProductionTree& production : grammar_.productions) known_.add(production.predecessor);
+    for (const TurtleSymbol& turtle : turtle_symbols) known_.add(turtle.symbol);
     note_uses();
     string(grammar_.axiom, 0);
+    on_axiom_.swap(remarks_);
     for (const ProductionTree& production : grammar_.productions) {
+      if (grammar_.axiom[0].place.line < production.place.line) add_those_on_axiom();
       if (production.predecessor == "S")
         once(
             "S as a symbol", production.place,
@@ -29,22 +32,30 @@ class Reader {
              "name."});
       string(production.successor, production.place.line);
     }
-    std::stable_sort(remarks_.begin(), remarks_.end(), [](const Remark& a, const Remark& b) {
-      return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-    });
+    add_those_on_axiom();
     return std::move(remarks_);
   }
 
  private:
   void once(std::string_view what, const Place& place, Pieces pieces) {
-    if (said_.insert(what).second) remarks_.push_back({joined(pieces), place.line, place.column});
+    const std::uint32_t said = said_.size();
+    if (said_.add(what) == said) remarks_.push_back({joined(pieces), place.line, place.column});
   }
+
+  // What is said of the axiom stands where the axiom does, though it is looked at first.
+  void add_those_on_axiom() {
+    for (Remark& remark : on_axiom_) remarks_.push_back(std::move(remark));
+    on_axiom_.clear();
+  }
+
+  bool known(std::string_view symbol) const { return known_.find(symbol) != Names::none; }
 
   // Which constant a reader takes for the angle of bare turns: one that nothing uses.
   void note_uses() {
-    std::set<std::string_view> used;
+    bool used[std::size(angle_names)] = {};
     const auto use = [&](const Expression& expression) {
-      for (const Node& node : expression.nodes) used.insert(node.name);
+      for (const Node& node : expression.nodes)
+        for (std::size_t i = 0; i < std::size(angle_names); ++i) used[i] |= node.name == angle_names[i];
     };
     const auto use_all = [&](const std::vector<ModuleTree>& modules) {
       for (const ModuleTree& module : modules)
@@ -58,8 +69,8 @@ class Reader {
       if (production.weight) use(*production.weight);
     }
     for (const DefinitionTree& definition : grammar_.definitions)
-      for (const std::string_view name : angle_names)
-        if (definition.name == name && !used.contains(name)) angle_ = name;
+      for (std::size_t i = 0; i < std::size(angle_names); ++i)
+        if (definition.name == angle_names[i] && !used[i]) angle_ = angle_names[i];
   }
 
   // `line` is where an arrow stands, behind which the string begins; 0 for none.
@@ -83,7 +94,7 @@ class Reader {
       once("angle", module.place,
            {module.name, " without an argument turns by 90° and does not heed '", angle_, "'; write ", module.name, "(",
             angle_, ")."});
-    if (!known_.contains(module.name)) unknown(module);
+    if (!known(module.name)) unknown(module);
   }
 
   // A symbol that nothing rewrites and the turtle does not know.
@@ -106,16 +117,17 @@ class Reader {
                        modules.begin() + static_cast<std::ptrdiff_t>(at) + 4,
                        [&](const ModuleTree& module) {
                          return module.arguments.empty() && module.place.line == modules[at].place.line &&
-                                (module.name == "/" || !known_.contains(module.name));
+                                (module.name == "/" || !known(module.name));
                        }) &&
            modules[at + 2].name != "/" && modules[at + 3].name != "/";
   }
 
   const Grammar& grammar_;
-  std::set<std::string_view> known_;  // by the turtle or a production
-  std::set<std::string_view> said_;
+  Names known_;  // by the turtle or a production
+  Names said_;
   std::string_view angle_;
   std::vector<Remark> remarks_;
+  std::vector<Remark> on_axiom_;
 };
 
 bool declares(const Program& program, std::string_view name) {
