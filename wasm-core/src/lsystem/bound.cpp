@@ -104,7 +104,7 @@ class Binder {
   // Results that went wrong, or follow from one that did, stay 0, which the turtle takes: the productions that need
   // them will find out, if they are ever applied.
   void work_out() {
-    std::vector<bool> wrong(bound_->registers.size(), false);
+    std::vector<std::uint8_t> wrong(bound_->registers.size(), 0);
     Diagnostic unheard;
     for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at) {
       const Instruction& step = program_.code.instructions[at];

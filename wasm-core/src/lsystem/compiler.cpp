@@ -37,8 +37,8 @@ bool asks(const std::vector<ModuleTree>& modules) {
 bool needs_lineages(const Grammar& grammar) {
   if (draws(grammar.axiom) || asks(grammar.axiom)) return true;
   for (const ProductionTree& production : grammar.productions) {
-    if (production.weight || asks(production.successor) || draws(production.successor)) return true;
-    if (production.condition && draws(*production.condition)) return true;
+    if (production.weight.given() || asks(production.successor) || draws(production.successor)) return true;
+    if (draws(production.condition)) return true;
   }
   return false;
 }
@@ -81,7 +81,7 @@ class Compiler {
       declaration.to = array ? lowering_.define_array(definition.name) : lowering_.define(definition.name);
       program_->declarations.push_back(std::move(declaration));
     }
-    return !grammar_.steps || value(*grammar_.steps, program_->steps);
+    return !grammar_.steps.given() || value(grammar_.steps, program_->steps);
   }
 
   bool symbols() {
@@ -156,7 +156,7 @@ class Compiler {
       lowering_.begin_production(tree.formals, rules.productions.size());
       if (!production(tree, program_->productions[rules.productions.end])) return false;
       ++rules.productions.end;
-      rules.weighted |= tree.weight.has_value();
+      rules.weighted |= tree.weight.given();
       rules.by_chance |= rules.weighted || program_->productions[rules.productions.end - 1].by_chance;
     }
     return true;
@@ -177,10 +177,10 @@ class Compiler {
     production.predecessor = numbers_.find(tree.predecessor);
     production.place = tree.place;
     production.arity = static_cast<std::uint32_t>(tree.formals.size());
-    if (tree.condition && !value(*tree.condition, production.condition)) return false;
+    if (tree.condition.given() && !value(tree.condition, production.condition)) return false;
     if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
-    if (tree.weight && !value(*tree.weight, production.weight)) return false;
-    production.by_chance = (tree.condition && draws(*tree.condition)) || (tree.weight && draws(*tree.weight));
+    if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
+    production.by_chance = draws(tree.condition) || draws(tree.weight);
     production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32;
     program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
     return true;
@@ -271,8 +271,8 @@ class Compiler {
       trouble = error_at(Reason::syntax, tree.place,
                          {"What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '",
                           tree.name, "'; with a derivation length answers can be rewritten in the next step instead."});
-    if (!grammar_.steps) trouble_ = trouble;
-    return grammar_.steps.has_value();
+    if (!grammar_.steps.given()) trouble_ = trouble;
+    return grammar_.steps.given();
   }
 
   // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.

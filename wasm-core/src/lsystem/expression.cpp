@@ -58,10 +58,6 @@ const Function* function_named(std::string_view name) {
   return nullptr;
 }
 
-std::string counted(std::uint32_t count, const char* thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
 class Parser {
  public:
   Parser(std::span<const Token> tokens, std::size_t at, std::size_t end) : tokens_(tokens), at_(at), end_(end) {}
@@ -101,7 +97,7 @@ class Parser {
 
   bool next_is(char sign) const { return at_ + 1 < end_ && tokens_[at_ + 1].is(sign); }
 
-  bool push(Waiting waiting) {
+  bool push(const Waiting& waiting) {
     if (waiting_.size() >= deepest)
       return fail(Reason::limit, here(), {"This expression is nested deeper than 256; split it with a #define."});
     groups_ += waiting.kind != Waiting::Kind::operation;
@@ -147,7 +143,7 @@ class Parser {
     const Function* function = function_named(name.text);
     if (function == nullptr) {
       std::string known;
-      for (const Function& f : functions) known += (known.empty() ? "" : ", ") + std::string(f.name);
+      for (const Function& f : functions) known.append(known.empty() ? "" : ", ").append(f.name);
       return fail(Reason::undefined, name.place, {"There is no function '", name.text, "'; there are ", known, "."});
     }
     at_ += 2;
@@ -221,9 +217,10 @@ class Parser {
     ++at_;
     wants_operand_ = false;
     if (group.kind == Waiting::Kind::call && group.arguments != group.node.arguments)
-      return fail(Reason::syntax, group.node.place,
-                  {group.node.name, " takes ", counted(group.node.arguments, "argument"), ", not ",
-                   std::to_string(group.arguments), "."});
+      return fail(
+          Reason::syntax, group.node.place,
+          {group.node.name, " takes ", std::to_string(group.node.arguments),
+           group.node.arguments == 1 ? " argument, not " : " arguments, not ", std::to_string(group.arguments), "."});
     if (group.kind != Waiting::Kind::parenthesis) put(group.node);
     return true;
   }

@@ -28,7 +28,7 @@ bool same_as_one_of(const std::vector<Instruction>& earlier, Instruction& instru
 
 Lowering::Lowering(Code& code) : code_(code) {
   code_.registers.assign(most_parameters, 0);
-  known_.assign(most_parameters, Known::on_the_run);
+  known_.assign(most_parameters, static_cast<std::uint8_t>(Known::on_the_run));
 }
 
 std::uint32_t Lowering::define(std::string_view name) {
@@ -193,7 +193,7 @@ void Lowering::end_branch(const Node& node) {
 
 std::uint32_t Lowering::new_register(float value, Known known) {
   code_.registers.push_back(value);
-  known_.push_back(known);
+  known_.push_back(static_cast<std::uint8_t>(known));
   return static_cast<std::uint32_t>(code_.registers.size() - 1);
 }
 

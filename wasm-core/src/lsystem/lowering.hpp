@@ -38,7 +38,7 @@ class Lowering {
   // is not known now is code in place. Errors: undefined; syntax (random values where there is no module to draw them
   // for).
   Result<std::uint32_t> lower(const Expression& expression);
-  Known known(std::uint32_t reg) const { return known_[reg]; }
+  Known known(std::uint32_t reg) const { return static_cast<Known>(known_[reg]); }
 
   // Puts the code that runs once the inputs are bound behind all other code, and tells where it is. An instruction of
   // it that goes wrong is no error by itself: it stands once more in the code of each expression that needs it.
@@ -81,7 +81,7 @@ class Lowering {
   std::array<std::uint32_t, 3> drawn_{};         // how many calls of each random function
   Names numbers_;                                // of the text, by their four bytes
   std::vector<std::uint32_t> number_registers_;  // of each
-  std::vector<Known> known_;                     // of each register
+  std::vector<std::uint8_t> known_;              // of each register
   std::vector<std::uint32_t> stack_;
   std::vector<Branch> branches_;
   std::vector<Instruction> available_;  // whose results can be used again here

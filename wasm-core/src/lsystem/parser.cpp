@@ -159,10 +159,10 @@ class GrammarParser {
   }
 
   bool length() {
-    if (grammar_.steps) return wrong(tokens_[at_].place, {"There is a second derivation length; keep one of them."});
+    if (grammar_.steps.given())
+      return wrong(tokens_[at_].place, {"There is a second derivation length; keep one of them."});
     at_ += 3;
-    grammar_.steps.emplace();
-    return expression_to(end_, *grammar_.steps);
+    return expression_to(end_, grammar_.steps);
   }
 
   bool input_form(DefinitionTree& definition) {
@@ -178,16 +178,20 @@ class GrammarParser {
     return true;
   }
 
-  // An expression that reaches exactly to `end`.
-  bool expression_to(std::size_t end, Expression& expression) {
+  bool expression_before(std::size_t end, Expression& expression) {
     Result<Expression> result = parse_expression(tokens_, at_, end);
     if (!result) {
       trouble_ = result.error();
       return false;
     }
-    if (at_ < end) return wrong(here(), {"'", found(), "' cannot stand here; take it out."});
     expression = std::move(result.value());
     return true;
+  }
+
+  // An expression that reaches exactly to `end`.
+  bool expression_to(std::size_t end, Expression& expression) {
+    if (!expression_before(end, expression)) return false;
+    return at_ == end || wrong(here(), {"'", found(), "' cannot stand here; take it out."});
   }
 
   bool axiom() {
@@ -215,9 +219,7 @@ class GrammarParser {
     if (!empty && !modules(production.successor)) return false;
     if (on_sign(':')) {
       ++at_;
-      Expression weight;
-      if (!expression_to(end_, weight)) return false;
-      production.weight = std::move(weight);
+      if (!expression_to(end_, production.weight)) return false;
     }
     if (at_ < end_) return wrong(here(), {"Nothing but a weight may follow *, but here is '", found(), "'."});
     grammar_.productions.push_back(std::move(production));
@@ -273,10 +275,7 @@ class GrammarParser {
     ++at_;
     const bool always = at_ == arrow_ || (on_sign('*') && at_ + 1 == arrow_);
     if (always) return true;
-    Expression condition;
-    if (!expression_to(arrow_, condition)) return false;
-    production.condition = std::move(condition);
-    return true;
+    return expression_to(arrow_, production.condition);
   }
 
   // A name, a sign of the turtle or ?E.
@@ -355,12 +354,7 @@ class GrammarParser {
     ++at_;
     if (on_sign(')')) return ++at_, true;
     for (;;) {
-      Result<Expression> argument = parse_expression(tokens_, at_, end_);
-      if (!argument) {
-        trouble_ = argument.error();
-        return false;
-      }
-      module.arguments.push_back(std::move(argument.value()));
+      if (!expression_before(end_, module.arguments.emplace_back())) return false;
       if (module.arguments.size() > most_parameters) return too_many(opened);
       if (at_ >= end_) return wrong(opened, {"This ( is never closed."});
       if (tokens_[at_++].is(')')) return true;

@@ -65,8 +65,8 @@ class Reader {
     for (const DefinitionTree& definition : grammar_.definitions) use(definition.expression);
     for (const ProductionTree& production : grammar_.productions) {
       use_all(production.successor);
-      if (production.condition) use(*production.condition);
-      if (production.weight) use(*production.weight);
+      use(production.condition);
+      use(production.weight);
     }
     for (const DefinitionTree& definition : grammar_.definitions)
       for (std::size_t i = 0; i < std::size(angle_names); ++i)
