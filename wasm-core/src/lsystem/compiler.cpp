@@ -60,8 +60,8 @@ class Compiler {
   }
 
  private:
-  bool fail(Reason reason, const Place& place, Pieces pieces) {
-    trouble_ = error_at(reason, place, pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+    trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
 
@@ -94,8 +94,7 @@ class Compiler {
       for (const ModuleTree& module : production.successor) add_symbol(module.name);
     }
     if (program_->symbols.size() > most_symbols)
-      return fail(Reason::limit, grammar_.axiom.front().place,
-                  {"The grammar has more than 65,520 symbols; use fewer."});
+      return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
     return true;
   }
 
@@ -129,14 +128,14 @@ class Compiler {
     const std::uint32_t number = numbers_.find(symbol.name);
     if (number == Names::none)
       return fail(Reason::undefined, symbol.place,
-                  {"Neither the axiom nor a production has the symbol '", symbol.name, "'; take it out of the role."});
+                  "Neither the axiom nor a production has the symbol '%'; take it out of the role.", {symbol.name});
     if (is_turtle_symbol(number))
       return fail(Reason::syntax, symbol.place,
-                  {"'", symbol.name, "' is the turtle's and has no role; give one to the symbol that writes it."});
+                  "'%' is the turtle's and has no role; give one to the symbol that writes it.", {symbol.name});
     std::uint32_t& given = roles.of_symbol[number];
     if (given != Roles::none && given != role)
-      return fail(Reason::syntax, symbol.place,
-                  {"'", symbol.name, "' has the role '", roles.names[given], "' already; a symbol has one."});
+      return fail(Reason::syntax, symbol.place, "'%' has the role '%' already; a symbol has one.",
+                  {symbol.name, roles.names[given]});
     given = role;
     return true;
   }
@@ -190,8 +189,7 @@ class Compiler {
     if (!is_turtle_symbol(predecessor)) return true;
     const Action action = turtle_symbols[predecessor].action;
     if (action == Action::push || action == Action::pop || action == Action::cut)
-      return fail(Reason::syntax, tree.place,
-                  {"'", tree.predecessor, "' cannot be rewritten; use a symbol of your own."});
+      return fail(Reason::syntax, tree.place, "'%' cannot be rewritten; use a symbol of your own.", {tree.predecessor});
     return takes(predecessor, tree.formals.size(), tree.place);
   }
 
@@ -200,9 +198,8 @@ class Compiler {
     if (count <= turtle.most_arguments) return true;
     const char* most = turtle.most_arguments == 0 ? " takes no argument" : " takes at most one argument";
     const char* otherwise = is_letter(turtle.symbol[0]) ? ", or name a symbol of your own otherwise." : ".";
-    return fail(Reason::syntax, place,
-                {"'", turtle.symbol, "' (", turtle.name, ")", most, ", but here it has ", std::to_string(count),
-                 "; leave out the rest", otherwise});
+    return fail(Reason::syntax, place, "'%' (%)%, but here it has %; leave out the rest%",
+                {turtle.symbol, turtle.name, most, std::to_string(count), otherwise});
   }
 
   bool value(const Expression& expression, Value& value) {
@@ -244,7 +241,7 @@ class Compiler {
     if (answer && !drawable(tree, symbol)) return false;
     if (!stands_for_itself(tree.name, symbol))
       return fail(Reason::syntax, tree.place,
-                  {"'", tree.name, "' is read as one symbol, which nothing defines; put spaces between several."});
+                  "'%' is read as one symbol, which nothing defines; put spaces between several.", {tree.name});
 
     const std::size_t at = program.words.size();
     const bool active = symbol == cut_symbol || (rewritten_[symbol] >> count & 1) != 0;
@@ -269,8 +266,9 @@ class Compiler {
     Diagnostic& trouble = program_->not_drawable;
     if (trouble.reason == Reason::none)
       trouble = error_at(Reason::syntax, tree.place,
-                         {"What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '",
-                          tree.name, "'; with a derivation length answers can be rewritten in the next step instead."});
+                         "What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '%'; with "
+                         "a derivation length answers can be rewritten in the next step instead.",
+                         {tree.name});
     if (!grammar_.steps.given()) trouble_ = trouble;
     return grammar_.steps.given();
   }
@@ -338,9 +336,8 @@ class Compiler {
 
 Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits, Lineages lineages) {
   if (text.size() > limits.text_bytes)
-    return error_at(Reason::limit, {},
-                    {"The grammar is ", std::to_string(text.size()), " bytes long; the limit is ",
-                     std::to_string(limits.text_bytes), "."});
+    return error_at(Reason::limit, {}, "The grammar is % bytes long; the limit is %.",
+                    {std::to_string(text.size()), std::to_string(limits.text_bytes)});
   const Result<Grammar> grammar = parse(text);
   if (!grammar) return grammar.error();
   return Compiler(grammar.value(), lineages).run();

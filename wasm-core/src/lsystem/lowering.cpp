@@ -72,8 +72,8 @@ Range Lowering::finish() {
   return {begin, here()};
 }
 
-bool Lowering::fail(Reason reason, const Place& place, Pieces pieces) {
-  trouble_ = error_at(reason, place, pieces);
+bool Lowering::fail(Reason reason, const Place& place, const char* pattern, Pieces pieces) {
+  trouble_ = error_at(reason, place, pattern, pieces);
   return false;
 }
 
@@ -106,18 +106,18 @@ bool Lowering::name(const Node& node) {
   const Meaning* const meaning = this->meaning(node.name);
   if (meaning && !meaning->array) return put(meaning->at), true;
   if (meaning)
-    return fail(Reason::undefined, node.place,
-                {"'", node.name, "' is an array; say which value you mean, as in ", node.name, "[1]."});
+    return fail(Reason::undefined, node.place, "'%' is an array; say which value you mean, as in %[1].",
+                {node.name, node.name});
   return fail(Reason::undefined, node.place,
-              {"Nothing defines '", node.name,
-               "' here; add a #define before this line or name it among the predecessor's parameters."});
+              "Nothing defines '%' here; add a #define before this line or name it among the predecessor's parameters.",
+              {node.name});
 }
 
 bool Lowering::element(const Node& node) {
   const Meaning* const array = meaning(node.name);
   if (!array || !array->array)
-    return fail(Reason::undefined, node.place,
-                {"There is no array '", node.name, "'; declare it before this line with #input ", node.name, "[]."});
+    return fail(Reason::undefined, node.place, "There is no array '%'; declare it before this line with #input %[].",
+                {node.name, node.name});
   const Instruction instruction{Op::element, 0, pop(), 0, array->at};
   const bool once_bound = in_production_ && known(instruction.a) != Known::on_the_run;
   const std::uint32_t read = emit(instruction, node.place);
@@ -139,7 +139,7 @@ bool Lowering::operation(const Node& node) {
   }
   if (!in_production_)
     return fail(Reason::syntax, node.place,
-                {"Random values belong to modules; draw them in the axiom or a production, not in a #define."});
+                "Random values belong to modules; draw them in the axiom or a production, not in a #define.");
   Instruction instruction{node.op, 0, 0, 0, static_cast<std::uint32_t>(code_.streams.size())};
   if (node.arguments > 1) instruction.b = pop();
   instruction.a = pop();

@@ -50,7 +50,7 @@ class Lowering {
     std::uint32_t out;
     std::size_t available;
   };
-  bool fail(Reason reason, const Place& place, Pieces pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
   bool lower_node(const Node& node);
   bool name(const Node& node);
   bool element(const Node& node);

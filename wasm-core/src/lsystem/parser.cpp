@@ -18,18 +18,20 @@ class GrammarParser {
     while (at_ < tokens_.size())
       if (!statement()) return trouble_;
     if (grammar_.axiom.empty()) {
-      fail(Reason::syntax, {1, 1}, {"The grammar has no axiom; begin with a line such as axiom: A(1)."});
+      fail(Reason::syntax, {1, 1}, "The grammar has no axiom; begin with a line such as axiom: A(1).");
       return trouble_;
     }
     return std::move(grammar_);
   }
 
  private:
-  bool fail(Reason reason, const Place& place, Pieces pieces) {
-    trouble_ = error_at(reason, place, pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+    trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
-  bool wrong(const Place& place, Pieces pieces) { return fail(Reason::syntax, place, pieces); }
+  bool wrong(const Place& place, const char* pattern, Pieces pieces = {}) {
+    return fail(Reason::syntax, place, pattern, pieces);
+  }
 
   Place here() const { return place_of(tokens_, at_, end_); }
   bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
@@ -100,33 +102,33 @@ class GrammarParser {
 
   bool no_statement(std::size_t begin) {
     const Place& place = tokens_[begin].place;
-    if (is_foreign_line(begin)) return wrong(place, {foreign_statement(tokens_[begin].text)});
+    if (is_foreign_line(begin)) return wrong(place, "%", {foreign_statement(tokens_[begin].text)});
     if (const std::size_t arrow = foreign_arrow(begin)) {
-      if (tokens_[arrow - 1].kind != TokenKind::number)
-        return wrong(tokens_[arrow].place, {"An arrow is written -->."});
-      return wrong(tokens_[arrow - 1].place,
-                   {"A weight stands behind the successor and a colon here: A --> B : ", tokens_[arrow - 1].text, "."});
+      if (tokens_[arrow - 1].kind != TokenKind::number) return wrong(tokens_[arrow].place, "An arrow is written -->.");
+      return wrong(tokens_[arrow - 1].place, "A weight stands behind the successor and a colon here: A --> B : %.",
+                   {tokens_[arrow - 1].text});
     }
-    if (is_comment(begin)) return wrong(place, {"A comment is written /* … */ here; // is two rolls of the turtle."});
-    return wrong(place, {"This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation "
-                         "length: or a production with -->."});
+    if (is_comment(begin)) return wrong(place, "A comment is written /* … */ here; // is two rolls of the turtle.");
+    return wrong(place,
+                 "This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation length: or "
+                 "a production with -->.");
   }
 
   bool directive() {
     ++at_;
-    if (!on_name()) return wrong(here(), {"A name is expected after #: define, input or role."});
+    if (!on_name()) return wrong(here(), "A name is expected after #: define, input or role.");
     const Token& keyword = tokens_[at_++];
     if (keyword.text == "role") return role();
     const bool input = keyword.text == "input";
     if (!input && keyword.text != "define") {
-      if (!foreign_directive(keyword.text).empty()) return wrong(keyword.place, {foreign_directive(keyword.text)});
-      return wrong(keyword.place, {"There is no #", keyword.text, "; write #define, #input or #role."});
+      if (!foreign_directive(keyword.text).empty()) return wrong(keyword.place, "%", {foreign_directive(keyword.text)});
+      return wrong(keyword.place, "There is no #%; write #define, #input or #role.", {keyword.text});
     }
     return definition(input);
   }
 
   bool role() {
-    if (!on_name()) return wrong(here(), {"A role's name is expected here, not '", found(), "'."});
+    if (!on_name()) return wrong(here(), "A role's name is expected here, not '%'.", {found()});
     RoleTree role{tokens_[at_++].text, {}};
     while (at_ < end_) {
       Named symbol{{}, here()};
@@ -134,25 +136,24 @@ class GrammarParser {
       role.symbols.push_back(symbol);
     }
     if (role.symbols.empty())
-      return wrong(here(), {"Which symbols have the role '", role.name, "'? Write them behind its name."});
+      return wrong(here(), "Which symbols have the role '%'? Write them behind its name.", {role.name});
     grammar_.roles.push_back(std::move(role));
     return true;
   }
 
   bool definition(bool input) {
-    if (!on_name()) return wrong(here(), {"A name is expected here, not '", found(), "'."});
+    if (!on_name()) return wrong(here(), "A name is expected here, not '%'.", {found()});
     DefinitionTree definition;
     definition.name = tokens_[at_].text;
     definition.place = tokens_[at_].place;
     ++at_;
     const std::uint32_t first = defined_.add(definition.name);
     if (first < grammar_.definitions.size())
-      return wrong(definition.place,
-                   {"'", definition.name, "' is defined twice, first in line ",
-                    std::to_string(grammar_.definitions[first].place.line), "; give one of them another name."});
+      return wrong(definition.place, "'%' is defined twice, first in line %; give one of them another name.",
+                   {definition.name, std::to_string(grammar_.definitions[first].place.line)});
     if (!input && on_sign('['))
-      return wrong(here(), {"A #define holds one number; a list is declared by #input ", definition.name,
-                            "[] and given with the request."});
+      return wrong(here(), "A #define holds one number; a list is declared by #input %[] and given with the request.",
+                   {definition.name});
     if (input ? !input_form(definition) : !expression_to(end_, definition.expression)) return false;
     grammar_.definitions.push_back(std::move(definition));
     return true;
@@ -160,7 +161,7 @@ class GrammarParser {
 
   bool length() {
     if (grammar_.steps.given())
-      return wrong(tokens_[at_].place, {"There is a second derivation length; keep one of them."});
+      return wrong(tokens_[at_].place, "There is a second derivation length; keep one of them.");
     at_ += 3;
     return expression_to(end_, grammar_.steps);
   }
@@ -170,11 +171,11 @@ class GrammarParser {
     if (on_sign('[')) {
       ++at_;
       if (!on_sign(']'))
-        return wrong(here(), {"An array is declared as #input name[], with nothing between the brackets."});
+        return wrong(here(), "An array is declared as #input name[], with nothing between the brackets.");
       ++at_;
       definition.kind = Definition::Kind::array;
     }
-    if (at_ < end_) return wrong(here(), {"Nothing may follow the name of an input, but here is '", found(), "'."});
+    if (at_ < end_) return wrong(here(), "Nothing may follow the name of an input, but here is '%'.", {found()});
     return true;
   }
 
@@ -191,29 +192,28 @@ class GrammarParser {
   // An expression that reaches exactly to `end`.
   bool expression_to(std::size_t end, Expression& expression) {
     if (!expression_before(end, expression)) return false;
-    return at_ == end || wrong(here(), {"'", found(), "' cannot stand here; take it out."});
+    return at_ == end || wrong(here(), "'%' cannot stand here; take it out.", {found()});
   }
 
   bool axiom() {
-    if (!grammar_.axiom.empty()) return wrong(tokens_[at_].place, {"There is a second axiom; keep one of them."});
+    if (!grammar_.axiom.empty()) return wrong(tokens_[at_].place, "There is a second axiom; keep one of them.");
     at_ += 2;
     const Place place = here();
     if (!modules(grammar_.axiom)) return false;
-    if (at_ < end_) return wrong(here(), {"An axiom has no weight; take out the colon."});
-    return !grammar_.axiom.empty() || wrong(place, {"The axiom needs at least one module, such as A(1)."});
+    if (at_ < end_) return wrong(here(), "An axiom has no weight; take out the colon.");
+    return !grammar_.axiom.empty() || wrong(place, "The axiom needs at least one module, such as A(1).");
   }
 
   bool production() {
     ProductionTree production;
     if (is_label())
-      return wrong(here(),
-                   {"In cpfg '", found(), ":' labels a production; there are no labels here, so leave it out."});
+      return wrong(here(), "In cpfg '%:' labels a production; there are no labels here, so leave it out.", {found()});
     if (!predecessor(production) || !condition(production)) return false;
     at_ = arrow_ + 1;
     const std::size_t end = end_of_line(arrow_);
     for (std::size_t i = at_; i < end; ++i)
       if (tokens_[i].kind == TokenKind::arrow)
-        return wrong(tokens_[i].place, {"This line has a second -->; begin each production on a line of its own."});
+        return wrong(tokens_[i].place, "This line has a second -->; begin each production on a line of its own.");
     const bool empty = on_sign('*');  // cpfg's way to write an empty successor
     at_ += empty;
     if (!empty && !modules(production.successor)) return false;
@@ -221,7 +221,7 @@ class GrammarParser {
       ++at_;
       if (!expression_to(end_, production.weight)) return false;
     }
-    if (at_ < end_) return wrong(here(), {"Nothing but a weight may follow *, but here is '", found(), "'."});
+    if (at_ < end_) return wrong(here(), "Nothing but a weight may follow *, but here is '%'.", {found()});
     grammar_.productions.push_back(std::move(production));
     return true;
   }
@@ -263,8 +263,8 @@ class GrammarParser {
     if (!symbol(production.predecessor) || !formals(production.formals)) return false;
     if (at_ < end_ && !on_sign(':')) {
       if (on_sign('<') || on_sign('>'))
-        return wrong(here(), {"Productions cannot see their neighbours here; take out what stands beside < or >."});
-      return wrong(here(), {"A condition begins with a colon, but here is '", found(), "'."});
+        return wrong(here(), "Productions cannot see their neighbours here; take out what stands beside < or >.");
+      return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
     }
     end_ = end;
     return true;
@@ -281,14 +281,14 @@ class GrammarParser {
   // A name, a sign of the turtle or ?E.
   bool symbol(std::string_view& name) {
     static constexpr std::string_view signs = "+-&^/\\|![]%";
-    if (at_ >= end_) return wrong(tokens_[arrow_].place, {"A symbol is expected before -->, on the same line."});
+    if (at_ >= end_) return wrong(tokens_[arrow_].place, "A symbol is expected before -->, on the same line.");
     const Token& token = tokens_[at_];
     name = token.text;
     if (token.is('?')) {
       if (at_ + 1 < end_ && !foreign_query(tokens_[at_ + 1].text).empty())
-        return wrong(token.place, {foreign_query(tokens_[at_ + 1].text)});
+        return wrong(token.place, "%", {foreign_query(tokens_[at_ + 1].text)});
       if (at_ + 1 >= end_ || !tokens_[at_ + 1].is("E") || !touching(token, tokens_[at_ + 1]))
-        return wrong(token.place, {"The only communication module is ?E; write it in one word."});
+        return wrong(token.place, "The only communication module is ?E; write it in one word.");
       name = {token.text.data(), 2};
       ++at_;
     } else if (token.kind != TokenKind::name && signs.find(token.text[0]) == std::string_view::npos) {
@@ -299,11 +299,10 @@ class GrammarParser {
   }
 
   bool no_symbol(const Token& token) {
-    if (!foreign_module(token.text).empty()) return wrong(token.place, {foreign_module(token.text)});
+    if (!foreign_module(token.text).empty()) return wrong(token.place, "%", {foreign_module(token.text)});
     if (token.kind == TokenKind::number)
-      return wrong(token.place, {"A symbol begins with a letter; '", token.text, "' cannot be one."});
-    return wrong(token.place,
-                 {"'", token.text, "' cannot stand in a string of modules; docs/turtle.md lists what can."});
+      return wrong(token.place, "A symbol begins with a letter; '%' cannot be one.", {token.text});
+    return wrong(token.place, "'%' cannot stand in a string of modules; docs/turtle.md lists what can.", {token.text});
   }
 
   bool formals(std::vector<Named>& formals) {
@@ -311,14 +310,14 @@ class GrammarParser {
     const Place opened = here();
     ++at_;
     while (!on_sign(')')) {
-      if (at_ >= end_) return wrong(opened, {"This ( is never closed."});
+      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
       if (!formals.empty()) {
-        if (!on_sign(',')) return wrong(here(), {"A comma is expected here, not '", found(), "'."});
+        if (!on_sign(',')) return wrong(here(), "A comma is expected here, not '%'.", {found()});
         ++at_;
       }
-      if (!on_name()) return wrong(here(), {"A predecessor's parameters are names; here is '", found(), "'."});
+      if (!on_name()) return wrong(here(), "A predecessor's parameters are names; here is '%'.", {found()});
       for (const Named& earlier : formals)
-        if (earlier.name == found()) return wrong(here(), {"The parameter '", found(), "' stands here twice."});
+        if (earlier.name == found()) return wrong(here(), "The parameter '%' stands here twice.", {found()});
       if (formals.size() == most_parameters) return too_many(opened);
       formals.push_back({tokens_[at_].text, tokens_[at_].place});
       ++at_;
@@ -328,7 +327,7 @@ class GrammarParser {
   }
 
   bool too_many(const Place& place) {
-    return fail(Reason::limit, place, {"A module has at most 32 parameters; split it into two."});
+    return fail(Reason::limit, place, "A module has at most 32 parameters; split it into two.");
   }
 
   // Modules up to a `:` or the statement's end, their brackets balanced.
@@ -340,12 +339,12 @@ class GrammarParser {
       if (!symbol(module.name) || !arguments(module)) return false;
       if (module.name == "[") open.push_back(module.place);
       if (module.name == "]") {
-        if (open.empty()) return wrong(module.place, {"This ] closes nothing."});
+        if (open.empty()) return wrong(module.place, "This ] closes nothing.");
         open.pop_back();
       }
       modules.push_back(std::move(module));
     }
-    return open.empty() || wrong(open.back(), {"This [ is never closed."});
+    return open.empty() || wrong(open.back(), "This [ is never closed.");
   }
 
   bool arguments(ModuleTree& module) {
@@ -356,7 +355,7 @@ class GrammarParser {
     for (;;) {
       if (!expression_before(end_, module.arguments.emplace_back())) return false;
       if (module.arguments.size() > most_parameters) return too_many(opened);
-      if (at_ >= end_) return wrong(opened, {"This ( is never closed."});
+      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
       if (tokens_[at_++].is(')')) return true;
     }
   }

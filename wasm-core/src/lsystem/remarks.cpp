@@ -26,10 +26,9 @@ class Reader {
     for (const ProductionTree& production : grammar_.productions) {
       if (grammar_.axiom[0].place.line < production.place.line) add_those_on_axiom();
       if (production.predecessor == "S")
-        once(
-            "S as a symbol", production.place,
-            {"S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
-             "name."});
+        once("S as a symbol", production.place,
+             "S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
+             "name.");
       string(production.successor, production.place.line);
     }
     add_those_on_axiom();
@@ -37,9 +36,9 @@ class Reader {
   }
 
  private:
-  void once(std::string_view what, const Place& place, Pieces pieces) {
+  void once(std::string_view what, const Place& place, const char* pattern, Pieces pieces = {}) {
     const std::uint32_t said = said_.size();
-    if (said_.add(what) == said) remarks_.push_back({joined(pieces), place.line, place.column});
+    if (said_.add(what) == said) remarks_.push_back({sentence(pattern, pieces), place.line, place.column});
   }
 
   // What is said of the axiom stands where the axiom does, though it is looked at first.
@@ -80,20 +79,19 @@ class Reader {
       const bool begins_line = (i == 0 ? line : modules[i - 1].place.line) != modules[i].place.line;
       if (begins_line && reads_as_comment(modules, i))
         once("//", modules[i].place,
-             {"This line is read as two rolls of the turtle and symbols that draw nothing; a comment is written /* … "
-              "*/."});
+             "This line is read as two rolls of the turtle and symbols that draw nothing; a comment is written /* … "
+             "*/.");
     }
   }
 
   void module(const ModuleTree& module) {
     const bool bare = module.arguments.empty();
     if (bare && module.name == "!")
-      once("!", module.place, {"! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w)."});
+      once("!", module.place, "! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
     if (bare && !angle_.empty() &&
         (module.name == "+" || module.name == "-" || module.name == "&" || module.name == "^"))
-      once("angle", module.place,
-           {module.name, " without an argument turns by 90° and does not heed '", angle_, "'; write ", module.name, "(",
-            angle_, ")."});
+      once("angle", module.place, "% without an argument turns by 90° and does not heed '%'; write %(%).",
+           {module.name, angle_, module.name, angle_});
     if (!known(module.name)) unknown(module);
   }
 
@@ -102,12 +100,12 @@ class Reader {
     const std::string_view name = module.name, digits = name.substr(1);
     const bool turtles = name[0] == 'F' || name[0] == 'f' || name[0] == 'S';
     if (turtles && !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos)
-      once(name, module.place,
-           {name, " is one symbol of its own and draws nothing; write ", name.substr(0, 1), "(", digits, ")."});
+      once(name, module.place, "% is one symbol of its own and draws nothing; write %(%).",
+           {name, name.substr(0, 1), digits});
     if (name == "T")
-      once(name, module.place, {"T draws nothing; in cpfg it bends what follows (tropism), which the notation lacks."});
+      once(name, module.place, "T draws nothing; in cpfg it bends what follows (tropism), which the notation lacks.");
     if ((name == "G" || name == "g") && !module.arguments.empty())
-      once(name, module.place, {name, " draws nothing; in cpfg it moves ahead within a polygon: write F or f."});
+      once(name, module.place, "% draws nothing; in cpfg it moves ahead within a polygon: write F or f.", {name});
   }
 
   // `//` and at least two words that mean nothing.
@@ -144,19 +142,18 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
   std::vector<Remark> all = program.remarks;
   for (const Production& production : program.productions)
     if (production.by_chance && !steps && !program.steps.given)
-      all.push_back({joined({program.symbols[production.predecessor],
-                             " tries its random condition once; with a derivation length it is tried each step."}),
+      all.push_back({sentence("% tries its random condition once; with a derivation length it is tried each step.",
+                              {program.symbols[production.predecessor]}),
                      production.place.line, production.place.column});
   for (const Inputs::Scalar& given : asked)
     if (!declares(program, given.name))
-      all.push_back({joined({"The grammar has no #define ", given.name, ", so its parameter changes nothing."}), 0, 0});
+      all.push_back({sentence("The grammar has no #define %, so its parameter changes nothing.", {given.name}), 0, 0});
   return all;
 }
 
 std::string to_text(const Remark& remark) {
   if (remark.line == 0) return remark.message;
-  return joined(
-      {"Line ", std::to_string(remark.line), ", column ", std::to_string(remark.column), ": ", remark.message});
+  return sentence("Line %, column %: %", {std::to_string(remark.line), std::to_string(remark.column), remark.message});
 }
 
 }  // namespace panicle::lsystem
