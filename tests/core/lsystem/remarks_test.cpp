@@ -98,4 +98,9 @@ TEST_CASE("remarks stand in the order of the text") {
   const std::string all = remarked("axiom: !\nA --> T\n  F3\nS --> A");
   CHECK(all.find("2:7 T") < all.find("3:3 F3"));
   CHECK(all.find("3:3 F3") < all.find("4:1 S"));
+  CHECK(remarked("A --> T !\naxiom: ! G(1)\nB --> F3 T") ==
+        "1:7 T draws nothing; in cpfg it bends what follows (tropism), which the notation lacks.|"
+        "2:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).|"
+        "2:10 G draws nothing; in cpfg it moves ahead within a polygon: write F or f.|"
+        "3:7 F3 is one symbol of its own and draws nothing; write F(3).");
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace panicle {
 
@@ -30,18 +30,19 @@ struct Diagnostic {
 template <class Value>
 class Result {
  public:
-  Result(Value value) : state_(std::move(value)) {}
-  Result(Diagnostic diagnostic) : state_(std::move(diagnostic)) {}
+  Result(Value value) : value_(std::move(value)) {}
+  Result(Diagnostic diagnostic) : error_(std::move(diagnostic)) {}
 
-  explicit operator bool() const { return state_.index() == 0; }
-  Value& value() { return *std::get_if<0>(&state_); }
-  const Value& value() const { return *std::get_if<0>(&state_); }
-  Value* operator->() { return std::get_if<0>(&state_); }
-  const Value* operator->() const { return std::get_if<0>(&state_); }
-  const Diagnostic& error() const { return *std::get_if<1>(&state_); }
+  explicit operator bool() const { return value_.has_value(); }
+  Value& value() { return *value_; }
+  const Value& value() const { return *value_; }
+  Value* operator->() { return &*value_; }
+  const Value* operator->() const { return &*value_; }
+  const Diagnostic& error() const { return error_; }
 
  private:
-  std::variant<Value, Diagnostic> state_;
+  std::optional<Value> value_;
+  Diagnostic error_;  // where there is no value
 };
 
 }  // namespace panicle

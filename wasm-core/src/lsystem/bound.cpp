@@ -42,8 +42,8 @@ class Binder {
   }
 
  private:
-  bool fail(Reason reason, const Place& place, Pieces pieces) {
-    trouble_ = error_at(reason, place, pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+    trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
 
@@ -56,17 +56,17 @@ class Binder {
     if (const Inputs::Scalar* const given = named(inputs_.scalars, declaration.name)) {
       value = given->value;
       if (!is_finite(value))
-        return fail(Reason::bad_input, declaration.place,
-                    {"'", declaration.name, "' was given ", number_text(value), "; give it a finite number."});
+        return fail(Reason::bad_input, declaration.place, "'%' was given %; give it a finite number.",
+                    {declaration.name, number_text(value)});
     } else if (declaration.kind == Definition::Kind::input) {
-      return fail(Reason::bad_input, declaration.place,
-                  {"The input '", declaration.name, "' has no value; give it one with the request."});
+      return fail(Reason::bad_input, declaration.place, "The input '%' has no value; give it one with the request.",
+                  {declaration.name});
     } else {
       if (!execute(declaration.value.code.begin, declaration.value.code.end, trouble_)) return false;
       value = bound_->registers[declaration.value.source];
       if (!is_finite(value))
-        return fail(Reason::evaluation, declaration.value.place,
-                    {"'", declaration.name, "' comes to ", number_text(value), "; it must be a finite number."});
+        return fail(Reason::evaluation, declaration.value.place, "'%' comes to %; it must be a finite number.",
+                    {declaration.name, number_text(value)});
     }
     bound_->definitions.push_back({declaration.name, declaration.kind, {value}});
     return true;
@@ -75,13 +75,12 @@ class Binder {
   bool list(const Declaration& declaration) {
     const Inputs::Array* const given = named(inputs_.arrays, declaration.name);
     if (given == nullptr)
-      return fail(Reason::bad_input, declaration.place,
-                  {"The input '", declaration.name, "[]' has no values; give it some with the request."});
+      return fail(Reason::bad_input, declaration.place, "The input '%[]' has no values; give it some with the request.",
+                  {declaration.name});
     for (std::size_t i = 0; i < given->values.size(); ++i)
       if (!is_finite(given->values[i]))
-        return fail(Reason::bad_input, declaration.place,
-                    {declaration.name, "[", std::to_string(i + 1), "] was given ", number_text(given->values[i]),
-                     "; give it a finite number."});
+        return fail(Reason::bad_input, declaration.place, "%[%] was given %; give it a finite number.",
+                    {declaration.name, std::to_string(i + 1), number_text(given->values[i])});
     bound_->lists[declaration.to] = given->values;
     bound_->definitions.push_back({declaration.name, declaration.kind, given->values});
     return true;
@@ -92,11 +91,10 @@ class Binder {
     const float value = bound_->registers[program_.steps.source];
     if (!(value >= 0 && std::floor(value) == value))
       return fail(Reason::evaluation, program_.steps.place,
-                  {"The derivation length comes to ", number_text(value), "; it must be a whole number of 0 or more."});
+                  "The derivation length comes to %; it must be a whole number of 0 or more.", {number_text(value)});
     if (value > static_cast<float>(limits_.steps))
-      return fail(Reason::limit, program_.steps.place,
-                  {"The derivation length comes to ", number_text(value), "; the limit is ",
-                   std::to_string(limits_.steps), " steps."});
+      return fail(Reason::limit, program_.steps.place, "The derivation length comes to %; the limit is % steps.",
+                  {number_text(value), std::to_string(limits_.steps)});
     bound_->steps = static_cast<std::uint32_t>(value);
     return true;
   }
@@ -104,7 +102,7 @@ class Binder {
   // Results that went wrong, or follow from one that did, stay 0, which the turtle takes: the productions that need
   // them will find out, if they are ever applied.
   void work_out() {
-    std::vector<bool> wrong(bound_->registers.size(), false);
+    std::vector<std::uint8_t> wrong(bound_->registers.size(), 0);
     Diagnostic unheard;
     for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at) {
       const Instruction& step = program_.code.instructions[at];

@@ -43,9 +43,9 @@ void draw_whole(float a, float b, const Sources& sources, std::uint64_t stream, 
   const float low = std::ceil(std::min(a, b));
   const float high = std::floor(std::max(a, b));
   if (!(std::fabs(low) <= 1e9f && std::fabs(high) <= 1e9f) || std::isnan(a) || std::isnan(b)) {
-    wrong = joined({"RND needs two numbers from -1e9 to 1e9, not ", number_text(a), " and ", number_text(b), "."});
+    wrong = sentence("RND needs two numbers from -1e9 to 1e9, not % and %.", {number_text(a), number_text(b)});
   } else if (low > high) {
-    wrong = joined({"There is no whole number from ", number_text(a), " to ", number_text(b), " for RND to draw."});
+    wrong = sentence("There is no whole number from % to % for RND to draw.", {number_text(a), number_text(b)});
   } else {
     out = static_cast<float>(random_integer(sources.seed, stream, sources.address, static_cast<std::int32_t>(low),
                                             static_cast<std::int32_t>(high)));
@@ -68,8 +68,8 @@ void read_element(const std::string& name, const std::vector<float>& array, floa
     out = array[place - 1];
     return;
   }
-  wrong = joined({"There is no ", name, "[", number_text(index), "]; ", name});
-  wrong += size == 0 ? " has no values." : joined({" goes from 1 to ", std::to_string(size), "."});
+  wrong = sentence("There is no %[%]; %", {name, number_text(index), name});
+  wrong += size == 0 ? " has no values." : sentence(" goes from 1 to %.", {std::to_string(size)});
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sou
       break;
   }
   if (wrong.empty()) return true;
-  fault = error_at(Reason::evaluation, code.places[at], {wrong});
+  fault = error_at(Reason::evaluation, code.places[at], "%", {wrong});
   return false;
 }
 

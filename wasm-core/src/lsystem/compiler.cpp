@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "foundation/random.hpp"
 #include "lsystem/lowering.hpp"
 #include "lsystem/machine.hpp"
+#include "lsystem/names.hpp"
 #include "lsystem/number_text.hpp"
 #include "lsystem/parser.hpp"
 #include "lsystem/program.hpp"
@@ -38,8 +37,8 @@ bool asks(const std::vector<ModuleTree>& modules) {
 bool needs_lineages(const Grammar& grammar) {
   if (draws(grammar.axiom) || asks(grammar.axiom)) return true;
   for (const ProductionTree& production : grammar.productions) {
-    if (production.weight || asks(production.successor) || draws(production.successor)) return true;
-    if (production.condition && draws(*production.condition)) return true;
+    if (production.weight.given() || asks(production.successor) || draws(production.successor)) return true;
+    if (draws(production.condition)) return true;
   }
   return false;
 }
@@ -61,8 +60,8 @@ class Compiler {
   }
 
  private:
-  bool fail(Reason reason, const Place& place, Pieces pieces) {
-    trouble_ = error_at(reason, place, pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+    trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
 
@@ -82,7 +81,7 @@ class Compiler {
       declaration.to = array ? lowering_.define_array(definition.name) : lowering_.define(definition.name);
       program_->declarations.push_back(std::move(declaration));
     }
-    return !grammar_.steps || value(*grammar_.steps, program_->steps);
+    return !grammar_.steps.given() || value(grammar_.steps, program_->steps);
   }
 
   bool symbols() {
@@ -90,21 +89,26 @@ class Compiler {
     for (const ModuleTree& module : grammar_.axiom) add_symbol(module.name);
     for (const ProductionTree& production : grammar_.productions) {
       const std::uint32_t predecessor = add_symbol(production.predecessor);
-      if (predecessors_.insert(predecessor).second) program_->predecessors.push_back(predecessor);
-      rewritten_.emplace(predecessor, production.formals.size());
+      if (!is_rewritten(predecessor)) program_->predecessors.push_back(predecessor);
+      rewritten_[predecessor] |= std::uint64_t{1} << production.formals.size();
       for (const ModuleTree& module : production.successor) add_symbol(module.name);
     }
     if (program_->symbols.size() > most_symbols)
-      return fail(Reason::limit, grammar_.axiom.front().place,
-                  {"The grammar has more than 65,520 symbols; use fewer."});
+      return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
     return true;
   }
 
   std::uint32_t add_symbol(std::string_view name) {
-    const auto [place, added] = numbers_.try_emplace(name, static_cast<std::uint32_t>(program_->symbols.size()));
-    if (added) program_->symbols.emplace_back(name);
-    return place->second;
+    const std::uint32_t number = numbers_.add(name);
+    if (number == program_->symbols.size()) {
+      program_->symbols.emplace_back(name);
+      rewritten_.push_back(0);
+      ordinals_.push_back(0);
+    }
+    return number;
   }
+
+  bool is_rewritten(std::uint32_t symbol) const { return rewritten_[symbol] != 0; }
 
   bool roles() {
     Roles& roles = program_->roles;
@@ -121,17 +125,17 @@ class Compiler {
 
   bool give_role(std::uint32_t role, const Named& symbol) {
     Roles& roles = program_->roles;
-    const auto number = numbers_.find(symbol.name);
-    if (number == numbers_.end())
+    const std::uint32_t number = numbers_.find(symbol.name);
+    if (number == Names::none)
       return fail(Reason::undefined, symbol.place,
-                  {"Neither the axiom nor a production has the symbol '", symbol.name, "'; take it out of the role."});
-    if (is_turtle_symbol(number->second))
+                  "Neither the axiom nor a production has the symbol '%'; take it out of the role.", {symbol.name});
+    if (is_turtle_symbol(number))
       return fail(Reason::syntax, symbol.place,
-                  {"'", symbol.name, "' is the turtle's and has no role; give one to the symbol that writes it."});
-    std::uint32_t& given = roles.of_symbol[number->second];
+                  "'%' is the turtle's and has no role; give one to the symbol that writes it.", {symbol.name});
+    std::uint32_t& given = roles.of_symbol[number];
     if (given != Roles::none && given != role)
-      return fail(Reason::syntax, symbol.place,
-                  {"'", symbol.name, "' has the role '", roles.names[given], "' already; a symbol has one."});
+      return fail(Reason::syntax, symbol.place, "'%' has the role '%' already; a symbol has one.",
+                  {symbol.name, roles.names[given]});
     given = role;
     return true;
   }
@@ -145,13 +149,13 @@ class Compiler {
   bool productions() {
     make_places();
     for (const ProductionTree& tree : grammar_.productions) {
-      const std::uint32_t predecessor = numbers_[tree.predecessor];
+      const std::uint32_t predecessor = numbers_.find(tree.predecessor);
       if (!may_rewrite(tree, predecessor)) return false;
       Rules& rules = program_->rules[predecessor];
       lowering_.begin_production(tree.formals, rules.productions.size());
       if (!production(tree, program_->productions[rules.productions.end])) return false;
       ++rules.productions.end;
-      rules.weighted |= tree.weight.has_value();
+      rules.weighted |= tree.weight.given();
       rules.by_chance |= rules.weighted || program_->productions[rules.productions.end - 1].by_chance;
     }
     return true;
@@ -159,7 +163,7 @@ class Compiler {
 
   void make_places() {
     std::vector<std::uint32_t> counts(program_->symbols.size(), 0);
-    for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_[tree.predecessor]];
+    for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_.find(tree.predecessor)];
     std::uint32_t first = 0;
     for (const std::uint32_t count : counts) {
       program_->rules.push_back({{first, first}, false, false});
@@ -169,13 +173,13 @@ class Compiler {
   }
 
   bool production(const ProductionTree& tree, Production& production) {
-    production.predecessor = numbers_[tree.predecessor];
+    production.predecessor = numbers_.find(tree.predecessor);
     production.place = tree.place;
     production.arity = static_cast<std::uint32_t>(tree.formals.size());
-    if (tree.condition && !value(*tree.condition, production.condition)) return false;
+    if (tree.condition.given() && !value(tree.condition, production.condition)) return false;
     if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
-    if (tree.weight && !value(*tree.weight, production.weight)) return false;
-    production.by_chance = (tree.condition && draws(*tree.condition)) || (tree.weight && draws(*tree.weight));
+    if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
+    production.by_chance = draws(tree.condition) || draws(tree.weight);
     production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32;
     program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
     return true;
@@ -185,8 +189,7 @@ class Compiler {
     if (!is_turtle_symbol(predecessor)) return true;
     const Action action = turtle_symbols[predecessor].action;
     if (action == Action::push || action == Action::pop || action == Action::cut)
-      return fail(Reason::syntax, tree.place,
-                  {"'", tree.predecessor, "' cannot be rewritten; use a symbol of your own."});
+      return fail(Reason::syntax, tree.place, "'%' cannot be rewritten; use a symbol of your own.", {tree.predecessor});
     return takes(predecessor, tree.formals.size(), tree.place);
   }
 
@@ -195,9 +198,8 @@ class Compiler {
     if (count <= turtle.most_arguments) return true;
     const char* most = turtle.most_arguments == 0 ? " takes no argument" : " takes at most one argument";
     const char* otherwise = is_letter(turtle.symbol[0]) ? ", or name a symbol of your own otherwise." : ".";
-    return fail(Reason::syntax, place,
-                {"'", turtle.symbol, "' (", turtle.name, ")", most, ", but here it has ", std::to_string(count),
-                 "; leave out the rest", otherwise});
+    return fail(Reason::syntax, place, "'%' (%)%, but here it has %; leave out the rest%",
+                {turtle.symbol, turtle.name, most, std::to_string(count), otherwise});
   }
 
   bool value(const Expression& expression, Value& value) {
@@ -213,7 +215,6 @@ class Compiler {
   bool successor(const std::vector<ModuleTree>& modules, bool answer, Template& result) {
     Program& program = *program_;
     lowering_.begin_code();
-    ordinals_.clear();
     first_ = result.first = static_cast<std::uint32_t>(program.words.size());
     result.code.begin = lowering_.here();
     result.patches.begin = static_cast<std::uint32_t>(program.patches.size());
@@ -221,6 +222,7 @@ class Compiler {
     result.active.begin = static_cast<std::uint32_t>(program.active.size());
     for (const ModuleTree& tree : modules)
       if (!module(tree, answer)) return false;
+    for (const ModuleTree& tree : modules) ordinals_[numbers_.find(tree.name)] = 0;
     result.modules = static_cast<std::uint32_t>(modules.size());
     result.words = static_cast<std::uint32_t>(program.words.size()) - first_;
     result.code.end = lowering_.here();
@@ -233,16 +235,16 @@ class Compiler {
 
   bool module(const ModuleTree& tree, bool answer) {
     Program& program = *program_;
-    const std::uint32_t symbol = numbers_[tree.name];
+    const std::uint32_t symbol = numbers_.find(tree.name);
     const std::size_t count = tree.arguments.size();
     if (is_turtle_symbol(symbol) && !takes(symbol, count, tree.place)) return false;
     if (answer && !drawable(tree, symbol)) return false;
     if (!stands_for_itself(tree.name, symbol))
       return fail(Reason::syntax, tree.place,
-                  {"'", tree.name, "' is read as one symbol, which nothing defines; put spaces between several."});
+                  "'%' is read as one symbol, which nothing defines; put spaces between several.", {tree.name});
 
     const std::size_t at = program.words.size();
-    const bool active = symbol == cut_symbol || rewritten_.contains({symbol, count});
+    const bool active = symbol == cut_symbol || (rewritten_[symbol] >> count & 1) != 0;
     const bool lineage = program.lineages && remembers(symbol);
     const std::size_t words = 1 + count + (lineage ? lineage_words : 0);
     program.words.push_back(header_of(symbol, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(words)));
@@ -264,15 +266,16 @@ class Compiler {
     Diagnostic& trouble = program_->not_drawable;
     if (trouble.reason == Reason::none)
       trouble = error_at(Reason::syntax, tree.place,
-                         {"What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '",
-                          tree.name, "'; with a derivation length answers can be rewritten in the next step instead."});
-    if (!grammar_.steps) trouble_ = trouble;
-    return grammar_.steps.has_value();
+                         "What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '%'; with "
+                         "a derivation length answers can be rewritten in the next step instead.",
+                         {tree.name});
+    if (!grammar_.steps.given()) trouble_ = trouble;
+    return grammar_.steps.given();
   }
 
   // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.
   bool remembers(std::uint32_t symbol) const {
-    if (predecessors_.contains(symbol)) return true;
+    if (is_rewritten(symbol)) return true;
     if (!is_turtle_symbol(symbol)) return false;
     const Action action = turtle_symbols[symbol].action;
     return action == Action::line || action == Action::sphere || action == Action::ask;
@@ -281,11 +284,10 @@ class Compiler {
   // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
   // nothing.
   bool stands_for_itself(std::string_view name, std::uint32_t symbol) const {
-    if (is_turtle_symbol(symbol) || predecessors_.contains(symbol)) return true;
+    if (is_turtle_symbol(symbol) || is_rewritten(symbol)) return true;
     for (std::size_t i = 0; i < name.size(); ++i) {
-      const auto letter = numbers_.find(name.substr(i, 1));
-      if (letter == numbers_.end()) return true;
-      if (!is_turtle_symbol(letter->second) && !predecessors_.contains(letter->second)) return true;
+      const std::uint32_t letter = numbers_.find(name.substr(i, 1));
+      if (letter == Names::none || !(is_turtle_symbol(letter) || is_rewritten(letter))) return true;
     }
     return false;
   }
@@ -323,11 +325,10 @@ class Compiler {
   const Grammar& grammar_;
   std::shared_ptr<Program> program_;
   Lowering lowering_;
-  std::map<std::string_view, std::uint32_t> numbers_;  // of symbols
-  std::set<std::uint32_t> predecessors_;
-  std::set<std::pair<std::uint32_t, std::size_t>> rewritten_;  // symbol and arity of productions of the derivation
-  std::map<std::uint32_t, std::uint32_t> ordinals_;            // symbol → how many stand before in the successor
-  std::uint32_t first_ = 0;                                    // word of the template
+  Names numbers_;                         // of symbols
+  std::vector<std::uint64_t> rewritten_;  // by symbol: a bit for each arity (at most 32) of its productions
+  std::vector<std::uint32_t> ordinals_;   // by symbol: how many stand before in the successor
+  std::uint32_t first_ = 0;               // word of the template
   Diagnostic trouble_;
 };
 
@@ -335,9 +336,8 @@ class Compiler {
 
 Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits, Lineages lineages) {
   if (text.size() > limits.text_bytes)
-    return error_at(Reason::limit, {},
-                    {"The grammar is ", std::to_string(text.size()), " bytes long; the limit is ",
-                     std::to_string(limits.text_bytes), "."});
+    return error_at(Reason::limit, {}, "The grammar is % bytes long; the limit is %.",
+                    {std::to_string(text.size()), std::to_string(limits.text_bytes)});
   const Result<Grammar> grammar = parse(text);
   if (!grammar) return grammar.error();
   return Compiler(grammar.value(), lineages).run();

@@ -147,9 +147,8 @@ namespace {
 
 Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::uint32_t steps, const Limits& limits) {
   if (steps > limits.steps)
-    return error_at(Reason::limit, {},
-                    {"The grammar is asked for ", std::to_string(steps), " steps; the limit is ",
-                     std::to_string(limits.steps), "."});
+    return error_at(Reason::limit, {}, "The grammar is asked for % steps; the limit is %.",
+                    {std::to_string(steps), std::to_string(limits.steps)});
   Derivation derivation(bound, seed, limits);
   Derived derived;
   while (derivation.steps() < steps && !derivation.at_rest()) {

@@ -2,14 +2,21 @@
 
 namespace panicle::lsystem {
 
-std::string joined(Pieces pieces) {
-  std::string sentence;
-  for (const std::string_view piece : pieces) sentence.append(piece);
-  return sentence;
+std::string sentence(const char* pattern, Pieces pieces) {
+  std::string text;
+  const std::string_view* piece = pieces.begin();
+  for (; *pattern != 0; ++pattern) {
+    if (*pattern == '%') {
+      text.append(*piece++);
+    } else {
+      text.push_back(*pattern);
+    }
+  }
+  return text;
 }
 
-Diagnostic error_at(Reason reason, const Place& place, Pieces pieces) {
-  return {reason, joined(pieces), place.line, place.column};
+Diagnostic error_at(Reason reason, const Place& place, const char* pattern, Pieces pieces) {
+  return {reason, sentence(pattern, pieces), place.line, place.column};
 }
 
 }  // namespace panicle::lsystem

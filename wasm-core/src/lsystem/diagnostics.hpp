@@ -16,10 +16,11 @@ struct Place {
   std::uint32_t column = 0;
 };
 
-// A sentence in pieces. They are joined out of line, in one place: sums of strings would be a fifth of the .wasm.
+// What stands in a sentence for each of its %, in order. Sentences are put together out of line, in one place: sums of
+// strings would be a fifth of the .wasm.
 using Pieces = std::initializer_list<std::string_view>;
 
-std::string joined(Pieces pieces);
-Diagnostic error_at(Reason reason, const Place& place, Pieces pieces);
+std::string sentence(const char* pattern, Pieces pieces = {});
+Diagnostic error_at(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
 
 }  // namespace panicle::lsystem

@@ -58,10 +58,6 @@ const Function* function_named(std::string_view name) {
   return nullptr;
 }
 
-std::string counted(std::uint32_t count, const char* thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
 class Parser {
  public:
   Parser(std::span<const Token> tokens, std::size_t at, std::size_t end) : tokens_(tokens), at_(at), end_(end) {}
@@ -76,13 +72,13 @@ class Parser {
       if (done_) break;
     }
     if (wants_operand_) {
-      fail(Reason::syntax, here(), {"A value is missing here; write a number, a name or an expression."});
+      fail(Reason::syntax, here(), "A value is missing here; write a number, a name or an expression.");
       return trouble_;
     }
     pop_operators(0);
     if (!waiting_.empty()) {
       const char* opened = waiting_.back().kind == Waiting::Kind::index ? "[" : "(";
-      fail(Reason::syntax, waiting_.back().node.place, {"This ", opened, " is never closed."});
+      fail(Reason::syntax, waiting_.back().node.place, "This % is never closed.", {opened});
       return trouble_;
     }
     return std::move(expression_);
@@ -92,8 +88,8 @@ class Parser {
   Place here() const { return place_of(tokens_, at_, end_); }
   const Token& token() const { return tokens_[at_]; }
 
-  bool fail(Reason reason, const Place& place, Pieces pieces) {
-    trouble_ = error_at(reason, place, pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+    trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
 
@@ -101,9 +97,9 @@ class Parser {
 
   bool next_is(char sign) const { return at_ + 1 < end_ && tokens_[at_ + 1].is(sign); }
 
-  bool push(Waiting waiting) {
+  bool push(const Waiting& waiting) {
     if (waiting_.size() >= deepest)
-      return fail(Reason::limit, here(), {"This expression is nested deeper than 256; split it with a #define."});
+      return fail(Reason::limit, here(), "This expression is nested deeper than 256; split it with a #define.");
     groups_ += waiting.kind != Waiting::Kind::operation;
     waiting_.push_back(waiting);
     wants_operand_ = true;
@@ -127,7 +123,7 @@ class Parser {
     } else if (first.is('-') || first.is('+') || first.is('!')) {
       return prefix();
     } else {
-      return fail(Reason::syntax, first.place, {"A value is expected here, not '", first.text, "'."});
+      return fail(Reason::syntax, first.place, "A value is expected here, not '%'.", {first.text});
     }
     ++at_;
     wants_operand_ = false;
@@ -147,8 +143,8 @@ class Parser {
     const Function* function = function_named(name.text);
     if (function == nullptr) {
       std::string known;
-      for (const Function& f : functions) known += (known.empty() ? "" : ", ") + std::string(f.name);
-      return fail(Reason::undefined, name.place, {"There is no function '", name.text, "'; there are ", known, "."});
+      for (const Function& f : functions) known.append(known.empty() ? "" : ", ").append(f.name);
+      return fail(Reason::undefined, name.place, "There is no function '%'; there are %.", {name.text, known});
     }
     at_ += 2;
     return push({Waiting::Kind::call,
@@ -166,14 +162,15 @@ class Parser {
   }
 
   bool no_operator(const Token& token) {
-    if (!foreign_operator(token.text).empty()) return fail(Reason::syntax, token.place, {foreign_operator(token.text)});
+    if (!foreign_operator(token.text).empty())
+      return fail(Reason::syntax, token.place, "%", {foreign_operator(token.text)});
     if (token.kind == TokenKind::name || token.kind == TokenKind::number)
-      return fail(Reason::syntax, token.place,
-                  {"'", token.text,
-                   "' follows a value; put an operator such as * between them, or a comma where they are "
-                   "two arguments."});
+      return fail(
+          Reason::syntax, token.place,
+          "'%' follows a value; put an operator such as * between them, or a comma where they are two arguments.",
+          {token.text});
     return fail(Reason::syntax, token.place,
-                {"'", token.text, "' cannot stand in an expression; if that ends before it, a ) is missing."});
+                "'%' cannot stand in an expression; if that ends before it, a ) is missing.", {token.text});
   }
 
   bool spelled_here(std::string_view text) const {
@@ -203,7 +200,7 @@ class Parser {
       const Waiting& top = waiting_.back();
       const bool compares = top.precedence == precedence_of_equality || top.precedence == precedence_of_order;
       if (compares && top.precedence == following)
-        return fail(Reason::syntax, here(), {"Comparisons cannot be chained; join two with &&."});
+        return fail(Reason::syntax, here(), "Comparisons cannot be chained; join two with &&.");
       put(top.node);
       waiting_.pop_back();
     }
@@ -214,16 +211,17 @@ class Parser {
     pop_operators(0);
     const bool bracket = sign.is(']');
     if (waiting_.empty() || (waiting_.back().kind == Waiting::Kind::index) != bracket)
-      return fail(Reason::syntax, sign.place, {"This ", sign.text, " closes nothing."});
+      return fail(Reason::syntax, sign.place, "This % closes nothing.", {sign.text});
     const Waiting group = waiting_.back();
     waiting_.pop_back();
     --groups_;
     ++at_;
     wants_operand_ = false;
     if (group.kind == Waiting::Kind::call && group.arguments != group.node.arguments)
-      return fail(Reason::syntax, group.node.place,
-                  {group.node.name, " takes ", counted(group.node.arguments, "argument"), ", not ",
-                   std::to_string(group.arguments), "."});
+      return fail(
+          Reason::syntax, group.node.place, "% takes %%%.",
+          {group.node.name, std::to_string(group.node.arguments),
+           group.node.arguments == 1 ? " argument, not " : " arguments, not ", std::to_string(group.arguments)});
     if (group.kind != Waiting::Kind::parenthesis) put(group.node);
     return true;
   }
@@ -231,7 +229,7 @@ class Parser {
   bool next_argument(const Token& comma) {
     pop_operators(0);
     if (waiting_.empty() || waiting_.back().kind != Waiting::Kind::call)
-      return fail(Reason::syntax, comma.place, {"A comma can only stand between the arguments of a function here."});
+      return fail(Reason::syntax, comma.place, "A comma can only stand between the arguments of a function here.");
     ++waiting_.back().arguments;
     ++at_;
     wants_operand_ = true;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +26,8 @@ struct Node {
 struct Expression {
   std::vector<Node> nodes;
   Place place;
+
+  bool given() const { return !nodes.empty(); }
 };
 
 // `name(arguments)` in the axiom or a successor.
@@ -47,9 +48,9 @@ struct ProductionTree {
   std::string_view predecessor;
   Place place;
   std::vector<Named> formals;
-  std::optional<Expression> condition;
+  Expression condition;  // where given
   std::vector<ModuleTree> successor;
-  std::optional<Expression> weight;
+  Expression weight;  // where given
 };
 
 // `#define name expression`, `#input name` or `#input name[]`
@@ -68,7 +69,7 @@ struct RoleTree {
 
 struct Grammar {
   std::vector<DefinitionTree> definitions;
-  std::optional<Expression> steps;  // `derivation length: expression`
+  Expression steps;  // `derivation length: expression`, where given
   std::vector<RoleTree> roles;
   std::vector<ModuleTree> axiom;
   std::vector<ProductionTree> productions;

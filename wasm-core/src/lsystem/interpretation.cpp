@@ -98,7 +98,7 @@ class Interpreter {
     turtle_.position = ahead(turtle_, distance);
     if (!is_finite(turtle_.position))
       machine_.fail(error_at(Reason::evaluation, {},
-                             {"The turtle has gone too far for its position to be a number; shorten its lines."}));
+                             "The turtle has gone too far for its position to be a number; shorten its lines."));
   }
 
   void line(float distance, const std::uint32_t* bearer) {
@@ -122,8 +122,8 @@ class Interpreter {
       return;
     }
     machine_.fail(error_at(Reason::limit, {},
-                           {"More than ", std::to_string(limits_.depth),
-                            " branches are open at once, which is the limit; nest fewer brackets."}));
+                           "More than % branches are open at once, which is the limit; nest fewer brackets.",
+                           {std::to_string(limits_.depth)}));
   }
 
   // True: the answer cut the branch.
@@ -148,7 +148,7 @@ class Interpreter {
     const Template& successor = production->successor;
     if (!answer_.reserve(successor.words, successor.words))
       return !machine_.fail(
-          error_at(Reason::limit, {}, {"There is no memory for the answer of ?E; make its production shorter."}));
+          error_at(Reason::limit, {}, "There is no memory for the answer of ?E; make its production shorter."));
     if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
     return draw(answer_.data(), answer_.data() + successor.words, module);
   }

@@ -28,21 +28,30 @@ bool same_as_one_of(const std::vector<Instruction>& earlier, Instruction& instru
 
 Lowering::Lowering(Code& code) : code_(code) {
   code_.registers.assign(most_parameters, 0);
-  known_.assign(most_parameters, Known::on_the_run);
+  known_.assign(most_parameters, static_cast<std::uint8_t>(Known::on_the_run));
 }
 
-std::uint32_t Lowering::define(std::string_view name) { return defines_[name] = new_register(0, Known::once_bound); }
+std::uint32_t Lowering::define(std::string_view name) {
+  names_.add(name);
+  meanings_.push_back({false, new_register(0, Known::once_bound)});
+  return meanings_.back().at;
+}
 
 std::uint32_t Lowering::define_array(std::string_view name) {
-  const std::uint32_t place = arrays_[name] = static_cast<std::uint32_t>(code_.arrays.size());
+  names_.add(name);
+  meanings_.push_back({true, static_cast<std::uint32_t>(code_.arrays.size())});
   code_.arrays.emplace_back(name);
-  return place;
+  return meanings_.back().at;
+}
+
+const Lowering::Meaning* Lowering::meaning(std::string_view name) const {
+  const std::uint32_t number = names_.find(name);
+  return number == Names::none ? nullptr : &meanings_[number];
 }
 
 void Lowering::begin_production(std::span<const Named> formals, std::uint64_t key) {
-  formals_.clear();
-  drawn_.clear();
-  for (std::uint32_t i = 0; i < formals.size(); ++i) formals_[formals[i].name] = i;
+  formals_ = formals;
+  drawn_ = {};
   key_ = key;
   in_production_ = true;
   begin_code();
@@ -58,13 +67,13 @@ Result<std::uint32_t> Lowering::lower(const Expression& expression) {
 
 Range Lowering::finish() {
   const std::uint32_t begin = here();
-  code_.instructions.insert(code_.instructions.end(), once_bound_.begin(), once_bound_.end());
-  code_.places.insert(code_.places.end(), once_bound_places_.begin(), once_bound_places_.end());
+  for (const Instruction& instruction : once_bound_) code_.instructions.push_back(instruction);
+  for (const Place& place : once_bound_places_) code_.places.push_back(place);
   return {begin, here()};
 }
 
-bool Lowering::fail(Reason reason, const Place& place, Pieces pieces) {
-  trouble_ = error_at(reason, place, pieces);
+bool Lowering::fail(Reason reason, const Place& place, const char* pattern, Pieces pieces) {
+  trouble_ = error_at(reason, place, pattern, pieces);
   return false;
 }
 
@@ -92,28 +101,24 @@ bool Lowering::lower_node(const Node& node) {
 }
 
 bool Lowering::name(const Node& node) {
-  if (const auto formal = formals_.find(node.name); formal != formals_.end()) {
-    put(formal->second);
-    return true;
-  }
-  if (const auto define = defines_.find(node.name); define != defines_.end()) {
-    put(define->second);
-    return true;
-  }
-  if (arrays_.contains(node.name))
-    return fail(Reason::undefined, node.place,
-                {"'", node.name, "' is an array; say which value you mean, as in ", node.name, "[1]."});
+  for (std::uint32_t i = 0; i < formals_.size(); ++i)
+    if (formals_[i].name == node.name) return put(i), true;
+  const Meaning* const meaning = this->meaning(node.name);
+  if (meaning && !meaning->array) return put(meaning->at), true;
+  if (meaning)
+    return fail(Reason::undefined, node.place, "'%' is an array; say which value you mean, as in %[1].",
+                {node.name, node.name});
   return fail(Reason::undefined, node.place,
-              {"Nothing defines '", node.name,
-               "' here; add a #define before this line or name it among the predecessor's parameters."});
+              "Nothing defines '%' here; add a #define before this line or name it among the predecessor's parameters.",
+              {node.name});
 }
 
 bool Lowering::element(const Node& node) {
-  const auto array = arrays_.find(node.name);
-  if (array == arrays_.end())
-    return fail(Reason::undefined, node.place,
-                {"There is no array '", node.name, "'; declare it before this line with #input ", node.name, "[]."});
-  const Instruction instruction{Op::element, 0, pop(), 0, array->second};
+  const Meaning* const array = meaning(node.name);
+  if (!array || !array->array)
+    return fail(Reason::undefined, node.place, "There is no array '%'; declare it before this line with #input %[].",
+                {node.name, node.name});
+  const Instruction instruction{Op::element, 0, pop(), 0, array->at};
   const bool once_bound = in_production_ && known(instruction.a) != Known::on_the_run;
   const std::uint32_t read = emit(instruction, node.place);
   put(once_bound ? emit_once_bound(instruction, node.place) : read);
@@ -134,7 +139,7 @@ bool Lowering::operation(const Node& node) {
   }
   if (!in_production_)
     return fail(Reason::syntax, node.place,
-                {"Random values belong to modules; draw them in the axiom or a production, not in a #define."});
+                "Random values belong to modules; draw them in the axiom or a production, not in a #define.");
   Instruction instruction{node.op, 0, 0, 0, static_cast<std::uint32_t>(code_.streams.size())};
   if (node.arguments > 1) instruction.b = pop();
   instruction.a = pop();
@@ -160,7 +165,7 @@ void Lowering::calculate(Op op, std::uint32_t operands, const Place& place) {
 }
 
 std::uint64_t Lowering::stream_of(const Node& node) {
-  const std::uint32_t before = drawn_[node.name]++;
+  const std::uint32_t before = drawn_[static_cast<std::size_t>(node.op) - static_cast<std::size_t>(Op::random_whole)]++;
   return hash_combine(hash_combine(key_, hash_text(node.name)), before);
 }
 
@@ -188,16 +193,16 @@ void Lowering::end_branch(const Node& node) {
 
 std::uint32_t Lowering::new_register(float value, Known known) {
   code_.registers.push_back(value);
-  known_.push_back(known);
+  known_.push_back(static_cast<std::uint8_t>(known));
   return static_cast<std::uint32_t>(code_.registers.size() - 1);
 }
 
 std::uint32_t Lowering::number_register(float value) {
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  const auto [place, added] = numbers_.try_emplace(bits, 0);
-  if (added) place->second = new_register(value, Known::now);
-  return place->second;
+  char bytes[sizeof value];
+  std::memcpy(bytes, &value, sizeof value);
+  const std::uint32_t number = numbers_.add({bytes, sizeof value});
+  if (number == number_registers_.size()) number_registers_.push_back(new_register(value, Known::now));
+  return number_registers_[number];
 }
 
 std::uint32_t Lowering::emit(Instruction instruction, const Place& place) {

@@ -2,14 +2,15 @@
 // as well becomes code that runs once when they are bound; the rest is left for the modules.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "lsystem/code.hpp"
 #include "lsystem/grammar.hpp"
+#include "lsystem/names.hpp"
 
 namespace panicle::lsystem {
 
@@ -27,7 +28,7 @@ class Lowering {
 
   // The next expressions belong to a production. Names that they may use: the predecessor's parameters, which hide
   // defines of the same name, and random draws, whose streams are hashes of `key`, the function and how many of it came
-  // before.
+  // before. `formals` must stay until the next production begins.
   void begin_production(std::span<const Named> formals, std::uint64_t key);
   // Results of earlier expressions are not there any more: code that runs by itself begins here.
   void begin_code() { available_.clear(); }
@@ -37,7 +38,7 @@ class Lowering {
   // is not known now is code in place. Errors: undefined; syntax (random values where there is no module to draw them
   // for).
   Result<std::uint32_t> lower(const Expression& expression);
-  Known known(std::uint32_t reg) const { return known_[reg]; }
+  Known known(std::uint32_t reg) const { return static_cast<Known>(known_[reg]); }
 
   // Puts the code that runs once the inputs are bound behind all other code, and tells where it is. An instruction of
   // it that goes wrong is no error by itself: it stands once more in the code of each expression that needs it.
@@ -49,7 +50,7 @@ class Lowering {
     std::uint32_t out;
     std::size_t available;
   };
-  bool fail(Reason reason, const Place& place, Pieces pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {});
   bool lower_node(const Node& node);
   bool name(const Node& node);
   bool element(const Node& node);
@@ -67,12 +68,20 @@ class Lowering {
   void put(std::uint32_t reg) { stack_.push_back(reg); }
 
   Code& code_;
-  std::map<std::string_view, std::uint32_t> defines_;  // registers
-  std::map<std::string_view, std::uint32_t> arrays_;
-  std::map<std::string_view, std::uint32_t> formals_;
-  std::map<std::string_view, std::uint32_t> drawn_;  // how many calls of each random function
-  std::map<std::uint32_t, std::uint32_t> numbers_;   // bits → register
-  std::vector<Known> known_;                         // of each register
+  // What a definition stands for: a register, or a place among the lists.
+  struct Meaning {
+    bool array;
+    std::uint32_t at;
+  };
+  const Meaning* meaning(std::string_view name) const;
+
+  Names names_;  // of definitions
+  std::vector<Meaning> meanings_;
+  std::span<const Named> formals_;
+  std::array<std::uint32_t, 3> drawn_{};         // how many calls of each random function
+  Names numbers_;                                // of the text, by their four bytes
+  std::vector<std::uint32_t> number_registers_;  // of each
+  std::vector<std::uint8_t> known_;              // of each register
   std::vector<std::uint32_t> stack_;
   std::vector<Branch> branches_;
   std::vector<Instruction> available_;  // whose results can be used again here

@@ -78,7 +78,7 @@ bool Machine::weigh(const Production& production, float& weight) {
   weight = registers_[production.weight.source];
   if (meets(Demand::not_negative, weight)) return true;
   return fail(error_at(Reason::evaluation, production.weight.place,
-                       {"A weight must be a number of 0 or more; here it is ", number_text(weight), "."}));
+                       "A weight must be a number of 0 or more; here it is %.", {number_text(weight)}));
 }
 
 void Machine::write_lineages(const Template& successor, std::uint32_t* to, const Origin& parent, std::uint32_t symbol) {
@@ -93,33 +93,36 @@ void Machine::write_lineages(const Template& successor, std::uint32_t* to, const
 
 Diagnostic Machine::refusal(const Program& program, const Patch& patch, float value) {
   const char* wanted = patch.demand == Demand::not_negative ? "a number of 0 or more" : "a finite number";
-  return error_at(Reason::evaluation, patch.place,
-                  {program.symbols[patch.symbol], " needs ", wanted, "; here it is given ", number_text(value), "."});
+  return error_at(Reason::evaluation, patch.place, "% needs %; here it is given %.",
+                  {program.symbols[patch.symbol], wanted, number_text(value)});
 }
 
 bool Machine::refuse(const Patch& patch, float value) { return fail(refusal(program_, patch, value)); }
 
 bool Machine::give_up() {
   return fail(error_at(Reason::limit, {},
-                       {"The grammar takes more than ", std::to_string(limits_.evaluations),
-                        " evaluations, which is the limit; let it take fewer steps or write shorter strings."}));
+                       "The grammar takes more than % evaluations, which is the limit; let it take fewer steps or "
+                       "write shorter strings.",
+                       {std::to_string(limits_.evaluations)}));
 }
 
 bool Machine::grow(Words& string, std::uint64_t words) {
   if (words > limits_.words)
-    return fail(error_at(Reason::limit, {},
-                         {"The string grows beyond ", std::to_string(limits_.words),
-                          " words, which is the limit; let the grammar take fewer steps or stop growing."}));
+    return fail(error_at(
+        Reason::limit, {},
+        "The string grows beyond % words, which is the limit; let the grammar take fewer steps or stop growing.",
+        {std::to_string(limits_.words)}));
   if (string.reserve(words, limits_.words)) return true;
   return fail(error_at(Reason::limit, {},
-                       {"There is no memory for a string of ", std::to_string(words),
-                        " words; let the grammar take fewer steps or stop growing."}));
+                       "There is no memory for a string of % words; let the grammar take fewer steps or stop growing.",
+                       {std::to_string(words)}));
 }
 
 Diagnostic Machine::too_many_steps() const {
   return error_at(Reason::limit, {},
-                  {"The string is still rewritten after ", std::to_string(limits_.steps),
-                   " steps, which is the limit; give the productions a condition under which they stop."});
+                  "The string is still rewritten after % steps, which is the limit; give the productions a condition "
+                  "under which they stop.",
+                  {std::to_string(limits_.steps)});
 }
 
 }  // namespace panicle::lsystem

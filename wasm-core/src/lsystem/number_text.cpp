@@ -19,15 +19,14 @@ double times_power_of_ten(double value, int exponent) {
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
 // `digits` with the point after the first `whole` of them, or with an exponent where that is long.
-std::string with_point(const std::string& digits, int whole) {
+std::string with_point(std::string digits, int whole) {
   const int count = static_cast<int>(digits.size());
   if (whole > 9 || whole < -4) {
-    const std::string fraction = count > 1 ? std::string(".").append(digits, 1) : std::string();
-    return digits.substr(0, 1) + fraction + "e" + std::to_string(whole - 1);
+    if (count > 1) digits.insert(1, ".");
+    return digits.append("e").append(std::to_string(whole - 1));
   }
-  if (whole <= 0) return std::string("0.").append(-whole, '0').append(digits);
-  if (whole >= count) return digits + std::string(whole - count, '0');
-  return digits.substr(0, whole) + "." + digits.substr(whole);
+  if (whole <= 0) return digits.insert(0, -whole, '0').insert(0, "0.");
+  return whole >= count ? digits.append(whole - count, '0') : digits.insert(whole, ".");
 }
 
 }  // namespace

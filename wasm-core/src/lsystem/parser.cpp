@@ -1,11 +1,11 @@
 #include "lsystem/parser.hpp"
 
-#include <map>
 #include <string>
 #include <utility>
 
 #include "lsystem/expression.hpp"
 #include "lsystem/foreign.hpp"
+#include "lsystem/names.hpp"
 
 namespace panicle::lsystem {
 namespace {
@@ -18,18 +18,20 @@ class GrammarParser {
     while (at_ < tokens_.size())
       if (!statement()) return trouble_;
     if (grammar_.axiom.empty()) {
-      fail(Reason::syntax, {1, 1}, {"The grammar has no axiom; begin with a line such as axiom: A(1)."});
+      fail(Reason::syntax, {1, 1}, "The grammar has no axiom; begin with a line such as axiom: A(1).");
       return trouble_;
     }
     return std::move(grammar_);
   }
 
  private:
-  bool fail(Reason reason, const Place& place, Pieces pieces) {
-    trouble_ = error_at(reason, place, pieces);
+  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
+    trouble_ = error_at(reason, place, pattern, pieces);
     return false;
   }
-  bool wrong(const Place& place, Pieces pieces) { return fail(Reason::syntax, place, pieces); }
+  bool wrong(const Place& place, const char* pattern, Pieces pieces = {}) {
+    return fail(Reason::syntax, place, pattern, pieces);
+  }
 
   Place here() const { return place_of(tokens_, at_, end_); }
   bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
@@ -100,33 +102,33 @@ class GrammarParser {
 
   bool no_statement(std::size_t begin) {
     const Place& place = tokens_[begin].place;
-    if (is_foreign_line(begin)) return wrong(place, {foreign_statement(tokens_[begin].text)});
+    if (is_foreign_line(begin)) return wrong(place, "%", {foreign_statement(tokens_[begin].text)});
     if (const std::size_t arrow = foreign_arrow(begin)) {
-      if (tokens_[arrow - 1].kind != TokenKind::number)
-        return wrong(tokens_[arrow].place, {"An arrow is written -->."});
-      return wrong(tokens_[arrow - 1].place,
-                   {"A weight stands behind the successor and a colon here: A --> B : ", tokens_[arrow - 1].text, "."});
+      if (tokens_[arrow - 1].kind != TokenKind::number) return wrong(tokens_[arrow].place, "An arrow is written -->.");
+      return wrong(tokens_[arrow - 1].place, "A weight stands behind the successor and a colon here: A --> B : %.",
+                   {tokens_[arrow - 1].text});
     }
-    if (is_comment(begin)) return wrong(place, {"A comment is written /* … */ here; // is two rolls of the turtle."});
-    return wrong(place, {"This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation "
-                         "length: or a production with -->."});
+    if (is_comment(begin)) return wrong(place, "A comment is written /* … */ here; // is two rolls of the turtle.");
+    return wrong(place,
+                 "This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation length: or "
+                 "a production with -->.");
   }
 
   bool directive() {
     ++at_;
-    if (!on_name()) return wrong(here(), {"A name is expected after #: define, input or role."});
+    if (!on_name()) return wrong(here(), "A name is expected after #: define, input or role.");
     const Token& keyword = tokens_[at_++];
     if (keyword.text == "role") return role();
     const bool input = keyword.text == "input";
     if (!input && keyword.text != "define") {
-      if (!foreign_directive(keyword.text).empty()) return wrong(keyword.place, {foreign_directive(keyword.text)});
-      return wrong(keyword.place, {"There is no #", keyword.text, "; write #define, #input or #role."});
+      if (!foreign_directive(keyword.text).empty()) return wrong(keyword.place, "%", {foreign_directive(keyword.text)});
+      return wrong(keyword.place, "There is no #%; write #define, #input or #role.", {keyword.text});
     }
     return definition(input);
   }
 
   bool role() {
-    if (!on_name()) return wrong(here(), {"A role's name is expected here, not '", found(), "'."});
+    if (!on_name()) return wrong(here(), "A role's name is expected here, not '%'.", {found()});
     RoleTree role{tokens_[at_++].text, {}};
     while (at_ < end_) {
       Named symbol{{}, here()};
@@ -134,34 +136,34 @@ class GrammarParser {
       role.symbols.push_back(symbol);
     }
     if (role.symbols.empty())
-      return wrong(here(), {"Which symbols have the role '", role.name, "'? Write them behind its name."});
+      return wrong(here(), "Which symbols have the role '%'? Write them behind its name.", {role.name});
     grammar_.roles.push_back(std::move(role));
     return true;
   }
 
   bool definition(bool input) {
-    if (!on_name()) return wrong(here(), {"A name is expected here, not '", found(), "'."});
+    if (!on_name()) return wrong(here(), "A name is expected here, not '%'.", {found()});
     DefinitionTree definition;
     definition.name = tokens_[at_].text;
     definition.place = tokens_[at_].place;
     ++at_;
-    const auto [first, added] = defined_.try_emplace(definition.name, definition.place.line);
-    if (!added)
-      return wrong(definition.place, {"'", definition.name, "' is defined twice, first in line ",
-                                      std::to_string(first->second), "; give one of them another name."});
+    const std::uint32_t first = defined_.add(definition.name);
+    if (first < grammar_.definitions.size())
+      return wrong(definition.place, "'%' is defined twice, first in line %; give one of them another name.",
+                   {definition.name, std::to_string(grammar_.definitions[first].place.line)});
     if (!input && on_sign('['))
-      return wrong(here(), {"A #define holds one number; a list is declared by #input ", definition.name,
-                            "[] and given with the request."});
+      return wrong(here(), "A #define holds one number; a list is declared by #input %[] and given with the request.",
+                   {definition.name});
     if (input ? !input_form(definition) : !expression_to(end_, definition.expression)) return false;
     grammar_.definitions.push_back(std::move(definition));
     return true;
   }
 
   bool length() {
-    if (grammar_.steps) return wrong(tokens_[at_].place, {"There is a second derivation length; keep one of them."});
+    if (grammar_.steps.given())
+      return wrong(tokens_[at_].place, "There is a second derivation length; keep one of them.");
     at_ += 3;
-    grammar_.steps.emplace();
-    return expression_to(end_, *grammar_.steps);
+    return expression_to(end_, grammar_.steps);
   }
 
   bool input_form(DefinitionTree& definition) {
@@ -169,56 +171,57 @@ class GrammarParser {
     if (on_sign('[')) {
       ++at_;
       if (!on_sign(']'))
-        return wrong(here(), {"An array is declared as #input name[], with nothing between the brackets."});
+        return wrong(here(), "An array is declared as #input name[], with nothing between the brackets.");
       ++at_;
       definition.kind = Definition::Kind::array;
     }
-    if (at_ < end_) return wrong(here(), {"Nothing may follow the name of an input, but here is '", found(), "'."});
+    if (at_ < end_) return wrong(here(), "Nothing may follow the name of an input, but here is '%'.", {found()});
     return true;
   }
 
-  // An expression that reaches exactly to `end`.
-  bool expression_to(std::size_t end, Expression& expression) {
+  bool expression_before(std::size_t end, Expression& expression) {
     Result<Expression> result = parse_expression(tokens_, at_, end);
     if (!result) {
       trouble_ = result.error();
       return false;
     }
-    if (at_ < end) return wrong(here(), {"'", found(), "' cannot stand here; take it out."});
     expression = std::move(result.value());
     return true;
   }
 
+  // An expression that reaches exactly to `end`.
+  bool expression_to(std::size_t end, Expression& expression) {
+    if (!expression_before(end, expression)) return false;
+    return at_ == end || wrong(here(), "'%' cannot stand here; take it out.", {found()});
+  }
+
   bool axiom() {
-    if (!grammar_.axiom.empty()) return wrong(tokens_[at_].place, {"There is a second axiom; keep one of them."});
+    if (!grammar_.axiom.empty()) return wrong(tokens_[at_].place, "There is a second axiom; keep one of them.");
     at_ += 2;
     const Place place = here();
     if (!modules(grammar_.axiom)) return false;
-    if (at_ < end_) return wrong(here(), {"An axiom has no weight; take out the colon."});
-    return !grammar_.axiom.empty() || wrong(place, {"The axiom needs at least one module, such as A(1)."});
+    if (at_ < end_) return wrong(here(), "An axiom has no weight; take out the colon.");
+    return !grammar_.axiom.empty() || wrong(place, "The axiom needs at least one module, such as A(1).");
   }
 
   bool production() {
     ProductionTree production;
     if (is_label())
-      return wrong(here(),
-                   {"In cpfg '", found(), ":' labels a production; there are no labels here, so leave it out."});
+      return wrong(here(), "In cpfg '%:' labels a production; there are no labels here, so leave it out.", {found()});
     if (!predecessor(production) || !condition(production)) return false;
     at_ = arrow_ + 1;
     const std::size_t end = end_of_line(arrow_);
     for (std::size_t i = at_; i < end; ++i)
       if (tokens_[i].kind == TokenKind::arrow)
-        return wrong(tokens_[i].place, {"This line has a second -->; begin each production on a line of its own."});
+        return wrong(tokens_[i].place, "This line has a second -->; begin each production on a line of its own.");
     const bool empty = on_sign('*');  // cpfg's way to write an empty successor
     at_ += empty;
     if (!empty && !modules(production.successor)) return false;
     if (on_sign(':')) {
       ++at_;
-      Expression weight;
-      if (!expression_to(end_, weight)) return false;
-      production.weight = std::move(weight);
+      if (!expression_to(end_, production.weight)) return false;
     }
-    if (at_ < end_) return wrong(here(), {"Nothing but a weight may follow *, but here is '", found(), "'."});
+    if (at_ < end_) return wrong(here(), "Nothing but a weight may follow *, but here is '%'.", {found()});
     grammar_.productions.push_back(std::move(production));
     return true;
   }
@@ -245,11 +248,13 @@ class GrammarParser {
     return false;
   }
 
-  // How often a name stands in the text.
-  std::size_t times_named(std::string_view name) {
-    if (names_.empty())
-      for (const Token& token : tokens_) ++names_[token.text];
-    return names_[name];
+  // How often a name of the text stands there.
+  std::uint32_t times_named(std::string_view name) {
+    if (times_.empty()) {
+      times_.assign(tokens_.size(), 0);
+      for (const Token& token : tokens_) ++times_[words_.add(token.text)];
+    }
+    return times_[words_.find(name)];
   }
 
   bool predecessor(ProductionTree& production) {
@@ -258,8 +263,8 @@ class GrammarParser {
     if (!symbol(production.predecessor) || !formals(production.formals)) return false;
     if (at_ < end_ && !on_sign(':')) {
       if (on_sign('<') || on_sign('>'))
-        return wrong(here(), {"Productions cannot see their neighbours here; take out what stands beside < or >."});
-      return wrong(here(), {"A condition begins with a colon, but here is '", found(), "'."});
+        return wrong(here(), "Productions cannot see their neighbours here; take out what stands beside < or >.");
+      return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
     }
     end_ = end;
     return true;
@@ -270,23 +275,20 @@ class GrammarParser {
     ++at_;
     const bool always = at_ == arrow_ || (on_sign('*') && at_ + 1 == arrow_);
     if (always) return true;
-    Expression condition;
-    if (!expression_to(arrow_, condition)) return false;
-    production.condition = std::move(condition);
-    return true;
+    return expression_to(arrow_, production.condition);
   }
 
   // A name, a sign of the turtle or ?E.
   bool symbol(std::string_view& name) {
     static constexpr std::string_view signs = "+-&^/\\|![]%";
-    if (at_ >= end_) return wrong(tokens_[arrow_].place, {"A symbol is expected before -->, on the same line."});
+    if (at_ >= end_) return wrong(tokens_[arrow_].place, "A symbol is expected before -->, on the same line.");
     const Token& token = tokens_[at_];
     name = token.text;
     if (token.is('?')) {
       if (at_ + 1 < end_ && !foreign_query(tokens_[at_ + 1].text).empty())
-        return wrong(token.place, {foreign_query(tokens_[at_ + 1].text)});
+        return wrong(token.place, "%", {foreign_query(tokens_[at_ + 1].text)});
       if (at_ + 1 >= end_ || !tokens_[at_ + 1].is("E") || !touching(token, tokens_[at_ + 1]))
-        return wrong(token.place, {"The only communication module is ?E; write it in one word."});
+        return wrong(token.place, "The only communication module is ?E; write it in one word.");
       name = {token.text.data(), 2};
       ++at_;
     } else if (token.kind != TokenKind::name && signs.find(token.text[0]) == std::string_view::npos) {
@@ -297,11 +299,10 @@ class GrammarParser {
   }
 
   bool no_symbol(const Token& token) {
-    if (!foreign_module(token.text).empty()) return wrong(token.place, {foreign_module(token.text)});
+    if (!foreign_module(token.text).empty()) return wrong(token.place, "%", {foreign_module(token.text)});
     if (token.kind == TokenKind::number)
-      return wrong(token.place, {"A symbol begins with a letter; '", token.text, "' cannot be one."});
-    return wrong(token.place,
-                 {"'", token.text, "' cannot stand in a string of modules; docs/turtle.md lists what can."});
+      return wrong(token.place, "A symbol begins with a letter; '%' cannot be one.", {token.text});
+    return wrong(token.place, "'%' cannot stand in a string of modules; docs/turtle.md lists what can.", {token.text});
   }
 
   bool formals(std::vector<Named>& formals) {
@@ -309,14 +310,14 @@ class GrammarParser {
     const Place opened = here();
     ++at_;
     while (!on_sign(')')) {
-      if (at_ >= end_) return wrong(opened, {"This ( is never closed."});
+      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
       if (!formals.empty()) {
-        if (!on_sign(',')) return wrong(here(), {"A comma is expected here, not '", found(), "'."});
+        if (!on_sign(',')) return wrong(here(), "A comma is expected here, not '%'.", {found()});
         ++at_;
       }
-      if (!on_name()) return wrong(here(), {"A predecessor's parameters are names; here is '", found(), "'."});
+      if (!on_name()) return wrong(here(), "A predecessor's parameters are names; here is '%'.", {found()});
       for (const Named& earlier : formals)
-        if (earlier.name == found()) return wrong(here(), {"The parameter '", found(), "' stands here twice."});
+        if (earlier.name == found()) return wrong(here(), "The parameter '%' stands here twice.", {found()});
       if (formals.size() == most_parameters) return too_many(opened);
       formals.push_back({tokens_[at_].text, tokens_[at_].place});
       ++at_;
@@ -326,7 +327,7 @@ class GrammarParser {
   }
 
   bool too_many(const Place& place) {
-    return fail(Reason::limit, place, {"A module has at most 32 parameters; split it into two."});
+    return fail(Reason::limit, place, "A module has at most 32 parameters; split it into two.");
   }
 
   // Modules up to a `:` or the statement's end, their brackets balanced.
@@ -338,12 +339,12 @@ class GrammarParser {
       if (!symbol(module.name) || !arguments(module)) return false;
       if (module.name == "[") open.push_back(module.place);
       if (module.name == "]") {
-        if (open.empty()) return wrong(module.place, {"This ] closes nothing."});
+        if (open.empty()) return wrong(module.place, "This ] closes nothing.");
         open.pop_back();
       }
       modules.push_back(std::move(module));
     }
-    return open.empty() || wrong(open.back(), {"This [ is never closed."});
+    return open.empty() || wrong(open.back(), "This [ is never closed.");
   }
 
   bool arguments(ModuleTree& module) {
@@ -352,24 +353,20 @@ class GrammarParser {
     ++at_;
     if (on_sign(')')) return ++at_, true;
     for (;;) {
-      Result<Expression> argument = parse_expression(tokens_, at_, end_);
-      if (!argument) {
-        trouble_ = argument.error();
-        return false;
-      }
-      module.arguments.push_back(std::move(argument.value()));
+      if (!expression_before(end_, module.arguments.emplace_back())) return false;
       if (module.arguments.size() > most_parameters) return too_many(opened);
-      if (at_ >= end_) return wrong(opened, {"This ( is never closed."});
+      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
       if (tokens_[at_++].is(')')) return true;
     }
   }
 
   std::span<const Token> tokens_;
   std::size_t at_ = 0;
-  std::size_t end_ = 0;                                // of the statement
-  std::size_t arrow_ = 0;                              // of the production
-  std::map<std::string_view, std::uint32_t> defined_;  // name → line
-  std::map<std::string_view, std::size_t> names_;      // name → how often it stands in the text
+  std::size_t end_ = 0;               // of the statement
+  std::size_t arrow_ = 0;             // of the production
+  Names defined_;                     // in the order of the definitions
+  Names words_;                       // all that stands in the text
+  std::vector<std::uint32_t> times_;  // how often each word does
   Grammar grammar_;
   Diagnostic trouble_;
 };

@@ -84,8 +84,8 @@ class Tokenizer {
     return at_ + offset < text_.size() ? static_cast<unsigned char>(text_[at_ + offset]) : 0;
   }
 
-  bool fail(const Place& place, Pieces pieces) {
-    trouble_ = error_at(Reason::syntax, place, pieces);
+  bool fail(const Place& place, const char* pattern, Pieces pieces = {}) {
+    trouble_ = error_at(Reason::syntax, place, pattern, pieces);
     return false;
   }
 
@@ -131,7 +131,7 @@ class Tokenizer {
       advance(bytes == 0 ? 1 : bytes);
       if (c == '\n') begin_line();
     }
-    return fail(start, {"This comment is never closed; end it with */."});
+    return fail(start, "This comment is never closed; end it with */.");
   }
 
   bool next_token() {
@@ -180,21 +180,21 @@ class Tokenizer {
       digits();
     }
     const float value = number_from(text_.substr(start, at_ - start));
-    if (std::isinf(value)) return fail(place, {"This number is too large; the largest is 3.4e38."});
+    if (std::isinf(value)) return fail(place, "This number is too large; the largest is 3.4e38.");
     return add(TokenKind::number, start, place, value);
   }
 
   bool unknown(const CodePoint& point) {
-    if (point.bytes == 0) return fail(place_, {"The text is not UTF-8 here; save it as UTF-8."});
+    if (point.bytes == 0) return fail(place_, "The text is not UTF-8 here; save it as UTF-8.");
     if (point.value < 0x20 || point.value == 0x7f)
-      return fail(place_, {"A control character cannot stand here; take it out."});
+      return fail(place_, "A control character cannot stand here; take it out.");
     const std::string character(text_.substr(at_, point.bytes));
     for (const Spelling& spelling : spellings)
       if (spelling.pasted == point.value)
-        return fail(place_, {"'", character, "' is not part of the notation; write ", spelling.written, "."});
-    if (in_comment()) return fail(place_, {"A comment is written /* … */ here; // is two rolls of the turtle."});
-    if (!foreign_sign(character).empty()) return fail(place_, {foreign_sign(character)});
-    return fail(place_, {"'", character, "' is not part of the notation; take it out."});
+        return fail(place_, "'%' is not part of the notation; write %.", {character, spelling.written});
+    if (in_comment()) return fail(place_, "A comment is written /* … */ here; // is two rolls of the turtle.");
+    if (!foreign_sign(character).empty()) return fail(place_, "%", {foreign_sign(character)});
+    return fail(place_, "'%' is not part of the notation; take it out.", {character});
   }
 
   // Whether the line begins as `// two words`.

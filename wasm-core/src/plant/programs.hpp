@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "lsystem/lsystem.hpp"
 
@@ -17,18 +17,29 @@ class Programs {
   // A handle that was never given before, never 0; 0 where `most` are kept already.
   std::uint32_t keep(std::shared_ptr<const lsystem::Program> program) {
     if (kept_.size() >= most) return 0;
-    kept_.emplace(++last_, std::move(program));
+    kept_.push_back({++last_, std::move(program)});
     return last_;
   }
   // Null where nothing is kept by that handle.
   std::shared_ptr<const lsystem::Program> find(std::uint32_t handle) const {
-    const auto found = kept_.find(handle);
-    return found == kept_.end() ? nullptr : found->second;
+    for (const Kept& kept : kept_)
+      if (kept.handle == handle) return kept.program;
+    return nullptr;
   }
-  void forget(std::uint32_t handle) { kept_.erase(handle); }
+  void forget(std::uint32_t handle) {
+    for (Kept& kept : kept_) {
+      if (kept.handle != handle) continue;
+      std::swap(kept, kept_.back());
+      return kept_.pop_back();
+    }
+  }
 
  private:
-  std::map<std::uint32_t, std::shared_ptr<const lsystem::Program>> kept_;
+  struct Kept {
+    std::uint32_t handle;
+    std::shared_ptr<const lsystem::Program> program;
+  };
+  std::vector<Kept> kept_;
   std::uint32_t last_ = 0;
 };
 
