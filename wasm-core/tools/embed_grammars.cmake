@@ -1,5 +1,6 @@
 # Writes OUTPUT, a C++ file that holds the text of every grammar in INPUTS, each by the name of its file, less its comments
-# (line ends stay, so that lines keep their numbers). A script of CMake's, so that a build needs no Node.
+# (line ends stay, so that lines keep their numbers); with VARIANT no_texts the names alone. A script of CMake's, so that a
+# build needs no Node.
 set(constants "")
 foreach(input IN LISTS INPUTS)
   get_filename_component(name ${input} NAME_WE)
@@ -17,6 +18,9 @@ foreach(input IN LISTS INPUTS)
   string(REPLACE "<semicolon>" ";" text "${text}")
   string(REPLACE "<open>" "[" text "${text}")
   string(REPLACE "<close>" "]" text "${text}")
+  if(VARIANT STREQUAL "no_texts")
+    set(text "")
+  endif()
   string(REGEX REPLACE " +\n" "\n" text "${text}")
   string(APPEND constants "extern const std::string_view ${name} = R\"lsys(${text})lsys\";\n")
 endforeach()

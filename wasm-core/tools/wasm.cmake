@@ -29,13 +29,13 @@ endfunction()
 
 file(WRITE ${CMAKE_BINARY_DIR}/empty.cpp "")
 foreach(model IN LISTS models)
-  panicle_linked(panicle_linked_${model} ${model})
+  panicle_linked(panicle_linked_${model} no_texts ${model})
   panicle_wasm(${model} panicle_linked_${model} ${CMAKE_BINARY_DIR}/empty.cpp)
 endforeach()
 add_custom_target(models DEPENDS ${models})
 
 # The model that tests add.
-panicle_linked(panicle_linked_toy toy)
+panicle_linked(panicle_linked_toy no_texts toy)
 panicle_wasm(toy panicle_linked_toy ${CMAKE_BINARY_DIR}/empty.cpp)
 set_target_properties(toy PROPERTIES EXCLUDE_FROM_ALL ON)
 

@@ -9,6 +9,8 @@ namespace panicle::bunch {
 Result<std::shared_ptr<const lsystem::Program>> program_for(const Request& request, std::string_view built_in,
                                                             const Limits& limits) {
   if (request.program) return request.program;
+  if (request.grammar.empty() && built_in.empty())
+    return Diagnostic{Reason::bad_request, "The request has no grammar; send its text.", 0, 0};
   return lsystem::compile(request.grammar.empty() ? built_in : request.grammar, limits, lsystem::Lineages::always);
 }
 
