@@ -23,7 +23,7 @@ function(panicle_wasm name library)
   target_link_libraries(${name} PRIVATE ${library})
   set_target_properties(${name} PROPERTIES SUFFIX .wasm)
   target_link_options(${name} PRIVATE
-    --no-entry -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 ${stack_option}
+    --no-entry -sMALLOC=emmalloc -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 ${stack_option}
     -sEXPORTED_FUNCTIONS=${exports})
 endfunction()
 

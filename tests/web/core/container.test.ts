@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { type Block, Columns, writeContainer } from "../../../web/src/core/container";
+import { type Block, Columns, copyContainer, writeContainer } from "../../../web/src/core/container";
 
 const numbers = (make: (values: number[]) => Exclude<Block["data"], string>, value: fc.Arbitrary<number>) =>
 	fc.array(value, { maxLength: 12 }).map(make);
@@ -35,6 +35,28 @@ describe("a container", () => {
 		expect(columns.floats("ends")).toHaveLength(12);
 		expect(() => columns.ints("ends")).toThrow("“ends” is float32, not int32");
 		expect(() => columns.floats("radii")).toThrow("no column “radii”");
+	});
+
+	it("is copied whole out of a memory, wherever in it its arrays lie", () => {
+		const written = writeContainer([
+			{ name: "a", data: Float32Array.of(1, 2, 3) },
+			{ name: "b", data: "text" },
+		]);
+		const memory = new Uint8Array(4096);
+		const at = 1024;
+		memory.set(written, at);
+		const far = [64, 3000 & ~3]; // before the container, and behind it
+		for (const place of far) {
+			memory.set(new Uint8Array(Float32Array.of(4, 5, 6).buffer), place);
+			// The first entry's data begin at its sixth word.
+			new Uint32Array(memory.buffer)[(at + 4 * (4 + 5)) / 4] = place - at;
+			const columns = new Columns(copyContainer(memory.buffer, at));
+			expect([...columns.floats("a")]).toEqual([4, 5, 6]);
+			expect(columns.text("b")).toBe("text");
+			expect(columns.bytes.byteLength).toBeGreaterThan(written.byteLength);
+		}
+		new Uint32Array(memory.buffer)[(at + 4 * (4 + 5)) / 4] = 8000;
+		expect(() => copyContainer(memory.buffer, at)).toThrow(RangeError);
 	});
 
 	it("is refused where the bytes are none", () => {

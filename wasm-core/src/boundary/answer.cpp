@@ -24,6 +24,8 @@ std::array<std::uint32_t, 2> halves(std::uint64_t value) {
   return {static_cast<std::uint32_t>(value), static_cast<std::uint32_t>(value >> 32)};
 }
 
+constexpr std::uint64_t large = 1 << 14;  // bytes that are worth leaving where they are
+
 // The columns of all segments.
 void add_segments(Columns& columns, const std::vector<Segment>& segments) {
   columns.add("segments.parent", column_of<std::int32_t>(segments, 1, [](const Segment& segment, std::int32_t* at) {
@@ -86,20 +88,19 @@ void add_columns(ContainerWriter& out, const std::string& prefix, const Columns&
   for (std::size_t i = 0; i < columns.size(); ++i) out.add(prefix + std::string(columns[i].name), columns[i]);
 }
 
-void add_mesh(ContainerWriter& out, const PlantMesh& mesh, const Columns& runs) {
+void add_mesh(ContainerWriter& out, const PlantMesh& mesh) {
   const std::string prefix = "mesh." + mesh.name + ".";
   out.add(prefix + "material", std::string_view(mesh.material));
   out.add(prefix + "positions", mesh.mesh.positions, 3);
   out.add(prefix + "normals", mesh.mesh.normals, 3);
   out.add(prefix + "uvs", mesh.mesh.uvs, 2);
   out.add(prefix + "indices", mesh.mesh.indices, 3);
-  add_columns(out, prefix, runs);
   add_columns(out, prefix, mesh.columns);
 }
 
 }  // namespace
 
-std::uint8_t* write_plant(const Plant& plant) {
+std::uint8_t* write_plant(Plant& plant) {
   ContainerWriter out;
   const std::array<std::uint32_t, 3> status{};
   out.add("status", std::span<const std::uint32_t>(status));
@@ -119,26 +120,21 @@ std::uint8_t* write_plant(const Plant& plant) {
   out.add("counts.names", std::string_view(count_names));
   if (!plant.measures.empty()) out.add("measures", plant.measures);
 
-  // Laid out here for the border; they live until the block is written.
-  Columns rows;
-  add_segments(rows, plant.segments);
-  rows.add("segments.tags", std::string_view(tags));
+  add_segments(plant.columns, plant.segments);
+  plant.columns.add("segments.tags", std::string_view(tags));
   if (!plant.organs.empty()) {
-    add_organs(rows, plant.organs);
-    rows.add("organs.tags", std::string_view(organ_tags));
+    add_organs(plant.columns, plant.organs);
+    plant.columns.add("organs.tags", std::string_view(organ_tags));
   }
-  add_columns(out, "", rows);
   std::string mesh_names;
-  std::vector<Columns> runs(plant.meshes.size());
-  for (std::size_t i = 0; i < plant.meshes.size(); ++i) {
-    const PlantMesh& mesh = plant.meshes[i];
+  for (PlantMesh& mesh : plant.meshes) {
     mesh_names.append(mesh_names.empty() ? "" : "\n").append(mesh.name);
-    if (!mesh.runs.empty()) add_runs(runs[i], mesh.runs);
-    add_mesh(out, mesh, runs[i]);
+    if (!mesh.runs.empty()) add_runs(mesh.columns, mesh.runs);
+    add_mesh(out, mesh);
   }
   out.add("meshes", std::string_view(mesh_names));
   add_columns(out, "", plant.columns);
-  return out.write();
+  return sizeof(void*) == 4 ? out.write(large) : out.write();
 }
 
 std::uint8_t* write_program(std::uint32_t handle) {

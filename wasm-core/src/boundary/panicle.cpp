@@ -22,10 +22,20 @@ const Model* find_model(std::string_view name) {
   return nullptr;
 }
 
-// The one thing that lives from call to call, and only by handles that the caller holds.
+// Lives from call to call, by handles that the caller holds.
 Programs& programs() {
   static Programs kept;
   return kept;
+}
+
+// The last plant, whose large arrays its answer only refers to: until the answer is released, or another asked for.
+struct Answered {
+  Plant plant;
+  std::uint8_t* block = nullptr;
+};
+Answered& answered() {
+  static Answered last;
+  return last;
 }
 
 // Errors: those of compiling; limit where too many are kept.
@@ -56,11 +66,17 @@ void* panicle_allocate(std::uint32_t bytes) {
   return bytes <= most_request_bytes ? std::malloc(bytes ? bytes : 1) : nullptr;
 }
 
-void panicle_release(void* memory) { std::free(memory); }
+void panicle_release(void* memory) {
+  if (memory != nullptr && memory == answered().block) answered() = {};
+  std::free(memory);
+}
 
 std::uint8_t* panicle_grow(const std::uint8_t* request, std::uint32_t bytes) {
-  const auto plant = grow({request, bytes});
-  return plant ? boundary::write_plant(plant.value()) : boundary::write_failure(plant.error());
+  answered() = {};
+  auto plant = grow({request, bytes});
+  if (!plant) return boundary::write_failure(plant.error());
+  answered().plant = std::move(plant.value());
+  return answered().block = boundary::write_plant(answered().plant);
 }
 
 std::uint8_t* panicle_compile(const char* text, std::uint32_t bytes) {

@@ -49,7 +49,9 @@ uint32_t panicle_abi(void);
 void* panicle_allocate(uint32_t bytes);
 /* Gives back a request's memory or an answer. */
 void panicle_release(void* memory);
-/* Grows. An answer whose fourth word is its length in bytes; null only when memory is out. Release it. */
+/* Grows. An answer whose fourth word is its length in bytes; null only when memory is out. Release it. Large arrays may
+ * lie outside of it: the directory says where they begin, counted from the answer's first byte and modulo 2^32. They
+ * are good until the answer is released or another plant is grown. */
 uint8_t* panicle_grow(const uint8_t* request, uint32_t bytes);
 
 /* Compiles a grammar (UTF-8) and keeps it: the answer has `status` and, where that is 0, `program` (uint32), the handle

@@ -81,9 +81,14 @@ class ContainerWriter {
   }
 
   // The block, from malloc: free it with std::free. Null when memory is out or the block would pass 2 GiB.
-  std::uint8_t* write() const;
+  std::uint8_t* write() const { return write(no_limit); }
+
+  // The same, but that columns of `large` bytes or more stay where they are: the directory says where they begin,
+  // counted from the block's first byte and modulo 2^32, which is all of a 32-bit memory. They must outlive the block.
+  std::uint8_t* write(std::uint64_t large) const;
 
  private:
+  static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
   struct Raw {};
   struct Entry {
     std::string name;

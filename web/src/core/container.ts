@@ -53,9 +53,32 @@ export function writeContainer(blocks: readonly Block[]): Uint8Array<ArrayBuffer
 	return whole;
 }
 
-/** Length of the container that begins at `at` of a memory. */
-export function containerBytes(memory: ArrayBuffer, at: number): number {
-	return new DataView(memory).getUint32(at + 4 * 3, true);
+/**
+ * A container out of a memory, as bytes of our own. Its arrays may lie anywhere in that memory: where the directory says,
+ * counted from `at` and modulo 2^32.
+ * @throws RangeError where something lies outside of the memory
+ */
+export function copyContainer(memory: ArrayBuffer, at: number): Uint8Array<ArrayBuffer> {
+	const [, , count, length] = new Uint32Array(memory, at, HEADER_WORDS);
+	const directory = new Uint32Array(memory, at + 4 * HEADER_WORDS, ENTRY_WORDS * count);
+	const outside: { row: number; from: number; bytes: number; to: number }[] = [];
+	let whole = length;
+	for (let row = 0; row < directory.length; row += ENTRY_WORDS) {
+		const [, , element, width, rows, data] = directory.subarray(row, row + ENTRY_WORDS);
+		const bytes = width * rows * (element < 2 ? 1 : 4);
+		if (data + bytes <= length) continue;
+		outside.push({ row, from: (at + data) >>> 0, bytes, to: whole });
+		whole += padded(bytes);
+	}
+	const copy = new Uint8Array(whole);
+	copy.set(new Uint8Array(memory, at, length));
+	const words = new Uint32Array(copy.buffer);
+	words[3] = whole;
+	for (const { row, from, bytes, to } of outside) {
+		copy.set(new Uint8Array(memory, from, bytes), to);
+		words[HEADER_WORDS + row + 5] = to;
+	}
+	return copy;
 }
 
 interface Column {

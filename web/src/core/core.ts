@@ -1,5 +1,5 @@
 /** One instance of the core: the only code that touches its memory. */
-import { type Block, Columns, containerBytes, writeContainer } from "./container";
+import { type Block, Columns, copyContainer, writeContainer } from "./container";
 import { CORE_REASONS, CoreError, CoreTrap, UnsupportedError } from "./errors";
 import { ABI, areCoreExports, type CoreExports } from "./exports";
 
@@ -118,20 +118,12 @@ export class Core {
 		const answer = call(pointer, input.length) >>> 0;
 		exports.panicle_release(pointer);
 		if (answer === 0) throw new CoreError("limit", "There is no memory for the plant; make it smaller.");
-		const columns = new Columns(this.#copyOut(answer));
+		// The buffer is asked for after the call: it is another one where the memory has grown.
+		const columns = new Columns(copyContainer(exports.memory.buffer as ArrayBuffer, answer));
 		exports.panicle_release(answer);
 		const [reason, line, column] = columns.words("status");
 		if (reason === 0) return columns;
 		throw new CoreError(CORE_REASONS[reason] ?? "bad request", columns.text("message"), line, column);
-	}
-
-	/** A container in the core's memory as bytes of our own: no view of the memory leaves this file. */
-	#copyOut(pointer: number): Uint8Array<ArrayBuffer> {
-		// Asked for after the growth: the buffer is another one where the memory has grown.
-		const heap = this.#exports.memory.buffer as ArrayBuffer;
-		const bytes = containerBytes(heap, pointer);
-		if (pointer + bytes > heap.byteLength) throw new RangeError("the answer lies outside the core's memory");
-		return new Uint8Array(heap.slice(pointer, pointer + bytes));
 	}
 }
 
