@@ -8,6 +8,7 @@
 #include "foundation/random.hpp"
 #include "lsystem/lsystem.hpp"
 #include "models/bunch/bunch.hpp"
+#include "models/bunch/grammars.hpp"
 #include "models/bunch/paper/interaction.hpp"
 #include "models/bunch/parameters.generated.hpp"
 #include "models/bunch/stems.hpp"
@@ -42,8 +43,13 @@ bunch::Request longer_bunch(std::uint32_t factor) {
   return request;
 }
 
+// Its text is compiled once, as a page keeps it.
 double plan(std::uint32_t factor) {
-  const auto grown = bunch::grow(longer_bunch(factor));
+  static const auto program = lsystem::compile(bunch::grammars::grape_bunch_3, {}, lsystem::Lineages::always);
+  if (!program) return -1;
+  bunch::Request request = longer_bunch(factor);
+  request.program = program.value();
+  const auto grown = bunch::grow(request);
   return grown ? grown->counts.pedicels : -1;
 }
 

@@ -69,11 +69,12 @@ TubeWriter::TubeWriter(StemMesh& stem, std::uint32_t sides, std::uint64_t rings,
   while (band_.size() % 4 != 0) band_.push_back(0);
 
   const auto room = static_cast<std::size_t>(vertices_for(sides, rings, tubes)) + 4;
-  stem.mesh.positions.resize(room * 3);
-  stem.mesh.normals.resize(room * 3);
-  stem.mesh.uvs.resize(room * 2);
-  stem.segment.resize(room);
-  stem.mesh.indices.resize(static_cast<std::size_t>(rings) * sides * 6 + 4);
+  // Made, not grown: in a wasm where some code is built for size, growing writes zeros one number at a time.
+  stem.mesh.positions = std::vector<float>(room * 3);
+  stem.mesh.normals = std::vector<float>(room * 3);
+  stem.mesh.uvs = std::vector<float>(room * 2);
+  stem.segment = std::vector<std::uint32_t>(room);
+  stem.mesh.indices = std::vector<std::uint32_t>(static_cast<std::size_t>(rings) * sides * 6 + 4);
 }
 
 void TubeWriter::finish() {

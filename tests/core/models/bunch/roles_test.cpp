@@ -16,8 +16,14 @@ using namespace panicle::tests;
 
 namespace {
 
-Roles declared(std::vector<Roles::Declaration> declarations, std::vector<std::string>& notes) {
-  return {declarations, notes};
+// What a text has `symbol` draw; what it says besides in `notes`.
+Kind kind_in(const std::string& text, std::string_view symbol, std::vector<std::string>& notes) {
+  const auto program = lsystem::compile(text, {});
+  REQUIRE_MESSAGE(program, (program ? "" : program.error().message));
+  const auto symbols = lsystem::symbols(*program.value());
+  const auto found = std::find(symbols.begin(), symbols.end(), symbol);
+  REQUIRE(found != symbols.end());
+  return roles_of(*program.value(), notes).of(static_cast<std::uint32_t>(found - symbols.begin()));
 }
 
 Grown grown(Request request, const std::string& grammar) {
@@ -73,23 +79,28 @@ std::array<std::ptrdiff_t, 4> kinds_of(const Grown& bunch) {
 }  // namespace
 
 TEST_CASE("a text that declares nothing has the table's roles") {
-  const Roles roles;
-  CHECK(roles.of("Ar") == Kind::rachis);
-  CHECK(roles.of("Ar17") == Kind::rachis);
-  CHECK(roles.of("Ae") == Kind::end);
-  CHECK(roles.of("Ae2") == Kind::axis);
-  CHECK(roles.of("Ap") == Kind::pedicel);
-  CHECK(roles.of("Af") == Kind::axis);
-  CHECK(roles.of("") == Kind::axis);
+  std::vector<std::string> notes;
+  const std::string text = "axiom: Ar Ar17 Ae Ae2 Ap Af\n";
+  CHECK(kind_in(text, "Ar", notes) == Kind::rachis);
+  CHECK(kind_in(text, "Ar17", notes) == Kind::rachis);
+  CHECK(kind_in(text, "Ae", notes) == Kind::end);
+  CHECK(kind_in(text, "Ae2", notes) == Kind::axis);
+  CHECK(kind_in(text, "Ap", notes) == Kind::pedicel);
+  CHECK(kind_in(text, "Af", notes) == Kind::axis);
+  CHECK(Roles().of(lsystem::no_symbol) == Kind::axis);
+  CHECK(notes.empty());
 }
 
 TEST_CASE("a text that declares roles has those and no others; one that a bunch does not have is told, once") {
   std::vector<std::string> notes;
-  const Roles roles = declared({{"rachis", "Q"}, {"pedicel", "P"}, {"tendril", "T"}, {"tendril", "U"}}, notes);
-  CHECK(roles.of("Q") == Kind::rachis);
-  CHECK(roles.of("P") == Kind::pedicel);
-  CHECK(roles.of("T") == Kind::axis);
-  CHECK(roles.of("Ar1") == Kind::axis);
+  const std::string text = "#role rachis Q\n#role pedicel P\n#role tendril T U\naxiom: Q P T U Ar1\n";
+  CHECK(kind_in(text, "Q", notes) == Kind::rachis);
+  notes.clear();
+  CHECK(kind_in(text, "P", notes) == Kind::pedicel);
+  notes.clear();
+  CHECK(kind_in(text, "Ar1", notes) == Kind::axis);
+  notes.clear();
+  CHECK(kind_in(text, "T", notes) == Kind::axis);
   REQUIRE(notes.size() == 1);
   CHECK(notes[0].find("no role tendril") != std::string::npos);
   const Grown bunch = grown(settled(), std::string(builtin_grammar(3)) + "#role leaf Az\nAz --> F(1)\n");

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "models/bunch/parameters.generated.hpp"
 
@@ -26,36 +28,34 @@ Kind standard_kind(std::string_view symbol) {
   return Kind::axis;
 }
 
-}  // namespace
-
-Roles::Roles(std::span<const Declaration> declared, std::vector<std::string>& notes) : declared_(!declared.empty()) {
-  std::vector<std::string_view> told;
-  for (const Declaration& one : declared) {
-    if (const std::optional<Kind> kind = kind_named(one.role)) {
-      claims_.push_back({std::string(one.symbol), *kind});
-    } else if (std::find(told.begin(), told.end(), one.role) == told.end()) {
-      told.push_back(one.role);
-      notes.push_back("A bunch has no role " + std::string(one.role) +
+// Those that a text declares.
+std::vector<Kind> declared_kinds(const lsystem::Roles& roles, std::size_t symbols, std::vector<std::string>& notes) {
+  std::vector<Kind> kinds(symbols, Kind::axis);
+  std::vector<std::uint8_t> told(roles.names.size(), 0);
+  for (std::uint32_t symbol = 0; symbol < symbols; ++symbol) {
+    const std::uint32_t role = roles.of(symbol);
+    if (role == lsystem::Roles::none) continue;
+    if (const std::optional<Kind> kind = kind_named(roles.names[role])) {
+      kinds[symbol] = *kind;
+    } else if (!told[role]) {
+      told[role] = 1;
+      notes.push_back("A bunch has no role " + std::string(roles.names[role]) +
                       "; its roles are rachis, axis, end and pedicel.");
     }
   }
+  return kinds;
 }
 
-Kind Roles::of(std::string_view symbol) const {
-  if (!declared_) return standard_kind(symbol);
-  const auto claim =
-      std::find_if(claims_.begin(), claims_.end(), [symbol](const Claim& one) { return one.symbol == symbol; });
-  return claim == claims_.end() ? Kind::axis : claim->kind;
-}
+}  // namespace
 
 Roles roles_of(const lsystem::Program& text, std::vector<std::string>& notes) {
   const lsystem::Roles& roles = lsystem::roles(text);
   const std::span<const std::string> symbols = lsystem::symbols(text);
-  std::vector<Roles::Declaration> declared;
   for (std::uint32_t symbol = 0; symbol < symbols.size(); ++symbol)
-    if (const std::uint32_t role = roles.of(symbol); role != lsystem::Roles::none)
-      declared.push_back({roles.names[role], symbols[symbol]});
-  return {declared, notes};
+    if (roles.of(symbol) != lsystem::Roles::none) return Roles(declared_kinds(roles, symbols.size(), notes));
+  std::vector<Kind> kinds;
+  for (const std::string& symbol : symbols) kinds.push_back(standard_kind(symbol));
+  return Roles(std::move(kinds));
 }
 
 }  // namespace panicle::bunch

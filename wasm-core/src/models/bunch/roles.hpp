@@ -1,9 +1,9 @@
 // What a symbol of the text draws: the roles that a bunch knows, declared and never read out of a name by chance.
 #pragma once
 
-#include <span>
+#include <cstdint>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lsystem/lsystem.hpp"
@@ -13,30 +13,20 @@ namespace panicle::bunch {
 
 class Roles {
  public:
-  // `#role NAME SYMBOL` as a text declares it.
-  struct Declaration {
-    std::string_view role, symbol;
-  };
-
-  // Those of texts that declare none, as all did before there was a way to: parameters/bunch.json.
+  // Each symbol's, by its number.
+  explicit Roles(std::vector<Kind> kinds) : kinds_(std::move(kinds)) {}
   Roles() = default;
 
-  // What the text declares, if it declares anything. A role that a bunch does not have is told in `notes`.
-  Roles(std::span<const Declaration> declared, std::vector<std::string>& notes);
-
-  // Of what a production of `symbol` draws, or asks about; axis where no role claims it, as of the axiom ("").
-  Kind of(std::string_view symbol) const;
+  // Of what a production of `symbol` draws, or asks about; axis where no role claims it, as of the axiom
+  // (lsystem::no_symbol).
+  Kind of(std::uint32_t symbol) const { return symbol < kinds_.size() ? kinds_[symbol] : Kind::axis; }
 
  private:
-  struct Claim {
-    std::string symbol;
-    Kind kind;
-  };
-  bool declared_ = false;
-  std::vector<Claim> claims_;
+  std::vector<Kind> kinds_;
 };
 
-// Those of a text.
+// What a text declares, if it declares anything; else those of texts from before there was a way to
+// (parameters/bunch.json). A role that a bunch does not have is told in `notes`.
 Roles roles_of(const lsystem::Program& text, std::vector<std::string>& notes);
 
 }  // namespace panicle::bunch

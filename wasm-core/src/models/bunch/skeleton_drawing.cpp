@@ -45,7 +45,7 @@ void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const
   const Part* const parent = segment.parent < 0 ? nullptr : &parts_[static_cast<std::size_t>(segment.parent)];
   const bool answered = answering_ && lineage.address == asked_address_;
   Part part;
-  part.kind = answered && answer_.pedicel ? Kind::pedicel : roles_.of(lineage.parent);
+  part.kind = answered && answer_.pedicel ? Kind::pedicel : roles_.of(lineage.parent_symbol);
   if (answered) {
     part.question = questions_;
     part.state = answer_.withered ? State::withered : State::grown;
@@ -63,7 +63,7 @@ std::int32_t SkeletonDrawing::axis_of(const Segment& segment, Kind kind, const l
   if (segment.parent < 0 || kind == Kind::rachis) return -1;
   const Part& parent = parts_[static_cast<std::size_t>(segment.parent)];
   if (parent.kind != Kind::rachis) return parent.axis;
-  if (kind == Kind::end && is_rachis(lineage.grandparent)) return -1;
+  if (kind == Kind::end && is_rachis(lineage.grandparent_symbol)) return -1;
   return first_axis_ + parent.rachis_depth - 1;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "lsystem/lsystem.hpp"
@@ -57,7 +56,7 @@ class SkeletonDrawing : public Drawing {
   // Forgets what has been drawn since begin().
   void erase();
 
-  bool is_rachis(std::string_view symbol) const { return roles_.of(symbol) == Kind::rachis; }
+  bool is_rachis(std::uint32_t symbol) const { return roles_.of(symbol) == Kind::rachis; }
 
  private:
   static constexpr std::uint32_t none = 0xffffffffu;

@@ -34,7 +34,7 @@ Newborn Growth::newborn(const Question& question, const lsystem::Turtle& turtle,
 SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::Turtle& turtle,
                                        std::span<float> parameters, const lsystem::Lineage& lineage) {
   const Laid* const laid = find_laid(lineage.address);
-  const bool rachis = is_rachis(lineage.parent);
+  const bool rachis = is_rachis(lineage.parent_symbol);
   Room room;
   if (laid)
     room = laid->room;
