@@ -2,7 +2,7 @@
  * Builds the core: `node wasm-core/tools/core.mjs` makes build/core/<model>.wasm for each model, `core.mjs asan core_tests` a native
  * target of a preset. Quick when nothing has changed. All it says goes to standard error.
  */
-import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -49,6 +49,14 @@ async function configure(preset, tools, env) {
 	writeFileSync(stamp, identity);
 }
 
+/** Takes away modules of models that are no more: they would still be served. */
+function prune(names) {
+	if (!existsSync(modulesFolder)) return;
+	for (const file of readdirSync(modulesFolder)) {
+		if (file.endsWith(".wasm") && !names.includes(file)) rmSync(join(modulesFolder, file));
+	}
+}
+
 /** Copies a module to where it is read from, whole or not at all; tells whether it is a new one. */
 function publish(name, folder = modulesFolder) {
 	const from = join(buildFolder, "wasm", name);
@@ -89,6 +97,7 @@ export async function buildCore(preset = "wasm", targets = []) {
 		if (/warning:/.test(output)) console.error(essence(output));
 		if (preset !== "wasm") return { changed: false };
 		for (const name of ["core-bench.wasm", "toy.wasm"]) publish(name, testModulesFolder);
+		prune(models().map((model) => `${model}.wasm`));
 		return { changed: models().filter((model) => publish(`${model}.wasm`)).length > 0 };
 	});
 }

@@ -228,7 +228,7 @@ describe("restore", () => {
 			...specimenFromPreset("duku"),
 			parameters: { ...specimenFromPreset("duku").parameters, procedure: 0 },
 		});
-		for (const now of [{ v: 2 }, { v: 3 }, { plum: 1 }]) {
+		for (const now of [{ v: 2 }, { v: 3 }, { plum: 1 }, { model: "bunch", preset: "duku" }]) {
 			expect(restore(now).specimen).toMatchObject({ v: 2, parameters: { procedure: 1 } });
 		}
 	});

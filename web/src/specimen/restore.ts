@@ -43,9 +43,9 @@ export function restore<S extends Specimen>(species: Species<S>, record: unknown
 	const notes = new Notes();
 	const parts = flatten(species, record, notes);
 	const named = new Map(parts);
-	// Links from before versions were written are version 1; what says nothing of a specimen is no link.
-	const isLink = from === undefined && parts.some(([key]) => isKnown(species, key));
-	const version = readVersion(named.get("v"), isLink ? 1 : SPECIMEN_VERSION, notes);
+	// Links from before versions were written are version 1; they name no model. What says nothing of a specimen is no link.
+	const isOld = from === undefined && !named.has("model") && parts.some(([key]) => isKnown(species, key));
+	const version = readVersion(named.get("v"), isOld ? 1 : SPECIMEN_VERSION, notes);
 	readModel(species.name, named.get("model"), notes);
 	const specimen = readPreset(species, named.get("preset"), version, from, notes);
 	for (const [key, value] of parts) {
