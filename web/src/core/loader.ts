@@ -30,7 +30,7 @@ export async function compileCore(
 	return module;
 }
 
-/** A core from the bytes of panicle.wasm, for Node. */
+/** A core from the bytes of a model's wasm, for Node. */
 export async function loadCoreFromBytes(bytes: BufferSource): Promise<Core> {
 	requireWebAssembly();
 	const view = ArrayBuffer.isView(bytes)
