@@ -1,0 +1,118 @@
+#include "models/particles/scatter.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "shapes.hpp"
+
+using namespace panicle;
+using namespace panicle::particles;
+
+namespace {
+
+constexpr Pattern patterns[] = {Pattern::uniform, Pattern::jittered, Pattern::blue};
+
+// The least distance between two points.
+float closest(const std::vector<glm::vec3>& points) {
+  float least = 1e9f;
+  for (std::size_t a = 0; a < points.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) least = std::min(least, glm::distance(points[a], points[b]));
+  return least;
+}
+
+// The widest gap: how far a place inside can be from every point.
+float widest_gap(const Region& region, const std::vector<glm::vec3>& points, float grid) {
+  float widest = 0;
+  const float deep = region.flat() ? 0 : region.high().z;
+  for (float z = -deep; z <= deep; z += grid)
+    for (float y = -1; y <= 1; y += grid)
+      for (float x = -1; x <= 1; x += grid) {
+        const glm::vec3 place(x, y, z);
+        if (!region.contains(place)) continue;
+        float nearest = 1e9f;
+        for (const glm::vec3& p : points) nearest = std::min(nearest, glm::distance(place, p));
+        widest = std::max(widest, nearest);
+      }
+  return widest;
+}
+
+}  // namespace
+
+TEST_CASE("the spacing of points is the root of what each of them has of the region") {
+  CHECK(spacing_of(Round(true), 1000) == doctest::Approx(std::sqrt(3.14159f / 1000)).epsilon(0.01));
+  CHECK(spacing_of(Round(false), 1000) == doctest::Approx(std::cbrt(4.18879f / 1000)).epsilon(0.01));
+  CHECK(spacing_of(Round(false, 1, 0.8f), 1000) == doctest::Approx(std::cbrt(4.18879f * 0.488f / 1000)).epsilon(0.02));
+  CHECK(spacing_of(Shaded(), 1000) == doctest::Approx(std::sqrt(2.5f / 1000)).epsilon(0.01));
+  CHECK(spacing_of(Round(true), 0) == 0);
+}
+
+TEST_CASE("no particle starts outside the outer boundary or inside the inner one, and about as many do as were asked for") {
+  for (const bool flat : {true, false})
+    for (const float hole : {0.0f, 0.75f})
+      for (const Pattern pattern : patterns)
+        for (const std::uint32_t count : {50u, 500u, 5000u}) {
+          CAPTURE(flat);
+          CAPTURE(hole);
+          CAPTURE(static_cast<int>(pattern));
+          CAPTURE(count);
+          const Round region(flat, 1, hole);
+          const auto points = scatter(region, pattern, count, spacing_of(region, count), 7);
+          CHECK(std::all_of(points.begin(), points.end(), [&](const glm::vec3& p) { return region.contains(p); }));
+          // Points of small regions may stand a little outside of what they fill, so more of them fit.
+          const float off = count == 50 ? 0.75f : count == 500 ? 0.35f : 0.15f;
+          CHECK(static_cast<float>(points.size()) == doctest::Approx(static_cast<float>(count)).epsilon(off));
+          if (pattern == Pattern::uniform) CHECK(points.size() == count);
+        }
+}
+
+TEST_CASE("blue noise keeps its distance and leaves no holes; uniform points do neither") {
+  for (const bool flat : {true, false}) {
+    CAPTURE(flat);
+    const Round region(flat);
+    const float spacing = spacing_of(region, 600);
+    const auto even = scatter(region, Pattern::blue, 600, spacing, 3);
+    const auto loose = scatter(region, Pattern::uniform, 600, spacing, 3);
+    CHECK(closest(even) >= 0.75f * spacing);
+    CHECK(closest(loose) < 0.3f * spacing);
+    const float grid = flat ? 0.02f : 0.1f;
+    CHECK(widest_gap(region, even, grid) < 1.15f * spacing);
+    CHECK(widest_gap(region, loose, grid) > 1.3f * spacing);
+  }
+}
+
+TEST_CASE("where a region says a quarter, a quarter as many start") {
+  const Shaded region;
+  for (const Pattern pattern : patterns) {
+    CAPTURE(static_cast<int>(pattern));
+    const auto points = scatter(region, pattern, 4000, spacing_of(region, 4000), 5);
+    const auto bright = static_cast<float>(std::count_if(points.begin(), points.end(), [](auto& p) { return p.x < 0; }));
+    const auto dark = static_cast<float>(points.size()) - bright;
+    CHECK(dark / bright == doctest::Approx(0.25).epsilon(0.12));
+    CHECK(static_cast<float>(points.size()) == doctest::Approx(4000).epsilon(0.06));
+  }
+}
+
+TEST_CASE("a region that grows keeps the points that it has, and another seed gives others") {
+  const auto key = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
+  const auto kept = [&](const std::vector<glm::vec3>& now, const std::vector<glm::vec3>& before) {
+    std::set<std::tuple<float, float, float>> all;
+    for (const glm::vec3& p : now) all.insert(key(p));
+    return static_cast<float>(std::count_if(before.begin(), before.end(), [&](auto& p) { return all.contains(key(p)); })) /
+           static_cast<float>(before.size());
+  };
+  for (const Pattern pattern : {Pattern::jittered, Pattern::blue}) {
+    const auto before = scatter(Round(true, 1), pattern, 0, 0.05f, 1);
+    CHECK(kept(scatter(Round(true, 1.04f), pattern, 0, 0.05f, 1), before) > 0.9f);
+    CHECK(kept(scatter(Round(true, 1), pattern, 0, 0.05f, 2), before) == 0);
+  }
+}
+
+TEST_CASE("a region without extent holds nobody, and nothing hangs") {
+  for (const Pattern pattern : patterns) {
+    CHECK(scatter(Round(true, 0), pattern, 100, spacing_of(Round(true, 0), 100), 1).empty());
+    CHECK(scatter(Round(false, 1, 2), pattern, 100, spacing_of(Round(false, 1, 2), 100), 1).empty());
+  }
+}

@@ -1,0 +1,252 @@
+#include "models/particles/crowd.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <numeric>
+
+namespace panicle::particles {
+namespace {
+
+constexpr std::uint32_t home = ~0u;
+constexpr float patience = 4;        // ways
+constexpr float standing = 1e-6f;    // of a step: less is waiting
+constexpr std::uint32_t cells_a_particle = 24;
+
+glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
+  const glm::vec3 way = to - from;
+  const float length = glm::length(way);
+  return length > 0 ? way / length : glm::vec3(0);
+}
+
+}  // namespace
+
+Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules)
+    : guide_(&guide),
+      rules_(rules),
+      energy_(energy),
+      started_(static_cast<std::uint32_t>(starts.size())),
+      places_(starts.begin(), starts.end()),
+      energies_(starts.size(), energy),
+      particles_(starts.size()),
+      nodes_at_(starts.size()),
+      gone_(starts.size(), 0),
+      heirs_(starts.size()),
+      slots_(starts.size()) {
+  rules_.merge = std::max(rules.merge, least_merge(rules));
+  std::iota(particles_.begin(), particles_.end(), 0u);
+  std::iota(nodes_at_.begin(), nodes_at_.end(), 1);
+  heirs_ = slots_ = particles_;
+  nodes_.push_back({guide.target()});
+  float longest = 0;
+  glm::vec3 low = guide.target(), high = low;
+  for (std::uint32_t i = 0; i < started_; ++i) {
+    nodes_.push_back({starts[i], -1, i});
+    longest = std::max(longest, guide.way(starts[i]));
+    low = glm::min(low, starts[i]);
+    high = glm::max(high, starts[i]);
+  }
+  patience_ = 1 + static_cast<std::uint32_t>(std::min(patience * longest / rules.step, 1e9f));
+  if (rules_.join > 0) {
+    grid_ = TrailGrid(low, high, rules_.join, cells_a_particle * started_ + 64);
+    for (const Node& node : nodes_) grid_.lay(node.place);
+  }
+}
+
+bool Crowd::step() {
+  if (places_.empty()) return false;
+  ++steps_;
+  if (steps_ > 2 * patience_) {
+    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) arrive(slot);
+    stragglers_ = static_cast<std::uint32_t>(places_.size());
+    leave();
+    return true;
+  }
+  look();
+  move();
+  leave();
+  meet();
+  leave();
+  if (rules_.join > 0) {
+    join();
+    leave();
+  }
+  return true;
+}
+
+// Finds each one's nearest neighbour and the stride that follows.
+void Crowd::look() {
+  const auto count = static_cast<std::uint32_t>(places_.size());
+  const bool alone = steps_ > patience_ || count < 2;
+  if (!alone) neighbours_.lay(places_);
+  const float reach = rules_.neighbourhood > 0 ? rules_.neighbourhood : std::numeric_limits<float>::max();
+  strides_.resize(count);
+  for (std::uint32_t slot = 0; slot < count; ++slot) {
+    const glm::vec3& place = places_[slot];
+    const glm::vec3 ahead = towards(place, guide_->aim(place));
+    const std::uint32_t other = alone ? Neighbours::none : neighbours_.nearest(slot, reach, *guide_);
+    if (other == Neighbours::none) {
+      strides_[slot] = rules_.step * ahead;
+      continue;
+    }
+    const glm::vec3 aside = towards(place, places_[other]);
+    const glm::vec3 sum = rules_.printed ? towards(glm::vec3(0), aside + ahead)
+                                         : (rules_.pull * aside + ahead) / (1 + rules_.pull);
+    strides_[slot] = rules_.step * sum;
+    if (!open_between(slot, place + strides_[slot])) strides_[slot] = rules_.step * ahead;
+  }
+}
+
+bool Crowd::open_between(std::uint32_t slot, const glm::vec3& to) const {
+  return guide_->open(to) || !guide_->open(places_[slot]);
+}
+
+void Crowd::move() {
+  for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
+    const glm::vec3& place = places_[slot];
+    if (glm::distance(place, guide_->target()) <= rules_.step && guide_->sees(place, guide_->target()))
+      arrive(slot);
+    else if (glm::length(strides_[slot]) > standing * rules_.step)
+      go(slot, place + strides_[slot]);
+  }
+}
+
+void Crowd::meet() {
+  if (places_.size() < 2) return;
+  neighbours_.lay(places_);
+  pairs_.clear();
+  neighbours_.pairs(rules_.merge, pairs_);
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& one, const Pair& other) {
+    if (one.square != other.square) return one.square < other.square;
+    return one.a != other.a ? one.a < other.a : one.b < other.b;
+  });
+  met_.assign(places_.size(), 0);
+  for (const Pair& pair : pairs_) {
+    if (met_[pair.a] || met_[pair.b] || !guide_->sees(places_[pair.a], places_[pair.b])) continue;
+    const bool second = energies_[pair.b] > energies_[pair.a];
+    const std::uint32_t heavy = second ? pair.b : pair.a, light = second ? pair.a : pair.b;
+    const auto share = static_cast<float>(energies_[light] / (energies_[light] + energies_[heavy]));
+    const glm::vec3 mean = places_[heavy] + share * (places_[light] - places_[heavy]);
+    if (open_between(heavy, mean)) go(heavy, mean);
+    nodes_[static_cast<std::size_t>(nodes_at_[light])].next = nodes_at_[heavy];
+    energies_[heavy] += energies_[light];
+    heirs_[particles_[light]] = particles_[heavy];
+    met_[heavy] = met_[light] = 1;
+    gone_[light] = 1;
+    ++merges_;
+  }
+}
+
+// Whoever is near an older trail ahead ends in it.
+void Crowd::join() {
+  for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
+    if (gone_[slot]) continue;
+    const glm::vec3 place = places_[slot], ahead = guide_->aim(place) - place;
+    const std::uint32_t self = particles_[slot];
+    float best = rules_.join * rules_.join;
+    std::int32_t found = -1;
+    grid_.visit(place, [&](std::int32_t at) {
+      const Node& node = nodes_[static_cast<std::size_t>(at)];
+      if (at == 0 || node.next < 0) return;
+      const glm::vec3 way = node.place - place;
+      const float square = glm::dot(way, way);
+      if (square > best || (square == best && found >= 0 && found < at)) return;
+      if (!(glm::dot(way, ahead) > 0) || heir(node.particle) == self || !guide_->sees(place, node.place)) return;
+      best = square;
+      found = at;
+    });
+    if (found < 0) continue;
+    const std::uint32_t other = heir(nodes_[static_cast<std::size_t>(found)].particle);
+    nodes_[static_cast<std::size_t>(nodes_at_[slot])].next = found;
+    if (slots_[other] == home)
+      arrived_ += energies_[slot];
+    else
+      energies_[slots_[other]] += energies_[slot];
+    heirs_[self] = other;
+    gone_[slot] = 1;
+    ++joins_;
+  }
+  // Those of this step are not older.
+  for (std::size_t at = grid_.size(); at < nodes_.size(); ++at) grid_.lay(nodes_[at].place);
+}
+
+void Crowd::go(std::uint32_t slot, const glm::vec3& to) {
+  if (to == places_[slot]) return;
+  nodes_[static_cast<std::size_t>(nodes_at_[slot])].next = static_cast<std::int32_t>(nodes_.size());
+  nodes_at_[slot] = static_cast<std::int32_t>(nodes_.size());
+  nodes_.push_back({to, -1, particles_[slot], steps_});
+  places_[slot] = to;
+}
+
+void Crowd::arrive(std::uint32_t slot) {
+  nodes_[static_cast<std::size_t>(nodes_at_[slot])].next = 0;
+  arrived_ += energies_[slot];
+  slots_[particles_[slot]] = home;
+  gone_[slot] = 1;
+}
+
+// Whose particle `particle` is now.
+std::uint32_t Crowd::heir(std::uint32_t particle) {
+  while (heirs_[particle] != particle) {
+    heirs_[particle] = heirs_[heirs_[particle]];
+    particle = heirs_[particle];
+  }
+  return particle;
+}
+
+// Takes those that are gone out of the slots.
+void Crowd::leave() {
+  std::uint32_t kept = 0;
+  for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
+    if (gone_[slot]) continue;
+    places_[kept] = places_[slot];
+    energies_[kept] = energies_[slot];
+    particles_[kept] = particles_[slot];
+    nodes_at_[kept] = nodes_at_[slot];
+    slots_[particles_[kept]] = kept;
+    ++kept;
+  }
+  places_.resize(kept);
+  energies_.resize(kept);
+  particles_.resize(kept);
+  nodes_at_.resize(kept);
+  gone_.assign(kept, 0);
+}
+
+Trails Crowd::trails() const {
+  const std::size_t count = nodes_.size();
+  // Who leads to each place: counted, then listed by place, in ascending order.
+  std::vector<std::uint32_t> first(count + 1, 0), members(count);
+  for (std::size_t i = 1; i < count; ++i) ++first[static_cast<std::size_t>(nodes_[i].next) + 1];
+  for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
+  std::vector<std::uint32_t> free(first.begin(), first.end() - 1);
+  for (std::uint32_t i = 1; i < count; ++i) members[free[static_cast<std::size_t>(nodes_[i].next)]++] = i;
+
+  Trails trails;
+  std::vector<std::uint32_t> order{0};
+  std::vector<std::int32_t> next{-1};
+  order.reserve(count);
+  next.reserve(count);
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    for (std::uint32_t m = first[order[at]]; m < first[order[at] + 1]; ++m) {
+      order.push_back(members[m]);
+      next.push_back(static_cast<std::int32_t>(at));
+    }
+  }
+  trails.next = std::move(next);
+  trails.energy.assign(count, 0);
+  for (const std::uint32_t node : order) {
+    trails.places.push_back(nodes_[node].place);
+    trails.born.push_back(node == 0 ? steps_ : nodes_[node].born);
+    const bool start = node > 0 && node <= started_;
+    trails.particle.push_back(start ? static_cast<std::int32_t>(node) - 1 : -1);
+  }
+  for (std::size_t at = count; at-- > 0;) {
+    if (trails.particle[at] >= 0) trails.energy[at] += energy_;
+    if (trails.next[at] >= 0) trails.energy[static_cast<std::size_t>(trails.next[at])] += trails.energy[at];
+  }
+  return trails;
+}
+
+}  // namespace panicle::particles

@@ -1,0 +1,97 @@
+// The particles of one target on their way there (Rodkaew et al. 2003, section 2): each is drawn to its nearest neighbour
+// and to the target, those that meet become one, and their trails are kept. Crowds of several targets do not see each
+// other, else twigs would bridge the crowns of a twin tree.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "models/particles/guide.hpp"
+#include "models/particles/neighbours.hpp"
+#include "models/particles/rules.hpp"
+#include "models/particles/trail_grid.hpp"
+#include "models/particles/trails.hpp"
+
+namespace panicle::particles {
+
+// What print leaves open is decided so:
+// - All directions come from the places before the step. Coincident particles do not draw each other. Where both pulls
+//   cancel, a particle waits: the one in front for the one behind.
+// - A step that would leave the shape is taken towards the aim alone.
+// - A particle within a step of the target arrives; its last segment ends exactly there.
+// - Pairs closer than `merge` meet, the nearest first, each particle once a step. The heavier goes on (of equal ones the one
+//   with the lower index) from the mean of both places by energy, or from its own where that mean is outside.
+// - With `join`, a particle ends in an older trail that lies ahead and is not its own; its energy runs on there.
+// - After four times the steps that the longest way takes, none heeds its neighbours any more: bends can hold two in a
+//   circle for ever. Whoever has not arrived after as many again is taken there straight.
+class Crowd {
+ public:
+  // `guide` must outlive the crowd. `rules.merge` below the least that ends is taken as that.
+  Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guide, const Rules& rules);
+
+  // Moves everyone once. False, and nothing happens, once all have arrived.
+  bool step();
+  void run() {
+    while (step()) {
+    }
+  }
+
+  std::uint32_t steps() const { return steps_; }
+  std::uint32_t merges() const { return merges_; }
+  std::uint32_t joins() const { return joins_; }
+  std::uint32_t stragglers() const { return stragglers_; }  // that had to be taken to the target
+  double arrived() const { return arrived_; }               // energy, at the target
+  // Where those are that are on their way, and what each carries.
+  std::span<const glm::vec3> places() const { return places_; }
+  std::span<const double> energies() const { return energies_; }
+
+  // The trails once all have arrived.
+  Trails trails() const;
+
+ private:
+  struct Node {
+    glm::vec3 place;
+    std::int32_t next = -1;
+    std::uint32_t particle = 0;  // that left it
+    std::uint32_t born = 0;      // the step in which it was left
+  };
+
+  void look();
+  void move();
+  void meet();
+  void join();
+  void leave();
+  void go(std::uint32_t slot, const glm::vec3& to);
+  void arrive(std::uint32_t slot);
+  bool open_between(std::uint32_t slot, const glm::vec3& to) const;
+  std::uint32_t heir(std::uint32_t particle);
+
+  const Guide* guide_;
+  Rules rules_;
+  double energy_;  // of each at the start
+  std::uint32_t started_;
+  std::uint32_t patience_;  // steps until none heeds its neighbours
+  std::uint32_t steps_ = 0, merges_ = 0, joins_ = 0, stragglers_ = 0;
+  double arrived_ = 0;
+
+  // By slot, those on their way, in ascending order of their numbers.
+  std::vector<glm::vec3> places_;
+  std::vector<double> energies_;
+  std::vector<std::uint32_t> particles_;  // their numbers
+  std::vector<std::int32_t> nodes_at_;    // the last node of each one's trail
+  std::vector<std::uint8_t> gone_;        // arrived, or another's
+  std::vector<std::uint8_t> met_;         // in this step
+  std::vector<glm::vec3> strides_;        // of this step
+
+  std::vector<Node> nodes_;           // 0 is the target, 1 + i where particle i started
+  std::vector<std::uint32_t> heirs_;  // by particle: whose it is now; its own number while on its way or at the target
+  std::vector<std::uint32_t> slots_;  // by particle; `home` at the target
+
+  Neighbours neighbours_;
+  std::vector<Pair> pairs_;
+  TrailGrid grid_;  // of all nodes, where particles join
+};
+
+}  // namespace panicle::particles

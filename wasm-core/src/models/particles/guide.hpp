@@ -1,0 +1,38 @@
+// Where particles are bound for, and what stands in their way.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace panicle::particles {
+
+class Guide {
+ public:
+  explicit Guide(const glm::vec3& target) : target_(target) {}
+  virtual ~Guide() = default;
+  Guide(const Guide&) = delete;
+  Guide& operator=(const Guide&) = delete;
+
+  // Where trails end.
+  const glm::vec3& target() const { return target_; }
+  // What a particle at `p` makes for, on its way to the target or the target itself.
+  virtual glm::vec3 aim(const glm::vec3& p) const = 0;
+  // How long the way from `p` to the target is, about; never less than the straight line.
+  virtual float way(const glm::vec3& p) const { return glm::distance(p, target_); }
+  // Whether a particle may be there.
+  virtual bool open(const glm::vec3&) const { return true; }
+  // Whether nothing stands between two places.
+  virtual bool sees(const glm::vec3&, const glm::vec3&) const { return true; }
+
+ private:
+  glm::vec3 target_;
+};
+
+// Straight to the target.
+class Straight final : public Guide {
+ public:
+  using Guide::Guide;
+  glm::vec3 aim(const glm::vec3&) const override { return target(); }
+};
+
+}  // namespace panicle::particles

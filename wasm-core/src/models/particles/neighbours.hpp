@@ -1,0 +1,41 @@
+// Who is nearest to whom among points that are looked at anew at each step.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "environment/point_grid.hpp"
+#include "models/particles/guide.hpp"
+
+namespace panicle::particles {
+
+struct Pair {
+  float square;  // of the distance
+  std::uint32_t a, b;
+};
+
+class Neighbours {
+ public:
+  static constexpr std::uint32_t none = ~0u;
+
+  // Forgets what was there; memory is kept. The points must outlive all questions.
+  void lay(std::span<const glm::vec3> points);
+
+  // The other point nearest to point `i` among those that it sees: of equally near ones the one with the lowest index;
+  // `none` where there is no other within `reach`.
+  std::uint32_t nearest(std::uint32_t i, float reach, const Guide& guide) const;
+
+  // Appends all pairs a < b closer than `reach`, in no order that matters.
+  void pairs(float reach, std::vector<Pair>& found) const;
+
+ private:
+  std::span<const glm::vec3> points_;
+  float edge_ = 0;
+  float across_ = 0;  // of the points' box, corner to corner
+  PointGrid grid_;
+  std::vector<float> x_, y_, z_;  // by slot, and three more
+};
+
+}  // namespace panicle::particles

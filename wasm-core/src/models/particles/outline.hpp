@@ -1,0 +1,41 @@
+// An outline in the plane z = 0: what is inside of it, and how far its edge is.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "models/particles/region.hpp"
+
+namespace panicle::particles {
+
+// A closed polygon, in either sense. One that crosses itself holds what it winds about.
+class Outline final : public Region {
+ public:
+  explicit Outline(std::vector<glm::vec2> points);
+
+  std::span<const glm::vec2> points() const { return points_; }
+  glm::vec3 low() const override { return low_; }
+  glm::vec3 high() const override { return high_; }
+  bool contains(const glm::vec3& p) const override { return winding(p.x, p.y) != 0; }
+  // Whether the straight way between two places inside stays inside.
+  bool holds(const glm::vec3& a, const glm::vec3& b) const;
+  // How far the edge is from a place, inside or outside.
+  float distance(const glm::vec3& p) const;
+  float area() const;  // of a polygon that does not cross itself
+
+ private:
+  int winding(float x, float y) const;
+  std::size_t row_of(float y) const;
+  template <class See>
+  void edges(float low, float high, const See& see) const;
+
+  std::vector<glm::vec2> points_;
+  glm::vec3 low_{0}, high_{0};
+  float row_height_ = 1;
+  std::vector<std::uint32_t> first_, members_;  // of each row of the box: the edges that meet it
+};
+
+}  // namespace panicle::particles

@@ -1,0 +1,120 @@
+#include "models/particles/polish.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "foundation/order.hpp"
+
+namespace panicle::particles {
+namespace {
+
+constexpr float least_passes = 8, more_passes = 48;
+
+std::size_t next_of(const Trails& trails, std::size_t i) { return static_cast<std::size_t>(trails.next[i]); }
+
+// Those that lead to each place: in the order of the tree they stand side by side.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> leading_to(const Trails& trails) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs(trails.size(), {0, 0});
+  for (std::uint32_t i = 1; i < trails.size(); ++i) {
+    auto& [first, count] = runs[next_of(trails, i)];
+    if (count == 0) first = i;
+    ++count;
+  }
+  return runs;
+}
+
+float distance_to(const glm::vec3& p, const glm::vec3& from, const glm::vec3& to) {
+  const glm::vec3 way = to - from;
+  const float square = glm::dot(way, way);
+  const float at = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
+  return glm::distance(p, from + at * way);
+}
+
+}  // namespace
+
+void smooth(Trails& trails, const Guide& guide) {
+  const auto runs = leading_to(trails);
+  std::vector<std::uint32_t> moving;
+  std::vector<float> passes;
+  for (std::uint32_t i = 1; i < trails.size(); ++i) {
+    if (trails.particle[i] >= 0 || runs[i].second == 0) continue;
+    moving.push_back(i);
+    passes.push_back(-(least_passes + more_passes * static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]))));
+  }
+  const std::vector<std::uint32_t> order = order_of(passes);
+  std::vector<glm::vec3>& places = trails.places;
+  // Each in its turn, so that what a place sees is still there when the next is drawn.
+  for (float pass = 0; pass < least_passes + more_passes; ++pass) {
+    for (const std::uint32_t at : order) {
+      if (-passes[at] <= pass) break;
+      const std::uint32_t i = moving[at];
+      const auto [first, count] = runs[i];
+      glm::vec3 mean(0);
+      float weights = 0;
+      for (std::uint32_t k = first; k < first + count; ++k) {
+        const auto weight = static_cast<float>(trails.energy[k]);
+        mean += weight * places[k];
+        weights += weight;
+      }
+      const glm::vec3& next = places[next_of(trails, i)];
+      const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (next + mean / weights);
+      bool free = guide.open(drawn) && guide.sees(drawn, next);
+      for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
+      if (free) places[i] = drawn;
+    }
+  }
+}
+
+Trails simplified(const Trails& trails, float tolerance) {
+  const auto runs = leading_to(trails);
+  std::vector<std::uint8_t> kept(trails.size(), 0);
+  std::vector<std::uint32_t> chain;
+  std::vector<std::pair<std::size_t, std::size_t>> spans;
+  for (std::uint32_t end = 0; end < trails.size(); ++end) {
+    if (end > 0 && runs[end].second == 1 && trails.particle[end] < 0) continue;
+    kept[end] = 1;
+    if (end == 0) continue;
+    // From here to the next fork, start or target.
+    chain = {end};
+    for (std::size_t i = next_of(trails, end);; i = next_of(trails, i)) {
+      chain.push_back(static_cast<std::uint32_t>(i));
+      if (i == 0 || runs[i].second != 1 || trails.particle[i] >= 0) break;
+    }
+    spans = {{0, chain.size() - 1}};
+    while (!spans.empty()) {
+      const auto [first, last] = spans.back();
+      spans.pop_back();
+      float farthest = tolerance;
+      std::size_t corner = 0;
+      for (std::size_t k = first + 1; k < last; ++k) {
+        const float off = distance_to(trails.places[chain[k]], trails.places[chain[first]], trails.places[chain[last]]);
+        if (!(off > farthest)) continue;
+        farthest = off;
+        corner = k;
+      }
+      if (corner == 0) continue;
+      kept[chain[corner]] = 1;
+      spans.push_back({first, corner});
+      spans.push_back({corner, last});
+    }
+  }
+  Trails left;
+  std::vector<std::int32_t> now(trails.size(), -1);
+  for (std::size_t i = 0; i < trails.size(); ++i) {
+    if (i > 0 && !kept[i]) {
+      now[i] = now[next_of(trails, i)];  // what leads here leads there
+      continue;
+    }
+    now[i] = static_cast<std::int32_t>(left.size());
+    left.next.push_back(i == 0 ? -1 : now[next_of(trails, i)]);
+    left.places.push_back(trails.places[i]);
+    left.energy.push_back(trails.energy[i]);
+    left.born.push_back(trails.born[i]);
+    left.particle.push_back(trails.particle[i]);
+  }
+  return left;
+}
+
+}  // namespace panicle::particles

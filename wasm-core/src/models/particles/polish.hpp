@@ -1,0 +1,18 @@
+// Trails made fit to be drawn: less jagged, and with no more places than they need.
+#pragma once
+
+#include "models/particles/guide.hpp"
+#include "models/particles/trails.hpp"
+
+namespace panicle::particles {
+
+// Draws every place towards the next and the mean of those that lead to it, by their energy: twigs 8 times, what carries
+// all the energy 56 times. Targets and starts stay, and no place goes where it is not open or out of
+// its neighbours' sight.
+void smooth(Trails& trails, const Guide& guide);
+
+// Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is left.
+// Forks, starts and energies stay.
+Trails simplified(const Trails& trails, float tolerance);
+
+}  // namespace panicle::particles

@@ -1,0 +1,26 @@
+// How particles move and meet. Lengths are in the unit of the shape that they are in.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace panicle::particles {
+
+struct Rules {
+  float step = 0;           // s: how far a particle moves at most
+  float merge = 0;          // r: closer than this, two become one
+  float neighbourhood = 0;  // farther neighbours are not seen; 0: none is too far
+  float pull = 0.75f;       // w: how much a particle heeds its neighbour; 1 as much as its target
+  bool printed = false;     // every move is as long as the step (section 2.1), not the less the more the two pulls differ
+  float join = 0;           // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
+};
+
+// Two that make for each other come closer by twice this at each step.
+inline float approach(const Rules& rules) {
+  return rules.printed ? rules.step : rules.step * rules.pull / (1 + rules.pull);
+}
+
+// The least merge radius with which two that make for each other cannot jump past each other for ever.
+inline float least_merge(const Rules& rules) { return 2 * approach(rules); }
+
+}  // namespace panicle::particles

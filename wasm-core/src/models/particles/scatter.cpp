@@ -1,0 +1,196 @@
+#include "models/particles/scatter.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+
+namespace panicle::particles {
+namespace {
+
+constexpr std::uint64_t stream_x = 0x70617274, stream_y = stream_x + 1, stream_z = stream_x + 2, stream_keep = stream_x + 3,
+                        stream_place = stream_x + 4;
+// Probes of a region's size, along the longest edge of its box.
+constexpr std::int32_t probes_flat = 256, probes_deep = 48;
+constexpr float jitter = 0.8f;
+// Least distance of blue noise in spacings, so that about as many points fit as were asked for (measured).
+constexpr float apart_flat = 0.79f, apart_deep = 0.86f;
+constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
+// A uniform point is looked for so many times for each wanted.
+constexpr std::uint64_t most_darts = 1000;
+
+// The whole cells of a lattice about the origin that a region's box meets, and two more on every side.
+class Lattice {
+ public:
+  Lattice(const Region& region, float edge) : edge_(edge), flat_(region.flat()) {
+    const glm::vec3 low = region.low(), high = region.high();
+    for (int k = 0; k < 3; ++k) {
+      const bool deep = k < 2 || !flat_;
+      first_[k] = deep ? whole(low[k]) - margin : 0;
+      count_[k] = deep ? whole(high[k]) + 1 + margin - first_[k] : 1;
+    }
+  }
+
+  std::uint64_t cells() const {
+    return static_cast<std::uint64_t>(count_[0]) * static_cast<std::uint64_t>(count_[1]) *
+           static_cast<std::uint64_t>(count_[2]);
+  }
+  glm::ivec3 cell(std::uint64_t index) const {
+    const auto x = static_cast<std::uint64_t>(count_[0]), y = static_cast<std::uint64_t>(count_[1]);
+    return glm::ivec3(index % x, index / x % y, index / (x * y)) + first_;
+  }
+  // Whether all of a cell's neighbours are in the lattice.
+  bool inner(std::uint64_t index) const {
+    const glm::ivec3 at = cell(index) - first_;
+    for (int k = 0; k < (flat_ ? 2 : 3); ++k)
+      if (at[k] < margin || at[k] >= count_[k] - margin) return false;
+    return true;
+  }
+  // From a cell's index to the first of each row of five cells about it, the nearest rows first: with them all cells that
+  // come nearer to it than a cell is long from corner to corner.
+  std::vector<std::int64_t> rows() const {
+    std::vector<std::int64_t> found;
+    for (std::int32_t shell = 0; shell <= 2 * margin * margin; ++shell)
+      for (std::int32_t z = flat_ ? 0 : -margin; z <= (flat_ ? 0 : margin); ++z)
+        for (std::int32_t y = -margin; y <= margin; ++y)
+          if (y * y + z * z == shell)
+            found.push_back((static_cast<std::int64_t>(z) * count_[1] + y) * count_[0] - margin);
+    return found;
+  }
+  glm::ivec3 cell_of(const glm::vec3& p) const { return {whole(p.x), whole(p.y), flat_ ? 0 : whole(p.z)}; }
+  // A point of a cell: `share` of its width about its middle, by the cell's own luck.
+  glm::vec3 point(const glm::ivec3& cell, float share, std::uint64_t seed, std::uint64_t round) const {
+    const std::uint64_t bits = random_bits(seed, stream_place, address_of(cell, round));
+    const auto along = [&](int k) {
+      const auto unit = static_cast<float>(bits >> (21 * k) & 0x1fffff) * 0x1p-21f;
+      return (static_cast<float>(cell[k]) + 0.5f + share * (unit - 0.5f)) * edge_;
+    };
+    return {along(0), along(1), flat_ ? 0 : along(2)};
+  }
+  // Whether all of a cell is within `reach` of a point.
+  bool covered(const glm::ivec3& cell, const glm::vec3& p, float reach) const {
+    glm::vec3 farthest = glm::abs(p / edge_ - (glm::vec3(cell) + 0.5f)) + 0.5f;
+    if (flat_) farthest.z = 0;
+    return glm::dot(farthest, farthest) * edge_ * edge_ < reach * reach;
+  }
+  static std::uint64_t address_of(const glm::ivec3& cell, std::uint64_t round) {
+    const auto word = [](std::int32_t value) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)); };
+    return hash_combine(hash_combine(word(cell[0]) << 32 | word(cell[1]), word(cell[2])), round);
+  }
+
+ private:
+  static constexpr std::int32_t margin = 2;
+
+  std::int32_t whole(float v) const { return static_cast<std::int32_t>(std::floor(v / edge_)); }
+
+  float edge_;
+  bool flat_;
+  glm::ivec3 first_{0}, count_{1};
+};
+
+float root(float size, bool flat) { return flat ? std::sqrt(size) : cube_root(size); }
+
+std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::uint64_t seed) {
+  std::vector<glm::vec3> points;
+  points.reserve(count);
+  const glm::vec3 low = region.low(), size = region.high() - low;
+  for (std::uint64_t dart = 0; points.size() < count && dart < most_darts * count; ++dart) {
+    const glm::vec3 p = low + size * glm::vec3(random_unit(seed, stream_x, dart), random_unit(seed, stream_y, dart),
+                                               random_unit(seed, stream_z, dart));
+    if (region.contains(p) && random_unit(seed, stream_keep, dart) < region.density(p)) points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<glm::vec3> jittered(const Region& region, float spacing, std::uint64_t seed) {
+  std::vector<glm::vec3> points;
+  const Lattice lattice(region, spacing);
+  for (std::uint64_t i = 0; i < lattice.cells(); ++i) {
+    const glm::ivec3 cell = lattice.cell(i);
+    const glm::vec3 p = lattice.point(cell, jitter, seed, 0);
+    if (region.contains(p) && random_unit(seed, stream_keep, Lattice::address_of(cell, 0)) < region.density(p))
+      points.push_back(p);
+  }
+  return points;
+}
+
+// Darts at the cells of a lattice, small enough to hold one point at most: some rounds through those that are still empty
+// leave hardly a gap, in time linear in their number. (Darts at the whole region need ever more to find the last gaps.)
+// Where it is less dense, points are taken out afterwards.
+std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t seed) {
+  const bool flat = region.flat();
+  const Lattice lattice(region, apart / std::sqrt(flat ? 2.0f : 3.0f));
+  std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are looked at as eight
+  std::vector<glm::vec3> points, by_cell(lattice.cells());
+  const std::vector<std::int64_t> rows = lattice.rows();
+  const auto in_the_way = [&](std::uint64_t cell, const glm::vec3& p) -> const glm::vec3* {
+    for (const std::int64_t offset : rows) {
+      const auto first = static_cast<std::size_t>(static_cast<std::int64_t>(cell) + offset);
+      std::uint64_t eight;
+      std::memcpy(&eight, &taken[first], sizeof eight);
+      for (std::uint64_t five = eight & 0xff'ffff'ffff; five; five &= five - 1) {
+        const glm::vec3& other = by_cell[first + static_cast<std::size_t>(std::countr_zero(five)) / 8];
+        const glm::vec3 way = other - p;
+        if (glm::dot(way, way) < apart * apart) return &other;
+      }
+    }
+    return nullptr;
+  };
+  std::vector<std::uint64_t> open, still_open;
+  for (std::uint64_t i = 0; i < lattice.cells(); ++i)
+    if (lattice.inner(i)) open.push_back(i);
+  for (std::uint64_t round = 1; round <= blue_rounds && !open.empty(); ++round) {
+    still_open.clear();
+    for (const std::uint64_t i : open) {
+      const glm::ivec3 cell = lattice.cell(i);
+      const glm::vec3 p = lattice.point(cell, 1, seed, round);
+      if (!region.contains(p)) {
+        if (round <= edge_rounds) still_open.push_back(i);  // its cell may lie across the edge
+      } else if (const glm::vec3* other = in_the_way(i, p)) {
+        if (!lattice.covered(cell, *other, apart)) still_open.push_back(i);
+      } else {
+        taken[i] = 1;
+        by_cell[i] = p;
+        points.push_back(p);
+      }
+    }
+    std::swap(open, still_open);
+  }
+  std::erase_if(points, [&](const glm::vec3& p) {
+    return !(random_unit(seed, stream_keep, Lattice::address_of(lattice.cell_of(p), 0)) < region.density(p));
+  });
+  return points;
+}
+
+}  // namespace
+
+float spacing_of(const Region& region, std::uint32_t count) {
+  const bool flat = region.flat();
+  const glm::vec3 size = region.high() - region.low();
+  const float edge = std::max({size.x, size.y, size.z}) / static_cast<float>(flat ? probes_flat : probes_deep);
+  if (!(edge > 0) || count == 0) return 0;
+  double filled = 0;
+  for (float z = flat ? 0 : 0.5f * edge; flat ? z <= 0 : z < size.z; z += edge)
+    for (float y = 0.5f * edge; y < size.y; y += edge)
+      for (float x = 0.5f * edge; x < size.x; x += edge) {
+        const glm::vec3 p = region.low() + glm::vec3(x, y, z);
+        if (region.contains(p)) filled += static_cast<double>(region.density(p));
+      }
+  const float cell = flat ? edge * edge : edge * edge * edge;
+  return root(static_cast<float>(filled / count) * cell, flat);
+}
+
+std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint32_t count, float spacing,
+                               std::uint64_t seed) {
+  if (!(spacing > 0)) return {};
+  if (pattern == Pattern::uniform) return uniform(region, count, seed);
+  if (pattern == Pattern::jittered) return jittered(region, spacing, seed);
+  return blue(region, spacing * (region.flat() ? apart_flat : apart_deep), seed);
+}
+
+}  // namespace panicle::particles
