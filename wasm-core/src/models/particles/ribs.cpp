@@ -1,0 +1,44 @@
+#include "models/particles/ribs.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace panicle::particles {
+
+Ribs::Foot Ribs::nearest(const glm::vec3& p) const {
+  Foot best{0, 0, places[0], glm::distance(p, places[0])};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const glm::vec3 from = places[i], way = places[static_cast<std::size_t>(next[i])] - from;
+    const float square = glm::dot(way, way);
+    const float along = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
+    const glm::vec3 place = from + along * way;
+    const float distance = glm::distance(p, place);
+    if (distance < best.distance) best = {i, along, place, distance};
+  }
+  return best;
+}
+
+glm::vec3 Ribs::down(const Foot& from, float length) const {
+  glm::vec3 place = from.place;
+  for (std::size_t at = from.at; at > 0; at = static_cast<std::size_t>(next[at])) {
+    const glm::vec3& end = places[static_cast<std::size_t>(next[at])];
+    const float piece = glm::distance(place, end);
+    if (length <= piece) return piece > 0 ? place + (length / piece) * (end - place) : end;
+    length -= piece;
+    place = end;
+  }
+  return place;
+}
+
+float Ribs::length_below(const Foot& from) const {
+  float length = 0;
+  glm::vec3 place = from.place;
+  for (std::size_t at = from.at; at > 0; at = static_cast<std::size_t>(next[at])) {
+    const glm::vec3& end = places[static_cast<std::size_t>(next[at])];
+    length += glm::distance(place, end);
+    place = end;
+  }
+  return length;
+}
+
+}  // namespace panicle::particles

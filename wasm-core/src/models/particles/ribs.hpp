@@ -1,0 +1,31 @@
+// The ribs that a leaf's veins run to: laid down before, for a midrib and its side veins do not come of particles alone.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace panicle::particles {
+
+// A tree of straight pieces. Place 0 is the petiole's; every other leads to an earlier one.
+struct Ribs {
+  std::vector<glm::vec3> places;
+  std::vector<std::int32_t> next;  // −1 for place 0
+
+  // A place on them: `along` from place `at` towards the next, 0 … 1.
+  struct Foot {
+    std::size_t at;
+    float along;
+    glm::vec3 place;
+    float distance;  // from who asked
+  };
+  // The place nearest to `p`; of equally near ones that of the earliest piece. Of ribs without a piece, place 0.
+  Foot nearest(const glm::vec3& p) const;
+  // Where one comes to from there by following them so far down; place 0 at the end.
+  glm::vec3 down(const Foot& from, float length) const;
+  // How far it is down to place 0.
+  float length_below(const Foot& from) const;
+};
+
+}  // namespace panicle::particles

@@ -1,0 +1,35 @@
+// How particles of a leaf find their way: to the ribs, and down those to the petiole.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "models/particles/guide.hpp"
+#include "models/particles/outline.hpp"
+#include "models/particles/ribs.hpp"
+#include "models/particles/waypoints.hpp"
+
+namespace panicle::particles {
+
+// Printed, particles make for the petiole, and no midrib comes of it. Here each makes for the nearest rib, and the nearer the
+// petiole the farther off it is, so that side veins slant; on a rib it follows it. What the edge hides is come to by
+// waypoints. Without ribs they make for the petiole, by waypoints where need be.
+class Venation final : public Guide {
+ public:
+  // `slant`: by how much of its distance from the rib a particle aims below its foot there. `spacing`: of the particles.
+  // Outline and ribs must outlive it.
+  Venation(const Outline& outline, const Ribs& ribs, float slant, float spacing);
+
+  glm::vec3 aim(const glm::vec3& p) const override;
+  float way(const glm::vec3& p) const override;
+  bool open(const glm::vec3& p) const override { return outline_->contains(p); }
+  bool sees(const glm::vec3& a, const glm::vec3& b) const override;
+
+ private:
+  const Outline* outline_;
+  const Ribs* ribs_;
+  float slant_, ahead_;
+  Waypoints waypoints_;
+};
+
+}  // namespace panicle::particles

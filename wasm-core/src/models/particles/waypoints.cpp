@@ -1,0 +1,141 @@
+#include "models/particles/waypoints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <queue>
+#include <utility>
+
+namespace panicle::particles {
+namespace {
+
+constexpr float most_cells = 128;
+constexpr std::int32_t around[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+
+}  // namespace
+
+Waypoints::Waypoints(const Outline& outline, const glm::vec3& target, float cell) : outline_(&outline), target_(target) {
+  const glm::vec3 size = outline.high() - outline.low();
+  edge_ = std::max({cell, size.x / most_cells, size.y / most_cells, 1e-30f});
+  across_ = static_cast<std::int32_t>(size.x / edge_) + 1;
+  up_ = static_cast<std::int32_t>(size.y / edge_) + 1;
+  cells_.resize(static_cast<std::size_t>(across_ * up_));
+  spread();
+  fill();
+}
+
+glm::vec3 Waypoints::middle(std::int32_t x, std::int32_t y) const {
+  return outline_->low() + edge_ * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 0);
+}
+
+void Waypoints::spread() {
+  using Entry = std::pair<float, std::int32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  std::vector<std::uint8_t> inside(cells_.size()), closed(cells_.size(), 0);
+  const auto offer = [&](std::int32_t cell, const glm::vec3& place, const glm::vec3& corner, float beyond) {
+    Cell& known = cells_[static_cast<std::size_t>(cell)];
+    const float way = glm::distance(place, corner) + beyond;
+    if (known.reached() && known.way <= way) return;
+    known = {corner, way};
+    open.push({way, cell});
+  };
+  // The target may lie on the edge, where nothing sees it: the nearest cells inside do.
+  float nearest = -1;
+  for (std::int32_t y = 0; y < up_; ++y)
+    for (std::int32_t x = 0; x < across_; ++x) {
+      const glm::vec3 place = middle(x, y);
+      const auto cell = static_cast<std::size_t>(y * across_ + x);
+      inside[cell] = outline_->contains(place);
+      const float distance = glm::distance(place, target_);
+      if (inside[cell] && (nearest < 0 || distance < nearest)) nearest = distance;
+    }
+  for (std::int32_t y = 0; y < up_; ++y)
+    for (std::int32_t x = 0; x < across_; ++x) {
+      const glm::vec3 place = middle(x, y);
+      const std::int32_t cell = y * across_ + x;
+      if (inside[static_cast<std::size_t>(cell)] && glm::distance(place, target_) <= nearest + 1e-3f * edge_)
+        offer(cell, place, target_, 0);
+    }
+  while (!open.empty()) {
+    const auto [way, cell] = open.top();
+    open.pop();
+    if (closed[static_cast<std::size_t>(cell)]) continue;
+    closed[static_cast<std::size_t>(cell)] = 1;
+    const std::int32_t x = cell % across_, y = cell / across_;
+    const glm::vec3 place = middle(x, y);
+    const Cell from = cells_[static_cast<std::size_t>(cell)];
+    const float beyond = from.way - glm::distance(place, from.corner);
+    for (const auto& [dx, dy] : around) {
+      const std::int32_t to_x = x + dx, to_y = y + dy;
+      if (to_x < 0 || to_y < 0 || to_x >= across_ || to_y >= up_) continue;
+      const std::int32_t to = to_y * across_ + to_x;
+      if (!inside[static_cast<std::size_t>(to)] || closed[static_cast<std::size_t>(to)]) continue;
+      const glm::vec3 there = middle(to_x, to_y);
+      if (sees(there, from.corner))
+        offer(to, there, from.corner, beyond);
+      else if (outline_->holds(there, place))
+        offer(to, there, place, from.way);
+    }
+  }
+}
+
+// A target on the edge is seen by who sees the place just before it.
+bool Waypoints::sees(const glm::vec3& from, const glm::vec3& to) const {
+  return outline_->holds(from, to == target_ ? to + 1e-3f * (from - to) : to);
+}
+
+// Cells without a way look to the nearest that has one: outwards from those, ring by ring.
+void Waypoints::fill() {
+  nearest_.assign(cells_.size(), -1);
+  std::vector<std::int32_t> ring, next;
+  for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(cells_.size()); ++cell)
+    if (cells_[static_cast<std::size_t>(cell)].reached()) {
+      nearest_[static_cast<std::size_t>(cell)] = cell;
+      ring.push_back(cell);
+    }
+  for (; !ring.empty(); std::swap(ring, next)) {
+    next.clear();
+    for (const std::int32_t cell : ring) {
+      const std::int32_t x = cell % across_, y = cell / across_;
+      for (const auto& [dx, dy] : around) {
+        if (x + dx < 0 || y + dy < 0 || x + dx >= across_ || y + dy >= up_) continue;
+        std::int32_t& there = nearest_[static_cast<std::size_t>((y + dy) * across_ + x + dx)];
+        if (there >= 0) continue;
+        there = nearest_[static_cast<std::size_t>(cell)];
+        next.push_back((y + dy) * across_ + x + dx);
+      }
+    }
+  }
+}
+
+Waypoints::Choice Waypoints::choose(const glm::vec3& p) const {
+  const glm::vec3 from_low = (p - outline_->low()) / edge_;
+  const auto within = [](float at, std::int32_t count) {
+    return static_cast<std::int32_t>(std::clamp(at, 0.0f, static_cast<float>(count - 1)));
+  };
+  const std::int32_t x = within(from_low.x, across_), y = within(from_low.y, up_);
+  // The cell's own corner where it is seen; else that of a cell around it.
+  Choice best{target_, -1};
+  const auto consider = [&](std::int32_t cell_x, std::int32_t cell_y) {
+    if (cell_x < 0 || cell_y < 0 || cell_x >= across_ || cell_y >= up_) return;
+    const Cell& cell = at(cell_x, cell_y);
+    if (!cell.reached()) return;
+    const float beyond = cell.way - glm::distance(middle(cell_x, cell_y), cell.corner);
+    const float way = glm::distance(p, cell.corner) + beyond;
+    if ((best.way < 0 || way < best.way) && sees(p, cell.corner)) best = {cell.corner, way};
+  };
+  consider(x, y);
+  if (best.way >= 0) return best;
+  for (const auto& [dx, dy] : around) consider(x + dx, y + dy);
+  if (best.way >= 0) return best;
+  const std::int32_t home = nearest_[static_cast<std::size_t>(y * across_ + x)];
+  if (home < 0) return {target_, glm::distance(p, target_)};
+  const glm::vec3 place = middle(home % across_, home / across_);
+  return {place, glm::distance(p, place) + cells_[static_cast<std::size_t>(home)].way};
+}
+
+glm::vec3 Waypoints::next(const glm::vec3& p) const { return choose(p).corner; }
+
+float Waypoints::way(const glm::vec3& p) const { return choose(p).way; }
+
+}  // namespace panicle::particles
