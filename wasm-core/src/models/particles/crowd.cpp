@@ -58,7 +58,7 @@ bool Crowd::step() {
   if (places_.empty()) return false;
   ++steps_;
   if (steps_ > 2 * patience_) {
-    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) arrive(slot);
+    for (std::uint32_t slot = 0; slot < places_.size(); ++slot) lead_home(slot);
     stragglers_ = static_cast<std::uint32_t>(places_.size());
     leave();
     return true;
@@ -177,6 +177,18 @@ void Crowd::go(std::uint32_t slot, const glm::vec3& to) {
   nodes_at_[slot] = static_cast<std::int32_t>(nodes_.size());
   nodes_.push_back({to, -1, particles_[slot], steps_});
   places_[slot] = to;
+}
+
+// From aim to aim, as long as that leads nearer.
+void Crowd::lead_home(std::uint32_t slot) {
+  for (float left = guide_->way(places_[slot]);;) {
+    const glm::vec3 aim = guide_->aim(places_[slot]);
+    const float then = guide_->way(aim);
+    if (!(then < left)) break;
+    left = then;
+    go(slot, aim);
+  }
+  arrive(slot);
 }
 
 void Crowd::arrive(std::uint32_t slot) {

@@ -25,7 +25,7 @@ namespace panicle::particles {
 //   with the lower index) from the mean of both places by energy, or from its own where that mean is outside.
 // - With `join`, a particle ends in an older trail that lies ahead and is not its own; its energy runs on there.
 // - After four times the steps that the longest way takes, none heeds its neighbours any more: bends can hold two in a
-//   circle for ever. Whoever has not arrived after as many again is taken there straight.
+//   circle for ever. Whoever has not arrived after as many again is led there from aim to aim.
 class Crowd {
  public:
   // `guide` must outlive the crowd. `rules.merge` below the least that ends is taken as that.
@@ -65,6 +65,7 @@ class Crowd {
   void leave();
   void go(std::uint32_t slot, const glm::vec3& to);
   void arrive(std::uint32_t slot);
+  void lead_home(std::uint32_t slot);
   bool open_between(std::uint32_t slot, const glm::vec3& to) const;
   std::uint32_t heir(std::uint32_t particle);
 

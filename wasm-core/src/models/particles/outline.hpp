@@ -27,6 +27,11 @@ class Outline final : public Region {
   float area() const;  // of a polygon that does not cross itself
 
  private:
+  // How far the edge is from a place at least: what is certain of its cell.
+  float clearance(const glm::vec3& p) const;
+  bool crosses(const glm::vec3& a, const glm::vec3& b) const;
+  float distance_to_edge(const glm::vec3& p, std::uint32_t edge) const;
+  void measure();
   int winding(float x, float y) const;
   std::size_t row_of(float y) const;
   template <class See>
@@ -36,6 +41,9 @@ class Outline final : public Region {
   glm::vec3 low_{0}, high_{0};
   float row_height_ = 1;
   std::vector<std::uint32_t> first_, members_;  // of each row of the box: the edges that meet it
+  float cell_ = 1;
+  std::int32_t across_ = 0, up_ = 0;
+  std::vector<float> clearance_;  // of each cell of the box
 };
 
 }  // namespace panicle::particles

@@ -30,6 +30,17 @@ glm::vec3 Ribs::down(const Foot& from, float length) const {
   return place;
 }
 
+std::vector<glm::vec3> Ribs::strewn(float spacing) const {
+  std::vector<glm::vec3> all{places[0]};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const glm::vec3& end = places[static_cast<std::size_t>(next[i])];
+    const auto count = static_cast<std::int32_t>(glm::distance(places[i], end) / spacing) + 1;
+    for (std::int32_t k = 0; k < count; ++k)
+      all.push_back(places[i] + (end - places[i]) * (static_cast<float>(k) / static_cast<float>(count)));
+  }
+  return all;
+}
+
 float Ribs::length_below(const Foot& from) const {
   float length = 0;
   glm::vec3 place = from.place;

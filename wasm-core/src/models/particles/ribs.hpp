@@ -24,6 +24,8 @@ struct Ribs {
   Foot nearest(const glm::vec3& p) const;
   // Where one comes to from there by following them so far down; place 0 at the end.
   glm::vec3 down(const Foot& from, float length) const;
+  // Places all along them, no farther apart than `spacing`; place 0 first.
+  std::vector<glm::vec3> strewn(float spacing) const;
   // How far it is down to place 0.
   float length_below(const Foot& from) const;
 };

@@ -9,12 +9,15 @@
 namespace panicle::particles {
 namespace {
 
-constexpr float most_cells = 128;
+constexpr float most_cells = 96;
+// A goal may lie on the edge, where nothing is seen: as near as this share of the way is near enough.
+constexpr float before_goal = 1e-3f;
 constexpr std::int32_t around[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
 }  // namespace
 
-Waypoints::Waypoints(const Outline& outline, const glm::vec3& target, float cell) : outline_(&outline), target_(target) {
+Waypoints::Waypoints(const Outline& outline, std::vector<glm::vec3> goals, float cell)
+    : outline_(&outline), goals_(std::move(goals)) {
   const glm::vec3 size = outline.high() - outline.low();
   edge_ = std::max({cell, size.x / most_cells, size.y / most_cells, 1e-30f});
   across_ = static_cast<std::int32_t>(size.x / edge_) + 1;
@@ -32,30 +35,37 @@ void Waypoints::spread() {
   using Entry = std::pair<float, std::int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::vector<std::uint8_t> inside(cells_.size()), closed(cells_.size(), 0);
-  const auto offer = [&](std::int32_t cell, const glm::vec3& place, const glm::vec3& corner, float beyond) {
+  const auto offer = [&](std::int32_t cell, const glm::vec3& place, const glm::vec3& corner, float beyond, bool turns) {
     Cell& known = cells_[static_cast<std::size_t>(cell)];
     const float way = glm::distance(place, corner) + beyond;
     if (known.reached() && known.way <= way) return;
-    known = {corner, way};
+    known = {corner, way, turns};
     open.push({way, cell});
   };
-  // The target may lie on the edge, where nothing sees it: the nearest cells inside do.
-  float nearest = -1;
   for (std::int32_t y = 0; y < up_; ++y)
-    for (std::int32_t x = 0; x < across_; ++x) {
-      const glm::vec3 place = middle(x, y);
-      const auto cell = static_cast<std::size_t>(y * across_ + x);
-      inside[cell] = outline_->contains(place);
-      const float distance = glm::distance(place, target_);
-      if (inside[cell] && (nearest < 0 || distance < nearest)) nearest = distance;
+    for (std::int32_t x = 0; x < across_; ++x)
+      inside[static_cast<std::size_t>(y * across_ + x)] = outline_->contains(middle(x, y));
+  // Each goal is known to the cells about it that see it; one that none sees, to the nearest.
+  for (const glm::vec3& goal : goals_) {
+    const glm::vec3 at = (goal - outline_->low()) / edge_;
+    const auto column = static_cast<std::int32_t>(std::floor(at.x)), row = static_cast<std::int32_t>(std::floor(at.y));
+    for (std::int32_t y = std::max(row - 1, 0); y <= std::min(row + 1, up_ - 1); ++y)
+      for (std::int32_t x = std::max(column - 1, 0); x <= std::min(column + 1, across_ - 1); ++x) {
+        const auto cell = static_cast<std::size_t>(y * across_ + x);
+        if (inside[cell] && sees(middle(x, y), goal, false)) offer(y * across_ + x, middle(x, y), goal, 0, false);
+      }
+  }
+  if (open.empty()) {
+    std::int32_t best = -1;
+    float nearest = 0;
+    for (std::int32_t cell = 0; cell < across_ * up_; ++cell) {
+      const float away = glm::distance(middle(cell % across_, cell / across_), goals_[0]);
+      if (!inside[static_cast<std::size_t>(cell)] || (best >= 0 && away >= nearest)) continue;
+      best = cell;
+      nearest = away;
     }
-  for (std::int32_t y = 0; y < up_; ++y)
-    for (std::int32_t x = 0; x < across_; ++x) {
-      const glm::vec3 place = middle(x, y);
-      const std::int32_t cell = y * across_ + x;
-      if (inside[static_cast<std::size_t>(cell)] && glm::distance(place, target_) <= nearest + 1e-3f * edge_)
-        offer(cell, place, target_, 0);
-    }
+    if (best >= 0) offer(best, middle(best % across_, best / across_), goals_[0], 0, false);
+  }
   while (!open.empty()) {
     const auto [way, cell] = open.top();
     open.pop();
@@ -71,17 +81,16 @@ void Waypoints::spread() {
       const std::int32_t to = to_y * across_ + to_x;
       if (!inside[static_cast<std::size_t>(to)] || closed[static_cast<std::size_t>(to)]) continue;
       const glm::vec3 there = middle(to_x, to_y);
-      if (sees(there, from.corner))
-        offer(to, there, from.corner, beyond);
+      if (sees(there, from.corner, from.turns))
+        offer(to, there, from.corner, beyond, from.turns);
       else if (outline_->holds(there, place))
-        offer(to, there, place, from.way);
+        offer(to, there, place, from.way, true);
     }
   }
 }
 
-// A target on the edge is seen by who sees the place just before it.
-bool Waypoints::sees(const glm::vec3& from, const glm::vec3& to) const {
-  return outline_->holds(from, to == target_ ? to + 1e-3f * (from - to) : to);
+bool Waypoints::sees(const glm::vec3& from, const glm::vec3& to, bool turns) const {
+  return outline_->holds(from, turns ? to : to + before_goal * (from - to));
 }
 
 // Cells without a way look to the nearest that has one: outwards from those, ring by ring.
@@ -115,21 +124,21 @@ Waypoints::Choice Waypoints::choose(const glm::vec3& p) const {
   };
   const std::int32_t x = within(from_low.x, across_), y = within(from_low.y, up_);
   // The cell's own corner where it is seen; else that of a cell around it.
-  Choice best{target_, -1};
+  Choice best{p, -1};
   const auto consider = [&](std::int32_t cell_x, std::int32_t cell_y) {
     if (cell_x < 0 || cell_y < 0 || cell_x >= across_ || cell_y >= up_) return;
     const Cell& cell = at(cell_x, cell_y);
     if (!cell.reached()) return;
     const float beyond = cell.way - glm::distance(middle(cell_x, cell_y), cell.corner);
     const float way = glm::distance(p, cell.corner) + beyond;
-    if ((best.way < 0 || way < best.way) && sees(p, cell.corner)) best = {cell.corner, way};
+    if ((best.way < 0 || way < best.way) && sees(p, cell.corner, cell.turns)) best = {cell.corner, way};
   };
   consider(x, y);
   if (best.way >= 0) return best;
   for (const auto& [dx, dy] : around) consider(x + dx, y + dy);
   if (best.way >= 0) return best;
   const std::int32_t home = nearest_[static_cast<std::size_t>(y * across_ + x)];
-  if (home < 0) return {target_, glm::distance(p, target_)};
+  if (home < 0) return {goals_[0], glm::distance(p, goals_[0])};
   const glm::vec3 place = middle(home % across_, home / across_);
   return {place, glm::distance(p, place) + cells_[static_cast<std::size_t>(home)].way};
 }
