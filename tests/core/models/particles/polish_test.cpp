@@ -61,16 +61,22 @@ std::vector<double> forks(const Trails& trails) {
   return found;
 }
 
-std::map<std::int32_t, glm::vec3> starts_of(const Trails& trails) {
-  std::map<std::int32_t, glm::vec3> starts;
+// Where those started that nobody else came by.
+std::map<std::int32_t, glm::vec3> ends_of(const Trails& trails) {
+  std::map<std::int32_t, glm::vec3> ends;
   for (std::size_t i = 0; i < trails.size(); ++i)
-    if (trails.particle[i] >= 0) starts[trails.particle[i]] = trails.places[i];
-  return starts;
+    if (trails.particle[i] >= 0 && trails.energy[i] == 1) ends[trails.particle[i]] = trails.places[i];
+  return ends;
+}
+
+std::size_t starts_of(const Trails& trails) {
+  return static_cast<std::size_t>(
+      std::count_if(trails.particle.begin(), trails.particle.end(), [](std::int32_t p) { return p >= 0; }));
 }
 
 }  // namespace
 
-TEST_CASE("smoothing takes the turns out of trails and leaves targets, starts and the tree") {
+TEST_CASE("smoothing takes the turns out of trails and leaves the target, ends and the tree") {
   for (const bool flat : {true, false}) {
     Run before = run(800, flat);
     Trails after = before.trails;
@@ -78,7 +84,7 @@ TEST_CASE("smoothing takes the turns out of trails and leaves targets, starts an
     CHECK(mean_turn(before.trails) > 15);
     CHECK(mean_turn(after) < 8);
     CHECK(after.places[0] == petiole.target());
-    CHECK(starts_of(after) == starts_of(before.trails));
+    CHECK(ends_of(after) == ends_of(before.trails));
     CHECK(after.next == before.trails.next);
   }
 }
@@ -116,6 +122,7 @@ TEST_CASE("simplifying keeps forks, starts and energies, and every place within 
     const Trails left = simplified(grown.trails, tolerance);
     CHECK(left.size() < 0.6 * static_cast<double>(grown.trails.size()));
     CHECK(forks(left) == forks(grown.trails));
+    CHECK(ends_of(left) == ends_of(grown.trails));
     CHECK(starts_of(left) == starts_of(grown.trails));
     CHECK(left.energy[0] == grown.trails.energy[0]);
     float farthest = 0;

@@ -5,12 +5,15 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "foundation/easing.hpp"
 #include "foundation/order.hpp"
 
 namespace panicle::particles {
 namespace {
 
 constexpr float least_passes = 8, more_passes = 48;
+// The share of all energy with which half of a trail is laid into its rib.
+constexpr double bedded_energy = 0.004;
 
 std::size_t next_of(const Trails& trails, std::size_t i) { return static_cast<std::size_t>(trails.next[i]); }
 
@@ -39,7 +42,7 @@ void smooth(Trails& trails, const Guide& guide) {
   std::vector<std::uint32_t> moving;
   std::vector<float> passes;
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
-    if (trails.particle[i] >= 0 || runs[i].second == 0) continue;
+    if (runs[i].second == 0) continue;
     moving.push_back(i);
     passes.push_back(-(least_passes + more_passes * static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]))));
   }
@@ -64,6 +67,17 @@ void smooth(Trails& trails, const Guide& guide) {
       for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
       if (free) places[i] = drawn;
     }
+  }
+}
+
+void bed(Trails& trails, const Ribs& ribs, float reach) {
+  const auto runs = leading_to(trails);
+  for (std::size_t i = 1; i < trails.size(); ++i) {
+    if (runs[i].second == 0) continue;
+    const Ribs::Foot foot = ribs.nearest(trails.places[i]);
+    if (!(foot.distance < reach)) continue;
+    const auto carried = static_cast<float>(trails.energy[i] / (trails.energy[i] + bedded_energy * trails.energy[0]));
+    trails.places[i] += carried * smooth_step(reach, 0.5f * reach, foot.distance) * (foot.place - trails.places[i]);
   }
 }
 
