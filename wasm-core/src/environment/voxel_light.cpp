@@ -1,0 +1,97 @@
+#include "environment/voxel_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle {
+namespace {
+
+// Turns that no two of many points on a spiral share.
+constexpr float golden_angle = 137.50776f;
+
+}  // namespace
+
+std::vector<Lamp> overcast(std::uint32_t count) {
+  std::vector<Lamp> lamps;
+  const auto all = static_cast<float>(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    // Uniform on the disc below is cosine weighted above.
+    const float square = (static_cast<float>(k) + 0.5f) / all, radius = std::sqrt(square);
+    const auto [sine, cosine] = sincos_degrees(golden_angle * static_cast<float>(k));
+    lamps.push_back({{radius * cosine, std::sqrt(1 - square), radius * sine}, 1 / all});
+  }
+  return lamps;
+}
+
+VoxelLight::VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
+                       std::span<const float> matter, std::span<const Lamp> lamps)
+    : low_(low),
+      edge_(edge),
+      count_{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)},
+      light_(matter.size(), 0.0f) {
+  for (const Lamp& lamp : lamps) shine(lamp, matter);
+}
+
+std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  return static_cast<std::size_t>((z * count_[1] + y) * count_[0] + x);
+}
+
+// Layer by layer away from the lamp, across the axis that it lies nearest to: what a cell's middle is behind is what the
+// place towards the lamp in the layer before is behind, and the matter on the way.
+void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
+  int main = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::fabs(lamp.towards[k]) > std::fabs(lamp.towards[main])) main = k;
+  const int across = (main + 1) % 3, along = (main + 2) % 3;
+  const float step = 1 / std::fabs(lamp.towards[main]);  // from layer to layer, in cells
+  const float shift_across = lamp.towards[across] * step, shift_along = lamp.towards[along] * step;
+  const std::int32_t layers = count_[main];
+  const auto plane = static_cast<std::size_t>(count_[across]) * static_cast<std::size_t>(count_[along]);
+  std::vector<float> before(plane, 0.0f), depth(plane, 0.0f), matter_before(plane, 0.0f), matter_here(plane);
+  const auto cell = [&](std::int32_t layer, std::int32_t u, std::int32_t v) {
+    std::int32_t at[3];
+    at[main] = layer;
+    at[across] = u;
+    at[along] = v;
+    return index(at[0], at[1], at[2]);
+  };
+  // What lies beside the box is empty.
+  const auto sample = [&](const std::vector<float>& values, float u, float v) {
+    const float low_u = std::floor(u), low_v = std::floor(v);
+    const auto first_u = static_cast<std::int32_t>(low_u), first_v = static_cast<std::int32_t>(low_v);
+    float sum = 0;
+    for (std::int32_t j = 0; j < 2; ++j)
+      for (std::int32_t i = 0; i < 2; ++i) {
+        const std::int32_t at_u = first_u + i, at_v = first_v + j;
+        if (at_u < 0 || at_v < 0 || at_u >= count_[across] || at_v >= count_[along]) continue;
+        const float weight = (i ? u - low_u : 1 - u + low_u) * (j ? v - low_v : 1 - v + low_v);
+        sum += weight * values[static_cast<std::size_t>(at_v * count_[across] + at_u)];
+      }
+    return sum;
+  };
+  for (std::int32_t k = 0; k < layers; ++k) {
+    const std::int32_t layer = lamp.towards[main] > 0 ? layers - 1 - k : k;
+    for (std::int32_t v = 0; v < count_[along]; ++v)
+      for (std::int32_t u = 0; u < count_[across]; ++u) {
+        const auto at = static_cast<std::size_t>(v * count_[across] + u);
+        const float here = matter[cell(layer, u, v)];
+        matter_here[at] = here;
+        const float from_u = static_cast<float>(u) + shift_across, from_v = static_cast<float>(v) + shift_along;
+        depth[at] = sample(before, from_u, from_v) + 0.5f * step * edge_ * (here + sample(matter_before, from_u, from_v));
+        light_[cell(layer, u, v)] += lamp.share * exponential(-depth[at]);
+      }
+    std::swap(before, depth);
+    std::swap(matter_before, matter_here);
+  }
+}
+
+float VoxelLight::at(const glm::vec3& p) const {
+  std::int32_t cell[3];
+  for (int k = 0; k < 3; ++k)
+    cell[k] = static_cast<std::int32_t>(std::clamp((p[k] - low_[k]) / edge_, 0.0f, static_cast<float>(count_[k] - 1)));
+  return light_[index(cell[0], cell[1], cell[2])];
+}
+
+}  // namespace panicle

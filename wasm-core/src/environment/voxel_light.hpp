@@ -1,0 +1,40 @@
+// Light in a box of semi-transparent cells, which shade each other (Rodkaew et al. 2003, section 4.2).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace panicle {
+
+// Where light comes from: unit vectors towards it, and how much of all of it comes from there.
+struct Lamp {
+  glm::vec3 towards;
+  float share;
+};
+
+// An overcast sky: `count` directions above the horizon, as many the higher they are (by their cosine), as good as equal.
+std::vector<Lamp> overcast(std::uint32_t count);
+
+class VoxelLight {
+ public:
+  // Cells of `edge`, `x` × `y` × `z` of them from the corner `low`. `matter`: what is in each, x fastest; light that has gone
+  // a length of 1 through 1 of it is exp(−1) of what it was.
+  VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
+             std::span<const float> matter, std::span<const Lamp> lamps);
+
+  // The share of all light that comes to a place, 0 … 1; outside the box as at its nearest cell.
+  float at(const glm::vec3& p) const;
+
+ private:
+  void shine(const Lamp& lamp, std::span<const float> matter);
+  std::size_t index(std::int32_t x, std::int32_t y, std::int32_t z) const;
+
+  glm::vec3 low_;
+  float edge_;
+  std::int32_t count_[3];
+  std::vector<float> light_;
+};
+
+}  // namespace panicle
