@@ -8,6 +8,7 @@ import type { Viewer } from "../scene/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
 import type { Shown, StudioState } from "./studio_state";
+import { TRY_AGAIN } from "./types";
 
 type SceneModule = typeof import("../scene/viewer");
 type Maker = FigureMaker<Specimen, Plant>;
@@ -15,10 +16,15 @@ type Maker = FigureMaker<Specimen, Plant>;
 let loading: Promise<SceneModule> | undefined;
 const figures = new Map<Model, Promise<Maker>>();
 
-/** Starts loading the scene's script, the largest of the page; asked for again, it is the same one. */
+/** Starts loading the scene's script, the largest of the page; asked for again, it is the same one, unless it failed. */
 export function loadScene(): Promise<SceneModule> {
-	loading ??= import("../scene/viewer");
-	return loading;
+	if (loading) return loading;
+	const scene = import("../scene/viewer");
+	loading = scene;
+	scene.catch(() => {
+		loading = undefined;
+	});
+	return scene;
 }
 
 /** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
@@ -51,6 +57,7 @@ export class SolidView implements ToolView {
 	readonly #studio: Studio;
 	#orbiting = true;
 	#disposed = false;
+	readonly #ended = new AbortController();
 	/** Whose figure is on the stage, and whose is on its way. */
 	#figured: Model | undefined;
 	#awaited: Model | undefined;
@@ -71,10 +78,10 @@ export class SolidView implements ToolView {
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
 		const { Viewer } = await loadScene();
 		const { model, dark } = studio.state;
-		const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
+		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 		const theme = dark ? "dark" : "light";
 		const view = new Viewer<Specimen, Plant>(canvas, {
-			reducedMotion,
+			reducedMotion: reduced.matches,
 			theme,
 			checked: import.meta.env.DEV,
 			events: {
@@ -84,6 +91,7 @@ export class SolidView implements ToolView {
 			},
 		});
 		const solid = new SolidView(canvas, view, studio);
+		solid.#follow(reduced);
 		await solid.#use(model);
 		return solid;
 	}
@@ -140,6 +148,7 @@ export class SolidView implements ToolView {
 
 	dispose(): void {
 		this.#disposed = true;
+		this.#ended.abort();
 		this.#arm(undefined);
 		this.#view.dispose();
 	}
@@ -181,6 +190,14 @@ export class SolidView implements ToolView {
 		this.#view.setMode(mode ?? this.#view.modes[0]);
 	}
 
+	/** Motion may become unwelcome, or welcome, while the page stands. */
+	#follow(reduced: MediaQueryList): void {
+		const follow = ({ matches }: MediaQueryListEvent) => {
+			this.#view.reducedMotion = matches;
+		};
+		reduced.addEventListener("change", follow, { signal: this.#ended.signal });
+	}
+
 	/** Puts a model's figure on the stage, in place of the last one's. */
 	async #use(model: Model): Promise<void> {
 		const figure = await loadFigure(model);
@@ -204,9 +221,9 @@ export class SolidView implements ToolView {
 			})
 			.catch(() => {
 				this.#awaited = undefined;
-				this.#studio.notify(`The ${model.noun} cannot be drawn`, [
-					"Part of the page could not be fetched; sliders and downloads work all the same.",
-				]);
+				const again = () => this.#bring(model);
+				const details = ["Part of the page could not be fetched; sliders and downloads work all the same.", TRY_AGAIN];
+				this.#studio.notify(`The ${model.noun} cannot be drawn`, details, { again });
 			});
 	}
 
