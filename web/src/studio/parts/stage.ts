@@ -6,13 +6,19 @@ import { growsAlike, sameSpecimen } from "../../specimen/same";
 import { applying } from "../panel_groups";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
-import type { Failure } from "../types";
+import { type Failure, TRY_AGAIN } from "../types";
 import { StudioPart } from "./studio_part";
+
+interface Trouble {
+	readonly title: string;
+	readonly text: string;
+	readonly again?: () => void;
+}
 
 /** The 3-D view with its tools, its caption, and in its place the words for when there is nothing to see. */
 export class Stage extends StudioPart {
-	/** Why there is no picture: no WebGL 2, or a lost context. */
-	#trouble: { title: string; text: string } | undefined;
+	/** Why there is no picture: no WebGL 2, a lost context, or a script that did not come and may yet. */
+	#trouble: Trouble | undefined;
 	#solid: SolidView | undefined;
 	#started = false;
 	/** A phone shows another view in its place: what cannot be seen is not drawn. */
@@ -32,7 +38,7 @@ export class Stage extends StudioPart {
 			></canvas>
 			<p class="unseen" id=${this.idOf("keys")}>${KEYS}</p>
 			${shown ? caption(studio) : nothing}
-			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text]) : nothing}
+			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
 			${this.#solid && !this.#trouble ? this.#tools(studio, this.#solid) : nothing}
 			${growing ? progress(studio) : nothing}`;
@@ -71,15 +77,18 @@ export class Stage extends StudioPart {
 			this.#resized.observe(this);
 			this.desk.showPicture(() => solid.picture());
 		} catch (error) {
-			const text = error instanceof Error ? error.message : String(error);
-			this.#say({
-				title: "No 3-D view here",
-				text: `${text} The flat views, the sliders and the downloads work all the same.`,
-			});
+			const none = error instanceof Error && error.name === "NoWebGL2Error";
+			const again = () => {
+				this.#say(undefined);
+				void this.#start();
+			};
+			const why = none ? error.message : `Part of the page could not be fetched. ${TRY_AGAIN}`;
+			const text = `${why} The flat views, the sliders and the downloads work all the same.`;
+			this.#say({ title: "No 3-D view here", text, ...(none ? {} : { again }) });
 		}
 	}
 
-	#say(trouble: { title: string; text: string } | undefined): void {
+	#say(trouble: Trouble | undefined): void {
 		this.#trouble = trouble;
 		this.requestUpdate();
 	}
@@ -146,10 +155,12 @@ function message(title: string, details: readonly string[], actions: unknown = n
 	</div>`;
 }
 
+function button(words: string, click: () => void): unknown {
+	return html`<button class="button" type="button" @click=${click}>${words}</button>`;
+}
+
 /** The ways to a plant from where there is none. */
 function remedies(studio: Studio, failure: Failure): unknown {
-	const button = (words: string, click: () => void) =>
-		html`<button class="button" type="button" @click=${click}>${words}</button>`;
 	return failure.remedies.map((remedy) => {
 		if (remedy === "again") return button("Try again", () => studio.growAgain());
 		const { model, specimen, face } = studio.state;
