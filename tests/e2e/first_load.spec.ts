@@ -25,7 +25,7 @@ test("everything that can be worked has a name, and the page its landmarks", asy
 		if (!(await summary.evaluate((element) => (element.parentElement as HTMLDetailsElement).open)))
 			await summary.click();
 	}
-	for (const role of ["button", "slider", "textbox", "combobox", "radio", "radiogroup", "img"] as const) {
+	for (const role of ["button", "slider", "textbox", "combobox", "radio", "radiogroup", "application"] as const) {
 		for (const control of await page.getByRole(role).all()) await expect(control).toHaveAccessibleName(/\S/);
 	}
 	await expect(studio.canvas).toHaveAccessibleDescription(/Arrow keys orbit/);
@@ -62,7 +62,7 @@ test("the app works from a sub-path of any host", async ({ page }) => {
 		if (!request.url().startsWith(server.address) && !/^(blob|data):/.test(request.url())) foreign.push(request.url());
 	});
 	await page.goto(`${server.address}?v=2&preset=lychee`);
-	await expect(page.getByRole("img", { name: /^Grape bunch: \d+ berries/ })).toBeVisible();
+	await expect(page.getByRole("application", { name: /^Grape bunch: \d+ berries/ })).toBeVisible();
 	await expect(page.locator("[data-preset=lychee]")).toHaveAttribute("aria-current", "true");
 	expect(foreign).toEqual([]);
 	await page.goto("about:blank");

@@ -1,5 +1,6 @@
 import { html, nothing } from "lit";
 import { type IconName, icon } from "../../controls/icons";
+import { rove, stopAt } from "../../controls/roving";
 import { withParameters } from "../../specimen/edit";
 import { fromPreset } from "../../specimen/from_preset";
 import { growsAlike, sameSpecimen } from "../../specimen/same";
@@ -33,7 +34,7 @@ export class Stage extends StudioPart {
 	protected override draw(studio: Studio): unknown {
 		const { failure, growing, shown } = studio.state;
 		return html`<canvas
-				class="stage-surface" tabindex="0" role="img" aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
+				class="stage-surface" tabindex="0" role="application" aria-roledescription="3-D view" aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
 				@keydown=${this.#press}
 			></canvas>
 			<p class="unseen" id=${this.idOf("keys")}>${KEYS}</p>
@@ -45,6 +46,8 @@ export class Stage extends StudioPart {
 	}
 
 	protected override updated(): void {
+		const buttons = this.#buttons();
+		stopAt(buttons, buttons.find(({ tabIndex }) => tabIndex === 0) ?? buttons[0]);
 		if (!this.#started) void this.#start();
 		if (this.#visible) this.#solid?.update(this.desk.state);
 	}
@@ -100,7 +103,10 @@ export class Stage extends StudioPart {
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 			>${icon(drawn)}</button>`;
 		const frame: IconName = "frame";
-		return html`<div class="stage-tools" role="group" aria-label="3-D view">
+		return html`<div
+			class="stage-tools" role="toolbar" aria-orientation="vertical" aria-label="3-D view"
+			@keydown=${(event: KeyboardEvent) => rove(event, this.#buttons())} @focusin=${(event: Event) => stopAt(this.#buttons(), event.target as HTMLElement)}
+		>
 			${button(frame, "Reset view", () => solid.reset())}
 			${applying(face?.tools, specimen).map((tool) =>
 				tool.button
@@ -110,13 +116,17 @@ export class Stage extends StudioPart {
 		</div>`;
 	}
 
+	#buttons(): HTMLElement[] {
+		return [...this.querySelectorAll<HTMLElement>(".stage-tools button")];
+	}
+
 	#press(event: KeyboardEvent): void {
 		if (event.ctrlKey || event.metaKey || event.altKey) return;
 		if (this.#solid?.press(event)) event.preventDefault();
 	}
 }
 
-/** What the keys do while the picture has the focus, for those who do not see the help. */
+/** What the keys do while the view has the focus, for those who do not see the help. */
 const KEYS = "Arrow keys orbit, with Shift they move; plus and minus go nearer and further, 0 resets the view.";
 
 /** What the picture shows, in words. */
