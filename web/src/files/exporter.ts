@@ -4,8 +4,8 @@
  */
 import { startWorker } from "../core/spawn";
 import type { Model } from "../models/model";
+import address from "./file_worker.ts?worker&url";
 import type { FileRequest, FromExporter, MadeFile } from "./messages";
-import address from "./worker.ts?worker&url";
 
 /** A script of the page could not be fetched: trying again may bring it. */
 export class NotFetched extends Error {
@@ -18,7 +18,7 @@ export class NotFetched extends Error {
 export interface ExportOptions {
 	/** Cancels: the worker ends, and the promise rejects with the signal's reason. */
 	signal?: AbortSignal;
-	/** Starts a worker that runs files/worker.ts. */
+	/** Starts a worker that runs files/file_worker.ts. */
 	spawn?: () => Worker;
 }
 
