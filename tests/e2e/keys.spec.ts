@@ -50,8 +50,8 @@ test("two tabs keep each other's settings, and have the theme in common", async 
 	const other = await context.newPage();
 	complaints.listenTo(other);
 	await new StudioPage(other).open("?v=2&preset=duku");
-	await page.locator("details[data-group=shape] summary").click();
-	await other.locator("details[data-group=numbers] summary").click();
+	await page.locator("details[data-group=shape] > summary").click();
+	await other.locator("details[data-group=numbers] > summary").click();
 	await expect(other.locator("details[data-group=shape]")).toHaveAttribute("open");
 	await other.getByRole("button", { name: "Dark theme" }).click();
 	await expect(page.getByRole("button", { name: "Light theme" })).toBeVisible();

@@ -2,16 +2,16 @@ import type { Locator, Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-/** Whether the middle of a control is on the screen with nothing over it. */
+/** Whether the middle of a control is on the screen with nothing over it; of two handles the nearest is taken, not the upper. */
 const isAtHand = (control: Locator) =>
 	control.evaluate((element) => {
 		element.scrollIntoView({ block: "center", inline: "center" });
 		const { left, top, width, height } = element.getBoundingClientRect();
 		const [x, y] = [left + width / 2, top + height / 2];
-		const hit = document.elementFromPoint(x, y);
-		return (
-			x > 0 && y > 0 && x < innerWidth && y < innerHeight && !!hit && (element.contains(hit) || hit.contains(element))
-		);
+		const hit = (element.getRootNode() as Document | ShadowRoot).elementFromPoint(x, y);
+		const inside = x > 0 && y > 0 && x < innerWidth && y < innerHeight;
+		const same = hit?.closest(".handle") ? element.matches(".handle") : hit?.contains(element) || element.contains(hit);
+		return inside && hit !== null && same === true;
 	});
 
 async function expectAllAtHand(page: Page, controls: string): Promise<void> {

@@ -36,7 +36,7 @@ describe("making a file", () => {
 	it("asks a worker, hands over what it made and ends it", async () => {
 		const { worker, file } = asking();
 		expect(worker.postMessage).toHaveBeenCalledExactlyOnceWith(request);
-		const made = { bytes: Uint8Array.of(7), type: "text/plain" };
+		const made = new Blob(["made"]);
 		worker.onmessage?.({ data: { type: "made", file: made } });
 		expect(await file).toBe(made);
 		expect(worker.terminate).toHaveBeenCalledOnce();
@@ -45,7 +45,7 @@ describe("making a file", () => {
 	it("makes here what is of a model that the worker does not know", async () => {
 		const { worker, file } = asking();
 		worker.onmessage?.({ data: { type: "unknown" } });
-		expect(new TextDecoder().decode((await file).bytes)).toBe("here");
+		expect(await (await file).text()).toBe("here");
 	});
 
 	it("ends with the worker when it is cancelled", async () => {

@@ -5,7 +5,7 @@
 import { startWorker } from "../core/spawn";
 import type { Model } from "../models/model";
 import address from "./file_worker.ts?worker&url";
-import type { FileRequest, FromExporter, MadeFile } from "./messages";
+import type { FileRequest, FromExporter } from "./messages";
 
 /** A script of the page could not be fetched: trying again may bring it. */
 export class NotFetched extends Error {
@@ -27,7 +27,7 @@ export interface ExportOptions {
  * made here.
  * @throws NotFetched, or an Error with what the making said
  */
-export async function exportFile(model: Model, request: FileRequest, options: ExportOptions = {}): Promise<MadeFile> {
+export async function exportFile(model: Model, request: FileRequest, options: ExportOptions = {}): Promise<Blob> {
 	const answer = await ask(request, options);
 	if (answer.type === "made") return answer.file;
 	if (answer.type === "failed") throw new Error(answer.message);

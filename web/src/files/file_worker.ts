@@ -4,12 +4,11 @@ import { answerTo } from "./serve";
 
 /** What this file needs of a worker's global scope, which the page's types do not describe. */
 interface Scope {
-	postMessage(message: FromExporter, transfer: Transferable[]): void;
+	postMessage(message: FromExporter): void;
 	onmessage: ((event: MessageEvent<FileRequest>) => void) | null;
 }
 
 const scope = globalThis as unknown as Scope;
 scope.onmessage = async ({ data }) => {
-	const answer = await answerTo(data);
-	scope.postMessage(answer, answer.type === "made" ? [answer.file.bytes.buffer] : []);
+	scope.postMessage(await answerTo(data));
 };

@@ -17,14 +17,9 @@ export interface FileRequest {
 	readonly name: string;
 }
 
-export interface MadeFile {
-	readonly bytes: Uint8Array<ArrayBuffer>;
-	/** The media type. */
-	readonly type: string;
-}
-
 export type FromExporter =
-	| { readonly type: "made"; readonly file: MadeFile }
+	/** A blob goes from thread to thread without being copied. */
+	| { readonly type: "made"; readonly file: Blob }
 	/** The page has brought this model by itself, and the worker knows nothing of it. */
 	| { readonly type: "unknown" }
 	/** The model's script did not come. */

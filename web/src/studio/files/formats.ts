@@ -49,10 +49,9 @@ export function formatsOf(shown: Shown, picture: StudioState["picture"], write =
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
 	const listed: Listed[] = [GLB, ...(hasInstances(shown) ? [GLB_INSTANCED] : []), ...OF_EVERY_PLANT, ...own];
 	const written = listed.map(({ key, title, about, suffix }): Download => {
-		const make: Download["make"] = async ({ model, grown, from }, link, name, signal) => {
+		const make: Download["make"] = ({ model, grown, from }, link, name, signal) => {
 			const request = { model: model.name, format: key, grown, specimen: from, link, name };
-			const { bytes, type } = await write(model, request, signal ? { signal } : {});
-			return new Blob([bytes], { type });
+			return write(model, request, signal ? { signal } : {});
 		};
 		return { key, title, about, suffix, make };
 	});
