@@ -20,18 +20,20 @@ async function failing(page: Page, pattern: RegExp): Promise<{ allow(): void; fa
 
 test.beforeEach(({ complaints }) => complaints.expect(/503|file_worker.*ERR_FAILED/));
 
-test("the 3-D view comes when asked again, where its script did not", async ({ page }) => {
-	const scene = await failing(page, /assets\/viewer-/);
-	const studio = await new StudioPage(page).open();
-	const trouble = page.getByRole("alert");
-	await expect(trouble).toContainText("Part of the page could not be fetched.");
-	await expect(trouble).toContainText("Check the connection and try again, or load the page again");
-	scene.allow();
-	await trouble.getByRole("button", { name: "Try again" }).click();
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
-	await expect(trouble).toHaveCount(0);
-	expect(scene.failed()).toBeGreaterThan(0);
-});
+for (const script of ["viewer", "bunch_figure"]) {
+	test(`the 3-D view comes when asked again, where its ${script} did not`, async ({ page }) => {
+		const scene = await failing(page, new RegExp(`assets/${script}-`));
+		const studio = await new StudioPage(page).open();
+		const trouble = page.getByRole("alert");
+		await expect(trouble).toContainText("Part of the page could not be fetched.");
+		await expect(trouble).toContainText("Check the connection and try again, or load the page again");
+		scene.allow();
+		await trouble.getByRole("button", { name: "Try again" }).click();
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+		await expect(trouble).toHaveCount(0);
+		expect(scene.failed()).toBeGreaterThan(0);
+	});
+}
 
 test("the octahedron comes with the next press, where its script did not", async ({ page }) => {
 	const handles = await failing(page, /assets\/octahedron-/);

@@ -19,6 +19,8 @@ test("the copied link brings the same bunch back", async ({ page, context, compl
 	await other.goto(link);
 	await expect(other.locator("[data-fingerprint]")).toHaveText(await studio.fingerprint.innerText());
 	await expect(other.locator("panicle-notices")).not.toContainText("could be used");
+	// A confirmation goes by itself.
+	await expect(studio.notices.getByRole("button", { name: "Dismiss" })).toHaveCount(0);
 });
 
 test("where copying is denied, the link is shown for copying by hand", async ({ page }) => {

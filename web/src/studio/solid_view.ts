@@ -7,7 +7,7 @@ import type { FigureMaker } from "../scene/figure";
 import type { Viewer } from "../scene/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
-import type { Shown, StudioState } from "./studio_state";
+import { lookOf, type Shown, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";
 
 type SceneModule = typeof import("../scene/viewer");
@@ -76,8 +76,9 @@ export class SolidView implements ToolView {
 
 	/** @throws NoWebGL2Error where the browser has none, and whatever the loading of the script throws */
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
-		const { Viewer } = await loadScene();
 		const { model, dark } = studio.state;
+		// Both first: a canvas gives one context, so that nothing may fail once it is taken.
+		const [{ Viewer }] = await Promise.all([loadScene(), loadFigure(model)]);
 		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 		const theme = dark ? "dark" : "light";
 		const view = new Viewer<Specimen, Plant>(canvas, {
@@ -98,14 +99,13 @@ export class SolidView implements ToolView {
 
 	/** Brings the view to the state; what has not changed costs nothing. */
 	update(state: StudioState): void {
-		const { shown, model, specimen, held, dark, face } = state;
+		const { shown, model, held, dark, face } = state;
 		if (shown && shown.model !== this.#figured) {
 			this.#bring(shown.model);
 			return;
 		}
 		this.#view.holdView(held);
-		// Colours change without growing: those on the controls, where what is shown is of the same model.
-		const look = shown?.model === model ? specimen.look : shown?.from.look;
+		const look = shown && lookOf(shown, state);
 		if (shown && look && (shown !== this.#shown || look !== this.#look)) {
 			this.#view.show(shown.grown, { ...shown.from, look });
 		}

@@ -66,6 +66,14 @@ export function opened(opening: Opening): StudioState {
 	});
 }
 
+/**
+ * The look of what is shown: that on the controls, since colours change without growing. While what is on them is another preset, which
+ * has yet to grow, it is the look that the plant in view has grown with.
+ */
+export function lookOf({ model, from }: Shown, now: Pick<StudioState, "model" | "specimen">): Specimen["look"] {
+	return model === now.model && from.preset === now.specimen.preset ? now.specimen.look : from.look;
+}
+
 /** What follows from the rest of the state, brought into step with it. */
 export function inStep(state: StudioState): StudioState {
 	const { model, shown, history, ui, systemDark } = state;

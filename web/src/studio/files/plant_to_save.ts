@@ -1,5 +1,5 @@
 import type { Studio } from "../studio";
-import type { Shown } from "../studio_state";
+import { lookOf, type Shown } from "../studio_state";
 
 /**
  * What a download is of: the plant that is on the controls at the time of asking, in the look it has then. Where it still grows,
@@ -7,13 +7,11 @@ import type { Shown } from "../studio_state";
  * @throws the signal's reason where it is cancelled, and an Error where there is no plant
  */
 export async function plantToSave(studio: Studio, signal?: AbortSignal): Promise<Shown> {
-	const { model, specimen } = studio.state;
+	const asked = studio.state;
 	await caughtUp(studio, signal);
 	const { shown } = studio.state;
 	if (!shown) throw new Error("Nothing has grown yet.");
-	// Colours change without growing. Another model's are none of this plant's, nor are another preset's.
-	const same = shown.model === model && shown.from.preset === specimen.preset;
-	return same ? { ...shown, from: { ...shown.from, look: specimen.look } } : shown;
+	return { ...shown, from: { ...shown.from, look: lookOf(shown, asked) } };
 }
 
 /** Resolves once no growth is under way. */
