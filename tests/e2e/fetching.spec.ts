@@ -87,6 +87,15 @@ test("a file that takes its time says so, can be cancelled, and holds nothing el
 	await page.locator("[data-format=glb]").click();
 	await expect(page.getByRole("progressbar", { name: "Making the file" })).toBeVisible();
 	await expect(page.getByText("Making the GLB")).toBeVisible();
+	const { width, height } = page.viewportSize() ?? { width: 800, height: 500 };
+	for (const size of [
+		{ width: 320, height: 568 },
+		{ width, height },
+	]) {
+		await page.setViewportSize(size);
+		await expect(page.getByText("Making the GLB")).toBeInViewport({ ratio: 1 });
+		await expect(studio.button("Cancel the download")).toBeInViewport({ ratio: 1 });
+	}
 	await studio.regrown(() => studio.slider("Length").press("PageDown"));
 	await studio.button("Cancel the download").click();
 	await expect(page.getByRole("progressbar", { name: "Making the file" })).toHaveCount(0);
