@@ -63,7 +63,9 @@ describe("standardMaterial", () => {
 		const chunk = "vec2 lamp_shares(vec3 point) { return vec2(passing); }";
 		const shaded = programOf(plain, { shares: { chunk, uniforms: { passing } } });
 		expect(shaded.vertexShader).toContain("lampShares = lamp_shares(standing.xyz);");
-		expect(shaded.fragmentShader).toMatch(/getDirectionalLightInfo[\s\S]*directLight\.color \*= UNROLLED_LOOP_INDEX == 0/);
+		expect(shaded.fragmentShader).toMatch(
+			/getDirectionalLightInfo[\s\S]*directLight\.color \*= UNROLLED_LOOP_INDEX == 0/,
+		);
 		expect(shaded.uniforms.passing).toBe(passing);
 	});
 
