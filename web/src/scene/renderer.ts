@@ -34,16 +34,22 @@ export class Renderer {
 	constructor(canvas?: HTMLCanvasElement, checked = false) {
 		this.#fits = canvas !== undefined;
 		const drawn = canvas ?? document.createElement("canvas");
-		const context = contextOf(drawn);
+		this.slow = drawsBySoftware();
+		const wanted = {
+			antialias: !this.slow,
+			alpha: false,
+			powerPreference: "high-performance",
+		} satisfies WebGLContextAttributes;
+		const context = drawn.getContext("webgl2", wanted) as WebGL2RenderingContext | null;
+		if (!context) throw new NoWebGL2Error();
 		this.#three = new WebGLRenderer({ canvas: drawn, context });
 		this.#three.outputColorSpace = SRGBColorSpace;
 		this.#three.toneMapping = NeutralToneMapping;
 		this.#three.autoClearColor = false;
 		this.#three.shadowMap.autoUpdate = false;
 		this.#three.debug.checkShaderErrors = checked;
-		this.slow = drawsBySoftware(context);
-		// Edges of triangles cost software as much again as all else: there they are smoothed afterwards.
-		if (!context.getContextAttributes()?.antialias) this.#edges = new SmoothEdges();
+		// More samples a pixel cost software as much again as all else: there edges are smoothed afterwards.
+		if (this.slow) this.#edges = new SmoothEdges();
 	}
 
 	/** Where it draws; of a view with a canvas of its own, the lower left corner. */
@@ -100,21 +106,20 @@ export class Renderer {
 	}
 }
 
-/** With smooth edges where there is a graphics card. */
-function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
-	const wanted = { alpha: false, powerPreference: "high-performance" } as const;
-	const context =
-		canvas.getContext("webgl2", { ...wanted, antialias: true, failIfMajorPerformanceCaveat: true }) ??
-		canvas.getContext("webgl2", { ...wanted, antialias: false });
-	if (!context) throw new NoWebGL2Error();
-	return context;
-}
+/** Whether WebGL 2 draws without a graphics card: known once a context has been asked, undefined where there is none. */
+let software: boolean | undefined;
 
-function drawsBySoftware(gl: WebGL2RenderingContext): boolean {
+/** Asks a context of its own, once: whether edges are smooth must be said before there is the one to be drawn with. */
+function drawsBySoftware(): boolean {
+	if (software !== undefined) return software;
+	const gl = document.createElement("canvas").getContext("webgl2", { antialias: false });
+	if (!gl) throw new NoWebGL2Error();
 	const names = gl.getExtension("WEBGL_debug_renderer_info");
-	return (
-		names !== null && /swiftshader|llvmpipe|software|basic render/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL))
-	);
+	software =
+		names !== null &&
+		/swiftshader|llvmpipe|software|basic render/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+	gl.getExtension("WEBGL_lose_context")?.loseContext();
+	return software;
 }
 
 /** Settles when the GPU has done all that was asked of it so far; asks now and then rather than block the page. */

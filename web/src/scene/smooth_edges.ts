@@ -100,6 +100,7 @@ export class SmoothEdges {
 		const made = new FramebufferTexture(width, height);
 		// As the canvas, which has no alpha.
 		made.format = RGBFormat;
+		made.internalFormat = "RGB8";
 		made.magFilter = LinearFilter;
 		made.minFilter = LinearFilter;
 		this.#picture = made;

@@ -197,10 +197,11 @@ void main() {
 	float aside = 1.0 - nv;
 	float fresnel = 0.035 + 0.6 * aside * aside * aside * aside * aside;
 	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - marked) * (1.0 - 0.6 * dots) * (1.0 - 0.85 * pressed) * (1.0 - 0.8 * halo);
-	vec3 dR = mat3(viewMatrix) * reflect(-v, n);
+	vec3 r = reflect(-v, n);
 	float blur = dull + 0.3 * waxed;
 	vec3 mirror = mirrored.rgb * mix(0.15 * skin, vec3(1.0), mirrored.w);
-	mirror += key.radiance * (reflected_window(dR, key, blur) * lit) + rim.radiance * (reflected_window(dR, rim, 0.15 + blur) * place.w);
+	if (lit > 0.0 && dot(r, keyDirection) > 0.4) mirror += key.radiance * (reflected_window(mat3(viewMatrix) * r, key, blur) * lit);
+	if (place.w > 0.0 && dot(r, rimDirection) > 0.4) mirror += rim.radiance * (reflected_window(mat3(viewMatrix) * r, rim, 0.15 + blur) * place.w);
 	colour += mirror * fresnel * taut;
 
 	// The berry pointed at: lifted, with a bright outline.
