@@ -4,6 +4,7 @@ import { Core } from "../../web/src/core/core";
 import { compileCore } from "../../web/src/core/loader";
 import { bunchFigure } from "../../web/src/models/bunch/figure/bunch_figure";
 import type { Grown } from "../../web/src/models/bunch/grown";
+import { bunchParts } from "../../web/src/models/bunch/parts/bunch_parts";
 import { readGrown } from "../../web/src/models/bunch/read_grown";
 import { encodeRequest } from "../../web/src/models/bunch/request";
 import { BUNCH } from "../../web/src/models/bunch/species";
@@ -77,6 +78,6 @@ function card(viewer: Viewer<undefined, undefined>, albedo: number, theme: Theme
 	});
 }
 
-const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchFigure };
+const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchFigure, partFigure, bunchParts };
 export type Views = typeof tools;
 Object.assign(window, { views: tools });
