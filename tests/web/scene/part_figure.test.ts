@@ -1,6 +1,7 @@
 import {
 	type DirectionalLight,
 	Group,
+	type InstancedBufferAttribute,
 	type InstancedMesh,
 	type Mesh,
 	type MeshPhysicalMaterial,
