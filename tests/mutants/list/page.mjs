@@ -1,0 +1,127 @@
+/** What only the built page shows: end-to-end tests. */
+const E2E = "tests/e2e";
+
+export default [
+	{
+		file: "web/src/models/bunch/profile/profile_view.ts",
+		suites: [`${E2E}/shape.spec.ts: dragging a handle regrows the bunch`],
+		faults: [
+			{
+				id: "profile-input-untold",
+				find: 'input: (parameters) => this.#tell(parameters, "profile-input"),',
+				replace: "input: () => {},",
+				breaks: "a drag of a handle grows nothing",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/profile/octahedron.ts",
+		suites: [`${E2E}/solid_view.spec.ts: the octahedron's handles can be dragged in 3-D`],
+		faults: [
+			{
+				id: "octahedron-orbits-while-dragged",
+				find: "this.#host.setControlsEnabled(false);",
+				replace: "",
+				breaks: "the bunch turns under a dragged handle",
+			},
+			{
+				id: "octahedron-finds-no-handle",
+				find: "x: ((place.x + 1) / 2) * box.width,",
+				replace: "x: ((1 - place.x) / 2) * box.width,",
+				breaks: "handles are taken hold of at the wrong side",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/solid_view.ts",
+		suites: [`${E2E}/thin.spec.ts: a click takes the berry under it off`],
+		faults: [
+			{
+				id: "solid-view-picks-nothing",
+				find: "return this.#view.pick(x, y);",
+				replace: "return undefined;",
+				breaks: "no berry can be pointed at",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/number.ts",
+		suites: [`${E2E}/shape.spec.ts: typed values are taken, clamped with a word`],
+		faults: [
+			{
+				id: "number-clamped-unsaid",
+				find: "if (Math.abs(typed - taken) < 1e-9) return undefined;",
+				replace: "return undefined;",
+				breaks: "a typed number changes without a word",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/held_key.ts",
+		suites: [`${E2E}/shape.spec.ts: sliders work by keyboard`],
+		faults: [
+			{
+				id: "held-key-a-step-each",
+				find: "if (MOVING_KEYS.test(key)) this.#held = true;",
+				replace: "",
+				breaks: "a held key leaves an undo step for each repeat",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/shortcuts.ts",
+		suites: [`${E2E}/gallery.spec.ts: typing in the field is typing`],
+		faults: [
+			{
+				id: "shortcuts-while-typing",
+				find: "if (event.defaultPrevented || isTyping(event)) return;",
+				replace: "if (event.defaultPrevented) return;",
+				breaks: "typing an n into the search grows another variation",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/tools/thinning_pointer.ts",
+		suites: [`${E2E}/thin.spec.ts: a drag turns the bunch and takes nothing off`],
+		faults: [
+			{
+				id: "thinning-by-a-drag",
+				find: "if (this.#press && !near(this.#press, event)) this.#press = undefined;",
+				replace: "",
+				suites: [`${E2E}/thin.spec.ts: a drag turns the bunch and takes nothing off`],
+				breaks: "turning the bunch takes berries off",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/speaker.ts",
+		suites: [`${E2E}/solid_view.spec.ts: what has grown is told to a screen reader`],
+		faults: [
+			{
+				id: "speaker-silent",
+				find: "this.#words = shown?.model.words(shown.grown, shown.from);",
+				replace: "",
+				breaks: "a screen reader hears nothing of what grew",
+			},
+		],
+	},
+	{
+		file: "web/src/scene/viewer.ts",
+		suites: [`${E2E}/trouble.spec.ts: a lost context is told and comes back`],
+		faults: [
+			{
+				id: "viewer-lost-for-good",
+				find: "this.#lost = false;",
+				replace: "",
+				breaks: "a picture that the graphics card dropped never comes back",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/drop.ts",
+		suites: [`${E2E}/files.spec.ts: GLB: valid, and dropped back it restores its bunch`],
+		faults: [
+			{ id: "drop-nothing", find: "void openFile(this.desk, file);", replace: "", breaks: "dropped files do nothing" },
+		],
+	},
+];
