@@ -6,6 +6,7 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
+import { withLock } from "../../wasm-core/tools/lock.mjs";
 import { buildFolder } from "../../wasm-core/tools/repository.mjs";
 import { Copy, readCheckout } from "./copy.mjs";
 import { groups } from "./list/index.mjs";
@@ -100,13 +101,15 @@ async function main() {
 	if (due.length > 0) {
 		if (due.some(({ kind }) => kind !== "core")) await buildCore("wasm", ["all", "toy"]);
 		const copy = new Copy(join(place, wishes.parts === 1 ? "copy" : `copy-${wishes.part}-${wishes.parts}`));
-		const hash = copy.refresh();
-		try {
-			await proveSuites(copy, hash, due);
-			await tryAll(copy, due, results);
-		} finally {
-			copy.restore();
-		}
+		await withLock(`${copy.folder}.lock`, async () => {
+			const hash = copy.refresh();
+			try {
+				await proveSuites(copy, hash, due);
+				await tryAll(copy, due, results);
+			} finally {
+				copy.restore();
+			}
+		});
 	}
 	console.log(`\n${report(mutants, results)}`);
 	if (complaints(mutants, results).length > 0 || shareCaught(mutants, results) < ENOUGH) process.exitCode = 1;

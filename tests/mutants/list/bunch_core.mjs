@@ -5,7 +5,7 @@ const TESTS = "tests/core/models/bunch";
 export default [
 	{
 		file: `${SRC}/paper/growth.cpp`,
-		suites: [`${TESTS}/paper/growth_test.cpp`],
+		suites: [`${TESTS}/paper/growth_test.cpp`, `${TESTS}/bunch_test.cpp`],
 		faults: [
 			{
 				id: "growth-parents-tip-is-in-the-way",
@@ -65,7 +65,7 @@ export default [
 	},
 	{
 		file: `${SRC}/paper/paper.cpp`,
-		suites: [`${TESTS}/bunch_test.cpp`],
+		suites: [`${TESTS}/model_test.cpp`],
 		faults: [
 			{
 				id: "paper-radius-unscaled",
@@ -174,7 +174,7 @@ export default [
 	},
 	{
 		file: `${SRC}/model.cpp`,
-		suites: [`${TESTS}/bunch_test.cpp`, "tests/core/boundary/boundary_test.cpp"],
+		suites: [`${TESTS}/model_test.cpp`],
 		faults: [
 			{
 				id: "model-sides-read-from-segments",
@@ -204,7 +204,7 @@ export default [
 	},
 	{
 		file: `${SRC}/bunch.cpp`,
-		suites: [`${TESTS}/bunch_test.cpp`],
+		suites: [`${TESTS}/model_test.cpp`],
 		faults: [
 			{
 				id: "bunch-fingerprint-without-radius",

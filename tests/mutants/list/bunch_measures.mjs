@@ -87,8 +87,8 @@ export default [
 			},
 			{
 				id: "visibility-far-ones-first",
-				find: "depths_.push_back(-entry.depth);",
-				replace: "depths_.push_back(entry.depth);",
+				find: "std::tie(other.depth, place.y, place.x, berry) < std::tie(depth, other.place.y, other.place.x, other.berry)",
+				replace: "depth < other.depth",
 				breaks: "hidden berries count as seen",
 			},
 		],

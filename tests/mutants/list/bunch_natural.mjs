@@ -83,7 +83,7 @@ export default [
 	},
 	{
 		file: `${SRC}/sprout.cpp`,
-		suites: [`${TESTS}/natural_test.cpp`],
+		suites: [`${TESTS}/sprout_test.cpp`],
 		faults: [
 			{
 				id: "sprout-wing-of-the-same-seed",

@@ -5,7 +5,7 @@ const TESTS = "tests/core/models/bunch/natural";
 export default [
 	{
 		file: `${SRC}/natural.cpp`,
-		suites: [`${TESTS}/natural_test.cpp`],
+		suites: [`${TESTS}/natural_outputs_test.cpp`, `${TESTS}/natural_test.cpp`],
 		faults: [
 			{
 				id: "natural-flower-strength-unused",

@@ -5,7 +5,7 @@ const TESTS = "tests/core";
 export default [
 	{
 		file: `${SRC}/lsystem/derivation.cpp`,
-		suites: [`${TESTS}/lsystem/derivation_test.cpp`, `${TESTS}/lsystem/unfolding_test.cpp`],
+		suites: [`${TESTS}/lsystem/derivation_test.cpp`, `${TESTS}/lsystem/open_derivation_test.cpp`],
 		faults: [
 			{
 				id: "derivation-cut-modules-counted",

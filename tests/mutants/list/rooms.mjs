@@ -116,10 +116,10 @@ export default [
 		suites: [`${TESTS}/environment/point_grid_test.cpp`],
 		faults: [
 			{
-				id: "point-grid-rounds-to-zero",
-				find: "static_cast<float>(whole) > at ? whole - 1 : whole;",
-				replace: "whole;",
-				breaks: "points just outside are looked for a cell off",
+				id: "point-grid-places-what-is-nowhere",
+				find: " && std::fabs(p.z) <= farthest;",
+				replace: ";",
+				breaks: "a number that is none breaks the grid",
 			},
 		],
 	},

@@ -123,10 +123,10 @@ export default [
 		suites: [`${TESTS}/loader.test.ts`],
 		faults: [
 			{
-				id: "loader-page-taken-for-a-core",
-				find: "if (WASM_MAGIC.some((byte, index) => bytes[index] !== byte)) notACore(type)();",
-				replace: "",
-				breaks: "a page in place of the core gives the engine's words",
+				id: "loader-in-the-words-of-the-engine",
+				find: "return WebAssembly.compile(bytes).catch(notACore(type));",
+				replace: "return WebAssembly.compile(bytes);",
+				breaks: "what is no core is told in the engine's words",
 			},
 			{
 				id: "loader-status-unheeded",
