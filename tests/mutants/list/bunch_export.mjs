@@ -98,6 +98,12 @@ export default [
 		suites: [`${TESTS}/parts/berry_tint.test.ts`],
 		faults: [
 			{
+				id: "tint-all-in-half-shade",
+				find: 'procedure === "paper" ? HALF : traitOf(berries, index, "exposure")',
+				replace: "HALF",
+				breaks: "the sun colours no berry, in view and files",
+			},
+			{
 				id: "tint-nobody-late",
 				find: "const late = 2 * skin.uneven * smoothstep(0.86, 1, hashFraction(id, 3));",
 				replace: "const late = 0;",

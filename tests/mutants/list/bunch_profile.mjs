@@ -154,6 +154,48 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/octahedron.ts`,
+		suites: [`${TESTS}/octahedron.test.ts`],
+		faults: [
+			{
+				id: "octahedron-orbits-while-dragged",
+				find: "this.#host.setControlsEnabled(false);",
+				replace: "",
+				breaks: "the bunch turns under a dragged handle",
+			},
+			{
+				id: "octahedron-finds-the-mirrored-handle",
+				find: "x: ((place.x + 1) / 2) * box.width,",
+				replace: "x: ((1 - place.x) / 2) * box.width,",
+				breaks: "handles are taken hold of at the wrong side",
+			},
+			{
+				id: "octahedron-deaf-to-escape",
+				find: 'window.addEventListener("keydown", this.#onEscape, { capture: true });',
+				replace: "",
+				breaks: "Escape calls off no drag in 3-D",
+			},
+			{
+				id: "octahedron-hidden-handles-held",
+				find: "if (!this.#parameters || !this.object.visible) return undefined;",
+				replace: "if (!this.#parameters) return undefined;",
+				breaks: "handles that are not shown can be dragged",
+			},
+		],
+	},
+	{
+		file: `${SRC}/octahedron_figure.ts`,
+		suites: [`${TESTS}/octahedron.test.ts`],
+		faults: [
+			{
+				id: "octahedron-handles-stay-behind",
+				find: "this.#handles.get(handle)?.position.set(...place);",
+				replace: "",
+				breaks: "all handles stand at the top",
+			},
+		],
+	},
+	{
 		file: "web/src/models/bunch/tools/sides.ts",
 		suites: ["tests/web/models/bunch/tools/sides.test.ts"],
 		faults: [

@@ -3,6 +3,24 @@ const E2E = "tests/e2e";
 
 export default [
 	{
+		file: "web/index.html",
+		suites: [`${E2E}/policy.spec.ts: the page's own policy`],
+		faults: [
+			{
+				id: "page-without-a-policy",
+				find: '<meta http-equiv="Content-Security-Policy"',
+				replace: '<meta name="policy"',
+				breaks: "a text that found its way into the page may run as code",
+			},
+			{
+				id: "page-policy-lets-styles-in",
+				find: "style-src 'self';",
+				replace: "style-src 'self' 'unsafe-inline';",
+				breaks: "styles may be brought into the page",
+			},
+		],
+	},
+	{
 		file: "web/src/models/bunch/profile/profile_view.ts",
 		suites: [`${E2E}/shape.spec.ts: dragging a handle regrows the bunch`],
 		faults: [
@@ -11,24 +29,6 @@ export default [
 				find: 'input: (parameters) => this.#tell(parameters, "profile-input"),',
 				replace: "input: () => {},",
 				breaks: "a drag of a handle grows nothing",
-			},
-		],
-	},
-	{
-		file: "web/src/models/bunch/profile/octahedron.ts",
-		suites: [`${E2E}/solid_view.spec.ts: the octahedron's handles can be dragged in 3-D`],
-		faults: [
-			{
-				id: "octahedron-orbits-while-dragged",
-				find: "this.#host.setControlsEnabled(false);",
-				replace: "",
-				breaks: "the bunch turns under a dragged handle",
-			},
-			{
-				id: "octahedron-finds-no-handle",
-				find: "x: ((place.x + 1) / 2) * box.width,",
-				replace: "x: ((1 - place.x) / 2) * box.width,",
-				breaks: "handles are taken hold of at the wrong side",
 			},
 		],
 	},

@@ -5,7 +5,7 @@ const TESTS = "tests/web/specimen";
 export default [
 	{
 		file: `${SRC}/same.ts`,
-		suites: [`${TESTS}/history.test.ts`, `${TESTS}/restore.test.ts`, `${TESTS}/link.test.ts`],
+		suites: [`${TESTS}/same.test.ts`],
 		faults: [
 			{
 				id: "same-ignores-lists",
@@ -66,7 +66,7 @@ export default [
 	},
 	{
 		file: `${SRC}/compressed_text.ts`,
-		suites: [`${TESTS}/link.test.ts`],
+		suites: [`${TESTS}/compressed_text.test.ts`, `${TESTS}/link.test.ts`],
 		faults: [
 			{
 				id: "text-invalid-utf8-passes",

@@ -70,6 +70,42 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/solid_view.ts`,
+		suites: [`${TESTS}/solid_view.test.ts`],
+		faults: [
+			{
+				id: "solid-view-never-held",
+				find: "this.#view.holdView(held);",
+				replace: "",
+				breaks: "the view moves away under a drag",
+			},
+			{
+				id: "solid-view-orbit-reversed",
+				find: "ArrowLeft: [-1, 0],",
+				replace: "ArrowLeft: [1, 0],",
+				breaks: "the left arrow turns to the right",
+			},
+			{
+				id: "solid-view-old-colours",
+				find: "|| look !== this.#look)",
+				replace: ")",
+				breaks: "a colour changes nothing in the view",
+			},
+			{
+				id: "solid-view-light-for-ever",
+				find: 'if (dark !== this.#dark) this.#view.setTheme(dark ? "dark" : "light");',
+				replace: "",
+				breaks: "the view stays light in the dark theme",
+			},
+			{
+				id: "solid-view-zoom-reversed",
+				find: "this.#view.zoom(1 / ZOOM_STEP);",
+				replace: "this.#view.zoom(ZOOM_STEP);",
+				breaks: "minus goes nearer",
+			},
+		],
+	},
+	{
 		file: `${SRC}/address.ts`,
 		suites: [`${TESTS}/address.test.ts`],
 		faults: [

@@ -138,7 +138,7 @@ export default [
 	},
 	{
 		file: "web/src/models/bunch/read_grown.ts",
-		suites: ["tests/web/models/bunch/grown.test.ts", "tests/web/models/bunch/natural.test.ts"],
+		suites: ["tests/web/models/bunch/read_grown.test.ts"],
 		faults: [
 			{
 				id: "read-places-without-z",

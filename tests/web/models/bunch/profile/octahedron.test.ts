@@ -132,6 +132,13 @@ describe("the octahedron's handles", () => {
 		expect(host.setControlsEnabled).toHaveBeenCalledWith(false);
 	});
 
+	it("stand where the profile has them", () => {
+		const p5 = handles.object.getObjectByName("p5");
+		expect(p5?.position.toArray()).toEqual([...handleVector(DEFAULTS, "p5", DEFAULTS.unit)]);
+		handles.update({ ...DEFAULTS, p5w: DEFAULTS.p5w + 50 });
+		expect(p5?.position.z).toBeGreaterThan(handleVector(DEFAULTS, "p5", DEFAULTS.unit)[2] + 0.01);
+	});
+
 	it("show under the mouse that they can be held", () => {
 		pointer("pointermove", seen("p5"), { buttons: 0 });
 		expect(canvas.style.cursor).toBe("grab");
