@@ -5,6 +5,7 @@
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { stripVTControlCharacters } from "node:util";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { withLock } from "../../wasm-core/tools/lock.mjs";
 import { buildFolder } from "../../wasm-core/tools/repository.mjs";
@@ -61,7 +62,7 @@ async function proveSuites(copy, hash, mutants) {
 async function tried(copy, mutant) {
 	const text = applied(readCheckout(mutant.file) ?? "", mutant) ?? "";
 	const wrong = await syntaxError(mutant.file, text);
-	if (wrong) return { outcome: "invalid", why: wrong };
+	if (wrong) return { outcome: "invalid", why: stripVTControlCharacters(wrong).slice(0, 400) };
 	copy.mutate(mutant.file, text);
 	for (const suite of mutant.suites) {
 		const { outcome, output } = await runSuites(copy.folder, [suite]);

@@ -51,8 +51,8 @@ export default [
 			},
 			{
 				id: "interaction-flat-goes-up",
-				find: "const float phi = newborn_.flat ? 0 :",
-				replace: "const float phi =",
+				find: "if (newborn_.flat) side -=",
+				replace: "if (newborn_.flat && false) side -=",
 				breaks: "questions without phi are answered with a turn they cannot make",
 			},
 			{
@@ -219,11 +219,10 @@ export default [
 				breaks: "a pedicel in two pieces counts twice",
 			},
 			{
-				id: "bunch-stem-sides-unbounded",
-				find: "std::clamp(request.stem_sides, 3u, 64u)",
-				replace: "request.stem_sides",
-				breaks: "a request of 10⁹ sides is taken at its word",
-				hangs: true,
+				id: "bunch-stem-sides-unheeded",
+				find: "if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);",
+				replace: "",
+				breaks: "stems have the sides that the core likes, whatever was asked for",
 			},
 		],
 	},

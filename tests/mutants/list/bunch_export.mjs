@@ -125,7 +125,7 @@ export default [
 	},
 	{
 		file: `${SRC}/parts/berry_colour.ts`,
-		suites: [`${TESTS}/parts/berry_colour.test.ts`],
+		suites: [`${TESTS}/parts/berry_colour.test.ts`, `${TESTS}/parts/look.test.ts`],
 		faults: [
 			{
 				id: "files-without-wax",
@@ -179,7 +179,7 @@ export default [
 	},
 	{
 		file: `${SRC}/parts/materials.ts`,
-		suites: [`${TESTS}/parts/look.test.ts`, `${TESTS}/parts/glb_natural.test.ts`, `${TESTS}/parts/glb.test.ts`],
+		suites: [`${TESTS}/parts/materials.test.ts`],
 		faults: [
 			{
 				id: "materials-leaves-one-sided",

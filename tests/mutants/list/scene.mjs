@@ -70,7 +70,7 @@ export default [
 			{
 				id: "frames-without-end",
 				find: "if (goesOn) this.request(true);",
-				replace: "this.request(true);",
+				replace: "if (goesOn || moving) this.request(true);",
 				breaks: "the page draws for ever",
 				hangs: true,
 			},

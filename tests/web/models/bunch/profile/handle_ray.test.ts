@@ -84,6 +84,7 @@ describe("rayToView", () => {
 				const ray = rayTo(eye, handleVector(shape, handle, UNIT));
 				const stretched = { ...ray, direction: ray.direction.map((value) => value * longer) as unknown as Vector };
 				const freedom = visibleFreedom(handle, ray);
+				expect(visibleFreedom(handle, stretched)).toBe(freedom);
 				const [one, other] = [ray, stretched].map((each) => rayToView(shape, handle, freedom, each, UNIT));
 				expect(other?.x).toBeCloseTo(one?.x ?? Number.NaN, 3);
 				expect(other?.y).toBeCloseTo(one?.y ?? Number.NaN, 3);
