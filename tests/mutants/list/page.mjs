@@ -4,7 +4,7 @@ const E2E = "tests/e2e";
 export default [
 	{
 		file: "web/index.html",
-		suites: [`${E2E}/policy.spec.ts: the page's own policy`],
+		suites: [`${E2E}/foreign.spec.ts: the page's own policy`],
 		faults: [
 			{
 				id: "page-without-a-policy",

@@ -1,9 +1,8 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { SphereIndex } from "../../../web/src/scene/sphere_index";
+import { evenly } from "../evenly";
 
-/** Evenly over a stretch: `fc.float` is even over bit patterns, so that nearly all of its numbers are next to nothing. */
-const evenly = (min: number, max: number) => fc.nat(10_000).map((part) => min + ((max - min) * part) / 10_000);
 const coordinate = evenly(-0.2, 0.2);
 const sphere = fc.tuple(coordinate, coordinate, coordinate, evenly(0.001, 0.02));
 
@@ -12,8 +11,7 @@ describe("SphereIndex", () => {
 		const distance = evenly(0, 0.5);
 		fc.assert(
 			fc.property(fc.array(sphere, { maxLength: 60 }), sphere, distance, (spheres, [x, y, z], reach) => {
-				const packed = Float32Array.from(spheres.flat());
-				const index = new SphereIndex(packed);
+				const index = new SphereIndex(Float32Array.from(spheres.flat()));
 				const found = new Uint32Array(100);
 				const near = [...found.subarray(0, index.near(x, y, z, reach, found))];
 				expect(new Set(near).size).toBe(near.length);
