@@ -123,6 +123,18 @@ test("a double click on a slider's name brings the preset's value back", async (
 	await expect(studio.slider("Length")).toHaveValue("523");
 });
 
+test("a double click on a handle brings its numbers back, as one step", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&p3=90,150&l=400");
+	const { x, y } = await studio.grip("Front", "p3");
+	await studio.regrown(() => page.mouse.dblclick(x, y));
+	await expect(studio.slider("Right width")).toHaveValue("47");
+	await expect(studio.slider("Length")).toHaveValue("400");
+	await expect(page).not.toHaveURL(/p3=/);
+	await studio.button("Undo").click();
+	await expect(studio.slider("Right width")).toHaveValue("90");
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
 test("mirror, locks and reset", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	const first = await studio.fingerprint.innerText();

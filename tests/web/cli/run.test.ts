@@ -235,7 +235,15 @@ it("--help says all there is, and grows nothing", async () => {
 	const { status, printed } = await grow(["--help"]);
 	expect(status).toBe(0);
 	expect(printed[0]).toContain("--set KEY=VALUE");
-	for (const word of ["double-bunch-winged", "pinot-noir", "procedure=paper|natural", "cane=off|on", "thin=ID.ID"]) {
+	for (const word of [
+		"bunch/long-conical",
+		"MODEL/PRESET",
+		"double-bunch-winged",
+		"pinot-noir",
+		"procedure=paper|natural",
+		"cane=off|on",
+		"thin=ID.ID",
+	]) {
 		expect(printed[0]).toContain(word);
 	}
 	for (const line of printed[0].split("\n")) expect(line.length).toBeLessThan(120);

@@ -97,6 +97,28 @@ describe("the studio", () => {
 		expect(studio.state.notices).toHaveLength(0);
 	});
 
+	it("goes with the browser's Back and Forward through its own steps where they are those, else takes a new one", () => {
+		const visit = (specimen: typeof opened) => studio.visit(bunchModel, { specimen, notes: [] }, "link");
+		const lychee = specimenFromPreset("lychee");
+		studio.choosePreset("lychee");
+		visit(opened);
+		expect(studio.state.history).toEqual({ past: [], present: opened, future: [lychee] });
+		visit(lychee);
+		expect(studio.state.history).toEqual({ past: [opened], present: lychee, future: [] });
+		visit(specimenFromPreset("duku"));
+		expect(studio.state.history.past).toEqual([opened, lychee]);
+		studio.undo();
+		expect(studio.state.specimen).toEqual(lychee);
+	});
+
+	it("says while what is shown is not yet what is on the controls", () => {
+		expect(studio.state.pending).toBe(false);
+		studio.set({ parameters: { l: 400 } });
+		expect(studio.state.pending).toBe(true);
+		studio.caughtUp();
+		expect(studio.state.pending).toBe(false);
+	});
+
 	it("opens with a document as the first of its history, grown and in the address, and with its notes", () => {
 		const grammar = { ...specimenFromPreset("lychee"), grammar: "axiom: F" };
 		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
@@ -120,6 +142,7 @@ describe("the studio", () => {
 		studio.setGroup("shape", false);
 		studio.setGroup("shape", false);
 		expect(surroundings.remember).toHaveBeenCalledOnce();
+		expect(surroundings.remember.mock.lastCall?.map(({ groups }) => groups)).toEqual([{ shape: false }, {}]);
 		expect(studio.state.ui.groups).toEqual({ shape: false });
 		studio.setGroup("shape", true);
 		expect(studio.state.ui.groups).toEqual({ shape: true });

@@ -71,6 +71,16 @@ describe("a preset of another model", () => {
 		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools: [] }));
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
 	});
+
+	it("brings tools that could not be fetched when asked again", async () => {
+		const { studio } = await studioWith(opened);
+		const tools = [{ name: "hoist", initial: 0 }];
+		const face = vi.fn(async () => ({ tools })).mockRejectedValueOnce(new Error("offline"));
+		studio.choosePreset("plain", { ...toyModel, studio: face });
+		await vi.waitFor(() => expect(studio.state.notices).toHaveLength(1));
+		studio.state.notices[0].again?.();
+		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools }));
+	});
 });
 
 describe("what tools keep", () => {

@@ -132,6 +132,11 @@ export class Viewer<S, G> {
 		return this.#turntable.camera;
 	}
 
+	/** No gliding, no damping. */
+	set reducedMotion(on: boolean) {
+		this.#turntable.reducedMotion = on;
+	}
+
 	/** Whether pointers turn the plant; a handle in the scene switches this off while it is dragged. */
 	set orbiting(enabled: boolean) {
 		this.#turntable.controls.enabled = enabled;

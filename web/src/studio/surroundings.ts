@@ -1,6 +1,5 @@
 import type { Model } from "../models/model";
 import type { Specimen } from "../specimen/specimen";
-import type { StudioState } from "./studio_state";
 import type { UiState } from "./ui_state";
 
 /** What the studio does outside itself; main.ts wires it. */
@@ -11,9 +10,6 @@ export interface Surroundings {
 	cancel(): void;
 	/** The document came to rest: the address bar is to hold it. */
 	settled(model: Model, specimen: Specimen): void;
-	/** The interface changed: remember it. */
-	remember(ui: UiState): void;
+	/** The interface changed: remember in what. */
+	remember(ui: UiState, before: UiState): void;
 }
-
-/** What the studio opens with. */
-export type Opening = Pick<StudioState, "model" | "specimen" | "ui" | "systemDark">;

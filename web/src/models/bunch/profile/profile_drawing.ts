@@ -77,6 +77,11 @@ export function drawHandle(
 	</button>`;
 }
 
+/** The handle an event happened on. */
+export function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
+	return (target as Element).closest<HTMLElement>("[data-handle]")?.dataset.handle as Handle | undefined;
+}
+
 /** The numbers of a handle on lines from the axis and from the level of p1. */
 export function drawGuides(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
 	const { x, y } = handlePosition(shape, handle);

@@ -17,17 +17,15 @@ import {
 	VIEW_SIDES,
 	type View,
 } from "./handles";
-import { drawBunch, drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH } from "./profile_drawing";
+import { drawBunch, drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH, handleOf } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
 import { SteadyExtent } from "./steady_extent";
 import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
 
 type Parameters = BunchSpecimen["parameters"];
-/** `profile-input`: live, once a frame at most. `profile-change`: a drag ended, a key stepped. `profile-cancel`: Escape. */
-export type ProfileEvent = CustomEvent<{ parameters: Parameters }>;
-
-const HELP = "Drag, or use the arrow keys: one pixel a step, ten with Shift. Escape calls off a drag.";
+const HELP =
+	"Drag, or use the arrow keys: one pixel a step, ten with Shift. Enter says where it stands. Escape calls off a drag.";
 
 export class ProfileView extends LitElement {
 	static override styles = profileStyle;
@@ -133,6 +131,7 @@ export class ProfileView extends LitElement {
 			@mousedown=${this.#onOwnGesture}
 			@contextmenu=${this.#onOwnGesture}
 			@dblclick=${this.#onDoubleClick}
+			@click=${this.#onClick}
 			@keydown=${this.#onKeyDown}
 			@focusin=${this.#onFocusIn}
 			@focusout=${this.#onFocusOut}
@@ -266,9 +265,22 @@ export class ProfileView extends LitElement {
 		if (!parameters) return;
 		event.preventDefault();
 		this.#pointed = false;
-		this.#spoken = handleValue(parameters, handle);
+		this.#say(handleValue(parameters, handle));
 		this.#show(handle);
 		this.#tell(parameters, "profile-input", "profile-change");
+	}
+
+	/** Enter, the space bar or a screen reader presses a handle: where it stands is said. A pointer's click says nothing. */
+	#onClick(event: MouseEvent): void {
+		const handle = handleOf(event);
+		if (!handle || !this.parameters || event.detail > 0) return;
+		this.#say(handleValue(this.parameters, handle));
+		this.#show(handle);
+	}
+
+	/** What is said twice is told apart by a space at its end, or the second time would not be heard. */
+	#say(words: string): void {
+		this.#spoken = words === this.#spoken ? `${words}\u00a0` : words;
 	}
 
 	#show(handle: Handle | undefined): void {
@@ -277,20 +289,4 @@ export class ProfileView extends LitElement {
 	}
 }
 
-/** The handle an event happened on. */
-function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
-	return (target as Element).closest<HTMLElement>("[data-handle]")?.dataset.handle as Handle | undefined;
-}
-
 customElements.define("panicle-profile", ProfileView);
-
-declare global {
-	interface HTMLElementTagNameMap {
-		"panicle-profile": ProfileView;
-	}
-	interface HTMLElementEventMap {
-		"profile-input": ProfileEvent;
-		"profile-change": ProfileEvent;
-		"profile-cancel": ProfileEvent;
-	}
-}
