@@ -27,6 +27,7 @@ const view = vi.hoisted(() => ({
 	dispose: vi.fn(),
 	modes: ["whole", "stems"],
 	orbiting: true,
+	reducedMotion: true,
 	camera: {},
 	options: undefined as unknown,
 }));
@@ -50,10 +51,12 @@ const grown = sampleBunch(5);
 
 describe("the 3-D view", () => {
 	let studio: Studio;
+	let motion: EventTarget;
 	let solid: SolidView;
 	beforeEach(async () => {
 		vi.clearAllMocks();
-		vi.stubGlobal("matchMedia", () => ({ matches: true }));
+		motion = new EventTarget();
+		vi.stubGlobal("matchMedia", () => Object.assign(motion, { matches: true }));
 		({ studio } = await studioWith(specimenFromPreset()));
 		solid = await SolidView.create(canvas(), studio, events);
 	});
@@ -64,6 +67,14 @@ describe("the 3-D view", () => {
 	it("begins as the page is: its model's figure, its theme, no motion where none is wanted", () => {
 		expect(view.use).toHaveBeenCalledTimes(1);
 		expect(view.options).toMatchObject({ reducedMotion: true, theme: "light" });
+	});
+
+	it("follows what is said of motion while it stands, and not after", () => {
+		motion.dispatchEvent(Object.assign(new Event("change"), { matches: false }));
+		expect(view.reducedMotion).toBe(false);
+		solid.dispose();
+		motion.dispatchEvent(Object.assign(new Event("change"), { matches: true }));
+		expect(view.reducedMotion).toBe(false);
 	});
 
 	it("shows what has grown once, and again in other colours, without growing", () => {
