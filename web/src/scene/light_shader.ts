@@ -112,13 +112,17 @@ vec3 gloss_surroundings(vec3 d) {
 // Share of a mirror lobe that falls into the window; \`blur\` is the tangent by which roughness softens its edges.
 float reflected_window(vec3 d, Window w, float blur) {
 	vec3 q = w.toFrame * d;
-	if (q.z <= 0.05) return 0.0;
-	vec2 at = q.xy / q.z;
-	vec2 inside = smoothstep(-w.extent.xy - blur, -w.extent.xy + blur, at) - smoothstep(w.extent.xy - blur, w.extent.xy + blur, at);
-	float bar = w.extent.z / (w.extent.z + 0.6 * blur);
-	vec2 pane = 1.0 - bar * (1.0 - smoothstep(w.extent.z, w.extent.z + blur, abs(at - vec2(0.0, 0.3 * w.extent.y))));
-	vec2 kept = w.extent.xy / (w.extent.xy + 0.5 * blur);
-	return inside.x * inside.y * kept.x * kept.y * (w.extent.z > 0.0 ? pane.x * pane.y : 1.0);
+	vec2 at = q.xy / max(q.z, 0.05);
+	float share = 0.0;
+	// Most of a plant mirrors no window.
+	if (q.z > 0.05 && all(lessThan(abs(at), w.extent.xy + blur))) {
+		vec2 inside = smoothstep(-w.extent.xy - blur, -w.extent.xy + blur, at) - smoothstep(w.extent.xy - blur, w.extent.xy + blur, at);
+		float bar = w.extent.z / (w.extent.z + 0.6 * blur);
+		vec2 pane = 1.0 - bar * (1.0 - smoothstep(w.extent.z, w.extent.z + blur, abs(at - vec2(0.0, 0.3 * w.extent.y))));
+		vec2 kept = w.extent.xy / (w.extent.xy + 0.5 * blur);
+		share = inside.x * inside.y * kept.x * kept.y * (w.extent.z > 0.0 ? pane.x * pane.y : 1.0);
+	}
+	return share;
 }
 
 // Light that bounces between equal surfaces brightens and tints the shade (Jimenez et al. 2016, "Practical real-time

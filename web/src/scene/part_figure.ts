@@ -20,13 +20,14 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	readonly #parts: (grown: G, specimen: S) => Iterable<Part>;
 	readonly #lights = new StandardLights();
 	readonly #shadow: MeshShadow;
-	#shown = new PartMeshes([]);
+	#shown: PartMeshes;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 	#mark: PartObject | undefined;
 
 	constructor(stage: FigureStage, parts: (grown: G, specimen: S) => Iterable<Part>) {
 		this.#stage = stage;
 		this.#parts = parts;
+		this.#shown = new PartMeshes([], stage.light.uniforms);
 		this.#shadow = new MeshShadow(stage.shadow);
 		stage.root.add(this.#lights.group);
 	}
@@ -34,7 +35,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	show(grown: G, specimen: S): void {
 		this.#clear();
 		const parts = [...this.#parts(grown, specimen)];
-		this.#shown = new PartMeshes(parts);
+		this.#shown = new PartMeshes(parts, this.#stage.light.uniforms);
 		for (const object of this.#shown.objects) this.#stage.root.add(object);
 		this.#shadow.lay(this.#shown.objects);
 		this.#bounds = boundsOf(parts);

@@ -10,6 +10,7 @@
 #include "foundation/fingerprint.hpp"
 #include "foundation/random.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/bunch_sky.hpp"
 #include "models/bunch/fruit/berry.hpp"
 #include "models/bunch/natural/natural.hpp"
 #include "models/bunch/paper/paper.hpp"
@@ -111,6 +112,7 @@ Result<Grown> grow(const Request& request, const Limits& limits) {
   grown.fingerprint = fingerprint(grown);
   if (!request.meshes) return grown;
   add_meshes(grown, request);
+  if (request.sky) add_sky(grown);
   if (request.mesh_fingerprint) grown.mesh_fingerprint = mesh_fingerprint(grown);
   return grown;
 }

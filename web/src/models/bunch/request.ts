@@ -19,6 +19,8 @@ export interface RequestOptions {
 	meshes?: boolean;
 	/** Whether `measures` are wanted; the default is yes. */
 	measures?: boolean;
+	/** Whether it is wanted how much of the sky the meshes' vertices see; the default is wherever there are meshes. */
+	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
 	/** Sides of a stem's tube; the core's own choice by default. */
@@ -30,6 +32,7 @@ export interface RequestOptions {
 /** @throws CoreError where the specimen cannot be written as a request: it has not come through specimen/restore.ts */
 export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Block[] {
 	const { meshes = true, measures = true, meshFingerprint = false, stemSides = 0, berrySegments = 0 } = options;
+	const { sky = meshes } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
 	if (grammar !== undefined && new TextEncoder().encode(grammar).length > GRAMMAR_BYTES) {
 		throw new CoreError("limit", `The grammar is longer than ${GRAMMAR_BYTES / 1024} KiB; shorten it.`);
@@ -37,7 +40,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 	if ((inputs?.n?.length ?? 0) > INPUT_N_LENGTH) {
 		throw new CoreError("limit", `n has more than ${INPUT_N_LENGTH} values.`);
 	}
-	const outputs = [meshes && "meshes", measures && "measures", meshFingerprint && "mesh_fingerprint"];
+	const outputs = [meshes && "meshes", measures && "measures", sky && "sky", meshFingerprint && "mesh_fingerprint"];
 	const words = (name: string, values: readonly number[]) => Uint32Array.from(values, (value) => whole(name, value));
 	const blocks: Block[] = [
 		{ name: "model", data: "bunch" },
