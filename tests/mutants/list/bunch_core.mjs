@@ -1,4 +1,4 @@
-/** The bunch in the core: the paper's procedure, what both have in common, fruit and leaves. */
+/** The bunch in the core: the paper's procedure, what both have in common. */
 const SRC = "wasm-core/src/models/bunch";
 const TESTS = "tests/core/models/bunch";
 
@@ -161,18 +161,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/stems.cpp`,
-		suites: [`${TESTS}/stems_test.cpp`],
-		faults: [
-			{
-				id: "stems-withered-not-shrivelled",
-				find: "internode.state == State::withered ? shrivelled : receptacle",
-				replace: "receptacle",
-				breaks: "withered pedicels look like those that bear",
-			},
-		],
-	},
-	{
 		file: `${SRC}/model.cpp`,
 		suites: [`${TESTS}/model_test.cpp`],
 		faults: [
@@ -223,66 +211,6 @@ export default [
 				find: "if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);",
 				replace: "",
 				breaks: "stems have the sides that the core likes, whatever was asked for",
-			},
-		],
-	},
-	{
-		file: `${SRC}/fruit/berry_press.cpp`,
-		suites: [`${TESTS}/fruit/berry_surfaces_test.cpp`],
-		faults: [
-			{
-				id: "press-all-marked",
-				find: "pressed[lane] = static_cast<std::uint8_t>(share[lane]);",
-				replace: "pressed[lane] = 255;",
-				breaks: "wax is rubbed off all over",
-			},
-			{
-				id: "press-volume-not-kept",
-				find: "aim = volume * rough.value / exact;",
-				replace: "return 0;",
-				breaks: "pressed berries are too small",
-			},
-			{
-				id: "press-normals-inwards",
-				find: "put(normals, nx * per_length,",
-				replace: "put(normals, -nx * per_length,",
-				breaks: "berries are lit from the wrong side",
-			},
-		],
-	},
-	{
-		file: `${SRC}/fruit/wrinkles.cpp`,
-		suites: [`${TESTS}/fruit/wrinkles_test.cpp`],
-		faults: [
-			{
-				id: "wrinkles-slope-reversed",
-				find: "wave.way * (share * cosine(angle))",
-				replace: "wave.way * (-share * cosine(angle))",
-				breaks: "furrows of raisins look raised",
-			},
-		],
-	},
-	{
-		file: `${SRC}/fruit/projection.cpp`,
-		suites: [`${TESTS}/fruit/projection_test.cpp`],
-		faults: [
-			{
-				id: "projection-tilt-ignored",
-				find: "suv = excess * u * v,",
-				replace: "suv = 0,",
-				breaks: "outlines of leaning fingers are upright",
-			},
-		],
-	},
-	{
-		file: `${SRC}/foliage/leaf.cpp`,
-		suites: [`${TESTS}/foliage/leaf_test.cpp`],
-		faults: [
-			{
-				id: "leaf-normals-not-unit",
-				find: "normal[axis] /= length;",
-				replace: "normal[axis] *= 1;",
-				breaks: "leaves shine or go dark with their triangles' size",
 			},
 		],
 	},

@@ -183,8 +183,8 @@ export default [
 		faults: [
 			{
 				id: "materials-leaves-one-sided",
-				find: "doubleSided: true",
-				replace: "doubleSided: false",
+				find: "roughness: 0.6,\n\t\tdoubleSided: true,",
+				replace: "roughness: 0.6,",
 				breaks: "leaves vanish from below in other programs",
 			},
 			{

@@ -44,16 +44,16 @@ export default [
 		suites: [`${TESTS}/receivers.test.ts`],
 		faults: [
 			{
-				id: "receivers-hide-themselves",
-				find: "if (this.owner[j] === self) continue;",
-				replace: "",
-				breaks: "every berry is black with its own shadow",
+				id: "receivers-fingers-as-balls",
+				find: "if (!(ratio >= TWO)) {",
+				replace: "if (ratio > 0) {",
+				breaks: "fingers cast the shadows of balls",
 			},
 			{
-				id: "receivers-turned-lost",
-				find: 'records[at + 15] = traitOf(berries, i, "turned");',
-				replace: "",
-				breaks: "berries never colour in the view",
+				id: "receivers-own-shadow",
+				find: "\t\t\towner.push(i);\n\t\t}",
+				replace: "\t\t\towner.push(0);\n\t\t}",
+				breaks: "long berries stand in their own shadow",
 			},
 		],
 	},
@@ -105,8 +105,8 @@ export default [
 		faults: [
 			{
 				id: "figure-stems-with-berries",
-				find: "this.#surface.berriesShown = whole;",
-				replace: "this.#surface.berriesShown = true;",
+				find: "this.#surface.bare = !whole;",
+				replace: "this.#surface.bare = false;",
 				breaks: "“stems only” shows the berries",
 			},
 		],

@@ -136,8 +136,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/studio/files/zip.ts",
-		suites: ["tests/web/studio/zip.test.ts"],
+		file: "web/src/files/zip.ts",
+		suites: ["tests/web/files/zip.test.ts"],
 		faults: [
 			{
 				id: "zip-of-today",

@@ -6,6 +6,7 @@ import bunchMeasures from "./bunch_measures.mjs";
 import bunchNatural from "./bunch_natural.mjs";
 import bunchProfile from "./bunch_profile.mjs";
 import bunchRipening from "./bunch_ripening.mjs";
+import bunchSurfaces from "./bunch_surfaces.mjs";
 import exporting from "./export.mjs";
 import lsystem from "./lsystem.mjs";
 import page from "./page.mjs";
@@ -23,6 +24,7 @@ export const groups = [
 	...bunchNatural,
 	...swelling,
 	...bunchRipening,
+	...bunchSurfaces,
 	...bunchMeasures,
 	...webCore,
 	...specimen,

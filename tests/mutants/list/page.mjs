@@ -4,7 +4,7 @@ const E2E = "tests/e2e";
 export default [
 	{
 		file: "web/index.html",
-		suites: [`${E2E}/foreign.spec.ts: the page's own policy`],
+		suites: ["tests/web/studio/policy.test.ts", `${E2E}/foreign.spec.ts: the page's own policy`],
 		faults: [
 			{
 				id: "page-without-a-policy",
@@ -111,9 +111,9 @@ export default [
 		faults: [
 			{
 				id: "viewer-lost-for-good",
-				find: "this.#lost = false;",
-				replace: "",
-				breaks: "a picture that the graphics card dropped never comes back",
+				find: "if (this.#renderer.lost) return;",
+				replace: "if (this.#renderer.lost || this.#rendered > 1) return;",
+				breaks: "the picture stays as it first was",
 			},
 		],
 	},

@@ -112,6 +112,54 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/environment/sky.cpp`,
+		suites: [`${TESTS}/environment/sky_test.cpp`],
+		faults: [
+			{
+				id: "sky-hidden-by-oneself",
+				find: "mask(owner != self) &",
+				replace: "",
+				breaks: "every berry is black with its own shadow",
+			},
+			{
+				id: "sky-lit-from-behind",
+				find: "return greater(sum, Four{});",
+				replace: "return sum;",
+				breaks: "what lies behind a point makes it brighter",
+			},
+			{
+				id: "sky-near-ones-counted-twice",
+				find: "take_out_near(receiver.centre);",
+				replace: "",
+				breaks: "neighbours darken twice",
+			},
+			{
+				id: "sky-below-the-horizon",
+				find: "cosine >= sine ? sine * cosine : 0.25f * low * low",
+				replace: "sine * sine",
+				breaks: "what has half set hides as much as what stands overhead",
+			},
+		],
+	},
+	{
+		file: `${SRC}/environment/plant_sky.cpp`,
+		suites: [`${TESTS}/environment/plant_sky_test.cpp`],
+		faults: [
+			{
+				id: "sky-leaves-dark-from-below",
+				find: "into[k] = std::max(into[k], below[k]);",
+				replace: ";",
+				breaks: "leaves that face down are dark though the sky shines through them",
+			},
+			{
+				id: "sky-stems-of-one-speck",
+				find: "one.start + way * (k / pieces)",
+				replace: "one.start",
+				breaks: "long stems shade their lower end alone",
+			},
+		],
+	},
+	{
 		file: `${SRC}/environment/point_grid.cpp`,
 		suites: [`${TESTS}/environment/point_grid_test.cpp`],
 		faults: [

@@ -111,8 +111,8 @@ export default [
 		faults: [
 			{
 				id: "address-older-after-newer",
-				find: "if (this.#newest !== specimen ||",
-				replace: "if (",
+				find: "if (this.#newest !== specimen) return;",
+				replace: "",
 				breaks: "a slow packing puts an older bunch into the address bar",
 			},
 			{

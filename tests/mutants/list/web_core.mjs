@@ -66,7 +66,7 @@ export default [
 	},
 	{
 		file: `${SRC}/seat.ts`,
-		suites: [`${TESTS}/client.test.ts`, `${TESTS}/client_failures.test.ts`, `${TESTS}/pool.test.ts`],
+		suites: [`${TESTS}/seat.test.ts`, `${TESTS}/pool.test.ts`],
 		faults: [
 			{
 				id: "seat-heard-after-its-end",
