@@ -42,12 +42,28 @@ function bring(file, folder) {
 	return bytes;
 }
 
+/** Reads texts of files below a folder: of a folder all of its files', undefined where there is nothing. */
+const reading = (root) => (path) => {
+	const at = join(root, path);
+	if (!existsSync(at)) return undefined;
+	if (!statSync(at).isDirectory()) return readFileSync(at, "utf8");
+	return readdirSync(at, { recursive: true, encoding: "utf8" })
+		.sort()
+		.map((name) => join(at, name))
+		.filter((name) => statSync(name).isFile())
+		.map((name) => readFileSync(name, "utf8"))
+		.join("\n");
+};
+
+export const readCheckout = reading(repository);
+
 export class Copy {
+	/** The file that holds a mutant now, and its own text. @type {{ file: string, text: string } | undefined} */
+	#mutated;
+
 	/** @param {string} folder */
 	constructor(folder) {
 		this.folder = folder;
-		/** The file that holds a mutant now. @type {string | undefined} */
-		this.mutated = undefined;
 	}
 
 	/** Makes the copy what the checkout is now; returns a hash of everything in it. */
@@ -65,28 +81,20 @@ export class Copy {
 		return hash.digest("hex");
 	}
 
+	/** A text as it was when the copy was made: the checkout may go on while mutants are tried. */
+	read = (path) => (path === this.#mutated?.file ? this.#mutated.text : reading(this.folder)(path));
+
 	/** Puts a text in place of a file's, and back what was mutated before. */
 	mutate(file, text) {
-		if (this.mutated !== file) this.restore();
-		this.mutated = file;
+		if (this.#mutated?.file !== file) {
+			this.restore();
+			this.#mutated = { file, text: this.read(file) };
+		}
 		writeFileSync(join(this.folder, file), text);
 	}
 
 	restore() {
-		if (this.mutated) bring(this.mutated, this.folder);
-		this.mutated = undefined;
+		if (this.#mutated) writeFileSync(join(this.folder, this.#mutated.file), this.#mutated.text);
+		this.#mutated = undefined;
 	}
-}
-
-/** The text of a file of the checkout, or of all files of a folder; undefined where there is none. */
-export function readCheckout(path) {
-	const at = join(repository, path);
-	if (!existsSync(at)) return undefined;
-	if (!statSync(at).isDirectory()) return readFileSync(at, "utf8");
-	return readdirSync(at, { recursive: true, encoding: "utf8" })
-		.sort()
-		.map((name) => join(at, name))
-		.filter((name) => statSync(name).isFile())
-		.map((name) => readFileSync(name, "utf8"))
-		.join("\n");
 }

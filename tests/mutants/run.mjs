@@ -60,7 +60,7 @@ async function proveSuites(copy, hash, mutants) {
 
 /** @returns {Promise<Omit<import("./report.mjs").Result, "key" | "seconds">>} */
 async function tried(copy, mutant) {
-	const text = applied(readCheckout(mutant.file) ?? "", mutant) ?? "";
+	const text = applied(copy.read(mutant.file) ?? "", mutant) ?? "";
 	const wrong = await syntaxError(mutant.file, text);
 	if (wrong) return { outcome: "invalid", why: stripVTControlCharacters(wrong).slice(0, 400) };
 	copy.mutate(mutant.file, text);
@@ -78,7 +78,7 @@ async function tryAll(copy, mutants, results) {
 		const from = performance.now();
 		const result = await tried(copy, mutant);
 		const seconds = Math.round((performance.now() - from) / 100) / 10;
-		const whole = { key: keyOf(mutant, readCheckout), ...result, seconds };
+		const whole = { key: keyOf(mutant, copy.read), ...result, seconds };
 		writeFileSync(resultFile(mutant.id), `${JSON.stringify(whole)}\n`);
 		results.set(mutant.id, whole);
 		const by = result.by ? ` by ${result.by}` : "";
