@@ -4,10 +4,15 @@ import { Core } from "../../web/src/core/core";
 import { compileCore } from "../../web/src/core/loader";
 import { bunchFigure } from "../../web/src/models/bunch/figure/bunch_figure";
 import type { Grown } from "../../web/src/models/bunch/grown";
+import { bunchParts } from "../../web/src/models/bunch/parts/bunch_parts";
 import { readGrown } from "../../web/src/models/bunch/read_grown";
 import { encodeRequest } from "../../web/src/models/bunch/request";
 import { BUNCH } from "../../web/src/models/bunch/species";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
+import type { Material } from "../../web/src/plant/material";
+import { blurred, COSINE_SHARPNESS, rigOf, type Theme } from "../../web/src/scene/light";
+import { partFigure } from "../../web/src/scene/part_figure";
+import { Renderer } from "../../web/src/scene/renderer";
 import { Viewer, type ViewerOptions } from "../../web/src/scene/viewer";
 import { decodeQuery } from "../../web/src/specimen/link";
 
@@ -50,6 +55,29 @@ async function pixels(picture: Blob): Promise<{ width: number; height: number; d
 	return { width, height, data: context.getImageData(0, 0, width, height).data };
 }
 
-const tools = { grow, canvas, view, pixels, Viewer, bunchFigure };
+/** A matt card before the eye, and what the light makes of it by its own numbers: linear, red, green, blue. */
+function card(viewer: Viewer<undefined, undefined>, albedo: number, theme: Theme): number[] {
+	const mesh = {
+		positions: Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], (value) => 0.1 * value),
+		normals: Float32Array.from([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]),
+		uvs: new Float32Array(8),
+		indices: Uint32Array.from([0, 1, 2, 0, 2, 3]),
+	};
+	const material: Material = { name: "Card", colour: [albedo, albedo, albedo], roughness: 1, specular: 0 };
+	viewer.use(partFigure(() => [{ name: "Card", shape: { mesh, material } }]));
+	viewer.show(undefined, undefined);
+	viewer.resetView("front");
+	const { key, rim, surroundings } = rigOf(theme);
+	const gathered = surroundings.map((lobe) => {
+		const { axis, sharpness, colour } = blurred(lobe, COSINE_SHARPNESS);
+		return colour.map((value) => value * Math.exp(sharpness * (axis.z - 1)));
+	});
+	return [0, 1, 2].map((k) => {
+		const lamps = [key, rim].reduce((sum, lamp) => sum + lamp.irradiance[k] * Math.max(0, lamp.direction.z), 0);
+		return albedo * (lamps / Math.PI + gathered.reduce((sum, colour) => sum + colour[k], 0));
+	});
+}
+
+const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchFigure, partFigure, bunchParts };
 export type Views = typeof tools;
 Object.assign(window, { views: tools });

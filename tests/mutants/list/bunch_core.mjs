@@ -50,10 +50,10 @@ export default [
 				breaks: "pedicels swing past straight down",
 			},
 			{
-				id: "interaction-flat-goes-up",
-				find: "if (newborn_.flat) side -=",
-				replace: "if (newborn_.flat && false) side -=",
-				breaks: "questions without phi are answered with a turn they cannot make",
+				id: "interaction-turns-the-wrong-way",
+				find: "const float right = -glm::dot(heading, turtle_.left);",
+				replace: "const float right = glm::dot(heading, turtle_.left);",
+				breaks: "what asks for room is turned into what is in the way",
 			},
 			{
 				id: "interaction-sags-into-others",

@@ -183,8 +183,8 @@ export default [
 		faults: [
 			{
 				id: "materials-leaves-one-sided",
-				find: "roughness: 0.6,\n\t\tdoubleSided: true,",
-				replace: "roughness: 0.6,",
+				find: "specular: 0.6,\n\t\t\tdoubleSided: true,",
+				replace: "specular: 0.6,",
 				breaks: "leaves vanish from below in other programs",
 			},
 			{

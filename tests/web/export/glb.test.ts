@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
 import { standardMaterial } from "../../../web/src/plant/material";
 import type { Part, Shape } from "../../../web/src/plant/part";
+import { bounced } from "../../../web/src/plant/shade";
 import { toyPlant } from "../plant/toy_plant";
 import { complaints, documentOf, load, meshesOf } from "./reading";
 import { ABOUT, CENTRES, fruits, HAIR, PULP, plain, tetrahedron } from "./toy_parts";
@@ -44,6 +45,43 @@ describe.each(FORMS)("the GLB of a plant of no model (%o)", (form) => {
 		// Half a turn about Y (0, 1, 0; 0) takes (x, y, z) to (−x, y, −z); the mesh reaches 2, the instance is a thousandth.
 		const [x, y, z] = CENTRES[1];
 		expect(placeOf(tuft, 0).distanceTo(new Vector3(x - 0.002, y + 0.002, z - 0.002))).toBeLessThan(1e-6);
+	});
+});
+
+describe.each(FORMS)("the shade in which vertices stand (%o)", (form) => {
+	const sky = Uint8Array.from([255, 255, 102, 0]);
+	const albedo = [0.6, 0.3, 0.2];
+	const dressed = (mesh: object): Part[] => [
+		{
+			name: "Body",
+			shape: { mesh: { ...tetrahedron([0, 0, 0], 1), ...mesh }, material: { ...HAIR, colour: [0.6, 0.3, 0.2] } },
+		},
+	];
+	/** What a reader makes of material and vertex together. */
+	async function seen(parts: Part[]): Promise<number[][]> {
+		const body = (await named(parts, form)).get("Body") as Mesh;
+		const { color } = body.material as MeshPhysicalMaterial;
+		const attribute = body.geometry.attributes.color;
+		return [0, 1, 2, 3].map((v) => color.toArray().map((value, k) => value * (attribute?.getComponent(v, k) ?? 1)));
+	}
+
+	it.each([
+		["of a mesh with colours", { sky, colours: Float32Array.from([...albedo, ...albedo, ...albedo, ...albedo]) }],
+		["of a mesh with its material's colour alone", { sky }],
+	])("is in the colours %s", async (_, mesh) => {
+		expect(await complaints(exportGlb(dressed(mesh), ABOUT, form))).toEqual([]);
+		const colours = await seen(dressed(mesh));
+		for (const [k, value] of albedo.entries()) {
+			expect(colours[0][k]).toBeCloseTo(value, 2);
+			expect(colours[2][k]).toBeCloseTo(value * bounced(0.4, value), 2);
+			expect(colours[3][k]).toBe(0);
+		}
+	});
+
+	it("leaves what nobody has looked at as it is", async () => {
+		expect(await seen(dressed({}))).toEqual(
+			[albedo, albedo, albedo, albedo].map((colour) => colour.map((value) => expect.closeTo(value, 6))),
+		);
 	});
 });
 

@@ -2,7 +2,7 @@ import { DoubleSide, FrontSide, MeshPhysicalMaterial, ShaderLib, type WebGLProgr
 import { describe, expect, it } from "vitest";
 import type { Material } from "../../../web/src/plant/material";
 import { lightUniforms } from "../../../web/src/scene/light_shader";
-import { type StandardOptions, standardMaterial } from "../../../web/src/scene/standard_material";
+import { type StandardOptions, setSheet, standardMaterial } from "../../../web/src/scene/standard_material";
 
 const rich: Material = {
 	name: "Skin",
@@ -69,12 +69,16 @@ describe("standardMaterial", () => {
 		expect(shaded.uniforms.passing).toBe(passing);
 	});
 
-	it("lets light through sheets, and colours their other side", () => {
+	it("lets light through sheets, and colours their other side, which may change", () => {
 		const sheet: Material = { ...rich, sheet: { through: [0.75, 0.5, 0.25], reverse: [2, 3, 4] } };
-		const { fragmentShader } = programOf(sheet, {});
-		expect(fragmentShader).toContain("sheetThrough = vec3(0.75, 0.5, 0.25)");
-		expect(fragmentShader).toContain("if (!gl_FrontFacing) diffuseColor.rgb *= vec3(2.0, 3.0, 4.0)");
-		expect(programOf(rich, {}).fragmentShader).not.toContain("sheetThrough");
+		const { fragmentShader, uniforms } = programOf(sheet, {});
+		expect(fragmentShader).toContain("sheetThrough * sqrt(diffuseColor.rgb)");
+		expect(fragmentShader).toContain("if (!gl_FrontFacing) diffuseColor.rgb *= sheetReverse");
+		expect(uniforms.sheetThrough.value.toArray()).toEqual([0.75, 0.5, 0.25]);
+		expect(programOf(rich, {}).fragmentShader).not.toContain("sheet");
+		const made = standardMaterial(sheet, { light });
+		setSheet(made, { ...sheet, sheet: { through: [0, 0, 0], reverse: [1, 1, 1] } });
+		expect(made.userData.sheet.sheetReverse.value.toArray()).toEqual([1, 1, 1]);
 	});
 
 	it("shares programs between what is drawn alike, and not between what is not", () => {

@@ -1,4 +1,6 @@
 import { Matrix3, type Matrix4, Vector3, Vector4 } from "three";
+import { BOUNCE } from "../plant/shade";
+import { float } from "./glsl";
 import {
 	blurred,
 	COSINE_SHARPNESS,
@@ -125,12 +127,9 @@ float reflected_window(vec3 d, Window w, float blur) {
 	return share;
 }
 
-// Light that bounces between equal surfaces brightens and tints the shade (Jimenez et al. 2016, "Practical real-time
-// strategies for accurate indirect occlusion", equation 10).
+// What plant/shade.ts says, for colours.
 vec3 bounced(float visible, vec3 albedo) {
-	vec3 a = 2.0404 * albedo - 0.3324;
-	vec3 b = -4.7951 * albedo + 0.6417;
-	vec3 c = 2.7552 * albedo + 0.6903;
+${BOUNCE.map(([slope, offset], i) => `	vec3 ${"abc"[i]} = ${float(slope)} * albedo + ${float(offset)};`).join("\n")}
 	return max(vec3(visible), ((visible * a + b) * visible + c) * visible);
 }
 `;

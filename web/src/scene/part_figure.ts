@@ -3,7 +3,7 @@ import type { Part } from "../plant/part";
 import type { Bodies } from "./camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "./figure";
 import { MeshShadow } from "./mesh_shadow";
-import { boundsOf } from "./part_bounds";
+import { ballOf, boundsOf } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
 
@@ -39,6 +39,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		for (const object of this.#shown.objects) this.#stage.root.add(object);
 		this.#shadow.lay(this.#shown.objects);
 		this.#bounds = boundsOf(parts);
+		this.#lights.shade(ballOf(this.#bounds));
 	}
 
 	bounds(): Bodies {

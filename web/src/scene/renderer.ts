@@ -46,7 +46,7 @@ export class Renderer {
 		this.#three.outputColorSpace = SRGBColorSpace;
 		this.#three.toneMapping = NeutralToneMapping;
 		this.#three.autoClearColor = false;
-		this.#three.shadowMap.autoUpdate = false;
+		this.#three.shadowMap.enabled = true;
 		this.#three.debug.checkShaderErrors = checked;
 		// More samples a pixel cost software as much again as all else: there edges are smoothed afterwards.
 		if (this.slow) this.#edges = new SmoothEdges();

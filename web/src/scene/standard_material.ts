@@ -6,10 +6,10 @@ import {
 	MeshPhysicalMaterial,
 	MeshStandardMaterial,
 	ShaderChunk,
+	Vector3,
 	type WebGLProgramParametersWithUniforms,
 } from "three";
 import type { Material } from "../plant/material";
-import { vec3 } from "./glsl";
 import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
 
 /** How much of both lamps' light reaches a vertex, where a figure knows that better than a shadow map. */
@@ -39,20 +39,31 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	made.name = material.name;
 	made.side = material.doubleSided ? DoubleSide : FrontSide;
 	if (options.detail) made.defines = { ...made.defines, USE_UV: "" };
-	setStandard(made, material, options.coloured ?? false);
-	made.onBeforeCompile = (shader) => lit(shader, material, options);
-	const { sheet } = material;
+	made.color = options.coloured ? new Color(1, 1, 1) : new Color(...material.colour);
+	made.vertexColors = options.coloured ?? false;
+	made.roughness = material.roughness;
+	made.metalness = 0;
+	const sheet = material.sheet && sheetUniforms();
+	made.userData.sheet = sheet;
+	setSheet(made, material);
+	made.onBeforeCompile = (shader) => lit(shader, sheet, options);
 	const { sky = false, shares, detail = "" } = options;
-	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, detail, sheet]);
+	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, detail, sheet !== undefined]);
 	return made;
 }
 
-/** Gives a material values of another one of the same kind. */
-export function setStandard(made: MeshStandardMaterial, { colour, roughness }: Material, coloured: boolean): void {
-	made.color = coloured ? new Color(1, 1, 1) : new Color(...colour);
-	made.vertexColors = coloured;
-	made.roughness = roughness;
-	made.metalness = 0;
+function sheetUniforms() {
+	return { sheetThrough: { value: new Vector3() }, sheetReverse: { value: new Vector3() } };
+}
+
+type SheetUniforms = ReturnType<typeof sheetUniforms>;
+
+/** Gives a sheet's material what another one says of its other side. */
+export function setSheet({ userData }: MeshStandardMaterial, { sheet }: Material): void {
+	const uniforms = userData.sheet as SheetUniforms | undefined;
+	if (!uniforms || !sheet) return;
+	uniforms.sheetThrough.value.fromArray(sheet.through);
+	uniforms.sheetReverse.value.fromArray(sheet.reverse);
 }
 
 function isPlain({ sheen, ior, specular, clearcoat }: Material): boolean {
@@ -70,6 +81,8 @@ function physical({ sheen, ior, specular, clearcoat }: Material): MeshPhysicalMa
 
 const SHARED = "directLight.color *= UNROLLED_LOOP_INDEX == 0 ? lampShares.x : lampShares.y;";
 const LAMP = "getDirectionalLightInfo( directionalLight, directLight );";
+
+const SHEET = "uniform vec3 sheetThrough;\nuniform vec3 sheetReverse;\n";
 
 /** Light of both lamps and of the surroundings that falls on the other side, as it comes out on this one. */
 const THROUGH = /* glsl */ `
@@ -97,9 +110,13 @@ reflectedLight.indirectSpecular *= openSky;
 #endif
 `;
 
-function lit(shader: WebGLProgramParametersWithUniforms, { sheet }: Material, options: StandardOptions): void {
+function lit(
+	shader: WebGLProgramParametersWithUniforms,
+	sheet: SheetUniforms | undefined,
+	options: StandardOptions,
+): void {
 	const { light, sky, shares, detail } = options;
-	Object.assign(shader.uniforms, light, shares?.uniforms);
+	Object.assign(shader.uniforms, light, shares?.uniforms, sheet);
 	const varyings = `${sky ? "varying float openSky;" : ""}\n${shares ? "varying vec2 lampShares;" : ""}\n`;
 	shader.vertexShader = shader.vertexShader
 		.replace(
@@ -112,11 +129,11 @@ function lit(shader: WebGLProgramParametersWithUniforms, { sheet }: Material, op
 		);
 	const lamps = ShaderChunk.lights_fragment_begin;
 	shader.fragmentShader = shader.fragmentShader
-		.replace("#include <common>", `#include <common>\n${varyings}${LIGHT_CHUNK}${detail ?? ""}`)
-		.replace("#include <color_fragment>", `#include <color_fragment>\n${coloured(sheet, detail)}`)
+		.replace("#include <common>", `#include <common>\n${varyings}${sheet ? SHEET : ""}${LIGHT_CHUNK}${detail ?? ""}`)
+		.replace("#include <color_fragment>", `#include <color_fragment>\n${coloured(sheet !== undefined, detail)}`)
 		.replace(
 			"#include <lights_fragment_begin>",
-			`${shares ? lamps.replace(LAMP, `${LAMP}\n${SHARED}`) : lamps}\n${sheet ? `vec3 sheetThrough = ${vec3(sheet.through)};${THROUGH}` : ""}`,
+			`${shares ? lamps.replace(LAMP, `${LAMP}\n${SHARED}`) : lamps}\n${sheet ? THROUGH : ""}`,
 		)
 		.replace("#include <lights_fragment_end>", `${MIRRORED}#include <lights_fragment_end>`)
 		.replace("#include <aomap_fragment>", sky ? SHADED : "");
@@ -131,7 +148,7 @@ vec4 standing = vec4(transformed, 1.0);
 lampShares = lamp_shares(standing.xyz);
 `;
 
-function coloured(sheet: Material["sheet"], detail: string | undefined): string {
-	const reverse = sheet ? `if (!gl_FrontFacing) diffuseColor.rgb *= ${vec3(sheet.reverse)};` : "";
+function coloured(sheet: boolean, detail: string | undefined): string {
+	const reverse = sheet ? "if (!gl_FrontFacing) diffuseColor.rgb *= sheetReverse;" : "";
 	return `${reverse}\n${detail ? "diffuseColor.rgb = detailed(diffuseColor.rgb, vUv);" : ""}`;
 }

@@ -7,7 +7,7 @@ import { StandardLights } from "../../../scene/standard_lights";
 import { standardMaterial } from "../../../scene/standard_material";
 import type { Grown } from "../grown";
 import { tintOf } from "../parts/berry_tint";
-import { FOLIAGE_MATERIALS, STAMENS, stemMaterial } from "../parts/materials";
+import { foliageMaterials, STAMENS, stemMaterial } from "../parts/materials";
 import { bunchSkin } from "../parts/skin";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
@@ -62,6 +62,7 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 		const light = this.#stage.light.uniforms;
 		const { casterRecords, berriesShown } = this.#shared;
 		const firstInternode = this.#firstInternode;
+		const { cane, leaf, petiole } = foliageMaterials(0);
 		const lit = { light, coloured: true, sky: true };
 		const shares = (chunk: string) => ({
 			chunk: LAMP_CHUNK + chunk,
@@ -72,9 +73,9 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 			stem: standardMaterial(stemMaterial([1, 1, 1]), { ...lit, shares: shares(OF_STEM) }),
 			flower: standardMaterial(STAMENS, { ...lit, shares: shares(OF_FLOWER) }),
 			foliage: {
-				cane: standardMaterial(FOLIAGE_MATERIALS.cane, lit),
-				leaf: standardMaterial(FOLIAGE_MATERIALS.leaf, { ...lit, detail: LEAF_CHUNK }),
-				petiole: standardMaterial(FOLIAGE_MATERIALS.petiole, lit),
+				cane: standardMaterial(cane, lit),
+				leaf: standardMaterial(leaf, { ...lit, detail: LEAF_CHUNK }),
+				petiole: standardMaterial(petiole, lit),
 			},
 		};
 	}

@@ -10,10 +10,12 @@ import {
 	Vector3,
 } from "three";
 import { RecordTexture } from "../../../scene/record_texture";
+import { setSheet } from "../../../scene/standard_material";
 import { fillStreams } from "../../../scene/streams";
 import { type BerrySurfaces, FOLIAGE_KINDS, type Foliage, type Grown } from "../grown";
 import type { BerryTint } from "../parts/berry_tint";
 import { foliageColours } from "../parts/foliage_colour";
+import { foliageMaterials } from "../parts/materials";
 import type { Look } from "../specimen";
 import { meanOf } from "../traits";
 import { BerryInstances } from "./berry_instances";
@@ -138,6 +140,7 @@ export class BunchSurface {
 	#showFoliage(foliage: Foliage, autumn: number): void {
 		const { positions, normals, uvs, indices, parts } = foliage;
 		const { geometry } = this.#foliage;
+		setSheet(this.materials.foliage.leaf, foliageMaterials(autumn).leaf);
 		fillStreams(
 			geometry,
 			[

@@ -1,6 +1,7 @@
 /**
  * Leaf veins, finer than vertices: five main ones fan out from the petiole at (1/2, 0.16) of the chart at 0°, 52° and 108°
- * from the midrib (models/bunch/foliage/leaf.hpp); side veins leave them in pairs.
+ * from the midrib (models/bunch/foliage/leaf.hpp); side veins leave them in pairs. They
+ * stay green longest.
  */
 export const LEAF_CHUNK = /* glsl */ `
 float veins(vec2 at) {
@@ -15,6 +16,6 @@ float veins(vec2 at) {
 	return max(main_, 0.45 * side * smoothstep(0.0, 0.05, abs(off)));
 }
 vec3 detailed(vec3 colour, vec2 chart) {
-	return mix(colour, colour * 0.6 + vec3(0.12, 0.14, 0.05), 0.55 * veins(chart));
+	return mix(colour, vec3(0.18, 0.23, 0.067), 0.55 * veins(chart));
 }
 `;

@@ -56,7 +56,7 @@ export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, look: Look
 function berryShape(
 	{ berries }: Grown,
 	index: number,
-	{ uvs, indices, positions, normals }: BerrySurfaces,
+	{ uvs, indices, positions, normals, sky }: BerrySurfaces,
 	colours: Float32Array,
 	material: Material,
 ): Shape {
@@ -65,7 +65,14 @@ function berryShape(
 	const own = (all: Float32Array) => all.subarray(first, last);
 	const percent = RIPENESS_STEP * Math.round((100 * traitOf(berries, index, "turned")) / RIPENESS_STEP);
 	return {
-		mesh: { positions: own(positions), normals: own(normals), uvs, indices, colours: own(colours) },
+		mesh: {
+			positions: own(positions),
+			normals: own(normals),
+			uvs,
+			indices,
+			colours: own(colours),
+			...(sky ? { sky: sky.subarray(first / 3, last / 3) } : {}),
+		},
 		material,
 		centre: [x, y, z],
 		variant: percent === 100 ? "" : String(percent),
