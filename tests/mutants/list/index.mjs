@@ -8,6 +8,8 @@ import bunchProfile from "./bunch_profile.mjs";
 import bunchRipening from "./bunch_ripening.mjs";
 import bunchSurfaces from "./bunch_surfaces.mjs";
 import exporting from "./export.mjs";
+import files from "./files.mjs";
+import light from "./light.mjs";
 import lsystem from "./lsystem.mjs";
 import page from "./page.mjs";
 import rooms from "./rooms.mjs";
@@ -34,5 +36,7 @@ export const groups = [
 	...bunchFigure,
 	...scene,
 	...studio,
+	...files,
+	...light,
 	...page,
 ];

@@ -30,6 +30,20 @@ export default [
 				replace: "input: () => {},",
 				breaks: "a drag of a handle grows nothing",
 			},
+			{
+				id: "profile-silent-after-a-key",
+				find: "this.#say(handleValue(parameters, handle));",
+				replace: "",
+				suites: [`${E2E}/keys.spec.ts: a handle says where it stands`],
+				breaks: "a screen reader hears nothing of a handle's step",
+			},
+			{
+				id: "profile-deaf-to-double-clicks",
+				find: "parameters[key] = this.initial[key];",
+				replace: "parameters[key] = this.parameters[key];",
+				suites: [`${E2E}/shape.spec.ts: a double click on a handle`],
+				breaks: "a double click on a handle brings nothing back",
+			},
 		],
 	},
 	{
@@ -77,6 +91,30 @@ export default [
 				find: "if (event.defaultPrevented || isTyping(event)) return;",
 				replace: "if (event.defaultPrevented) return;",
 				breaks: "typing an n into the search grows another variation",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/notices.ts",
+		suites: [`${E2E}/link.spec.ts: a malformed link opens what it can`],
+		faults: [
+			{
+				id: "notices-not-dismissed",
+				find: "studio.dismiss(id)",
+				replace: "id",
+				breaks: "notices cannot be sent away",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/typed.ts",
+		suites: [`${E2E}/keys.spec.ts: a number is typed from its slider`],
+		faults: [
+			{
+				id: "typed-digits-lost",
+				find: "field?.select();",
+				replace: "field?.blur();",
+				breaks: "a number typed on a slider goes nowhere",
 			},
 		],
 	},
