@@ -100,8 +100,8 @@ export default [
 		faults: [
 			{
 				id: "notices-not-dismissed",
-				find: "studio.dismiss(id)",
-				replace: "id",
+				find: 'aria-label="Dismiss" @click',
+				replace: 'aria-label="Dismiss" @dblclick',
 				breaks: "notices cannot be sent away",
 			},
 		],
