@@ -1,6 +1,7 @@
 import {
 	type DirectionalLight,
 	Group,
+	type InstancedBufferAttribute,
 	type InstancedMesh,
 	type Mesh,
 	type MeshPhysicalMaterial,
@@ -110,6 +111,20 @@ describe("the figure of any plant", () => {
 		expect(far - near).toBeCloseTo(right - left, 9);
 		const middle = key.target.position;
 		expect(key.position.distanceTo(middle)).toBeCloseTo((near + far) / 2, 9);
+	});
+
+	it("dims what sees little of the sky: vertices by themselves, organs one by one", () => {
+		const { figure, meshes } = staged();
+		const trunk = { ...plant.meshes[0], sky: new Uint8Array(plant.meshes[0].positions.length / 3).fill(51) };
+		const organs = { ...plant.organs, sky: Uint8Array.from({ length: plant.organs.count }, (_, i) => 85 * i) };
+		figure.show({ ...plant, meshes: [trunk, ...plant.meshes.slice(1)], organs }, {});
+		const skyOf = (index: number) => meshes()[index].geometry.getAttribute("sky");
+		expect(skyOf(0).getX(3)).toBeCloseTo(0.2, 6);
+		const leaves = skyOf(3) as InstancedBufferAttribute;
+		expect([leaves.isInstancedBufferAttribute, leaves.count]).toEqual([true, 3]);
+		expect(leaves.getX(1)).toBeCloseTo(1 / 3, 6);
+		figure.show(plant, {});
+		expect(skyOf(0)).toBeUndefined();
 	});
 
 	it("shows colours of vertices in place of the material's", () => {

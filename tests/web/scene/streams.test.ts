@@ -48,6 +48,14 @@ describe("fillStreams", () => {
 		expect(geometry.attributes.place.getY(19)).toBe(39);
 	});
 
+	it("has bytes read as shares of 255", () => {
+		const geometry = new BufferGeometry();
+		fillStreams(geometry, [...content(4), ["sky", Uint8Array.from([0, 51, 255, 102]), 1]], new Uint32Array(6));
+		const { sky } = geometry.attributes;
+		expect([sky.normalized, sky.array.BYTES_PER_ELEMENT]).toEqual([true, 1]);
+		expect([0, 1, 2].map((i) => sky.getX(i))).toEqual([0, 0.2, 1]);
+	});
+
 	it("takes new ones with room to spare where they are not, and lets go of the old", () => {
 		const geometry = new BufferGeometry();
 		fillStreams(geometry, content(4), new Uint32Array(6));

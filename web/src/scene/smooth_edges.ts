@@ -39,7 +39,7 @@ void main() {
 	float least = min(middle, min(min(corners.x, corners.y), min(corners.z, corners.w)));
 	float most = max(middle, max(max(corners.x, corners.y), max(corners.z, corners.w)));
 	vec3 colour = own;
-	if (most - least > max(0.03, 0.125 * most)) {
+	if (most - least > max(0.06, 0.15 * most)) {
 		vec2 run = vec2(corners.z + corners.w - corners.x - corners.y, corners.x + corners.z - corners.y - corners.w);
 		float flat_ = max(0.03 * (corners.x + corners.y + corners.z + corners.w), 0.008);
 		run = clamp(run / (min(abs(run.x), abs(run.y)) + flat_), -6.0, 6.0) * pixel;

@@ -94,15 +94,14 @@ describe("skiesOf", () => {
 	const { surfaces } = bunch;
 	const vertices = surfaces.uvs.length / 2;
 
-	it("tells each berry's mean and most", () => {
+	it("tells each berry's mean", () => {
 		const sky = new Uint8Array(3 * vertices);
 		sky.fill(51, vertices, 2 * vertices);
 		sky[vertices] = 255;
 		const skies = skiesOf({ ...surfaces, sky }, 3);
-		expect([skies[0], skies[1]]).toEqual([0, 0]);
-		expect(skies[2]).toBeCloseTo(0.2 + 0.8 / vertices, 5);
-		expect([skies[3], skies[5]]).toEqual([1, 0]);
-		expect([...skiesOf(surfaces, 3)]).toEqual([1, 1, 1, 1, 1, 1]);
+		expect(skies[0]).toBe(0);
+		expect(skies[1]).toBeCloseTo(0.2 + 0.8 / vertices, 5);
+		expect([...skiesOf(surfaces, 3)]).toEqual([1, 1, 1]);
 	});
 });
 

@@ -96,22 +96,6 @@ describe("the bunch's figure", () => {
 		expect(away(30)).toBeLessThan(away(59));
 	});
 
-	it("leaves out berries that see nothing of the sky: nobody outside sees them either", () => {
-		const { surfaces } = bunch;
-		if (!surfaces) throw new Error("no surfaces");
-		const sky = new Uint8Array(surfaces.pressed.length).fill(90);
-		sky.fill(0, 5 * (surfaces.uvs.length / 2), 7 * (surfaces.uvs.length / 2));
-		const { stage, figure, part, camera } = staged({ ...bunch, surfaces: { ...surfaces, sky } });
-		stage.light.aim(camera);
-		figure.prepare(camera);
-		const { geometry } = part("berries");
-		expect(geometry.instanceCount).toBe(58);
-		const drawn = Array.from({ length: 58 }, (_, i) => geometry.getAttribute("nature").getX(i));
-		expect(drawn).not.toContain(5);
-		expect(drawn).not.toContain(6);
-		expect(geometry.getAttribute("nature").getY(0)).toBeCloseTo(90 / 255, 5);
-	});
-
 	it("draws what files say: the same colours of stems and leaves, the same rules of skins, the same values", () => {
 		const grown = makeNatural(SKETCH, { traits: () => ({ opened: 1, set: 0, shrivel: 0.8 }) });
 		const { part } = staged(grown);

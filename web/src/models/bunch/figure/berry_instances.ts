@@ -23,7 +23,7 @@ export class BerryInstances {
 
 	/**
 	 * @param reaches of each berry's vertices from its centre
-	 * @param skies mean and greatest share of the sky of each (skiesOf)
+	 * @param skies share of the sky that each sees (skiesOf)
 	 */
 	show(berries: Berries, tint: (berry: number) => BerryTint, reaches: Float32Array, skies: Float32Array): void {
 		const records = new Float32Array(STRIDE * berries.count);
@@ -33,7 +33,7 @@ export class BerryInstances {
 			const pose = [...berries.directions.subarray(3 * i, 3 * i + 3), phase];
 			const form = [...halvesOf(berries, i), traitOf(berries, i, "shrivel"), traitOf(berries, i, "seeds")];
 			records.set(centre, STRIDE * i);
-			records.set([i, skies[2 * i], 0, 0], STRIDE * i + 4);
+			records.set([i, skies[i], 0, 0], STRIDE * i + 4);
 			records.set(pose, STRIDE * i + 8);
 			records.set([...logarithmOf(ripe), bloom], STRIDE * i + 12);
 			records.set([...logarithmOf(unripe), traitOf(berries, i, "turned")], STRIDE * i + 16);

@@ -134,7 +134,13 @@ void main() {
 	// The skin's relief.
 	float high = grooveDepth.y > 0.5 ? smoothstep(grooveDepth.x, grooveDepth.y, length(at)) : 1.0;
 	float furrows = max(0.5 * rind, 0.15 * shrivel);
-	if (furrows > 0.02) n = rough(n, at * mix(13.0, 7.0, step(rind, 0.1)) + phase * 41.0, furrows);
+	vec3 sky = ambient.rgb;
+	vec3 around = mirrored.rgb;
+	if (furrows > 0.02) {
+		n = rough(n, at * mix(13.0, 7.0, step(rind, 0.1)) + phase * 41.0, furrows);
+		sky = diffuse_surroundings(mat3(viewMatrix) * n);
+		around = gloss_surroundings(mat3(viewMatrix) * reflect(-v, n));
+	}
 	float nv = clamp(dot(n, v), 0.0, 1.0);
 	float dull = mix(0.07, 0.5, max(rind, 0.6 * shrivel));
 	float open = glow.w * (1.0 - 0.55 * pressed) * mix(0.6, 1.0, high);
@@ -172,7 +178,6 @@ void main() {
 	float nk = dot(n, keyDirection);
 	float nb = dot(n, rimDirection);
 	float clear = hue.w * (1.0 - marked);
-	vec3 sky = ambient.rgb;
 	vec3 keyed = key.irradiance * (lit * 0.31831);
 	vec3 rimmed = rim.irradiance * (place.w * 0.31831);
 	vec3 white = keyed * clamp((nk + 0.1) * 0.90909, 0.0, 1.0) + rimmed * clamp((nb + 0.1) * 0.90909, 0.0, 1.0);
@@ -199,7 +204,7 @@ void main() {
 	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - marked) * (1.0 - 0.6 * dots) * (1.0 - 0.85 * pressed) * (1.0 - 0.8 * halo);
 	vec3 r = reflect(-v, n);
 	float blur = dull + 0.3 * waxed;
-	vec3 mirror = mirrored.rgb * mix(0.15 * skin, vec3(1.0), mirrored.w);
+	vec3 mirror = around * mix(0.15 * skin, vec3(1.0), mirrored.w);
 	if (lit > 0.0 && dot(r, keyDirection) > 0.4) mirror += key.radiance * (reflected_window(mat3(viewMatrix) * r, key, blur) * lit);
 	if (place.w > 0.0 && dot(r, rimDirection) > 0.4) mirror += rim.radiance * (reflected_window(mat3(viewMatrix) * r, rim, 0.15 + blur) * place.w);
 	colour += mirror * fresnel * taut;

@@ -91,20 +91,15 @@ function packedNormal(x: number, y: number, z: number): number {
 	return packed(0.5 * STEPS * u, 0.5 * STEPS * v);
 }
 
-/** How much of the sky each berry sees in the mean over its surface, and at the most: 0 … 1, two numbers a berry. */
+/** How much of the sky each berry sees, 0 … 1: the mean over its surface. */
 export function skiesOf({ uvs, sky }: BerrySurfaces, count: number): Float32Array {
-	const skies = new Float32Array(2 * count).fill(1);
+	const skies = new Float32Array(count).fill(1);
 	if (!sky) return skies;
 	const vertices = uvs.length / 2;
 	for (let berry = 0; berry < count; berry++) {
 		let sum = 0;
-		let most = 0;
-		for (let i = vertices * berry; i < vertices * (berry + 1); i++) {
-			sum += sky[i];
-			most = Math.max(most, sky[i]);
-		}
-		skies[2 * berry] = sum / vertices / 255;
-		skies[2 * berry + 1] = most / 255;
+		for (let i = vertices * berry; i < vertices * (berry + 1); i++) sum += sky[i];
+		skies[berry] = sum / vertices / 255;
 	}
 	return skies;
 }

@@ -68,9 +68,10 @@ export class BunchSurface {
 	show(grown: Grown, look: Look, tint: (berry: number) => BerryTint): void {
 		this.#shown = { grown, look };
 		const surfaces = surfacesOf(grown);
-		if (surfaces) this.#showBerries(surfaces, grown, tint);
-		else this.#order.reset(grown.berries.spheres, []);
-		this.#flowers.show(grown, surfaces && skiesOf(surfaces, grown.berries.count));
+		const skies = surfaces && skiesOf(surfaces, grown.berries.count);
+		if (surfaces && skies) this.#showBerries(surfaces, grown, tint, skies);
+		this.#order.reset(surfaces ? grown.berries.spheres : new Float32Array(0));
+		this.#flowers.show(grown, skies);
 		this.#foliage.visible = grown.foliage !== undefined && grown.foliage.indices.length > 0;
 		if (grown.foliage) this.#showFoliage(grown.foliage, meanOf(grown.berries, "shrivel", 0));
 		this.#showStems();
@@ -114,7 +115,12 @@ export class BunchSurface {
 		this.#flowers.visible = !this.#bare;
 	}
 
-	#showBerries(surfaces: BerrySurfaces, { berries }: Grown, tint: (berry: number) => BerryTint): void {
+	#showBerries(
+		surfaces: BerrySurfaces,
+		{ berries }: Grown,
+		tint: (berry: number) => BerryTint,
+		skies: Float32Array,
+	): void {
 		const { geometry, material } = this.#berries;
 		this.#vertices.reserve(surfaces.pressed.length);
 		const reaches = packVertices(surfaces, berries, this.#vertices.words);
@@ -122,11 +128,7 @@ export class BunchSurface {
 		material.uniforms.vertexRecords.value = this.#vertices.texture;
 		material.uniforms.patternVertices.value = surfaces.uvs.length / 2;
 		fillStreams(geometry, [["uv", surfaces.uvs, 2]], surfaces.indices);
-		const skies = skiesOf(surfaces, berries.count);
 		this.#instances.show(berries, tint, reaches, skies);
-		// What no light from outside can reach, no eye outside can see.
-		const seen = Array.from({ length: berries.count }, (_, i) => i).filter((i) => skies[2 * i + 1] > 0);
-		this.#order.reset(berries.spheres, seen);
 	}
 
 	#showStems(): void {

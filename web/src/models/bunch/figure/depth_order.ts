@@ -8,16 +8,15 @@ export class DepthOrder {
 	/**
 	 * Other things to order. Where they are as many as before, they start in the order of those: from frame to frame little
 	 * changes.
-	 * @param spheres centre and radius of each, by index
-	 * @param indices of those that are drawn
+	 * @param spheres 4 × count: centre, radius
 	 */
-	reset(spheres: Float32Array, indices: readonly number[]): void {
-		const same = indices.length === this.#indices.length && this.#depths.length === spheres.length / 4;
+	reset(spheres: Float32Array): void {
 		this.#spheres = spheres;
 		this.#from = undefined;
-		if (same && indices.length === spheres.length / 4) return;
-		this.#depths = new Float64Array(spheres.length / 4);
-		this.#indices = [...indices];
+		const count = spheres.length / 4;
+		if (count === this.#indices.length) return;
+		this.#depths = new Float64Array(count);
+		this.#indices = Array.from({ length: count }, (_, i) => i);
 	}
 
 	/** In the order of the last `sort`; the same array until the next `reset`. */

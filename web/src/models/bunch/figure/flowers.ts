@@ -24,7 +24,7 @@ export class Flowers {
 
 	/**
 	 * Puts a bunch's flowers in place of the last one's. They come and go with the age; nothing is kept of them.
-	 * @param skies mean and greatest share of the sky of each berry (skiesOf); all of it where absent
+	 * @param skies share of the sky that each berry sees (skiesOf); all of it where absent
 	 */
 	show({ flower, berries }: Grown, skies?: Float32Array): void {
 		this.dispose();
@@ -43,7 +43,7 @@ export class Flowers {
 			const berry = open[2 * i];
 			drawn.setMatrixAt(i, matrixOf(Float32Array.from(placeOf(berries, berry, open[2 * i + 1])), 0));
 			bearer[i] = berry;
-			sky[i] = skies?.[2 * berry] ?? 1;
+			sky[i] = skies?.[berry] ?? 1;
 		}
 		geometry.setAttribute("bearer", new InstancedBufferAttribute(bearer, 1));
 		geometry.setAttribute("sky", new InstancedBufferAttribute(sky, 1));

@@ -81,7 +81,8 @@ export function stemMaterial(colour: Colour): Material {
  * @param autumn 0 … 1: how far leaves have turned
  */
 export function foliageMaterials(autumn: number): Record<FoliagePart["kind"], Material> {
-	const turned = smoothstep(AUTUMN[0], AUTUMN[1], autumn);
+	// The first patches turn long before the mean does.
+	const turned = smoothstep(AUTUMN[0] - 0.25, AUTUMN[1] - 0.15, autumn);
 	const reverse = LEAF.lower.map((value, k) => mix(value / LEAF.upper[k], 1, turned)) as Colour;
 	return {
 		cane: { name: "Cane", colour: CANE, roughness: 0.9 },
