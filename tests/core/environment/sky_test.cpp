@@ -227,3 +227,12 @@ TEST_CASE("any number of points at once, each as it would be alone") {
                              {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]}, receiver));
   }
 }
+
+TEST_CASE("what lies behind a point takes nothing from its sky, and adds nothing") {
+  std::vector<SkyBody> behind;
+  for (int k = 0; k < 40; ++k)
+    behind.push_back(ball(glm::vec3(0.05f * static_cast<float>(k % 5), -1 - 0.1f * static_cast<float>(k), 0), 0.3f, k));
+  CHECK(seen({}, glm::vec3(0), up, behind) == 255);
+  CHECK(seen(behind, glm::vec3(0), up) == 255);
+  CHECK(seen(behind, glm::vec3(0), -up) < 200);
+}

@@ -29,6 +29,8 @@ describe("the JSON", () => {
 		for (const key of ["specimen", "counts", "measures", "notes", "fingerprint", "timings", "segments", "organs"]) {
 			expect(json).toHaveProperty(key);
 		}
+		expect(json.measures.berry_count).toBe(json.counts.berries);
+		expect(json.measures.coverage).toBeGreaterThan(0.5);
 		expect(json.segments).toHaveLength(json.internodes.length);
 		json.segments.forEach((segment: Record<string, unknown>, index: number) => {
 			const { kind, parent, start, end, radius, radiusEnd } = json.internodes[index];

@@ -2,7 +2,7 @@ import { Matrix4, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
 import { standardMaterial } from "../../../web/src/plant/material";
-import type { Part } from "../../../web/src/plant/part";
+import type { Part, Shape } from "../../../web/src/plant/part";
 import { bounced } from "../../../web/src/plant/shade";
 import { toyPlant } from "../plant/toy_plant";
 import { complaints, documentOf, load, meshesOf } from "./reading";
@@ -116,6 +116,21 @@ describe("the GLB of any parts", () => {
 		const matrix = new Matrix4();
 		leaves.getMatrixAt(2, matrix);
 		expect(new Vector3().setFromMatrixPosition(matrix).distanceTo(new Vector3(0.01, 0.15, 0))).toBeLessThan(1e-7);
+		for (const compact of [false, true]) {
+			const [part] = plain().slice(-1);
+			const { mesh, material } = part.shape as Shape;
+			const transforms = Float32Array.from([0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 1, 2.5]);
+			const each = (i: number) => ({ name: `Leaf ${i}` });
+			const two = [{ name: "Leaves", shape: { mesh, material, instances: { transforms, each } } }];
+			const [drawn] = meshesOf(
+				(await load(exportGlb(two, ABOUT, { instancing: true, compact }))).scene,
+			) as (typeof leaves)[];
+			const sizes = [0, 1].map((i) => {
+				drawn.getMatrixAt(i, matrix);
+				return matrix.getMaxScaleOnAxis();
+			});
+			expect(sizes[1] / sizes[0]).toBeCloseTo(2.5, 5);
+		}
 		expect(exportGlb(fruits(), ABOUT, { instancing: true })).toEqual(exportGlb(fruits(), ABOUT));
 	});
 

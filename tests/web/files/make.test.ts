@@ -11,6 +11,7 @@ import { berriesCsv } from "../../../web/src/models/bunch/tables";
 import type { Model } from "../../../web/src/models/model";
 import { specimenFromPreset } from "../bunch";
 import { freshCore, growBunch } from "../core/wasm";
+import { documentOf } from "../export/reading";
 import { bunchModel } from "../studio/desk";
 
 const specimen = { ...specimenFromPreset("duku"), seed: 3 };
@@ -35,6 +36,18 @@ describe("a file made of a clone", () => {
 		const { bytes, type } = await made(asked);
 		expect(type).toBe("model/gltf-binary");
 		expect(Buffer.from(bytes).equals(expected)).toBe(true);
+	});
+
+	it("wants readers that know instances only where they are asked for", async () => {
+		// The paper's berries share a mesh.
+		const paper = specimenFromPreset("duku", 1);
+		const grown = structuredClone(growBunch(await freshCore(), paper));
+		const wants = async (format: string) => {
+			const { bytes } = await made({ model: "bunch", format, grown, specimen: paper, link, name: "duku-1" });
+			return documentOf(bytes).extensionsRequired ?? [];
+		};
+		expect(await wants("glb")).toEqual([]);
+		expect(await wants("glb-instanced")).toEqual(["EXT_mesh_gpu_instancing"]);
 	});
 
 	it("is its OBJ and MTL in an archive", async () => {

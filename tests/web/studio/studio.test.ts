@@ -168,6 +168,13 @@ describe("the studio", () => {
 		vi.useRealTimers();
 	});
 
+	it("has room for three notices, the newest, and none of them twice", () => {
+		for (const title of ["One", "Two", "Three", "Four", "Three"]) studio.notify(title);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Four", "Three"]);
+		studio.dismiss(studio.state.notices[1].id);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Three"]);
+	});
+
 	it("forgets a failure as soon as something grows", () => {
 		studio.fail({ title: "No", details: [], remedies: [] });
 		studio.grew({} as Plant, opened);

@@ -46,6 +46,8 @@ describe("receiversOf", () => {
 				expect(Math.hypot(...away)).toBeCloseTo(Math.abs(along), 7);
 				expect(Math.abs(along) + index.spheres[4 * i + 3]).toBeLessThanOrEqual(Math.max(length, width) / 2 + 1e-6);
 			}
+			const owners = [...receiversOf(pressedBunch({ count: 3, elongation })).owner];
+			expect(owners).toEqual([0, 1, 2].flatMap((berry) => new Array(spheres).fill(berry)));
 			if (spheres > 1) expect(Math.max(...index.spheres.subarray(3, 4))).toBeCloseTo(0.48 * width, 7);
 		},
 	);
