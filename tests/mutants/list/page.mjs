@@ -145,10 +145,10 @@ export default [
 	},
 	{
 		file: "web/src/scene/viewer.ts",
-		suites: [`${E2E}/trouble.spec.ts: a lost context is told and comes back`],
+		suites: [`${E2E}/solid_view.spec.ts: the 3-D view turns by mouse and keys`],
 		faults: [
 			{
-				id: "viewer-lost-for-good",
+				id: "viewer-draws-but-once",
 				find: "if (this.#renderer.lost) return;",
 				replace: "if (this.#renderer.lost || this.#rendered > 1) return;",
 				breaks: "the picture stays as it first was",
