@@ -83,15 +83,20 @@ function benchSizes(asked) {
 }
 
 /**
- * Drags p3 of the front view, in a browser without WebGL: the 3-D view stays away, and the page is composed without
- * SwiftShader, whose frames would be all that is timed. Each regrowth counts from two beginnings: from asking the worker, and from the newest
+ * Drags p3 of the front view in a page that WebGL is withheld from: the 3-D view stays away, for SwiftShader's frames would
+ * be all that is timed. (Chromium keeps WebGL under --disable-gpu; that only spares the page's composing.) Each regrowth counts from two beginnings: from asking the worker, and from the newest
  * pointer event before that, which waits for a frame to take it up and so for the frame being drawn.
  */
 async function benchDrag(bunch, address) {
 	const browser = await launch(["--disable-gpu"]);
 	const page = await browser.newPage({ viewport });
+	await page.addInitScript(withholdWebgl);
 	await page.goto(address);
 	await page.waitForFunction(() => performance.getEntriesByName("regrow").length > 0);
+	await page
+		.getByText(/no WebGL 2/)
+		.first()
+		.waitFor();
 	const handle = page.getByRole("button", { name: /^p3, right/ }).first();
 	const box = await handle.boundingBox();
 	const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -110,6 +115,16 @@ async function benchDrag(bunch, address) {
 		["asked → buffers", ...spread(regrowths.map(({ asked }) => asked))],
 		["event → buffers", ...spread(regrowths.map(({ event }) => event))],
 	]);
+}
+
+/** In the page: no canvas has WebGL. */
+function withholdWebgl() {
+	for (const kind of [HTMLCanvasElement, OffscreenCanvas]) {
+		const { getContext } = kind.prototype;
+		kind.prototype.getContext = function (name, ...rest) {
+			return /^(experimental-)?webgl/.test(name) ? null : getContext.call(this, name, ...rest);
+		};
+	}
 }
 
 /** In the page: keeps how long each regrowth took, in milliseconds up to the arrival of its buffers. */

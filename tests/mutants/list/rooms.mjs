@@ -153,8 +153,8 @@ export default [
 			},
 			{
 				id: "sky-stems-of-one-speck",
-				find: "one.start + way * (k / pieces)",
-				replace: "one.start",
+				find: "segment.start + way * (k / pieces)",
+				replace: "segment.start",
 				breaks: "long stems shade their lower end alone",
 			},
 		],

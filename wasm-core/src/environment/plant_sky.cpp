@@ -10,7 +10,7 @@
 namespace panicle {
 namespace {
 
-constexpr float longest_piece = 8;           // of a stem, in radii
+constexpr float longest_piece = 16;          // of a stem, in radii
 constexpr float most_pieces = 16;            // of a segment
 constexpr std::uint32_t specks_a_part = 16;  // or a few more
 constexpr std::uint32_t vertices_a_receiver = 16;
@@ -49,19 +49,15 @@ void add_triangles(const Mesh& mesh, std::size_t first, std::size_t end, std::in
 
 }  // namespace
 
-void add_specks(std::span<const Segment> segments, std::vector<SkyBody>& specks) {
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment& one = segments[i];
-    const glm::vec3 way = one.end - one.start;
-    const float length = glm::length(way), radius = 0.5f * (one.radius + one.radius_end);
-    if (!(radius > 0)) continue;
-    const float pieces = std::clamp(std::ceil(length / (longest_piece * radius)), 1.0f, most_pieces);
-    // A rod shows a quarter of its surface, taken over all sides.
-    const float square = 0.5f * radius * length / pieces;
-    for (float k = 0.5f; k < pieces; ++k)
-      specks.push_back(
-          {one.start + way * (k / pieces), square, glm::vec3(0), static_cast<std::int32_t>(i), one.parent});
-  }
+void add_specks(const Segment& segment, std::int32_t owner, std::vector<SkyBody>& specks) {
+  const glm::vec3 way = segment.end - segment.start;
+  const float length = glm::length(way), radius = 0.5f * (segment.radius + segment.radius_end);
+  if (!(radius > 0)) return;
+  const float pieces = std::clamp(std::ceil(length / (longest_piece * radius)), 1.0f, most_pieces);
+  // A rod shows a quarter of its surface, taken over all sides.
+  const float square = 0.5f * radius * length / pieces;
+  for (float k = 0.5f; k < pieces; ++k)
+    specks.push_back({segment.start + way * (k / pieces), square, glm::vec3(0), owner, segment.parent});
 }
 
 void add_specks(const Mesh& mesh, const MeshPart& part, std::int32_t owner, std::vector<SkyBody>& specks) {

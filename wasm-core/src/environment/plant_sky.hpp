@@ -16,8 +16,8 @@ inline SkyBody sky_ball(const glm::vec3& centre, float radius, std::int32_t owne
   return {centre, radius * radius, glm::vec3(0), owner};
 }
 
-// Adds what segments hide, in pieces no longer than four times their thickness; owners are the segments' indices.
-void add_specks(std::span<const Segment> segments, std::vector<SkyBody>& specks);
+// Adds what a segment hides, in pieces no longer than eight times its thickness.
+void add_specks(const Segment& segment, std::int32_t owner, std::vector<SkyBody>& specks);
 
 // A part of a mesh: runs of its arrays.
 struct MeshPart {

@@ -9,8 +9,8 @@ namespace panicle {
 namespace {
 
 constexpr float ball_horizon = 6, speck_horizon = 5;  // in radii of the largest
-constexpr float dark = 0.001f;                        // no byte's worth
 constexpr float touching = 0.1f;                      // of a receiver's extent: nearer than that counts as touching it
+constexpr float worth_a_look = 0.4f;                  // radius over distance, from the surface to the ball's
 // Of a body without an owner, without a bearer, and of a receiver without either: no two are the same.
 constexpr std::uint32_t nobody = 0xffffffffu, no_bearer = 0xfffffffeu, no_receiver = 0xfffffffdu;
 
@@ -59,15 +59,16 @@ Sky::Laid::Laid(std::span<const SkyBody> bodies, float horizon) {
     if (counts(body)) largest = std::max(largest, std::sqrt(body.square));
   }
   reach = horizon * largest;
-  grid.lay(centres, 0.25f * reach);
+  grid.lay(centres, 0.5f * reach);
   stride = grid.ids().size() + 3;
   values.assign(columns * stride, 1);
   float* at = values.data();
   for (const std::uint32_t id : grid.ids()) {
     const SkyBody& body = bodies[id];
     const std::uint32_t owners[] = {number(body.owner, nobody), number(body.bearer, no_bearer)};
-    const float row[] = {body.centre.x, body.centre.y, body.centre.z, body.square,
-                         body.facing.x, body.facing.y, body.facing.z, body.facing == glm::vec3(0) ? 1.0f : 0.0f};
+    const float row[] = {body.centre.x, body.centre.y,          body.centre.z,
+                         body.square,   std::sqrt(body.square), body.facing.x,
+                         body.facing.y, body.facing.z,          body.facing == glm::vec3(0) ? 1.0f : 0.0f};
     for (std::size_t column = 0; column < owner; ++column) at[column * stride] = row[column];
     for (std::size_t k = 0; k < 2; ++k) std::memcpy(at + (owner + k) * stride, &owners[k], sizeof owners[k]);
     ++at;
@@ -115,10 +116,14 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
       const FourWords seen = mask(square < reach * reach) & mask(lane < FourWords{} + end) & mask(owner != self) &
                              mask(owner != bearer) & mask(borne_by != self) & mask(borne_by != bearer);
       if (!any(seen)) continue;
-      const Four clear = greater(square, size), away = square_root(clear);
-      const Four turned = (four(Laid::facing_x) * dx + four(Laid::facing_y) * dy + four(Laid::facing_z) * dz) / away;
-      const Four hidden = where(seen, (greater(turned, -turned) + four(Laid::round)) * size / clear);
-      const Four unit = 0.5f * hidden / away;
+      const Four away = square_root(greater(square, size)), nearness = 1.0f / away;
+      Four hidden = where(seen, size * nearness * nearness);
+      if (!look) {
+        const Four turned =
+            (four(Laid::facing_x) * dx + four(Laid::facing_y) * dy + four(Laid::facing_z) * dz) * nearness;
+        hidden *= greater(turned, -turned) + four(Laid::round);
+      }
+      const Four unit = 0.5f * hidden * nearness;
       constant += 0.25f * hidden;
       x += unit * dx;
       y += unit * dy;
@@ -126,11 +131,11 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
       if (!look) continue;
       // What a ball hides of a body goes with its apparent size seen from the body's surface.
       const Four gap = greater(away - receiver.extent, Four{}) + touching * receiver.extent;
-      const Four radius = square_root(size), weight = where(seen, radius / gap);
-      const float least = count_ < nearest ? 0 : near_[nearest - 1].weight;
+      const Four radius = four(Laid::radius), weight = where(seen, radius / gap);
+      const float least = count_ < nearest ? worth_a_look : near_[nearest - 1].weight;
       if (!any(mask(weight > least))) continue;
       for (std::uint32_t k = 0; k < 4; ++k)
-        if (weight[k] > 0) keep({c + glm::vec3(dx[k], dy[k], dz[k]), size[k], radius[k], weight[k]});
+        if (weight[k] > worth_a_look) keep({c + glm::vec3(dx[k], dy[k], dz[k]), size[k], radius[k], weight[k]});
     }
   };
   bodies.grid.within(c - reach, c + reach, row);
@@ -162,13 +167,12 @@ Four Sky::left_at(const Fours& place, const Fours& normal) const {
     const Near& ball = near_[k];
     const Four dx = ball.centre.x - place.x, dy = ball.centre.y - place.y, dz = ball.centre.z - place.z;
     const Four ahead = dx * normal.x + dy * normal.y + dz * normal.z;
-    if (all(ahead <= -ball.radius)) continue;  // below the horizon of all four
+
     // A point within the ball is taken to be at its surface.
     const Four inverse = 1.0f / greater(square_root(dx * dx + dy * dy + dz * dz), Four{} + 1.001f * ball.radius);
     const Four sine = ball.radius * inverse, cosine = ahead * inverse;
     const Four low = greater(cosine + sine, Four{});
     left *= 1.0f - sine * (cosine >= sine ? sine * cosine : 0.25f * low * low);
-    if (all(left < dark)) break;
   }
   return left;
 }

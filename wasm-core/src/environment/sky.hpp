@@ -38,7 +38,8 @@ struct SkyReceiver {
 
 class Sky {
  public:
-  // Balls that are looked at one by one. Twelve of a size can touch one; eight are within a hundredth of as good.
+  // The most balls that are looked at one by one. Twelve of a size can touch one; eight are within a hundredth of as
+  // good.
   static constexpr std::size_t nearest = 8;
 
   // `specks` are what hides a little and is never looked at closely: pieces of stems, of leaves. What is not finite is
@@ -55,7 +56,7 @@ class Sky {
  private:
   // Bodies side by side, by slot of the grid; and three more, that reading four at once stays inside.
   struct Laid {
-    enum Column : std::size_t { x, y, z, square, facing_x, facing_y, facing_z, round, owner, bearer, columns };
+    enum Column : std::size_t { x, y, z, square, radius, facing_x, facing_y, facing_z, round, owner, bearer, columns };
 
     Laid(std::span<const SkyBody> bodies, float horizon);
     const float* of(Column column) const { return &values[column * stride]; }

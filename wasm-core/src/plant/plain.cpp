@@ -27,7 +27,8 @@ Sky surroundings_of(const Plant& plant) {
     balls.push_back(
         sky_ball(organ.position, organ.scale, static_cast<std::int32_t>(plant.segments.size() + balls.size())));
   std::vector<SkyBody> specks;
-  add_specks(plant.segments, specks);
+  for (const Segment& segment : plant.segments)
+    add_specks(segment, static_cast<std::int32_t>(&segment - plant.segments.data()), specks);
   return Sky(balls, specks);
 }
 

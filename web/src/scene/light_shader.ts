@@ -111,12 +111,17 @@ vec3 gloss_surroundings(vec3 d) {
 	return ${sum("gloss")};
 }
 
+// Whether a direction at that cosine to a window's middle can fall into it: most of a plant mirrors none.
+bool near_window(float cosine, Window w, float blur) {
+	vec2 reach = w.extent.xy + blur;
+	return cosine > inversesqrt(1.0 + dot(reach, reach));
+}
+
 // Share of a mirror lobe that falls into the window; \`blur\` is the tangent by which roughness softens its edges.
 float reflected_window(vec3 d, Window w, float blur) {
 	vec3 q = w.toFrame * d;
 	vec2 at = q.xy / max(q.z, 0.05);
 	float share = 0.0;
-	// Most of a plant mirrors no window.
 	if (q.z > 0.05 && all(lessThan(abs(at), w.extent.xy + blur))) {
 		vec2 inside = smoothstep(-w.extent.xy - blur, -w.extent.xy + blur, at) - smoothstep(w.extent.xy - blur, w.extent.xy + blur, at);
 		float bar = w.extent.z / (w.extent.z + 0.6 * blur);

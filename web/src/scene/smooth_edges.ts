@@ -26,26 +26,31 @@ const FRAGMENT = /* glsl */ `
 varying vec2 at;
 uniform sampler2D picture;
 uniform vec2 pixel;
+uniform ivec2 last;
+const vec3 LUMA = vec3(0.299, 0.587, 0.114);
+float at_pixel(ivec2 by) {
+	return dot(texelFetch(picture, clamp(ivec2(gl_FragCoord.xy) + by, ivec2(0), last), 0).rgb, LUMA);
+}
 float bright(vec2 by) {
-	return dot(texture2D(picture, at + by * pixel).rgb, vec3(0.299, 0.587, 0.114));
+	return dot(texture2D(picture, at + by * pixel).rgb, LUMA);
 }
 vec3 pair(vec2 run, float by) {
 	return 0.5 * (texture2D(picture, at + run * by).rgb + texture2D(picture, at - run * by).rgb);
 }
 void main() {
-	vec3 own = texture2D(picture, at).rgb;
-	float middle = dot(own, vec3(0.299, 0.587, 0.114));
-	vec4 corners = vec4(bright(vec2(-0.5, 0.5)), bright(vec2(0.5, 0.5)), bright(vec2(-0.5, -0.5)), bright(vec2(0.5, -0.5)));
-	float least = min(middle, min(min(corners.x, corners.y), min(corners.z, corners.w)));
-	float most = max(middle, max(max(corners.x, corners.y), max(corners.z, corners.w)));
-	vec3 colour = own;
+	vec3 colour = texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+	float middle = dot(colour, LUMA);
+	vec4 beside = vec4(at_pixel(ivec2(0, 1)), at_pixel(ivec2(1, 0)), at_pixel(ivec2(0, -1)), at_pixel(ivec2(-1, 0)));
+	float least = min(middle, min(min(beside.x, beside.y), min(beside.z, beside.w)));
+	float most = max(middle, max(max(beside.x, beside.y), max(beside.z, beside.w)));
 	if (most - least > max(0.06, 0.15 * most)) {
+		vec4 corners = vec4(bright(vec2(-0.5, 0.5)), bright(vec2(0.5, 0.5)), bright(vec2(-0.5, -0.5)), bright(vec2(0.5, -0.5)));
 		vec2 run = vec2(corners.z + corners.w - corners.x - corners.y, corners.x + corners.z - corners.y - corners.w);
 		float flat_ = max(0.03 * (corners.x + corners.y + corners.z + corners.w), 0.008);
 		run = clamp(run / (min(abs(run.x), abs(run.y)) + flat_), -6.0, 6.0) * pixel;
 		vec3 near = pair(run, 1.0 / 6.0);
 		vec3 far = 0.5 * near + 0.5 * pair(run, 0.5);
-		float reached = dot(far, vec3(0.299, 0.587, 0.114));
+		float reached = dot(far, LUMA);
 		colour = reached < least || reached > most ? near : far;
 	}
 	gl_FragColor = vec4(colour, 1.0);
@@ -63,7 +68,7 @@ export class SmoothEdges {
 		name: "smooth-edges",
 		vertexShader: VERTEX,
 		fragmentShader: FRAGMENT,
-		uniforms: { picture: { value: null }, pixel: { value: new Vector2() } },
+		uniforms: { picture: { value: null }, pixel: { value: new Vector2() }, last: { value: new Vector2() } },
 		depthTest: false,
 		depthWrite: false,
 		toneMapped: false,
@@ -84,6 +89,7 @@ export class SmoothEdges {
 		renderer.copyFramebufferToTexture(picture);
 		this.#material.uniforms.picture.value = picture;
 		this.#material.uniforms.pixel.value.set(1 / size.width, 1 / size.height);
+		this.#material.uniforms.last.value.set(size.width - 1, size.height - 1);
 		renderer.render(this.#scene, this.#camera);
 	}
 

@@ -71,10 +71,15 @@ void add_mesh(Fingerprint& print, const Mesh& mesh) {
   print.add(std::span<const std::uint32_t>(mesh.indices));
 }
 
+constexpr float thin_stem = 0.00125f;  // metres; radius
+
 // Stems and the paper's one berry; the natural procedure makes its other meshes itself.
 void add_meshes(Grown& grown, const Request& request) {
   TubeOptions tubes;
-  if (grown.natural) tubes.sides = 8;  // hundreds of thin pedicels, most of them hidden
+  if (grown.natural) {  // hundreds of pedicels, most of them hidden
+    tubes.sides = 8;
+    tubes.thin = thin_stem;
+  }
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
   grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f);
   if (grown.natural) return;

@@ -49,7 +49,8 @@ Sky surroundings(const Grown& grown, std::span<const Segment> segments) {
   for (std::size_t i = 0; i < grown.berries.size(); ++i)
     add_balls(grown.berries[i], grown.traits[i], owners.berries + static_cast<std::int32_t>(i), balls);
   std::vector<SkyBody> specks;
-  add_specks(segments, specks);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (grown.internodes[i].kind != Kind::pedicel) add_specks(segments[i], static_cast<std::int32_t>(i), specks);
   if (grown.foliage) {
     std::int32_t owner = owners.foliage;
     for (const FoliagePart& part : grown.foliage->parts)
