@@ -165,6 +165,26 @@ TEST_CASE("turning everything changes nothing") {
   }
 }
 
+TEST_CASE("a point in a frame sees what the same point sees outside of it") {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    const glm::vec3 x = direction(seed, 1), y = glm::normalize(glm::cross(x, direction(seed, 2))), z = glm::cross(x, y);
+    const SkyFrame frame{0.3f * direction(seed, 3), x, y, z, 0.2f};
+    const glm::vec3 place = 0.5f * direction(seed, 4), normal = direction(seed, 5);
+    const auto turned = [&](const glm::vec3& v) { return x * v.x + y * v.y + z * v.z; };
+    std::vector<SkyBody> balls = soup(seed, 30), specks = soup(seed + 500, 20);
+    for (SkyBody& speck : specks) speck.square *= 0.04f;
+    Sky sky(balls, specks);
+    const SkyReceiver receiver{frame.centre, 0.2f};
+    const int outside = seen(sky, frame.centre + 0.2f * turned(place), turned(normal), receiver);
+    sky.face(receiver);
+    sky.enter(frame);
+    std::uint8_t byte = 0;
+    sky.see(std::span(&place.x, 3), std::span(&normal.x, 3), std::span(&byte, 1));
+    CHECK(std::abs(byte - outside) <= 1);
+  }
+}
+
 TEST_CASE("nobody's sky is hidden by itself, by its bearer, by what it bears or by what its bearer bears besides") {
   SkyBody speck{{0, 1, 0}, 0.5f, glm::vec3(0), 5, 3};
   const auto hides_from = [&](std::int32_t owner, std::int32_t bearer) {

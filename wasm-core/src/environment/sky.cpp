@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <limits>
 
 namespace panicle {
@@ -75,12 +76,6 @@ Sky::Laid::Laid(std::span<const SkyBody> bodies, float horizon) {
   }
 }
 
-FourWords Sky::Laid::numbers(Column column, std::size_t slot) const {
-  FourWords four;
-  std::memcpy(&four, of(column) + slot, sizeof four);
-  return four;
-}
-
 Sky::Sky(std::span<const SkyBody> balls, std::span<const SkyBody> specks)
     : balls_(balls, ball_horizon), specks_(specks, speck_horizon) {}
 
@@ -111,10 +106,13 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
       const auto four = [&](Laid::Column column) { return load(bodies.of(column) + slot); };
       const Four dx = four(Laid::x) - c.x, dy = four(Laid::y) - c.y, dz = four(Laid::z) - c.z;
       const Four square = dx * dx + dy * dy + dz * dz, size = four(Laid::square);
-      const FourWords owner = bodies.numbers(Laid::owner, slot), borne_by = bodies.numbers(Laid::bearer, slot);
-      const FourWords lane{slot, slot + 1, slot + 2, slot + 3};
-      const FourWords seen = mask(square < reach * reach) & mask(lane < FourWords{} + end) & mask(owner != self) &
-                             mask(owner != bearer) & mask(borne_by != self) & mask(borne_by != bearer);
+      const auto bits = [&](Laid::Column column) { return mask(four(column)); };
+      const FourWords owner = bits(Laid::owner), lane{slot, slot + 1, slot + 2, slot + 3};
+      FourWords seen = mask(square < reach * reach) & mask(lane < FourWords{} + end) & mask(owner != self);
+      if (!look) {
+        const FourWords borne_by = bits(Laid::bearer);
+        seen &= mask(owner != bearer) & mask(borne_by != self) & mask(borne_by != bearer);
+      }
       if (!any(seen)) continue;
       const Four away = square_root(greater(square, size)), nearness = 1.0f / away;
       Four hidden = where(seen, size * nearness * nearness);
@@ -135,7 +133,7 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
       const float least = count_ < nearest ? worth_a_look : near_[nearest - 1].weight;
       if (!any(mask(weight > least))) continue;
       for (std::uint32_t k = 0; k < 4; ++k)
-        if (weight[k] > worth_a_look) keep({c + glm::vec3(dx[k], dy[k], dz[k]), size[k], radius[k], weight[k]});
+        if (weight[k] > least) keep({c + glm::vec3(dx[k], dy[k], dz[k]), size[k], radius[k], weight[k]});
     }
   };
   bodies.grid.within(c - reach, c + reach, row);
@@ -152,6 +150,18 @@ void Sky::take_out_near(const glm::vec3& centre) {
     far_balls_.constant -= 0.25f * hidden;
     far_balls_.cosine -= d * (0.5f * hidden / std::sqrt(clear));
   }
+}
+
+void Sky::enter(const SkyFrame& frame) {
+  const auto within = [&](const glm::vec3& v) {
+    return glm::vec3(glm::dot(frame.side, v), glm::dot(frame.up, v), glm::dot(frame.front, v));
+  };
+  for (std::size_t k = 0; k < count_; ++k) {
+    near_[k].centre = within(near_[k].centre - frame.centre) / frame.scale;
+    near_[k].radius /= frame.scale;
+  }
+  far_balls_.cosine = within(far_balls_.cosine);
+  far_specks_.cosine = within(far_specks_.cosine);
 }
 
 // What is left of the sky at four points.

@@ -36,6 +36,13 @@ struct SkyReceiver {
   std::int32_t bearer = -1;
 };
 
+// Where a mesh that is shared stands: v → centre + scale · (side · x + up · y + front · z); unit vectors at right
+// angles.
+struct SkyFrame {
+  glm::vec3 centre{0}, side{1, 0, 0}, up{0, 1, 0}, front{0, 0, 1};
+  float scale = 1;
+};
+
 class Sky {
  public:
   // The most balls that are looked at one by one. Twelve of a size can touch one; eight are within a hundredth of as
@@ -50,6 +57,8 @@ class Sky {
   // Surveys what is around a receiver, whose points `see` is asked for next.
   void face(const SkyReceiver& receiver);
 
+  // Points of that receiver are given in this frame, until it faces another.
+  void enter(const SkyFrame& frame);
   // The sky of points of that receiver: 3 floats each of position and unit normal, as many bytes as there are points.
   void see(std::span<const float> positions, std::span<const float> normals, std::span<std::uint8_t> sky) const;
 
@@ -60,7 +69,6 @@ class Sky {
 
     Laid(std::span<const SkyBody> bodies, float horizon);
     const float* of(Column column) const { return &values[column * stride]; }
-    FourWords numbers(Column column, std::size_t slot) const;
 
     PointGrid grid;
     float largest = 0, reach = 0;

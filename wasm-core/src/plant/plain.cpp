@@ -35,14 +35,12 @@ Sky surroundings_of(const Plant& plant) {
 // A mean over each ball, which hides nothing from itself.
 std::vector<std::uint8_t> sky_of_organs(Sky& sky, const Plant& plant) {
   const Mesh ball = make_ball(8);
-  std::vector<float> positions(ball.positions.size());
-  std::vector<std::uint8_t> points(positions.size() / 3), means;
+  std::vector<std::uint8_t> points(ball.positions.size() / 3), means;
   for (const Organ& organ : plant.organs) {
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      positions[i] = organ.position[static_cast<int>(i % 3)] + organ.scale * ball.positions[i];
     sky.face(
         {organ.position, organ.scale, static_cast<std::int32_t>(plant.segments.size() + means.size()), organ.segment});
-    sky.see(positions, ball.normals, points);
+    sky.enter({.centre = organ.position, .scale = organ.scale});
+    sky.see(ball.positions, ball.normals, points);
     std::size_t sum = points.size() / 2;
     for (const std::uint8_t point : points) sum += point;
     means.push_back(static_cast<std::uint8_t>(sum / points.size()));

@@ -59,54 +59,27 @@ Sky surroundings(const Grown& grown, std::span<const Segment> segments) {
   return Sky(balls, specks);
 }
 
-// The rotation that takes +Y to a direction as everyone turns the shared berry: half a turn about X, then the shortest
-// way from −Y (web/src/plant/orientation.ts). Columns of its matrix.
-struct Turn {
-  explicit Turn(const glm::vec3& to) {
-    const float across = to.x * to.x + to.z * to.z;
-    const float lift = to.y > 0 ? across / (1 + to.y) : 1 - to.y;
-    const float length = std::sqrt(lift * lift + across);
-    if (!(length > 0)) return;
-    const float x = lift / length, y = to.x / length, w = to.z / length;
-    side = {1 - 2 * y * y, 2 * x * y, -2 * w * y};
-    up = {2 * x * y, 1 - 2 * x * x, 2 * w * x};
-    front = {2 * w * y, -2 * w * x, 1 - 2 * (x * x + y * y)};
-  }
-  glm::vec3 of(const float* v) const { return side * v[0] + up * v[1] + front * v[2]; }
-
-  glm::vec3 side{1, 0, 0}, up{0, 1, 0}, front{0, 0, 1};
-};
-
-// The shared berry as it stands for each.
-class Placed {
- public:
-  explicit Placed(const Mesh& mesh) : mesh_(mesh), positions_(mesh.positions.size()), normals_(mesh.normals.size()) {}
-
-  void place(const Berry& berry) {
-    const Turn turn(berry.direction);
-    for (std::size_t at = 0; at < positions_.size(); at += 3) {
-      const glm::vec3 p = berry.centre + berry.radius * turn.of(&mesh_.positions[at]), n = turn.of(&mesh_.normals[at]);
-      for (int axis = 0; axis < 3; ++axis) {
-        positions_[at + static_cast<std::size_t>(axis)] = p[axis];
-        normals_[at + static_cast<std::size_t>(axis)] = n[axis];
-      }
-    }
-  }
-  std::span<const float> positions() const { return positions_; }
-  std::span<const float> normals() const { return normals_; }
-
- private:
-  const Mesh& mesh_;
-  std::vector<float> positions_, normals_;
-};
+// Where the shared berry stands for one. Everyone turns it like this: half a turn about X, then the shortest way from
+// −Y to the berry's direction (web/src/plant/orientation.ts).
+SkyFrame frame_for(const Berry& berry) {
+  const glm::vec3& to = berry.direction;
+  SkyFrame frame{.centre = berry.centre, .scale = berry.radius};
+  const float across = to.x * to.x + to.z * to.z;
+  const float lift = to.y > 0 ? across / (1 + to.y) : 1 - to.y;
+  const float length = std::sqrt(lift * lift + across);
+  if (!(length > 0)) return frame;
+  const float x = lift / length, y = to.x / length, w = to.z / length;
+  frame.side = {1 - 2 * y * y, 2 * x * y, -2 * w * y};
+  frame.up = {2 * x * y, 1 - 2 * x * x, 2 * w * x};
+  frame.front = {2 * w * y, -2 * w * x, 1 - 2 * (x * x + y * y)};
+  return frame;
+}
 
 std::vector<std::uint8_t> sky_of_berries(Sky& sky, const Grown& grown) {
   const Owners owners(grown);
   const bool own = grown.surfaces.has_value();
   const std::size_t each = own ? grown.surfaces->uvs.size() / 2 : grown.berry->uvs.size() / 2;
   std::vector<std::uint8_t> bytes(each * grown.berries.size());
-  std::optional<Placed> shared;
-  if (!own) shared.emplace(*grown.berry);
   for (std::size_t i = 0; i < grown.berries.size(); ++i) {
     const Berry& berry = grown.berries[i];
     sky.face({berry.centre, berry.radius, owners.berries + static_cast<std::int32_t>(i), berry.parent});
@@ -115,8 +88,8 @@ std::vector<std::uint8_t> sky_of_berries(Sky& sky, const Grown& grown) {
       const auto of = [&](const std::vector<float>& all) { return std::span(all).subspan(3 * each * i, 3 * each); };
       sky.see(of(grown.surfaces->positions), of(grown.surfaces->normals), into);
     } else {
-      shared->place(berry);
-      sky.see(shared->positions(), shared->normals(), into);
+      sky.enter(frame_for(berry));
+      sky.see(grown.berry->positions, grown.berry->normals, into);
     }
   }
   return bytes;
