@@ -21,8 +21,8 @@ export default [
 		faults: [
 			{
 				id: "bunch-sky-shared-berry-upright",
-				find: "const Turn turn(berry.direction);",
-				replace: "const Turn turn({0, 1, 0});",
+				find: "const glm::vec3& to = berry.direction;",
+				replace: "const glm::vec3 to(0, 1, 0);",
 				breaks: "berries of the paper are dark at the wrong side",
 			},
 			{

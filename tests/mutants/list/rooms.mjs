@@ -117,8 +117,8 @@ export default [
 		faults: [
 			{
 				id: "sky-hidden-by-oneself",
-				find: "mask(owner != self) &",
-				replace: "",
+				find: " & mask(owner != self);",
+				replace: ";",
 				breaks: "every berry is black with its own shadow",
 			},
 			{

@@ -103,6 +103,9 @@ export class Turntable {
 	/** Shows the whole plant, from the first direction or the one asked for. */
 	fit(view: ViewName = "three-quarter"): void {
 		this.#glide = undefined;
+		// What is left of a throw would turn the plant on, be it by a hair.
+		this.controls.enableDamping = false;
+		this.controls.update();
 		this.#place(VIEWS[view]);
 		this.#fitElevation = MathUtils.degToRad(VIEWS[view].elevation);
 		if (this.#spindle) {
