@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { build, preview } from "vite";
 import { modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
 import { launch } from "../e2e/browser.mjs";
-import { firstLoad, gzipped } from "./sizes.mjs";
+import { byKind, firstLoad, gzipped } from "./sizes.mjs";
 import { median, printTable } from "./statistics.mjs";
 
 const LOADS = 5;
@@ -72,13 +72,15 @@ async function benchLoad(browser, address) {
 
 function benchSizes(asked) {
 	const files = firstLoad(dist, asked);
-	const total = files.reduce((sum, { bytes }) => sum + bytes, 0);
+	const kinds = byKind(files);
 	const kilobytes = (bytes) => (bytes / 1000).toFixed(1);
 	printTable("Size, gzipped, kB (aims: core 100, first load 400)", [
 		["file", "kB"],
 		["core, bunch.wasm", kilobytes(gzipped(join(modulesFolder, "bunch.wasm")))],
 		...files.filter(({ bytes }) => bytes > 500).map(({ path, bytes }) => [`  ${path}`, kilobytes(bytes)]),
-		["first load", kilobytes(total)],
+		["first load: page, styles, scripts, core", kilobytes(kinds.code)],
+		["  fonts", kilobytes(kinds.fonts)],
+		["  the gallery's pictures in view", kilobytes(kinds.pictures)],
 	]);
 }
 

@@ -1,3 +1,5 @@
+import { fileURLToPath } from "node:url";
+import { byKind, firstLoad } from "../bench/sizes.mjs";
 import { expect, test } from "./fixtures";
 import { serveUnder } from "./static_server";
 import { StudioPage } from "./studio_page";
@@ -25,6 +27,19 @@ test("what packs and writes files is no part of the first load", async ({ page }
 	// The mark that each file in a ZIP archive begins with; what asks for WebGL shows that scripts were read.
 	expect(texts.filter((text) => /67324752|0x4034b50/.test(text))).toEqual([]);
 	expect(texts.filter((text) => /webgl2/.test(text))).not.toEqual([]);
+});
+
+test("the page and its code come to less than 400 kB over the wire, the core to less than 145", async ({ page }) => {
+	const asked = new Set<string>();
+	page.on("request", (request) => asked.add(new URL(request.url()).pathname.slice(1) || "index.html"));
+	await new StudioPage(page).open();
+	await expect.poll(() => page.evaluate(() => performance.getEntriesByName("first-bunch").length)).toBe(1);
+	const files = firstLoad(fileURLToPath(new URL("../../dist", import.meta.url)), [...asked]);
+	expect(files.find(({ path }) => path.endsWith(".wasm"))?.bytes).toBeLessThan(145_000);
+	const { code, fonts, pictures } = byKind(files);
+	expect(code).toBeLessThan(400_000);
+	expect(fonts).toBeLessThan(30_000);
+	expect(pictures).toBeLessThan(60_000);
 });
 
 test("everything that can be worked has a name, and the page its landmarks", async ({ page }) => {
