@@ -1,8 +1,8 @@
 /** Running suites in a copy: what is built first, what is run, how it ended. */
 import { spawn } from "node:child_process";
-import { createServer } from "node:net";
 import { join } from "node:path";
 import { transformWithOxc } from "vite";
+import { freePort } from "../free_port.mjs";
 import { programOf, suiteOf } from "./mutants.mjs";
 
 /** Milliseconds after which a suite counts as one that does not end. */
@@ -35,18 +35,6 @@ function run(folder, command, args, { patience = 600_000, env = {} } = {}) {
 }
 
 const node = (folder, script, args, options) => run(folder, process.execPath, [script, ...args], options);
-
-/** A port that nobody listens on. */
-function freePort() {
-	return new Promise((resolve, reject) => {
-		const server = createServer();
-		server.on("error", reject);
-		server.listen(0, "localhost", () => {
-			const { port } = server.address();
-			server.close(() => resolve(port));
-		});
-	});
-}
 
 /** What does not parse is a fault of the list. Shaders and types are not looked at. */
 export async function syntaxError(file, text) {
