@@ -82,17 +82,21 @@ Sky::Sky(std::span<const SkyBody> balls, std::span<const SkyBody> specks)
 void Sky::face(const SkyReceiver& receiver) {
   count_ = 0;
   far_balls_ = sum(balls_, receiver, true);
-  take_out_near(receiver.centre);
+  look_at_near(receiver.centre);
   far_specks_ = sum(specks_, receiver, false);
 }
 
 // Insertion into the short list, greatest weight first.
-void Sky::keep(const Near& ball) {
-  if (count_ == nearest && !(ball.weight > near_[nearest - 1].weight)) return;
+void Sky::keep(std::uint32_t slot, float weight) {
+  if (count_ == nearest && !(weight > weights_[nearest - 1])) return;
   if (count_ < nearest) ++count_;
   std::size_t k = count_ - 1;
-  for (; k > 0 && near_[k - 1].weight < ball.weight; --k) near_[k] = near_[k - 1];
-  near_[k] = ball;
+  for (; k > 0 && weights_[k - 1] < weight; --k) {
+    weights_[k] = weights_[k - 1];
+    slots_[k] = slots_[k - 1];
+  }
+  weights_[k] = weight;
+  slots_[k] = slot;
 }
 
 // Sums bodies up; those that hide most, where they are looked at, to the short list as well.
@@ -130,10 +134,10 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
       // What a ball hides of a body goes with its apparent size seen from the body's surface.
       const Four gap = greater(away - receiver.extent, Four{}) + touching * receiver.extent;
       const Four radius = four(Laid::radius), weight = where(seen, radius / gap);
-      const float least = count_ < nearest ? worth_a_look : near_[nearest - 1].weight;
+      const float least = count_ < nearest ? worth_a_look : weights_[nearest - 1];
       if (!any(mask(weight > least))) continue;
       for (std::uint32_t k = 0; k < 4; ++k)
-        if (weight[k] > least) keep({c + glm::vec3(dx[k], dy[k], dz[k]), size[k], radius[k], weight[k]});
+        if (weight[k] > least) keep(slot + k, weight[k]);
     }
   };
   bodies.grid.within(c - reach, c + reach, row);
@@ -141,12 +145,13 @@ Sky::Bands Sky::sum(const Laid& bodies, const SkyReceiver& receiver, bool look) 
 }
 
 // Those looked at one by one are not in the sums.
-void Sky::take_out_near(const glm::vec3& centre) {
+void Sky::look_at_near(const glm::vec3& centre) {
   for (std::size_t k = 0; k < count_; ++k) {
-    const Near& ball = near_[k];
-    const glm::vec3 d = ball.centre - centre;
-    const float clear = std::max(d.x * d.x + d.y * d.y + d.z * d.z, ball.square);
-    const float hidden = ball.square / clear;
+    const auto of = [&](Laid::Column column) { return balls_.of(column)[slots_[k]]; };
+    near_[k] = {{of(Laid::x), of(Laid::y), of(Laid::z)}, of(Laid::radius)};
+    const glm::vec3 d = near_[k].centre - centre;
+    const float square = of(Laid::square), clear = std::max(glm::dot(d, d), square);
+    const float hidden = square / clear;
     far_balls_.constant -= 0.25f * hidden;
     far_balls_.cosine -= d * (0.5f * hidden / std::sqrt(clear));
   }

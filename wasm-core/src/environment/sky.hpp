@@ -77,7 +77,7 @@ class Sky {
   };
   struct Near {
     glm::vec3 centre{0};
-    float square = 0, radius = 0, weight = 0;
+    float radius = 0;
   };
   struct Fours {
     Four x, y, z;
@@ -90,11 +90,13 @@ class Sky {
   };
 
   Bands sum(const Laid& bodies, const SkyReceiver& receiver, bool look);
-  void keep(const Near& ball);
-  void take_out_near(const glm::vec3& centre);
+  void keep(std::uint32_t slot, float weight);
+  void look_at_near(const glm::vec3& centre);
   Four left_at(const Fours& place, const Fours& normal) const;
 
   Laid balls_, specks_;
+  std::array<std::uint32_t, nearest> slots_{};  // of the balls looked at, and how large each looks: the largest first
+  std::array<float, nearest> weights_{};
   std::array<Near, nearest> near_{};
   std::size_t count_ = 0;
   Bands far_balls_, far_specks_;
