@@ -129,7 +129,7 @@ export default [
 			},
 			{
 				id: "sky-near-ones-counted-twice",
-				find: "take_out_near(receiver.centre);",
+				find: "far_balls_.constant -= 0.25f * hidden;",
 				replace: "",
 				breaks: "neighbours darken twice",
 			},

@@ -59,7 +59,7 @@ describe("growing", () => {
 		if (foliage) expect(foliage.sky).toHaveLength(foliage.uvs.length / 2);
 		expect(foliage !== undefined).toBe(surfaces !== undefined);
 		for (const sky of [skin?.sky, stem?.sky]) {
-			const mean = [...(sky ?? [])].reduce((sum, byte) => sum + byte, 0) / (sky?.length ?? 0);
+			const mean = Array.from(sky ?? []).reduce((sum, byte) => sum + byte, 0) / (sky?.length ?? 0);
 			expect(mean).toBeGreaterThan(10);
 			expect(mean).toBeLessThan(245);
 		}
