@@ -205,8 +205,8 @@ void main() {
 	vec3 r = reflect(-v, n);
 	float blur = dull + 0.3 * waxed;
 	vec3 mirror = around * mix(0.15 * skin, vec3(1.0), mirrored.w);
-	if (lit > 0.0 && near_window(dot(r, keyDirection), key, blur)) mirror += key.radiance * (reflected_window(mat3(viewMatrix) * r, key, blur) * lit);
-	if (place.w > 0.0 && near_window(dot(r, rimDirection), rim, 0.15 + blur)) mirror += rim.radiance * (reflected_window(mat3(viewMatrix) * r, rim, 0.15 + blur) * place.w);
+	if (lit > 0.0 && near_window(dot(r, keyDirection), key.extent.xy, blur)) mirror += key.radiance * (reflected_window(key.toFrame * (mat3(viewMatrix) * r), key.extent, blur) * lit);
+	if (place.w > 0.0 && near_window(dot(r, rimDirection), rim.extent.xy, 0.15 + blur)) mirror += rim.radiance * (reflected_window(rim.toFrame * (mat3(viewMatrix) * r), rim.extent, 0.15 + blur) * place.w);
 	colour += mirror * fresnel * taut;
 
 	// The berry pointed at: lifted, with a bright outline.

@@ -23,6 +23,7 @@ import { packVertices, skiesOf, surfacesOf, VERTICES_PER_ROW } from "./berry_ski
 import { DepthOrder } from "./depth_order";
 import { Flowers } from "./flowers";
 import { stemStreams } from "./stem_streams";
+import { triangleOrder } from "./triangle_order";
 
 const EYE = new Vector3();
 
@@ -127,7 +128,7 @@ export class BunchSurface {
 		this.#vertices.changed();
 		material.uniforms.vertexRecords.value = this.#vertices.texture;
 		material.uniforms.patternVertices.value = surfaces.uvs.length / 2;
-		fillStreams(geometry, [["uv", surfaces.uvs, 2]], surfaces.indices);
+		fillStreams(geometry, [["uv", surfaces.uvs, 2]], triangleOrder(surfaces.indices));
 		this.#instances.show(berries, tint, reaches, skies);
 	}
 
