@@ -100,6 +100,24 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/kept_sky.ts`,
+		suites: [`${TESTS}/kept_sky.test.ts`],
+		faults: [
+			{
+				id: "kept-sky-by-place",
+				find: "const was = places.get(id);",
+				replace: "const was: number | undefined = berry;",
+				breaks: "while a handle moves berries trade their shades when one before them goes",
+			},
+			{
+				id: "kept-sky-of-any-stem",
+				find: "const like = known.get(kind)?.filter(",
+				replace: "const like = known.get(0)?.filter(",
+				breaks: "while a handle moves pedicels are as bright as the peduncle",
+			},
+		],
+	},
+	{
 		file: `${SRC}/bunch_figure.ts`,
 		suites: [`${TESTS}/bunch_figure.test.ts`],
 		faults: [

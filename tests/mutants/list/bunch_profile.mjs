@@ -142,6 +142,24 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/silhouette_canvas.ts`,
+		suites: [`${TESTS}/silhouette_canvas.test.ts`],
+		faults: [
+			{
+				id: "silhouette-see-through",
+				find: 'pen.globalCompositeOperation = "destination-out";',
+				replace: "",
+				breaks: "berries of the flat views are filled with ink",
+			},
+			{
+				id: "silhouette-stale",
+				find: "return [scene.bunch, scene.view,",
+				replace: "return [scene.view,",
+				breaks: "a flat view keeps the bunch before",
+			},
+		],
+	},
+	{
 		file: `${SRC}/steady_extent.ts`,
 		suites: [`${TESTS}/steady_extent.test.ts`],
 		faults: [

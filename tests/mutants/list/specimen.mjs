@@ -195,6 +195,12 @@ export default [
 				breaks: "a person's own #define is overruled by sliders that nobody moved",
 			},
 			{
+				id: "request-all-in-passing",
+				find: "sky = meshes && !passing",
+				replace: "sky = meshes",
+				breaks: "every step of a drag surveys the sky, a fifth of what it costs",
+			},
+			{
 				id: "request-thinned-forgotten",
 				find: '{ name: "thinned", data: words("thinned", thinned) },',
 				replace: '{ name: "thinned", data: words("thinned", []) },',

@@ -51,9 +51,15 @@ export default [
 		faults: [
 			{
 				id: "client-queues-up",
-				find: "if (this.#running === 0) begin();",
+				find: "if (this.#running < this.#abreast) begin();",
 				replace: "if (this.#running >= 0) begin();",
 				breaks: "a drag queues up growths",
+			},
+			{
+				id: "client-never-abreast",
+				find: "if (this.#running < this.#abreast) begin();",
+				replace: "if (this.#running < 1) begin();",
+				breaks: "a step of a drag waits for the step before",
 			},
 			{
 				id: "client-superseded-never-told",

@@ -19,8 +19,10 @@ import type { Specimen } from "../specimen/specimen";
 export interface GrowthOptions {
 	/** Whether triangles are wanted besides segments and organs; the default is yes. */
 	meshes?: boolean;
-	/** Whether `measures` are wanted; the default is yes. */
+	/** Whether `measures` are wanted; the default is yes, but not in passing. */
 	measures?: boolean;
+	/** Whether the next is on its way, for a hand moves: what a figure can do without for so long may be left out. */
+	passing?: boolean;
 }
 
 /** Something that `Download` and the command line's `--out` give besides what every plant has. */

@@ -36,8 +36,8 @@ export class Studio implements Desk {
 	/** What ends the tools that work by themselves. */
 	#ends: (() => void)[] = [];
 	#noticeId = 0;
-	/** Whether what was last asked for is to be measured. */
-	#measured = true;
+	/** Whether what was last asked for is all there is, and not what does in passing. */
+	#whole = true;
 	#preset: Specimen | undefined;
 
 	constructor(opening: Opening, surroundings: Surroundings) {
@@ -256,15 +256,15 @@ export class Studio implements Desk {
 		const face = model === left ? this.#state.face : undefined;
 		this.#update({ history, specimen: present, model, face });
 		if (model !== left) void this.#bringFace(model);
-		if (!growsAlike(before, present) || (!this.#state.held && !this.#measured)) this.#ask();
+		if (!growsAlike(before, present) || (!this.#state.held && !this.#whole)) this.#ask();
 	}
 
 	/** While the hand still moves, only the shape is asked for; what is measured follows when it rests. */
 	#ask(): void {
 		const { model, specimen, held } = this.#state;
-		this.#measured = !held;
+		this.#whole = !held;
 		this.#update({ pending: true });
-		this.#surroundings.grow(model, specimen, { measures: this.#measured });
+		this.#surroundings.grow(model, specimen, { passing: held });
 	}
 
 	/** Puts the tools of a model on the desk, in place of the last one's. */

@@ -5,7 +5,7 @@ import type { UiState } from "./ui_state";
 /** What the studio does outside itself; main.ts wires it. */
 export interface Surroundings {
 	/** Asks for growth, measured or not; the newest request wins. */
-	grow(model: Model, specimen: Specimen, options: { measures: boolean }): void;
+	grow(model: Model, specimen: Specimen, options: { passing: boolean }): void;
 	/** Ends a long growth. */
 	cancel(): void;
 	/** The document came to rest: the address bar is to hold it. */

@@ -23,6 +23,7 @@ describe("a request", () => {
 		expect(columns(specimenFromPreset()).text("outputs")).toBe("meshes measures sky");
 		expect(columns(specimenFromPreset(), { measures: false }).text("outputs")).toBe("meshes sky");
 		expect(columns(specimenFromPreset(), { measures: false, sky: false }).text("outputs")).toBe("meshes");
+		expect(columns(specimenFromPreset(), { passing: true }).text("outputs")).toBe("meshes");
 		expect(columns(specimenFromPreset(), { meshFingerprint: true }).text("outputs")).toBe(
 			"meshes measures sky mesh_fingerprint",
 		);

@@ -13,6 +13,7 @@ import type { BunchSpecimen as Specimen } from "../specimen";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
 import { BunchSurface, type PartMaterials } from "./bunch_surface";
 import { CAST_RECORD, Casters } from "./casters";
+import { KeptSky } from "./kept_sky";
 import { LAMP_CHUNK } from "./lamp_shader";
 import { LEAF_CHUNK } from "./leaf_shader";
 import { pickBerry } from "./picking";
@@ -42,6 +43,7 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 	readonly #lights = new StandardLights();
 	readonly #shadow: CapsuleShadow;
 	readonly #casters = new Casters();
+	readonly #sky = new KeptSky();
 	#grown: Grown | undefined;
 	#receivers: Receivers | undefined;
 	#mode: string = "whole";
@@ -84,7 +86,8 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 		this.show(REHEARSAL, { look: REHEARSAL_LOOK });
 	}
 
-	show(grown: Grown, { look }: Pick<Specimen, "look">): void {
+	show(latest: Grown, { look }: Pick<Specimen, "look">): void {
+		const grown = this.#sky.of(latest);
 		this.#grown = grown;
 		this.mark(undefined);
 		const skin = bunchSkin(grown, look);

@@ -17,9 +17,10 @@ import {
 	VIEW_SIDES,
 	type View,
 } from "./handles";
-import { drawBunch, drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH, handleOf } from "./profile_drawing";
+import { drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH, handleOf } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
+import { drawSilhouette, type SilhouetteScene, sameScene } from "./silhouette_canvas";
 import { SteadyExtent } from "./steady_extent";
 import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
 
@@ -58,6 +59,9 @@ export class ProfileView extends LitElement {
 	#spoken = "";
 	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
 	#pointed = false;
+
+	/** What is on the canvas. */
+	#drawn?: SilhouetteScene;
 
 	readonly #steady = new SteadyExtent();
 	#asking?: ReturnType<typeof setTimeout>;
@@ -136,8 +140,9 @@ export class ProfileView extends LitElement {
 			@focusin=${this.#onFocusIn}
 			@focusout=${this.#onFocusOut}
 		>
+			<canvas aria-hidden="true" @transitionend=${this.#drawBunch}></canvas>
 			<svg viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}" aria-hidden="true">
-				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#steady.extent, parameters.unit, frame)}
+				${drawScale(this.#steady.extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, frame)}
 				${shown.map((handle) => drawGuides(parameters, handle, frame))}
 			</svg>
@@ -147,6 +152,30 @@ export class ProfileView extends LitElement {
 			<p class="spoken" id="help">${HELP}</p>
 			<p class="spoken" aria-live="polite">${this.#spoken}</p>
 		</div>`;
+	}
+
+	protected override updated(): void {
+		this.#drawBunch();
+	}
+
+	/** Draws the bunch behind the lines, where anything it is drawn from has changed. */
+	#drawBunch(): void {
+		const canvas = this.shadowRoot?.querySelector("canvas");
+		if (!canvas || !this.parameters) {
+			this.#drawn = undefined;
+			return;
+		}
+		const scene: SilhouetteScene = {
+			bunch: this.berries,
+			view: this.view,
+			unit: this.parameters.unit,
+			frame: this.#frame(),
+			ratio: devicePixelRatio,
+			ink: getComputedStyle(canvas).color,
+		};
+		if (this.#drawn && sameScene(this.#drawn, scene)) return;
+		this.#drawn = scene;
+		drawSilhouette(canvas, scene);
 	}
 
 	#handles(): Handle[] {
