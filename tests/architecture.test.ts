@@ -34,8 +34,9 @@ const webRooms: Record<string, string[]> = {
 	scene: ["core", "plant"],
 	export: ["core", "specimen", "plant"],
 	models: beforeModels,
-	element: [...beforeModels, "models"],
-	studio: [...beforeModels, "models", "element"],
+	files: [...beforeModels, "models"],
+	element: [...beforeModels, "models", "files"],
+	studio: [...beforeModels, "models", "files", "element"],
 	cli: ["core", "specimen", "plant", "export", "models"],
 };
 
@@ -185,6 +186,12 @@ describe("the arrow between the rooms", () => {
 			found("web/src/core/worker", false, true),
 			found("web/src/models/*/index", false, true),
 		]);
+	});
+
+	it("lets workers come without Lit and three", () => {
+		for (const worker of ["web/src/core/worker", "web/src/files/file_worker"]) {
+			expect(packagesOf(worker).filter((name) => /^(lit|three)\b/.test(name))).toEqual([]);
+		}
 	});
 
 	it("sees what a module comes with", () => {

@@ -4,7 +4,6 @@
  * room or of a model (tests/selection.mjs). Runs on a clean clone: nothing here may import a package.
  */
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
-import { createServer } from "node:net";
 import { join } from "node:path";
 import { buildCore, CoreBuildError } from "../wasm-core/tools/core.mjs";
 import { generate } from "../wasm-core/tools/generate.mjs";
@@ -12,6 +11,7 @@ import { run } from "../wasm-core/tools/process.mjs";
 import { buildFolder, repository } from "../wasm-core/tools/repository.mjs";
 import { setUp } from "../wasm-core/tools/setup.mjs";
 import { ToolchainError } from "../wasm-core/tools/toolchain.mjs";
+import { freePort } from "./free_port.mjs";
 import { rooms, select } from "./selection.mjs";
 
 const reports = join(buildFolder, "reports");
@@ -65,18 +65,6 @@ async function webTests() {
 	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...selection.web, ...outputs]);
 	const { numPassedTests, numFailedTests } = readReport("vitest.json");
 	return { passed: numPassedTests, failed: Math.max(numFailedTests, status === 0 ? 0 : 1) };
-}
-
-/** A port that nobody listens on. */
-function freePort() {
-	return new Promise((resolve, reject) => {
-		const server = createServer();
-		server.on("error", reject);
-		server.listen(0, "localhost", () => {
-			const { port } = server.address();
-			server.close(() => resolve(port));
-		});
-	});
 }
 
 async function endToEndTests() {

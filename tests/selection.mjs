@@ -1,6 +1,7 @@
 /**
- * What `npm test -- WORD …` runs. A word is a stage (`types`, `e2e`), a room (`lsystem`, `studio`, `core`) or a model
- * (`bunch`): of the latter two, the tests that stand in folders of that name, in the core and in the web.
+ * What `npm test -- WORD …` runs. A word is a stage (`types`, `e2e`), a room (`lsystem`, `studio`, `core`), a model (`bunch`)
+ * or a folder of tests (`models`, `toy`, `fuzz`): of all but stages, the tests that stand in folders of that name, in the core and
+ * in the web.
  */
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -9,6 +10,8 @@ import { repository } from "../wasm-core/tools/repository.mjs";
 /** Folders of tests that vitest runs, from the repository's root. */
 const WEB = ["tests/web", "tests/web/models"];
 const CORE = ["tests/core", "tests/core/models"];
+/** Folders beside those, whose tests vitest runs too. */
+const BESIDE = ["fuzz", "golden", "tools", "toy"];
 
 const foldersIn = (place) =>
 	existsSync(join(repository, place))
@@ -17,12 +20,13 @@ const foldersIn = (place) =>
 				.map(({ name }) => name)
 		: [];
 
-/** Rooms and models that have tests, without repetition, in the order of the alphabet. */
+/** Rooms, models and folders that have tests, without repetition, in the order of the alphabet. */
 export function rooms() {
 	const names = [...CORE, ...WEB].flatMap(foldersIn);
 	const models = [CORE[1], WEB[1]].flatMap(foldersIn);
 	const goldens = existsSync(join(repository, "tests/golden")) ? models : [];
-	return [...new Set(["core", ...names, ...goldens])].sort();
+	const beside = BESIDE.filter((folder) => existsSync(join(repository, "tests", folder)));
+	return [...new Set(["core", "models", ...names, ...goldens, ...beside])].sort();
 }
 
 /**
@@ -35,10 +39,13 @@ export function rooms() {
 /** The native programs of a room: `core` is every room. */
 function nativeOf(word) {
 	if (word === "core") return ["core_tests"];
+	if (word === "models") return foldersIn(CORE[1]).map((model) => `${model}_tests`);
 	return CORE.some((place) => foldersIn(place).includes(word)) ? [`${word}_tests`] : [];
 }
 
 function webOf(word) {
+	if (word === "models") return [`${WEB[1]}/`, "tests/golden/"];
+	if (BESIDE.includes(word)) return [`tests/${word}/`];
 	const folders = WEB.filter((place) => foldersIn(place).includes(word)).map((place) => `${place}/${word}/`);
 	const golden = `tests/golden/${word}.`;
 	const goldens = existsSync(join(repository, `${golden}test.ts`)) ? [golden] : [];

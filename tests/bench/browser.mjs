@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { build, preview } from "vite";
 import { modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
 import { launch } from "../e2e/browser.mjs";
-import { firstLoad, gzipped } from "./sizes.mjs";
+import { byKind, firstLoad, gzipped } from "./sizes.mjs";
 import { median, printTable } from "./statistics.mjs";
 
 const LOADS = 5;
@@ -72,26 +72,33 @@ async function benchLoad(browser, address) {
 
 function benchSizes(asked) {
 	const files = firstLoad(dist, asked);
-	const total = files.reduce((sum, { bytes }) => sum + bytes, 0);
+	const kinds = byKind(files);
 	const kilobytes = (bytes) => (bytes / 1000).toFixed(1);
 	printTable("Size, gzipped, kB (aims: core 100, first load 400)", [
 		["file", "kB"],
 		["core, bunch.wasm", kilobytes(gzipped(join(modulesFolder, "bunch.wasm")))],
 		...files.filter(({ bytes }) => bytes > 500).map(({ path, bytes }) => [`  ${path}`, kilobytes(bytes)]),
-		["first load", kilobytes(total)],
+		["first load: page, styles, scripts, core", kilobytes(kinds.code)],
+		["  fonts", kilobytes(kinds.fonts)],
+		["  the gallery's pictures in view", kilobytes(kinds.pictures)],
 	]);
 }
 
 /**
- * Drags p3 of the front view, in a browser without WebGL: the 3-D view stays away, and the page is composed without
- * SwiftShader, whose frames would be all that is timed. Each regrowth counts from two beginnings: from asking the worker, and from the newest
+ * Drags p3 of the front view in a page that WebGL is withheld from: the 3-D view stays away, for SwiftShader's frames would
+ * be all that is timed. (Chromium keeps WebGL under --disable-gpu; that only spares the page's composing.) Each regrowth counts from two beginnings: from asking the worker, and from the newest
  * pointer event before that, which waits for a frame to take it up and so for the frame being drawn.
  */
 async function benchDrag(bunch, address) {
 	const browser = await launch(["--disable-gpu"]);
 	const page = await browser.newPage({ viewport });
+	await page.addInitScript(withholdWebgl);
 	await page.goto(address);
 	await page.waitForFunction(() => performance.getEntriesByName("regrow").length > 0);
+	await page
+		.getByText(/no WebGL 2/)
+		.first()
+		.waitFor();
 	const handle = page.getByRole("button", { name: /^p3, right/ }).first();
 	const box = await handle.boundingBox();
 	const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -110,6 +117,16 @@ async function benchDrag(bunch, address) {
 		["asked → buffers", ...spread(regrowths.map(({ asked }) => asked))],
 		["event → buffers", ...spread(regrowths.map(({ event }) => event))],
 	]);
+}
+
+/** In the page: no canvas has WebGL. */
+function withholdWebgl() {
+	for (const kind of [HTMLCanvasElement, OffscreenCanvas]) {
+		const { getContext } = kind.prototype;
+		kind.prototype.getContext = function (name, ...rest) {
+			return /^(experimental-)?webgl/.test(name) ? null : getContext.call(this, name, ...rest);
+		};
+	}
 }
 
 /** In the page: keeps how long each regrowth took, in milliseconds up to the arrival of its buffers. */

@@ -1,12 +1,14 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- browser` all but that.
+ * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- browser` all but that; `npm run bench -- frame
+ * [FOLDER]` times drawing alone, also of a page of views built before.
  */
 import { join } from "node:path";
 import { runnerImport } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { benchBrowser } from "./browser.mjs";
 import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
+import { benchFrame } from "./frame.mjs";
 import { benchNatural } from "./natural.mjs";
 import { peerModules } from "./peer.mjs";
 import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
@@ -43,8 +45,10 @@ const encodeRequest = (specimen, options) => writeContainer(blocksOf(specimen, o
 const reader = { grow: (request) => readGrown(instance.growBytes(request)) };
 const ratios = [];
 
-if (process.argv[2] !== "browser") benchCore();
-if (process.argv[2] !== "core") await benchBrowser();
+const [, , only, folder] = process.argv;
+if (only === undefined || only === "core") benchCore();
+if (only === undefined || only === "browser") await benchBrowser();
+if (only === undefined || only === "frame") await benchFrame(folder);
 
 function benchCore() {
 	ratios.push(...benchNatural({ core, reader, encodeRequest, presets: PRESETS, specimenFromPreset }));

@@ -1,3 +1,5 @@
+import { fileURLToPath } from "node:url";
+import { byKind, firstLoad } from "../bench/sizes.mjs";
 import { expect, test } from "./fixtures";
 import { serveUnder } from "./static_server";
 import { StudioPage } from "./studio_page";
@@ -9,8 +11,35 @@ test("the first load shows a bunch, its numbers and its marks", async ({ page })
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	await expect(studio.readout("Rachis segments")).toHaveText("18");
 	expect(Number(await studio.readout("Berries").innerText())).toBeGreaterThan(20);
-	await expect(page).toHaveTitle(/Panicle/);
+	await expect(page).toHaveTitle("Long conical 1 · Panicle");
 	expect(page.url()).toMatch(/\/(\?v=2)?$/);
+});
+
+test("what packs and writes files is no part of the first load", async ({ page }) => {
+	const scripts: Promise<string>[] = [];
+	page.on("response", (response) => {
+		if (/\.js$/.test(response.url())) scripts.push(response.text());
+	});
+	const studio = await new StudioPage(page).open();
+	await expect(studio.canvas).toHaveAccessibleName(/berries/);
+	const texts = await Promise.all(scripts);
+	expect(texts.length).toBeGreaterThan(3);
+	// The mark that each file in a ZIP archive begins with; what asks for WebGL shows that scripts were read.
+	expect(texts.filter((text) => /67324752|0x4034b50/.test(text))).toEqual([]);
+	expect(texts.filter((text) => /webgl2/.test(text))).not.toEqual([]);
+});
+
+test("the page and its code come to less than 400 kB over the wire, the core to less than 145", async ({ page }) => {
+	const asked = new Set<string>();
+	page.on("request", (request) => asked.add(new URL(request.url()).pathname.slice(1) || "index.html"));
+	await new StudioPage(page).open();
+	await expect.poll(() => page.evaluate(() => performance.getEntriesByName("first-bunch").length)).toBe(1);
+	const files = firstLoad(fileURLToPath(new URL("../../dist", import.meta.url)), [...asked]);
+	expect(files.find(({ path }) => path.endsWith(".wasm"))?.bytes).toBeLessThan(145_000);
+	const { code, fonts, pictures } = byKind(files);
+	expect(code).toBeLessThan(400_000);
+	expect(fonts).toBeLessThan(30_000);
+	expect(pictures).toBeLessThan(60_000);
 });
 
 test("everything that can be worked has a name, and the page its landmarks", async ({ page }) => {
@@ -25,7 +54,7 @@ test("everything that can be worked has a name, and the page its landmarks", asy
 		if (!(await summary.evaluate((element) => (element.parentElement as HTMLDetailsElement).open)))
 			await summary.click();
 	}
-	for (const role of ["button", "slider", "textbox", "combobox", "radio", "radiogroup", "img"] as const) {
+	for (const role of ["button", "slider", "textbox", "combobox", "radio", "radiogroup", "application"] as const) {
 		for (const control of await page.getByRole(role).all()) await expect(control).toHaveAccessibleName(/\S/);
 	}
 	await expect(studio.canvas).toHaveAccessibleDescription(/Arrow keys orbit/);
@@ -41,6 +70,23 @@ test("the keyboard reaches the controls first by the skip link", async ({ page }
 	await page.keyboard.press("Enter");
 	await page.keyboard.press("Tab");
 	await expect(page.locator(".group > summary").first()).toBeFocused();
+});
+
+test("few stops of the Tab key come before the sliders, and each parameter is one", async ({ page }) => {
+	await new StudioPage(page).open();
+	const focused = () =>
+		page.evaluate(() => {
+			const { activeElement: at } = document;
+			const inner = at?.shadowRoot?.activeElement ?? at;
+			return `${inner?.tagName.toLowerCase()} ${inner?.closest("[data-key]")?.getAttribute("data-key") ?? ""}`;
+		});
+	const stops: string[] = [];
+	while (stops.length < 60 && stops.at(-1) !== "input p3w") {
+		await page.keyboard.press("Tab");
+		stops.push(await focused());
+	}
+	expect(stops.slice(-3)).toEqual(["summary ", "input l", "input p3w"]);
+	expect(stops.length).toBeLessThanOrEqual(25);
 });
 
 for (const [width, height] of [
@@ -62,7 +108,7 @@ test("the app works from a sub-path of any host", async ({ page }) => {
 		if (!request.url().startsWith(server.address) && !/^(blob|data):/.test(request.url())) foreign.push(request.url());
 	});
 	await page.goto(`${server.address}?v=2&preset=lychee`);
-	await expect(page.getByRole("img", { name: /^Grape bunch: \d+ berries/ })).toBeVisible();
+	await expect(page.getByRole("application", { name: /^Grape bunch: \d+ berries/ })).toBeVisible();
 	await expect(page.locator("[data-preset=lychee]")).toHaveAttribute("aria-current", "true");
 	expect(foreign).toEqual([]);
 	await page.goto("about:blank");

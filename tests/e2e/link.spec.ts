@@ -1,4 +1,5 @@
 import { readFileSync } from "node:fs";
+import type { Page } from "@playwright/test";
 import { compressText } from "../../web/src/specimen/compressed_text";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
@@ -18,6 +19,8 @@ test("the copied link brings the same bunch back", async ({ page, context, compl
 	await other.goto(link);
 	await expect(other.locator("[data-fingerprint]")).toHaveText(await studio.fingerprint.innerText());
 	await expect(other.locator("panicle-notices")).not.toContainText("could be used");
+	// A confirmation goes by itself.
+	await expect(studio.notices.getByRole("button", { name: "Dismiss" })).toHaveCount(0);
 });
 
 test("where copying is denied, the link is shown for copying by hand", async ({ page }) => {
@@ -47,14 +50,75 @@ test("an unknown preset or a nonsense query still shows a bunch", async ({ page 
 	await expect(page.locator("[data-preset=long-conical]")).toHaveAttribute("aria-current", "true");
 });
 
-test("Back and Forward restore what the address says", async ({ page }) => {
+const preset = (page: Page, name: string) => page.locator(`[data-preset=${name}]`);
+
+test("Back brings the last preset as it was left, Forward the next; edits are no entries", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+	await studio.regrown(() => studio.slider("Length").press("PageDown"));
 	const lychee = await studio.fingerprint.innerText();
-	await page.evaluate(() => history.pushState(null, "", "?v=2&preset=rubus"));
+	const left = page.url();
+	const rubus = await studio.regrown(() => preset(page, "rubus").click());
+	await studio.regrown(() => preset(page, "duku").click());
+	await page.goBack();
+	await expect(studio.fingerprint).toHaveText(rubus);
+	await expect(preset(page, "rubus")).toHaveAttribute("aria-current", "true");
 	await page.goBack();
 	await expect(studio.fingerprint).toHaveText(lychee);
-	await studio.regrown(() => page.goForward());
-	await expect(page.locator("[data-preset=rubus]")).toHaveAttribute("aria-current", "true");
+	expect(page.url()).toBe(left);
+	await page.goForward();
+	await expect(studio.fingerprint).toHaveText(rubus);
+});
+
+test("Undo and Back go the same way: what one has left the other finds", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+	const lychee = await studio.fingerprint.innerText();
+	const rubus = await studio.regrown(() => preset(page, "rubus").click());
+	await page.goBack();
+	await expect(studio.fingerprint).toHaveText(lychee);
+	await expect(studio.button("Undo")).toBeDisabled();
+	await studio.button("Redo").click();
+	await expect(studio.fingerprint).toHaveText(rubus);
+	await expect(page).toHaveURL(/preset=rubus/);
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(lychee);
+	await page.goBack();
+	await expect(studio.fingerprint).toHaveText(rubus);
+	await page.goBack();
+	await expect(studio.fingerprint).toHaveText(lychee);
+	await expect(page).toHaveURL(/preset=lychee/);
+});
+
+test("a grammar in the fragment outlives the skip link, and fragments that are none of ours", async ({ page }) => {
+	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
+	const studio = await new StudioPage(page).open(`?preset=duku#g=${await compressText(text)}`);
+	await expect(page).toHaveURL(/#g=/);
+	const [own, address] = [await studio.fingerprint.innerText(), page.url()];
+	await page.keyboard.press("Tab");
+	await page.keyboard.press("Enter");
+	await expect(page.getByRole("complementary")).toBeFocused();
+	expect(page.url()).toBe(address);
+	for (const fragment of ["#controls", "#nonsense"]) {
+		await page.evaluate((hash) => {
+			location.hash = hash;
+		}, fragment);
+		await expect(page).toHaveURL(address);
+		await expect(studio.button("Undo")).toBeDisabled();
+		await expect(studio.fingerprint).toHaveText(own);
+	}
+});
+
+test("a link of ours in the fragment opens, as a step that can be undone", async ({ page }) => {
+	const text = `/* mine */\n${readFileSync("wasm-core/grammars/bunch/grape-bunch-3.lsys", "utf8")}`;
+	const studio = await new StudioPage(page).open("?v=2&preset=duku&procedure=paper");
+	const packed = await compressText(text.replace(/#define near [\d.]+/, "#define near 0.9"));
+	await page.evaluate((hash) => {
+		location.hash = hash;
+	}, `g=${packed}`);
+	await studio.openGroup("Branching");
+	await expect(page.getByText("This bunch brings a grammar of its own.")).toBeVisible();
+	await studio.button("Undo").click();
+	await expect(page.getByText("This bunch brings a grammar of its own.")).toHaveCount(0);
+	await expect(page).not.toHaveURL(/#g=/);
 });
 
 test("choosing a preset from the gallery is a link and one undo step", async ({ page }) => {

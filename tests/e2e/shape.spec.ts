@@ -123,6 +123,18 @@ test("a double click on a slider's name brings the preset's value back", async (
 	await expect(studio.slider("Length")).toHaveValue("523");
 });
 
+test("a double click on a handle brings its numbers back, as one step", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical&p3=90,150&l=400");
+	const { x, y } = await studio.grip("Front", "p3");
+	await studio.regrown(() => page.mouse.dblclick(x, y));
+	await expect(studio.slider("Right width")).toHaveValue("47");
+	await expect(studio.slider("Length")).toHaveValue("400");
+	await expect(page).not.toHaveURL(/p3=/);
+	await studio.button("Undo").click();
+	await expect(studio.slider("Right width")).toHaveValue("90");
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
 test("mirror, locks and reset", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	const first = await studio.fingerprint.innerText();
@@ -181,4 +193,31 @@ test("colours change the picture, not the bunch", async ({ page }) => {
 	await skin.press("Enter");
 	await expect(skin).toHaveValue("88aa44");
 	await expect(studio.notices).toContainText("six hexadecimal digits");
+});
+
+test("a flat view draws the bunch that stands there, in the theme's ink", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	const drawing = page.getByRole("region", { name: "Front view" }).locator("canvas");
+	/** The middle of what is drawn, in shares of the view, and the ink's mean brightness. */
+	const ink = () =>
+		drawing.evaluate((canvas: HTMLCanvasElement) => {
+			const { width, height } = canvas;
+			const { data } = canvas.getContext("2d")?.getImageData(0, 0, width, height) ?? { data: [] };
+			const sum = { x: 0, light: 0, count: 0 };
+			for (let at = 0; at < data.length; at += 4) {
+				if (data[at + 3] < 128) continue;
+				sum.count += 1;
+				sum.x += ((at / 4) % width) / width;
+				sum.light += (data[at] + data[at + 1] + data[at + 2]) / 3;
+			}
+			return { count: sum.count, x: sum.x / sum.count, light: sum.light / sum.count };
+		});
+	const first = await ink();
+	expect(first.count).toBeGreaterThan(300);
+	expect(first.x).toBeCloseTo(0.5, 1);
+	expect(first.light).toBeLessThan(90);
+	await studio.regrown(() => studio.slider("Right width").fill("150"));
+	await expect.poll(async () => (await ink()).x).toBeGreaterThan(first.x + 0.01);
+	await studio.button("Dark theme").click();
+	await expect.poll(async () => (await ink()).light).toBeGreaterThan(165);
 });

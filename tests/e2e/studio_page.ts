@@ -16,7 +16,7 @@ export class StudioPage {
 	}
 
 	get canvas(): Locator {
-		return this.page.getByRole("img", { name: /^Grape bunch/ });
+		return this.page.getByRole("application", { name: /^Grape bunch/ });
 	}
 
 	get notices(): Locator {

@@ -142,7 +142,7 @@ test("a link whose grammar has an error says that there is no bunch, and offers 
 	await page.goto(`./?preset=duku#g=${await compressText("axiom: A(\n")}`);
 	await expect(alert(page)).toContainText("This cannot be grown");
 	await expect(alert(page)).toContainText(/Line \d+, column \d+ of the grammar/);
-	await expect(page.getByRole("img", { name: "No bunch has grown" })).toBeVisible();
+	await expect(page.getByRole("application", { name: "No bunch has grown" })).toBeVisible();
 	await expect(page.locator("[data-group=numbers]")).toContainText("Nothing has grown yet.");
 	await expect(page.locator("body")).not.toContainText("last bunch");
 	await alert(page).getByRole("button", { name: "Use the built-in grammar" }).click();

@@ -26,6 +26,17 @@ describe("the tests that `npm test` runs", () => {
 		});
 	});
 
+	it("are all models', or those of a folder beside the rooms", () => {
+		expect(select(["models"], STAGES)).toEqual({
+			stages: ["native core", "web"],
+			native: ["bunch_tests"],
+			web: ["tests/web/models/", "tests/golden/"],
+		});
+		for (const folder of ["fuzz", "golden", "tools", "toy"]) {
+			expect(select([folder], STAGES)).toEqual({ stages: ["web"], native: undefined, web: [`tests/${folder}/`] });
+		}
+	});
+
 	it("are a stage's whole where the stage is named as well", () => {
 		expect(select(["types", "web", "studio", "lsystem"], STAGES)).toEqual({
 			stages: ["types", "web", "native core"],

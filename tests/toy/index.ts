@@ -47,7 +47,7 @@ export const model: Model<ToySpecimen, Plant> = {
 		return [
 			{ name: "model", data: "toy" },
 			{ name: "seed", data: Uint32Array.of(seed) },
-			{ name: "outputs", data: meshes ? "meshes" : "" },
+			{ name: "outputs", data: meshes ? "meshes sky" : "" },
 			{ name: "parameters", data: Float32Array.from(table.core, ({ key }) => parameters[key]) },
 			{ name: "grammar", data: grammar },
 		];

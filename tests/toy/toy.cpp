@@ -10,6 +10,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   request.text("model");
   options.seed = request.word("seed", 1);
   options.meshes = request.wants("meshes");
+  options.sky = request.wants("sky");
   options.mesh_fingerprint = request.wants("mesh_fingerprint");
   if (request.has("steps")) options.steps = request.word("steps");
   const auto parameters = request.floats("parameters");

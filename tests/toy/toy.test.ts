@@ -74,6 +74,14 @@ describe("a model of three files", () => {
 		expect(grow({ ...upright, grammar: "axiom: F(7)F(7)" }).segments.count).toBe(2);
 	});
 
+	it("brings how much of the sky its twigs and fruits see", () => {
+		const { organs, meshes } = grow(upright);
+		expect(organs.sky).toHaveLength(organs.count);
+		expect(Math.min(...(organs.sky ?? []))).toBeLessThan(254);
+		expect(meshes[0].sky).toHaveLength(meshes[0].positions.length / 3);
+		expect(meshes[1].sky).toBeUndefined();
+	});
+
 	it("links, its text in the fragment, and comes back", async () => {
 		const specimen = { ...fromPreset(model, "open"), seed: 9, grammar: "axiom: F(3)" };
 		const link = await encodeLink(model, specimen);

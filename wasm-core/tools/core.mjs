@@ -14,7 +14,7 @@ import { emscriptenEnvironment, emscriptenIdentity, prepare, ToolchainError } fr
 /** The compiler's own words on what does not compile. */
 export class CoreBuildError extends Error {}
 
-const presets = ["wasm", "asan", "debug", "release"];
+const presets = ["wasm", "asan", "debug", "quick", "release"];
 
 /** What the compiler says, less the lines that tell how far the build is and how the compiler was called. */
 function essence(output) {

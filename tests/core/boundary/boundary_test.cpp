@@ -142,6 +142,10 @@ TEST_CASE("a request that is not in the agreed form is refused in words") {
   const std::vector<float> numbers(200'000, 0.0f);
   many.writer.add("parameters", numbers);
   refused(Answer(many), "more values");
+  Asked wide;
+  const std::vector<float> rows(4, 0.0f);
+  wide.writer.add("parameters", rows, 2);
+  refused(Answer(wide), "“parameters”");
 }
 
 TEST_CASE("a grammar that was compiled before grows what its text grows") {
@@ -164,6 +168,35 @@ TEST_CASE("a grammar that was compiled before grows what its text grows") {
   const Answer wrong(panicle_compile("axiom: F(", 9));
   CHECK(wrong.reason() == Reason::syntax);
   CHECK(wrong.word("status", 1) == 1);
+  CHECK(wrong.word("status", 2) == 10);
+}
+
+TEST_CASE("segments begin where their parents end, and have a length and two radii") {
+  const Answer answer{Asked()};
+  const auto parents = answer.column("segments.parent").as<std::int32_t>();
+  const auto ends = answer.column("segments.ends").as<float>(), radii = answer.column("segments.radii").as<float>();
+  REQUIRE(ends.size() == 6 * parents.size());
+  bool tapers = false;
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    bool same = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      same &= ends[6 * i + k] == ends[6 * i + 3 + k];
+      if (parents[i] >= 0) CHECK(ends[6 * i + k] == ends[6 * static_cast<std::size_t>(parents[i]) + 3 + k]);
+    }
+    CHECK(!same);
+    tapers |= radii[2 * i] != radii[2 * i + 1];
+  }
+  CHECK(tapers);
+}
+
+TEST_CASE("a request gets its memory up to 16 MiB") {
+  for (const std::uint32_t bytes : {0u, 1u, 16u * 1024 * 1024}) {
+    void* const memory = panicle_allocate(bytes);
+    CHECK(memory != nullptr);
+    panicle_release(memory);
+  }
+  CHECK(panicle_allocate(16u * 1024 * 1024 + 1) == nullptr);
+  CHECK(panicle_allocate(0xffffffffu) == nullptr);
 }
 
 TEST_CASE("a request may say how many steps a text is derived; else the text does, else all that it takes") {

@@ -100,6 +100,18 @@ TEST_CASE("a slot is a point's; the same points stand in the same order; a grid 
   for (std::uint32_t i = 0; i < ids.size(); ++i) CHECK(ids[i] == i);
 }
 
+TEST_CASE("whatever coordinate is none, its point is left out") {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float none : {nan, infinity, -infinity, 2e30f}) {
+      std::vector<glm::vec3> points = {{0, 0, 0}, {0.2f, 0.2f, 0.2f}};
+      points[1][axis] = none;
+      const PointGrid grid(points, 1);
+      REQUIRE(grid.ids().size() == 1);
+      CHECK(grid.ids()[0] == 0);
+    }
+}
+
 TEST_CASE("what is not finite, enormous or nothing does no harm") {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   const float most = std::numeric_limits<float>::max();

@@ -80,3 +80,20 @@ TEST_CASE("whatever the bytes are, a container is read within them or refused") 
   CHECK(good > 100);
   CHECK(refused > 100);
 }
+
+TEST_CASE("what fills up to the next word is zero, whatever was in the memory") {
+  ContainerWriter writer;
+  const std::vector<std::uint8_t> octets{1, 2, 3, 4, 5};
+  writer.add("odd", octets);
+  for (int round = 0; round < 4; ++round) {
+    std::uint8_t* const block = writer.write();
+    REQUIRE(block != nullptr);
+    const std::uint32_t whole = container_bytes(block);
+    // Behind the header of 4 words and the one entry of 6: "odd" and its fill, then the octets and theirs.
+    REQUIRE(whole == 4 * 10 + 4 + 8);
+    CHECK(block[43] == 0);
+    for (std::uint32_t at = 49; at < whole; ++at) CHECK(block[at] == 0);
+    std::memset(block, 0xff, whole);  // which the next one is likely to get
+    std::free(block);
+  }
+}

@@ -288,6 +288,35 @@ TEST_CASE("any skeleton makes closed, sound tubes") {
   CHECK(worst_turned < 0.5);
 }
 
+TEST_CASE("thin axes get fewer sides and rings, and stay where they are; thick ones are what they were") {
+  Skeleton skeleton;
+  skeleton.add(-1, -1, {0, 0, 0}, {0, -100, 0}, 5);
+  skeleton.add(0, 0, {0, -50, 0}, {40, -60, 0}, 1, flared);
+  TubeOptions options{12};
+  const StemMesh fine = skeleton.swept(options, 1);
+  options.thin = 2;
+  options.thin_sides = 5;
+  const StemMesh thin = skeleton.swept(options, 1);
+  check_stems(thin, skeleton.size());
+  check_tubes_closed(thin);
+  REQUIRE(thin.parts.size() == 2);
+  CHECK(thin.parts[0].vertex_count == fine.parts[0].vertex_count);
+  CHECK(std::equal(fine.mesh.positions.begin(), fine.mesh.positions.begin() + 3 * fine.parts[0].vertex_count,
+                   thin.mesh.positions.begin()));
+  CHECK(thin.parts[1].index_count * 3 < fine.parts[1].index_count);
+  const auto volume = [](const StemMesh& stem) {
+    return surface_of(stem.mesh, stem.parts[1].first_index, stem.parts[1].index_count).volume;
+  };
+  // A pentagon has three quarters of its circle, twelve sides have 95 %.
+  CHECK(volume(thin) / volume(fine) == doctest::Approx(0.757 / 0.955).epsilon(0.06));
+  const auto reach = [](const StemMesh& stem, std::size_t axis) {
+    float most = 0;
+    for (std::size_t i = axis; i < stem.mesh.positions.size(); i += 3) most = std::max(most, stem.mesh.positions[i]);
+    return most;
+  };
+  CHECK(reach(thin, 0) == doctest::Approx(reach(fine, 0)).epsilon(0.01));
+}
+
 TEST_CASE("scale only scales, and the same skeleton gives the same bytes") {
   const Skeleton panicle = small_panicle();
   const StemMesh one = panicle.swept(twelve, 1);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
@@ -136,4 +137,29 @@ TEST_CASE("the ball is closed, round and faces outwards") {
   }
   CHECK(volume > 0.8 * 4.18879);
   CHECK(volume < 4.18879);
+}
+
+TEST_CASE("balls and stems take each other's sky, where it is asked for") {
+  PlainOptions options;
+  options.sky = true;
+  const auto column = [](const Columns& columns, std::string_view name) -> std::span<const std::uint8_t> {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns[i].name == name) return columns[i].as<std::uint8_t>();
+    return {};
+  };
+  const std::string lone = "axiom: F(10)S(4)", pair = "axiom: F(10)[+(90)F(2)S(4)][-(90)F(2)S(4)]";
+  const Plant one = drawn(lone, options), two = drawn(pair, options);
+  CHECK(column(drawn(pair).columns, "organs.sky").empty());
+  CHECK(column(drawn(pair).meshes[0].columns, "sky").empty());
+  const auto alone = column(one.columns, "organs.sky"), together = column(two.columns, "organs.sky");
+  REQUIRE(alone.size() == 1);
+  CHECK(alone[0] == 255);  // its own stem hides nothing from it
+  REQUIRE(together.size() == 2);
+  CHECK(together[0] == together[1]);
+  CHECK(together[0] < 253);
+  CHECK(together[0] > 150);
+  const auto stems = column(two.meshes[0].columns, "sky");
+  REQUIRE(stems.size() == two.meshes[0].mesh.positions.size() / 3);
+  CHECK(*std::min_element(stems.begin(), stems.end()) < 150);
+  CHECK(*std::max_element(stems.begin(), stems.end()) > 250);
 }

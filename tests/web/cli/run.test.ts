@@ -29,6 +29,8 @@ describe("the JSON", () => {
 		for (const key of ["specimen", "counts", "measures", "notes", "fingerprint", "timings", "segments", "organs"]) {
 			expect(json).toHaveProperty(key);
 		}
+		expect(json.measures.berry_count).toBe(json.counts.berries);
+		expect(json.measures.coverage).toBeGreaterThan(0.5);
 		expect(json.segments).toHaveLength(json.internodes.length);
 		json.segments.forEach((segment: Record<string, unknown>, index: number) => {
 			const { kind, parent, start, end, radius, radiusEnd } = json.internodes[index];
@@ -233,7 +235,15 @@ it("--help says all there is, and grows nothing", async () => {
 	const { status, printed } = await grow(["--help"]);
 	expect(status).toBe(0);
 	expect(printed[0]).toContain("--set KEY=VALUE");
-	for (const word of ["double-bunch-winged", "pinot-noir", "procedure=paper|natural", "cane=off|on", "thin=ID.ID"]) {
+	for (const word of [
+		"bunch/long-conical",
+		"MODEL/PRESET",
+		"double-bunch-winged",
+		"pinot-noir",
+		"procedure=paper|natural",
+		"cane=off|on",
+		"thin=ID.ID",
+	]) {
 		expect(printed[0]).toContain(word);
 	}
 	for (const line of printed[0].split("\n")) expect(line.length).toBeLessThan(120);

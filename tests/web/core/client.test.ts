@@ -49,6 +49,22 @@ describe("the client", () => {
 		await Promise.all(drag);
 	});
 
+	it("may grow two side by side: the second at once, the third when one of them is done, the latest again", async () => {
+		start({ abreast: 2 });
+		const drag = [1, 2, 3, 4].map((seed) => client.grow(withSeed(seed)));
+		const outcomes = Promise.allSettled(drag);
+		await settled();
+		const [first, second] = FakeWorker.all;
+		expect([first.seeds, second.seeds]).toEqual([[1], [2]]);
+		second.finish();
+		await settled();
+		expect([first.seeds, second.seeds]).toEqual([[1], [2, 4]]);
+		first.finish();
+		second.finish();
+		expect((await outcomes).map(({ status }) => status)).toEqual(["fulfilled", "fulfilled", "rejected", "fulfilled"]);
+		expect(FakeWorker.all).toHaveLength(2);
+	});
+
 	it("gives the core's reason, with line and column, and goes on with the same worker", async () => {
 		start();
 		const growing = client.grow(withSeed(1));

@@ -37,6 +37,21 @@ describe("a container", () => {
 		expect(() => columns.floats("radii")).toThrow("no column “radii”");
 	});
 
+	it("is refused where it is none, of another layout, or not whole", () => {
+		const written = writeContainer([{ name: "a", data: Float32Array.of(1, 2, 3) }]);
+		expect(new Columns(written.slice()).names).toEqual(["a"]);
+		for (const word of [0, 1]) {
+			const other = written.slice();
+			other[4 * word]++;
+			expect(() => new Columns(other)).toThrow(RangeError);
+		}
+		expect(() => new Columns(written.slice(0, written.length - 4))).toThrow("No container.");
+		const longer = new Uint8Array(written.length + 4);
+		longer.set(written);
+		expect(() => new Columns(longer)).toThrow("No container.");
+		expect(() => new Columns(new Uint8Array(8))).toThrow("No container.");
+	});
+
 	it("is copied whole out of a memory, wherever in it its arrays lie", () => {
 		const written = writeContainer([
 			{ name: "a", data: Float32Array.of(1, 2, 3) },

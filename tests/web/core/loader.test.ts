@@ -73,3 +73,12 @@ it("names a connection that breaks half-way", async () => {
 		await expect(compileCore("core.wasm")).rejects.toMatchObject({ missing: "fetch" });
 	}
 });
+
+it("names what begins as a core does and is none", async () => {
+	for (const type of ["text/plain", "application/wasm"]) {
+		serve(Uint8Array.of(...EMPTY.slice(0, 4), 9, 9, 9, 9), type);
+		const loading = compileCore("core.wasm");
+		await expect(loading).rejects.toMatchObject({ name: "UnsupportedError", missing: "core" });
+		await expect(loading).rejects.toThrow(type);
+	}
+});

@@ -88,6 +88,41 @@ describe("a pool of seats", () => {
 		expect(FakeWorker.all.map(({ terminated }) => terminated)).toEqual([true, false]);
 	});
 
+	it("never begins what was cancelled while it waited", async () => {
+		start();
+		const first = pool.run(withSeed(1));
+		const cancelling = new AbortController();
+		const cancelled = expect(pool.run(withSeed(2), { signal: cancelling.signal })).rejects.toThrow("No more.");
+		const last = pool.run(withSeed(3));
+		await settled();
+		cancelling.abort(new Error("No more."));
+		await cancelled;
+		FakeWorker.all[0].finish();
+		await settled();
+		FakeWorker.all[0].finish();
+		expect((await Promise.all([first, last])).map(seedOf)).toEqual([1, 3]);
+		expect(FakeWorker.all.map(({ seeds }) => seeds)).toEqual([[1, 3]]);
+	});
+
+	it("hears nothing of a worker that it has ended", async () => {
+		start();
+		const cancelling = new AbortController();
+		const cancelled = expect(pool.run(withSeed(1), { signal: cancelling.signal })).rejects.toThrow("No more.");
+		await settled();
+		const [ended] = FakeWorker.all;
+		cancelling.abort(new Error("No more."));
+		await cancelled;
+		const next = pool.run(withSeed(2));
+		await settled();
+		ended.finish();
+		ended.say({ type: "broken", message: "late" });
+		ended.crash("late");
+		await settled();
+		expect(FakeWorker.all).toHaveLength(2);
+		FakeWorker.all[1].finish();
+		expect(seedOf(await next)).toBe(2);
+	});
+
 	it("does not hand out a spare that has died", async () => {
 		start();
 		const first = pool.run(withSeed(1));

@@ -2,7 +2,8 @@ import { Matrix4, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
 import { standardMaterial } from "../../../web/src/plant/material";
-import type { Part } from "../../../web/src/plant/part";
+import type { Part, Shape } from "../../../web/src/plant/part";
+import { bounced } from "../../../web/src/plant/shade";
 import { toyPlant } from "../plant/toy_plant";
 import { complaints, documentOf, load, meshesOf } from "./reading";
 import { ABOUT, CENTRES, fruits, HAIR, PULP, plain, tetrahedron } from "./toy_parts";
@@ -47,6 +48,43 @@ describe.each(FORMS)("the GLB of a plant of no model (%o)", (form) => {
 	});
 });
 
+describe.each(FORMS)("the shade in which vertices stand (%o)", (form) => {
+	const sky = Uint8Array.from([255, 255, 102, 0]);
+	const albedo = [0.6, 0.3, 0.2];
+	const dressed = (mesh: object): Part[] => [
+		{
+			name: "Body",
+			shape: { mesh: { ...tetrahedron([0, 0, 0], 1), ...mesh }, material: { ...HAIR, colour: [0.6, 0.3, 0.2] } },
+		},
+	];
+	/** What a reader makes of material and vertex together. */
+	async function seen(parts: Part[]): Promise<number[][]> {
+		const body = (await named(parts, form)).get("Body") as Mesh;
+		const { color } = body.material as MeshPhysicalMaterial;
+		const attribute = body.geometry.attributes.color;
+		return [0, 1, 2, 3].map((v) => color.toArray().map((value, k) => value * (attribute?.getComponent(v, k) ?? 1)));
+	}
+
+	it.each([
+		["of a mesh with colours", { sky, colours: Float32Array.from([...albedo, ...albedo, ...albedo, ...albedo]) }],
+		["of a mesh with its material's colour alone", { sky }],
+	])("is in the colours %s", async (_, mesh) => {
+		expect(await complaints(exportGlb(dressed(mesh), ABOUT, form))).toEqual([]);
+		const colours = await seen(dressed(mesh));
+		for (const [k, value] of albedo.entries()) {
+			expect(colours[0][k]).toBeCloseTo(value, 2);
+			expect(colours[2][k]).toBeCloseTo(value * bounced(0.4, value), 2);
+			expect(colours[3][k]).toBe(0);
+		}
+	});
+
+	it("leaves what nobody has looked at as it is", async () => {
+		expect(await seen(dressed({}))).toEqual(
+			[albedo, albedo, albedo, albedo].map((colour) => colour.map((value) => expect.closeTo(value, 6))),
+		);
+	});
+});
+
 describe("the GLB of any parts", () => {
 	it("names the plant and its parts, instances one node each, with what is known of them", () => {
 		const { nodes, meshes, materials } = documentOf(exportGlb(plain(), ABOUT));
@@ -78,6 +116,21 @@ describe("the GLB of any parts", () => {
 		const matrix = new Matrix4();
 		leaves.getMatrixAt(2, matrix);
 		expect(new Vector3().setFromMatrixPosition(matrix).distanceTo(new Vector3(0.01, 0.15, 0))).toBeLessThan(1e-7);
+		for (const compact of [false, true]) {
+			const [part] = plain().slice(-1);
+			const { mesh, material } = part.shape as Shape;
+			const transforms = Float32Array.from([0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 1, 2.5]);
+			const each = (i: number) => ({ name: `Leaf ${i}` });
+			const two = [{ name: "Leaves", shape: { mesh, material, instances: { transforms, each } } }];
+			const [drawn] = meshesOf(
+				(await load(exportGlb(two, ABOUT, { instancing: true, compact }))).scene,
+			) as (typeof leaves)[];
+			const sizes = [0, 1].map((i) => {
+				drawn.getMatrixAt(i, matrix);
+				return matrix.getMaxScaleOnAxis();
+			});
+			expect(sizes[1] / sizes[0]).toBeCloseTo(2.5, 5);
+		}
 		expect(exportGlb(fruits(), ABOUT, { instancing: true })).toEqual(exportGlb(fruits(), ABOUT));
 	});
 

@@ -108,6 +108,13 @@ describe("the JSON document of a natural bunch", () => {
 		expect(document).toMatchObject({ procedure: "natural", form: { fruit: "grape", taper: 0.1, blunt: 0 } });
 	});
 
+	it("tells berries from flowers that have not begun to set", () => {
+		const half = makeNatural(SKETCH, { traits: (i) => ({ set: i === 0 ? 0 : 0.5 }) });
+		const { organs } = exportJson(half, specimen);
+		expect(organs.map(({ kind }) => kind)).toEqual(organs.map((_, i) => (i === 0 ? "flower" : "berry")));
+		expect(organs.length).toBeGreaterThan(1);
+	});
+
 	it("has every measure by its key, null where one does not apply, and none where none were asked for", () => {
 		const { measures } = exportJson(natural, specimen);
 		expect(Object.keys(measures ?? {})).toEqual(MEASURE_KEYS);

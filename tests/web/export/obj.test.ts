@@ -39,6 +39,12 @@ describe("the OBJ of any parts", () => {
 		expect(obj.match(/^v /gm)).toHaveLength(12);
 	});
 
+	it("measures textures from the picture's lower edge, as OBJ does", () => {
+		const { obj } = exportObj(fruits(), ABOUT, "toy");
+		// The parts measure from the upper one: 0 0, 1 0, 1 1, 0 1.
+		expect(obj.match(/^vt .*$/gm)).toEqual(["vt 0 1", "vt 1 1", "vt 1 0", "vt 0 0"]);
+	});
+
 	it("names where it came from and what it needs", () => {
 		const { obj } = exportObj(plain(), ABOUT, "toy");
 		const [first, link, library] = obj.split("\n");

@@ -2,6 +2,7 @@ import fc from "fast-check";
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { fitView, needsRefit, spindleOf } from "../../../web/src/scene/camera_fit";
+import { evenly } from "../evenly";
 import { sampleBunch } from "../models/bunch/sample_bunch";
 
 const FOV = 24;
@@ -26,9 +27,9 @@ function reach(distance: number, azimuth: number, elevation: number, aspect: num
 
 describe("fitView", () => {
 	it("keeps every berry in view whichever way the bunch is turned", () => {
-		const aspect = fc.double({ min: 0.4, max: 3, noNaN: true });
-		const azimuth = fc.double({ min: 0, max: 6.3, noNaN: true });
-		const elevation = fc.double({ min: -1.4, max: 1.4, noNaN: true });
+		const aspect = evenly(0.4, 3);
+		const azimuth = evenly(0, 6.3);
+		const elevation = evenly(-1.4, 1.4);
 		fc.assert(
 			fc.property(aspect, azimuth, elevation, (ratio, turn, height) => {
 				const { distance } = fitView(spindle, (FOV * Math.PI) / 180, ratio, 0.07, height);

@@ -1,4 +1,12 @@
-import { Group, type InstancedMesh, type Mesh, type MeshPhysicalMaterial, PerspectiveCamera } from "three";
+import {
+	type DirectionalLight,
+	Group,
+	type InstancedBufferAttribute,
+	type InstancedMesh,
+	type Mesh,
+	type MeshPhysicalMaterial,
+	PerspectiveCamera,
+} from "three";
 import { describe, expect, it } from "vitest";
 import { partsOf } from "../../../web/src/plant/parts_of";
 import type { Plant } from "../../../web/src/plant/plant";
@@ -78,6 +86,45 @@ describe("the figure of any plant", () => {
 		const lamps = stage.root.children[0].children as unknown as { color: { r: number }; position: { x: number } }[];
 		expect(lamps[0].color.r).toBe(stage.light.rig.key.irradiance[0]);
 		expect(lamps[0].position.x).toBeCloseTo(stage.light.rig.key.direction.x, 9);
+	});
+
+	it("throws the key light's shadow on itself, drawn again when the plant or the light has moved", () => {
+		const { stage, figure, meshes } = staged();
+		figure.show(plant, {});
+		expect(meshes().every(({ castShadow, receiveShadow }) => castShadow && receiveShadow)).toBe(true);
+		const key = stage.root.children[0].children[0] as DirectionalLight;
+		const camera = new PerspectiveCamera();
+		const aimed = () => {
+			key.shadow.needsUpdate = false;
+			camera.updateMatrixWorld();
+			stage.light.aim(camera);
+			figure.prepare(camera);
+			return key.shadow.needsUpdate;
+		};
+		expect([key.castShadow, key.shadow.autoUpdate, key.shadow.needsUpdate]).toEqual([true, false, true]);
+		expect([aimed(), aimed()]).toEqual([true, false]);
+		camera.rotation.y = 0.2;
+		expect([aimed(), aimed()]).toEqual([true, false]);
+		// All of the plant is before the shadow's camera.
+		const { left, right, near, far } = key.shadow.camera;
+		expect(right - left).toBeGreaterThan(0.18);
+		expect(far - near).toBeCloseTo(right - left, 9);
+		const middle = key.target.position;
+		expect(key.position.distanceTo(middle)).toBeCloseTo((near + far) / 2, 9);
+	});
+
+	it("dims what sees little of the sky: vertices by themselves, organs one by one", () => {
+		const { figure, meshes } = staged();
+		const trunk = { ...plant.meshes[0], sky: new Uint8Array(plant.meshes[0].positions.length / 3).fill(51) };
+		const organs = { ...plant.organs, sky: Uint8Array.from({ length: plant.organs.count }, (_, i) => 85 * i) };
+		figure.show({ ...plant, meshes: [trunk, ...plant.meshes.slice(1)], organs }, {});
+		const skyOf = (index: number) => meshes()[index].geometry.getAttribute("sky");
+		expect(skyOf(0).getX(3)).toBeCloseTo(0.2, 6);
+		const leaves = skyOf(3) as InstancedBufferAttribute;
+		expect([leaves.isInstancedBufferAttribute, leaves.count]).toEqual([true, 3]);
+		expect(leaves.getX(1)).toBeCloseTo(1 / 3, 6);
+		figure.show(plant, {});
+		expect(skyOf(0)).toBeUndefined();
 	});
 
 	it("shows colours of vertices in place of the material's", () => {

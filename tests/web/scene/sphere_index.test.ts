@@ -1,18 +1,14 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { SphereIndex } from "../../../web/src/scene/sphere_index";
+import { evenly } from "../evenly";
 
-const coordinate = fc.float({ min: Math.fround(-0.2), max: Math.fround(0.2), noNaN: true });
-const sphere = fc.tuple(
-	coordinate,
-	coordinate,
-	coordinate,
-	fc.float({ min: Math.fround(0.001), max: Math.fround(0.02), noNaN: true }),
-);
+const coordinate = evenly(-0.2, 0.2);
+const sphere = fc.tuple(coordinate, coordinate, coordinate, evenly(0.001, 0.02));
 
 describe("SphereIndex", () => {
 	it("finds every sphere within the distance, and none twice", () => {
-		const distance = fc.double({ min: 0, max: 0.5, noNaN: true });
+		const distance = evenly(0, 0.5);
 		fc.assert(
 			fc.property(fc.array(sphere, { maxLength: 60 }), sphere, distance, (spheres, [x, y, z], reach) => {
 				const index = new SphereIndex(Float32Array.from(spheres.flat()));

@@ -50,7 +50,10 @@ describe("Stage", () => {
 		const stage = new Stage<string, number>();
 		stage.use(one.make);
 		stage.show(1, "a");
+		const behind = stage.scene.children.length;
 		stage.use(other.make);
+		expect(stage.scene.children).toHaveLength(behind);
+		expect(stage.scene.children).not.toContain(one.given().root);
 		expect(one.calls.at(-1)).toBe("dispose");
 		expect(one.object.parent).toBeNull();
 		expect(stage.filled).toBe(false);

@@ -44,6 +44,22 @@ describe("Turntable", () => {
 		});
 	};
 
+	it("glides, and stops gliding when motion becomes unwelcome", () => {
+		table.reducedMotion = false;
+		const before = table.distance;
+		table.follow(spindle(90, 0.3), false);
+		expect(table.advance(1000)).toBe(true);
+		table.advance(1040);
+		const under = table.distance;
+		expect(under).toBeGreaterThan(before);
+		expect(table.controls.enableDamping).toBe(true);
+		table.reducedMotion = true;
+		table.advance(1041);
+		expect(table.advance(1042)).toBe(false);
+		expect(table.distance).toBeGreaterThan(under * 1.05);
+		expect(table.controls.enableDamping).toBe(false);
+	});
+
 	it("stands still while a drag changes the bunch a little", () => {
 		const before = pose();
 		table.follow(spindle(90, 0.165), false);

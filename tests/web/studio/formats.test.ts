@@ -1,4 +1,5 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
+import { makeFile } from "../../../web/src/files/make";
 import type { Format, Model } from "../../../web/src/models/model";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
@@ -43,9 +44,11 @@ describe("what can be downloaded", () => {
 
 	it("is what the model makes besides, of what suits it", async () => {
 		const plant = shown([format, { ...format, key: "no", applies: () => false }]);
-		const [own, ...others] = formatsOf(plant, undefined).filter(({ key }) => key === "txt" || key === "no");
+		const write = vi.fn(makeFile);
+		const [own, ...others] = formatsOf(plant, undefined, write).filter(({ key }) => key === "txt" || key === "no");
 		expect(others).toEqual([]);
 		const blob = await own.make(plant, "?v=2", "plain-1");
 		expect([blob.type, await blob.text()]).toEqual(["text/plain", "plain ?v=2"]);
+		expect(write.mock.lastCall?.[1]).toMatchObject({ model: "toy", format: "txt", name: "plain-1" });
 	});
 });

@@ -21,6 +21,7 @@ describe("growing", () => {
 	const studio = {
 		state: { shown: undefined as { model: Model } | undefined },
 		grew: vi.fn(),
+		caughtUp: vi.fn(),
 		setGrowing: vi.fn(),
 		notify: vi.fn(),
 		fail: vi.fn(),
@@ -64,6 +65,8 @@ describe("growing", () => {
 		calls[1].resolve(bunch("b"));
 		await Promise.all(all);
 		expect(studio.grew.mock.calls.map(([{ fingerprint }]) => fingerprint)).toEqual(["a", "c"]);
+		expect(studio.caughtUp).toHaveBeenCalledOnce();
+		expect(studio.caughtUp.mock.invocationCallOrder[0]).toBeGreaterThan(studio.grew.mock.invocationCallOrder[1]);
 	});
 
 	it("says that it grows when an answer takes long, not when a drag does", async () => {
@@ -89,6 +92,7 @@ describe("growing", () => {
 		await Promise.all([first, second]);
 		expect(studio.notify).toHaveBeenCalledOnce();
 		expect(studio.notify.mock.lastCall?.[0]).toMatch(/cancelled/);
+		expect(studio.caughtUp).toHaveBeenCalledOnce();
 		const third = growing.grow(bunchModel, specimen(3));
 		expect(calls[2].signal.aborted).toBe(false);
 		calls[2].resolve(bunch("c"));

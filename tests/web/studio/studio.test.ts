@@ -23,7 +23,7 @@ describe("the studio", () => {
 	it("grows at every step of a drag, but makes one undo step and one address of it", () => {
 		for (const l of [400, 390, 380]) studio.edit({ parameters: { l } });
 		expect(surroundings.grow).toHaveBeenCalledTimes(3);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { measures: false });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { passing: true });
 		expect(surroundings.settled).not.toHaveBeenCalled();
 		studio.settle();
 		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen);
@@ -38,16 +38,16 @@ describe("the studio", () => {
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
 		expect(surroundings.grow).toHaveBeenCalledTimes(2);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { measures: true });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, studio.state.specimen, { passing: false });
 		studio.settle();
 		expect(surroundings.grow).toHaveBeenCalledTimes(2);
 		studio.edit({ parameters: { l: 300 } });
 		studio.edit({ parameters: { l: 400 } });
 		studio.settle();
-		expect(surroundings.grow.mock.lastCall?.[2]).toEqual({ measures: true });
+		expect(surroundings.grow.mock.lastCall?.[2]).toEqual({ passing: false });
 		surroundings.grow.mockClear();
 		studio.set({ parameters: { l: 390 } });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { measures: true });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, studio.state.specimen, { passing: false });
 	});
 
 	it("keeps what was last measured while a drag asks for nothing, but not of another model", () => {
@@ -97,12 +97,34 @@ describe("the studio", () => {
 		expect(studio.state.notices).toHaveLength(0);
 	});
 
+	it("goes with the browser's Back and Forward through its own steps where they are those, else takes a new one", () => {
+		const visit = (specimen: typeof opened) => studio.visit(bunchModel, { specimen, notes: [] }, "link");
+		const lychee = specimenFromPreset("lychee");
+		studio.choosePreset("lychee");
+		visit(opened);
+		expect(studio.state.history).toEqual({ past: [], present: opened, future: [lychee] });
+		visit(lychee);
+		expect(studio.state.history).toEqual({ past: [opened], present: lychee, future: [] });
+		visit(specimenFromPreset("duku"));
+		expect(studio.state.history.past).toEqual([opened, lychee]);
+		studio.undo();
+		expect(studio.state.specimen).toEqual(lychee);
+	});
+
+	it("says while what is shown is not yet what is on the controls", () => {
+		expect(studio.state.pending).toBe(false);
+		studio.set({ parameters: { l: 400 } });
+		expect(studio.state.pending).toBe(true);
+		studio.caughtUp();
+		expect(studio.state.pending).toBe(false);
+	});
+
 	it("opens with a document as the first of its history, grown and in the address, and with its notes", () => {
 		const grammar = { ...specimenFromPreset("lychee"), grammar: "axiom: F" };
 		studio.open({ specimen: grammar, notes: [{ key: "l", problem: "", text: "l: too long." }] }, "link");
 		expect(studio.state.specimen).toEqual(grammar);
 		expect(studio.state.history).toEqual({ past: [], present: grammar, future: [] });
-		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { measures: true });
+		expect(surroundings.grow).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar, { passing: false });
 		expect(surroundings.settled).toHaveBeenCalledExactlyOnceWith(bunchModel, grammar);
 		expect(studio.state.notices).toMatchObject([{ details: ["l: too long."] }]);
 	});
@@ -120,6 +142,7 @@ describe("the studio", () => {
 		studio.setGroup("shape", false);
 		studio.setGroup("shape", false);
 		expect(surroundings.remember).toHaveBeenCalledOnce();
+		expect(surroundings.remember.mock.lastCall?.map(({ groups }) => groups)).toEqual([{ shape: false }, {}]);
 		expect(studio.state.ui.groups).toEqual({ shape: false });
 		studio.setGroup("shape", true);
 		expect(studio.state.ui.groups).toEqual({ shape: true });
@@ -143,6 +166,13 @@ describe("the studio", () => {
 		await vi.advanceTimersByTimeAsync(5000);
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Mind the gap"]);
 		vi.useRealTimers();
+	});
+
+	it("has room for three notices, the newest, and none of them twice", () => {
+		for (const title of ["One", "Two", "Three", "Four", "Three"]) studio.notify(title);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Four", "Three"]);
+		studio.dismiss(studio.state.notices[1].id);
+		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Three"]);
 	});
 
 	it("forgets a failure as soon as something grows", () => {

@@ -18,13 +18,13 @@ describe("a preset of another model", () => {
 		studio.choosePreset("plain", toyModel);
 		expect(studio.state.model).toBe(toyModel);
 		expect(studio.state.specimen).toEqual(fromPreset(toyModel));
-		expect(surroundings.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { measures: true });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(toyModel, studio.state.specimen, { passing: false });
 		expect(surroundings.settled).toHaveBeenLastCalledWith(toyModel, studio.state.specimen);
 		expect(studio.preset).toEqual(fromPreset(toyModel));
 		studio.undo();
 		expect(studio.state.model).toBe(bunchModel);
 		expect(studio.state.specimen).toEqual(opened);
-		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, opened, { measures: true });
+		expect(surroundings.grow).toHaveBeenLastCalledWith(bunchModel, opened, { passing: false });
 		studio.redo();
 		expect(studio.state.model).toBe(toyModel);
 	});
@@ -70,6 +70,16 @@ describe("a preset of another model", () => {
 		studio.choosePreset("plain", broken);
 		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools: [] }));
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["The tools of the pole could not be fetched"]);
+	});
+
+	it("brings tools that could not be fetched when asked again", async () => {
+		const { studio } = await studioWith(opened);
+		const tools = [{ name: "hoist", initial: 0 }];
+		const face = vi.fn(async () => ({ tools })).mockRejectedValueOnce(new Error("offline"));
+		studio.choosePreset("plain", { ...toyModel, studio: face });
+		await vi.waitFor(() => expect(studio.state.notices).toHaveLength(1));
+		studio.state.notices[0].again?.();
+		await vi.waitFor(() => expect(studio.state.face).toEqual({ tools }));
 	});
 });
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { FIRST_VISIT, loadUi, saveUi, type UiState } from "../../../web/src/studio/ui_state";
+import { FIRST_VISIT, loadUi, pageOf, saveUi, type UiState } from "../../../web/src/studio/ui_state";
 
 function storage(kept?: string) {
 	let text = kept ?? null;
@@ -16,17 +16,18 @@ describe("what the page remembers", () => {
 		const ui: UiState = {
 			...FIRST_VISIT,
 			theme: "dark",
+			letters: false,
 			groups: { rates: true, look: false },
 			tools: { bunch: { sides: { leftRight: true } } },
 		};
 		const kept = storage();
-		saveUi(kept, ui);
+		saveUi(kept, ui, FIRST_VISIT);
 		expect(loadUi(kept)).toEqual(ui);
 	});
 
 	it("starts afresh with what shows a picture first: a view, not a mode", () => {
 		const kept = storage();
-		saveUi(kept, { ...FIRST_VISIT, view: "side" });
+		saveUi(kept, { ...FIRST_VISIT, view: "side" }, FIRST_VISIT);
 		expect(loadUi(kept)).toEqual(FIRST_VISIT);
 	});
 
@@ -36,6 +37,29 @@ describe("what the page remembers", () => {
 			expect(loadUi(storage(text))).toEqual(FIRST_VISIT);
 		},
 	);
+
+	it("takes nothing from another tab: each remembers what it has changed itself", () => {
+		const kept = storage();
+		const change = (patch: Partial<UiState>) => saveUi(kept, { ...FIRST_VISIT, ...patch }, FIRST_VISIT);
+		change({ theme: "dark" });
+		change({ groups: { look: true } });
+		change({ groups: { rates: true } });
+		change({ letters: false });
+		change({ tools: { bunch: { sides: 1 } } });
+		change({ tools: { bunch: { other: 2 }, leaf: { vein: 3 } } });
+		expect(loadUi(kept)).toEqual({
+			...FIRST_VISIT,
+			theme: "dark",
+			letters: false,
+			groups: { look: true, rates: true },
+			tools: { bunch: { sides: 1, other: 2 }, leaf: { vein: 3 } },
+		});
+	});
+
+	it("has in common with other tabs what is of the whole page, and no more", () => {
+		const ui: UiState = { ...FIRST_VISIT, theme: "dark", groups: { look: true } };
+		expect(pageOf(ui)).toEqual({ theme: "dark", letters: true });
+	});
 
 	it("does without storage", () => {
 		const forbidden = {
@@ -47,6 +71,6 @@ describe("what the page remembers", () => {
 			},
 		};
 		expect(loadUi(forbidden)).toEqual(FIRST_VISIT);
-		expect(() => saveUi(forbidden, FIRST_VISIT)).not.toThrow();
+		expect(() => saveUi(forbidden, FIRST_VISIT, FIRST_VISIT)).not.toThrow();
 	});
 });

@@ -26,12 +26,15 @@
 //   organs.segment        int32 each: the segment that bears it, -1 for none
 //   organs.mesh           int32 each: which of `meshes`, -1 for none
 //   organs.transforms     float32 x 8 each: position; rotation as a unit quaternion x y z w; scale
+//   organs.sky            uint8 each: the same as of meshes, as a mean over the organ; where asked for
 // its meshes
 //   meshes                text: their names, one a line; and for each
 //   mesh.NAME.material    text: its kind
 //   mesh.NAME.positions   float32 x 3 per vertex, metres;  .normals x 3;  .uvs x 2
 //   mesh.NAME.indices     uint32 x 3 per triangle, counter-clockwise
 //   mesh.NAME.runs        uint32 x 4 each: first vertex, vertices, first index, indices;  .runs.names: text
+//   mesh.NAME.sky         uint8 per vertex: how much of the sky it sees, 255 all, 0 none (environment/sky.hpp); of a
+//                         sheet the better of its sides; where asked for, of meshes that stand where they are
 //   mesh.NAME....         what the model knows of its vertices or runs besides
 // and the model's own columns by name, described in the model's folder (models/<model>/model.hpp).
 #ifndef PANICLE_H

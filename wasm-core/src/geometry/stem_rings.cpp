@@ -9,8 +9,7 @@
 namespace panicle {
 namespace {
 
-constexpr std::uint32_t cap_rings = 2;
-constexpr float cap_degrees[cap_rings] = {35, 65};  // from the rim; the pole is at 90
+constexpr float cap_degrees[] = {35, 65}, thin_cap_degrees[] = {50};  // from the rim; the pole is at 90
 
 // A cubic Hermite curve from node to node, as powers of t.
 struct Curve {
@@ -99,7 +98,7 @@ float distance_between(const Ring& a, const Ring& b) {
 
 }  // namespace
 
-TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes) : stems_(stems), axes_(axes) {
+TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin) : stems_(stems), axes_(axes), thin_(thin) {
   for (std::uint32_t n = 1; n <= most_steps; ++n) {
     for (std::uint32_t k = 0; k <= n; ++k) {
       const float turn = static_cast<float>(k) / static_cast<float>(n);
@@ -112,6 +111,11 @@ StemEnd TubeMaker::end_of(const StemAxis& axis) const {
   return stems_.end_of(static_cast<std::size_t>(axes_.nodes[axis.first + axis.count - 1].segment));
 }
 
+// Where the rings of its rounded ends stand.
+std::span<const float> TubeMaker::cap_of(const StemAxis& axis) const {
+  return is_thin(axis) ? std::span<const float>(thin_cap_degrees) : std::span<const float>(cap_degrees);
+}
+
 // Steps from node i − 1 of the axis to node i.
 std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
   const Node& a = axes_.nodes[axis.first + i - 1];
@@ -119,14 +123,17 @@ std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
   const glm::vec3 along = (b.position - a.position) / b.step;
   const bool shaped = (i == 1 && axis.origin.attached) || (i + 1 == axis.count && end_of(axis).flare > 0);
   const float by_length = 2 + 2 * b.step / std::max(a.radius, b.radius);
-  const float by_bend = 6 * (glm::length(a.tangent - along) + glm::length(b.tangent - along));  // about every 10°
-  const float wanted = std::max(std::min(shaped ? 10.0f : 7.0f, by_length), by_bend);
+  const bool thin = is_thin(axis);
+  const float bend = glm::length(a.tangent - along) + glm::length(b.tangent - along);
+  const float by_bend = (thin ? 4 : 6) * bend;  // about every 15°, every 10°
+  const float most = thin ? (shaped ? 6.0f : 3.0f) : (shaped ? 10.0f : 7.0f);
+  const float wanted = std::max(std::min(most, by_length), by_bend);
   const auto steps = static_cast<std::uint32_t>(std::min(wanted, static_cast<float>(most_steps)));
   return coarse_ ? 1 + steps / 8 : steps;
 }
 
 std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
-  std::uint32_t rings = 1 + cap_rings * (axis.origin.attached ? 1 : 2);
+  std::uint32_t rings = 1 + static_cast<std::uint32_t>(cap_of(axis).size()) * (axis.origin.attached ? 1 : 2);
   for (std::uint32_t i = 1; i < axis.count; ++i) rings += steps_to(axis, i);
   return rings;
 }
@@ -175,8 +182,9 @@ void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   tube.bearer_point = axes_.nodes[axis.first].position;
   tube.bearer_direction = axis.origin.direction;
   tube.bearer_radius = std::max(axis.origin.radius, axes_.finest);
-  const std::size_t front = axis.origin.attached ? 0 : cap_rings;
-  const std::size_t back = rings.size() - cap_rings;
+  const std::span<const float> cap = cap_of(axis);
+  const std::size_t front = axis.origin.attached ? 0 : cap.size();
+  const std::size_t back = rings.size() - cap.size();
   sweep(axis, &rings[front]);
   find_changes({&rings[front], back - front});
 
@@ -185,8 +193,8 @@ void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   const Ring& last = rings[back - 1];
   const float first_height = 0.3f * first.radius;
   const float last_height = end_of(axis).height * last.radius;
-  for (std::size_t i = 0; i < front; ++i) rings[i] = cap_ring(first, cap_degrees[front - 1 - i], -first_height);
-  for (std::size_t i = 0; i < cap_rings; ++i) rings[back + i] = cap_ring(last, cap_degrees[i], last_height);
+  for (std::size_t i = 0; i < front; ++i) rings[i] = cap_ring(first, cap[front - 1 - i], -first_height);
+  for (std::size_t i = 0; i < cap.size(); ++i) rings[back + i] = cap_ring(last, cap[i], last_height);
   tube.first_pole = first.centre - first.tangent * first_height;
   tube.last_pole = last.centre + last.tangent * last_height;
 

@@ -41,7 +41,10 @@ struct Tube {
 // bearer, rings lean towards the bearer's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
-  TubeMaker(const Stems& stems, const StemAxes& axes);
+  // Axes that begin thinner than `thin` get about half the rings.
+  TubeMaker(const Stems& stems, const StemAxes& axes, float thin = 0);
+
+  bool is_thin(const StemAxis& axis) const { return axes_.nodes[axis.first].radius < thin_; }
 
   // From now on as few rings as will do, for stems too many to be smooth.
   void coarsen() { coarse_ = true; }
@@ -54,12 +57,14 @@ class TubeMaker {
  private:
   static constexpr std::uint32_t most_steps = 16;  // from node to node
 
+  std::span<const float> cap_of(const StemAxis& axis) const;
   std::uint32_t steps_to(const StemAxis& axis, std::uint32_t i) const;
   StemEnd end_of(const StemAxis& axis) const;
   void sweep(const StemAxis& axis, Ring* rings) const;
 
   const Stems stems_;
   const StemAxes& axes_;
+  const float thin_;
   bool coarse_ = false;
   // Steps are shorter near nodes: at fraction k / n − c sin(2π k / n) / 2π. Here is that without c, for every n.
   std::array<std::array<float, most_steps + 1>, most_steps + 1> crowding_{};

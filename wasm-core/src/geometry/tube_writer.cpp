@@ -53,28 +53,29 @@ void close_ring(float* out, std::uint32_t sides) {
 
 }  // namespace
 
-TubeWriter::TubeWriter(StemMesh& stem, std::uint32_t sides, std::uint64_t rings, std::uint64_t tubes)
-    : stem_(stem), sides_(sides), padded_((sides + 3) / 4 * 4) {
-  for (std::uint32_t k = 0; k < padded_; ++k) {
+RingPattern::RingPattern(std::uint32_t sides_) : sides(sides_), padded((sides_ + 3) / 4 * 4) {
+  for (std::uint32_t k = 0; k < padded; ++k) {
     const SinCos angle = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(sides));
-    cosine_.push_back(angle.cosine);
-    sine_.push_back(angle.sine);
-    cosine_thrice_.insert(cosine_thrice_.end(), 3, angle.cosine);
-    sine_thrice_.insert(sine_thrice_.end(), 3, angle.sine);
+    cosine.push_back(angle.cosine);
+    sine.push_back(angle.sine);
+    cosine_thrice.insert(cosine_thrice.end(), 3, angle.cosine);
+    sine_thrice.insert(sine_thrice.end(), 3, angle.sine);
   }
   const std::uint32_t row = sides + 1;
   for (std::uint32_t k = 0; k < row + row % 2; ++k)
-    u_.insert(u_.end(), {static_cast<float>(k) / static_cast<float>(sides), 0});
-  for (std::uint32_t k = 0; k < sides; ++k) band_.insert(band_.end(), {k, k + 1, k + row + 1, k, k + row + 1, k + row});
-  while (band_.size() % 4 != 0) band_.push_back(0);
+    u.insert(u.end(), {static_cast<float>(k) / static_cast<float>(sides), 0});
+  for (std::uint32_t k = 0; k < sides; ++k) band.insert(band.end(), {k, k + 1, k + row + 1, k, k + row + 1, k + row});
+  while (band.size() % 4 != 0) band.push_back(0);
+}
 
-  const auto room = static_cast<std::size_t>(vertices_for(sides, rings, tubes)) + 4;
+TubeWriter::TubeWriter(StemMesh& stem, std::uint64_t vertices, std::uint64_t triangles) : stem_(stem) {
+  const auto room = static_cast<std::size_t>(vertices) + 4;
   // Made, not grown: in a wasm where some code is built for size, growing writes zeros one number at a time.
   stem.mesh.positions = std::vector<float>(room * 3);
   stem.mesh.normals = std::vector<float>(room * 3);
   stem.mesh.uvs = std::vector<float>(room * 2);
   stem.segment = std::vector<std::uint32_t>(room);
-  stem.mesh.indices = std::vector<std::uint32_t>(static_cast<std::size_t>(rings) * sides * 6 + 4);
+  stem.mesh.indices = std::vector<std::uint32_t>(static_cast<std::size_t>(triangles) * 3 + 4);
 }
 
 void TubeWriter::finish() {
@@ -85,7 +86,8 @@ void TubeWriter::finish() {
   stem_.mesh.indices.resize(indices_);
 }
 
-void TubeWriter::write(const Tube& tube, float scale) {
+void TubeWriter::write(const Tube& tube, const RingPattern& pattern, float scale) {
+  pattern_ = &pattern;
   const Ring& first = tube.rings.front();
   const Ring& last = tube.rings.back();
   write_triangles(vertices_, static_cast<std::uint32_t>(tube.rings.size()));
@@ -117,32 +119,32 @@ void TubeWriter::write_ring(const Tube& tube, const Ring& ring, float scale) {
   }
   float* uvs = &stem_.mesh.uvs[2 * vertices_];
   const Four v{0, ring.v, 0, ring.v};
-  const float* u = u_.data();
-  for (const float* end = u + u_.size(); u < end; u += 4, uvs += 4) store(uvs, load(u) + v);
+  const float* u = pattern_->u.data();
+  for (const float* end = u + pattern_->u.size(); u < end; u += 4, uvs += 4) store(uvs, load(u) + v);
   std::uint32_t* segments = &stem_.segment[vertices_];
   const FourWords segment{ring.segment, ring.segment, ring.segment, ring.segment};
-  for (std::uint32_t k = 0; k <= sides_; k += 4) store(segments + k, segment);
-  vertices_ += sides_ + 1;
+  for (std::uint32_t k = 0; k <= pattern_->sides; k += 4) store(segments + k, segment);
+  vertices_ += pattern_->sides + 1;
 }
 
 void TubeWriter::write_ellipse(float* out, const glm::vec3& centre, const glm::vec3& right,
                                const glm::vec3& forward) const {
   const Repeated c(centre), r(right), f(forward);
-  const float* cosine = cosine_thrice_.data();
-  const float* sine = sine_thrice_.data();
-  for (std::uint32_t at = 0; at < 3 * padded_; at += 12) {
+  const float* cosine = pattern_->cosine_thrice.data();
+  const float* sine = pattern_->sine_thrice.data();
+  for (std::uint32_t at = 0; at < 3 * pattern_->padded; at += 12) {
     store(out + at, c.part[0] + r.part[0] * load(cosine + at) + f.part[0] * load(sine + at));
     store(out + at + 4, c.part[1] + r.part[1] * load(cosine + at + 4) + f.part[1] * load(sine + at + 4));
     store(out + at + 8, c.part[2] + r.part[2] * load(cosine + at + 8) + f.part[2] * load(sine + at + 8));
   }
-  close_ring(out, sides_);
+  close_ring(out, pattern_->sides);
 }
 
 // At right angles to the two directions within the surface, round the ring and along the axis.
 void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) const {
-  const float* cosine = cosine_.data();
-  const float* sine = sine_.data();
-  for (std::uint32_t k = 0; k < padded_; k += 4) {
+  const float* cosine = pattern_->cosine.data();
+  const float* sine = pattern_->sine.data();
+  for (std::uint32_t k = 0; k < pattern_->padded; k += 4) {
     const Four c = load(cosine + k), s = load(sine + k);
     const FourVectors around = sum(glm::vec3(0), ring.forward, c, -ring.right, s);
     const FourVectors along = sum(ring.tangent, ring.right_change, c, ring.forward_change, s);
@@ -159,14 +161,14 @@ void TubeWriter::write_normals(const Tube& tube, const Ring& ring, float* out) c
     store(out + 3 * k + 4, Four{y[1], z[1], x[2], y[2]});
     store(out + 3 * k + 8, Four{z[2], x[3], y[3], z[3]});
   }
-  close_ring(out, sides_);
+  close_ring(out, pattern_->sides);
 }
 
 // A fan, bands of two triangles a side, a fan; counter-clockwise from without.
 void TubeWriter::write_triangles(std::uint32_t first_pole, std::uint32_t rings) {
-  const std::uint32_t row = sides_ + 1;
-  const std::uint32_t* band = band_.data();
-  const std::size_t words = band_.size();
+  const std::uint32_t row = pattern_->sides + 1;
+  const std::uint32_t* band = pattern_->band.data();
+  const std::size_t words = pattern_->band.size();
   std::uint32_t ring = first_pole + 1;
   std::uint32_t* out = &stem_.mesh.indices[indices_];
   const auto triangle = [&out](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -175,14 +177,14 @@ void TubeWriter::write_triangles(std::uint32_t first_pole, std::uint32_t rings) 
     out[2] = c;
     out += 3;
   };
-  for (std::uint32_t k = 0; k < sides_; ++k) triangle(first_pole, ring + k + 1, ring + k);
-  for (std::uint32_t i = 1; i < rings; ++i, ring += row, out += 6 * sides_) {
+  for (std::uint32_t k = 0; k < pattern_->sides; ++k) triangle(first_pole, ring + k + 1, ring + k);
+  for (std::uint32_t i = 1; i < rings; ++i, ring += row, out += 6 * pattern_->sides) {
     const FourWords base{ring, ring, ring, ring};
     for (std::uint32_t k = 0; k < words; k += 4) store(out + k, load(band + k) + base);
   }
   const std::uint32_t last_pole = ring + row;
-  for (std::uint32_t k = 0; k < sides_; ++k) triangle(last_pole, ring + k, ring + k + 1);
-  indices_ += rings * sides_ * 6;
+  for (std::uint32_t k = 0; k < pattern_->sides; ++k) triangle(last_pole, ring + k, ring + k + 1);
+  indices_ += rings * pattern_->sides * 6;
 }
 
 }  // namespace panicle

@@ -9,23 +9,37 @@
 
 namespace panicle {
 
+// What rings of one number of sides share.
+struct RingPattern {
+  explicit RingPattern(std::uint32_t sides_);
+
+  std::uint32_t sides, padded;                    // and rounded up to a multiple of four
+  std::vector<float> cosine, sine;                // of the sides' angles
+  std::vector<float> cosine_thrice, sine_thrice;  // each for x, y and z
+  std::vector<float> u;                           // u and 0 for each vertex of a ring
+  std::vector<std::uint32_t> band;  // indices between a ring and the next, the ring's first vertex being 0
+};
+
+// How many rings and tubes there are of a pattern.
+struct TubeCount {
+  std::uint64_t rings = 0, tubes = 0;
+
+  std::uint64_t vertices(std::uint32_t sides) const { return rings * (sides + 1) + tubes * 2; }
+};
+
 // Writes tubes one after the other. Arrays get a few elements too many at first, since all is written four at a time.
 class TubeWriter {
  public:
-  // Makes room in `stem`, which must outlive the writer, for `rings` rings in `tubes` tubes.
-  TubeWriter(StemMesh& stem, std::uint32_t sides, std::uint64_t rings, std::uint64_t tubes);
+  // Makes room in `stem`, which must outlive the writer, for that many vertices and triangles.
+  TubeWriter(StemMesh& stem, std::uint64_t vertices, std::uint64_t triangles);
 
-  // Appends a tube, its positions scaled.
-  void write(const Tube& tube, float scale);
+  // Appends a tube, its positions scaled. The pattern must outlive the call.
+  void write(const Tube& tube, const RingPattern& pattern, float scale);
   // Gives back what was too many. Call it last.
   void finish();
 
   std::uint32_t vertices() const { return vertices_; }
   std::uint32_t indices() const { return indices_; }
-
-  static std::uint64_t vertices_for(std::uint32_t sides, std::uint64_t rings, std::uint64_t tubes) {
-    return rings * (sides + 1) + tubes * 2;
-  }
 
  private:
   void write_pole(const glm::vec3& position, const glm::vec3& normal, const Ring& ring);
@@ -35,13 +49,8 @@ class TubeWriter {
   void write_triangles(std::uint32_t first_pole, std::uint32_t rings);
 
   StemMesh& stem_;
-  const std::uint32_t sides_;
+  const RingPattern* pattern_ = nullptr;  // of the tube being written
   std::uint32_t vertices_ = 0, indices_ = 0;
-  std::uint32_t padded_;  // sides, rounded up to a multiple of four
-  std::vector<float> cosine_, sine_;
-  std::vector<float> cosine_thrice_, sine_thrice_;  // each for x, y and z
-  std::vector<float> u_;                            // u and 0 for each vertex of a ring
-  std::vector<std::uint32_t> band_;  // indices between a ring and the next, the ring's first vertex being 0
 };
 
 }  // namespace panicle

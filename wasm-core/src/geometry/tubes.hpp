@@ -27,6 +27,10 @@ struct TubeOptions {
   // A mesh that would have more gets fewer sides, then fewer rings. 60 bytes each: what the limit on segments
   // allows still fits memory.
   std::uint64_t most_vertices = 10'000'000;
+  // Axes that begin thinner than this, in the segments' unit, get `thin_sides` sides and about half the rings: of what
+  // is a few pixels wide no more would be seen.
+  float thin = 0;
+  std::uint32_t thin_sides = 6;
 };
 
 // Sweeps the stems. Positions come out in the segments' unit times `scale`. u runs once round, v along the

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "environment/plant_sky.hpp"
 #include "foundation/fingerprint.hpp"
 #include "geometry/ball.hpp"
 #include "geometry/tubes.hpp"
@@ -19,12 +20,45 @@ glm::vec4 turn_from_up(const glm::vec3& way) {
   return {way.z / length, 0, -way.x / length, w / length};
 }
 
+// Owners are segments, then organs.
+Sky surroundings_of(const Plant& plant) {
+  std::vector<SkyBody> balls;
+  for (const Organ& organ : plant.organs)
+    balls.push_back(
+        sky_ball(organ.position, organ.scale, static_cast<std::int32_t>(plant.segments.size() + balls.size())));
+  std::vector<SkyBody> specks;
+  for (const Segment& segment : plant.segments)
+    add_specks(segment, static_cast<std::int32_t>(&segment - plant.segments.data()), specks);
+  return Sky(balls, specks);
+}
+
+// A mean over each ball, which hides nothing from itself.
+std::vector<std::uint8_t> sky_of_organs(Sky& sky, const Plant& plant) {
+  const Mesh ball = make_ball(8);
+  std::vector<std::uint8_t> points(ball.positions.size() / 3), means;
+  for (const Organ& organ : plant.organs) {
+    sky.face(
+        {organ.position, organ.scale, static_cast<std::int32_t>(plant.segments.size() + means.size()), organ.segment});
+    sky.enter({.centre = organ.position, .scale = organ.scale});
+    sky.see(ball.positions, ball.normals, points);
+    std::size_t sum = points.size() / 2;
+    for (const std::uint8_t point : points) sum += point;
+    means.push_back(static_cast<std::uint8_t>(sum / points.size()));
+  }
+  return means;
+}
+
 void add_meshes(Plant& plant, const PlainOptions& options) {
   const TubeOptions tubes{.sides = options.sides};
   StemMesh stems = sweep_stems({plant.segments}, tubes, 1.0f);
-  PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, {}};
-  mesh.columns.add("segment", std::move(stems.segment));
-  plant.meshes.push_back(std::move(mesh));
+  Columns columns;
+  if (options.sky) {
+    Sky sky = surroundings_of(plant);
+    columns.add("sky", sky_of_stems(sky, stems, plant.segments));
+    if (!plant.organs.empty()) plant.columns.add("organs.sky", sky_of_organs(sky, plant));
+  }
+  columns.add("segment", std::move(stems.segment));
+  plant.meshes.push_back({"stems", "stem", std::move(stems.mesh), {}, std::move(columns)});
   if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(options.ball_segments), {}, {}});
 }
 

@@ -19,6 +19,7 @@ struct PlainOptions {
   std::optional<std::uint32_t> steps;  // of the derivation; as the text says where it is not given
   float metres = 0.001f;               // of one unit of the grammar
   bool meshes = true;
+  bool sky = false;  // of the meshes
   bool mesh_fingerprint = false;
   std::uint32_t sides = 12;          // of a tube
   std::uint32_t ball_segments = 16;  // round a ball
@@ -30,7 +31,7 @@ Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, cons
                            const PlainOptions& options, const Limits& limits);
 
 // What has been drawn as a plant: segments and organs in metres, and the meshes `stems` and `balls` where they are
-// asked for. Tags: `stem`, `ball`.
+// asked for, `sky` of the stems' vertices and of each ball. Tags: `stem`, `ball`.
 Plant plant_of(const Drawing& drawing, const PlainOptions& options);
 
 // Over segments and organs (docs/fingerprint.md): for plants whose model has no order of its own.

@@ -17,7 +17,7 @@
 
 namespace panicle {
 
-// Blocks that every model has: `model` (text), `seed` (uint32), `outputs` (text: words out of meshes, measures,
+// Blocks that every model has: `model` (text), `seed` (uint32), `outputs` (text: words out of meshes, measures, sky,
 // mesh_fingerprint), `parameters` (float32, in the order of the model's table; NaN or missing: the default), and where
 // a grammar is wanted `grammar` (text) or, in its place, `program` (uint32: the handle of a compiled one) and `steps`.
 class Request {

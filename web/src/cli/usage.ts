@@ -22,11 +22,12 @@ export function usage(
 	const others = models.filter((each) => each !== name).map((each) => `${each} --help`);
 	return `Grows a plant; here: ${title.toLowerCase()}.
 
-  npm run -s grow -- [PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--out FILE]
+  npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--out FILE]
   npm run -s grow -- --list
 
+  MODEL/PRESET     a preset of any model (--list): ${name}/${presets.standard}; MODEL alone is its first choice
   PRESET           ${wrapped(presets.list.map((preset) => prefix + preset.name))}
-                   (default: ${prefix}${presets.standard})
+                   (default: ${prefix}${presets.standard}${prefix === "" ? `; ${name}/ before them may be left out` : ""})
   LINK             what Copy link copies, or its part from the ? on
   --seed N         0 … 4294967295; another seed is another ${noun} of the same shape
   --set KEY=VALUE  as often as needed; KEY is one of

@@ -42,6 +42,8 @@ export interface NoticeOptions {
 	copy?: string;
 	/** Goes by itself after a while: confirmations, never warnings. */
 	brief?: boolean;
+	/** Offers to try again. */
+	again?: () => void;
 }
 
 /** The studio is one; a test may be another. */

@@ -7,7 +7,7 @@ import { HeldKey } from "./held_key";
 import { icon } from "./icons";
 import { type Life, nextStage, stageOf } from "./life";
 import type { PlayState } from "./life_player";
-import { readTyped } from "./typed";
+import { handBack, handOver, isForField, readTyped } from "./typed";
 
 const STEP = 0.5;
 
@@ -44,18 +44,18 @@ export class LifeBar extends ControlElement {
 				>
 				<div class="stages" role="group" aria-label="Stages">${life.stages.map(
 					({ at, name: words }) => html`<button
-						class="stage-name" type="button" aria-current=${words === stage.name} .style=${`--at: ${(at - min) / (max - min)}`}
+						class="stage-name" type="button" tabindex="-1" aria-current=${words === stage.name} .style=${`--at: ${(at - min) / (max - min)}`}
 						@click=${() => this.#set(at)}
 					>${words}</button>`,
 				)}</div>
 				<p class="stage-now" aria-hidden="true">${stage.name}</p>
 			</div>
 			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" .value=${live(String(age))}
+				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(String(age))}
 				aria-label="${life.label} in percent"
-				@change=${this.#type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
+				@change=${this.#type} @keydown=${this.#fieldKey} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
 			><span class="unit" aria-hidden="true">%</span>
-			<span class="unseen" id=${this.idOf("help")}>${life.help} Page keys go from stage to stage, K plays, Delete brings the
+			<span class="unseen" id=${this.idOf("help")}>${life.help} Page keys go from stage to stage, K plays, Enter types a number, Delete brings the
 				preset’s ${name} back. ${min} … ${max} percent.</span>
 		</div>`;
 	}
@@ -63,7 +63,7 @@ export class LifeBar extends ControlElement {
 	protected override updated(): void {
 		const { min, max } = this.#entry;
 		const done = (this.age - min) / (max - min);
-		this.querySelector<HTMLElement>("input[type=range]")?.style.setProperty("--done", `${done * 100}%`);
+		this.querySelector<HTMLElement>(".life")?.style.setProperty("--share", String(done));
 	}
 
 	get age(): number {
@@ -93,10 +93,15 @@ export class LifeBar extends ControlElement {
 	#keyDown(event: KeyboardEvent): void {
 		const { key } = event;
 		if (key === "Delete" || key === "Backspace") this.#reset();
+		else if (isForField(event)) handOver(event, this.querySelector("input.typed"));
 		else this.#held.down(event);
 		if (key !== "PageUp" && key !== "PageDown") return;
 		event.preventDefault();
 		this.#edit(nextStage(this.life, this.age, key === "PageUp" ? 1 : -1).at);
+	}
+
+	#fieldKey(event: KeyboardEvent): void {
+		handBack(event, this.age, this.querySelector("input[type=range]"));
 	}
 
 	/** On a button the space bar is the button's own. */

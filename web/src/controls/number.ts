@@ -5,7 +5,7 @@ import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
 import { symbol } from "./symbol";
-import { readTyped } from "./typed";
+import { handBack, handOver, isForField, readTyped } from "./typed";
 
 /**
  * One numeric parameter: a slider and the same number to type. Dragging edits live and is one undo step, as is a run of
@@ -30,12 +30,12 @@ export class NumberControl extends EntryElement<NumberEntry> {
 				@keydown=${this.#keyDown} @keyup=${this.#held.up} @blur=${this.#held.up}
 			>
 			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" .value=${String(value)}
+				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${String(value)}
 				aria-label=${unit ? `${label} in ${spoken(unit)}` : `${label}, typed`} aria-describedby=${help}
-				@change=${this.#type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
+				@change=${this.#type} @keydown=${this.#fieldKey} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
 			>
 			<span class="unit" aria-hidden="true">${unit}</span>
-			<span class="unseen" id=${help}>${entry.help} ${range(entry)}</span>
+			<span class="unseen" id=${help}>${entry.help} ${range(entry)} Enter types a number.</span>
 			</div>
 			${this.#message?.text && this.#message.value === value ? html`<p class="clamped" role="status">${this.#message.text}</p>` : nothing}`;
 	}
@@ -63,7 +63,12 @@ export class NumberControl extends EntryElement<NumberEntry> {
 
 	#keyDown(event: KeyboardEvent): void {
 		if (event.key === "Delete" || event.key === "Backspace") this.reset();
+		else if (isForField(event)) handOver(event, this.querySelector("input.typed"));
 		else this.#held.down(event);
+	}
+
+	#fieldKey(event: KeyboardEvent): void {
+		handBack(event, Number(this.value), this.querySelector("input[type=range]"));
 	}
 
 	#type(event: Event): void {

@@ -1,5 +1,27 @@
+/** Numbers to be typed: the field beside a slider. It is no stop of the Tab key; the slider hands over to it. */
+
 /** A number as people type it: a comma for a point, a true minus; NaN where it is none. */
 export function readTyped(text: string): number {
 	const plain = text.trim().replace(",", ".").replace("−", "-");
 	return plain === "" ? Number.NaN : Number(plain);
+}
+
+/** Whether a key on a slider is for the field beside it: Enter, or what a number begins with. */
+export function isForField({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+	return !ctrlKey && !metaKey && !altKey && (key === "Enter" || /^[-−.,\d]$/.test(key));
+}
+
+/** Takes the focus to the field; what was typed goes into it, in place of what is there. */
+export function handOver(event: KeyboardEvent, field: HTMLInputElement | null): void {
+	if (event.key === "Enter") event.preventDefault();
+	field?.focus();
+	field?.select();
+}
+
+/** In the field: Enter takes what was typed, Escape leaves it, and both go back to the slider. */
+export function handBack(event: KeyboardEvent, value: number, slider: HTMLInputElement | null): void {
+	if (event.key !== "Enter" && event.key !== "Escape") return;
+	event.preventDefault();
+	if (event.key === "Escape") (event.target as HTMLInputElement).value = String(value);
+	slider?.focus();
 }

@@ -1,5 +1,5 @@
 /**
- * Growing off the page's thread, for one document. Latest wins: while one growth runs at most one more waits, so a drag
+ * Growing off the page's thread, for one document. Latest wins: besides what runs at most one request waits, so a drag
  * never queues up. Several documents have a client each over one pool.
  */
 import type { Answer } from "./core";
@@ -15,6 +15,11 @@ export interface ClientOptions {
 	workerFactory?: () => Worker;
 	/** Compiles a module; the default fetches it. For a pool of its own. */
 	compile?: (wasm: string) => Promise<WebAssembly.Module>;
+	/**
+	 * Growths of this document side by side at the most; 1 where absent. With two, a step of a drag that comes while the
+	 * step before still grows begins at once; their answers may come in another order.
+	 */
+	abreast?: number;
 	/** Told what works but could be better, such as a server that names a wrong type. */
 	onNote?: (text: string) => void;
 }
@@ -34,12 +39,20 @@ export class Client {
 	/** Ends what is under way when the client is closed; a pool that others share goes on. */
 	readonly #closing = new AbortController();
 	readonly #ownsPool: boolean;
+	readonly #abreast: number;
 	#running = 0;
 	#waiting: Waiting | undefined;
 
-	constructor({ pool, workerFactory = spawnWorker, compile, onNote }: ClientOptions = {}) {
+	constructor({ pool, workerFactory = spawnWorker, compile, abreast = 1, onNote }: ClientOptions = {}) {
 		this.#ownsPool = pool === undefined;
-		this.#pool = pool ?? new Pool({ spawn: workerFactory, compile: compile ?? ((wasm) => compileCore(wasm, onNote)) });
+		this.#abreast = abreast;
+		this.#pool =
+			pool ??
+			new Pool({
+				spawn: workerFactory,
+				compile: compile ?? ((wasm) => compileCore(wasm, onNote)),
+				seats: abreast,
+			});
 	}
 
 	/** Starts fetching a module and the first worker now, so that both are warm when the first plant is asked for. */
@@ -64,7 +77,7 @@ export class Client {
 					})
 					.then(resolve, reject);
 			};
-			if (this.#running === 0) begin();
+			if (this.#running < this.#abreast) begin();
 			else this.#wait({ begin, reject }, signal);
 		});
 	}

@@ -1,12 +1,16 @@
-/** Starts the worker's script. */
+/** Starts workers. */
 import address from "./worker.ts?worker&url";
 
+/** Starts the worker that grows. */
+export function spawnWorker(): Worker {
+	return startWorker(new URL(address, import.meta.url));
+}
+
 /**
- * A page may only start workers of its own origin. Where the script lies elsewhere (assets served from another
+ * Starts a worker of a script, a module. A page may only start workers of its own origin. Where the script lies elsewhere (assets served from another
  * host), a small script of this origin imports it.
  */
-export function spawnWorker(): Worker {
-	const script = new URL(address, import.meta.url);
+export function startWorker(script: URL): Worker {
 	if (script.origin === location.origin) return new Worker(script, { type: "module" });
 	const source = new Blob([`import ${JSON.stringify(script.href)};`], { type: "text/javascript" });
 	const url = URL.createObjectURL(source);

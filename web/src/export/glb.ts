@@ -2,6 +2,7 @@
 import type { Colour } from "../plant/colour";
 import type { Material } from "../plant/material";
 import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+import { everywhere, shaded } from "../plant/shade";
 import type { About } from "./about";
 import { GltfDocument, type Json, type Placed } from "./gltf_document";
 import { gltfMaterial } from "./gltf_material";
@@ -46,13 +47,17 @@ class PartsWriter {
 	/** Indices by material, of those with colours of vertices and of those without. */
 	readonly #materials = { coloured: new Map<Material, number>(), plain: new Map<Material, number>() };
 	readonly #shared = new Map<PartMesh, Placed>();
+	/** Colours as they are written, of meshes that have any. */
+	readonly #colours = new Map<PartMesh, Float32Array>();
 
 	constructor(document: GltfDocument, parts: readonly Part[], instancing: boolean) {
 		this.#document = document;
 		this.#instancing = instancing;
 		for (const { shape } of everyPart(parts)) {
-			const colours = shape?.mesh.colours;
-			if (colours) this.#bases.set(shape.material, brightest(colours, this.#bases.get(shape.material)));
+			const colours = shape && writtenColours(shape);
+			if (!colours) continue;
+			this.#colours.set(shape.mesh, colours);
+			this.#bases.set(shape.material, brightest(colours, this.#bases.get(shape.material)));
 		}
 	}
 
@@ -147,8 +152,9 @@ class PartsWriter {
 	}
 
 	#mesh({ mesh, material, centre }: Shape, name: string): Placed {
-		const base = mesh.colours && this.#bases.get(material);
-		const colours = mesh.colours && base && sharesOf(mesh.colours, base);
+		const written = this.#colours.get(mesh);
+		const base = written && this.#bases.get(material);
+		const colours = written && base && sharesOf(written, base);
 		return this.#document.mesh(mesh.name ?? name, mesh, this.#material(material, base), { centre, colours });
 	}
 
@@ -162,6 +168,12 @@ class PartsWriter {
 		indices.set(material, index);
 		return index;
 	}
+}
+
+/** Colours of vertices in the shade in which they stand: most programs know no other way to show it. */
+function writtenColours({ mesh, material }: Shape): Float32Array | undefined {
+	const { colours, sky, positions } = mesh;
+	return sky ? shaded(colours ?? everywhere(material.colour, positions.length / 3), sky) : colours;
 }
 
 /** What a node says of where it is; what it need not say it leaves out. */

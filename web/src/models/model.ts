@@ -19,8 +19,10 @@ import type { Specimen } from "../specimen/specimen";
 export interface GrowthOptions {
 	/** Whether triangles are wanted besides segments and organs; the default is yes. */
 	meshes?: boolean;
-	/** Whether `measures` are wanted; the default is yes. */
+	/** Whether `measures` are wanted; the default is yes, but not in passing. */
 	measures?: boolean;
+	/** Whether the next is on its way, for a hand moves: what a figure can do without for so long may be left out. */
+	passing?: boolean;
 }
 
 /** Something that `Download` and the command line's `--out` give besides what every plant has. */
@@ -56,9 +58,9 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	 * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts
 	 */
 	encode(specimen: S, options?: GrowthOptions): Block[];
-	/** What came back, typed. */
+	/** What came back, typed: plain data, for it is cloned into the worker that makes files. */
 	read(answer: Answer): G;
-	/** What the plant is made of, for the scene and the exporters: meshes or instances with their materials. */
+	/** What the plant is made of, for the scene and the exporters, which run in a worker: meshes or instances with their materials. */
 	parts(grown: G, specimen: S): Iterable<Part>;
 	/** Whether some parts are one mesh many times; where absent, whether organs are drawn with meshes says so. */
 	instanced?(grown: G): boolean;

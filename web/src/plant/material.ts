@@ -11,6 +11,11 @@ export interface Material {
 	roughness: number;
 	/** Of sheets without thickness. */
 	doubleSided?: boolean;
+	/**
+	 * Of sheets, what files cannot say: light that comes through, as a factor on what the colour lets pass, and the colour of
+	 * the other side, as a factor on this one's.
+	 */
+	sheet?: { through: Colour; reverse: Colour };
 	/** Fine fibres or wax, seen at grazing angles: linear colour and roughness. */
 	sheen?: { colour: Colour; roughness: number };
 	/** Refractive index, where it is not 1.5. */
@@ -28,7 +33,13 @@ const STANDARD: Readonly<Record<string, Material>> = {
 	stem: { name: "Stem", colour: linear("7d7a3f"), roughness: 0.85 },
 	bark: { name: "Bark", colour: linear("6d5745"), roughness: 0.95 },
 	root: { name: "Root", colour: linear("b79b74"), roughness: 0.9 },
-	blade: { name: "Blade", colour: linear("4f7430"), roughness: 0.6, doubleSided: true },
+	blade: {
+		name: "Blade",
+		colour: linear("4f7430"),
+		roughness: 0.6,
+		doubleSided: true,
+		sheet: { through: [0.75, 0.85, 0.45], reverse: [1.3, 1.2, 1.4] },
+	},
 	petal: {
 		name: "Petal",
 		colour: linear("e7a9bf"),

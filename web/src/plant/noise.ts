@@ -42,25 +42,29 @@ function eased(t: number): number {
 	return t * t * (3 - 2 * t);
 }
 
-/** The same for shaders. A loop rather than eight lines: a shader's first compilation is paid by the eye. */
+/** The same for shaders: the eight corners of a cell by what they share. */
 export const NOISE_CHUNK = /* glsl */ `
-float hash(ivec3 cell) {
-	uvec3 c = uvec3(cell) * uvec3(0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u);
-	uint h = (c.x ^ (c.y >> 7u) ^ (c.y << 9u) ^ (c.z >> 13u) ^ (c.z << 3u)) * 0x27d4eb2du;
+const uvec3 NOISE_PRIMES = uvec3(0x9e3779b1u, 0x85ebca6bu, 0xc2b2ae35u);
+vec4 mixed_bits(uvec4 h) {
+	h *= 0x27d4eb2du;
 	h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
-	return float(h >> 16u) / 65535.0;
+	return vec4(h >> 16u) / 65535.0;
+}
+float hash(ivec3 cell) {
+	uvec3 c = uvec3(cell) * NOISE_PRIMES;
+	return mixed_bits(uvec4(c.x ^ (c.y >> 7u) ^ (c.y << 9u) ^ (c.z >> 13u) ^ (c.z << 3u))).x;
 }
 float noise(vec3 at) {
 	vec3 floored = floor(at);
-	ivec3 cell = ivec3(floored);
 	vec3 f = at - floored;
 	f = f * f * (3.0 - 2.0 * f);
-	float sum = 0.0;
-	for (int i = 0; i < 4; i++) {
-		ivec3 corner = cell + ivec3(0, i & 1, i >> 1);
-		vec2 share = mix(1.0 - f.yz, f.yz, vec2(i & 1, i >> 1));
-		sum += share.x * share.y * mix(hash(corner), hash(corner + ivec3(1, 0, 0)), f.x);
-	}
-	return sum;
+	uvec3 low = uvec3(ivec3(floored)) * NOISE_PRIMES;
+	uvec3 high = low + NOISE_PRIMES;
+	uvec2 b = uvec2(low.y, high.y);
+	uvec2 c = uvec2(low.z, high.z);
+	uvec4 across = ((b >> 7u) ^ (b << 9u)).xyxy ^ ((c >> 13u) ^ (c << 3u)).xxyy;
+	vec4 sides = mix(mixed_bits(across ^ low.x), mixed_bits(across ^ high.x), f.x);
+	vec2 ends = mix(sides.xz, sides.yw, f.y);
+	return mix(ends.x, ends.y, f.z);
 }
 `;

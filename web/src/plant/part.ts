@@ -11,12 +11,16 @@ export interface PartMesh extends Mesh {
 	name?: string;
 	/** 3 × vertices, linear light 0 … 1: in place of the material's colour. */
 	colours?: Float32Array;
+	/** How much of the sky each vertex sees: 255 all, 0 none; all where absent. */
+	sky?: Uint8Array;
 }
 
 /** Where a mesh stands: once for each of its instances. */
 export interface Instances {
 	/** 8 × count: position x y z, rotation as a unit quaternion x y z w, scale. */
 	transforms: Float32Array;
+	/** How much of the sky each sees in the mean, where its mesh does not say: 255 all, 0 none; all where absent. */
+	sky?: Uint8Array;
 	/** What each is called, where each is a part by itself; without it there is one, and it is the part. */
 	each?: (index: number) => { name: string; extras?: Extras };
 }
@@ -73,11 +77,13 @@ export interface Run {
 export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, indexCount }: Run): PartMesh {
 	const lastVertex = firstVertex + vertexCount;
 	const colours = mesh.colours?.subarray(3 * firstVertex, 3 * lastVertex);
+	const sky = mesh.sky?.subarray(firstVertex, lastVertex);
 	return {
 		positions: mesh.positions.subarray(3 * firstVertex, 3 * lastVertex),
 		normals: mesh.normals.subarray(3 * firstVertex, 3 * lastVertex),
 		uvs: mesh.uvs.subarray(2 * firstVertex, 2 * lastVertex),
 		indices: mesh.indices.subarray(firstIndex, firstIndex + indexCount).map((index) => index - firstVertex),
 		...(colours ? { colours } : {}),
+		...(sky ? { sky } : {}),
 	};
 }

@@ -37,7 +37,9 @@ function organsOf(organs: Organs, members: number[], mesh: PlantMesh, material: 
 	});
 	const called = members.map((organ) => names.numbered(organs.tags[organs.tag[organ]] ?? mesh.name));
 	const each = (i: number) => ({ name: called[i], extras: { segment: organs.segment[members[i]] } });
-	return { name: names.plain(mesh.name), shape: { mesh, material, instances: { transforms, each } } };
+	const sky = organs.sky && Uint8Array.from(members, (organ) => organs.sky?.[organ] ?? 255);
+	const instances = { transforms, each, ...(sky ? { sky } : {}) };
+	return { name: names.plain(mesh.name), shape: { mesh, material, instances } };
 }
 
 /** The organs drawn with mesh `mesh`. */

@@ -37,6 +37,8 @@ export interface Organs {
 	segment: Int32Array;
 	/** Index into `Plant.meshes`, −1 for what has no mesh of its own. */
 	mesh: Int32Array;
+	/** How much of the sky each sees, as a mean over it: 255 all, 0 none; absent if not asked for. */
+	sky?: Uint8Array;
 	/** 8 × count: position x y z, rotation as a unit quaternion x y z w, scale. */
 	transforms: Float32Array;
 }
@@ -57,6 +59,11 @@ export interface PlantMesh extends Mesh {
 	/** Kind of material: stem, bark, blade, petal, skin … */
 	material: string;
 	runs: MeshRun[];
+	/**
+	 * How much of the sky each vertex sees, 255 all, 0 none; of a sheet the better of its sides. Absent if not asked for, and
+	 * of a mesh that organs are drawn with: theirs is `Organs.sky`.
+	 */
+	sky?: Uint8Array;
 }
 
 /** A grown plant of any model. Models add what is theirs by extending it. */

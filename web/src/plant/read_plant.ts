@@ -43,13 +43,26 @@ function readOrgans(columns: Columns): Organs {
 		segment: columns.ints("organs.segment"),
 		mesh: columns.ints("organs.mesh"),
 		transforms: columns.floats("organs.transforms"),
+		...readSky(columns, "organs."),
 	};
 }
 
 function readPlantMesh(columns: Columns, name: string): PlantMesh {
 	const prefix = `mesh.${name}.`;
 	const mesh = readMesh(columns, prefix);
-	return { name, material: columns.text(`${prefix}material`), ...mesh, runs: readRuns(columns, prefix) };
+	return {
+		name,
+		material: columns.text(`${prefix}material`),
+		...mesh,
+		runs: readRuns(columns, prefix),
+		...readSky(columns, prefix),
+	};
+}
+
+/** The column `sky`, where it was asked for. */
+export function readSky(columns: Columns, prefix: string): { sky?: Uint8Array } {
+	const name = `${prefix}sky`;
+	return columns.has(name) ? { sky: columns.octets(name) } : {};
 }
 
 /** The arrays of a mesh whose columns begin with `prefix`. */

@@ -1,4 +1,6 @@
 import { Matrix3, type Matrix4, Vector3, Vector4 } from "three";
+import { BOUNCE } from "../plant/shade";
+import { float } from "./glsl";
 import {
 	blurred,
 	COSINE_SHARPNESS,
@@ -109,24 +111,40 @@ vec3 gloss_surroundings(vec3 d) {
 	return ${sum("gloss")};
 }
 
-// Share of a mirror lobe that falls into the window; \`blur\` is the tangent by which roughness softens its edges.
-float reflected_window(vec3 d, Window w, float blur) {
-	vec3 q = w.toFrame * d;
-	if (q.z <= 0.05) return 0.0;
-	vec2 at = q.xy / q.z;
-	vec2 inside = smoothstep(-w.extent.xy - blur, -w.extent.xy + blur, at) - smoothstep(w.extent.xy - blur, w.extent.xy + blur, at);
-	float bar = w.extent.z / (w.extent.z + 0.6 * blur);
-	vec2 pane = 1.0 - bar * (1.0 - smoothstep(w.extent.z, w.extent.z + blur, abs(at - vec2(0.0, 0.3 * w.extent.y))));
-	vec2 kept = w.extent.xy / (w.extent.xy + 0.5 * blur);
-	return inside.x * inside.y * kept.x * kept.y * (w.extent.z > 0.0 ? pane.x * pane.y : 1.0);
+// Whether a direction at that cosine to the middle of a window (its half angles' tangents) can fall into it: most of a
+// plant mirrors none.
+bool near_window(float cosine, vec2 tangents, float blur) {
+	vec2 reach = tangents + blur;
+	return cosine > inversesqrt(1.0 + dot(reach, reach));
 }
 
-// Light that bounces between equal surfaces brightens and tints the shade (Jimenez et al. 2016, "Practical real-time
-// strategies for accurate indirect occlusion", equation 10).
+vec2 eased(vec2 x) {
+	x = clamp(x, 0.0, 1.0);
+	return x * x * (3.0 - 2.0 * x);
+}
+
+// Share of a mirror lobe that falls into a window of that extent, \`q\` the direction in the window's frame; \`blur\` is
+// the tangent by which roughness softens its edges.
+float reflected_window(vec3 q, vec3 extent, float blur) {
+	float share = 0.0;
+	vec2 at = q.xy / max(q.z, 0.05);
+	if (q.z > 0.05 && all(lessThan(abs(at), extent.xy + blur))) {
+		float steep = 0.5 / blur;
+		vec2 inside = eased((blur + extent.xy - abs(at)) * steep) - eased((blur - extent.xy - abs(at)) * steep);
+		vec2 kept = extent.xy / (extent.xy + 0.5 * blur);
+		share = inside.x * inside.y * kept.x * kept.y;
+		if (extent.z > 0.0) {
+			vec2 off = abs(at - vec2(0.0, 0.3 * extent.y)) - extent.z;
+			vec2 pane = 1.0 - (1.0 - eased(off * (2.0 * steep))) * (extent.z / (extent.z + 0.6 * blur));
+			share *= pane.x * pane.y;
+		}
+	}
+	return share;
+}
+
+// What plant/shade.ts says, for colours.
 vec3 bounced(float visible, vec3 albedo) {
-	vec3 a = 2.0404 * albedo - 0.3324;
-	vec3 b = -4.7951 * albedo + 0.6417;
-	vec3 c = 2.7552 * albedo + 0.6903;
+${BOUNCE.map(([slope, offset], i) => `	vec3 ${"abc"[i]} = ${float(slope)} * albedo + ${float(offset)};`).join("\n")}
 	return max(vec3(visible), ((visible * a + b) * visible + c) * visible);
 }
 `;

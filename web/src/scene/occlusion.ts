@@ -1,20 +1,7 @@
 /**
- * How much light spheres take from a point: the formulae that light_shader.ts also evaluates per pixel. Here they
- * serve what is settled once for a whole body, and the tests.
+ * How much of a lamp's light spheres take from a point: the formula that lamp_shader.ts of the bunch also evaluates at each
+ * vertex. Here it serves what is settled once for a whole body.
  */
-
-/**
- * Share of the sky's light (weighted by the cosine to the normal) that one sphere hides from a point outside it.
- * Exact while the sphere is wholly above the horizon, sin²α · cos γ; below, a parabola that meets it smoothly and
- * reaches 0 as the sphere sets.
- * @param sine r/d, the sine of the sphere's apparent radius α
- * @param cosine of the angle γ between normal and sphere
- */
-export function skyHidden(sine: number, cosine: number): number {
-	if (cosine <= -sine) return 0;
-	const lifted = cosine >= sine ? cosine : (cosine + sine) ** 2 / (4 * sine);
-	return sine * sine * lifted;
-}
 
 /**
  * Share of a round area light that a sphere hides.

@@ -1,3 +1,4 @@
+import { Box3, Sphere, Vector3 } from "three";
 import { everyPart, type Part, TRANSFORM } from "../plant/part";
 import type { Bodies } from "./camera_fit";
 
@@ -15,6 +16,20 @@ export function boundsOf(parts: Iterable<Part>): Bodies {
 		else addPoints(points, positions);
 	}
 	return { spheres: Float32Array.from(spheres), points: Float32Array.from(points) };
+}
+
+/** A ball that holds them, about the middle of their box. */
+export function ballOf({ spheres, points }: Bodies): { centre: Vector3; radius: number } {
+	const box = new Box3();
+	for (let i = 0; i < points.length; i += 3) box.expandByPoint(new Vector3().fromArray(points, i));
+	for (let i = 0; i < spheres.length; i += 4) {
+		const reach = new Vector3().setScalar(spheres[i + 3]);
+		const centre = new Vector3().fromArray(spheres, i);
+		box.expandByPoint(centre.clone().add(reach)).expandByPoint(centre.sub(reach));
+	}
+	if (box.isEmpty()) return { centre: new Vector3(), radius: 0 };
+	const { center: centre, radius } = box.getBoundingSphere(new Sphere());
+	return { centre, radius };
 }
 
 /** How far a mesh reaches from its origin. */

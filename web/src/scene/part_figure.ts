@@ -3,7 +3,7 @@ import type { Part } from "../plant/part";
 import type { Bodies } from "./camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "./figure";
 import { MeshShadow } from "./mesh_shadow";
-import { boundsOf } from "./part_bounds";
+import { ballOf, boundsOf } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
 
@@ -20,13 +20,14 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	readonly #parts: (grown: G, specimen: S) => Iterable<Part>;
 	readonly #lights = new StandardLights();
 	readonly #shadow: MeshShadow;
-	#shown = new PartMeshes([]);
+	#shown: PartMeshes;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 	#mark: PartObject | undefined;
 
 	constructor(stage: FigureStage, parts: (grown: G, specimen: S) => Iterable<Part>) {
 		this.#stage = stage;
 		this.#parts = parts;
+		this.#shown = new PartMeshes([], stage.light.uniforms);
 		this.#shadow = new MeshShadow(stage.shadow);
 		stage.root.add(this.#lights.group);
 	}
@@ -34,10 +35,11 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	show(grown: G, specimen: S): void {
 		this.#clear();
 		const parts = [...this.#parts(grown, specimen)];
-		this.#shown = new PartMeshes(parts);
+		this.#shown = new PartMeshes(parts, this.#stage.light.uniforms);
 		for (const object of this.#shown.objects) this.#stage.root.add(object);
 		this.#shadow.lay(this.#shown.objects);
 		this.#bounds = boundsOf(parts);
+		this.#lights.shade(ballOf(this.#bounds));
 	}
 
 	bounds(): Bodies {

@@ -2,18 +2,20 @@
 import {
 	BufferAttribute,
 	BufferGeometry,
+	InstancedBufferAttribute,
 	InstancedMesh,
 	Matrix4,
 	Mesh,
-	type MeshPhysicalMaterial,
+	type MeshStandardMaterial,
 	Quaternion,
 	Vector3,
 } from "three";
 import type { Material } from "../plant/material";
 import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
+import type { LightUniforms } from "./light_shader";
 import { standardMaterial } from "./standard_material";
 
-export type PartObject = Mesh<BufferGeometry, MeshPhysicalMaterial>;
+export type PartObject = Mesh<BufferGeometry, MeshStandardMaterial>;
 
 /** The transform of instance `index` as a matrix. */
 export function matrixOf(transforms: Float32Array, index: number, matrix = new Matrix4()): Matrix4 {
@@ -24,50 +26,68 @@ export function matrixOf(transforms: Float32Array, index: number, matrix = new M
 /** The meshes of all parts that have a shape; geometries and materials are shared as the parts share theirs. */
 export class PartMeshes {
 	readonly objects: PartObject[] = [];
+	readonly #light: LightUniforms;
 	readonly #geometries = new Map<PartMesh, BufferGeometry>();
-	readonly #materials = new Map<Material, Map<boolean, MeshPhysicalMaterial>>();
+	/** Those with something of their instances in them, which nobody shares. */
+	readonly #own: BufferGeometry[] = [];
+	/** By what else tells two apart: whether they have colours, and skies. */
+	readonly #materials = new Map<Material, Map<string, MeshStandardMaterial>>();
 
-	constructor(parts: Iterable<Part>) {
+	constructor(parts: Iterable<Part>, light: LightUniforms) {
+		this.#light = light;
 		for (const { name, shape } of everyPart(parts)) {
 			if (!shape) continue;
-			const geometry = this.#geometryOf(shape.mesh);
-			const material = this.#materialOf(shape.material, shape.mesh.colours !== undefined);
-			const object = shape.instances
-				? instanced(geometry, material, shape.instances.transforms)
-				: new Mesh(geometry, material);
+			const { mesh, instances } = shape;
+			const geometry = this.#geometryOf(mesh, instances?.sky);
+			const coloured = mesh.colours !== undefined;
+			const material = this.#materialOf(shape.material, coloured, geometry.hasAttribute("sky"));
+			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);
 			object.name = name;
+			object.castShadow = true;
+			object.receiveShadow = true;
 			this.objects.push(object);
 		}
 	}
 
 	dispose(): void {
-		for (const geometry of this.#geometries.values()) geometry.dispose();
+		for (const geometry of [...this.#geometries.values(), ...this.#own]) geometry.dispose();
 		for (const kinds of this.#materials.values()) for (const material of kinds.values()) material.dispose();
 		for (const object of this.objects) if (object instanceof InstancedMesh) object.dispose();
 	}
 
-	#geometryOf(mesh: PartMesh): BufferGeometry {
-		const known = this.#geometries.get(mesh);
-		if (known) return known;
-		const geometry = new BufferGeometry();
-		geometry.setAttribute("position", new BufferAttribute(mesh.positions, 3));
-		geometry.setAttribute("normal", new BufferAttribute(mesh.normals, 3));
-		if (mesh.colours) geometry.setAttribute("color", new BufferAttribute(mesh.colours, 3));
-		geometry.setIndex(new BufferAttribute(mesh.indices, 1));
-		this.#geometries.set(mesh, geometry);
-		return geometry;
+	#geometryOf(mesh: PartMesh, skies?: Uint8Array): BufferGeometry {
+		const known = this.#geometries.get(mesh) ?? geometryOf(mesh);
+		this.#geometries.set(mesh, known);
+		if (!skies || mesh.sky) return known;
+		const own = new BufferGeometry();
+		for (const [name, attribute] of Object.entries(known.attributes)) own.setAttribute(name, attribute);
+		own.setAttribute("sky", new InstancedBufferAttribute(skies, 1, true));
+		own.setIndex(known.index);
+		this.#own.push(own);
+		return own;
 	}
 
-	#materialOf(material: Material, coloured: boolean): MeshPhysicalMaterial {
-		const kinds = this.#materials.get(material) ?? new Map<boolean, MeshPhysicalMaterial>();
+	#materialOf(material: Material, coloured: boolean, sky: boolean): MeshStandardMaterial {
+		const kinds = this.#materials.get(material) ?? new Map<string, MeshStandardMaterial>();
 		this.#materials.set(material, kinds);
-		const made = kinds.get(coloured) ?? standardMaterial(material, coloured);
-		kinds.set(coloured, made);
+		const kind = `${coloured} ${sky}`;
+		const made = kinds.get(kind) ?? standardMaterial(material, { light: this.#light, coloured, sky });
+		kinds.set(kind, made);
 		return made;
 	}
 }
 
-function instanced(geometry: BufferGeometry, material: MeshPhysicalMaterial, transforms: Float32Array): PartObject {
+function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): BufferGeometry {
+	const geometry = new BufferGeometry();
+	geometry.setAttribute("position", new BufferAttribute(positions, 3));
+	geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3));
+	if (sky) geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
+	geometry.setIndex(new BufferAttribute(indices, 1));
+	return geometry;
+}
+
+function instanced(geometry: BufferGeometry, material: MeshStandardMaterial, transforms: Float32Array): PartObject {
 	const count = transforms.length / TRANSFORM;
 	const object = new InstancedMesh(geometry, material, count);
 	const matrix = new Matrix4();

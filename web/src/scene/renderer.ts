@@ -1,33 +1,129 @@
 /** The renderer, and what there is to know of the graphics card behind it. */
-import { NeutralToneMapping, SRGBColorSpace, WebGLRenderer } from "three";
+import { NeutralToneMapping, type PerspectiveCamera, SRGBColorSpace, WebGLRenderer } from "three";
 import { NoWebGL2Error } from "./no_webgl2";
+import { SmoothEdges } from "./smooth_edges";
 
-/**
- * @param checked whether programs are checked for errors
- * @throws NoWebGL2Error where the browser has no WebGL 2
- */
-export function createRenderer(canvas: HTMLCanvasElement, checked: boolean): WebGLRenderer {
-	const context = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "high-performance" });
-	if (!context) throw new NoWebGL2Error();
-	const renderer = new WebGLRenderer({ canvas, context });
-	renderer.outputColorSpace = SRGBColorSpace;
-	renderer.toneMapping = NeutralToneMapping;
-	renderer.autoClearColor = false;
-	// Asking whether a program is sound waits until it is built: only where someone may have broken one.
-	renderer.debug.checkShaderErrors = checked;
-	return renderer;
+/** What can be drawn: a `Stage`. */
+export interface Drawable {
+	draw(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void;
 }
 
-/** Whether pictures are drawn without a graphics card: the first ones then start coarse. */
-export function drawsBySoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean {
+/** In pixels. */
+export interface Size {
+	width: number;
+	height: number;
+}
+
+/**
+ * A context of the graphics card. Browsers keep only so many of them, about sixteen a page: a page with many views makes
+ * one and gives it to all of them (`ViewerOptions.renderer`), each of which copies what was drawn for it to its own canvas.
+ */
+export class Renderer {
+	/** Whether pictures are drawn without a graphics card: the first ones then start coarse. */
+	readonly slow: boolean;
+	readonly #three: WebGLRenderer;
+	readonly #edges: SmoothEdges | undefined;
+	readonly #fits: boolean;
+
+	/**
+	 * @param canvas is as large as what was drawn last, for the one view on it; a canvas of the renderer's own, which has room
+	 * for the largest view, where there is none
+	 * @param checked whether programs are checked for errors, which waits until they are built
+	 * @throws NoWebGL2Error where the browser has no WebGL 2
+	 */
+	constructor(canvas?: HTMLCanvasElement, checked = false) {
+		this.#fits = canvas !== undefined;
+		const drawn = canvas ?? document.createElement("canvas");
+		this.slow = drawsBySoftware();
+		const wanted = {
+			antialias: !this.slow,
+			alpha: false,
+			powerPreference: "high-performance",
+		} satisfies WebGLContextAttributes;
+		const context = drawn.getContext("webgl2", wanted) as WebGL2RenderingContext | null;
+		if (!context) throw new NoWebGL2Error();
+		this.#three = new WebGLRenderer({ canvas: drawn, context });
+		this.#three.outputColorSpace = SRGBColorSpace;
+		this.#three.toneMapping = NeutralToneMapping;
+		this.#three.autoClearColor = false;
+		this.#three.shadowMap.enabled = true;
+		this.#three.debug.checkShaderErrors = checked;
+		// More samples a pixel cost software as much again as all else: there edges are smoothed afterwards.
+		if (this.slow) this.#edges = new SmoothEdges();
+	}
+
+	/** Where it draws; of a view with a canvas of its own, the lower left corner. */
+	get canvas(): HTMLCanvasElement {
+		return this.#three.domElement;
+	}
+
+	/** Whether the card has dropped everything; `webglcontextrestored` of the canvas tells when it is back. */
+	get lost(): boolean {
+		return this.#three.getContext().isContextLost();
+	}
+
+	/** How many geometries, textures and programs the card holds. */
+	get held(): { geometries: number; textures: number; programs: number } {
+		const { memory, programs } = this.#three.info;
+		return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
+	}
+
+	/** Draws into the lower left corner of its canvas. @param paper distance of the paper from the eye */
+	draw(stage: Drawable, camera: PerspectiveCamera, paper: number, size: Size): void {
+		this.fit(size);
+		stage.draw(this.#three, camera, paper);
+		this.#edges?.draw(this.#three, size);
+	}
+
+	/** Makes room for a picture. */
+	fit({ width, height }: Size): void {
+		const { canvas } = this;
+		const [across, up] = this.#fits
+			? [width, height]
+			: [Math.max(canvas.width, width), Math.max(canvas.height, height)];
+		if (across !== canvas.width || up !== canvas.height) this.#three.setSize(across, up, false);
+		this.#three.setViewport(0, 0, width, height);
+	}
+
+	/** Copies what was drawn last, at once, before the browser takes it. */
+	copy(onto: CanvasRenderingContext2D, { width, height }: Size): void {
+		const { canvas } = onto;
+		if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+		onto.drawImage(this.canvas, 0, this.canvas.height - height, width, height, 0, 0, width, height);
+	}
+
+	/** Settles when the card has done all that was asked of it so far. */
+	async done(): Promise<void> {
+		if (!this.lost) await gpuDone(this.#three.getContext() as WebGL2RenderingContext);
+	}
+
+	/** Lets go of the graphics card; the canvas cannot be drawn on again. */
+	dispose(): void {
+		this.#edges?.dispose();
+		this.#three.dispose();
+		// Browsers drop contexts late.
+		this.#three.forceContextLoss();
+	}
+}
+
+/** Whether WebGL 2 draws without a graphics card: known once a context has been asked, undefined where there is none. */
+let software: boolean | undefined;
+
+/** Asks a context of its own, once: whether edges are smooth must be said before there is the one to be drawn with. */
+function drawsBySoftware(): boolean {
+	if (software !== undefined) return software;
+	const gl = document.createElement("canvas").getContext("webgl2", { antialias: false });
+	if (!gl) throw new NoWebGL2Error();
 	const names = gl.getExtension("WEBGL_debug_renderer_info");
-	return (
-		names !== null && /swiftshader|llvmpipe|software|basic render/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL))
-	);
+	software =
+		names !== null &&
+		/swiftshader|llvmpipe|software|basic render/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+	gl.getExtension("WEBGL_lose_context")?.loseContext();
+	return software;
 }
 
 /** Settles when the GPU has done all that was asked of it so far; asks now and then rather than block the page. */
-export async function gpuDone(gl: WebGL2RenderingContext): Promise<void> {
+async function gpuDone(gl: WebGL2RenderingContext): Promise<void> {
 	const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
 	if (!fence) return;
 	gl.flush();

@@ -4,10 +4,11 @@ import type { Bodies } from "./camera_fit";
 import type { Figure, FigureMaker, Ray } from "./figure";
 import type { Theme } from "./light";
 import { PaperShadow } from "./paper_shadow";
+import type { Drawable } from "./renderer";
 import { StageLight } from "./stage_light";
 
 /** A figure, its light and the paper behind it: everything that is drawn, whatever it is drawn on. */
-export class Stage<S, G> {
+export class Stage<S, G> implements Drawable {
 	readonly scene = new Scene();
 	readonly #light = new StageLight();
 	readonly #shadow = new PaperShadow();
@@ -33,16 +34,15 @@ export class Stage<S, G> {
 		this.#empty();
 	}
 
-	/**
-	 * Draws the paper alone, and in passing has every program built, while the first plant is still growing.
-	 * @param paper distance of the paper from the eye
-	 */
-	rehearse(renderer: WebGLRenderer, camera: PerspectiveCamera, paper: number): void {
-		this.#figure?.rehearse?.();
-		this.#fill();
-		this.draw(renderer, camera, paper);
-		this.#empty();
-	}
+	/** Draws the paper alone, and in passing has every program built, while the first plant is still growing. */
+	readonly rehearsal: Drawable = {
+		draw: (renderer, camera, paper) => {
+			this.#figure?.rehearse?.();
+			this.#fill();
+			this.draw(renderer, camera, paper);
+			this.#empty();
+		},
+	};
 
 	/** Whether there is a plant to draw. */
 	get filled(): boolean {

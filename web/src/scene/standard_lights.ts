@@ -1,6 +1,18 @@
-import { DirectionalLight, Group, LightProbe, type PerspectiveCamera } from "three";
+import { DirectionalLight, Group, LightProbe, type PerspectiveCamera, Vector3 } from "three";
 import { probeOf } from "./probe";
 import type { StageLight } from "./stage_light";
+
+/** Shadow maps are so large each way, and blurred by so many of their pixels: the window is a large lamp. */
+const SHADOW_PIXELS = 1024;
+const SHADOW_BLUR = 4;
+
+interface Ball {
+	centre: Vector3;
+	radius: number;
+}
+
+/** Where nothing throws a shadow, the lamp stands as far as its direction is long. */
+const NOWHERE: Ball = { centre: new Vector3(), radius: 0.5 };
 
 /** The stage's light as three's own lamps, for its standard materials: both windows and the surroundings. */
 export class StandardLights {
@@ -9,18 +21,52 @@ export class StandardLights {
 	readonly #rim = new DirectionalLight();
 	readonly #sky = new LightProbe();
 
+	#shaded: Ball | undefined;
+
 	constructor() {
-		// A directional light shines from its position towards its target, which stays at the origin.
+		// A directional light shines from its position towards its target.
 		this.group.add(this.#key, this.#rim, this.#sky);
+	}
+
+	/** Has what stands within a ball throw the key light's shadow on itself. Meshes say themselves that they do. */
+	shade(ball: Ball): void {
+		this.#shaded = ball;
+		const { shadow } = this.#key;
+		this.#key.castShadow = ball.radius > 0;
+		// Drawn again where the light has moved on the plant, or the plant is another: not with every frame.
+		shadow.autoUpdate = false;
+		shadow.needsUpdate = true;
+		shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+		shadow.radius = SHADOW_BLUR;
+		shadow.normalBias = (4 * ball.radius) / SHADOW_PIXELS;
+		const { camera } = shadow;
+		camera.left = camera.bottom = -ball.radius;
+		camera.right = camera.top = ball.radius;
+		camera.near = ball.radius;
+		camera.far = 3 * ball.radius;
+		camera.updateProjectionMatrix();
 	}
 
 	/** Brings the lamps to the light, which turns with the viewer. */
 	aim({ rig, uniforms }: StageLight, camera: PerspectiveCamera): void {
-		this.#key.position.copy(uniforms.keyDirection.value);
+		this.#aimKey(uniforms.keyDirection.value);
 		this.#key.color.setRGB(...rig.key.irradiance);
 		this.#rim.position.copy(uniforms.rimDirection.value);
 		this.#rim.color.setRGB(...rig.rim.irradiance);
 		this.#sky.sh.copy(probeOf(rig.surroundings, camera.matrixWorld));
+	}
+
+	#aimKey(towards: Vector3): void {
+		const { position, target, shadow } = this.#key;
+		const { centre, radius } = this.#shaded ?? NOWHERE;
+		const at = towards
+			.clone()
+			.multiplyScalar(2 * radius)
+			.add(centre);
+		if (at.distanceToSquared(position) > 1e-12 * radius * radius) shadow.needsUpdate = true;
+		position.copy(at);
+		target.position.copy(centre);
+		target.updateMatrixWorld();
 	}
 
 	dispose(): void {

@@ -1,19 +1,154 @@
-import { Color, DoubleSide, FrontSide, MeshPhysicalMaterial } from "three";
+/** Materials as three's own physically based ones, under the stage's light. */
+import {
+	Color,
+	DoubleSide,
+	FrontSide,
+	MeshPhysicalMaterial,
+	MeshStandardMaterial,
+	ShaderChunk,
+	Vector3,
+	type WebGLProgramParametersWithUniforms,
+} from "three";
 import type { Material } from "../plant/material";
+import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
 
-/** What three's physically based material makes of one of ours; light through flesh is left out. */
-export function standardMaterial(material: Material, coloured: boolean): MeshPhysicalMaterial {
-	const { name, colour, roughness, doubleSided, sheen, ior, specular, clearcoat } = material;
+/** How much of both lamps' light reaches a vertex, where a figure knows that better than a shadow map. */
+export interface LampShares {
+	/** For the vertex shader, after LIGHT_CHUNK: a function `vec2 lamp_shares(vec3 point)` of key and rim light, 0 … 1. */
+	chunk: string;
+	uniforms: Record<string, { value: unknown }>;
+}
+
+export interface StandardOptions {
+	light: LightUniforms;
+	/** Whether vertices have colours (`color`), in place of the material's. */
+	coloured?: boolean;
+	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
+	sky?: boolean;
+	shares?: LampShares;
+	/** Finer than vertices: a function `vec3 detailed(vec3 colour, vec2 chart)` of texture coordinates. */
+	detail?: string;
+}
+
+/**
+ * What three's physically based material makes of one of ours, lit by `StandardLights`, with what those leave out: what is
+ * hidden of the sky, the surroundings' mirror image, light through sheets. Light through flesh is left out.
+ */
+export function standardMaterial(material: Material, options: StandardOptions): MeshStandardMaterial {
+	const made = isPlain(material) ? new MeshStandardMaterial() : physical(material);
+	made.name = material.name;
+	made.side = material.doubleSided ? DoubleSide : FrontSide;
+	if (options.detail) made.defines = { ...made.defines, USE_UV: "" };
+	made.color = options.coloured ? new Color(1, 1, 1) : new Color(...material.colour);
+	made.vertexColors = options.coloured ?? false;
+	made.roughness = material.roughness;
+	made.metalness = 0;
+	const sheet = material.sheet && sheetUniforms();
+	made.userData.sheet = sheet;
+	setSheet(made, material);
+	made.onBeforeCompile = (shader) => lit(shader, sheet, options);
+	const { sky = false, shares, detail = "" } = options;
+	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, detail, sheet !== undefined]);
+	return made;
+}
+
+function sheetUniforms() {
+	return { sheetThrough: { value: new Vector3() }, sheetReverse: { value: new Vector3() } };
+}
+
+type SheetUniforms = ReturnType<typeof sheetUniforms>;
+
+/** Gives a sheet's material what another one says of its other side. */
+export function setSheet({ userData }: MeshStandardMaterial, { sheet }: Material): void {
+	const uniforms = userData.sheet as SheetUniforms | undefined;
+	if (!uniforms || !sheet) return;
+	uniforms.sheetThrough.value.fromArray(sheet.through);
+	uniforms.sheetReverse.value.fromArray(sheet.reverse);
+}
+
+function isPlain({ sheen, ior, specular, clearcoat }: Material): boolean {
+	return !sheen && ior === undefined && specular === undefined && !clearcoat;
+}
+
+function physical({ sheen, ior, specular, clearcoat }: Material): MeshPhysicalMaterial {
 	return new MeshPhysicalMaterial({
-		name,
-		color: coloured ? new Color(1, 1, 1) : new Color(...colour),
-		vertexColors: coloured,
-		roughness,
-		metalness: 0,
-		side: doubleSided ? DoubleSide : FrontSide,
 		...(sheen ? { sheen: 1, sheenColor: new Color(...sheen.colour), sheenRoughness: sheen.roughness } : {}),
 		...(ior === undefined ? {} : { ior }),
 		...(specular === undefined ? {} : { specularIntensity: specular }),
 		...(clearcoat ? { clearcoat: clearcoat.factor, clearcoatRoughness: clearcoat.roughness } : {}),
 	});
+}
+
+const SHARED = "directLight.color *= UNROLLED_LOOP_INDEX == 0 ? lampShares.x : lampShares.y;";
+const LAMP = "getDirectionalLightInfo( directionalLight, directLight );";
+
+const SHEET = "uniform vec3 sheetThrough;\nuniform vec3 sheetReverse;\n";
+
+/** Light of both lamps and of the surroundings that falls on the other side, as it comes out on this one. */
+const THROUGH = /* glsl */ `
+vec3 behind = 0.6 * PI * diffuse_surroundings(-normal);
+for (int i = 0; i < NUM_DIR_LIGHTS; i++) {
+	behind += directionalLights[i].color * max(0.0, -dot(normal, directionalLights[i].direction));
+}
+reflectedLight.directDiffuse += sheetThrough * sqrt(diffuseColor.rgb) * BRDF_Lambert(diffuseColor.rgb) * behind;
+`;
+
+/** The surroundings mirrored, the more blurred the rougher. */
+const MIRRORED = /* glsl */ `
+vec3 mirrored = reflect(-geometryViewDir, normal);
+radiance += mix(gloss_surroundings(mirrored), diffuse_surroundings(mirrored), material.roughness);
+#ifdef USE_CLEARCOAT
+	clearcoatRadiance += gloss_surroundings(reflect(-geometryViewDir, clearcoatNormal));
+#endif
+`;
+
+const SHADED = /* glsl */ `
+reflectedLight.indirectDiffuse *= bounced(openSky, diffuseColor.rgb);
+reflectedLight.indirectSpecular *= openSky;
+#ifdef USE_CLEARCOAT
+	clearcoatSpecularIndirect *= openSky;
+#endif
+`;
+
+function lit(
+	shader: WebGLProgramParametersWithUniforms,
+	sheet: SheetUniforms | undefined,
+	options: StandardOptions,
+): void {
+	const { light, sky, shares, detail } = options;
+	Object.assign(shader.uniforms, light, shares?.uniforms, sheet);
+	const varyings = `${sky ? "varying float openSky;" : ""}\n${shares ? "varying vec2 lampShares;" : ""}\n`;
+	shader.vertexShader = shader.vertexShader
+		.replace(
+			"#include <common>",
+			`#include <common>\n${sky ? "attribute float sky;" : ""}\n${varyings}${shares ? LIGHT_CHUNK + shares.chunk : ""}`,
+		)
+		.replace(
+			"#include <project_vertex>",
+			`#include <project_vertex>\n${sky ? "openSky = sky;" : ""}\n${shares ? PLACED : ""}`,
+		);
+	const lamps = ShaderChunk.lights_fragment_begin;
+	shader.fragmentShader = shader.fragmentShader
+		.replace("#include <common>", `#include <common>\n${varyings}${sheet ? SHEET : ""}${LIGHT_CHUNK}${detail ?? ""}`)
+		.replace("#include <color_fragment>", `#include <color_fragment>\n${coloured(sheet !== undefined, detail)}`)
+		.replace(
+			"#include <lights_fragment_begin>",
+			`${shares ? lamps.replace(LAMP, `${LAMP}\n${SHARED}`) : lamps}\n${sheet ? THROUGH : ""}`,
+		)
+		.replace("#include <lights_fragment_end>", `${MIRRORED}#include <lights_fragment_end>`)
+		.replace("#include <aomap_fragment>", sky ? SHADED : "");
+}
+
+/** Where a vertex stands in the plant, instances as they are placed. */
+const PLACED = /* glsl */ `
+vec4 standing = vec4(transformed, 1.0);
+#ifdef USE_INSTANCING
+	standing = instanceMatrix * standing;
+#endif
+lampShares = lamp_shares(standing.xyz);
+`;
+
+function coloured(sheet: boolean, detail: string | undefined): string {
+	const reverse = sheet ? "if (!gl_FrontFacing) diffuseColor.rgb *= sheetReverse;" : "";
+	return `${reverse}\n${detail ? "diffuseColor.rgb = detailed(diffuseColor.rgb, vUv);" : ""}`;
 }

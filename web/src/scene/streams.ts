@@ -7,7 +7,7 @@ import {
 	type TypedArray,
 } from "three";
 
-/** One attribute's content: its name, numbers and how many of them make one item. */
+/** One attribute's content: its name, numbers and how many of them make one item; bytes are shares of 255. */
 export type Stream = readonly [name: string, array: TypedArray, size: number];
 
 /**
@@ -38,6 +38,8 @@ function fits(old: BufferAttribute | undefined, array: TypedArray): boolean {
 
 function roomyAttribute(like: TypedArray, size: number): BufferAttribute {
 	const length = Math.ceil((1.5 * like.length) / size) * size;
+	if (like instanceof Uint8Array)
+		return new BufferAttribute(new Uint8Array(length), size, true).setUsage(DynamicDrawUsage);
 	const array = like instanceof Uint32Array ? new Uint32Array(length) : new Float32Array(length);
 	return new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
 }

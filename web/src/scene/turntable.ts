@@ -34,11 +34,11 @@ export class Turntable {
 	/** @param changed called when the view moves and must be drawn again */
 	constructor(
 		canvas: HTMLElement,
-		readonly reducedMotion: boolean,
+		/** No gliding, no damping; may change at any time. */
+		public reducedMotion: boolean,
 		readonly changed: () => void,
 	) {
 		this.controls = new OrbitControls(this.camera, canvas);
-		this.controls.enableDamping = !reducedMotion;
 		this.controls.dampingFactor = 0.12;
 		this.controls.rotateSpeed = 0.85;
 		this.controls.minPolarAngle = 0.12;
@@ -103,6 +103,9 @@ export class Turntable {
 	/** Shows the whole plant, from the first direction or the one asked for. */
 	fit(view: ViewName = "three-quarter"): void {
 		this.#glide = undefined;
+		// What is left of a throw would turn the plant on, be it by a hair.
+		this.controls.enableDamping = false;
+		this.controls.update();
 		this.#place(VIEWS[view]);
 		this.#fitElevation = MathUtils.degToRad(VIEWS[view].elevation);
 		if (this.#spindle) {
@@ -160,6 +163,7 @@ export class Turntable {
 				this.#setLimits();
 			}
 		}
+		this.controls.enableDamping = !this.reducedMotion;
 		const moved = this.controls.update();
 		this.camera.updateMatrixWorld();
 		return moved || this.#glide !== undefined;

@@ -1,9 +1,9 @@
-import { type Object3D, type PerspectiveCamera, Vector3, type WebGLRenderer } from "three";
+import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { type Spindle, spindleOf } from "./camera_fit";
 import type { FigureMaker, Ray } from "./figure";
 import { FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
-import { createRenderer, drawsBySoftware, gpuDone } from "./renderer";
+import { type Drawable, Renderer, type Size } from "./renderer";
 import { Stage } from "./stage";
 import { Turntable, type ViewName } from "./turntable";
 
@@ -15,6 +15,8 @@ export interface ViewerOptions {
 	still?: boolean;
 	/** Checks shaders for errors, which takes time: for whoever works on them. */
 	checked?: boolean;
+	/** Draws this view among others; where absent, the view has a renderer of its own on its canvas. Stays whose it is. */
+	renderer?: Renderer;
 	events?: ViewerEvents;
 }
 
@@ -37,13 +39,14 @@ export class Viewer<S, G> {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #events: ViewerEvents;
 	#drawnFirst = false;
-	readonly #renderer: WebGLRenderer;
+	readonly #renderer: Renderer;
+	/** Of a canvas that what was drawn is copied to, by a renderer that serves others, too. */
+	readonly #copied: CanvasRenderingContext2D | undefined;
 	readonly #stage = new Stage<S, G>();
 	readonly #turntable: Turntable;
 	readonly #loop: FrameLoop;
 	#spindle: Spindle | undefined;
 	#held = false;
-	#lost = false;
 	#rendered = 0;
 	#size = { width: 1, height: 1 };
 
@@ -51,14 +54,15 @@ export class Viewer<S, G> {
 	constructor(canvas: HTMLCanvasElement, options: ViewerOptions = {}) {
 		this.#canvas = canvas;
 		this.#events = options.events ?? {};
-		this.#renderer = createRenderer(canvas, options.checked ?? false);
-		const slow = drawsBySoftware(this.#renderer.getContext());
+		this.#renderer = options.renderer ?? new Renderer(canvas, options.checked ?? false);
+		if (options.renderer) this.#copied = canvas.getContext("2d", { alpha: false }) ?? undefined;
+		const { slow } = this.#renderer;
 		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio, slow);
 		this.#turntable = new Turntable(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
 		if (options.still) this.#turntable.controls.disconnect();
 		this.setTheme(options.theme ?? "light");
-		canvas.addEventListener("webglcontextlost", this.#onLost);
-		canvas.addEventListener("webglcontextrestored", this.#onRestored);
+		this.#renderer.canvas.addEventListener("webglcontextlost", this.#onLost);
+		this.#renderer.canvas.addEventListener("webglcontextrestored", this.#onRestored);
 		this.resize();
 	}
 
@@ -67,8 +71,8 @@ export class Viewer<S, G> {
 		this.#stage.use(make);
 		this.#spindle = undefined;
 		this.#turntable.forget();
-		this.#prepare(this.#loop.rest);
-		if (!this.#lost) this.#stage.rehearse(this.#renderer, this.camera, this.#turntable.paper);
+		this.camera.updateMatrixWorld();
+		if (!this.#renderer.lost) this.#submit(this.#stage.rehearsal, this.#loop.rest);
 		this.#loop.request();
 	}
 
@@ -132,6 +136,11 @@ export class Viewer<S, G> {
 		return this.#turntable.camera;
 	}
 
+	/** No gliding, no damping. */
+	set reducedMotion(on: boolean) {
+		this.#turntable.reducedMotion = on;
+	}
+
 	/** Whether pointers turn the plant; a handle in the scene switches this off while it is dragged. */
 	set orbiting(enabled: boolean) {
 		this.#turntable.controls.enabled = enabled;
@@ -181,12 +190,13 @@ export class Viewer<S, G> {
 	/** Settles when nothing is left to draw and the GPU has finished. */
 	async whenIdle(): Promise<void> {
 		await this.#loop.whenIdle();
-		if (!this.#lost) await gpuDone(this.#renderer.getContext() as WebGL2RenderingContext);
+		await this.#renderer.done();
 	}
 
 	/** The present view as a PNG of the given size in pixels. */
 	snapshot(width: number, height: number): Promise<Blob> {
-		if (this.#lost) return Promise.reject(new Error("The GPU has been lost; try again when the picture is back."));
+		if (this.#renderer.lost)
+			return Promise.reject(new Error("The GPU has been lost; try again when the picture is back."));
 		const { width: shownWidth, height: shownHeight } = this.#size;
 		this.#setSize(width, height);
 		this.#draw(1);
@@ -202,27 +212,23 @@ export class Viewer<S, G> {
 		return picture;
 	}
 
-	/** Lets go of the graphics card; the canvas cannot be drawn on again. */
+	/** Lets go of the graphics card; a canvas with a renderer of its own cannot be drawn on again. */
 	dispose(): void {
 		this.#loop.stop();
-		this.#canvas.removeEventListener("webglcontextlost", this.#onLost);
-		this.#canvas.removeEventListener("webglcontextrestored", this.#onRestored);
+		this.#renderer.canvas.removeEventListener("webglcontextlost", this.#onLost);
+		this.#renderer.canvas.removeEventListener("webglcontextrestored", this.#onRestored);
 		this.#turntable.dispose();
 		this.#stage.dispose();
-		this.#renderer.dispose();
-		// Browsers keep only so many contexts, and drop them late.
-		this.#renderer.forceContextLoss();
+		if (!this.#copied) this.#renderer.dispose();
 	}
 
 	readonly #onLost = (event: Event) => {
 		event.preventDefault();
-		this.#lost = true;
 		this.#events.contextLost?.();
 	};
 
 	readonly #onRestored = () => {
 		// three sends its buffers, textures and programs again with the next draw.
-		this.#lost = false;
 		this.#loop.request();
 		this.#events.contextRestored?.();
 	};
@@ -246,19 +252,20 @@ export class Viewer<S, G> {
 		return moving;
 	}
 
-	#prepare(ratio: number): void {
-		this.camera.updateMatrixWorld();
-		this.#renderer.setPixelRatio(ratio);
-		this.#renderer.setSize(this.#size.width, this.#size.height, false);
-	}
-
 	#draw(ratio: number): void {
-		if (this.#lost) return;
-		this.#prepare(ratio);
-		this.#stage.draw(this.#renderer, this.camera, this.#turntable.paper);
+		if (this.#renderer.lost) return;
+		this.camera.updateMatrixWorld();
+		this.#submit(this.#stage, ratio);
 		this.#rendered++;
 		if (!this.#stage.filled || this.#drawnFirst) return;
 		this.#drawnFirst = true;
 		this.#events.firstDraw?.();
+	}
+
+	#submit(stage: Drawable, ratio: number): void {
+		const { width, height } = this.#size;
+		const size: Size = { width: Math.ceil(width * ratio), height: Math.ceil(height * ratio) };
+		this.#renderer.draw(stage, this.camera, this.#turntable.paper, size);
+		if (this.#copied) this.#renderer.copy(this.#copied, size);
 	}
 }

@@ -40,31 +40,55 @@ export async function linkOf<S extends Specimen>(species: Species<S>, specimen: 
 	return `${location.origin}${location.pathname}${await encodeLink(species, specimen)}`;
 }
 
-/** Writes specimens into the address bar, each in place of the one before. */
+/** Whether a fragment is none of a specimen's: an element's id, or whatever was typed. */
+export function isForeign<S extends Specimen>(species: Species<S>, { hash }: Pick<Location, "hash">): boolean {
+	return hash.length > 1 && !hasPacked(species, hash);
+}
+
+/**
+ * Writes specimens into the address bar. What is of another preset than the address gets an entry of its own in the
+ * browser's history, so that Back brings the last preset; whatever is changed of one takes the place of what was there.
+ */
 export class AddressBar {
 	readonly #location: Pick<Location, "search" | "hash" | "pathname">;
-	readonly #history: Pick<History, "replaceState">;
+	readonly #history: Pick<History, "replaceState" | "pushState">;
 	#newest: Specimen | undefined;
+	/** What the address is of. */
+	#origin: string | undefined;
 
 	constructor(
 		place: Pick<Location, "search" | "hash" | "pathname"> = location,
-		past: Pick<History, "replaceState"> = history,
+		past: Pick<History, "replaceState" | "pushState"> = history,
 	) {
 		this.#location = place;
 		this.#history = past;
+	}
+
+	/** The browser has gone to another entry, which is of this specimen. */
+	arrived(specimen: Specimen): void {
+		this.#origin = originOf(specimen);
 	}
 
 	async write<S extends Specimen>(species: Species<S>, specimen: S): Promise<void> {
 		this.#newest = specimen;
 		const whole = isQueryWhole(species, specimen);
 		const link = whole ? encodeQuery(species, specimen) : await encodeLink(species, specimen);
-		const { search, hash, pathname } = this.#location;
 		// Packing a text takes its time: a newer specimen may have come to rest meanwhile.
-		if (this.#newest !== specimen || `${search}${hash}` === link) return;
+		if (this.#newest !== specimen) return;
+		const origin = originOf(specimen);
+		const another = this.#origin !== undefined && this.#origin !== origin;
+		this.#origin = origin;
+		const { search, hash, pathname } = this.#location;
+		if (`${search}${hash}` === link) return;
 		try {
-			this.#history.replaceState(null, "", `${pathname}${link}`);
+			if (another) this.#history.pushState(null, "", `${pathname}${link}`);
+			else this.#history.replaceState(null, "", `${pathname}${link}`);
 		} catch {
 			// Browsers forbid more than some hundred writes in a few seconds; the next one will hold.
 		}
 	}
+}
+
+function originOf({ model, preset }: Specimen): string {
+	return `${model} ${preset}`;
 }

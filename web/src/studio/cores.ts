@@ -20,10 +20,7 @@ export class Cores implements Grower {
 	readonly #client: Pick<Client, "warm" | "grow">;
 
 	/** @param addressOf where a core's file lies; undefined where there is none of that name */
-	constructor(
-		addressOf: (file: string) => string | undefined,
-		client: Pick<Client, "warm" | "grow"> = new Client({ onNote: (text) => console.info(text) }),
-	) {
+	constructor(addressOf: (file: string) => string | undefined, client: Pick<Client, "warm" | "grow"> = pageClient()) {
 		this.#addressOf = addressOf;
 		this.#client = client;
 	}
@@ -41,4 +38,9 @@ export class Cores implements Grower {
 		const order = { wasm, blocks: model.encode(specimen, wanted) };
 		return model.read(await this.#client.grow(order, signal ? { signal } : {}));
 	}
+}
+
+/** Grows two side by side, where there is a second processor. */
+function pageClient(): Client {
+	return new Client({ abreast: Math.min(navigator.hardwareConcurrency, 2), onNote: (text) => console.info(text) });
 }

@@ -40,10 +40,12 @@ export class Growing {
 			this.#shown = turn;
 			this.#answered(turn);
 			this.#studio().grew(grown, specimen);
+			if (turn === this.#newest) this.#studio().caughtUp();
 		} catch (error) {
 			if (turn !== this.#newest) return;
 			this.#answered(turn);
 			this.#explain(error, model.noun);
+			this.#studio().caughtUp();
 		}
 	}
 

@@ -1,17 +1,18 @@
 /** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
-import { AddressBar, modelInAddress, readAddress, readWholeAddress } from "./address";
+import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
 import { coreAddress } from "./core_address";
 import { Cores } from "./cores";
 import { Growing } from "./growing";
 import type { Help } from "./parts/help";
 import type { StudioPart } from "./parts/studio_part";
 import { listenForShortcuts } from "./shortcuts";
+import { listenForSkips } from "./skips";
 import { loadFigure, loadScene } from "./solid_view";
 import { Studio } from "./studio";
 import { applyTheme, isSystemDark, onSystemTheme } from "./theme";
-import { loadUi, saveUi } from "./ui_state";
+import { loadUi, pageOf, STORAGE_KEY, saveUi } from "./ui_state";
 import "./parts/stage";
 import "./parts/bars";
 import "./parts/drop";
@@ -47,7 +48,7 @@ const PARTS = [
 const asked = modelInAddress(location) ?? DEFAULT_MODEL;
 const cores = new Cores(coreAddress);
 cores.warm(`${isModel(asked) ? asked : DEFAULT_MODEL}.wasm`);
-void loadScene();
+loadScene().catch(() => {}); // The stage asks again, and says why not.
 const ui = loadUi(localStorageOr());
 applyTheme(ui.theme);
 modelNamed(asked).then(start, refuse);
@@ -64,8 +65,8 @@ function start(model: Model): void {
 			grow: (of, each, options) => void growing.grow(of, each, options),
 			cancel: () => growing.cancel(),
 			settled: (of, each) => void bar.write(of, each),
-			remember: (next) => {
-				saveUi(localStorageOr(), next);
+			remember: (next, before) => {
+				saveUi(localStorageOr(), next, before);
 				applyTheme(next.theme);
 			},
 		},
@@ -75,7 +76,9 @@ function start(model: Model): void {
 	else void readWholeAddress(model, location).then((whole) => studio.open(whole, "link"));
 	draw(studio);
 	listCatalogue(studio);
-	addEventListener("popstate", () => void follow(studio));
+	listenForSkips();
+	followOtherTabs(studio);
+	addEventListener("popstate", () => void follow(studio, bar));
 }
 
 function draw(studio: Studio): void {
@@ -89,6 +92,14 @@ function draw(studio: Studio): void {
 	};
 	nameTab();
 	studio.subscribe(nameTab);
+}
+
+/** What one tab chooses of the page holds in all. */
+function followOtherTabs(studio: Studio): void {
+	addEventListener("storage", ({ key }) => {
+		if (key !== null && key !== STORAGE_KEY) return;
+		studio.setUi(pageOf(loadUi(localStorageOr())));
+	});
 }
 
 /** Tabs and bookmarks are told apart by what they hold. */
@@ -112,12 +123,26 @@ function listCatalogue(studio: Studio): void {
 let followed = 0;
 
 /** The address is another one: by Back, Forward or by hand. */
-async function follow(studio: Studio): Promise<void> {
+async function follow(studio: Studio, bar: AddressBar): Promise<void> {
 	const turn = ++followed;
 	const { search, hash } = location;
-	const model = await modelNamed(modelInAddress({ search }));
-	const restored = await readWholeAddress(model, { search, hash });
-	if (turn === followed) studio.take(model, restored, "link");
+	try {
+		const model = await modelNamed(modelInAddress({ search }));
+		if (isForeign(model, { hash })) {
+			// A place in the page, or nothing of ours: the document stays, and the address is again its own.
+			const { model: present, specimen } = studio.state;
+			await bar.write(present, specimen);
+			return;
+		}
+		const restored = await readWholeAddress(model, { search, hash });
+		if (turn !== followed) return;
+		bar.arrived(restored.specimen);
+		studio.visit(model, restored, "link");
+	} catch {
+		studio.notify("The link could not be followed", [
+			"Part of this page could not be fetched; check the connection and load the page again.",
+		]);
+	}
 }
 
 /** Not even the model has come, so there is nothing to draw the page from. */

@@ -7,7 +7,8 @@ import type { FigureMaker } from "../scene/figure";
 import type { Viewer } from "../scene/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
-import type { Shown, StudioState } from "./studio_state";
+import { lookOf, type Shown, type StudioState } from "./studio_state";
+import { TRY_AGAIN } from "./types";
 
 type SceneModule = typeof import("../scene/viewer");
 type Maker = FigureMaker<Specimen, Plant>;
@@ -15,10 +16,15 @@ type Maker = FigureMaker<Specimen, Plant>;
 let loading: Promise<SceneModule> | undefined;
 const figures = new Map<Model, Promise<Maker>>();
 
-/** Starts loading the scene's script, the largest of the page; asked for again, it is the same one. */
+/** Starts loading the scene's script, the largest of the page; asked for again, it is the same one, unless it failed. */
 export function loadScene(): Promise<SceneModule> {
-	loading ??= import("../scene/viewer");
-	return loading;
+	if (loading) return loading;
+	const scene = import("../scene/viewer");
+	loading = scene;
+	scene.catch(() => {
+		loading = undefined;
+	});
+	return scene;
 }
 
 /** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
@@ -51,6 +57,7 @@ export class SolidView implements ToolView {
 	readonly #studio: Studio;
 	#orbiting = true;
 	#disposed = false;
+	readonly #ended = new AbortController();
 	/** Whose figure is on the stage, and whose is on its way. */
 	#figured: Model | undefined;
 	#awaited: Model | undefined;
@@ -69,12 +76,13 @@ export class SolidView implements ToolView {
 
 	/** @throws NoWebGL2Error where the browser has none, and whatever the loading of the script throws */
 	static async create(canvas: HTMLCanvasElement, studio: Studio, events: SolidViewEvents): Promise<SolidView> {
-		const { Viewer } = await loadScene();
 		const { model, dark } = studio.state;
-		const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)").matches;
+		// Both first: a canvas gives one context, so that nothing may fail once it is taken.
+		const [{ Viewer }] = await Promise.all([loadScene(), loadFigure(model)]);
+		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 		const theme = dark ? "dark" : "light";
 		const view = new Viewer<Specimen, Plant>(canvas, {
-			reducedMotion,
+			reducedMotion: reduced.matches,
 			theme,
 			checked: import.meta.env.DEV,
 			events: {
@@ -84,20 +92,20 @@ export class SolidView implements ToolView {
 			},
 		});
 		const solid = new SolidView(canvas, view, studio);
+		solid.#follow(reduced);
 		await solid.#use(model);
 		return solid;
 	}
 
 	/** Brings the view to the state; what has not changed costs nothing. */
 	update(state: StudioState): void {
-		const { shown, model, specimen, held, dark, face } = state;
+		const { shown, model, held, dark, face } = state;
 		if (shown && shown.model !== this.#figured) {
 			this.#bring(shown.model);
 			return;
 		}
 		this.#view.holdView(held);
-		// Colours change without growing: those on the controls, where what is shown is of the same model.
-		const look = shown?.model === model ? specimen.look : shown?.from.look;
+		const look = shown && lookOf(shown, state);
 		if (shown && look && (shown !== this.#shown || look !== this.#look)) {
 			this.#view.show(shown.grown, { ...shown.from, look });
 		}
@@ -140,6 +148,7 @@ export class SolidView implements ToolView {
 
 	dispose(): void {
 		this.#disposed = true;
+		this.#ended.abort();
 		this.#arm(undefined);
 		this.#view.dispose();
 	}
@@ -181,6 +190,14 @@ export class SolidView implements ToolView {
 		this.#view.setMode(mode ?? this.#view.modes[0]);
 	}
 
+	/** Motion may become unwelcome, or welcome, while the page stands. */
+	#follow(reduced: MediaQueryList): void {
+		const follow = ({ matches }: MediaQueryListEvent) => {
+			this.#view.reducedMotion = matches;
+		};
+		reduced.addEventListener("change", follow, { signal: this.#ended.signal });
+	}
+
 	/** Puts a model's figure on the stage, in place of the last one's. */
 	async #use(model: Model): Promise<void> {
 		const figure = await loadFigure(model);
@@ -204,9 +221,9 @@ export class SolidView implements ToolView {
 			})
 			.catch(() => {
 				this.#awaited = undefined;
-				this.#studio.notify(`The ${model.noun} cannot be drawn`, [
-					"Part of the page could not be fetched; sliders and downloads work all the same.",
-				]);
+				const again = () => this.#bring(model);
+				const details = ["Part of the page could not be fetched; sliders and downloads work all the same.", TRY_AGAIN];
+				this.#studio.notify(`The ${model.noun} cannot be drawn`, details, { again });
 			});
 	}
 

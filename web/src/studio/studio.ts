@@ -5,21 +5,20 @@ import type { Plant } from "../plant/plant";
 import { fromPreset } from "../specimen/from_preset";
 import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
-import { growsAlike } from "../specimen/same";
+import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import { apply, otherSeed } from "./change";
-import { inStep, type StudioState } from "./studio_state";
-import type { Opening, Surroundings } from "./surroundings";
+import { BARE, Faces } from "./faces";
+import { inStep, type Opening, opened, type StudioState } from "./studio_state";
+import type { Surroundings } from "./surroundings";
 import { stateOf, withState, withTools } from "./tool_states";
-import type { Failure } from "./types";
+import { type Failure, TRY_AGAIN } from "./types";
 import type { UiState } from "./ui_state";
 
 /** Confirmations stay this long, in milliseconds. */
 const BRIEF = 4000;
 const MOST_NOTICES = 3;
 const DRAG = "drag";
-/** The page's side of a model that has none. */
-const BARE: Face = { tools: [] };
 
 /**
  * The one place where the page's state lives. It flows one way: a part calls an action, the action replaces the state,
@@ -29,38 +28,22 @@ export class Studio implements Desk {
 	#state: StudioState;
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
-	/** Models of all specimens there have been, and their faces once they have come. */
+	/** Models of all specimens there have been. */
 	readonly #models = new Map<string, Model>();
-	readonly #faces = new Map<Model, Face>();
+	readonly #faces = new Faces();
 	/** Whose a tool is. */
 	readonly #owners = new Map<Stateful<unknown>, string>();
 	/** What ends the tools that work by themselves. */
 	#ends: (() => void)[] = [];
 	#noticeId = 0;
-	/** Whether what was last asked for is to be measured. */
-	#measured = true;
+	/** Whether what was last asked for is all there is, and not what does in passing. */
+	#whole = true;
 	#preset: Specimen | undefined;
 
 	constructor(opening: Opening, surroundings: Surroundings) {
 		this.#surroundings = surroundings;
 		this.#models.set(opening.model.name, opening.model);
-		this.#state = inStep({
-			...opening,
-			face: undefined,
-			history: histories.startHistory(opening.specimen),
-			shown: undefined,
-			grown: undefined,
-			grownFrom: undefined,
-			measures: undefined,
-			held: false,
-			dark: false,
-			growing: false,
-			failure: undefined,
-			notices: [],
-			tools: {},
-			catalogue: [opening.model],
-			picture: undefined,
-		});
+		this.#state = opened(opening);
 		void this.#bringFace(opening.model);
 	}
 
@@ -117,6 +100,18 @@ export class Studio implements Desk {
 		this.#report(restored, from);
 	}
 
+	/**
+	 * Follows the browser's Back and Forward: where they lead to the step before this one or after it, that is undone or
+	 * done again; else it is a step as any document from outside.
+	 */
+	visit(model: Model, restored: Restored, from: string): void {
+		const { past, future } = histories.settle(this.#state.history);
+		const leadsTo = (step: Specimen | undefined) => step !== undefined && sameSpecimen(step, restored.specimen);
+		if (leadsTo(past.at(-1))) this.undo();
+		else if (leadsTo(future[0])) this.redo();
+		else this.take(model, restored, from);
+	}
+
 	/** A preset as it was published: of this model, or of another. */
 	choosePreset(name: string, model: Model = this.#state.model): void {
 		this.#models.set(model.name, model);
@@ -153,6 +148,11 @@ export class Studio implements Desk {
 		if (growing !== this.#state.growing) this.#update({ growing });
 	}
 
+	/** The newest growth has ended, one way or the other. */
+	caughtUp(): void {
+		this.#update({ pending: false });
+	}
+
 	/** There is no plant to show, and none comes without a remedy. */
 	fail(failure: Failure): void {
 		this.#update({ failure });
@@ -182,9 +182,10 @@ export class Studio implements Desk {
 	}
 
 	setUi(patch: Partial<UiState>): void {
-		const ui = { ...this.#state.ui, ...patch };
+		const { ui: before } = this.#state;
+		const ui = { ...before, ...patch };
 		this.#update({ ui });
-		this.#surroundings.remember(ui);
+		this.#surroundings.remember(ui, before);
 	}
 
 	/** Opens or closes a group of the panel. */
@@ -255,20 +256,21 @@ export class Studio implements Desk {
 		const face = model === left ? this.#state.face : undefined;
 		this.#update({ history, specimen: present, model, face });
 		if (model !== left) void this.#bringFace(model);
-		if (!growsAlike(before, present) || (!this.#state.held && !this.#measured)) this.#ask();
+		if (!growsAlike(before, present) || (!this.#state.held && !this.#whole)) this.#ask();
 	}
 
 	/** While the hand still moves, only the shape is asked for; what is measured follows when it rests. */
 	#ask(): void {
 		const { model, specimen, held } = this.#state;
-		this.#measured = !held;
-		this.#surroundings.grow(model, specimen, { measures: this.#measured });
+		this.#whole = !held;
+		this.#update({ pending: true });
+		this.#surroundings.grow(model, specimen, { passing: held });
 	}
 
 	/** Puts the tools of a model on the desk, in place of the last one's. */
 	async #bringFace(model: Model): Promise<void> {
 		for (const end of this.#ends.splice(0)) end();
-		const face = this.#faces.get(model) ?? (await this.#faceOf(model));
+		const face = this.#faces.known(model) ?? (await this.#faceOf(model));
 		if (this.#state.model !== model || this.#state.face === face) return;
 		for (const tool of face.tools) this.#owners.set(tool, model.name);
 		const { tools, ui } = this.#state;
@@ -276,17 +278,13 @@ export class Studio implements Desk {
 		this.#ends = face.tools.flatMap((tool) => tool.start?.(this) ?? []);
 	}
 
-	async #faceOf(model: Model): Promise<Face> {
-		try {
-			const face = (await model.studio?.()) ?? BARE;
-			this.#faces.set(model, face);
-			return face;
-		} catch {
-			this.notify(`The tools of the ${model.noun} could not be fetched`, [
-				"Sliders and downloads work all the same; loading the page again brings them.",
-			]);
+	#faceOf(model: Model): Promise<Face> {
+		return this.#faces.of(model).catch(() => {
+			const details = ["Sliders and downloads work all the same.", TRY_AGAIN];
+			const again = () => void this.#bringFace(model);
+			this.notify(`The tools of the ${model.noun} could not be fetched`, details, { again });
 			return BARE;
-		}
+		});
 	}
 
 	#update(patch: Partial<StudioState>): void {

@@ -2,7 +2,7 @@ import type { DeskState } from "../controls/desk";
 import type { Face } from "../controls/tool";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
-import type { History } from "../specimen/history";
+import { type History, startHistory } from "../specimen/history";
 import type { Specimen } from "../specimen/specimen";
 import type { ToolStates } from "./tool_states";
 import type { Failure, Notice } from "./types";
@@ -23,6 +23,8 @@ export interface StudioState extends DeskState {
 	readonly history: History;
 	/** Stays whatever goes wrong. */
 	readonly shown: Shown | undefined;
+	/** Whether a growth is under way, so that what is shown is not yet what is on the controls. */
+	readonly pending: boolean;
 	/** Whether a growth takes long enough to say so. */
 	readonly growing: boolean;
 	/** Why there is no plant, in place of one. */
@@ -37,6 +39,39 @@ export interface StudioState extends DeskState {
 	readonly picture: (() => Promise<Blob>) | undefined;
 	/** Whether the system is dark. */
 	readonly systemDark: boolean;
+}
+
+/** What the studio opens with. */
+export type Opening = Pick<StudioState, "model" | "specimen" | "ui" | "systemDark">;
+
+/** The state of a page that has just been opened. */
+export function opened(opening: Opening): StudioState {
+	return inStep({
+		...opening,
+		face: undefined,
+		history: startHistory(opening.specimen),
+		shown: undefined,
+		grown: undefined,
+		grownFrom: undefined,
+		measures: undefined,
+		held: false,
+		dark: false,
+		pending: false,
+		growing: false,
+		failure: undefined,
+		notices: [],
+		tools: {},
+		catalogue: [opening.model],
+		picture: undefined,
+	});
+}
+
+/**
+ * The look of what is shown: that on the controls, since colours change without growing. While what is on them is another preset, which
+ * has yet to grow, it is the look that the plant in view has grown with.
+ */
+export function lookOf({ model, from }: Shown, now: Pick<StudioState, "model" | "specimen">): Specimen["look"] {
+	return model === now.model && from.preset === now.specimen.preset ? now.specimen.look : from.look;
 }
 
 /** What follows from the rest of the state, brought into step with it. */

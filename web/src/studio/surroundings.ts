@@ -1,19 +1,15 @@
 import type { Model } from "../models/model";
 import type { Specimen } from "../specimen/specimen";
-import type { StudioState } from "./studio_state";
 import type { UiState } from "./ui_state";
 
 /** What the studio does outside itself; main.ts wires it. */
 export interface Surroundings {
 	/** Asks for growth, measured or not; the newest request wins. */
-	grow(model: Model, specimen: Specimen, options: { measures: boolean }): void;
+	grow(model: Model, specimen: Specimen, options: { passing: boolean }): void;
 	/** Ends a long growth. */
 	cancel(): void;
 	/** The document came to rest: the address bar is to hold it. */
 	settled(model: Model, specimen: Specimen): void;
-	/** The interface changed: remember it. */
-	remember(ui: UiState): void;
+	/** The interface changed: remember in what. */
+	remember(ui: UiState, before: UiState): void;
 }
-
-/** What the studio opens with. */
-export type Opening = Pick<StudioState, "model" | "specimen" | "ui" | "systemDark">;

@@ -11,6 +11,9 @@ export interface Failure {
 
 export type Remedy = "again" | "other";
 
+/** What to do where a script of the page did not come: some browsers ask for it again only when the page is loaded. */
+export const TRY_AGAIN = "Check the connection and try again, or load the page again: the address holds what you have.";
+
 /** Something said to the person, until it is dismissed. */
 export interface Notice extends Readonly<NoticeOptions> {
 	readonly id: number;

@@ -1,6 +1,8 @@
 /** What the page remembers between visits; nothing of it is part of the document. */
 export interface UiState {
 	theme: "system" | "light" | "dark";
+	/** Whether single letters are keys for the whole page. */
+	letters: boolean;
 	/** The one view that a phone shows: `SOLID`, or the name of a model's flat view. */
 	view: string;
 	/** Groups of the panel that a person has opened or closed, by key; the others are as the table says. */
@@ -12,9 +14,9 @@ export interface UiState {
 /** The 3-D view. */
 export const SOLID = "solid";
 
-const STORAGE_KEY = "panicle.ui";
+export const STORAGE_KEY = "panicle.ui";
 
-export const FIRST_VISIT: UiState = { theme: "system", view: SOLID, groups: {}, tools: {} };
+export const FIRST_VISIT: UiState = { theme: "system", letters: true, view: SOLID, groups: {}, tools: {} };
 
 /** Reads what was remembered. Anything missing, foreign or unreadable gives the first visit's value. */
 export function loadUi(storage: Pick<Storage, "getItem">): UiState {
@@ -26,21 +28,47 @@ export function loadUi(storage: Pick<Storage, "getItem">): UiState {
 	}
 }
 
-/** Remembers; a full or forbidden storage is no reason to stop. */
-export function saveUi(storage: Pick<Storage, "setItem">, ui: UiState): void {
+/**
+ * Remembers what has changed, and leaves the rest as it is kept: another tab may have changed that. A full or forbidden
+ * storage is no reason to stop.
+ */
+export function saveUi(storage: Pick<Storage, "getItem" | "setItem">, ui: UiState, before: UiState): void {
 	try {
-		const { theme, groups, tools } = ui;
-		storage.setItem(STORAGE_KEY, JSON.stringify({ theme, groups, tools }));
+		const kept = loadUi(storage);
+		const models = Object.entries(ui.tools).map(
+			([model, tools]) => [model, merged(kept.tools[model], tools, before.tools[model])] as const,
+		);
+		const next = {
+			...merged({ theme: kept.theme, letters: kept.letters }, pageOf(ui), pageOf(before)),
+			groups: merged(kept.groups, ui.groups, before.groups),
+			tools: { ...kept.tools, ...Object.fromEntries(models) },
+		};
+		storage.setItem(STORAGE_KEY, JSON.stringify(next));
 	} catch {
 		// Private windows may forbid it: the page works, it only forgets.
 	}
 }
 
+/** What is the same in every tab: of the rest each tab keeps its own, so that nothing moves under a hand. */
+export function pageOf({ theme, letters }: UiState): Pick<UiState, "theme" | "letters"> {
+	return { theme, letters };
+}
+
+/** What is kept, with what has changed since before. */
+function merged<T>(
+	kept: Readonly<Record<string, T>> = {},
+	now: Readonly<Record<string, T>>,
+	before: Readonly<Record<string, T>> = {},
+): Record<string, T> {
+	return { ...kept, ...Object.fromEntries(Object.entries(now).filter(([key, value]) => value !== before[key])) };
+}
+
 function restoreUi(kept: unknown): UiState {
-	const { theme, groups, tools } = recordOf(kept);
+	const { theme, letters, groups, tools } = recordOf(kept);
 	return {
 		...FIRST_VISIT,
 		theme: theme === "light" || theme === "dark" ? theme : "system",
+		letters: letters !== false,
 		groups: Object.fromEntries(
 			Object.entries(recordOf(groups)).filter((group): group is [string, boolean] => typeof group[1] === "boolean"),
 		),

@@ -2,9 +2,10 @@
 
 import fc from "fast-check";
 import type { Specimen } from "../../bunch";
+import { evenly } from "../../evenly";
 import { type GrownSketch, sampleSpecimen, unit, type Vector } from "./fixture";
 
-const part = fc.double({ min: -1, max: 1, noNaN: true });
+const part = evenly(-1, 1);
 
 /** Any direction; upright ones, and ones a hair from upright, more often than chance would have it. */
 export const direction: fc.Arbitrary<Vector> = fc.oneof(
@@ -20,14 +21,14 @@ export const direction: fc.Arbitrary<Vector> = fc.oneof(
 
 const pedicel = fc.record({
 	direction,
-	berryRadius: fc.oneof(fc.constant(0), fc.double({ min: 1e-4, max: 0.05, noNaN: true })),
+	berryRadius: fc.oneof(fc.constant(0), evenly(1e-4, 0.05)),
 });
 
 export const sketch: fc.Arbitrary<GrownSketch> = fc.record({
 	axes: fc.array(fc.array(pedicel, { maxLength: 4 }), { maxLength: 4 }),
 	sides: fc.integer({ min: 3, max: 7 }),
 	segments: fc.integer({ min: 6, max: 9 }),
-	length: fc.double({ min: 1e-3, max: 0.1, noNaN: true }),
+	length: evenly(1e-3, 0.1),
 });
 
 const colour = fc.integer({ min: 0, max: 0xffffff }).map((bits) => bits.toString(16).padStart(6, "0"));

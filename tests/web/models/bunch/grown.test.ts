@@ -50,6 +50,25 @@ describe("growing", () => {
 		for (const print of prints) expect(print).toMatch(/^[0-9a-f]{16}$/);
 	});
 
+	it.each(PROCEDURES)("tells of every vertex how much of the sky it sees, by procedure=%s", (_, start) => {
+		const specimen = withParameters(start(), { leaves: 2 });
+		const { berries, surfaces, berry, stem, foliage } = grow(specimen, true);
+		const skin = surfaces ?? berry;
+		expect(skin?.sky).toHaveLength((berries.count * (skin?.uvs.length ?? 0)) / 2);
+		expect(stem?.sky).toHaveLength(stem?.internode.length ?? 0);
+		if (foliage) expect(foliage.sky).toHaveLength(foliage.uvs.length / 2);
+		expect(foliage !== undefined).toBe(surfaces !== undefined);
+		for (const sky of [skin?.sky, stem?.sky]) {
+			const mean = Array.from(sky ?? []).reduce((sum, byte) => sum + byte, 0) / (sky?.length ?? 0);
+			expect(mean).toBeGreaterThan(10);
+			expect(mean).toBeLessThan(245);
+		}
+		const without = growBunch(core, specimen, { sky: false, meshFingerprint: true });
+		expect((without.surfaces ?? without.berry)?.sky).toBeUndefined();
+		expect(without.stem?.sky).toBeUndefined();
+		expect(without.meshFingerprint).toBe(grow(specimen, true).meshFingerprint);
+	});
+
 	describe.each(PROCEDURES)("by procedure=%s", (procedure, start) => {
 		it.each(PRESETS.map(({ name }) => name))("%s gives lists that agree with its counts", (name) => {
 			const grown = grow(start(name));

@@ -20,10 +20,12 @@ describe("a request", () => {
 		expect([...asked.words("stem_sides"), ...asked.words("berry_segments")]).toEqual([7, 20]);
 		expect(asked.floats("parameters")).toHaveLength(NUMBER_KEYS.length);
 		expect(asked.text("outputs")).toBe("");
-		expect(columns(specimenFromPreset()).text("outputs")).toBe("meshes measures");
-		expect(columns(specimenFromPreset(), { measures: false }).text("outputs")).toBe("meshes");
+		expect(columns(specimenFromPreset()).text("outputs")).toBe("meshes measures sky");
+		expect(columns(specimenFromPreset(), { measures: false }).text("outputs")).toBe("meshes sky");
+		expect(columns(specimenFromPreset(), { measures: false, sky: false }).text("outputs")).toBe("meshes");
+		expect(columns(specimenFromPreset(), { passing: true }).text("outputs")).toBe("meshes");
 		expect(columns(specimenFromPreset(), { meshFingerprint: true }).text("outputs")).toBe(
-			"meshes measures mesh_fingerprint",
+			"meshes measures sky mesh_fingerprint",
 		);
 	});
 

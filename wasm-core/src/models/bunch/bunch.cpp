@@ -10,6 +10,7 @@
 #include "foundation/fingerprint.hpp"
 #include "foundation/random.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/bunch_sky.hpp"
 #include "models/bunch/fruit/berry.hpp"
 #include "models/bunch/natural/natural.hpp"
 #include "models/bunch/paper/paper.hpp"
@@ -70,10 +71,15 @@ void add_mesh(Fingerprint& print, const Mesh& mesh) {
   print.add(std::span<const std::uint32_t>(mesh.indices));
 }
 
+constexpr float thin_stem = 0.00125f;  // metres; radius
+
 // Stems and the paper's one berry; the natural procedure makes its other meshes itself.
 void add_meshes(Grown& grown, const Request& request) {
   TubeOptions tubes;
-  if (grown.natural) tubes.sides = 8;  // hundreds of thin pedicels, most of them hidden
+  if (grown.natural) {  // hundreds of pedicels, most of them hidden
+    tubes.sides = 8;
+    tubes.thin = thin_stem;
+  }
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
   grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f);
   if (grown.natural) return;
@@ -111,6 +117,7 @@ Result<Grown> grow(const Request& request, const Limits& limits) {
   grown.fingerprint = fingerprint(grown);
   if (!request.meshes) return grown;
   add_meshes(grown, request);
+  if (request.sky) add_sky(grown);
   if (request.mesh_fingerprint) grown.mesh_fingerprint = mesh_fingerprint(grown);
   return grown;
 }

@@ -25,6 +25,7 @@ struct Request {
   std::vector<std::uint32_t> thinned;               // berries taken off by hand, by id
   bool meshes = true;
   bool measures = true;
+  bool sky = false;                  // of the meshes' vertices, where they are asked for
   bool mesh_fingerprint = false;     // of the meshes, where they are asked for
   std::uint32_t stem_sides = 0;      // 0: default
   std::uint32_t berry_segments = 0;  // 0: default

@@ -63,6 +63,12 @@ struct Foliage {
   std::vector<FoliagePart> parts;
 };
 
+// How much of the sky every vertex sees, 0 … 255 (environment/sky.hpp).
+struct SkyBytes {
+  std::vector<std::uint8_t> stems, foliage;  // one a vertex of that mesh
+  std::vector<std::uint8_t> berries;         // one a vertex of each berry: pattern vertices × berries
+};
+
 struct Grown {
   bool natural = false;  // by which procedure
   BerryForm form;
@@ -79,6 +85,7 @@ struct Grown {
   std::optional<BerrySurfaces> surfaces;  // the natural procedure's berries, each with its own surface
   std::optional<Mesh> flower;             // the shared open flower, where a berry has not yet set
   std::optional<Foliage> foliage;         // leaves and cane, where they were asked for
+  std::optional<SkyBytes> sky;            // where it was asked for
   std::vector<std::string> notes;
   std::uint64_t fingerprint = 0;       // skeleton and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // 0 without meshes

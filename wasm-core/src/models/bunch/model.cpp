@@ -109,6 +109,14 @@ void add_surfaces(Columns& columns, BerrySurfaces surfaces) {
   columns.add("berries.pressed", std::move(surfaces.pressed));
 }
 
+void add_sky(Plant& plant, SkyBytes sky) {
+  for (PlantMesh& mesh : plant.meshes) {
+    if (mesh.name == "stems") mesh.columns.add("sky", std::move(sky.stems));
+    if (mesh.name == "foliage") mesh.columns.add("sky", std::move(sky.foliage));
+  }
+  plant.columns.add("berries.sky", std::move(sky.berries));
+}
+
 Result<Plant> grow_plant(panicle::Request& blocks, const Limits& limits) {
   const auto request = read_request(blocks);
   if (!request) return request.error();
@@ -127,6 +135,7 @@ Result<Request> read_request(panicle::Request& blocks) {
   request.seed = blocks.word("seed", request.seed);
   request.meshes = blocks.wants("meshes");
   request.measures = blocks.wants("measures");
+  request.sky = blocks.wants("sky");
   request.mesh_fingerprint = blocks.wants("mesh_fingerprint");
   const auto parameters = blocks.floats("parameters");
   request.parameters.assign(parameters.begin(), parameters.end());
@@ -160,6 +169,7 @@ Plant plant_of(Grown&& grown) {
   if (grown.surfaces) add_surfaces(columns, std::move(*grown.surfaces));
   if (grown.flower) plant.meshes.push_back({"flower", "petal", std::move(*grown.flower), {}, {}});
   if (grown.foliage) plant.meshes.push_back(foliage_of(std::move(*grown.foliage)));
+  if (grown.sky) add_sky(plant, std::move(*grown.sky));
   const Counts& counts = grown.counts;
   plant.counts = {{"endStructures", counts.end_structures},
                   {"internodes", counts.internodes},

@@ -19,6 +19,8 @@
 //   thinned.id, thinned.why  uint32 each (Why);  thinned.places: float32 × 3 each
 //   berries.pattern.uvs      float32 × 2, berries.pattern.indices: uint32 × 3: of the pattern that all surfaces share
 //   berries.positions        float32 × 3, berries.normals × 3, berries.pressed: uint8; of each berry's own surface
+//   berries.sky              uint8: of each vertex of each berry, the pattern's or the shared mesh's, berry by berry;
+//                            where `sky` is asked for
 // and the meshes `stems` (segment: uint32 per vertex; axis: int32 per run), `berry`, `flower` and `foliage`.
 #pragma once
 

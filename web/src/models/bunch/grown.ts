@@ -123,6 +123,14 @@ export interface BerrySurfaces {
 	normals: Float32Array;
 	/** V × berries: 0 free … 255 in contact with a neighbour, where bloom is rubbed off. */
 	pressed: Uint8Array;
+	/** V × berries: how much of the sky each vertex sees, 255 all, 0 none; absent if not asked for. */
+	sky?: Uint8Array;
+}
+
+/** The one mesh all berries of the paper's procedure share: unit radius, centred, tip scar towards +Y. */
+export interface SharedBerry extends Mesh {
+	/** V × berries, as of `BerrySurfaces`: V vertices of this mesh for each berry as it stands (plant/orientation.ts). */
+	sky?: Uint8Array;
 }
 
 export const FOLIAGE_KINDS = ["cane", "leaf", "petiole"] as const;
@@ -138,6 +146,8 @@ export interface FoliagePart {
 
 export interface Foliage extends Mesh {
 	parts: FoliagePart[];
+	/** How much of the sky each vertex sees, 255 all, 0 none; of a leaf the better of its sides. Absent if not asked for. */
+	sky?: Uint8Array;
 }
 
 /** A contiguous run of the stem mesh: the rachis (axis −1) or one first-order axis with its pedicels. */
@@ -154,6 +164,8 @@ export interface StemMesh extends Mesh {
 	/** The internode each vertex belongs to. */
 	internode: Uint32Array;
 	parts: StemPart[];
+	/** How much of the sky each vertex sees, 255 all, 0 none; absent if not asked for. */
+	sky?: Uint8Array;
 }
 
 export interface Grown extends Plant {
@@ -167,8 +179,8 @@ export interface Grown extends Plant {
 	berries: Berries;
 	/** Absent when only the skeleton was asked for. */
 	stem?: StemMesh;
-	/** The one mesh all berries of the paper's procedure share: unit radius, centred, tip scar towards +Y. */
-	berry?: Mesh;
+	/** Absent for the natural procedure. */
+	berry?: SharedBerry;
 	/** Each berry's own surface; absent for the paper's procedure, whose berries are `berry` at their spheres. */
 	surfaces?: BerrySurfaces;
 	/** Stamens about an ovary of unit radius facing +Y, for berries whose trait `set` is below 1; absent without any. */

@@ -2,7 +2,7 @@
 import type { Columns } from "../../core/container";
 import type { Answer } from "../../core/core";
 import type { MeshRun, Plant, PlantMesh } from "../../plant/plant";
-import { readPlant } from "../../plant/read_plant";
+import { readPlant, readSky } from "../../plant/read_plant";
 import {
 	type Berries,
 	type BerrySurfaces,
@@ -40,7 +40,7 @@ export function readGrown(answer: Answer): Grown {
 	const mesh = (name: string) => plant.meshes.find((each) => each.name === name);
 	const [stems, berry, flower, foliage] = ["stems", "berry", "flower", "foliage"].map(mesh);
 	if (stems) grown.stem = readStem(columns, stems);
-	if (berry) grown.berry = berry;
+	if (berry) grown.berry = { ...berry, ...readSky(columns, "berries.") };
 	if (flower) grown.flower = flower;
 	if (foliage) grown.foliage = readFoliage(foliage);
 	return grown;
@@ -99,6 +99,7 @@ function readSurfaces(columns: Columns): BerrySurfaces {
 		positions: columns.floats("berries.positions"),
 		normals: columns.floats("berries.normals"),
 		pressed: columns.octets("berries.pressed"),
+		...readSky(columns, "berries."),
 	};
 }
 
@@ -107,14 +108,14 @@ function placeOf({ firstVertex, vertexCount, firstIndex, indexCount }: MeshRun) 
 	return { firstVertex, vertexCount, firstIndex, indexCount };
 }
 
-function readStem(columns: Columns, { positions, normals, uvs, indices, runs }: PlantMesh): StemMesh {
+function readStem(columns: Columns, { runs, name: _, material: _kind, ...mesh }: PlantMesh): StemMesh {
 	const axis = columns.ints("mesh.stems.axis");
 	const internode = columns.words("mesh.stems.segment");
 	const parts = runs.map((run, index) => ({ axis: axis[index], ...placeOf(run) }));
-	return { positions, normals, uvs, indices, internode, parts };
+	return { ...mesh, internode, parts };
 }
 
-function readFoliage({ positions, normals, uvs, indices, runs }: PlantMesh): Foliage {
+function readFoliage({ runs, name: _, material: _kind, ...mesh }: PlantMesh): Foliage {
 	const parts = runs.map((run) => ({ kind: run.name as FoliagePart["kind"], ...placeOf(run) }));
-	return { positions, normals, uvs, indices, parts };
+	return { ...mesh, parts };
 }

@@ -17,8 +17,12 @@ const BUILT_IN: Readonly<Record<Procedure, string>> = { paper: GRAPE_BUNCH_3, na
 export interface RequestOptions {
 	/** Whether triangles are wanted besides the skeleton; the default is yes. */
 	meshes?: boolean;
-	/** Whether `measures` are wanted; the default is yes. */
+	/** Whether `measures` are wanted; the default is yes, but not in passing. */
 	measures?: boolean;
+	/** Whether the next is on its way; the default is no. */
+	passing?: boolean;
+	/** Whether it is wanted how much of the sky the meshes' vertices see; the default is wherever there are meshes, but not in passing. */
+	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
 	/** Sides of a stem's tube; the core's own choice by default. */
@@ -29,7 +33,8 @@ export interface RequestOptions {
 
 /** @throws CoreError where the specimen cannot be written as a request: it has not come through specimen/restore.ts */
 export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, measures = true, meshFingerprint = false, stemSides = 0, berrySegments = 0 } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, stemSides = 0, berrySegments = 0 } = options;
+	const { measures = !passing, sky = meshes && !passing } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
 	if (grammar !== undefined && new TextEncoder().encode(grammar).length > GRAMMAR_BYTES) {
 		throw new CoreError("limit", `The grammar is longer than ${GRAMMAR_BYTES / 1024} KiB; shorten it.`);
@@ -37,7 +42,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 	if ((inputs?.n?.length ?? 0) > INPUT_N_LENGTH) {
 		throw new CoreError("limit", `n has more than ${INPUT_N_LENGTH} values.`);
 	}
-	const outputs = [meshes && "meshes", measures && "measures", meshFingerprint && "mesh_fingerprint"];
+	const outputs = [meshes && "meshes", measures && "measures", sky && "sky", meshFingerprint && "mesh_fingerprint"];
 	const words = (name: string, values: readonly number[]) => Uint32Array.from(values, (value) => whole(name, value));
 	const blocks: Block[] = [
 		{ name: "model", data: "bunch" },

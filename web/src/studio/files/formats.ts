@@ -1,7 +1,7 @@
-/** What `Download` gives. Exporters are loaded when first asked for: they are no part of the first load. */
+/** What `Download` gives. Files are made in a worker (files/), which is loaded when the first is asked for. */
+import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
 import type { Shown, StudioState } from "../studio_state";
-import { zip } from "./zip";
 
 export interface Download {
 	readonly key: string;
@@ -12,52 +12,50 @@ export interface Download {
 	/**
 	 * @param link the whole address that brings it back
 	 * @param name without extension
+	 * @param signal cancels; the promise then rejects with its reason
 	 */
-	make(plant: Shown, link: string, name: string): Promise<Blob>;
+	make(plant: Shown, link: string, name: string, signal?: AbortSignal): Promise<Blob>;
 }
 
-const GLB: Download = {
+type Listed = Omit<Download, "make">;
+
+const GLB: Listed = {
 	key: "glb",
 	title: "GLB",
 	about: "glTF, one node per part; opens everywhere",
 	suffix: ".glb",
-	make: (plant, link) => glb(plant, link, false),
 };
 
 /** Of plants whose parts share meshes. */
-const GLB_INSTANCED: Download = {
+const GLB_INSTANCED: Listed = {
 	key: "glb-instanced",
 	title: "GLB, instanced",
 	about: "Equal parts in one node; for readers of EXT_mesh_gpu_instancing",
 	suffix: "-instanced.glb",
-	make: (plant, link) => glb(plant, link, true),
 };
 
-const OF_EVERY_PLANT: readonly Download[] = [
-	{ key: "obj", title: "OBJ with MTL", about: "Both in one .zip", suffix: "-obj.zip", make: obj },
-	{ key: "json", title: "JSON", about: "Every part as numbers, in metres", suffix: ".json", make: json },
+const OF_EVERY_PLANT: readonly Listed[] = [
+	{ key: "obj", title: "OBJ with MTL", about: "Both in one .zip", suffix: "-obj.zip" },
+	{ key: "json", title: "JSON", about: "Every part as numbers, in metres", suffix: ".json" },
 ];
 
 /**
  * What there is of a plant.
  * @param picture takes one of the 3-D view, where there is a view
+ * @param write makes all the others
  */
-export function formatsOf(shown: Shown, picture: StudioState["picture"]): readonly Download[] {
+export function formatsOf(shown: Shown, picture: StudioState["picture"], write = exportFile): readonly Download[] {
 	const { model, grown } = shown;
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
-	return [
-		GLB,
-		...(hasInstances(shown) ? [GLB_INSTANCED] : []),
-		...OF_EVERY_PLANT,
-		...own.map(
-			(format): Download => ({
-				...format,
-				make: async (plant, link) =>
-					new Blob([await format.make(plant.grown, plant.from, link)], { type: format.type }),
-			}),
-		),
-		...(picture ? [pictureBy(picture)] : []),
-	];
+	const listed: Listed[] = [GLB, ...(hasInstances(shown) ? [GLB_INSTANCED] : []), ...OF_EVERY_PLANT, ...own];
+	const written = listed.map(({ key, title, about, suffix }): Download => {
+		const make: Download["make"] = ({ model, grown, from }, link, name, signal) => {
+			const request = { model: model.name, format: key, grown, specimen: from, link, name };
+			return write(model, request, signal ? { signal } : {});
+		};
+		return { key, title, about, suffix, make };
+	});
+	return [...written, ...(picture ? [pictureBy(picture)] : [])];
 }
 
 function pictureBy(take: () => Promise<Blob>): Download {
@@ -67,32 +65,6 @@ function pictureBy(take: () => Promise<Blob>): Download {
 /** Whether some parts are one mesh many times, so that instances make the file another one. */
 function hasInstances({ model, grown }: Shown): boolean {
 	return model.instanced?.(grown) ?? grown.organs.mesh.some((mesh) => mesh >= 0);
-}
-
-async function glb({ model, grown, from }: Shown, link: string, instancing: boolean): Promise<Blob> {
-	const [{ exportGlb }, { aboutPlant }] = await Promise.all([
-		import("../../export/glb"),
-		import("../../export/about_plant"),
-	]);
-	const about = await aboutPlant(model, grown, from, link);
-	return new Blob([exportGlb(model.parts(grown, from), about, { instancing })], { type: "model/gltf-binary" });
-}
-
-async function obj({ model, grown, from }: Shown, link: string, name: string): Promise<Blob> {
-	const [{ exportObj }, { aboutPlant }] = await Promise.all([
-		import("../../export/obj"),
-		import("../../export/about_plant"),
-	]);
-	const { obj, mtl } = exportObj(model.parts(grown, from), await aboutPlant(model, grown, from, link), name);
-	return zip([
-		{ name: `${name}.obj`, bytes: new TextEncoder().encode(obj) },
-		{ name: `${name}.mtl`, bytes: new TextEncoder().encode(mtl) },
-	]);
-}
-
-async function json({ model, grown, from }: Shown): Promise<Blob> {
-	const { exportJson } = await import("../../export/json");
-	return new Blob([`${JSON.stringify(exportJson(model, grown, from), null, "\t")}\n`], { type: "application/json" });
 }
 
 /** "long-conical-7": what a file of this plant is called. */

@@ -1,13 +1,27 @@
 import { html, nothing } from "lit";
 import { icon } from "../../controls/icons";
+import { NotFetched } from "../../files/exporter";
 import { linkOf } from "../address";
 import { type Download, fileName, formatsOf, save } from "../files/formats";
+import { plantToSave } from "../files/plant_to_save";
 import type { Studio } from "../studio";
+import { TRY_AGAIN } from "../types";
 import { StudioPart } from "./studio_part";
 
-/** `Download` and its menu of formats. */
+/** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
+const PATIENCE = 200;
+
+interface Making {
+	readonly title: string;
+	readonly cancel: AbortController;
+	slow: boolean;
+}
+
+/** `Download` and its menu of formats. One file is made at a time: the next takes the place of one that still is. */
 export class DownloadMenu extends StudioPart {
 	#open = false;
+	/** The file that is being made. */
+	#making: Making | undefined;
 
 	protected override draw(studio: Studio): unknown {
 		const { shown } = studio.state;
@@ -16,6 +30,7 @@ export class DownloadMenu extends StudioPart {
 				class="button wine" type="button" aria-label="Download" aria-haspopup="menu" aria-expanded=${this.#open}
 				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
+			${this.#making?.slow ? progress(this.#making) : nothing}
 			${this.#open ? html`<div class="menu" role="menu" aria-label="Download" @keydown=${this.#keyDown}>${formats.map((format) => this.#item(format))}</div>` : nothing}`;
 	}
 
@@ -74,20 +89,43 @@ export class DownloadMenu extends StudioPart {
 	async #download(format: Download): Promise<void> {
 		this.#close();
 		this.querySelector<HTMLElement>("button")?.focus();
-		const { shown, model, specimen } = this.desk.state;
-		if (!shown) return;
-		// The look may have changed since it grew; shape and look on screen are what is saved.
-		const from = shown.model === model ? { ...shown.from, look: specimen.look } : shown.from;
-		const name = fileName(from);
+		this.#making?.cancel.abort();
+		const making: Making = { title: format.title, cancel: new AbortController(), slow: false };
+		this.#making = making;
+		const patience = setTimeout(() => {
+			making.slow = true;
+			this.requestUpdate();
+		}, PATIENCE);
+		const { signal } = making.cancel;
 		try {
-			const blob = await format.make({ ...shown, from }, await linkOf(shown.model, from), name);
+			const plant = await plantToSave(this.desk, signal);
+			const name = fileName(plant.from);
+			const blob = await format.make(plant, await linkOf(plant.model, plant.from), name, signal);
+			signal.throwIfAborted();
 			save(blob, `${name}${format.suffix}`);
 		} catch (error) {
-			this.desk.notify(`The ${format.title} could not be made`, [
-				error instanceof Error ? error.message : String(error),
-			]);
+			if (!signal.aborted) this.#explain(error, format);
+		} finally {
+			clearTimeout(patience);
+			if (this.#making === making) this.#making = undefined;
+			this.requestUpdate();
 		}
 	}
+
+	#explain(error: unknown, format: Download): void {
+		const title = `The ${format.title} could not be made`;
+		const text = error instanceof Error ? error.message : String(error);
+		if (error instanceof NotFetched)
+			this.desk.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(format) });
+		else this.desk.notify(title, [text]);
+	}
+}
+
+function progress({ title, cancel }: Making): unknown {
+	return html`<div class="making" role="status">
+		<span>Making the ${title}</span><progress aria-label="Making the file"></progress>
+		<button class="button quiet" type="button" aria-label="Cancel the download" @click=${() => cancel.abort()}>Cancel</button>
+	</div>`;
 }
 
 customElements.define("panicle-download", DownloadMenu);

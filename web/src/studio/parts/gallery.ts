@@ -1,5 +1,6 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { repeat } from "lit/directives/repeat.js";
+import { rove, stopAt } from "../../controls/roving";
 import type { Model } from "../../models/model";
 import type { Preset } from "../../specimen/presets";
 import { findPresets, kindKey, type PresetSection, sectionsOf } from "../preset_search";
@@ -102,7 +103,8 @@ export class Gallery extends StudioPart {
 		const wanted = `${catalogue.length} ${specimen.model} ${specimen.preset}`;
 		const strip = this.querySelector<HTMLElement>(".strip");
 		const chosen = this.querySelector<HTMLElement>("[aria-current=true]");
-		this.#stopAt(this.#items().find((item) => item === document.activeElement) ?? chosen ?? this.#items()[0]);
+		const items = this.#items();
+		stopAt(items, items.find((item) => item === document.activeElement) ?? chosen ?? items[0]);
 		if (this.#revealed === wanted || !strip || !chosen) return;
 		this.#revealed = wanted;
 		reveal(strip, chosen);
@@ -136,20 +138,8 @@ export class Gallery extends StudioPart {
 	}
 
 	#stripKey(event: KeyboardEvent): void {
-		const items = this.#items();
-		const at = items.indexOf(document.activeElement as HTMLElement);
-		const next = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: items.length - 1 }[event.key];
-		const item = next === undefined || at < 0 ? undefined : items[next];
 		if (event.key === "Escape") this.querySelector<HTMLElement>("input[type=search]")?.focus();
-		if (!item) return;
-		event.preventDefault();
-		this.#stopAt(item);
-		item.focus();
-	}
-
-	/** The Tab key stops at one preset. */
-	#stopAt(stop: HTMLElement | undefined): void {
-		for (const item of this.#items()) item.tabIndex = item === stop ? 0 : -1;
+		else rove(event, this.#items());
 	}
 
 	#items(): HTMLElement[] {
@@ -173,12 +163,16 @@ function described({ about, figure }: Preset): string {
 	return figure === undefined ? about : `${about} (figure ${figure})`;
 }
 
-/** Scrolls the strip, and nothing else, until the preset is in it. */
+/** What of its neighbours is to be seen, so that the strip does not seem to end there; CSS pixels. */
+const NEIGHBOUR = 48;
+
+/** Scrolls the strip, and nothing else, until the preset is well in it. */
 function reveal(strip: HTMLElement, preset: HTMLElement): void {
 	const box = preset.getBoundingClientRect();
 	const shown = strip.getBoundingClientRect();
-	if (box.left < shown.left) strip.scrollLeft -= shown.left - box.left;
-	else if (box.right > shown.right) strip.scrollLeft += box.right - shown.right;
+	const [left, right] = [box.left - NEIGHBOUR - shown.left, box.right + NEIGHBOUR - shown.right];
+	if (left < 0) strip.scrollLeft += left;
+	else if (right > 0) strip.scrollLeft += right;
 }
 
 customElements.define("panicle-gallery", Gallery);

@@ -13,11 +13,19 @@ export class Help extends StudioPart {
 			<p>The address bar always holds the ${state.model.noun}: the link is the file. What you export is yours.</p>
 			<h3>Keys</h3>
 			<dl>${shortcuts(state).map(({ keys, does }) => html`<dt>${keys.map((key) => html`<kbd>${key}</kbd> `)}</dt><dd>${does}</dd>`)}</dl>
+			<label class="toggle">
+				<input type="checkbox" role="switch" .checked=${state.ui.letters} @change=${this.#switchLetters}> Single letters are keys
+			</label>
 			<h3>Files</h3>
 			<p>Drop a GLB or JSON that Panicle made anywhere on the page, or choose <i>Open…</i>, and its plant comes back.</p>
 			<p>Version ${VERSION}. The program is free under the MIT licence; titles are set in EB Garamond (SIL Open Font License).</p>
 			<form method="dialog"><button class="button wine">Close</button></form>
 		</dialog>`;
+	}
+
+	/** Some press letters without meaning to: speech input does. */
+	#switchLetters(event: Event): void {
+		this.desk.setUi({ letters: (event.target as HTMLInputElement).checked });
 	}
 
 	/** Opens the dialog; the browser keeps the focus in it and gives it back. */

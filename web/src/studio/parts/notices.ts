@@ -11,7 +11,11 @@ export class Notices extends StudioPart {
 	}
 }
 
-function drawNotice(studio: Studio, { id, title, details, copy }: Notice): unknown {
+function drawNotice(studio: Studio, { id, title, details, copy, again }: Notice): unknown {
+	const tryAgain = () => {
+		studio.dismiss(id);
+		again?.();
+	};
 	return html`<section class="notice">
 		<div>
 			${title}
@@ -22,6 +26,7 @@ function drawNotice(studio: Studio, { id, title, details, copy }: Notice): unkno
 					: html`<input readonly aria-label="Link to copy" .value=${copy} @focus=${(event: Event) => (event.target as HTMLInputElement).select()}>`
 			}
 		</div>
+		${again ? html`<button class="button" type="button" @click=${tryAgain}>Try again</button>` : nothing}
 		<button class="button quiet icon" type="button" aria-label="Dismiss" @click=${() => studio.dismiss(id)}>${icon("close")}</button>
 	</section>`;
 }

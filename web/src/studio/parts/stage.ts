@@ -1,18 +1,25 @@
 import { html, nothing } from "lit";
 import { type IconName, icon } from "../../controls/icons";
+import { rove, stopAt } from "../../controls/roving";
 import { withParameters } from "../../specimen/edit";
 import { fromPreset } from "../../specimen/from_preset";
 import { growsAlike, sameSpecimen } from "../../specimen/same";
 import { applying } from "../panel_groups";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
-import type { Failure } from "../types";
+import { type Failure, TRY_AGAIN } from "../types";
 import { StudioPart } from "./studio_part";
+
+interface Trouble {
+	readonly title: string;
+	readonly text: string;
+	readonly again?: () => void;
+}
 
 /** The 3-D view with its tools, its caption, and in its place the words for when there is nothing to see. */
 export class Stage extends StudioPart {
-	/** Why there is no picture: no WebGL 2, or a lost context. */
-	#trouble: { title: string; text: string } | undefined;
+	/** Why there is no picture: no WebGL 2, a lost context, or a script that did not come and may yet. */
+	#trouble: Trouble | undefined;
 	#solid: SolidView | undefined;
 	#started = false;
 	/** A phone shows another view in its place: what cannot be seen is not drawn. */
@@ -27,18 +34,20 @@ export class Stage extends StudioPart {
 	protected override draw(studio: Studio): unknown {
 		const { failure, growing, shown } = studio.state;
 		return html`<canvas
-				class="stage-surface" tabindex="0" role="img" aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
+				class="stage-surface" tabindex="0" role="application" aria-roledescription="3-D view" aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
 				@keydown=${this.#press}
 			></canvas>
 			<p class="unseen" id=${this.idOf("keys")}>${KEYS}</p>
 			${shown ? caption(studio) : nothing}
-			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text]) : nothing}
+			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
 			${this.#solid && !this.#trouble ? this.#tools(studio, this.#solid) : nothing}
 			${growing ? progress(studio) : nothing}`;
 	}
 
 	protected override updated(): void {
+		const buttons = this.#buttons();
+		stopAt(buttons, buttons.find(({ tabIndex }) => tabIndex === 0) ?? buttons[0]);
 		if (!this.#started) void this.#start();
 		if (this.#visible) this.#solid?.update(this.desk.state);
 	}
@@ -71,15 +80,18 @@ export class Stage extends StudioPart {
 			this.#resized.observe(this);
 			this.desk.showPicture(() => solid.picture());
 		} catch (error) {
-			const text = error instanceof Error ? error.message : String(error);
-			this.#say({
-				title: "No 3-D view here",
-				text: `${text} The flat views, the sliders and the downloads work all the same.`,
-			});
+			const none = error instanceof Error && error.name === "NoWebGL2Error";
+			const again = () => {
+				this.#say(undefined);
+				void this.#start();
+			};
+			const why = none ? error.message : `Part of the page could not be fetched. ${TRY_AGAIN}`;
+			const text = `${why} The flat views, the sliders and the downloads work all the same.`;
+			this.#say({ title: "No 3-D view here", text, ...(none ? {} : { again }) });
 		}
 	}
 
-	#say(trouble: { title: string; text: string } | undefined): void {
+	#say(trouble: Trouble | undefined): void {
 		this.#trouble = trouble;
 		this.requestUpdate();
 	}
@@ -91,7 +103,10 @@ export class Stage extends StudioPart {
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 			>${icon(drawn)}</button>`;
 		const frame: IconName = "frame";
-		return html`<div class="stage-tools" role="group" aria-label="3-D view">
+		return html`<div
+			class="stage-tools" role="toolbar" aria-orientation="vertical" aria-label="3-D view"
+			@keydown=${(event: KeyboardEvent) => rove(event, this.#buttons())} @focusin=${(event: Event) => stopAt(this.#buttons(), event.target as HTMLElement)}
+		>
 			${button(frame, "Reset view", () => solid.reset())}
 			${applying(face?.tools, specimen).map((tool) =>
 				tool.button
@@ -101,13 +116,17 @@ export class Stage extends StudioPart {
 		</div>`;
 	}
 
+	#buttons(): HTMLElement[] {
+		return [...this.querySelectorAll<HTMLElement>(".stage-tools button")];
+	}
+
 	#press(event: KeyboardEvent): void {
 		if (event.ctrlKey || event.metaKey || event.altKey) return;
 		if (this.#solid?.press(event)) event.preventDefault();
 	}
 }
 
-/** What the keys do while the picture has the focus, for those who do not see the help. */
+/** What the keys do while the view has the focus, for those who do not see the help. */
 const KEYS = "Arrow keys orbit, with Shift they move; plus and minus go nearer and further, 0 resets the view.";
 
 /** What the picture shows, in words. */
@@ -146,10 +165,12 @@ function message(title: string, details: readonly string[], actions: unknown = n
 	</div>`;
 }
 
+function button(words: string, click: () => void): unknown {
+	return html`<button class="button" type="button" @click=${click}>${words}</button>`;
+}
+
 /** The ways to a plant from where there is none. */
 function remedies(studio: Studio, failure: Failure): unknown {
-	const button = (words: string, click: () => void) =>
-		html`<button class="button" type="button" @click=${click}>${words}</button>`;
 	return failure.remedies.map((remedy) => {
 		if (remedy === "again") return button("Try again", () => studio.growAgain());
 		const { model, specimen, face } = studio.state;

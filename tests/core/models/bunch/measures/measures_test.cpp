@@ -441,3 +441,48 @@ TEST_CASE("wild bunches give shares between 0 and 1 or no numbers") {
     }
   }
 }
+
+TEST_CASE("what spills in one view is spilled over the silhouettes of both") {
+  const Envelope envelope = block(30, 200);
+  const std::vector<HungEnvelope> upright = hung(envelope);
+  const Measured front(balls({{40, -100, 0}}, 10), upright), side(balls({{0, -100, 40}}, 10), upright);
+  CHECK(side[spill_front] == 0);
+  CHECK(side[spill_side] == about(front[spill_front], 0.05));
+  CHECK(side[spill] == about(front[spill], 0.05));
+  CHECK(side[spill] > 0.2f);
+}
+
+TEST_CASE("two outlines hold what both hold") {
+  const Envelope large = block(30, 200), small = block(20, 90);
+  const Grown grown = balls({{0, -50, 0}}, 10);
+  const Measured both(grown, {{large, 0}, {small, 55}});
+  CHECK(both[outline_volume] == about((large.volume() + small.volume()) / 1000, 1e-4));
+}
+
+TEST_CASE("fingers touch along their sides, and have their gap from skin to skin") {
+  const auto gap_of = [](float apart, const glm::vec3& along, const glm::vec3& away) {
+    Grown grown = balls({{0, -50, 0}, glm::vec3(0, -50, 0) + away * apart}, 10);
+    for (std::size_t i = 0; i < 2; ++i) {
+      grown.berries[i].direction = along;
+      grown.traits[i].length = 0.06f;
+    }
+    return Measured(grown, {})[gap];
+  };
+  const glm::vec3 down(0, -1, 0), right(1, 0, 0);
+  const float width = 20, length = 60, mean = width * std::cbrt(length / width);
+  const auto expected = [&](float apart) {
+    return (apart + 2 * mean) / 3;
+  };  // of the nearest three, two of which are missing
+  CHECK(gap_of(width + 4, down, right) == about(expected(4), 0.01));
+  CHECK(gap_of(length + 4, down, down) == about(expected(4), 0.01));
+}
+
+TEST_CASE("the side is looked at from the left, as the side view is") {
+  // A large ball at the left hides what is behind it from there, and from nowhere else.
+  Grown grown = balls({{-60, -50, 0}, {0, -45, 0}, {0, -55, 4}, {2, -50, -4}}, 5);
+  grown.berries[0].radius = 0.03f;
+  grown.traits[0].width = grown.traits[0].length = 0.06f;
+  CHECK(Measured(grown, {})[visible_side] == about(0.25, 1e-4));
+  for (Berry& berry : grown.berries) berry.centre.x = -berry.centre.x;
+  CHECK(Measured(grown, {})[visible_side] == about(1, 1e-4));
+}

@@ -127,5 +127,11 @@ TEST_CASE("berries taken off by hand are known by their ids") {
   for (const Fruitlet& one : fruitlets) {
     CHECK(one.taken == (one.flower == 3 || one.flower == 9));
     CHECK(one.half_width == doctest::Approx(8));
+    CHECK(one.half_length == doctest::Approx(8));
+  }
+  wish.elongation = 1.5f;
+  for (const Fruitlet& one : fruitlets_of(all, 12, volumes, shares, flowers, wish)) {
+    CHECK(one.half_width == doctest::Approx(8));
+    CHECK(one.half_length == doctest::Approx(12));
   }
 }

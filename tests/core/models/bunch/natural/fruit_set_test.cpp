@@ -75,3 +75,17 @@ TEST_CASE("shares change little when places do") {
   for (std::size_t i = 0; i < a.size(); ++i) difference += std::abs(a[i] - b[i]);
   CHECK(difference < 0.02 * sum(a));
 }
+
+TEST_CASE("a crowd is of strength, not of heads: weak ones beside a strong one take little of its room") {
+  const auto set = [](float neighbours) {
+    std::vector<Bud> buds{{{0, 0, 0}, 0.5f}};
+    for (int k = 0; k < 6; ++k) {
+      Bud bud{{k < 3 ? 3.0f : -3.0f, static_cast<float>(k % 3 - 1) * 3, 0}, 0.5f};
+      bud.strength = neighbours;
+      buds.push_back(bud);
+    }
+    return ranks_of(buds, 10)[0];
+  };
+  CHECK(set(0.1f) < 0.5f * set(1));
+  CHECK(set(0.001f) == doctest::Approx(0.5 * (1.0 / 6) / (32.0 / 105 * 1.3 * 1.3 * 1.3)).epsilon(0.02));
+}

@@ -45,6 +45,7 @@ TEST_CASE("colour turns berry by berry between 55 and 100, in the sun first") {
   CHECK(stage_at(70, {0.5f, 0, 0.5f, 0, 1}).turned > stage_at(70, {0.5f, 1, 0.5f, 0, 1}).turned);
   CHECK(stage_at(75, {0.5f, 0.5f, 1, 1, 1}).turned > stage_at(75, {0.5f, 0.5f, 0, 1, 1}).turned);
   CHECK(stage_at(75, {0.5f, 0.5f, 1, 0, 1}).turned == stage_at(75, {0.5f, 0.5f, 0, 0, 1}).turned);
+  CHECK(stage_at(75, {0.5f, 0.5f, 0.5f, 0, 1}).turned > stage_at(75, {0.5f, 0.5f, 0.5f, 0, 0}).turned);  // by vigour
   CHECK(stage_at(100, {}).shrivel == 0);
   CHECK(stage_at(125, {}).shrivel > 0.8f);
 }

@@ -72,3 +72,15 @@ TEST_CASE("turns to set are spread evenly over an axis, and the second bunch has
   CHECK(turn_of(first, 1) != turn_of(second, 1));
   CHECK(turn_of(first, 1) != turn_of(first, 2));
 }
+
+TEST_CASE("a raceme's flowers are in their place however far their pedicels reach") {
+  const glm::vec3 foot(0, -100, 0), far(75, -100, 0);
+  const std::vector<Bound> bounds{{drum, 0}};
+  const std::vector<Flower> flowers{flower_on(1, {1, 0, 0})};
+  const auto misplaced = [&](Kind bearing) {
+    const std::vector<Internode> internodes{stem(-1, bearing, {0, 0, 0}, foot), stem(0, Kind::pedicel, foot, far)};
+    return situate(flowers, internodes, bounds, 10, towards_sun(0, 0))[0].misplaced;
+  };
+  CHECK(misplaced(Kind::rachis) == 0);
+  CHECK(misplaced(Kind::axis) > 1);
+}

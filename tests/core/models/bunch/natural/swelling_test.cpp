@@ -188,3 +188,34 @@ TEST_CASE("late berries join where others found no room, in their order, and onl
   for (std::size_t k = 20; k < 24; ++k)
     if (more.lost[k] == Why{}) CHECK(glm::length(more.centres[k] - more.ends[1]) < 16.1f);
 }
+
+TEST_CASE("pedicels are little over half as long in flower, and grow until berries are six tenths of their size") {
+  CHECK(stalk_at(0) == doctest::Approx(0.55));
+  CHECK(stalk_at(0.3f) == doctest::Approx(0.775));
+  CHECK(stalk_at(0.6f) == doctest::Approx(1));
+  CHECK(stalk_at(1) == doctest::Approx(1));
+}
+
+TEST_CASE("what a branch gives way by, it keeps: further the readier it is") {
+  std::vector<float> moved;
+  for (const float give : {0.0f, 0.4f, 0.8f}) {
+    const std::vector<Branch> branches{{{0, 0, 0}, {0, -60, 0}, -1, 2, 0},
+                                       {{0, -60, 0}, {30, -60, 0}, 0, 1, give},
+                                       {{26, -60, 1}, {26, -100, 1}, -1, 2, 0}};
+    // Its berry hangs where a stiff stem stands.
+    Swelling berry = berry_at(1, glm::normalize(glm::vec3(-0.2f, -1, 0)), 12);
+    const Swollen bent = swell(branches, std::vector<Swelling>{berry}, roomy, ripe);
+    moved.push_back(glm::length(bent.ends[1] - branches[1].end));
+  }
+  CHECK(moved[0] == 0);
+  CHECK(moved[1] > 0);
+  CHECK(moved[2] > 3 * moved[1]);
+}
+
+TEST_CASE("a pedicel does not turn round, though the outline would have its berry behind it") {
+  const std::vector<Bound> narrow{{Envelope(Profile{400, {{{40, 40}, {40, 40}, {40, 40}, {40, 40}}}}, 0.5f, 20), 0}};
+  // It grows outwards, from well outside.
+  const std::vector<Branch> branches{{{0, 0, 0}, {34, -100, 0}, -1, 1, 0}};
+  const Swollen kept = swell(branches, std::vector<Swelling>{berry_at(0, {1, 0, 0})}, narrow, ripe);
+  CHECK(kept.directions[0].x > -0.8f);
+}

@@ -72,3 +72,46 @@ TEST_CASE("what is free sags by the angle asked for, and never past vertical") {
     CHECK(room.sphere.centre.x * glm::dot(turtle.heading, glm::vec3(1, 0, 0)) >= -1e-3f);
   }
 }
+
+TEST_CASE("a question without phi is answered by a turn in its own plane, or not at all") {
+  // Above the newborn, so that the nearest way out is downwards.
+  SphereGrid structure(6);
+  structure.add({{0.5f, -20, 3}, 6});
+  Newborn newborn;
+  newborn.pedicel = true;
+  newborn.length = 18;
+  newborn.radius = 2;
+  newborn.tie = {1, 0, 0};
+  const Room free = find_room(structure, {}, newborn, {15, 50, 0});
+  REQUIRE(free.found);
+  CHECK(std::abs(free.phi) > 5);
+  newborn.flat = true;
+  const lsystem::Turtle turtle;
+  const Room flat = find_room(structure, turtle, newborn, {15, 50, 0});
+  REQUIRE(flat.found);
+  CHECK(flat.phi == 0);
+  CHECK(std::abs(glm::dot(flat.sphere.centre, turtle.up)) < 1e-4f);
+  // Sag would lead out of the plane of a turtle that lies on its side.
+  lsystem::Turtle level;
+  lsystem::pitch(level, 90);
+  const Room sagged = find_room(SphereGrid(5), level, newborn, {15, 50, 5});
+  REQUIRE(sagged.found);
+  CHECK(sagged.phi == 0);
+}
+
+TEST_CASE("nothing sags into what is there") {
+  lsystem::Turtle turtle;
+  lsystem::turn(turtle, 90);
+  Newborn newborn;
+  newborn.pedicel = true;
+  newborn.length = 18;
+  newborn.radius = 2;
+  const Room straight = find_room(SphereGrid(3), turtle, newborn, {15, 50, 0});
+  const glm::vec3 ahead = straight.sphere.centre;
+  SphereGrid structure(3);
+  structure.add({ahead - glm::vec3(0, 5.1f, 0), 3});  // just clear of it
+  const Room held = find_room(structure, turtle, newborn, {15, 50, 10});
+  REQUIRE(held.found);
+  CHECK(glm::length(held.sphere.centre - ahead) < 1e-4f);
+  CHECK(find_room(SphereGrid(3), turtle, newborn, {15, 50, 10}).sphere.centre.y < ahead.y - 1);
+}

@@ -1,7 +1,8 @@
 import fc from "fast-check";
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { packVertices, surfacesOf } from "../../../../../web/src/models/bunch/figure/berry_skins";
+import { packVertices, skiesOf, surfacesOf } from "../../../../../web/src/models/bunch/figure/berry_skins";
+import { evenly } from "../../../evenly";
 import { pressedBunch } from "../pressed_bunch";
 import { sampleBunch } from "../sample_bunch";
 
@@ -32,7 +33,7 @@ describe("surfacesOf", () => {
 	});
 
 	it("turns and never mirrors, whichever way the berry hangs", () => {
-		const component = fc.double({ min: -1, max: 1, noNaN: true });
+		const component = evenly(-1, 1);
 		fc.assert(
 			fc.property(component, component, component, (x, y, z) => {
 				const direction = new Vector3(x, y, z);
@@ -58,25 +59,59 @@ describe("surfacesOf", () => {
 });
 
 describe("packVertices", () => {
-	it("keeps positions to the bit, `pressed` to the byte and normals to a fifteenth of a degree", () => {
-		const surfaces = pressedBunch({ count: 9 }).surfaces;
-		if (!surfaces) throw new Error("no surfaces");
+	const bunch = pressedBunch({ count: 9 });
+	if (!bunch.surfaces) throw new Error("no surfaces");
+	const surfaces = { ...bunch.surfaces, sky: bunch.surfaces.pressed.map((_, i) => (7 * i) % 256) };
+
+	it("keeps places to a micrometre, `pressed` and `sky` to the byte and normals to a hundredth of a degree", () => {
 		const words = new Uint32Array(4 * surfaces.pressed.length);
-		packVertices(surfaces, words);
-		const floats = new Float32Array(words.buffer);
+		const reaches = packVertices(surfaces, bunch.berries, words);
+		const vertices = surfaces.uvs.length / 2;
 		for (let v = 0; v < surfaces.pressed.length; v++) {
-			for (let k = 0; k < 3; k++) expect(floats[4 * v + k]).toBe(surfaces.positions[3 * v + k]);
-			expect(words[4 * v + 3] & 0xff).toBe(surfaces.pressed[v]);
+			const berry = Math.floor(v / vertices);
+			const at = [...halves(words[4 * v]), halves(words[4 * v + 1])[0]];
+			for (let k = 0; k < 3; k++) {
+				const place = bunch.berries.spheres[4 * berry + k] + reaches[berry] * at[k];
+				expect(Math.abs(place - surfaces.positions[3 * v + k])).toBeLessThan(1e-6);
+			}
+			expect((words[4 * v + 1] >>> 16) & 0xff).toBe(surfaces.pressed[v]);
+			expect(words[4 * v + 1] >>> 24).toBe(surfaces.sky[v]);
 			const normal = new Vector3().fromArray(surfaces.normals, 3 * v).normalize();
-			expect(unpacked(words[4 * v + 3]).angleTo(normal)).toBeLessThan(Math.PI / 180 / 15);
+			expect(unpacked(words[4 * v + 2]).angleTo(normal)).toBeLessThan(Math.PI / 180 / 100);
 		}
+	});
+
+	it("takes all of the sky to be open where nobody has looked", () => {
+		const words = new Uint32Array(4 * surfaces.pressed.length);
+		packVertices({ ...surfaces, sky: undefined }, bunch.berries, words);
+		expect(words[1] >>> 24).toBe(255);
 	});
 });
 
-/** What the vertex shader makes of a packed normal. */
+describe("skiesOf", () => {
+	const bunch = pressedBunch({ count: 3 });
+	if (!bunch.surfaces) throw new Error("no surfaces");
+	const { surfaces } = bunch;
+	const vertices = surfaces.uvs.length / 2;
+
+	it("tells each berry's mean", () => {
+		const sky = new Uint8Array(3 * vertices);
+		sky.fill(51, vertices, 2 * vertices);
+		sky[vertices] = 255;
+		const skies = skiesOf({ ...surfaces, sky }, 3);
+		expect(skies[0]).toBe(0);
+		expect(skies[1]).toBeCloseTo(0.2 + 0.8 / vertices, 5);
+		expect([...skiesOf(surfaces, 3)]).toEqual([1, 1, 1]);
+	});
+});
+
+/** What the vertex shader makes of a word. */
+function halves(word: number): [number, number] {
+	return [((word & 0xffff) / 65535) * 2 - 1, ((word >>> 16) / 65535) * 2 - 1];
+}
+
 function unpacked(word: number): Vector3 {
-	const x = (((word >>> 8) & 0xfff) / 4095) * 2 - 1;
-	const y = ((word >>> 20) / 4095) * 2 - 1;
+	const [x, y] = halves(word);
 	const n = new Vector3(x, y, 1 - Math.abs(x) - Math.abs(y));
 	const below = Math.max(-n.z, 0);
 	n.x -= below * (n.x < 0 ? -1 : 1);

@@ -1,7 +1,21 @@
-import { Group, type InstancedBufferGeometry, type Mesh, PerspectiveCamera, type ShaderMaterial } from "three";
+import {
+	DoubleSide,
+	Group,
+	type InstancedBufferGeometry,
+	type InstancedMesh,
+	type Mesh,
+	type MeshStandardMaterial,
+	PerspectiveCamera,
+	type ShaderMaterial,
+	Vector3,
+} from "three";
 import { describe, expect, it } from "vitest";
 import { bunchFigure } from "../../../../../web/src/models/bunch/figure/bunch_figure";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
+import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
+import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
+import { HALO, SCAR, SEAT, WAX } from "../../../../../web/src/models/bunch/parts/skin_rules";
+import { everyPart } from "../../../../../web/src/plant/part";
 import { PaperShadow } from "../../../../../web/src/scene/paper_shadow";
 import { StageLight } from "../../../../../web/src/scene/stage_light";
 import { SKETCH } from "../fixture";
@@ -28,16 +42,11 @@ const shadows = ({ root }: PaperShadow) => (root.children[0] as Part).geometry.i
 describe("the bunch's figure", () => {
 	it("shows berries and stems, and flowers and leaves where there are any", () => {
 		const { part } = staged(bunch);
-		expect(["berries", "stems", "flowers", "foliage"].map((name) => part(name).visible)).toEqual([
-			true,
-			true,
-			false,
-			false,
-		]);
-		expect(part("berries").geometry.instanceCount).toBe(60);
+		expect(["berries", "stems", "foliage"].map((name) => part(name).visible)).toEqual([true, true, false]);
+		expect(part("flowers")).toBeUndefined();
 		const blooming = staged(makeNatural(SKETCH, { traits: () => ({ opened: 1, set: 0 }) }));
 		expect(["flowers", "foliage"].map((name) => blooming.part(name).visible)).toEqual([true, true]);
-		expect(blooming.part("flowers").geometry.instanceCount).toBe(3);
+		expect((blooming.part("flowers") as unknown as InstancedMesh).count).toBe(3);
 	});
 
 	it("knows berries by their ids, and has none to point at without them", () => {
@@ -64,10 +73,10 @@ describe("the bunch's figure", () => {
 		const { stage, figure, part } = staged(bunch);
 		const whole = shadows(stage.shadow);
 		figure.setMode("stems");
-		const bare = () => [part("berries").visible, part("stems").material.uniforms.marking.value, shadows(stage.shadow)];
-		expect(bare()).toEqual([false, 1, bunch.internodes.count]);
+		const bare = () => [part("berries").visible, shadows(stage.shadow)];
+		expect(bare()).toEqual([false, bunch.internodes.count]);
 		figure.show(bunch, { look: LOOK });
-		expect(bare()).toEqual([false, 1, bunch.internodes.count]);
+		expect(bare()).toEqual([false, bunch.internodes.count]);
 		figure.setMode("whole");
 		expect([part("berries").visible, shadows(stage.shadow)]).toEqual([true, whole]);
 	});
@@ -76,7 +85,8 @@ describe("the bunch's figure", () => {
 		const { stage, figure, part, camera } = staged(bunch);
 		stage.light.aim(camera);
 		figure.prepare(camera);
-		const order = part("berries").geometry.getAttribute("receiver");
+		const order = part("berries").geometry.getAttribute("nature");
+		expect(part("berries").geometry.instanceCount).toBe(60);
 		const away = (i: number) => {
 			const at = 4 * order.getX(i);
 			const [x, y, z] = bunch.berries.spheres.subarray(at, at + 3);
@@ -84,6 +94,71 @@ describe("the bunch's figure", () => {
 		};
 		expect(away(0)).toBeLessThan(away(30));
 		expect(away(30)).toBeLessThan(away(59));
+	});
+
+	it("draws what files say: the same colours of stems and leaves, the same rules of skins, the same values", () => {
+		const grown = makeNatural(SKETCH, { traits: () => ({ opened: 1, set: 0, shrivel: 0.8 }) });
+		const { part } = staged(grown);
+		const parts = [...everyPart(bunchParts(grown, { look: LOOK }))];
+		const colourOf = (name: string, count: number) =>
+			(part(name).geometry.getAttribute("color").array as Float32Array).subarray(0, count);
+		for (const name of ["stems", "foliage"] as const) {
+			const mesh = name === "stems" ? grown.stem : grown.foliage;
+			const written = parts
+				.filter(({ shape }) => (shape?.material.name === "Stem") === (name === "stems"))
+				.filter(({ shape }) => ["Stem", "Leaf", "Cane", "Petiole"].includes(shape?.material.name ?? ""))
+				.flatMap(({ shape }) => [...(shape?.mesh.colours ?? [])]);
+			expect(written.length).toBeGreaterThan(9);
+			expect([...colourOf(name, mesh?.positions.length ?? 0)]).toEqual(written);
+		}
+		const drawn = [part("stems").material, part("flowers").material, ...[part("foliage").material].flat()];
+		for (const { name, roughness, side } of drawn as unknown as MeshStandardMaterial[]) {
+			const said = parts.find(({ shape }) => shape?.material.name === name)?.shape?.material;
+			if (said)
+				expect({ name, roughness, double: side === DoubleSide }).toEqual({
+					name,
+					roughness: said.roughness,
+					double: said.doubleSided ?? false,
+				});
+		}
+		const skin = bunchSkin(grown, LOOK);
+		const { uniforms, fragmentShader } = part("berries").material;
+		expect([uniforms.scar.value, uniforms.bloom.value, uniforms.uneven.value]).toEqual([
+			skin.fruit.scar,
+			skin.bloom,
+			skin.uneven,
+		]);
+		expect(uniforms.wax.value.toArray()).toEqual(skin.wax);
+		// The edge of the scar, the wax's depth, the seat's colour: the rules' own numbers.
+		for (const number of [SCAR.edge, HALO.width, WAX.depth, ...SEAT.colour])
+			expect(fragmentShader).toContain(String(number));
+	});
+
+	it("marks withered pedicels where stems stand bare, under an open sky", () => {
+		const grown = { ...bunch, internodes: { ...bunch.internodes, state: bunch.internodes.state.slice() } };
+		const withered = grown.internodes.count - 1;
+		grown.internodes.state[withered] = 1;
+		const { figure, part } = staged(grown);
+		const vertex = grown.stem?.internode.indexOf(withered) ?? -1;
+		expect(vertex).toBeGreaterThanOrEqual(0);
+		const look = () => {
+			const { geometry } = part("stems");
+			const at = (name: string) => new Vector3().fromBufferAttribute(geometry.getAttribute(name), vertex);
+			return {
+				redness: at("color").x / at("color").y,
+				place: at("position"),
+				sky: geometry.getAttribute("sky").getX(vertex),
+			};
+		};
+		const among = look();
+		figure.setMode("stems");
+		const bare = look();
+		expect(among.redness).toBeLessThan(4);
+		expect(bare.redness).toBeGreaterThan(10);
+		expect(bare.place.distanceTo(among.place)).toBeGreaterThan(0);
+		expect(bare.sky).toBe(1);
+		figure.setMode("whole");
+		expect(look()).toEqual(among);
 	});
 
 	it("is held by the view with its leaves", () => {

@@ -1,29 +1,26 @@
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { CAST_RECORD, CASTERS, Casters, type Lamp } from "../../../../../web/src/models/bunch/figure/casters";
-import { packReceivers, RECORD, receiverTexels } from "../../../../../web/src/models/bunch/figure/receivers";
-import { berryTint } from "../../../../../web/src/models/bunch/parts/berry_tint";
-import { skinOf } from "../../../../../web/src/models/bunch/parts/skin";
+import { receiversOf } from "../../../../../web/src/models/bunch/figure/receivers";
 import { lampHidden } from "../../../../../web/src/scene/occlusion";
-import { LOOK, RIPE, ripeTraits, sampleBunch } from "../sample_bunch";
+import { ripeTraits, sampleBunch } from "../sample_bunch";
 
-const skin = skinOf(LOOK);
 const key: Lamp = { direction: [-0.566, 0.602, 0.564], spread: 0.17 };
 const rim: Lamp = { direction: [0.8, 0, -0.6], spread: 0.2 };
 
 const bunch = sampleBunch(90);
-const receivers = packReceivers(bunch, (b) => berryTint(skin, b, RIPE), new Float32Array(4 * receiverTexels(bunch)));
+const receivers = receiversOf(bunch);
 const records = new Float32Array(receivers.count * CAST_RECORD * 4);
 new Casters().cast(receivers, key, rim, records);
 
 /** Spheres on receiver `i`'s way to the lamp, found by looking at all of them. */
 function inTheWay(i: number, lamp: Lamp): { j: number; along: number; lateral: number; radius: number }[] {
 	const { spheres } = receivers.index;
-	const at = 4 * RECORD * i;
+	const at = 4 * i;
 	const found = [];
 	for (let j = 0; j < bunch.berries.count; j++) {
 		if (j === i) continue;
-		const d = [0, 1, 2].map((k) => spheres[4 * j + k] - receivers.records[at + k]);
+		const d = [0, 1, 2].map((k) => spheres[4 * j + k] - receivers.bodies[at + k]);
 		const along = d[0] * lamp.direction[0] + d[1] * lamp.direction[1] + d[2] * lamp.direction[2];
 		const lateral = Math.sqrt(Math.max(0, d[0] ** 2 + d[1] ** 2 + d[2] ** 2 - along ** 2));
 		found.push({ j, along, lateral, radius: spheres[4 * j + 3] });
@@ -34,7 +31,7 @@ function inTheWay(i: number, lamp: Lamp): { j: number; along: number; lateral: n
 describe("Casters", () => {
 	it("lists the nearest spheres between each berry and the key light", () => {
 		for (let i = 0; i < bunch.berries.count; i++) {
-			const extent = receivers.records[4 * RECORD * i + 3];
+			const extent = receivers.bodies[4 * i + 3];
 			const expected = inTheWay(i, key)
 				.filter(({ along, lateral, radius }) => along > -radius && lateral < radius + extent)
 				.sort((a, b) => a.along - b.along)
@@ -43,7 +40,7 @@ describe("Casters", () => {
 			for (let k = 1; k <= CASTERS; k++) {
 				const at = 4 * (CAST_RECORD * i + k);
 				if (records[at + 3] === 0) break;
-				const centre = [0, 1, 2].map((c) => records[at + c] + receivers.records[4 * RECORD * i + c]);
+				const centre = [0, 1, 2].map((c) => records[at + c]);
 				listed.push(nearestTo(centre));
 			}
 			for (const { j } of expected.slice(0, Math.max(0, CASTERS - 6))) expect(listed).toContain(j);
@@ -127,8 +124,7 @@ describe("Casters", () => {
 	});
 
 	it("leaves the berries nearest the light in it", () => {
-		const toward = (i: number) =>
-			[0, 1, 2].reduce((sum, k) => sum + receivers.records[4 * RECORD * i + k] * key.direction[k], 0);
+		const toward = (i: number) => [0, 1, 2].reduce((sum, k) => sum + receivers.bodies[4 * i + k] * key.direction[k], 0);
 		const order = Array.from({ length: bunch.berries.count }, (_, i) => i).sort((a, b) => toward(b) - toward(a));
 		expect(records[4 * CAST_RECORD * order[0]]).toBeGreaterThan(0.95);
 	});
@@ -151,7 +147,7 @@ function castOn(...list: Sphere[]): Float32Array {
 	};
 	const none = { ...bunch.internodes, count: 0, ends: new Float32Array(0), radii: new Float32Array(0) };
 	const few = { ...bunch, berries, internodes: none };
-	const on = packReceivers(few, (b) => berryTint(skin, b, RIPE), new Float32Array(4 * receiverTexels(few)));
+	const on = receiversOf(few);
 	const cast = new Float32Array(on.count * CAST_RECORD * 4);
 	new Casters().cast(on, { ...key, direction: unit(key.direction) }, rim, cast);
 	return cast;

@@ -6,17 +6,28 @@ const spheres = Float32Array.from([0, 0, 5, 1, 0, 0, -3, 1, 4, 0, 0, 1]);
 describe("DepthOrder", () => {
 	it("puts the nearest to the eye first", () => {
 		const order = new DepthOrder();
-		order.reset(3);
-		expect([...order.sorted(spheres, { x: 0, y: 0, z: 10 })]).toEqual([0, 2, 1]);
-		expect([...order.sorted(spheres, { x: 0, y: 0, z: -10 })]).toEqual([1, 2, 0]);
+		order.reset(spheres);
+		order.sort({ x: 0, y: 0, z: 10 });
+		expect(order.indices).toEqual([0, 2, 1]);
+		order.sort({ x: 0, y: 0, z: -10 });
+		expect(order.indices).toEqual([1, 2, 0]);
+	});
+
+	it("has nothing to do again for the same eye, and all of it for other things", () => {
+		const order = new DepthOrder();
+		order.reset(spheres);
+		expect([order.sort({ x: 0, y: 0, z: 10 }), order.sort({ x: 0, y: 0, z: 10 })]).toEqual([true, false]);
+		expect(order.sort({ x: 0, y: 0, z: 11 })).toBe(true);
+		order.reset(spheres.slice());
+		expect(order.sort({ x: 0, y: 0, z: 11 })).toBe(true);
 	});
 
 	it("knows each thing once, however many there were before", () => {
 		const order = new DepthOrder();
-		order.reset(3);
-		order.sorted(spheres, { x: 0, y: 0, z: -10 });
-		order.reset(2);
-		expect([...order.sorted(spheres, { x: 0, y: 0, z: 0 })]).toEqual([1, 0]);
-		expect(order.count).toBe(2);
+		order.reset(spheres);
+		order.sort({ x: 0, y: 0, z: -10 });
+		order.reset(spheres.subarray(0, 8));
+		order.sort({ x: 0, y: 0, z: 0 });
+		expect(order.indices).toEqual([1, 0]);
 	});
 });

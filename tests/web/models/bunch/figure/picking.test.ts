@@ -3,6 +3,7 @@ import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { pickBerry } from "../../../../../web/src/models/bunch/figure/picking";
 import type { Vector } from "../../../../../web/src/scene/figure";
+import { evenly } from "../../../evenly";
 import { pressedBunch } from "../pressed_bunch";
 
 const bunch = pressedBunch({ count: 60, elongation: 1.4, swell: 1 });
@@ -18,21 +19,16 @@ describe("pickBerry", () => {
 	});
 
 	it("meets the nearest of those on its way, however long the direction", () => {
-		const angle = fc.double({ min: 0, max: 2 * Math.PI, noNaN: true });
+		const angle = evenly(0, 2 * Math.PI);
 		fc.assert(
-			fc.property(
-				fc.nat(berries.count - 1),
-				angle,
-				fc.double({ min: 0.1, max: 9, noNaN: true }),
-				(i, turn, stretch) => {
-					const out = new Vector3(Math.cos(turn), 0.2, Math.sin(turn));
-					const eye = centre(i).addScaledVector(out, 0.5);
-					const direction = out.clone().multiplyScalar(-stretch);
-					const picked = pickBerry(berries, { origin: tuple(eye), direction: tuple(direction) });
-					expect(picked).toBeDefined();
-					expect(centre(picked ?? 0).distanceTo(eye)).toBeLessThanOrEqual(centre(i).distanceTo(eye) + 1e-6);
-				},
-			),
+			fc.property(fc.nat(berries.count - 1), angle, evenly(0.1, 9), (i, turn, stretch) => {
+				const out = new Vector3(Math.cos(turn), 0.2, Math.sin(turn));
+				const eye = centre(i).addScaledVector(out, 0.5);
+				const direction = out.clone().multiplyScalar(-stretch);
+				const picked = pickBerry(berries, { origin: tuple(eye), direction: tuple(direction) });
+				expect(picked).toBeDefined();
+				expect(centre(picked ?? 0).distanceTo(eye)).toBeLessThanOrEqual(centre(i).distanceTo(eye) + 1e-6);
+			}),
 		);
 	});
 

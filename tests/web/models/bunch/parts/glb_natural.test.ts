@@ -4,6 +4,7 @@ import { describe, expect, it } from "vitest";
 import type { GlbOptions } from "../../../../../web/src/export/glb";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { MEASURE_KEYS } from "../../../../../web/src/models/bunch/measures.generated";
+import { evenly } from "../../../evenly";
 import { complaints, documentOf } from "../../../export/reading";
 import * as arbitrary from "../arbitrary";
 import { SKETCH } from "../fixture";
@@ -16,7 +17,7 @@ const FORMS: GlbOptions[] = [{}, { compact: true }, { instancing: true }, { comp
 
 describe("the GLB of a natural bunch", () => {
 	it("gives Khronos' validator nothing to say, in any form, for any growth, age and look", async () => {
-		const trait = fc.double({ min: 0, max: 1, noNaN: true });
+		const trait = evenly(0, 1);
 		const traits = fc.record({ exposure: trait, turned: trait, opened: trait, set: trait, shrivel: trait });
 		const fruit = fc.constantFrom("grape", "currant", "bramble", "lychee", "longan", "duku") as fc.Arbitrary<
 			Grown["form"]["fruit"]

@@ -32,6 +32,13 @@ describe("skinOf", () => {
 		expect(white[1]).toBeLessThan(Math.min(white[0], white[2]));
 	});
 
+	it("takes more light away in dark flesh than in pale", () => {
+		const sum = (hex: string) => of(hex).ripeFlesh.absorption.reduce((all, one) => all + one);
+		expect(sum("1d1c30")).toBeGreaterThan(3 * sum("c9b04e"));
+		expect(sum("1d1c30") - Math.log(0.12 * 0.16)).toBeGreaterThan(4);
+		expect(Math.min(...of("1d1c30").ripeFlesh.absorption)).toBeGreaterThan(0.9);
+	});
+
 	it("gives numbers a shader can take for any colour at all", () => {
 		const hex = fc.integer({ min: 0, max: 0xffffff }).map((value) => value.toString(16).padStart(6, "0"));
 		fc.assert(

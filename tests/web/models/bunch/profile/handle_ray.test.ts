@@ -9,6 +9,7 @@ import {
 	visibleFreedom,
 } from "../../../../../web/src/models/bunch/profile/handle_ray";
 import { handlePosition, metresPerPixel } from "../../../../../web/src/models/bunch/profile/handles";
+import { evenly } from "../../../evenly";
 import { anyHandle, anyShape, DEFAULTS } from "./shape";
 
 const UNIT = 0.25;
@@ -21,9 +22,9 @@ function rayTo(eye: Vector, target: Vector): Ray {
 /** Eyes around the bunch, half a metre to a metre and a half away, not straight above or below. */
 const anyEye: fc.Arbitrary<Vector> = fc
 	.record({
-		angle: fc.double({ min: -Math.PI, max: Math.PI, noNaN: true }),
-		height: fc.double({ min: -0.5, max: 0.5, noNaN: true }),
-		distance: fc.double({ min: 0.5, max: 1.5, noNaN: true }),
+		angle: evenly(-Math.PI, Math.PI),
+		height: evenly(-0.5, 0.5),
+		distance: evenly(0.5, 1.5),
 	})
 	.map(({ angle, height, distance }) => [distance * Math.sin(angle), height, distance * Math.cos(angle)]);
 
@@ -78,12 +79,13 @@ describe("rayToView", () => {
 	});
 
 	it("does not depend on how long the ray's direction is", () => {
-		const factor = fc.double({ min: 0.01, max: 100, noNaN: true });
+		const factor = evenly(0.01, 100);
 		fc.assert(
 			fc.property(anyShape, anyHandle, anyEye, factor, (shape, handle, eye, longer) => {
 				const ray = rayTo(eye, handleVector(shape, handle, UNIT));
 				const stretched = { ...ray, direction: ray.direction.map((value) => value * longer) as unknown as Vector };
 				const freedom = visibleFreedom(handle, ray);
+				expect(visibleFreedom(handle, stretched)).toBe(freedom);
 				const [one, other] = [ray, stretched].map((each) => rayToView(shape, handle, freedom, each, UNIT));
 				expect(other?.x).toBeCloseTo(one?.x ?? Number.NaN, 3);
 				expect(other?.y).toBeCloseTo(one?.y ?? Number.NaN, 3);

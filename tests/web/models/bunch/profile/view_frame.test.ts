@@ -1,8 +1,9 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { PROCEDURES } from "../../../../../web/src/models/bunch/grown";
-import { HANDLES, handlePosition } from "../../../../../web/src/models/bunch/profile/handles";
+import { HANDLES, handlePosition, UNITS_PER_PIXEL } from "../../../../../web/src/models/bunch/profile/handles";
 import { scaleBar, viewExtent, viewFrame } from "../../../../../web/src/models/bunch/profile/view_frame";
+import { evenly } from "../../../evenly";
 import { anyShape, DEFAULTS } from "./shape";
 
 describe("viewExtent", () => {
@@ -20,6 +21,17 @@ describe("viewExtent", () => {
 		expect(viewExtent({ ...lychee, rmax: 60, size: 6 }, 300, 300)).toBe(200);
 		expect(viewExtent({ ...lychee, rmax: 10, size: 35 }, 300, 300)).toBe(300);
 		expect(viewExtent({ ...lychee, unit: 1, size: 24 }, 300, 300)).toBe(200);
+	});
+
+	it("holds the berry below the tip of a long, narrow bunch", () => {
+		const needle = { ...DEFAULTS, p3w: 10, p4w: 10, p5w: 10, p6w: 10, p3r: 50, p4r: 50, p5r: 50, p6r: 50 };
+		const berry = needle.size / needle.unit / UNITS_PER_PIXEL;
+		for (let l = 60; l <= 480; l += 10) {
+			const frame = viewFrame(300, 300, viewExtent({ ...needle, l }, 300, 300));
+			expect(frame.top + frame.height).toBeGreaterThan(l + berry);
+		}
+		// Ten pixels of the profile are not enough for it: a wider view is.
+		expect(viewExtent({ ...needle, l: 240 }, 300, 300)).toBe(300);
 	});
 
 	it("uses an element's height where it is higher than wide", () => {
@@ -73,7 +85,7 @@ describe("scaleBar", () => {
 
 	it("takes between a tenth and a quarter of the view", () => {
 		fc.assert(
-			fc.property(fc.constantFrom(150, 300, 600), fc.double({ min: 0.05, max: 2, noNaN: true }), (extent, unit) => {
+			fc.property(fc.constantFrom(150, 300, 600), evenly(0.05, 2), (extent, unit) => {
 				const { length } = scaleBar(extent, unit);
 				expect(length).toBeLessThanOrEqual(extent / 4 + 1e-9);
 				expect(length).toBeGreaterThanOrEqual(extent / 10 - 1e-9);

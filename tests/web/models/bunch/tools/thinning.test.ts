@@ -2,7 +2,7 @@ import { expect, it, vi } from "vitest";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { stems } from "../../../../../web/src/models/bunch/tools/stems";
 import { mark, putBack, takeOff, thinning } from "../../../../../web/src/models/bunch/tools/thinning";
-import { specimenFromPreset } from "../../../bunch";
+import { MOST_THINNED, specimenFromPreset, thin, unthin } from "../../../bunch";
 import { bunchDesk, studioWith } from "../../../studio/desk";
 
 const opened = specimenFromPreset("grape-15c");
@@ -24,6 +24,15 @@ it("takes berries off by hand, one step each, and puts them all back as one", as
 	studio.undo();
 	expect(thinned()).toEqual([7]);
 	expect(surroundings.settled.mock.lastCall?.[1]).toMatchObject({ thinned: [7] });
+});
+
+it("takes no more berries off than a link can hold, and none twice", () => {
+	let specimen = opened;
+	for (let id = 0; id < MOST_THINNED; id++) specimen = thin(specimen, id);
+	expect(specimen.thinned).toHaveLength(MOST_THINNED);
+	expect(thin(specimen, MOST_THINNED)).toBe(specimen);
+	expect(thin(thin(opened, 7), 7).thinned).toEqual([7]);
+	expect(unthin(specimen, 3).thinned).not.toContain(3);
 });
 
 it("is of natural bunches alone", () => {

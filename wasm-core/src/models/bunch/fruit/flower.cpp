@@ -48,8 +48,9 @@ class Tubes {
 
   Mesh mesh() const {
     StemMesh stem;
-    TubeWriter writer(stem, sides, rings_, tubes_.size());
-    for (const Tube& tube : tubes_) writer.write(tube, 1);
+    const RingPattern pattern(sides);
+    TubeWriter writer(stem, TubeCount{rings_, tubes_.size()}.vertices(sides), std::uint64_t{2} * sides * rings_);
+    for (const Tube& tube : tubes_) writer.write(tube, pattern, 1);
     writer.finish();
     return stem.mesh;
   }

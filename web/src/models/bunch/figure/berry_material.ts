@@ -2,7 +2,7 @@ import { ShaderMaterial, Vector2, Vector3 } from "three";
 import { smoothstep } from "../../../plant/colour";
 import type { Skin } from "../parts/skin";
 import { BERRY_FRAGMENT, BERRY_VERTEX } from "./berry_shader";
-import type { SharedUniforms } from "./occlusion_shader";
+import type { SharedUniforms } from "./lamp_shader";
 
 /** No berry. */
 export const NONE = -1;

@@ -1,6 +1,6 @@
+import { clamp } from "../../../plant/colour";
 import { fromUp, placeVectors, rows } from "../../../plant/orientation";
-import type { Mesh } from "../../../plant/plant";
-import type { Berries, BerrySurfaces, Grown } from "../grown";
+import type { Berries, BerrySurfaces, Grown, SharedBerry } from "../grown";
 
 /** Texels of vertices side by side in one row of their texture. */
 export const VERTICES_PER_ROW = 1024;
@@ -13,7 +13,7 @@ export function surfacesOf({ surfaces, berry, berries }: Grown): BerrySurfaces |
 	return surfaces ?? (berry && placedEverywhere(berry, berries));
 }
 
-function placedEverywhere(berry: Mesh, { count, spheres, directions }: Berries): BerrySurfaces {
+function placedEverywhere(berry: SharedBerry, { count, spheres, directions }: Berries): BerrySurfaces {
 	const size = berry.positions.length;
 	const positions = new Float32Array(size * count);
 	const normals = new Float32Array(size * count);
@@ -23,30 +23,63 @@ function placedEverywhere(berry: Mesh, { count, spheres, directions }: Berries):
 		placeVectors(berry.normals, turn, 1, [0, 0, 0], normals, i * size);
 		placeVectors(berry.positions, turn, radius, [x, y, z], positions, i * size);
 	}
-	return { uvs: berry.uvs, indices: berry.indices, positions, normals, pressed: new Uint8Array((size / 3) * count) };
+	const pressed = new Uint8Array((size / 3) * count);
+	const { uvs, indices, sky } = berry;
+	return { uvs, indices, positions, normals, pressed, sky };
 }
+
+/** Of two 16-bit numbers in a word. */
+const STEPS = 65535;
 
 /**
- * Packs vertices into texels of four words: the bits of x, y, z; then, from the lowest, 8 bits of `pressed` and two
- * times 12 of the normal's octahedral map (Cigolle et al. 2014, "A survey of efficient representations for independent
- * unit vectors"). The vertex shader is packed_vertex() of berry_shader.ts.
+ * Packs vertices into texels of four words, low half first: x and y; z, `pressed` and `sky` in 8 bits each; the normal's
+ * octahedral map (Cigolle et al. 2014, "A survey of efficient representations for independent unit vectors"); nothing.
+ * Places count from the berry's centre in shares of its reach, −1 … 1. The vertex shader (berry_shader.ts) unpacks them.
  * @param words at least 4 × vertices
+ * @returns the reach of each berry, metres
  */
-export function packVertices({ positions, normals, pressed }: BerrySurfaces, words: Uint32Array): void {
-	const floats = new Float32Array(words.buffer, words.byteOffset, words.length);
-	for (let i = 0, v = 0; i < pressed.length; i++, v += 3) {
-		const at = 4 * i;
-		floats[at] = positions[v];
-		floats[at + 1] = positions[v + 1];
-		floats[at + 2] = positions[v + 2];
-		words[at + 3] = pressed[i] | packNormal(normals[v], normals[v + 1], normals[v + 2]);
+export function packVertices(
+	{ uvs, positions, normals, pressed, sky }: BerrySurfaces,
+	{ count, spheres }: Berries,
+	words: Uint32Array,
+): Float32Array {
+	const vertices = uvs.length / 2;
+	const reaches = new Float32Array(count);
+	for (let berry = 0, at = 0; berry < count; berry++) {
+		const x = spheres[4 * berry];
+		const y = spheres[4 * berry + 1];
+		const z = spheres[4 * berry + 2];
+		const last = 3 * vertices * (berry + 1);
+		let reach = 1e-9;
+		for (let v = 3 * vertices * berry; v < last; v += 3) {
+			reach = Math.max(
+				reach,
+				Math.abs(positions[v] - x),
+				Math.abs(positions[v + 1] - y),
+				Math.abs(positions[v + 2] - z),
+			);
+		}
+		reaches[berry] = reach;
+		const scale = (0.5 * STEPS) / reaches[berry];
+		for (let v = 3 * vertices * berry; v < last; v += 3, at += 4) {
+			const i = v / 3;
+			words[at] = packed((positions[v] - x) * scale, (positions[v + 1] - y) * scale);
+			words[at + 1] = packed((positions[v + 2] - z) * scale, -0.5 * STEPS) | (pressed[i] << 16);
+			words[at + 1] |= (sky ? sky[i] : 255) << 24;
+			words[at + 2] = packedNormal(normals[v], normals[v + 1], normals[v + 2]);
+		}
 	}
+	return reaches;
 }
 
-const STEPS = 4095;
+/** Two numbers of −STEPS / 2 … STEPS / 2, the first in the lower half. */
+function packed(first: number, second: number): number {
+	return (
+		(Math.round(clamp(first + 0.5 * STEPS, 0, STEPS)) | (Math.round(clamp(second + 0.5 * STEPS, 0, STEPS)) << 16)) >>> 0
+	);
+}
 
-/** A unit vector as two times 12 bits, above the lowest 8. */
-function packNormal(x: number, y: number, z: number): number {
+function packedNormal(x: number, y: number, z: number): number {
 	const sum = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
 	let u = x / sum;
 	let v = y / sum;
@@ -55,7 +88,18 @@ function packNormal(x: number, y: number, z: number): number {
 		v = (1 - Math.abs(u)) * (v < 0 ? -1 : 1);
 		u = folded;
 	}
-	const first = Math.round((0.5 + 0.5 * u) * STEPS);
-	const second = Math.round((0.5 + 0.5 * v) * STEPS);
-	return ((second << 20) | (first << 8)) >>> 0;
+	return packed(0.5 * STEPS * u, 0.5 * STEPS * v);
+}
+
+/** How much of the sky each berry sees, 0 … 1: the mean over its surface. */
+export function skiesOf({ uvs, sky }: BerrySurfaces, count: number): Float32Array {
+	const skies = new Float32Array(count).fill(1);
+	if (!sky) return skies;
+	const vertices = uvs.length / 2;
+	for (let berry = 0; berry < count; berry++) {
+		let sum = 0;
+		for (let i = vertices * berry; i < vertices * (berry + 1); i++) sum += sky[i];
+		skies[berry] = sum / vertices / 255;
+	}
+	return skies;
 }

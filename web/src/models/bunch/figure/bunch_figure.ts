@@ -3,25 +3,31 @@ import type { Bodies } from "../../../scene/camera_fit";
 import { CapsuleShadow } from "../../../scene/capsule_shadow";
 import type { Figure, FigureStage, Ray } from "../../../scene/figure";
 import { RecordTexture } from "../../../scene/record_texture";
+import { StandardLights } from "../../../scene/standard_lights";
+import { standardMaterial } from "../../../scene/standard_material";
 import type { Grown } from "../grown";
 import { tintOf } from "../parts/berry_tint";
+import { foliageMaterials, STAMENS, stemMaterial } from "../parts/materials";
 import { bunchSkin } from "../parts/skin";
-import { woodOf } from "../parts/stem_rules";
 import type { BunchSpecimen as Specimen } from "../specimen";
-import { meanOf } from "../traits";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
-import { BunchSurface } from "./bunch_surface";
+import { BunchSurface, type PartMaterials } from "./bunch_surface";
 import { CAST_RECORD, Casters } from "./casters";
-import { flowerMaterial } from "./flower_material";
-import { foliageMaterial } from "./foliage_material";
+import { KeptSky } from "./kept_sky";
+import { LAMP_CHUNK } from "./lamp_shader";
+import { LEAF_CHUNK } from "./leaf_shader";
 import { pickBerry } from "./picking";
-import { packReceivers, RECORD, type Receivers, receiverTexels } from "./receivers";
+import { type Receivers, receiversOf } from "./receivers";
 import { REHEARSAL, REHEARSAL_LOOK } from "./rehearsal";
 import { capsulesOf } from "./shadow_capsules";
-import { setStem, stemMaterial } from "./stem_material";
 
 /** Of so many points of the foliage, one counts for the fit. */
 const LEAF_POINTS = 8;
+
+/** Which receiver a vertex belongs to: of stems its internode, of flowers the berry that they are to be. */
+const OF_STEM =
+	"attribute uint internode;\nuniform int firstInternode;\nvec2 lamp_shares(vec3 point) { return shares_of(firstInternode + int(internode), point); }";
+const OF_FLOWER = "attribute float bearer;\nvec2 lamp_shares(vec3 point) { return shares_of(int(bearer), point); }";
 
 /** `stems` shows the stems without berries, withered pedicels marked (the paper's figure 14). */
 export const BUNCH_MODES = ["whole", "stems"] as const;
@@ -30,12 +36,14 @@ export const BUNCH_MODES = ["whole", "stems"] as const;
 export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 	readonly modes = BUNCH_MODES;
 	readonly #stage: FigureStage;
-	readonly #receiverRecords = new RecordTexture(RECORD);
 	readonly #casterRecords = new RecordTexture(CAST_RECORD);
 	readonly #shared;
+	readonly #firstInternode = { value: 0 };
 	readonly #surface: BunchSurface;
+	readonly #lights = new StandardLights();
 	readonly #shadow: CapsuleShadow;
 	readonly #casters = new Casters();
+	readonly #sky = new KeptSky();
 	#grown: Grown | undefined;
 	#receivers: Receivers | undefined;
 	#mode: string = "whole";
@@ -44,40 +52,51 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 		this.#stage = stage;
 		this.#shared = {
 			...stage.light.uniforms,
-			receiverRecords: { value: this.#receiverRecords.texture },
 			casterRecords: { value: this.#casterRecords.texture },
 			berriesShown: { value: 1 },
 		};
-		this.#surface = new BunchSurface({
-			berry: berryMaterial(this.#shared),
-			stem: stemMaterial(this.#shared),
-			flower: flowerMaterial(this.#shared),
-			foliage: foliageMaterial(this.#shared),
-		});
+		this.#surface = new BunchSurface(this.#materials());
 		this.#shadow = new CapsuleShadow(stage.shadow);
-		stage.root.add(this.#surface.group);
+		stage.root.add(this.#surface.group, this.#lights.group);
+	}
+
+	#materials(): PartMaterials {
+		const light = this.#stage.light.uniforms;
+		const { casterRecords, berriesShown } = this.#shared;
+		const firstInternode = this.#firstInternode;
+		const { cane, leaf, petiole } = foliageMaterials(0);
+		const lit = { light, coloured: true, sky: true };
+		const shares = (chunk: string) => ({
+			chunk: LAMP_CHUNK + chunk,
+			uniforms: { casterRecords, berriesShown, firstInternode },
+		});
+		return {
+			berry: berryMaterial(this.#shared),
+			stem: standardMaterial(stemMaterial([1, 1, 1]), { ...lit, shares: shares(OF_STEM) }),
+			flower: standardMaterial(STAMENS, { ...lit, shares: shares(OF_FLOWER) }),
+			foliage: {
+				cane: standardMaterial(cane, lit),
+				leaf: standardMaterial(leaf, { ...lit, detail: LEAF_CHUNK }),
+				petiole: standardMaterial(petiole, lit),
+			},
+		};
 	}
 
 	rehearse(): void {
 		this.show(REHEARSAL, { look: REHEARSAL_LOOK });
 	}
 
-	show(grown: Grown, { look }: Pick<Specimen, "look">): void {
+	show(latest: Grown, { look }: Pick<Specimen, "look">): void {
+		const grown = this.#sky.of(latest);
 		this.#grown = grown;
 		this.mark(undefined);
-		const { materials } = this.#surface;
 		const skin = bunchSkin(grown, look);
-		setSkin(materials.berry, skin);
-		setStem(materials.stem, look.stem, woodOf(grown));
-		materials.foliage.uniforms.autumn.value = meanOf(grown.berries, "shrivel", 0);
-		const count = receiverTexels(grown) / RECORD;
-		this.#receiverRecords.reserve(count);
-		this.#casterRecords.reserve(count);
-		this.#shared.receiverRecords.value = this.#receiverRecords.texture;
+		setSkin(this.#surface.materials.berry, skin);
+		this.#firstInternode.value = grown.berries.count;
+		this.#receivers = receiversOf(grown);
+		this.#casterRecords.reserve(this.#receivers.count);
 		this.#shared.casterRecords.value = this.#casterRecords.texture;
-		this.#receivers = packReceivers(grown, (i) => tintOf(grown, i, skin), this.#receiverRecords.data);
-		this.#receiverRecords.changed();
-		this.#surface.show(grown);
+		this.#surface.show(grown, look, (i) => tintOf(grown, i, skin));
 		this.setMode(this.#mode);
 	}
 
@@ -92,6 +111,7 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 	}
 
 	prepare(camera: PerspectiveCamera): void {
+		this.#lights.aim(this.#stage.light, camera);
 		if (!this.#receivers) return;
 		const { key, rim, keyDirection, rimDirection } = this.#stage.light.uniforms;
 		const keyLamp = { direction: keyDirection.value.toArray(), spread: key.value.spread };
@@ -117,17 +137,16 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 	setMode(mode: string): void {
 		this.#mode = mode;
 		const whole = mode === "whole";
-		this.#surface.berriesShown = whole;
+		this.#surface.bare = !whole;
 		this.#shared.berriesShown.value = whole ? 1 : 0;
-		this.#surface.materials.stem.uniforms.marking.value = whole ? 0 : 1;
 		if (this.#grown) this.#shadow.lay(capsulesOf(this.#grown, whole));
 	}
 
 	dispose(): void {
 		this.#surface.group.removeFromParent();
 		this.#surface.dispose();
+		this.#lights.dispose();
 		this.#shadow.dispose();
-		this.#receiverRecords.dispose();
 		this.#casterRecords.dispose();
 	}
 }

@@ -2,26 +2,37 @@ import {
 	BufferGeometry,
 	Group,
 	InstancedBufferGeometry,
+	type Material,
 	Mesh,
+	type MeshStandardMaterial,
 	type PerspectiveCamera,
 	type ShaderMaterial,
 	Vector3,
 } from "three";
 import { RecordTexture } from "../../../scene/record_texture";
-import { fillInstances, fillStreams } from "../../../scene/streams";
-import type { BerrySurfaces, Foliage, Grown, StemMesh } from "../grown";
-import { openFlowers } from "../parts/flowers";
-import { packVertices, surfacesOf, VERTICES_PER_ROW } from "./berry_skins";
+import { setSheet } from "../../../scene/standard_material";
+import { fillStreams } from "../../../scene/streams";
+import { type BerrySurfaces, FOLIAGE_KINDS, type Foliage, type Grown } from "../grown";
+import type { BerryTint } from "../parts/berry_tint";
+import { foliageColours } from "../parts/foliage_colour";
+import { foliageMaterials } from "../parts/materials";
+import type { Look } from "../specimen";
+import { meanOf } from "../traits";
+import { BerryInstances } from "./berry_instances";
+import { packVertices, skiesOf, surfacesOf, VERTICES_PER_ROW } from "./berry_skins";
 import { DepthOrder } from "./depth_order";
+import { Flowers } from "./flowers";
+import { stemStreams } from "./stem_streams";
+import { triangleOrder } from "./triangle_order";
 
 const EYE = new Vector3();
 
 /** The materials of a bunch's parts. */
 export interface PartMaterials {
 	berry: ShaderMaterial;
-	stem: ShaderMaterial;
-	flower: ShaderMaterial;
-	foliage: ShaderMaterial;
+	stem: MeshStandardMaterial;
+	flower: MeshStandardMaterial;
+	foliage: Record<(typeof FOLIAGE_KINDS)[number], MeshStandardMaterial>;
 }
 
 /**
@@ -31,126 +42,122 @@ export interface PartMaterials {
 export class BunchSurface {
 	readonly group = new Group();
 	readonly #berries: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-	readonly #flowers: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-	readonly #stems: Mesh<BufferGeometry, ShaderMaterial>;
-	readonly #foliage: Mesh<BufferGeometry, ShaderMaterial>;
+	readonly #stems: Mesh<BufferGeometry, MeshStandardMaterial>;
+	readonly #foliage: Mesh<BufferGeometry, MeshStandardMaterial[]>;
+	readonly #flowers: Flowers;
 	readonly #vertices = new RecordTexture(1, "words", VERTICES_PER_ROW);
-	#spheres: Float32Array = new Float32Array(0);
+	readonly #instances = new BerryInstances();
 	readonly #order = new DepthOrder();
-	#berriesShown = true;
+	#shown: { grown: Grown; look: Look } | undefined;
+	#bare = false;
 
 	constructor(readonly materials: PartMaterials) {
-		this.#berries = this.#part("berries", new InstancedBufferGeometry(), materials.berry);
-		this.#flowers = this.#part("flowers", new InstancedBufferGeometry(), materials.flower);
-		this.#stems = this.#part("stems", new BufferGeometry(), materials.stem);
-		this.#foliage = this.#part("foliage", new BufferGeometry(), materials.foliage);
+		const { berry, stem, flower, foliage } = materials;
+		this.#berries = this.#part("berries", new InstancedBufferGeometry(), berry);
+		this.#stems = this.#part("stems", new BufferGeometry(), stem);
+		this.#foliage = this.#part(
+			"foliage",
+			new BufferGeometry(),
+			FOLIAGE_KINDS.map((kind) => foliage[kind]),
+		);
+		this.#flowers = new Flowers(this.group, flower);
 		// After the berries, which hide most of them.
 		this.#stems.renderOrder = 1;
 	}
 
 	/** Puts a bunch's geometry in place of the last one's. */
-	show(grown: Grown): void {
+	show(grown: Grown, look: Look, tint: (berry: number) => BerryTint): void {
+		this.#shown = { grown, look };
 		const surfaces = surfacesOf(grown);
-		this.#spheres = grown.berries.spheres;
-		this.#showBerries(surfaces, surfaces ? grown.berries.count : 0);
-		this.#showFlowers(grown);
-		this.#stems.visible = grown.stem !== undefined && grown.stem.indices.length > 0;
-		if (grown.stem) this.#showStems(grown.stem);
+		const skies = surfaces && skiesOf(surfaces, grown.berries.count);
+		if (surfaces && skies) this.#showBerries(surfaces, grown, tint, skies);
+		this.#order.reset(surfaces ? grown.berries.spheres : new Float32Array(0));
+		this.#flowers.show(grown, skies);
 		this.#foliage.visible = grown.foliage !== undefined && grown.foliage.indices.length > 0;
-		if (grown.foliage) this.#showFoliage(grown.foliage);
-		this.materials.stem.uniforms.firstInternode.value = grown.berries.count;
+		if (grown.foliage) this.#showFoliage(grown.foliage, meanOf(grown.berries, "shrivel", 0));
+		this.#showStems();
+		this.#setVisible();
 	}
 
-	set berriesShown(shown: boolean) {
-		this.#berriesShown = shown;
-		this.#berries.visible = shown && this.#order.count > 0;
-		this.#flowers.visible = shown && this.#flowers.geometry.instanceCount > 0;
+	/** Whether the stems stand without berries, the withered ones marked. */
+	set bare(bare: boolean) {
+		if (bare === this.#bare) return;
+		this.#bare = bare;
+		this.#showStems();
+		this.#setVisible();
 	}
 
 	/** Sorts the berries nearest first. */
 	sort(camera: PerspectiveCamera): void {
-		const order = this.#order.sorted(this.#spheres, EYE.setFromMatrixPosition(camera.matrixWorld));
-		fillInstances(this.#berries.geometry, "receiver", order, 1);
+		if (this.#order.sort(EYE.setFromMatrixPosition(camera.matrixWorld)))
+			this.#instances.order(this.#berries.geometry, this.#order.indices);
 	}
 
 	dispose(): void {
-		for (const part of [this.#berries, this.#flowers, this.#stems, this.#foliage]) {
-			part.geometry.dispose();
-			part.material.dispose();
-		}
+		for (const part of [this.#berries, this.#stems, this.#foliage]) part.geometry.dispose();
+		this.#flowers.dispose();
+		const { berry, stem, flower, foliage } = this.materials;
+		for (const material of [berry, stem, flower, ...Object.values(foliage)]) material.dispose();
 		this.#vertices.dispose();
 	}
 
-	#part<G extends BufferGeometry>(name: string, geometry: G, material: ShaderMaterial): Mesh<G, ShaderMaterial> {
+	#part<G extends BufferGeometry, M extends Material | Material[]>(name: string, geometry: G, material: M): Mesh<G, M> {
 		const part = new Mesh(geometry, material);
 		part.name = name;
-		// Their vertex shaders place them; three's bounds would not know where.
+		// Buffers are larger than what is in them, and the berries' shader places them: three's bounds would be wrong.
 		part.frustumCulled = false;
 		part.visible = false;
 		this.group.add(part);
 		return part;
 	}
 
-	#showBerries(surfaces: BerrySurfaces | undefined, count: number): void {
-		this.#order.reset(count);
+	#setVisible(): void {
+		this.#berries.visible = !this.#bare && this.#order.indices.length > 0;
+		this.#flowers.visible = !this.#bare;
+	}
+
+	#showBerries(
+		surfaces: BerrySurfaces,
+		{ berries }: Grown,
+		tint: (berry: number) => BerryTint,
+		skies: Float32Array,
+	): void {
 		const { geometry, material } = this.#berries;
-		geometry.instanceCount = count;
-		this.berriesShown = this.#berriesShown;
-		if (!surfaces) return;
 		this.#vertices.reserve(surfaces.pressed.length);
-		packVertices(surfaces, this.#vertices.words);
+		const reaches = packVertices(surfaces, berries, this.#vertices.words);
 		this.#vertices.changed();
 		material.uniforms.vertexRecords.value = this.#vertices.texture;
 		material.uniforms.patternVertices.value = surfaces.uvs.length / 2;
-		fillStreams(geometry, [["uv", surfaces.uvs, 2]], surfaces.indices);
+		fillStreams(geometry, [["uv", surfaces.uvs, 2]], triangleOrder(surfaces.indices));
+		this.#instances.show(berries, tint, reaches, skies);
 	}
 
-	#showFlowers({ flower, berries }: Grown): void {
-		const { geometry } = this.#flowers;
-		const open = flower ? openFlowers(berries) : new Float32Array(0);
-		geometry.instanceCount = open.length / 2;
-		this.berriesShown = this.#berriesShown;
-		if (!flower || open.length === 0) return;
-		const { positions, normals, uvs, indices } = flower;
+	#showStems(): void {
+		const { grown, look } = this.#shown ?? {};
+		const stem = grown?.stem;
+		this.#stems.visible = stem !== undefined && stem.indices.length > 0;
+		if (grown && stem && look)
+			fillStreams(this.#stems.geometry, stemStreams(grown, stem, look.stem, this.#bare), stem.indices);
+	}
+
+	#showFoliage(foliage: Foliage, autumn: number): void {
+		const { positions, normals, uvs, indices, parts } = foliage;
+		const { geometry } = this.#foliage;
+		setSheet(this.materials.foliage.leaf, foliageMaterials(autumn).leaf);
 		fillStreams(
 			geometry,
 			[
 				["position", positions, 3],
 				["normal", normals, 3],
 				["uv", uvs, 2],
+				["color", foliageColours(foliage, autumn), 3],
+				["sky", foliage.sky ?? new Uint8Array(positions.length / 3).fill(255), 1],
 			],
 			indices,
 		);
-		fillInstances(geometry, "bloomed", open, 2);
-	}
-
-	#showStems({ positions, normals, uvs, internode, indices }: StemMesh): void {
-		fillStreams(
-			this.#stems.geometry,
-			[
-				["position", positions, 3],
-				["normal", normals, 3],
-				["uv", uvs, 2],
-				["internode", internode, 1],
-			],
-			indices,
-		);
-	}
-
-	#showFoliage({ positions, normals, uvs, indices, parts }: Foliage): void {
-		const blade = new Float32Array(positions.length / 3);
-		for (const { kind, firstVertex, vertexCount } of parts) {
-			blade.fill(kind === "leaf" ? 1 : kind === "petiole" ? 0.5 : 0, firstVertex, firstVertex + vertexCount);
+		geometry.clearGroups();
+		for (const { kind, firstIndex, indexCount } of parts) {
+			geometry.addGroup(firstIndex, indexCount, FOLIAGE_KINDS.indexOf(kind));
 		}
-		fillStreams(
-			this.#foliage.geometry,
-			[
-				["position", positions, 3],
-				["normal", normals, 3],
-				["uv", uvs, 2],
-				["blade", blade, 1],
-			],
-			indices,
-		);
 	}
 }

@@ -1,9 +1,9 @@
 import type { Vector } from "../../../scene/figure";
 import { lampHidden } from "../../../scene/occlusion";
 import { SphereIndex } from "../../../scene/sphere_index";
-import { RECORD, type Receivers } from "./receivers";
+import type { Receivers } from "./receivers";
 
-/** Spheres between a receiver and the key light that are evaluated per pixel. */
+/** Spheres between a receiver and the key light that are looked at one by one, at each vertex. */
 export const CASTERS = 9;
 /** Texels of one receiver's record; see `Casters.cast`. */
 export const CAST_RECORD = 1 + CASTERS;
@@ -32,7 +32,7 @@ export class Casters {
 	 * Fills the dynamic records, CAST_RECORD texels of four floats each, in the order of the receivers:
 	 *
 	 *     0   share of the key and of the rim light that reaches the receiver's centre
-	 *     1…  the nearest spheres in the key light's way, relative to the centre, with radius; 0 ends the list
+	 *     1…  the nearest spheres in the key light's way, centre and radius; 0 ends the list
 	 *
 	 * What was worked out for the same receivers and lamp stays, in the same `records`: only turning is work.
 	 * @returns whether anything was written
@@ -55,10 +55,8 @@ export class Casters {
 		const { owner } = receivers;
 		const column = new Column(spheres, lamp.direction, this.#ensure(spheres.length));
 		for (let i = 0; i < receivers.count; i++) {
-			const at = i * 4 * RECORD;
 			const to = i * 4 * CAST_RECORD;
-			const [x, y, z] = [receivers.records[at], receivers.records[at + 1], receivers.records[at + 2]];
-			const extent = receivers.records[at + 3];
+			const [x, y, z, extent] = receivers.bodies.subarray(4 * i, 4 * i + 4);
 			const count = column.near(x, y, z, extent, lamp.spread, this.#found);
 			let share = 1;
 			let kept = 0;
@@ -73,7 +71,7 @@ export class Casters {
 				if (list && lateral < radius + extent + Math.max(along, 0) * lamp.spread) kept = this.#keep(j, along, kept);
 			}
 			records[to + channel] = share;
-			if (list) this.#write(records, to + 4, kept, spheres, x, y, z);
+			if (list) this.#write(records, to + 4, kept, spheres);
 		}
 	}
 
@@ -91,16 +89,13 @@ export class Casters {
 		return Math.min(kept + 1, CASTERS);
 	}
 
-	#write(records: Float32Array, at: number, kept: number, spheres: Float32Array, x: number, y: number, z: number) {
+	#write(records: Float32Array, at: number, kept: number, spheres: Float32Array): void {
 		for (let k = 0; k < CASTERS; k++) {
 			const to = at + 4 * k;
 			records[to + 3] = 0;
 			if (k >= kept) continue;
-			const j = 4 * this.#nearest[k];
-			records[to] = spheres[j] - x;
-			records[to + 1] = spheres[j + 1] - y;
-			records[to + 2] = spheres[j + 2] - z;
-			records[to + 3] = spheres[j + 3];
+			const from = 4 * this.#nearest[k];
+			records.set(spheres.subarray(from, from + 4), to);
 		}
 	}
 

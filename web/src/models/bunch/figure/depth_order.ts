@@ -1,28 +1,40 @@
 /** The order in which things are drawn: nearest first, so that the depth test spares the pixels of those behind. */
 export class DepthOrder {
+	#spheres: Float32Array = new Float32Array(0);
 	#depths = new Float64Array(0);
-	#order: number[] = [];
-
-	get count(): number {
-		return this.#order.length;
-	}
-
-	/** Starts anew with so many things, unless there are as many already: from frame to frame little changes. */
-	reset(count: number): void {
-		if (count === this.#order.length) return;
-		this.#depths = new Float64Array(count);
-		this.#order = Array.from({ length: count }, (_, i) => i);
-	}
+	#indices: number[] = [];
+	#from: readonly number[] | undefined;
 
 	/**
+	 * Other things to order. Where they are as many as before, they start in the order of those: from frame to frame little
+	 * changes.
 	 * @param spheres 4 × count: centre, radius
-	 * @returns indices, the nearest to the eye first; the same array every time
 	 */
-	sorted(spheres: Float32Array, eye: { x: number; y: number; z: number }): readonly number[] {
-		for (let i = 0; i < this.#order.length; i++) {
+	reset(spheres: Float32Array): void {
+		this.#spheres = spheres;
+		this.#from = undefined;
+		const count = spheres.length / 4;
+		if (count === this.#indices.length) return;
+		this.#depths = new Float64Array(count);
+		this.#indices = Array.from({ length: count }, (_, i) => i);
+	}
+
+	/** In the order of the last `sort`; the same array until the next `reset`. */
+	get indices(): readonly number[] {
+		return this.#indices;
+	}
+
+	/** Sorts by the distance from `eye`; tells whether there was anything to do. */
+	sort({ x, y, z }: { x: number; y: number; z: number }): boolean {
+		const from = this.#from;
+		if (from && from[0] === x && from[1] === y && from[2] === z) return false;
+		this.#from = [x, y, z];
+		const spheres = this.#spheres;
+		for (const i of this.#indices) {
 			const at = 4 * i;
-			this.#depths[i] = (spheres[at] - eye.x) ** 2 + (spheres[at + 1] - eye.y) ** 2 + (spheres[at + 2] - eye.z) ** 2;
+			this.#depths[i] = (spheres[at] - x) ** 2 + (spheres[at + 1] - y) ** 2 + (spheres[at + 2] - z) ** 2;
 		}
-		return this.#order.sort((a, b) => this.#depths[a] - this.#depths[b]);
+		this.#indices.sort((a, b) => this.#depths[a] - this.#depths[b]);
+		return true;
 	}
 }

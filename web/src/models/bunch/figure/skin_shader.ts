@@ -20,13 +20,14 @@ vec3 rough(vec3 n, vec3 at, float height) {
 // Small corky dots; too small to see, they fade.
 float lenticel(vec3 at, float phase) {
 	vec3 place = at * 11.0 + phase * 37.0;
-	ivec3 cell = ivec3(floor(place));
-	vec3 jitter = 0.5 + 0.24 * vec3(hash(cell) - 0.5, hash(cell + 71) - 0.5, hash(cell + 137) - 0.5);
-	float there = step(0.45, hash(cell + 211));
+	vec3 cell = floor(place);
+	uvec3 c = uvec3(ivec3(cell)) * NOISE_PRIMES;
+	vec4 chance = mixed_bits((c.x ^ (c.y >> 7u) ^ (c.z << 5u)) + uvec4(0u, 0x68bc21ebu, 0x02e5be93u, 0x967a889bu));
+	vec3 middle = 0.5 + 0.24 * (chance.xyz - 0.5);
 	float pixel = length(fwidth(at)) * 11.0;
-	float size = 0.1 + 0.08 * hash(cell + 17);
-	float away = length(fract(place) - jitter);
-	return there * (1.0 - smoothstep(size - 0.5 * pixel, size + 0.5 * pixel + 0.05, away)) * clamp(0.5 / pixel, 0.0, 1.0);
+	float size = 0.1 + 0.08 * chance.x;
+	float away = length(place - cell - middle);
+	return step(0.45, chance.w) * (1.0 - smoothstep(size - 0.5 * pixel, size + 0.5 * pixel + 0.05, away)) * clamp(0.5 / pixel, 0.0, 1.0);
 }
 
 // Veins that run from the seat to the tip just under the skin.

@@ -56,7 +56,7 @@ export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, look: Look
 function berryShape(
 	{ berries }: Grown,
 	index: number,
-	{ uvs, indices, positions, normals }: BerrySurfaces,
+	{ uvs, indices, positions, normals, sky }: BerrySurfaces,
 	colours: Float32Array,
 	material: Material,
 ): Shape {
@@ -65,7 +65,14 @@ function berryShape(
 	const own = (all: Float32Array) => all.subarray(first, last);
 	const percent = RIPENESS_STEP * Math.round((100 * traitOf(berries, index, "turned")) / RIPENESS_STEP);
 	return {
-		mesh: { positions: own(positions), normals: own(normals), uvs, indices, colours: own(colours) },
+		mesh: {
+			positions: own(positions),
+			normals: own(normals),
+			uvs,
+			indices,
+			colours: own(colours),
+			...(sky ? { sky: sky.subarray(first / 3, last / 3) } : {}),
+		},
 		material,
 		centre: [x, y, z],
 		variant: percent === 100 ? "" : String(percent),
@@ -109,7 +116,7 @@ function flowersOf({ flower, berries }: Grown): Map<number, Part> {
 }
 
 /** Takes what is of unit radius and faces +Y to berry `index`, `scale` times its radius. */
-function placeOf({ spheres, directions }: Berries, index: number, scale: number): number[] {
+export function placeOf({ spheres, directions }: Berries, index: number, scale: number): number[] {
 	const [x, y, z, radius] = spheres.subarray(4 * index, 4 * index + 4);
 	const turn = fromUp(directions[3 * index], directions[3 * index + 1], directions[3 * index + 2]);
 	return [x, y, z, turn.x, turn.y, turn.z, turn.w, scale * radius];
@@ -123,7 +130,8 @@ function scarred({ uvs }: Mesh, skin: Colour, scar: number): Float32Array {
 	});
 }
 
-function stamenColours({ uvs }: Mesh): Float32Array {
+/** Of one open flower's mesh, 3 × vertices. */
+export function stamenColours({ uvs }: Pick<Mesh, "uvs">): Float32Array {
 	return eachVertex(uvs, (v) => (v > ANTHER_V ? STAMEN.anther : STAMEN.filament));
 }
 

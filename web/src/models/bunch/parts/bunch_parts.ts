@@ -5,6 +5,7 @@ import type { Foliage, Grown, StemMesh } from "../grown";
 import type { Look, BunchSpecimen as Specimen } from "../specimen";
 import { meanOf } from "../traits";
 import { naturalBerries, sharedBerries } from "./berries";
+import { foliageColours } from "./foliage_colour";
 import { foliageMaterials, stemMaterial } from "./materials";
 import { foliageNames, stemName } from "./names";
 import { stemColours } from "./stem_colour";
@@ -35,10 +36,15 @@ function* stemsOf(grown: Grown, stem: StemMesh, { stem: hex }: Look): Generator<
 
 /** Leaves turn as berries dry. */
 function* foliageOf({ berries }: Grown, foliage: Foliage): Generator<Part> {
-	const materials = foliageMaterials(meanOf(berries, "shrivel", 0));
+	const autumn = meanOf(berries, "shrivel", 0);
+	const colours = foliageColours(foliage, autumn);
+	const materials = foliageMaterials(autumn);
 	const names = foliageNames(foliage.parts);
 	for (const [index, part] of foliage.parts.entries()) {
 		if (part.indexCount > 0)
-			yield { name: names[index], shape: { mesh: cut(foliage, part), material: materials[part.kind] } };
+			yield {
+				name: names[index],
+				shape: { mesh: cut({ ...foliage, colours }, part), material: materials[part.kind], variant: "" },
+			};
 	}
 }

@@ -1,5 +1,7 @@
-/** The colours of leaves, petioles and cane: the view's shader patterns them, files have their means. */
-import { type Colour, linear, mixed, smoothstep } from "../../../plant/colour";
+/** The colours of leaves, petioles, cane and stamens, vertex by vertex: what view and files show of them. */
+import { type Colour, linear, mix, smoothstep } from "../../../plant/colour";
+import { noise } from "../../../plant/noise";
+import type { Foliage, FoliagePart } from "../grown";
 
 /** A leaf's faces, and what autumn makes of them; where veins run they are paler. */
 export const LEAF = { upper: linear("476a2e"), lower: linear("7f9a63"), late: [0.42, 0.27, 0.045] as Colour } as const;
@@ -13,15 +15,57 @@ export const STAMEN = { filament: linear("e3e6bd"), anther: linear("e6d37c") } a
 /** Where filaments end and anthers begin, as v (models/bunch/fruit/flower.hpp). */
 export const ANTHER_V = 0.5;
 
-/** The light that the shader's patterns take or add, in the mean. */
-const PATTERN = { green: 1.025, late: 0.95 } as const;
+/** Noise cells to a metre, of broad patches and of mottling. */
+const BROAD = 45;
+const MOTTLE = 260;
+/** A year's bark cracks along: noise cells to one turn of u, to one of v. */
+const CRACKS = [26, 1.6] as const;
+/** About here on its chart a blade stays green longest. */
+const GREENEST = [0.5, 0.35] as const;
 
 /**
- * A leaf's mean colour, seen from above.
- * @param autumn 0 … 1
+ * 3 × vertices, linear light.
+ * @param autumn 0 … 1: how far leaves have turned
  */
-export function leafColour(autumn: number): Colour {
-	const turned = smoothstep(AUTUMN[0], AUTUMN[1], autumn);
-	const scaled = (colour: Colour, factor: number) => colour.map((value) => value * factor) as Colour;
-	return mixed(scaled(LEAF.upper, PATTERN.green), scaled(LEAF.late, PATTERN.late), turned);
+export function foliageColours({ positions, uvs, parts }: Foliage, autumn: number): Float32Array {
+	const colours = new Float32Array(positions.length);
+	for (const { kind, firstVertex, vertexCount } of parts) {
+		for (let vertex = firstVertex; vertex < firstVertex + vertexCount; vertex++) {
+			const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
+			const place: Place = {
+				broad: noise(BROAD * x, BROAD * y, BROAD * z),
+				mottle: noise(MOTTLE * x, MOTTLE * y, MOTTLE * z),
+				u: uvs[2 * vertex],
+				v: uvs[2 * vertex + 1],
+			};
+			colours.set(COLOURS[kind](place, autumn), 3 * vertex);
+		}
+	}
+	return colours;
+}
+
+interface Place {
+	broad: number;
+	mottle: number;
+	u: number;
+	v: number;
+}
+
+const COLOURS: Record<FoliagePart["kind"], (place: Place, autumn: number) => Colour> = {
+	leaf({ broad, mottle, u, v }, autumn) {
+		const away = Math.hypot(u - GREENEST[0], v - GREENEST[1]);
+		const turned = smoothstep(AUTUMN[0], AUTUMN[1], autumn * (0.6 + 0.5 * broad + 0.5 * away));
+		const green = 0.8 + 0.3 * broad + 0.15 * mottle;
+		const late = 0.7 + 0.5 * mottle;
+		return LEAF.upper.map((value, k) => mix(value * green, LEAF.late[k] * late, turned)) as Colour;
+	},
+	petiole: ({ mottle }) => scaled(PETIOLE, 0.85 + 0.3 * mottle),
+	cane({ broad, mottle, u, v }) {
+		const crack = noise(CRACKS[0] * u, CRACKS[1] * v, broad);
+		return scaled(CANE, (0.55 + 0.75 * crack) * (0.85 + 0.3 * mottle));
+	},
+};
+
+function scaled(colour: Colour, factor: number): Colour {
+	return colour.map((value) => value * factor) as Colour;
 }

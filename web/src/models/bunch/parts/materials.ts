@@ -3,7 +3,7 @@ import { type Colour, linear, mix, smoothstep, toLch } from "../../../plant/colo
 import type { Material } from "../../../plant/material";
 import type { FoliagePart } from "../grown";
 import type { Look } from "../specimen";
-import { CANE, leafColour, PETIOLE, STAMEN } from "./foliage_colour";
+import { AUTUMN, CANE, LEAF, PETIOLE, STAMEN } from "./foliage_colour";
 import type { FruitSkin } from "./fruit_skin";
 
 /** A smooth skin without wax; bloom scatters the highlight up to the second figure. */
@@ -76,14 +76,33 @@ export function stemMaterial(colour: Colour): Material {
 	return { name: "Stem", colour, roughness: STEM_ROUGHNESS };
 }
 
-/** @param autumn 0 … 1: how far leaves have turned */
+/**
+ * Of what leaves, petioles and cane are made. Leaves let light through, yellower, and are paler below until they turn.
+ * @param autumn 0 … 1: how far leaves have turned
+ */
 export function foliageMaterials(autumn: number): Record<FoliagePart["kind"], Material> {
+	// The first patches turn long before the mean does.
+	const turned = smoothstep(AUTUMN[0] - 0.25, AUTUMN[1] - 0.15, autumn);
+	const reverse = LEAF.lower.map((value, k) => mix(value / LEAF.upper[k], 1, turned)) as Colour;
 	return {
 		cane: { name: "Cane", colour: CANE, roughness: 0.9 },
-		leaf: { name: "Leaf", colour: leafColour(autumn), roughness: 0.6, doubleSided: true },
+		leaf: {
+			name: "Leaf",
+			colour: LEAF.upper,
+			roughness: 0.6,
+			specular: 0.6,
+			doubleSided: true,
+			sheet: { through: [0.83, 0.9, 0.45], reverse },
+		},
 		petiole: { name: "Petiole", colour: PETIOLE, roughness: STEM_ROUGHNESS },
 	};
 }
 
-/** Stamens; anthers are told by the vertices' colours. */
-export const STAMENS: Material = { name: "Stamen", colour: STAMEN.filament, roughness: 0.7 };
+/** Stamens, thin and pale; anthers are told by the vertices' colours. */
+export const STAMENS: Material = {
+	name: "Stamen",
+	colour: STAMEN.filament,
+	roughness: 0.7,
+	doubleSided: true,
+	sheet: { through: [0.6, 0.6, 0.6], reverse: [1, 1, 1] },
+};

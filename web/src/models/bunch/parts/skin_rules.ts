@@ -22,8 +22,8 @@ export const MOTTLE = { least: 0.86, span: 0.28, share: 0.4, uneven: 1.2 } as co
 /** About the pedicel's seat, up to v = `to`, little pigment reaches the skin. */
 export const SEAT = { from: 0.03, to: 0.13, share: 0.7, skin: 0.75, colour: [0.05, 0.055, 0.02] as Colour } as const;
 
-/** The brown of the tip scar and of what is left of the style, over what shows of the skin. */
-export const SCAR = { share: 0.85, skin: 0.12, colour: [0.14, 0.08, 0.04] as Colour } as const;
+/** The brown of the tip scar and of what is left of the style, over what shows of the skin; its edge is so soft in v. */
+export const SCAR = { edge: 0.006, share: 0.85, skin: 0.12, colour: [0.14, 0.08, 0.04] as Colour } as const;
 
 /** Before the scar, over so much of v, the skin is paler. */
 export const HALO = { width: 0.06, end: 0.005, share: 0.4, skin: 1.25, light: 0.02 } as const;

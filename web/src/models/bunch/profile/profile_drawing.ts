@@ -1,10 +1,8 @@
 /** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
-import { html, nothing, svg, type TemplateResult } from "lit";
-import { guard } from "lit/directives/guard.js";
+import { html, svg, type TemplateResult } from "lit";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";
 import { type Handle, handleLabel, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
-import { type DrawnBunch, silhouette } from "./silhouette";
 import { scaleBar, type ViewFrame } from "./view_frame";
 
 /** Radius within which a handle can be taken hold of, in CSS pixels: half of 44, the least for a thumb. */
@@ -13,19 +11,6 @@ export const HANDLE_REACH = 22;
 /** Puts content that keeps its size on the screen at a point of the profile. */
 function pin(frame: ViewFrame, x: number, y: number): string {
 	return `translate(${x} ${y}) scale(${1 / frame.scale})`;
-}
-
-/** The grown bunch, drawn again only when it or the scale changed. */
-export function drawBunch(bunch: DrawnBunch | undefined, view: View, unit: number): TemplateResult {
-	const draw = () => {
-		if (!bunch) return nothing;
-		const { berries, stems } = silhouette(bunch, view, unit);
-		return svg`<path d=${stems}></path>${berries.map(
-			({ x, y, rx, ry, turn }) =>
-				svg`<ellipse rx=${rx} ry=${ry} transform="translate(${x} ${y}) rotate(${turn})"></ellipse>`,
-		)}`;
-	};
-	return svg`<g class="bunch">${guard([bunch, view, unit], draw)}</g>`;
 }
 
 /** Envelope, the octahedron's outline and its axis, and p1. */
@@ -75,6 +60,11 @@ export function drawHandle(
 	>
 		<span class="name"><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>
 	</button>`;
+}
+
+/** The handle an event happened on. */
+export function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
+	return (target as Element).closest<HTMLElement>("[data-handle]")?.dataset.handle as Handle | undefined;
 }
 
 /** The numbers of a handle on lines from the axis and from the level of p1. */

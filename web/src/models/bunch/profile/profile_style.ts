@@ -30,23 +30,16 @@ export const profileStyle = css`
 	}
 	path,
 	line,
-	circle,
-	ellipse {
+	circle {
 		vector-effect: non-scaling-stroke;
 	}
-	.bunch {
+	canvas {
+		position: absolute;
+		width: 100%;
+		height: 100%;
 		opacity: 0.34;
-	}
-	.bunch path {
-		fill: none;
-		stroke: currentColor;
-		stroke-width: 1px;
-		stroke-linecap: round;
-	}
-	.bunch ellipse {
-		fill: var(--ground);
-		stroke: currentColor;
-		stroke-width: 0.8px;
+		/* So short that nobody sees it: its end tells the view that the theme has changed. */
+		transition: color 1ms;
 	}
 	.envelope {
 		fill: color-mix(in srgb, var(--grip) 5%, transparent);

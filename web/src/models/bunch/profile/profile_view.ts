@@ -17,17 +17,16 @@ import {
 	VIEW_SIDES,
 	type View,
 } from "./handles";
-import { drawBunch, drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH } from "./profile_drawing";
+import { drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH, handleOf } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
+import { drawSilhouette, type SilhouetteScene, sameScene } from "./silhouette_canvas";
 import { SteadyExtent } from "./steady_extent";
 import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
 
 type Parameters = BunchSpecimen["parameters"];
-/** `profile-input`: live, once a frame at most. `profile-change`: a drag ended, a key stepped. `profile-cancel`: Escape. */
-export type ProfileEvent = CustomEvent<{ parameters: Parameters }>;
-
-const HELP = "Drag, or use the arrow keys: one pixel a step, ten with Shift. Escape calls off a drag.";
+const HELP =
+	"Drag, or use the arrow keys: one pixel a step, ten with Shift. Enter says where it stands. Escape calls off a drag.";
 
 export class ProfileView extends LitElement {
 	static override styles = profileStyle;
@@ -60,6 +59,9 @@ export class ProfileView extends LitElement {
 	#spoken = "";
 	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
 	#pointed = false;
+
+	/** What is on the canvas. */
+	#drawn?: SilhouetteScene;
 
 	readonly #steady = new SteadyExtent();
 	#asking?: ReturnType<typeof setTimeout>;
@@ -133,12 +135,14 @@ export class ProfileView extends LitElement {
 			@mousedown=${this.#onOwnGesture}
 			@contextmenu=${this.#onOwnGesture}
 			@dblclick=${this.#onDoubleClick}
+			@click=${this.#onClick}
 			@keydown=${this.#onKeyDown}
 			@focusin=${this.#onFocusIn}
 			@focusout=${this.#onFocusOut}
 		>
+			<canvas aria-hidden="true" @transitionend=${this.#drawBunch}></canvas>
 			<svg viewBox="${frame.left} ${frame.top} ${frame.width} ${frame.height}" aria-hidden="true">
-				${drawBunch(this.berries, view, parameters.unit)} ${drawScale(this.#steady.extent, parameters.unit, frame)}
+				${drawScale(this.#steady.extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, frame)}
 				${shown.map((handle) => drawGuides(parameters, handle, frame))}
 			</svg>
@@ -148,6 +152,30 @@ export class ProfileView extends LitElement {
 			<p class="spoken" id="help">${HELP}</p>
 			<p class="spoken" aria-live="polite">${this.#spoken}</p>
 		</div>`;
+	}
+
+	protected override updated(): void {
+		this.#drawBunch();
+	}
+
+	/** Draws the bunch behind the lines, where anything it is drawn from has changed. */
+	#drawBunch(): void {
+		const canvas = this.shadowRoot?.querySelector("canvas");
+		if (!canvas || !this.parameters) {
+			this.#drawn = undefined;
+			return;
+		}
+		const scene: SilhouetteScene = {
+			bunch: this.berries,
+			view: this.view,
+			unit: this.parameters.unit,
+			frame: this.#frame(),
+			ratio: devicePixelRatio,
+			ink: getComputedStyle(canvas).color,
+		};
+		if (this.#drawn && sameScene(this.#drawn, scene)) return;
+		this.#drawn = scene;
+		drawSilhouette(canvas, scene);
 	}
 
 	#handles(): Handle[] {
@@ -266,9 +294,22 @@ export class ProfileView extends LitElement {
 		if (!parameters) return;
 		event.preventDefault();
 		this.#pointed = false;
-		this.#spoken = handleValue(parameters, handle);
+		this.#say(handleValue(parameters, handle));
 		this.#show(handle);
 		this.#tell(parameters, "profile-input", "profile-change");
+	}
+
+	/** Enter, the space bar or a screen reader presses a handle: where it stands is said. A pointer's click says nothing. */
+	#onClick(event: MouseEvent): void {
+		const handle = handleOf(event);
+		if (!handle || !this.parameters || event.detail > 0) return;
+		this.#say(handleValue(this.parameters, handle));
+		this.#show(handle);
+	}
+
+	/** What is said twice is told apart by a space at its end, or the second time would not be heard. */
+	#say(words: string): void {
+		this.#spoken = words === this.#spoken ? `${words}\u00a0` : words;
 	}
 
 	#show(handle: Handle | undefined): void {
@@ -277,20 +318,4 @@ export class ProfileView extends LitElement {
 	}
 }
 
-/** The handle an event happened on. */
-function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
-	return (target as Element).closest<HTMLElement>("[data-handle]")?.dataset.handle as Handle | undefined;
-}
-
 customElements.define("panicle-profile", ProfileView);
-
-declare global {
-	interface HTMLElementTagNameMap {
-		"panicle-profile": ProfileView;
-	}
-	interface HTMLElementEventMap {
-		"profile-input": ProfileEvent;
-		"profile-change": ProfileEvent;
-		"profile-cancel": ProfileEvent;
-	}
-}

@@ -8,7 +8,7 @@ export interface DrawnBunch {
 	internodes: Internodes;
 }
 
-/** A berry's outline: half its axes, and by how many degrees the first is turned clockwise on the page. */
+/** A berry's outline: half its axes, and by how much the first is turned clockwise on the page, in radians. */
 export interface Outline {
 	x: number;
 	y: number;
@@ -17,11 +17,13 @@ export interface Outline {
 	turn: number;
 }
 
+/** An internode: from where to where. */
+export type Stroke = readonly [x1: number, y1: number, x2: number, y2: number];
+
 export interface Silhouette {
 	/** Far ones first, so that each hides what is behind it. */
 	berries: Outline[];
-	/** SVG path data of all internodes. */
-	stems: string;
+	stems: Stroke[];
 }
 
 /** Where the axes of a view lie in the bunch's frame: to the right, and towards the eye. */
@@ -36,14 +38,16 @@ export function silhouette({ berries, internodes }: DrawnBunch, view: View, unit
 	const order = Array.from({ length: berries.count }, (_, berry) => berry);
 	const depth = (berry: number) => towards * berries.spheres[4 * berry + eye];
 	order.sort((a, b) => depth(a) - depth(b));
-	const at = (values: Float32Array, index: number) => tenth(values[index] / pixel);
 	return {
 		berries: order.map((berry) => ({
-			x: at(berries.spheres, 4 * berry + right),
-			y: -at(berries.spheres, 4 * berry + 1),
+			x: berries.spheres[4 * berry + right] / pixel,
+			y: -berries.spheres[4 * berry + 1] / pixel,
 			...outlineOf(berries, berry, right, pixel),
 		})),
-		stems: stemPath(internodes, (index) => at(internodes.ends, index), right),
+		stems: Array.from({ length: internodes.count }, (_, internode) => {
+			const at = (offset: number) => internodes.ends[6 * internode + offset] / pixel;
+			return [at(right), -at(1), at(3 + right), -at(4)] as const;
+		}),
 	};
 }
 
@@ -54,23 +58,8 @@ function outlineOf({ directions, traits }: Berries, berry: number, right: 0 | 2,
 	// What is seen of the direction, as a share: 1 from the side, 0 end on.
 	const seen = along * along + up * up;
 	const rx = Math.sqrt(seen * length * length + (1 - seen) * width * width) / 2;
-	const turn = (Math.atan2(-up, along) * 180) / Math.PI;
-	return { rx: tenth(rx), ry: tenth(width / 2), turn: Math.round(turn) + 0 };
+	return { rx, ry: width / 2, turn: Math.atan2(-up, along) };
 }
 
 const WIDTH = TRAITS.indexOf("width");
 const LENGTH = TRAITS.indexOf("length");
-
-function tenth(value: number): number {
-	return Math.round(value * 10) / 10;
-}
-
-function stemPath({ count }: Internodes, at: (index: number) => number, right: 0 | 2): string {
-	let path = "";
-	for (let internode = 0; internode < count; internode++) {
-		const start = 6 * internode;
-		const end = start + 3;
-		path += `M${at(start + right)} ${-at(start + 1)}L${at(end + right)} ${-at(end + 1)}`;
-	}
-	return path;
-}

@@ -24,7 +24,7 @@ class OctahedronHands implements ToolHands<BunchSpecimen, Grown> {
 	readonly #view: ToolView;
 	readonly #desk: BunchDesk;
 	/** Loaded when first asked for. */
-	#handles: Promise<OctahedronHandles> | undefined;
+	#handles: Promise<OctahedronHandles | undefined> | undefined;
 	#dark: boolean | undefined;
 	#disposed = false;
 
@@ -37,9 +37,9 @@ class OctahedronHands implements ToolHands<BunchSpecimen, Grown> {
 		const shown = this.#desk.toolState(octahedron);
 		this.#view.canvas.classList.toggle(WHOLE_SURFACE, shown);
 		if (!shown && !this.#handles) return;
-		this.#handles ??= this.#create();
+		this.#handles ??= this.#fetch();
 		void this.#handles.then((handles) => {
-			if (!this.#disposed) this.#show(handles, state);
+			if (handles && !this.#disposed) this.#show(handles, state);
 		});
 	}
 
@@ -47,6 +47,7 @@ class OctahedronHands implements ToolHands<BunchSpecimen, Grown> {
 		this.#disposed = true;
 		this.#view.canvas.classList.remove(WHOLE_SURFACE);
 		void this.#handles?.then((handles) => {
+			if (!handles) return;
 			this.#view.removeOverlay(handles.object);
 			handles.dispose();
 		});
@@ -58,6 +59,21 @@ class OctahedronHands implements ToolHands<BunchSpecimen, Grown> {
 		this.#dark = dark;
 		handles.setVisible(shown);
 		if (shown) handles.update(this.#desk.state.specimen.parameters);
+	}
+
+	/** Where the script does not come, the tool is off again, and the next press asks for it anew. */
+	async #fetch(): Promise<OctahedronHandles | undefined> {
+		try {
+			return await this.#create();
+		} catch {
+			this.#handles = undefined;
+			if (this.#disposed) return undefined;
+			this.#desk.setToolState(octahedron, false);
+			this.#desk.notify("The octahedron could not be fetched", [
+				"Check the connection and press its button again, or load the page again: the address holds what you have.",
+			]);
+			return undefined;
+		}
 	}
 
 	async #create(): Promise<OctahedronHandles> {

@@ -1,6 +1,6 @@
 import { html } from "lit";
 import type { View } from "../profile/handles";
-import type { ProfileEvent } from "../profile/profile_view";
+import type { ProfileEvent } from "../profile/profile_event";
 import type { BunchDesk, BunchTool } from "./desk";
 import { sides } from "./sides";
 import "../profile/profile_view";

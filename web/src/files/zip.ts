@@ -13,8 +13,8 @@ const DATE = new Date(1980, 0, 1);
 const LEVEL = 1;
 
 /** The archive's bytes. */
-export async function zip(entries: readonly ZipEntry[]): Promise<Blob> {
+export function zip(entries: readonly ZipEntry[]): Uint8Array<ArrayBuffer> {
 	const files: Zippable = {};
 	for (const { name, bytes } of entries) files[name] = bytes;
-	return new Blob([zipSync(files, { level: LEVEL, mtime: DATE })], { type: "application/zip" });
+	return zipSync(files, { level: LEVEL, mtime: DATE });
 }

@@ -1,0 +1,107 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+/** Lets what is fetched from an address fail until it is allowed. */
+async function failing(page: Page, pattern: RegExp): Promise<{ allow(): void; failed(): number }> {
+	let [open, count] = [false, 0];
+	await page.context().route(pattern, (route) => {
+		if (open) return route.continue();
+		count++;
+		return route.fulfill({ status: 503, body: "" });
+	});
+	return {
+		allow: () => {
+			open = true;
+		},
+		failed: () => count,
+	};
+}
+
+test.beforeEach(({ complaints }) => complaints.expect(/503|file_worker.*ERR_FAILED/));
+
+for (const script of ["viewer", "bunch_figure"]) {
+	test(`the 3-D view comes when asked again, where its ${script} did not`, async ({ page }) => {
+		const scene = await failing(page, new RegExp(`assets/${script}-`));
+		const studio = await new StudioPage(page).open();
+		const trouble = page.getByRole("alert");
+		await expect(trouble).toContainText("Part of the page could not be fetched.");
+		await expect(trouble).toContainText("Check the connection and try again, or load the page again");
+		scene.allow();
+		await trouble.getByRole("button", { name: "Try again" }).click();
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+		await expect(trouble).toHaveCount(0);
+		expect(scene.failed()).toBeGreaterThan(0);
+	});
+}
+
+test("the octahedron comes with the next press, where its script did not", async ({ page }) => {
+	const handles = await failing(page, /assets\/octahedron-/);
+	const studio = await new StudioPage(page).open();
+	await studio.button("Octahedron").click();
+	await expect(studio.notices).toContainText("The octahedron could not be fetched");
+	await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "false");
+	handles.allow();
+	await studio.button("Octahedron").click();
+	await expect.poll(() => studio.lowestHandle()).toBeDefined();
+	await expect(studio.button("Octahedron")).toHaveAttribute("aria-pressed", "true");
+	expect(handles.failed()).toBe(1);
+});
+
+test("the tools come when asked again, where their script did not", async ({ page }) => {
+	const tools = await failing(page, /assets\/tools-/);
+	const studio = new StudioPage(page);
+	await page.goto("./");
+	await expect(studio.notices).toContainText("The tools of the bunch could not be fetched");
+	tools.allow();
+	await studio.notices.getByRole("button", { name: "Try again" }).click();
+	await expect(studio.slider("Age")).toBeVisible();
+	await expect(studio.notices.getByRole("button", { name: "Try again" })).toHaveCount(0);
+});
+
+test("a file is made when asked again, where the script that writes it did not come", async ({ page }) => {
+	const exporter = await failing(page, /assets\/file_worker-/);
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+	await studio.button("Download").click();
+	await page.locator("[data-format=obj]").click();
+	await expect(studio.notices).toContainText("The OBJ with MTL could not be made");
+	await expect(studio.notices).toContainText("Check the connection and try again");
+	exporter.allow();
+	const downloading = page.waitForEvent("download");
+	await studio.notices.getByRole("button", { name: "Try again" }).click();
+	expect((await downloading).suggestedFilename()).toBe("lychee-1-obj.zip");
+	expect(exporter.failed()).toBe(1);
+});
+
+test("a file that takes its time says so, can be cancelled, and holds nothing else up", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+	let release = () => {};
+	const held = new Promise<void>((resolve) => {
+		release = resolve;
+	});
+	await page.context().route(/assets\/file_worker-/, async (route) => {
+		await held;
+		await route.abort();
+	});
+	await studio.button("Download").click();
+	await page.locator("[data-format=glb]").click();
+	await expect(page.getByRole("progressbar", { name: "Making the file" })).toBeVisible();
+	await expect(page.getByText("Making the GLB")).toBeVisible();
+	const { width, height } = page.viewportSize() ?? { width: 800, height: 500 };
+	for (const size of [
+		{ width: 320, height: 568 },
+		{ width, height },
+	]) {
+		await page.setViewportSize(size);
+		await expect(page.getByText("Making the GLB")).toBeInViewport({ ratio: 1 });
+		await expect(studio.button("Cancel the download")).toBeInViewport({ ratio: 1 });
+	}
+	await studio.regrown(() => studio.slider("Length").press("PageDown"));
+	await studio.button("Cancel the download").click();
+	await expect(page.getByRole("progressbar", { name: "Making the file" })).toHaveCount(0);
+	await expect(studio.notices).not.toContainText("could not be made");
+	release();
+	await page.context().unrouteAll({ behavior: "ignoreErrors" });
+	const { bytes } = await studio.download("glb");
+	expect(bytes.toString("latin1", 0, 4)).toBe("glTF");
+});

@@ -1,0 +1,28 @@
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+test("the page's own policy lets no foreign code, style, frame or address in", async ({ page, complaints }) => {
+	await new StudioPage(page).open();
+	complaints.expect(/Content Security Policy|violates the following|elsewhere\.example\S* csp/);
+	// What a text that found its way into the page could try.
+	const refused = await page.evaluate(async () => {
+		const blocked: string[] = [];
+		document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => blocked.push(effectiveDirective));
+		const element = (tag: string, attributes: Record<string, string>, text = "") => {
+			const made = Object.assign(document.createElement(tag), attributes);
+			made.textContent = text;
+			document.body.append(made);
+		};
+		element("script", {}, "window.broughtIn = true");
+		element("style", {}, "body { outline: 1px solid red }");
+		element("img", { src: "https://elsewhere.example/picture.png" });
+		element("iframe", { src: "https://elsewhere.example/" });
+		await fetch("https://elsewhere.example/").catch(() => {});
+		await new Promise((resolve) => setTimeout(resolve, 200));
+		return { blocked: [...new Set(blocked)].sort(), ran: "broughtIn" in window };
+	});
+	expect(refused.ran).toBe(false);
+	expect(refused.blocked).toEqual(
+		expect.arrayContaining(["connect-src", "frame-src", "img-src", "script-src-elem", "style-src-elem"]),
+	);
+});

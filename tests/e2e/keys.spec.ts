@@ -1,0 +1,131 @@
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+test("letters in a list are the list's, and with a modifier they are nobody's", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await page.getByRole("combobox", { name: "Kind of preset" }).focus();
+	for (const key of ["s", "n", "o", "t", "k"]) await page.keyboard.press(key);
+	await page.keyboard.press("Escape");
+	await studio.slider("Length").focus();
+	for (const key of ["Alt+s", "Shift+S", "Control+s"]) await page.keyboard.press(key);
+	for (const name of ["Show stems only", "Octahedron", "Thin"]) {
+		await expect(studio.button(name)).toHaveAttribute("aria-pressed", "false");
+	}
+	await expect(studio.button("Undo")).toBeDisabled();
+	await page.keyboard.press("s");
+	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "true");
+});
+
+test("single letters can be switched off, in every tab and for good, and the help says so", async ({
+	page,
+	context,
+	complaints,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=duku");
+	const other = await context.newPage();
+	complaints.listenTo(other);
+	const beside = await new StudioPage(other).open("?v=2&preset=duku");
+	await studio.button("Help").click();
+	const help = page.getByRole("dialog", { name: "Panicle" });
+	await expect(help).toContainText("New variation");
+	await help.getByRole("switch", { name: "Single letters are keys" }).uncheck();
+	await expect(help).not.toContainText("New variation");
+	await expect(help).toContainText("Ctrl+Z");
+	await page.keyboard.press("Escape");
+	for (const key of ["s", "n", "?"]) await page.keyboard.press(key);
+	await expect(help).toBeHidden();
+	// Word reaches the other tab when the browser passes it on: its own help tells when it has come.
+	await beside.button("Help").click();
+	await expect(other.getByRole("dialog", { name: "Panicle" })).not.toContainText("New variation");
+	await other.keyboard.press("Escape");
+	await other.keyboard.press("n");
+	for (const { button } of [studio, beside].map((each) => ({ button: each.button("Undo") }))) {
+		await expect(button).toBeDisabled();
+	}
+	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "false");
+	await page.reload();
+	await expect(studio.canvas).toHaveAccessibleName(/berries/);
+	await page.keyboard.press("n");
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("two tabs keep each other's settings, and have the theme in common", async ({ page, context, complaints }) => {
+	await new StudioPage(page).open("?v=2&preset=duku");
+	const other = await context.newPage();
+	complaints.listenTo(other);
+	await new StudioPage(other).open("?v=2&preset=duku");
+	await page.locator("details[data-group=shape] > summary").click();
+	await other.locator("details[data-group=numbers] > summary").click();
+	await expect(other.locator("details[data-group=shape]")).toHaveAttribute("open");
+	await other.getByRole("button", { name: "Dark theme" }).click();
+	await expect(page.getByRole("button", { name: "Light theme" })).toBeVisible();
+	await page.reload();
+	await expect(page.getByRole("button", { name: "Light theme" })).toBeVisible();
+	for (const group of ["shape", "numbers"]) {
+		await expect(page.locator(`details[data-group=${group}]`)).not.toHaveAttribute("open");
+	}
+});
+
+test("a number is typed from its slider, by Enter or by its digits, and the keys go back to it", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	const slider = studio.slider("Length");
+	const field = page.getByRole("textbox", { name: "Length in pixels" });
+	await slider.focus();
+	await page.keyboard.press("Enter");
+	await expect(field).toBeFocused();
+	await page.keyboard.type("300");
+	await page.keyboard.press("Enter");
+	await expect(slider).toBeFocused();
+	await expect(slider).toHaveValue("300");
+	await page.keyboard.type("41");
+	await expect(field).toHaveValue("41");
+	await page.keyboard.press("Escape");
+	await expect(slider).toBeFocused();
+	await expect(slider).toHaveValue("300");
+	await expect(field).toHaveValue("300");
+	await studio.slider("Age").focus();
+	await page.keyboard.type("30");
+	await page.keyboard.press("Enter");
+	await expect(studio.slider("Age")).toBeFocused();
+	await expect(studio.slider("Age")).toHaveValue("30");
+});
+
+test("the view says that it takes keys, shows the focus, and its tools are one stop", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
+	await expect(studio.canvas).toHaveAttribute("aria-roledescription", "3-D view");
+	await expect(studio.canvas).toHaveAccessibleDescription(/Arrow keys orbit.*plus and minus.*0 resets/);
+	await expect(studio.button("Reset view")).toBeVisible();
+	await page.getByRole("region", { name: "Side view" }).locator("[data-handle]").last().focus();
+	await page.keyboard.press("Tab");
+	await expect(studio.canvas).toBeFocused();
+	expect(await studio.canvas.evaluate((canvas) => getComputedStyle(canvas).outlineStyle)).toBe("solid");
+	await page.keyboard.press("Tab");
+	await expect(studio.button("Reset view")).toBeFocused();
+	await page.keyboard.press("ArrowDown");
+	await expect(studio.button("Show stems only")).toBeFocused();
+	await page.keyboard.press("End");
+	await expect(studio.button("Thin")).toBeFocused();
+	await page.keyboard.press("Tab");
+	await expect(studio.button("Play")).toBeFocused();
+	await page.keyboard.press("Shift+Tab");
+	await expect(studio.button("Thin")).toBeFocused();
+});
+
+test("a handle says where it stands: after a key step, and when it is pressed, every time", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	const view = page.getByRole("region", { name: "Front view" });
+	const said = view.locator("[aria-live=polite]");
+	const handle = studio.handle("Front", "p3");
+	await expect(said).toHaveText("");
+	await handle.focus();
+	await studio.regrown(() => page.keyboard.press("ArrowRight"));
+	const width = await studio.slider("Right width").inputValue();
+	await expect(said).toHaveText(new RegExp(`^${width} px wide, \\d+ px down$`));
+	const words = await said.textContent();
+	await page.keyboard.press("Enter");
+	expect(await said.textContent()).toBe(`${words}\u00a0`);
+	await page.keyboard.press("Space");
+	await expect.poll(() => said.textContent()).toBe(words);
+	await expect(handle).toBeFocused();
+	await expect(handle).toHaveAccessibleDescription(/Enter says where it stands/);
+});

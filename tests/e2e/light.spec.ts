@@ -1,0 +1,99 @@
+import { expect, test } from "./fixtures";
+import { brightness, drawn, openViews, type Seen, serveViews, whereTheyDiffer } from "./views_page";
+
+/** Laws of the view's light, told by means over small pictures: no picture is kept, and margins are wide. */
+let host: Awaited<ReturnType<typeof serveViews>>;
+test.beforeAll(async () => {
+	host = await serveViews();
+});
+test.afterAll(() => host.close());
+test.beforeEach(({ page }) => openViews(page, host.address));
+
+/** Dark grapes on light paper: what is darker than any paper, even in the shadow, is plant. */
+const DARK = "?v=2&preset=short-conical";
+const isPlant = (pixel: readonly number[]) => Math.max(...pixel) < 150;
+const plantOf = (seen: Seen, where = (_x: number, _y: number) => true) =>
+	brightness(seen, (x, y, pixel) => isPlant(pixel) && where(x, y));
+
+test("the key light comes from the upper left", async ({ page }) => {
+	const seen = await drawn(page, { query: DARK });
+	const left = plantOf(seen, (x) => x < 0.5);
+	expect(left).toBeGreaterThan(1.15 * plantOf(seen, (x) => x > 0.5));
+	expect(plantOf(seen, (x, y) => x < 0.5 && y < 0.5)).toBeGreaterThan(plantOf(seen, (x, y) => x < 0.5 && y > 0.5));
+});
+
+test("berries stand in each other's light", async ({ page }) => {
+	// Where a bunch's berries are is told by black ones, how they are lit by pale ones.
+	const black = await drawn(page, { query: `${DARK}&bloom=0&glow=0&skin=000000&unripe=000000&stem=000000` });
+	const rows = black.pixels;
+	const isBunch = (x: number, y: number) => isPlant(rows[Math.floor(y * rows.length)][Math.floor(x * rows[0].length)]);
+	const pale = `${DARK}&bloom=0&glow=0&uneven=0&lenticels=0&skin=c0b090&unripe=c0b090`;
+	const seen = await drawn(page, { query: pale, theme: "dark" });
+	// The key light comes from the left: at the right it falls on others first. If nothing stood in its way, the right side
+	// would have nine tenths of the mean.
+	const [whole, right] = [brightness(seen, isBunch), brightness(seen, (x, y) => x > 0.5 && isBunch(x, y))];
+	expect(right).toBeLessThan(0.82 * whole);
+	expect(right).toBeGreaterThan(0.5 * whole);
+});
+
+test("the bunch's shadow lies on the paper to its right, in both themes", async ({ page }) => {
+	const paper = (seen: Seen, from: number, to: number) =>
+		brightness(seen, (x, y) => x > from && x < to && y > 0.35 && y < 0.65);
+	for (const theme of ["light", "dark"] as const) {
+		const seen = await drawn(page, { query: DARK, theme });
+		expect(paper(seen, 0.7, 0.8)).toBeLessThan(0.95 * paper(seen, 0.2, 0.3));
+	}
+});
+
+test("wax pales dark skins", async ({ page }) => {
+	const [clean, waxed] = [
+		await drawn(page, { query: `${DARK}&bloom=0` }),
+		await drawn(page, { query: `${DARK}&bloom=1` }),
+	];
+	expect(plantOf(waxed)).toBeGreaterThan(1.6 * plantOf(clean));
+});
+
+test("stems that stand bare are brighter than among berries, and nothing is left of the berries' shadow", async ({
+	page,
+}) => {
+	// Pale stems on dark paper.
+	const query = `${DARK}&stem=e0e0a0&skin=101010&unripe=101010&bloom=0&density=3`;
+	const isStem = ([red, , blue]: readonly number[]) => red > 1.35 * blue && red > 50;
+	const stems = (seen: Seen) => brightness(seen, (_x, _y, pixel) => isStem(pixel));
+	const among = await drawn(page, { query, theme: "dark" });
+	const bare = await drawn(page, { query, theme: "dark", mode: "stems" });
+	// If the berries that are not shown still stood in the light, it would be 1.2 times.
+	expect(stems(bare)).toBeGreaterThan(1.4 * stems(among));
+});
+
+test("a turn to the right takes the berry in front to the right, one to the left to the left", async ({ page }) => {
+	const query = `${DARK}&count=40`;
+	const marked = await page.evaluate((asked) => {
+		const { spheres, count } = window.views.grow(asked).grown.berries;
+		// From where the view opens: 24° to the right.
+		const towards = (i: number) => spheres[4 * i] * Math.sin(0.42) + spheres[4 * i + 2] * Math.cos(0.42);
+		return Array.from({ length: count }, (_, i) => i).sort((a, b) => towards(b) - towards(a))[0];
+	}, query);
+	const at = async (turn: number) =>
+		whereTheyDiffer(await drawn(page, { query, turn }), await drawn(page, { query, turn, marked })).x;
+	const [left, middle, right] = [await at(-0.4), await at(0), await at(0.4)];
+	expect(middle).toBeGreaterThan(left + 0.02);
+	expect(right).toBeGreaterThan(middle + 0.02);
+});
+
+test("a matt card is as bright as the lamps' own numbers make it", async ({ page }) => {
+	for (const theme of ["light", "dark"] as const) {
+		const { seen, said } = await page.evaluate(async (which) => {
+			const { canvas, card, pixels, Viewer } = window.views;
+			const viewer = new Viewer<undefined, undefined>(canvas(64, 64), { still: true, theme: which });
+			const lit = card(viewer, 0.3, which);
+			const { data, width } = await pixels(await viewer.snapshot(64, 64));
+			viewer.dispose();
+			const at = 4 * (32 * width + 32);
+			return { seen: [...data.subarray(at, at + 3)], said: lit };
+		}, theme);
+		// Below the tone mapping's shoulder, 0.04 off; then sRGB.
+		const expected = said.map((light) => 255 * (1.055 * (light - 0.04) ** (1 / 2.4) - 0.055));
+		for (const [k, value] of expected.entries()) expect(Math.abs(seen[k] / value - 1)).toBeLessThan(0.05);
+	}
+});

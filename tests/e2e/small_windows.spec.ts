@@ -1,0 +1,121 @@
+import type { Locator, Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+/** Whether the middle of a control is on the screen with nothing over it; of two handles the nearest is taken, not the upper. */
+const isAtHand = (control: Locator) =>
+	control.evaluate((element) => {
+		element.scrollIntoView({ block: "center", inline: "center" });
+		const { left, top, width, height } = element.getBoundingClientRect();
+		const [x, y] = [left + width / 2, top + height / 2];
+		const hit = (element.getRootNode() as Document | ShadowRoot).elementFromPoint(x, y);
+		const inside = x > 0 && y > 0 && x < innerWidth && y < innerHeight;
+		const same = hit?.closest(".handle") ? element.matches(".handle") : hit?.contains(element) || element.contains(hit);
+		return inside && hit !== null && same === true;
+	});
+
+async function expectAllAtHand(page: Page, controls: string): Promise<void> {
+	const all = page.locator(controls);
+	expect(await all.count()).toBeGreaterThan(0);
+	for (const control of await all.all()) {
+		const name = await control.evaluate(
+			(element) => element.getAttribute("aria-label") ?? element.id ?? element.textContent,
+		);
+		expect(await isAtHand(control), `${controls} ${name}`).toBe(true);
+	}
+}
+
+for (const [width, height] of [
+	[720, 450],
+	[667, 375],
+	[320, 256],
+	[844, 390],
+	[800, 330],
+]) {
+	test.describe(`at ${width} × ${height}`, () => {
+		test.use({ viewport: { width, height } });
+
+		test("every control is within reach, and nothing scrolls sideways", async ({ page }) => {
+			const studio = await new StudioPage(page).open();
+			await expect(studio.button("Reset view")).toBeVisible();
+			const sideways = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+			expect(await sideways()).toBeLessThanOrEqual(0);
+			for (const group of ["Branching", "Look"]) await studio.openGroup(group);
+			await expectAllAtHand(
+				page,
+				"button:visible:not(.handle, .preset, .stage-name), input:visible:not([type=radio], [type=file]), select:visible, summary:visible",
+			);
+			for (const view of await page.getByRole("radio", { name: /Front|Side/ }).all()) {
+				if (!(await view.isVisible())) continue;
+				await view.check();
+				await expectAllAtHand(page, "panicle-profile:visible .handle");
+			}
+			expect(await sideways()).toBeLessThanOrEqual(0);
+		});
+
+		test("a slider works by pointer and by key, and what it does is seen", async ({ page }) => {
+			const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+			const slider = studio.slider("Length");
+			await slider.scrollIntoViewIfNeeded();
+			const box = await slider.boundingBox();
+			if (!box) throw new Error("no slider");
+			await studio.regrown(() => page.mouse.click(box.x + box.width / 3, box.y + box.height / 2));
+			await studio.regrown(() => slider.press("PageUp"));
+			await expect(slider).toBeInViewport();
+			await studio.canvas.scrollIntoViewIfNeeded();
+			expect((await studio.canvas.boundingBox())?.height).toBeGreaterThanOrEqual(90);
+		});
+	});
+}
+
+for (const [width, height] of [
+	[1440, 900],
+	[844, 390],
+	[720, 450],
+	[390, 844],
+]) {
+	test(`the strip keeps its height whatever is found, at ${width} × ${height}`, async ({ page }) => {
+		await page.setViewportSize({ width, height });
+		await new StudioPage(page).open();
+		const search = page.getByRole("searchbox", { name: "Search presets" });
+		const heights = () =>
+			page.evaluate(() => [".strip", "panicle-stage"].map((part) => document.querySelector(part)?.clientHeight));
+		const before = await heights();
+		for (const words of ["plum pudding", "syrah", "blue"]) {
+			await search.fill(words);
+			await expect(page.locator(".find [role=status]")).not.toHaveText("31 presets");
+			expect(await heights()).toEqual(before);
+		}
+	});
+}
+
+test("the chosen preset stands clear of the strip's edge", async ({ page }) => {
+	await page.setViewportSize({ width: 667, height: 375 });
+	await new StudioPage(page).open("?v=2&preset=merlot");
+	const chosen = await page.locator("[data-preset=merlot]").boundingBox();
+	const strip = await page.locator(".strip").boundingBox();
+	if (!chosen || !strip) throw new Error("no strip");
+	expect(chosen.x - strip.x).toBeGreaterThan(40);
+	expect(strip.x + strip.width - chosen.x - chosen.width).toBeGreaterThan(40);
+});
+
+test("on a phone the stage's name stands below the thumb", async ({ page }) => {
+	await page.setViewportSize({ width: 390, height: 844 });
+	const studio = await new StudioPage(page).open();
+	const name = page.locator(".stage-now");
+	for (const [age, words] of [
+		["0", "Flowering"],
+		["100", "Ripe"],
+		["125", "Shrivelled"],
+	]) {
+		await studio.slider("Age").fill(age);
+		await expect(name).toHaveText(words);
+		const [box, slider] = [await name.boundingBox(), await studio.slider("Age").boundingBox()];
+		if (!box || !slider) throw new Error("no age");
+		const thumb = slider.x + 12 + ((slider.width - 24) * Number(age)) / 125;
+		expect(thumb).toBeGreaterThanOrEqual(box.x - 1);
+		expect(thumb).toBeLessThanOrEqual(box.x + box.width + 1);
+		expect(box.x).toBeGreaterThanOrEqual(slider.x);
+		expect(box.x + box.width).toBeLessThanOrEqual(slider.x + slider.width);
+	}
+});

@@ -1,0 +1,198 @@
+/** A bunch in files: parts, colours, tables. */
+const SRC = "web/src/models/bunch";
+const TESTS = "tests/web/models/bunch";
+
+export default [
+	{
+		file: `${SRC}/tables.ts`,
+		suites: [`${TESTS}/tables.test.ts`],
+		faults: [
+			{
+				id: "csv-direction-y-is-x",
+				find: "direction(grown, i, 1)",
+				replace: "direction(grown, i, 0)",
+				breaks: "the CSV's direction_y is direction_x",
+			},
+			{
+				id: "csv-length-is-width",
+				find: '["length_mm", ({ berries }, i) => millimetres(traitOf(berries, i, "length"))]',
+				replace: '["length_mm", ({ berries }, i) => millimetres(traitOf(berries, i, "width"))]',
+				breaks: "the CSV says that fingers are balls",
+			},
+			{
+				id: "csv-in-metres",
+				find: "return rounded(MM * metres, MM_DECIMALS);",
+				replace: "return rounded(metres, MM_DECIMALS);",
+				breaks: "the CSV's millimetres are metres",
+			},
+		],
+	},
+	{
+		file: `${SRC}/record.ts`,
+		suites: ["tests/web/export/json.test.ts"],
+		faults: [
+			{
+				id: "json-radius-of-the-other-end",
+				find: "radiusEnd: shortFloat(radii[2 * index + 1]),",
+				replace: "radiusEnd: shortFloat(radii[2 * index]),",
+				breaks: "the JSON's stems do not taper",
+			},
+			{
+				id: "json-flowers-as-berries",
+				find: 'traitOf(berries, index, "set") > 0 ? "berry" : "flower"',
+				replace: '"berry"',
+				breaks: "the JSON calls flowers berries",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/stem_colour.ts`,
+		suites: [`${TESTS}/parts/stem_colour.test.ts`],
+		faults: [
+			{
+				id: "files-withered-as-green",
+				find: "withered * dry + woody",
+				replace: "woody",
+				breaks: "withered stems are green in files",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/berries.ts`,
+		suites: [`${TESTS}/parts/glb_natural.test.ts`, `${TESTS}/parts/glb.test.ts`, `${TESTS}/parts/flowers.test.ts`],
+		faults: [
+			{
+				id: "flowers-do-not-unfold",
+				find: "Float32Array.from(placeOf(berries, open[i], open[i + 1]))",
+				replace: "Float32Array.from(placeOf(berries, open[i], 1))",
+				breaks: "flowers of files do not unfold",
+			},
+			{
+				id: "berries-of-one-size",
+				find: "turn.w, scale * radius]",
+				replace: "turn.w, scale]",
+				breaks: "berries of files are a metre wide",
+			},
+			{
+				id: "berries-all-alike",
+				find: "const [first, last] = [(index * 3 * uvs.length) / 2, ((index + 1) * 3 * uvs.length) / 2];",
+				replace: "const [first, last] = [0, (3 * uvs.length) / 2];",
+				breaks: "all berries of a file are the first one",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/flowers.ts`,
+		suites: [`${TESTS}/parts/flowers.test.ts`],
+		faults: [
+			{
+				id: "stamens-on-berries",
+				find: '(1 - traitOf(berries, i, "set"))',
+				replace: "1",
+				breaks: "ripe berries wear stamens",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/berry_tint.ts`,
+		suites: [`${TESTS}/parts/berry_tint.test.ts`],
+		faults: [
+			{
+				id: "tint-all-in-half-shade",
+				find: 'procedure === "paper" ? HALF : traitOf(berries, index, "exposure")',
+				replace: "HALF",
+				breaks: "the sun colours no berry, in view and files",
+			},
+			{
+				id: "tint-nobody-late",
+				find: "const late = 2 * skin.uneven * smoothstep(0.86, 1, hashFraction(id, 3));",
+				replace: "const late = 0;",
+				breaks: "no berry ripens late",
+			},
+			{
+				id: "tint-raisins-as-ripe",
+				find: "return mixed(colour, raisin, 0.8 * clamp(shrivel));",
+				replace: "return colour;",
+				breaks: "raisins keep the colour of grapes",
+			},
+			{
+				id: "tint-sun-on-the-shade",
+				find: "const sunned = 2 * skin.uneven * (exposure - 0.5);",
+				replace: "const sunned = 2 * skin.uneven * (0.5 - exposure);",
+				breaks: "shaded berries are golden",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/berry_colour.ts`,
+		suites: [`${TESTS}/parts/berry_colour.test.ts`, `${TESTS}/parts/look.test.ts`],
+		faults: [
+			{
+				id: "files-without-wax",
+				find: "const depth = WAX.depth * bloom *",
+				replace: "const depth = 0 * bloom *",
+				breaks: "berries of files have no bloom",
+			},
+			{
+				id: "files-wax-not-rubbed-off",
+				find: "(1 - smoothstep(firm, gone, pressed)) *",
+				replace: "1 *",
+				breaks: "wax lies where berries touch",
+			},
+			{
+				id: "files-without-a-scar",
+				find: "return smoothstep(scar - SCAR_EDGE, scar, v);",
+				replace: "return 0;",
+				breaks: "berries of files have no scar at their tip",
+			},
+			{
+				id: "files-turn-from-the-seat",
+				find: "0.5 - TURNING.along * along",
+				replace: "0.5 + TURNING.along * along",
+				breaks: "berries of files turn at the wrong end",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/skin_rules.ts`,
+		suites: [`${TESTS}/parts/berry_colour.test.ts`],
+		faults: [
+			{
+				id: "wax-half-as-deep",
+				find: "\tdepth: 1.2,",
+				replace: "\tdepth: 0.6,",
+				breaks: "bloom is half as thick, in view and files",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/skin.ts`,
+		suites: [`${TESTS}/parts/skin.test.ts`],
+		faults: [
+			{
+				id: "skin-dark-as-pale",
+				find: "const density = mix(1.1, 0.42, pale) + 1.9 * dark;",
+				replace: "const density = mix(1.1, 0.42, pale);",
+				breaks: "black grapes glow like white ones",
+			},
+		],
+	},
+	{
+		file: `${SRC}/parts/materials.ts`,
+		suites: [`${TESTS}/parts/materials.test.ts`],
+		faults: [
+			{
+				id: "materials-leaves-one-sided",
+				find: "specular: 0.6,\n\t\t\tdoubleSided: true,",
+				replace: "specular: 0.6,",
+				breaks: "leaves vanish from below in other programs",
+			},
+			{
+				id: "materials-bloom-dull-nothing",
+				find: "roughness: mix(clean, bloomed, look.bloom),",
+				replace: "roughness: clean,",
+				breaks: "bloomed berries of files shine as polished",
+			},
+		],
+	},
+];

@@ -1,0 +1,196 @@
+/** The natural procedure until berries swell: plan, stems, flowers, crop. */
+const SRC = "wasm-core/src/models/bunch/natural";
+const TESTS = "tests/core/models/bunch/natural";
+
+export default [
+	{
+		file: `${SRC}/hanging.cpp`,
+		suites: [`${TESTS}/hanging_test.cpp`],
+		faults: [
+			{
+				id: "hanging-rachis-bends-as-an-axis",
+				find: "rachis = 0.1f",
+				replace: "rachis = 0.7f",
+				breaks: "the whole bunch sways aside",
+			},
+			{
+				id: "hanging-axes-hang-on-themselves",
+				find: "internode.parent < 0 ? -1 : hanging.branch_of[parent];",
+				replace: "-1;",
+				breaks: "branches do not follow the branch that bears them",
+			},
+		],
+	},
+	{
+		file: `${SRC}/fruit_set.cpp`,
+		suites: [`${TESTS}/fruit_set_test.cpp`],
+		faults: [
+			{
+				id: "fruit-set-own-strength-unused",
+				find: "/ std::max(1e-6f, buds[i].strength)",
+				replace: "",
+				breaks: "weak flowers set as readily as strong ones",
+			},
+			{
+				id: "fruit-set-misplaced-as-good",
+				find: "* (1 + 4 * buds[i].misplaced)",
+				replace: "",
+				breaks: "berries set outside the profile",
+			},
+			{
+				id: "fruit-set-crowd-counts-heads",
+				find: "crowd += within * within * buds[j].strength;",
+				replace: "crowd += within * within;",
+				breaks: "weak flowers crowd out strong ones",
+			},
+		],
+	},
+	{
+		file: `${SRC}/situation.cpp`,
+		suites: [`${TESTS}/situation_test.cpp`],
+		faults: [
+			{
+				id: "situation-sun-from-the-other-side",
+				find: "{up.cosine * turn.sine,",
+				replace: "{-up.cosine * turn.sine,",
+				breaks: "the shaded side colours first",
+			},
+			{
+				id: "situation-raceme-misplaced",
+				find: "one.misplaced = raceme ? 0 : one.misplaced / size;",
+				replace: "one.misplaced = one.misplaced / size;",
+				breaks: "currants lose their berries, which hang outside of what was drawn",
+			},
+			{
+				id: "situation-lean-ignored",
+				find: "const glm::vec3 own = upright(place, bound.lean);",
+				replace: "const glm::vec3 own = place;",
+				breaks: "a wing's flowers count as outside of it",
+			},
+		],
+	},
+	{
+		file: `${SRC}/luck.hpp`,
+		suites: [`${TESTS}/situation_test.cpp`, `${TESTS}/traits_test.cpp`],
+		faults: [
+			{
+				id: "luck-of-the-first-bunch",
+				find: "bunch ? second_seed(seed) : seed",
+				replace: "bunch ? seed : seed",
+				breaks: "the wing is the bunch's twin, berry by berry",
+			},
+		],
+	},
+	{
+		file: `${SRC}/sprout.cpp`,
+		suites: [`${TESTS}/sprout_test.cpp`],
+		faults: [
+			{
+				id: "sprout-wing-of-the-same-seed",
+				find: "draw_one(scaled(profile, wing), second_seed(request_.seed),",
+				replace: "draw_one(scaled(profile, wing), request_.seed,",
+				breaks: "the wing branches as the bunch does",
+			},
+			{
+				id: "sprout-unit-ignored",
+				find: "internode.radius_end *= unit;",
+				replace: "",
+				breaks: "stems widen towards their ends as the scale shrinks",
+			},
+		],
+	},
+	{
+		file: `${SRC}/crop.cpp`,
+		suites: [`${TESTS}/crop_test.cpp`],
+		faults: [
+			{
+				id: "crop-thinning-by-hand-unheeded",
+				find: "std::binary_search(wish.taken.begin(), wish.taken.end(), flowers[i].id)",
+				replace: "false",
+				breaks: "berries that were taken off grow back",
+			},
+			{
+				id: "crop-stand-ins-set-already",
+				find: "if (!(volumes[i] > 0) && in_turn.size() < most)",
+				replace: "if (in_turn.size() < most)",
+				breaks: "a berry hangs there twice",
+			},
+			{
+				id: "crop-elongation-unheeded",
+				find: "fruitlets[k].half_width * wish.elongation",
+				replace: "fruitlets[k].half_width",
+				breaks: "fingers swell as balls",
+			},
+			{
+				id: "crop-beyond-the-room",
+				find: "std::min(wish.count, wish.most) : wish.most)",
+				replace: "wish.count : wish.most)",
+				breaks: "counts beyond the outline's room heap up",
+			},
+		],
+	},
+	{
+		file: `${SRC}/flowers.cpp`,
+		suites: [`${TESTS}/flowers_test.cpp`],
+		faults: [
+			{
+				id: "flowers-joints-count-as-organs",
+				find: "(one.joint ? 0 : 1)",
+				replace: "1",
+				breaks: "a pedicel drawn in two pieces sets by another turn",
+			},
+			{
+				id: "flowers-strength-without-bounds",
+				find: "std::clamp(balls[i].radius, least_strength, 1.0f)",
+				replace: "balls[i].radius",
+				breaks: "a text's spheres of radius 25 outdo all others",
+			},
+		],
+	},
+	{
+		file: `${SRC}/natural_plan.cpp`,
+		suites: [`${TESTS}/natural_plan_test.cpp`],
+		faults: [
+			{
+				id: "natural-plan-count-unheeded",
+				find: "plan.berries = std::min(asked ? values[Parameter::count] : filling, most_berries);",
+				replace: "plan.berries = std::min(filling, most_berries);",
+				breaks: "the slider of the count does nothing",
+			},
+			{
+				id: "natural-plan-axes-beyond-the-outline",
+				find: "reach(plan.envelope, side, depth, angle) - end)",
+				replace: "reach(plan.envelope, side, depth, angle))",
+				breaks: "berries stand out of the profile",
+			},
+			{
+				id: "natural-plan-axes-upwards",
+				find: "std::min(most_upward, arc_tangent(out, down) * (180 / pi))",
+				replace: "150.0f",
+				breaks: "axes grow up past the peduncle",
+			},
+			{
+				id: "natural-plan-fill-in-steps",
+				find: "(place - static_cast<float>(below))",
+				replace: "0.0f",
+				breaks: "density moves in nine steps",
+			},
+		],
+	},
+	{
+		file: "wasm-core/grammars/bunch/grape-bunch-4.lsys",
+		suites: [
+			"tests/core/models/bunch/living_natural_text_test.cpp",
+			"tests/core/models/bunch/grammars_test.cpp",
+			`${TESTS}/natural_test.cpp`,
+		],
+		faults: [
+			{
+				id: "grammar-4-no-pedicel-aside",
+				find: "[ /(vary*(ran(50)-25)) -(alpha_y+vary*(ran(30)-15)) Ap(fine, s) ]",
+				replace: "",
+				breaks: "twigs end in two flowers in place of three",
+			},
+		],
+	},
+];

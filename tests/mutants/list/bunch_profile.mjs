@@ -1,0 +1,264 @@
+/** The profile and its handles, flat and in 3-D. */
+const SRC = "web/src/models/bunch/profile";
+const TESTS = "tests/web/models/bunch/profile";
+
+export default [
+	{
+		file: `${SRC}/handle_ray.ts`,
+		suites: [`${TESTS}/handle_ray.test.ts`],
+		faults: [
+			{
+				id: "ray-handle-behind-the-eye",
+				find: "if (slant * alongLine < alongRay) return undefined;",
+				replace: "",
+				breaks: "a handle behind the eye jumps",
+			},
+			{
+				id: "ray-plane-behind-the-eye",
+				find: "if (!(distance > 0) || !Number.isFinite(distance)) return undefined;",
+				replace: "if (!Number.isFinite(distance)) return undefined;",
+				breaks: "a pointer above the horizon throws the handle far away",
+			},
+			{
+				id: "ray-of-unit-length-only",
+				find: "const towards = direction.map((value) => value / size)",
+				replace: "const towards = direction.map((value) => value * 1)",
+				breaks: "handles run away from the pointer as the view zooms",
+			},
+			{
+				id: "ray-freedom-of-unit-length-only",
+				find: "> GRAZING * size) return",
+				replace: "> GRAZING) return",
+				breaks: "a handle seen edge-on jumps by metres",
+			},
+		],
+	},
+	{
+		file: `${SRC}/drag_session.ts`,
+		suites: [`${TESTS}/drag_session.test.ts`],
+		faults: [
+			{
+				id: "session-before-of-the-second-finger",
+				find: "this.#before ??= parameters;",
+				replace: "this.#before = parameters;",
+				breaks: "Escape brings back what was when the second finger came",
+			},
+			{
+				id: "session-told-at-every-event",
+				find: "if (this.#scheduled) return;",
+				replace: "",
+				breaks: "a fast mouse grows a bunch for each of its thousand events",
+			},
+			{
+				id: "session-drag-to-nowhere-is-a-step",
+				find: "if (!sameShape(before, now, this.#host.handles()))",
+				replace: "if (before !== undefined)",
+				breaks: "a click on a handle is an undo step",
+			},
+		],
+	},
+	{
+		file: `${SRC}/drag.ts`,
+		suites: [`${TESTS}/drag.test.ts`],
+		faults: [
+			{
+				id: "drag-side-crosses-the-axis",
+				find: "SIDES[handle].sign * x, options)",
+				replace: "Math.abs(x), options)",
+				breaks: "a handle dragged across the axis grows on",
+			},
+			{
+				id: "drag-jumps-to-the-pointer",
+				find: "offset: { x: from.x - pointer.x, y: from.y - pointer.y }",
+				replace: "offset: { x: 0, y: 0 }",
+				breaks: "a handle taken at its rim jumps",
+			},
+			{
+				id: "drag-locks-unheeded",
+				find: "if (!locks?.[lock]) continue;",
+				replace: "continue;",
+				breaks: "locked sides go apart",
+			},
+			{
+				id: "drag-farthest-handle-meant",
+				find: "if (!(distance <= least)) continue;",
+				replace: "if (!(distance <= reach)) continue;",
+				breaks: "of two handles close together the wrong one is taken",
+			},
+		],
+	},
+	{
+		file: `${SRC}/view_frame.ts`,
+		suites: [`${TESTS}/view_frame.test.ts`],
+		faults: [
+			{
+				id: "scale-one-centimetre-as-millimetres",
+				find: "const label = length >= 10 ?",
+				replace: "const label = length > 10 ?",
+				breaks: "the scale bar says 10 mm where it says 1 cm",
+			},
+			{
+				id: "extent-forgets-the-berry",
+				find: "let needHeight = shape.l + reach;",
+				replace: "let needHeight = shape.l;",
+				breaks: "the lowest berry is cut off by the view",
+			},
+		],
+	},
+	{
+		file: `${SRC}/envelope.ts`,
+		suites: [`${TESTS}/envelope.test.ts`, `${TESTS}/outline_volume.test.ts`],
+		faults: [
+			{
+				id: "outline-natural-as-paper",
+				find: "natural ? naturalReach(parameters) : paperReach(parameters, w)",
+				replace: "paperReach(parameters, w)",
+				breaks: "the drawn outline is not the one that is filled",
+			},
+			{
+				id: "outline-shoulder-of-the-first",
+				find: "const axis = r * AXES_PER_PIXEL + first + 1;",
+				replace: "const axis = r * AXES_PER_PIXEL + 1;",
+				breaks: "the drawn waist stands too high at the back",
+			},
+		],
+	},
+	{
+		file: `${SRC}/silhouette.ts`,
+		suites: [`${TESTS}/silhouette.test.ts`],
+		faults: [
+			{
+				id: "silhouette-side-from-the-right",
+				find: "side: { right: 2, eye: 0, towards: -1 }",
+				replace: "side: { right: 2, eye: 0, towards: 1 }",
+				breaks: "in the side view far berries hide near ones",
+			},
+			{
+				id: "silhouette-turn-reversed",
+				find: "Math.atan2(-up, along)",
+				replace: "Math.atan2(up, along)",
+				breaks: "outlines of leaning fingers lean the other way",
+			},
+		],
+	},
+	{
+		file: `${SRC}/silhouette_canvas.ts`,
+		suites: [`${TESTS}/silhouette_canvas.test.ts`],
+		faults: [
+			{
+				id: "silhouette-see-through",
+				find: 'pen.globalCompositeOperation = "destination-out";',
+				replace: "",
+				breaks: "berries of the flat views are filled with ink",
+			},
+			{
+				id: "silhouette-stale",
+				find: "return [scene.bunch, scene.view,",
+				replace: "return [scene.view,",
+				breaks: "a flat view keeps the bunch before",
+			},
+		],
+	},
+	{
+		file: `${SRC}/steady_extent.ts`,
+		suites: [`${TESTS}/steady_extent.test.ts`],
+		faults: [
+			{
+				id: "extent-changes-in-the-hand",
+				find: 'const resting = motion !== "held" &&',
+				replace: "const resting =",
+				breaks: "the view rescales under a drag",
+			},
+		],
+	},
+	{
+		file: `${SRC}/octahedron.ts`,
+		suites: [`${TESTS}/octahedron.test.ts`],
+		faults: [
+			{
+				id: "octahedron-orbits-while-dragged",
+				find: "this.#host.setControlsEnabled(false);",
+				replace: "",
+				breaks: "the bunch turns under a dragged handle",
+			},
+			{
+				id: "octahedron-finds-the-mirrored-handle",
+				find: "x: ((place.x + 1) / 2) * box.width,",
+				replace: "x: ((1 - place.x) / 2) * box.width,",
+				breaks: "handles are taken hold of at the wrong side",
+			},
+			{
+				id: "octahedron-deaf-to-escape",
+				find: 'window.addEventListener("keydown", this.#onEscape, { capture: true });',
+				replace: "",
+				breaks: "Escape calls off no drag in 3-D",
+			},
+			{
+				id: "octahedron-hidden-handles-held",
+				find: "if (!this.#parameters || !this.object.visible) return undefined;",
+				replace: "if (!this.#parameters) return undefined;",
+				breaks: "handles that are not shown can be dragged",
+			},
+		],
+	},
+	{
+		file: `${SRC}/octahedron_figure.ts`,
+		suites: [`${TESTS}/octahedron.test.ts`],
+		faults: [
+			{
+				id: "octahedron-handles-stay-behind",
+				find: "this.#handles.get(handle)?.position.set(...place);",
+				replace: "",
+				breaks: "all handles stand at the top",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/tools/sides.ts",
+		suites: ["tests/web/models/bunch/tools/sides.test.ts"],
+		faults: [
+			{
+				id: "sides-lock-brings-nothing",
+				find: "if (!locks[pair]) desk.set(",
+				replace: "if (locks[pair]) desk.set(",
+				breaks: "a lock leaves the sides apart",
+			},
+			{
+				id: "sides-mirror-of-the-other-pair",
+				find: 'pair === "leftRight" ? mirrorLeftRight(parameters) : mirrorFrontBack(parameters)',
+				replace: 'pair === "leftRight" ? mirrorFrontBack(parameters) : mirrorLeftRight(parameters)',
+				breaks: "mirror exchanges the wrong sides",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/tools/thinning.ts",
+		suites: ["tests/web/models/bunch/tools/thinning.test.ts"],
+		faults: [
+			{
+				id: "thinning-of-bare-stems",
+				find: "on && isNatural(specimen) && !desk.toolState(stems)",
+				replace: "on && isNatural(specimen)",
+				breaks: "a click on bare stems takes off a berry that is not seen",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/words.ts",
+		suites: ["tests/web/models/bunch/words.test.ts"],
+		faults: [
+			{
+				id: "words-flowers-as-berries",
+				find: "specimen.parameters.age < FRUIT_SET",
+				replace: "specimen.parameters.age < 0",
+				breaks: "flowers are called berries",
+			},
+			{
+				id: "words-length-without-radii",
+				find: "bottom = Math.min(bottom, berries.spheres[at + 1] - berries.spheres[at + 3]);",
+				replace: "bottom = Math.min(bottom, berries.spheres[at + 1]);",
+				breaks: "bunches are said to be a berry shorter than they are",
+			},
+		],
+	},
+];

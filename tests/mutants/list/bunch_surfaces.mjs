@@ -1,0 +1,96 @@
+/** The surfaces of a bunch in the core: stems, fruit, leaves, and the sky they see. */
+const SRC = "wasm-core/src/models/bunch";
+const TESTS = "tests/core/models/bunch";
+
+export default [
+	{
+		file: `${SRC}/stems.cpp`,
+		suites: [`${TESTS}/stems_test.cpp`],
+		faults: [
+			{
+				id: "stems-withered-not-shrivelled",
+				find: "internode.state == State::withered ? shrivelled : receptacle",
+				replace: "receptacle",
+				breaks: "withered pedicels look like those that bear",
+			},
+		],
+	},
+	{
+		file: `${SRC}/bunch_sky.cpp`,
+		suites: [`${TESTS}/bunch_sky_test.cpp`],
+		faults: [
+			{
+				id: "bunch-sky-shared-berry-upright",
+				find: "const glm::vec3& to = berry.direction;",
+				replace: "const glm::vec3 to(0, 1, 0);",
+				breaks: "berries of the paper are dark at the wrong side",
+			},
+			{
+				id: "bunch-sky-fingers-as-balls",
+				find: "if (!(ratio >= two_from)) {",
+				replace: "if (ratio > 0) {",
+				breaks: "fingers shade as balls do",
+			},
+		],
+	},
+	{
+		file: `${SRC}/fruit/berry_press.cpp`,
+		suites: [`${TESTS}/fruit/berry_surfaces_test.cpp`],
+		faults: [
+			{
+				id: "press-all-marked",
+				find: "pressed[lane] = static_cast<std::uint8_t>(share[lane]);",
+				replace: "pressed[lane] = 255;",
+				breaks: "wax is rubbed off all over",
+			},
+			{
+				id: "press-volume-not-kept",
+				find: "aim = volume * rough.value / exact;",
+				replace: "return 0;",
+				breaks: "pressed berries are too small",
+			},
+			{
+				id: "press-normals-inwards",
+				find: "put(normals, nx * per_length,",
+				replace: "put(normals, -nx * per_length,",
+				breaks: "berries are lit from the wrong side",
+			},
+		],
+	},
+	{
+		file: `${SRC}/fruit/wrinkles.cpp`,
+		suites: [`${TESTS}/fruit/wrinkles_test.cpp`],
+		faults: [
+			{
+				id: "wrinkles-slope-reversed",
+				find: "wave.way * (share * cosine(angle))",
+				replace: "wave.way * (-share * cosine(angle))",
+				breaks: "furrows of raisins look raised",
+			},
+		],
+	},
+	{
+		file: `${SRC}/fruit/projection.cpp`,
+		suites: [`${TESTS}/fruit/projection_test.cpp`],
+		faults: [
+			{
+				id: "projection-tilt-ignored",
+				find: "suv = excess * u * v,",
+				replace: "suv = 0,",
+				breaks: "outlines of leaning fingers are upright",
+			},
+		],
+	},
+	{
+		file: `${SRC}/foliage/leaf.cpp`,
+		suites: [`${TESTS}/foliage/leaf_test.cpp`],
+		faults: [
+			{
+				id: "leaf-normals-not-unit",
+				find: "normal[axis] /= length;",
+				replace: "normal[axis] *= 1;",
+				breaks: "leaves shine or go dark with their triangles' size",
+			},
+		],
+	},
+];

@@ -1,0 +1,150 @@
+/** Files of any plant, and what is read back from them. */
+const SRC = "web/src/export";
+const TESTS = "tests/web/export";
+
+export default [
+	{
+		file: `${SRC}/restore.ts`,
+		suites: [`${TESTS}/restore.test.ts`],
+		faults: [
+			{
+				id: "file-truncated-glb-taken",
+				find: "if (header.getUint32(8, true) > file.size || type !== CHUNK_JSON || length > file.size - start) throw broken;",
+				replace: "if (type !== CHUNK_JSON) throw broken;",
+				breaks: "half a download is said to be no file of ours",
+			},
+			{
+				id: "file-of-any-size-read",
+				find: "if (json.size > JSON_BYTES) {",
+				replace: "if (json.size < 0) {",
+				breaks: "a dropped film fills the memory",
+			},
+			{
+				id: "file-of-a-list-taken",
+				find: "specimen !== null && !Array.isArray(specimen)",
+				replace: "specimen !== null",
+				breaks: "a file with a list in the specimen's place opens the default bunch without a word",
+			},
+		],
+	},
+	{
+		file: `${SRC}/mtl.ts`,
+		suites: [`${TESTS}/obj.test.ts`],
+		faults: [
+			{
+				id: "mtl-highlights-as-wide-as-can-be",
+				find: "rounded(2 / roughness ** 4 - 2, 1)",
+				replace: "rounded(2 / roughness ** 2 - 2, 1)",
+				breaks: "berries from an OBJ look like felt",
+			},
+			{
+				id: "mtl-linear-colours",
+				find: "encoded(colour).map(short)",
+				replace: "colour.map(short)",
+				breaks: "berries from an OBJ are too dark",
+			},
+		],
+	},
+	{
+		file: `${SRC}/obj_writer.ts`,
+		suites: [`${TESTS}/obj.test.ts`],
+		faults: [
+			{
+				id: "obj-texture-upside-down",
+				find: "out.fixed(1 - uvs[i + 1], SHADE_DECIMALS, LINE_END);",
+				replace: "out.fixed(uvs[i + 1], SHADE_DECIMALS, LINE_END);",
+				breaks: "pictures lie upside down on an OBJ's berries",
+			},
+			{
+				id: "obj-every-object-from-one",
+				find: "this.#vertices += positions.length / 3;",
+				replace: "",
+				breaks: "all objects of an OBJ are drawn with the first one's vertices",
+			},
+		],
+	},
+	{
+		file: `${SRC}/glb.ts`,
+		suites: [`${TESTS}/glb.test.ts`],
+		faults: [
+			{
+				id: "glb-instances-unscaled",
+				find: "scales.fill(transforms[at + 7] * unit,",
+				replace: "scales.fill(unit,",
+				breaks: "all berries of an instanced GLB are of one size",
+			},
+			{
+				id: "glb-compact-instances-unscaled",
+				find: "const size = Math.fround(rest[4] * unit);",
+				replace: "const size = Math.fround(rest[4]);",
+				breaks: "flowers of a compact GLB are far too large",
+			},
+			{
+				id: "glb-children-where-their-parent-is",
+				find: "held.push(...children.map((child) => this.#part(child, frame)));",
+				replace: "held.push(...children.map((child) => this.#part(child, parent)));",
+				breaks: "flowers hang in the air",
+			},
+		],
+	},
+	{
+		file: `${SRC}/quantise.ts`,
+		suites: [`${TESTS}/glb.test.ts`],
+		faults: [
+			{
+				id: "quantise-off-centre",
+				find: "Math.round((positions[i + axis] - centre[axis]) * steps)",
+				replace: "Math.round(positions[i + axis] * steps)",
+				breaks: "parts of a compact GLB stand in the wrong place",
+			},
+		],
+	},
+	{
+		file: `${SRC}/vertex_colours.ts`,
+		suites: [`${TESTS}/glb.test.ts`],
+		faults: [
+			{
+				id: "colours-as-they-are",
+				find: "value > 0 ? 255 / value : 0",
+				replace: "255",
+				breaks: "colours of a GLB are darkened twice",
+			},
+		],
+	},
+	{
+		file: `${SRC}/csv.ts`,
+		suites: [`${TESTS}/csv.test.ts`],
+		faults: [
+			{
+				id: "csv-quotes-not-doubled",
+				find: `text.replaceAll('"', '""')`,
+				replace: "text",
+				breaks: "a quote in a cell breaks the table",
+			},
+		],
+	},
+	{
+		file: `${SRC}/text_buffer.ts`,
+		suites: [`${TESTS}/text_buffer.test.ts`],
+		faults: [
+			{
+				id: "text-buffer-never-grows",
+				find: "larger.set(this.#bytes);",
+				replace: "",
+				breaks: "large OBJ files lose their beginning",
+			},
+		],
+	},
+	{
+		file: "web/src/files/zip.ts",
+		suites: ["tests/web/files/zip.test.ts"],
+		faults: [
+			{
+				id: "zip-of-today",
+				find: "mtime: DATE",
+				replace: "mtime: new Date()",
+				breaks: "the same bunch gives another archive every day",
+			},
+		],
+	},
+];

@@ -1,0 +1,76 @@
+/** Downloads, and what brings them into the page. */
+export default [
+	{
+		file: "web/src/studio/files/plant_to_save.ts",
+		suites: ["tests/web/studio/plant_to_save.test.ts"],
+		faults: [
+			{
+				id: "saved-in-a-stale-look",
+				find: "look: lookOf(shown, asked)",
+				replace: "look: shown.from.look",
+				breaks: "a download has the colours from before the last change",
+			},
+			{
+				id: "saved-before-it-has-grown",
+				find: "if (studio.state.pending) return;",
+				replace: "",
+				breaks: "a download is of the plant before",
+			},
+		],
+	},
+	{
+		file: "web/src/files/exporter.ts",
+		suites: ["tests/web/files/exporter.test.ts"],
+		faults: [
+			{
+				id: "exporter-workers-pile-up",
+				find: "worker.terminate();",
+				replace: "",
+				breaks: "every download leaves a worker behind",
+			},
+			{
+				id: "exporter-deaf-to-cancelling",
+				find: 'signal?.addEventListener("abort", abort);',
+				replace: "",
+				breaks: "a download that takes its time cannot be cancelled",
+				hangs: true,
+			},
+		],
+	},
+	{
+		file: "web/src/files/make.ts",
+		suites: ["tests/web/files/make.test.ts"],
+		faults: [
+			{
+				id: "make-instances-everywhere",
+				find: 'instancing: format !== "glb"',
+				replace: "instancing: true",
+				breaks: "a plain GLB wants readers that know instances",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/address.ts",
+		suites: ["tests/web/studio/address.test.ts"],
+		faults: [
+			{
+				id: "address-back-leaves-the-app",
+				find: "if (another) this.#history.pushState(",
+				replace: "if (another && false) this.#history.pushState(",
+				breaks: "Back leaves the app after three presets",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/studio.ts",
+		suites: ["tests/web/studio/studio.test.ts"],
+		faults: [
+			{
+				id: "studio-back-is-a-new-step",
+				find: "if (leadsTo(past.at(-1))) this.undo();",
+				replace: "if (past.length < 0) this.undo();",
+				breaks: "Back and Undo go different ways",
+			},
+		],
+	},
+];

@@ -1,0 +1,42 @@
+/** All faults, in the order of the house. @type {import("../mutants.mjs").Group[]} */
+import bunchCore from "./bunch_core.mjs";
+import bunchExport from "./bunch_export.mjs";
+import bunchFigure from "./bunch_figure.mjs";
+import bunchMeasures from "./bunch_measures.mjs";
+import bunchNatural from "./bunch_natural.mjs";
+import bunchProfile from "./bunch_profile.mjs";
+import bunchRipening from "./bunch_ripening.mjs";
+import bunchSurfaces from "./bunch_surfaces.mjs";
+import exporting from "./export.mjs";
+import files from "./files.mjs";
+import light from "./light.mjs";
+import lsystem from "./lsystem.mjs";
+import page from "./page.mjs";
+import rooms from "./rooms.mjs";
+import scene from "./scene.mjs";
+import specimen from "./specimen.mjs";
+import studio from "./studio.mjs";
+import swelling from "./swelling.mjs";
+import webCore from "./web_core.mjs";
+
+export const groups = [
+	...rooms,
+	...lsystem,
+	...bunchCore,
+	...bunchNatural,
+	...swelling,
+	...bunchRipening,
+	...bunchSurfaces,
+	...bunchMeasures,
+	...webCore,
+	...specimen,
+	...bunchProfile,
+	...bunchExport,
+	...exporting,
+	...bunchFigure,
+	...scene,
+	...studio,
+	...files,
+	...light,
+	...page,
+];

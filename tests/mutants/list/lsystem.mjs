@@ -1,0 +1,82 @@
+/** L-systems. */
+const SRC = "wasm-core/src";
+const TESTS = "tests/core";
+
+export default [
+	{
+		file: `${SRC}/lsystem/derivation.cpp`,
+		suites: [`${TESTS}/lsystem/derivation_test.cpp`, `${TESTS}/lsystem/open_derivation_test.cpp`],
+		faults: [
+			{
+				id: "derivation-cut-modules-counted",
+				find: "next_.string.modules -= rest.modules;",
+				replace: "",
+				breaks: "the length of a string counts what was cut off",
+			},
+			{
+				id: "derivation-answers-stay",
+				find: "  answered_ = false;\n  ++steps_;",
+				replace: "  ++steps_;",
+				breaks: "a question is taken as answered in the next step",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/machine.cpp`,
+		suites: [
+			`${TESTS}/lsystem/random_values_test.cpp`,
+			`${TESTS}/lsystem/development_test.cpp`,
+			`${TESTS}/lsystem/derivation_test.cpp`,
+		],
+		faults: [
+			{
+				id: "machine-weights-unheeded",
+				find: "if (left < 0) break;",
+				replace: "break;",
+				breaks: "the first of several weighted productions is always taken",
+			},
+			{
+				id: "machine-chance-but-once",
+				find: "if (stepping_) sources_.address = hash_combine(address, step_);",
+				replace: "",
+				breaks: "a delay by chance fails for ever",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/turtle.cpp`,
+		suites: [`${TESTS}/lsystem/turtle_test.cpp`],
+		faults: [
+			{
+				id: "turtle-pitch-upside-down",
+				find: "turtle.heading * cosine + turtle.up * sine",
+				replace: "turtle.heading * cosine - turtle.up * sine",
+				breaks: "& pitches up",
+			},
+			{
+				id: "turtle-length-drifts",
+				find: "return v * (1.5f - 0.5f * glm::dot(v, v)); }",
+				replace: "return v; }",
+				breaks: "the turtle's steps drift after thousands of turns",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/remarks.cpp`,
+		suites: [`${TESTS}/lsystem/remarks_test.cpp`],
+		faults: [
+			{
+				id: "remarks-s-as-a-symbol-unsaid",
+				find: 'if (production.predecessor == "S")',
+				replace: 'if (production.predecessor == "")',
+				breaks: "nothing says why a symbol S draws spheres",
+			},
+			{
+				id: "remarks-unknown-define-unsaid",
+				find: "if (!declares(program, given.name))",
+				replace: "if (false)",
+				breaks: "a slider that changes nothing says nothing",
+			},
+		],
+	},
+];

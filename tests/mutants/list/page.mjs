@@ -1,0 +1,165 @@
+/** What only the built page shows: end-to-end tests. */
+const E2E = "tests/e2e";
+
+export default [
+	{
+		file: "web/index.html",
+		suites: ["tests/web/studio/policy.test.ts", `${E2E}/foreign.spec.ts: the page's own policy`],
+		faults: [
+			{
+				id: "page-without-a-policy",
+				find: '<meta http-equiv="Content-Security-Policy"',
+				replace: '<meta name="policy"',
+				breaks: "a text that found its way into the page may run as code",
+			},
+			{
+				id: "page-policy-lets-styles-in",
+				find: "style-src 'self';",
+				replace: "style-src 'self' 'unsafe-inline';",
+				breaks: "styles may be brought into the page",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/profile/profile_view.ts",
+		suites: [`${E2E}/shape.spec.ts: dragging a handle regrows the bunch`],
+		faults: [
+			{
+				id: "profile-input-untold",
+				find: 'input: (parameters) => this.#tell(parameters, "profile-input"),',
+				replace: "input: () => {},",
+				breaks: "a drag of a handle grows nothing",
+			},
+			{
+				id: "profile-silent-after-a-key",
+				find: "this.#say(handleValue(parameters, handle));",
+				replace: "",
+				suites: [`${E2E}/keys.spec.ts: a handle says where it stands`],
+				breaks: "a screen reader hears nothing of a handle's step",
+			},
+			{
+				id: "profile-deaf-to-double-clicks",
+				find: "parameters[key] = this.initial[key];",
+				replace: "parameters[key] = this.parameters[key];",
+				suites: [`${E2E}/shape.spec.ts: a double click on a handle`],
+				breaks: "a double click on a handle brings nothing back",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/solid_view.ts",
+		suites: [`${E2E}/thin.spec.ts: a click takes the berry under it off`],
+		faults: [
+			{
+				id: "solid-view-picks-nothing",
+				find: "return this.#view.pick(x, y);",
+				replace: "return undefined;",
+				breaks: "no berry can be pointed at",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/number.ts",
+		suites: [`${E2E}/shape.spec.ts: typed values are taken, clamped with a word`],
+		faults: [
+			{
+				id: "number-clamped-unsaid",
+				find: "if (Math.abs(typed - taken) < 1e-9) return undefined;",
+				replace: "return undefined;",
+				breaks: "a typed number changes without a word",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/held_key.ts",
+		suites: [`${E2E}/shape.spec.ts: sliders work by keyboard`],
+		faults: [
+			{
+				id: "held-key-a-step-each",
+				find: "if (MOVING_KEYS.test(key)) this.#held = true;",
+				replace: "",
+				breaks: "a held key leaves an undo step for each repeat",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/shortcuts.ts",
+		suites: [`${E2E}/gallery.spec.ts: typing in the field is typing`],
+		faults: [
+			{
+				id: "shortcuts-while-typing",
+				find: "if (event.defaultPrevented || isTyping(event)) return;",
+				replace: "if (event.defaultPrevented) return;",
+				breaks: "typing an n into the search grows another variation",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/notices.ts",
+		suites: [`${E2E}/link.spec.ts: a malformed link opens what it can`],
+		faults: [
+			{
+				id: "notices-not-dismissed",
+				find: 'aria-label="Dismiss" @click',
+				replace: 'aria-label="Dismiss" @dblclick',
+				breaks: "notices cannot be sent away",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/typed.ts",
+		suites: [`${E2E}/keys.spec.ts: a number is typed from its slider`],
+		faults: [
+			{
+				id: "typed-digits-lost",
+				find: "field?.select();",
+				replace: "field?.blur();",
+				breaks: "a number typed on a slider goes nowhere",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/tools/thinning_pointer.ts",
+		suites: [`${E2E}/thin.spec.ts: a drag turns the bunch and takes nothing off`],
+		faults: [
+			{
+				id: "thinning-by-a-drag",
+				find: "if (this.#press && !near(this.#press, event)) this.#press = undefined;",
+				replace: "",
+				suites: [`${E2E}/thin.spec.ts: a drag turns the bunch and takes nothing off`],
+				breaks: "turning the bunch takes berries off",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/speaker.ts",
+		suites: [`${E2E}/solid_view.spec.ts: what has grown is told to a screen reader`],
+		faults: [
+			{
+				id: "speaker-silent",
+				find: "this.#words = shown?.model.words(shown.grown, shown.from);",
+				replace: "",
+				breaks: "a screen reader hears nothing of what grew",
+			},
+		],
+	},
+	{
+		file: "web/src/scene/viewer.ts",
+		suites: [`${E2E}/solid_view.spec.ts: the 3-D view turns by mouse and keys`],
+		faults: [
+			{
+				id: "viewer-draws-but-once",
+				find: "if (this.#renderer.lost) return;",
+				replace: "if (this.#renderer.lost || this.#rendered > 1) return;",
+				breaks: "the picture stays as it first was",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/parts/drop.ts",
+		suites: [`${E2E}/files.spec.ts: GLB: valid, and dropped back it restores its bunch`],
+		faults: [
+			{ id: "drop-nothing", find: "void openFile(this.desk, file);", replace: "", breaks: "dropped files do nothing" },
+		],
+	},
+];

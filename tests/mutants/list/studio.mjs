@@ -1,0 +1,282 @@
+/** The page's state and what moves it. */
+const SRC = "web/src/studio";
+const TESTS = "tests/web/studio";
+
+export default [
+	{
+		file: `${SRC}/studio.ts`,
+		suites: [`${TESTS}/studio.test.ts`, `${TESTS}/studio_models.test.ts`],
+		faults: [
+			{
+				id: "studio-brief-notices-stay",
+				find: "if (options.brief) setTimeout(() => this.dismiss(id), BRIEF);",
+				replace: "",
+				breaks: "“Link copied” stays for ever",
+			},
+			{
+				id: "studio-same-words-stack",
+				find: "this.#state.notices.filter((notice) => notice.title !== title);",
+				replace: "this.#state.notices;",
+				breaks: "the same notice stands there three times",
+			},
+			{
+				id: "studio-notices-without-end",
+				find: ".slice(-MOST_NOTICES) });",
+				replace: " });",
+				breaks: "notices cover the page",
+			},
+			{
+				id: "studio-failure-stays",
+				find: "this.#update({ shown: { model, grown, from }, measures, failure: undefined });",
+				replace: "this.#update({ shown: { model, grown, from }, measures });",
+				breaks: "“This cannot be grown” stands before a bunch that has grown",
+			},
+			{
+				id: "studio-notes-unsaid",
+				find: "if (notes.length === 0) return;",
+				replace: "return;",
+				breaks: "nothing says what of a link could not be used",
+			},
+			{
+				id: "studio-drag-measured-at-every-step",
+				find: "this.#measured = !held;",
+				replace: "this.#measured = true;",
+				breaks: "drags are slow with measuring",
+			},
+			{
+				id: "studio-never-measured-after-a-drag",
+				find: "|| (!this.#state.held && !this.#measured)) this.#ask();",
+				replace: ") this.#ask();",
+				breaks: "the numbers stay those from before a drag",
+			},
+			{
+				id: "studio-colours-grow",
+				find: "if (!growsAlike(before, present) ||",
+				replace: "if (true ||",
+				breaks: "every colour regrows the bunch",
+			},
+			{
+				id: "studio-tools-never-end",
+				find: "for (const end of this.#ends.splice(0)) end();",
+				replace: "",
+				breaks: "a life goes on playing with another model",
+			},
+			{
+				id: "studio-address-not-settled",
+				find: "this.#surroundings.settled(this.#state.model, this.#state.specimen);",
+				replace: "",
+				breaks: "the address bar keeps the bunch it opened with",
+			},
+		],
+	},
+	{
+		file: `${SRC}/solid_view.ts`,
+		suites: [`${TESTS}/solid_view.test.ts`],
+		faults: [
+			{
+				id: "solid-view-never-held",
+				find: "this.#view.holdView(held);",
+				replace: "",
+				breaks: "the view moves away under a drag",
+			},
+			{
+				id: "solid-view-orbit-reversed",
+				find: "ArrowLeft: [-1, 0],",
+				replace: "ArrowLeft: [1, 0],",
+				breaks: "the left arrow turns to the right",
+			},
+			{
+				id: "solid-view-old-colours",
+				find: "|| look !== this.#look)",
+				replace: ")",
+				breaks: "a colour changes nothing in the view",
+			},
+			{
+				id: "solid-view-light-for-ever",
+				find: 'if (dark !== this.#dark) this.#view.setTheme(dark ? "dark" : "light");',
+				replace: "",
+				breaks: "the view stays light in the dark theme",
+			},
+			{
+				id: "solid-view-zoom-reversed",
+				find: "this.#view.zoom(1 / ZOOM_STEP);",
+				replace: "this.#view.zoom(ZOOM_STEP);",
+				breaks: "minus goes nearer",
+			},
+		],
+	},
+	{
+		file: `${SRC}/address.ts`,
+		suites: [`${TESTS}/address.test.ts`],
+		faults: [
+			{
+				id: "address-older-after-newer",
+				find: "if (this.#newest !== specimen) return;",
+				replace: "",
+				breaks: "a slow packing puts an older bunch into the address bar",
+			},
+			{
+				id: "address-throws-when-full",
+				find: "} catch {\n\t\t\t// Browsers",
+				replace: "} catch (error) {\n\t\t\tthrow error;\n\t\t\t// Browsers",
+				breaks: "playing a life ends in an error of the browser's",
+			},
+		],
+	},
+	{
+		file: `${SRC}/growing.ts`,
+		suites: [`${TESTS}/growing.test.ts`],
+		faults: [
+			{
+				id: "growing-older-after-newer",
+				find: "if (turn < this.#shown) return;",
+				replace: "",
+				breaks: "a slow answer puts an older bunch back",
+			},
+			{
+				id: "growing-superseded-is-a-failure",
+				find: "if (error instanceof Superseded) return;",
+				replace: "",
+				breaks: "every drag ends in an error",
+			},
+			{
+				id: "growing-says-so-for-ever",
+				find: "this.#studio().setGrowing(false);",
+				replace: "",
+				breaks: "“Growing” stays over the picture",
+			},
+		],
+	},
+	{
+		file: `${SRC}/ui_state.ts`,
+		suites: [`${TESTS}/ui_state.test.ts`],
+		faults: [
+			{
+				id: "ui-any-theme",
+				find: 'theme: theme === "light" || theme === "dark" ? theme : "system",',
+				replace: 'theme: theme as UiState["theme"],',
+				breaks: "a spoiled storage spoils the page",
+			},
+		],
+	},
+	{
+		file: `${SRC}/panel_groups.ts`,
+		suites: [`${TESTS}/panel_groups.test.ts`],
+		faults: [
+			{
+				id: "panel-shows-what-is-unheeded",
+				find: "table.heeds(specimen, entry) && ",
+				replace: "",
+				breaks: "sliders that do nothing are shown",
+			},
+			{
+				id: "panel-empty-groups",
+				find: ".filter(({ entries, above, below }) => entries.length + above.length + below.length > 0)",
+				replace: "",
+				breaks: "empty groups are shown",
+			},
+		],
+	},
+	{
+		file: `${SRC}/preset_search.ts`,
+		suites: [`${TESTS}/preset_search.test.ts`],
+		faults: [
+			{
+				id: "search-accents-matter",
+				find: '.replace(/\\p{M}/gu, "")',
+				replace: "",
+				breaks: "gewurztraminer finds no Gewürztraminer",
+			},
+		],
+	},
+	{
+		file: `${SRC}/change.ts`,
+		suites: [`${TESTS}/change.test.ts`],
+		faults: [
+			{
+				id: "change-same-seed-again",
+				find: "return drawn === seed ? (drawn % SEEDS_DRAWN) + 1 : drawn;",
+				replace: "return drawn;",
+				breaks: "“New variation” may show the same",
+			},
+		],
+	},
+	{
+		file: `${SRC}/files/formats.ts`,
+		suites: [`${TESTS}/formats.test.ts`],
+		faults: [
+			{
+				id: "formats-instances-of-anything",
+				find: "...(hasInstances(shown) ? [GLB_INSTANCED] : []),",
+				replace: "GLB_INSTANCED,",
+				breaks: "an instanced GLB is offered that is no other file",
+			},
+			{
+				id: "formats-of-no-use",
+				find: "applies?.(grown) ?? true",
+				replace: "applies === undefined || true",
+				breaks: "files are offered that do not suit the plant",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/life_player.ts",
+		suites: ["tests/web/controls/life_player.test.ts"],
+		faults: [
+			{
+				id: "life-jumps-after-a-nap",
+				find: "Math.min(passed, LONGEST_FRAME)",
+				replace: "passed",
+				breaks: "a page that was hidden jumps to the end of the play",
+			},
+			{
+				id: "life-motion-unwelcome-unheeded",
+				find: "if (this.#clock.stepwise()) {",
+				replace: "if (false) {",
+				breaks: "the bunch moves for those who asked for no motion",
+			},
+			{
+				id: "life-fights-the-hand",
+				find: "if (this.#made && desk.state.specimen !== this.#made) {",
+				replace: "if (false) {",
+				breaks: "a play overrides the hand on a slider",
+			},
+			{
+				id: "life-a-step-a-frame",
+				find: "desk.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);",
+				replace: "desk.set({ parameters: { [this.#life.parameter]: age } });",
+				breaks: "a play leaves hundreds of undo steps",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/life.ts",
+		suites: ["tests/web/controls/life.test.ts"],
+		faults: [
+			{
+				id: "life-stage-too-late",
+				find: "stages.findLast(({ at, from = at }) => from <= age)",
+				replace: "stages.findLast(({ at }) => at <= age)",
+				breaks: "a bunch that ripens is still called green",
+			},
+		],
+	},
+	{
+		file: "web/src/cli/run.ts",
+		suites: ["tests/web/cli/run.test.ts", "tests/web/cli/refusals.test.ts"],
+		faults: [
+			{
+				id: "command-line-errors-succeed",
+				find: "return error instanceof UsageError ? 2 : 1;",
+				replace: "return 0;",
+				breaks: "a script goes on where nothing was grown",
+			},
+			{
+				id: "command-line-unmeasured",
+				find: 'json || out.ending === "glb"]',
+				replace: "false]",
+				breaks: "files of the command hold no measures",
+			},
+		],
+	},
+];

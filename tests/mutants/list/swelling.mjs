@@ -1,0 +1,80 @@
+/** How berries swell among each other. */
+const NATURAL = "tests/core/models/bunch/natural";
+
+export default [
+	{
+		file: "wasm-core/src/models/bunch/natural/swelling.cpp",
+		suites: [`${NATURAL}/swelling_test.cpp`],
+		faults: [
+			{ id: "swelling-stems-do-not-part", find: "part_stems();", replace: ";", breaks: "stems go through berries" },
+			{
+				id: "swelling-shortest-pedicel-ignored",
+				find: "least = shortest * size.stalk + size.half_length",
+				replace: "least = 0",
+				breaks: "berries are pressed back onto the stem that bears them",
+			},
+			{
+				id: "swelling-no-thinning-on-the-way",
+				find: "index % refresh == refresh - 1) thin();",
+				replace: "index % refresh == refresh - 1) return;",
+				breaks: "who finds no room is lost at the end only, so that drying bunches lose others",
+			},
+			{
+				id: "swelling-gravity-upwards",
+				find: "centres_[i].y -= gravity",
+				replace: "centres_[i].y += gravity",
+				breaks: "berries rise",
+			},
+			{
+				id: "swelling-outline-ignored",
+				find: "keep_within();",
+				replace: ";",
+				breaks: "berries leave the drawn profile",
+			},
+			{
+				id: "swelling-one-sided-push",
+				find: "centres_[j] += way * push;",
+				replace: "",
+				breaks: "of two berries that touch only one gives way",
+			},
+			{
+				id: "swelling-by-hand-is-no-room",
+				find: "lost_[i] = Why::by_hand;",
+				replace: "lost_[i] = Why::no_room;",
+				breaks: "a berry taken off by hand is said to have found no room",
+			},
+			{
+				id: "swelling-branches-spring-back",
+				find: "ends_[k] = rest + (ends_[k] - rest) * branch.give;",
+				replace: "ends_[k] = rest;",
+				breaks: "branches never give way to what they bear",
+			},
+			{
+				id: "swelling-pedicels-turn-round",
+				find: "if (turned < most_bent)",
+				replace: "if (turned < -2)",
+				breaks: "a pedicel may point back into the stem",
+				survives:
+					"a pedicel is a spring: no stem and no outline was found that turns one round against it, with the rule or without; only crowds may",
+			},
+			{
+				id: "swelling-stalk-ignores-age",
+				find: "0.45f * std::min(1.0f, size / 0.6f)",
+				replace: "0.45f",
+				breaks: "pedicels are as long in flower as when ripe",
+			},
+			{
+				id: "swelling-late-join-unasked",
+				find: "if (static_cast<float>(there) >= near_enough * static_cast<float>(wanted)) return;",
+				replace: "",
+				breaks: "more berries grow than were asked for",
+			},
+			{
+				id: "swelling-foot-never-moves",
+				find: "foot += heading * (off * give);",
+				replace: "",
+				breaks: "a berry's pull is not felt by the branch it hangs on",
+			},
+		],
+	},
+];

@@ -1,0 +1,169 @@
+/** The page's side of the core: workers, pool, container. */
+const SRC = "web/src/core";
+const TESTS = "tests/web/core";
+
+export default [
+	{
+		file: `${SRC}/pool.ts`,
+		suites: [`${TESTS}/pool.test.ts`, `${TESTS}/client.test.ts`, `${TESTS}/client_failures.test.ts`],
+		faults: [
+			{
+				id: "pool-dead-spare-kept",
+				find: "if (this.#spare === seat) this.#spare = undefined;",
+				replace: "",
+				breaks: "after a spare worker died, the next growth waits for ever",
+			},
+			{
+				id: "pool-failed-module-kept",
+				find: "this.#modules.delete(wasm);",
+				replace: "",
+				breaks: "a core that could not be fetched once is never asked for again",
+			},
+			{
+				id: "pool-never-a-second-try",
+				find: "const MOST_ATTEMPTS = 2;",
+				replace: "const MOST_ATTEMPTS = 1;",
+				breaks: "a worker that dies takes its growth with it",
+			},
+			{
+				id: "pool-waiting-job-not-cancelled",
+				find: "if (at >= 0) this.#waiting.splice(at, 1);",
+				replace: "",
+				breaks: "what was cancelled before it began grows all the same",
+			},
+			{
+				id: "pool-last-comes-first",
+				find: "const job = this.#waiting.shift();",
+				replace: "const job = this.#waiting.pop();",
+				breaks: "who waits longest waits on",
+			},
+			{
+				id: "pool-late-answer-taken",
+				find: "if (!job || message.id !== job.id) return;",
+				replace: "if (!job) return;",
+				breaks: "an old answer is taken for the newest",
+			},
+		],
+	},
+	{
+		file: `${SRC}/client.ts`,
+		suites: [`${TESTS}/client.test.ts`],
+		faults: [
+			{
+				id: "client-queues-up",
+				find: "if (this.#running < this.#abreast) begin();",
+				replace: "if (this.#running >= 0) begin();",
+				breaks: "a drag queues up growths",
+			},
+			{
+				id: "client-never-abreast",
+				find: "if (this.#running < this.#abreast) begin();",
+				replace: "if (this.#running < 1) begin();",
+				breaks: "a step of a drag waits for the step before",
+			},
+			{
+				id: "client-superseded-never-told",
+				find: "this.#waiting?.reject(new Superseded());\n\t\tthis.#waiting = waiting;",
+				replace: "this.#waiting = waiting;",
+				breaks: "what was superseded is waited for for ever",
+				hangs: true,
+			},
+		],
+	},
+	{
+		file: `${SRC}/seat.ts`,
+		suites: [`${TESTS}/seat.test.ts`, `${TESTS}/pool.test.ts`],
+		faults: [
+			{
+				id: "seat-heard-after-its-end",
+				find: 'if (this.#over) return;\n\t\tif (message.type === "broken")',
+				replace: 'if (message.type === "broken")',
+				breaks: "a worker that was ended still answers",
+			},
+			{
+				id: "seat-module-sent-each-time",
+				find: "if (this.#given.has(wasm)) return;",
+				replace: "",
+				breaks: "the core is started anew for every growth",
+			},
+		],
+	},
+	{
+		file: `${SRC}/container.ts`,
+		suites: [`${TESTS}/container.test.ts`, `${TESTS}/core.test.ts`],
+		faults: [
+			{
+				id: "container-outside-unchecked",
+				find: "if (data + bytes <= length) continue;",
+				replace: "continue;",
+				breaks: "large arrays are read from where they are not",
+			},
+			{
+				id: "container-header-unchecked",
+				find: "|| length !== bytes.length) throw",
+				replace: ") throw",
+				breaks: "half an answer is taken for a whole one",
+			},
+			{
+				id: "container-kinds-unchecked",
+				find: "if (column.element !== element) throw",
+				replace: "if (false) throw",
+				breaks: "whole numbers are read as fractions, without a word",
+			},
+		],
+	},
+	{
+		file: `${SRC}/core.ts`,
+		suites: [`${TESTS}/core.test.ts`],
+		faults: [
+			{
+				id: "core-goes-on-after-a-trap",
+				find: "this.#trapped = true;",
+				replace: "",
+				breaks: "a broken core is asked again and again",
+			},
+		],
+	},
+	{
+		file: `${SRC}/loader.ts`,
+		suites: [`${TESTS}/loader.test.ts`],
+		faults: [
+			{
+				id: "loader-in-the-words-of-the-engine",
+				find: "return WebAssembly.compile(bytes).catch(notACore(type));",
+				replace: "return WebAssembly.compile(bytes);",
+				breaks: "what is no core is told in the engine's words",
+			},
+			{
+				id: "loader-status-unheeded",
+				find: "if (response.ok) return response;",
+				replace: "return response;",
+				breaks: "an error page is compiled",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/read_grown.ts",
+		suites: ["tests/web/models/bunch/read_grown.test.ts"],
+		faults: [
+			{
+				id: "read-places-without-z",
+				find: "const [x, y, z] = places.subarray(3 * index, 3 * index + 3);",
+				replace: "const [x, y, z] = [...places.subarray(3 * index, 3 * index + 2), 0];",
+				breaks: "berries that are not there are marked in the wrong plane",
+			},
+			{
+				id: "read-all-pressed",
+				find: 'pressed: columns.octets("berries.pressed"),',
+				replace: 'pressed: columns.octets("berries.pressed").fill(255),',
+				breaks: "no berry has wax",
+			},
+			{
+				id: "read-counts-swapped",
+				find: "n: counts[2 * i],",
+				replace: "n: counts[2 * i + 1],",
+				breaks: "files name drops as counts of axes",
+			},
+		],
+	},
+];

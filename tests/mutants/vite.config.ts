@@ -1,0 +1,10 @@
+import { mergeConfig, type UserConfig } from "vite";
+import base from "../../vite.config";
+
+/** The checkout's own settings, less what would build the core: a copy has its modules from the checkout. */
+const { plugins, test, ...rest } = base as UserConfig & { test: Record<string, unknown> };
+const { globalSetup: _, ...settings } = test;
+
+export default mergeConfig(rest, {
+	test: { ...settings, bail: 1 },
+});

@@ -1,0 +1,83 @@
+/** A page of nothing but views: what is asked of the scene itself runs here, without the studio (tests/views/views.ts). */
+import wasm from "../../build/core/bunch.wasm?url";
+import { Core } from "../../web/src/core/core";
+import { compileCore } from "../../web/src/core/loader";
+import { bunchFigure } from "../../web/src/models/bunch/figure/bunch_figure";
+import type { Grown } from "../../web/src/models/bunch/grown";
+import { bunchParts } from "../../web/src/models/bunch/parts/bunch_parts";
+import { readGrown } from "../../web/src/models/bunch/read_grown";
+import { encodeRequest } from "../../web/src/models/bunch/request";
+import { BUNCH } from "../../web/src/models/bunch/species";
+import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
+import type { Material } from "../../web/src/plant/material";
+import { blurred, COSINE_SHARPNESS, rigOf, type Theme } from "../../web/src/scene/light";
+import { partFigure } from "../../web/src/scene/part_figure";
+import { Renderer } from "../../web/src/scene/renderer";
+import { Viewer, type ViewerOptions } from "../../web/src/scene/viewer";
+import { decodeQuery } from "../../web/src/specimen/link";
+
+const core = await Core.instantiate(await compileCore(new URL(wasm, document.baseURI)));
+
+/** A bunch as a link has it: `?preset=riesling&age=6`. */
+function grow(query: string): { grown: Grown; specimen: BunchSpecimen } {
+	const { specimen } = decodeQuery(BUNCH, query);
+	return { grown: readGrown(core.grow(encodeRequest(specimen))), specimen };
+}
+
+/** A canvas on the page, so many CSS pixels large. */
+function canvas(width: number, height: number): HTMLCanvasElement {
+	const made = Object.assign(document.createElement("canvas"), { width, height });
+	made.style.cssText = `display: block; width: ${width}px; height: ${height}px`;
+	document.body.append(made);
+	return made;
+}
+
+/** A view of a bunch that keeps still. */
+function view(query: string, [width, height]: readonly [number, number], options: ViewerOptions = {}) {
+	const viewer = new Viewer<BunchSpecimen, Grown>(canvas(width, height), {
+		still: true,
+		reducedMotion: true,
+		checked: true,
+		...options,
+	});
+	viewer.use(bunchFigure);
+	const { grown, specimen } = grow(query);
+	viewer.show(grown, specimen);
+	return viewer;
+}
+
+/** What a picture shows, pixel by pixel: 4 × width × height. */
+async function pixels(picture: Blob): Promise<{ width: number; height: number; data: Uint8ClampedArray }> {
+	const image = await createImageBitmap(picture);
+	const { width, height } = image;
+	const context = new OffscreenCanvas(width, height).getContext("2d") as OffscreenCanvasRenderingContext2D;
+	context.drawImage(image, 0, 0);
+	return { width, height, data: context.getImageData(0, 0, width, height).data };
+}
+
+/** A matt card before the eye, and what the light makes of it by its own numbers: linear, red, green, blue. */
+function card(viewer: Viewer<undefined, undefined>, albedo: number, theme: Theme): number[] {
+	const mesh = {
+		positions: Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], (value) => 0.1 * value),
+		normals: Float32Array.from([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]),
+		uvs: new Float32Array(8),
+		indices: Uint32Array.from([0, 1, 2, 0, 2, 3]),
+	};
+	const material: Material = { name: "Card", colour: [albedo, albedo, albedo], roughness: 1, specular: 0 };
+	viewer.use(partFigure(() => [{ name: "Card", shape: { mesh, material } }]));
+	viewer.show(undefined, undefined);
+	viewer.resetView("front");
+	const { key, rim, surroundings } = rigOf(theme);
+	const gathered = surroundings.map((lobe) => {
+		const { axis, sharpness, colour } = blurred(lobe, COSINE_SHARPNESS);
+		return colour.map((value) => value * Math.exp(sharpness * (axis.z - 1)));
+	});
+	return [0, 1, 2].map((k) => {
+		const lamps = [key, rim].reduce((sum, lamp) => sum + lamp.irradiance[k] * Math.max(0, lamp.direction.z), 0);
+		return albedo * (lamps / Math.PI + gathered.reduce((sum, colour) => sum + colour[k], 0));
+	});
+}
+
+const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchFigure, partFigure, bunchParts };
+export type Views = typeof tools;
+Object.assign(window, { views: tools });

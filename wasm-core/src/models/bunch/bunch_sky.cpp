@@ -1,0 +1,118 @@
+#include "models/bunch/bunch_sky.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "environment/plant_sky.hpp"
+#include "models/bunch/stems.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+// From these lengths over widths on, a berry stands in the light as two balls, as three.
+constexpr float two_from = 1.35f, three_from = 2.1f;
+constexpr float row_width = 0.96f;  // of the balls in a row, to the berry's own
+
+// Numbers of owners: internodes, then berries, then parts of the foliage.
+struct Owners {
+  explicit Owners(const Grown& grown)
+      : berries(static_cast<std::int32_t>(grown.internodes.size())),
+        foliage(berries + static_cast<std::int32_t>(grown.berries.size())) {}
+  const std::int32_t berries, foliage;
+};
+
+void add_balls(const Berry& berry, const Traits& traits, std::int32_t owner, std::vector<SkyBody>& balls) {
+  const float ratio = traits.length / traits.width;
+  if (!(ratio >= two_from)) {
+    balls.push_back(sky_ball(berry.centre, berry.radius, owner));
+    return;
+  }
+  const float reach = 0.5f * (traits.length - traits.width), radius = 0.5f * row_width * traits.width;
+  const auto add = [&](float along) {
+    balls.push_back(sky_ball(berry.centre + berry.direction * (along * reach), radius, owner));
+  };
+  const bool three = ratio >= three_from;
+  add(three ? -1 : -0.9f);
+  if (three) add(0);
+  add(three ? 1 : 0.9f);
+}
+
+MeshPart place_of(const FoliagePart& part) {
+  return {part.first_vertex, part.vertex_count, part.first_index, part.index_count};
+}
+
+Sky surroundings(const Grown& grown, std::span<const Segment> segments) {
+  const Owners owners(grown);
+  std::vector<SkyBody> balls;
+  for (std::size_t i = 0; i < grown.berries.size(); ++i)
+    add_balls(grown.berries[i], grown.traits[i], owners.berries + static_cast<std::int32_t>(i), balls);
+  std::vector<SkyBody> specks;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (grown.internodes[i].kind != Kind::pedicel) add_specks(segments[i], static_cast<std::int32_t>(i), specks);
+  if (grown.foliage) {
+    std::int32_t owner = owners.foliage;
+    for (const FoliagePart& part : grown.foliage->parts)
+      add_specks(grown.foliage->mesh, place_of(part), owner++, specks);
+  }
+  return Sky(balls, specks);
+}
+
+// Where the shared berry stands for one. Everyone turns it like this: half a turn about X, then the shortest way from
+// −Y to the berry's direction (web/src/plant/orientation.ts).
+SkyFrame frame_for(const Berry& berry) {
+  const glm::vec3& to = berry.direction;
+  SkyFrame frame{.centre = berry.centre, .scale = berry.radius};
+  const float across = to.x * to.x + to.z * to.z;
+  const float lift = to.y > 0 ? across / (1 + to.y) : 1 - to.y;
+  const float length = std::sqrt(lift * lift + across);
+  if (!(length > 0)) return frame;
+  const float x = lift / length, y = to.x / length, w = to.z / length;
+  frame.side = {1 - 2 * y * y, 2 * x * y, -2 * w * y};
+  frame.up = {2 * x * y, 1 - 2 * x * x, 2 * w * x};
+  frame.front = {2 * w * y, -2 * w * x, 1 - 2 * (x * x + y * y)};
+  return frame;
+}
+
+std::vector<std::uint8_t> sky_of_berries(Sky& sky, const Grown& grown) {
+  const Owners owners(grown);
+  const bool own = grown.surfaces.has_value();
+  const std::size_t each = own ? grown.surfaces->uvs.size() / 2 : grown.berry->uvs.size() / 2;
+  std::vector<std::uint8_t> bytes(each * grown.berries.size());
+  for (std::size_t i = 0; i < grown.berries.size(); ++i) {
+    const Berry& berry = grown.berries[i];
+    sky.face({berry.centre, berry.radius, owners.berries + static_cast<std::int32_t>(i), berry.parent});
+    const auto into = std::span(bytes).subspan(each * i, each);
+    if (own) {
+      const auto of = [&](const std::vector<float>& all) { return std::span(all).subspan(3 * each * i, 3 * each); };
+      sky.see(of(grown.surfaces->positions), of(grown.surfaces->normals), into);
+    } else {
+      sky.enter(frame_for(berry));
+      sky.see(grown.berry->positions, grown.berry->normals, into);
+    }
+  }
+  return bytes;
+}
+
+std::vector<std::uint8_t> sky_of_foliage(Sky& sky, const Grown& grown) {
+  const Mesh& mesh = grown.foliage->mesh;
+  std::vector<std::uint8_t> bytes(mesh.positions.size() / 3);
+  std::int32_t owner = Owners(grown).foliage;
+  for (const FoliagePart& part : grown.foliage->parts)
+    see_part(sky, mesh, place_of(part), owner++, part.kind == FoliagePart::Kind::leaf, bytes);
+  return bytes;
+}
+
+}  // namespace
+
+void add_sky(Grown& grown) {
+  const std::vector<Segment> segments = segments_of(grown.internodes);
+  Sky sky = surroundings(grown, segments);
+  SkyBytes& bytes = grown.sky.emplace();
+  bytes.stems = sky_of_stems(sky, *grown.stem, segments);
+  bytes.berries = sky_of_berries(sky, grown);
+  if (grown.foliage) bytes.foliage = sky_of_foliage(sky, grown);
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,25 @@
+/** A row of buttons as one stop of the Tab key: arrow keys, Home and End go from one to the next. */
+
+/** Makes one of the row the stop. */
+export function stopAt(row: readonly HTMLElement[], stop: HTMLElement | undefined): void {
+	for (const item of row) item.tabIndex = item === stop ? 0 : -1;
+}
+
+/** Goes where a key leads from the one in focus, and makes that the stop; tells whether it led anywhere. */
+export function rove(event: KeyboardEvent, row: readonly HTMLElement[]): boolean {
+	const at = row.indexOf(event.target as HTMLElement);
+	const next = destination(event.key, at, row.length);
+	const item = next === undefined || at < 0 ? undefined : row[next];
+	if (!item) return false;
+	event.preventDefault();
+	stopAt(row, item);
+	item.focus();
+	return true;
+}
+
+function destination(key: string, at: number, count: number): number | undefined {
+	if (key === "ArrowRight" || key === "ArrowDown") return at + 1;
+	if (key === "ArrowLeft" || key === "ArrowUp") return at - 1;
+	if (key === "Home") return 0;
+	return key === "End" ? count - 1 : undefined;
+}

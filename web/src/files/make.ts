@@ -1,0 +1,39 @@
+/** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
+import { aboutPlant } from "../export/about_plant";
+import { exportGlb } from "../export/glb";
+import { exportJson } from "../export/json";
+import { exportObj } from "../export/obj";
+import type { Model } from "../models/model";
+import type { FileRequest } from "./messages";
+import { zip } from "./zip";
+
+const encoder = new TextEncoder();
+
+/**
+ * Makes a file. The same request gives the same bytes.
+ * @throws RangeError where neither every plant nor the model has such a file, and what the making throws
+ */
+export async function makeFile(model: Model, request: FileRequest): Promise<Blob> {
+	const { format, grown, specimen, link, name } = request;
+	if (format === "json") return json(model, request);
+	const own = model.formats?.find(({ key }) => key === format);
+	if (own) return new Blob([await own.make(grown, specimen, link)], { type: own.type });
+	const about = await aboutPlant(model, grown, specimen, link);
+	const parts = model.parts(grown, specimen);
+	if (format === "glb" || format === "glb-instanced") {
+		const bytes = exportGlb(parts, about, { instancing: format !== "glb" });
+		return new Blob([bytes], { type: "model/gltf-binary" });
+	}
+	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
+	const { obj, mtl } = exportObj(parts, about, name);
+	const both = [
+		{ name: `${name}.obj`, bytes: encoder.encode(obj) },
+		{ name: `${name}.mtl`, bytes: encoder.encode(mtl) },
+	];
+	return new Blob([zip(both)], { type: "application/zip" });
+}
+
+function json(model: Model, { grown, specimen }: FileRequest): Blob {
+	const document = JSON.stringify(exportJson(model, grown, specimen), null, "\t");
+	return new Blob([`${document}\n`], { type: "application/json" });
+}

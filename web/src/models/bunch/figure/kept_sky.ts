@@ -1,0 +1,92 @@
+/**
+ * The sky of a bunch in passing. While a hand moves a handle, the core is not asked how much of the sky each vertex
+ * sees, a fifth of a step: berries and stems keep what they saw when it was last asked. It changes little from step to
+ * step, and is asked for when the hand rests.
+ */
+import type { BerrySurfaces, Grown, Internodes, SharedBerry, StemMesh } from "../grown";
+
+/** Sky of vertices without a likeness in the bunch before. */
+const OPEN = 255;
+
+export class KeptSky {
+	#last: Grown | undefined;
+
+	/** The bunch with what is known of its sky; as it is, where none was ever told. */
+	of(grown: Grown): Grown {
+		if (!grown.stem || grown.stem.sky) {
+			this.#last = grown;
+			return grown;
+		}
+		const last = this.#last;
+		if (!last?.stem?.sky) return grown;
+		const { stem, berry, surfaces, foliage } = grown;
+		return {
+			...grown,
+			stem: { ...stem, sky: ofStems(stem, grown.internodes, last.stem, last.stem.sky, last.internodes) },
+			...(berry && { berry: { ...berry, sky: ofBerries(berry, grown, last) } }),
+			...(surfaces && { surfaces: { ...surfaces, sky: ofBerries(surfaces, grown, last) } }),
+			...(foliage && { foliage: { ...foliage, sky: fitting(last.foliage?.sky, foliage.positions.length / 3) } }),
+		};
+	}
+}
+
+/** Each berry has the sky of the berry of its id; one that is new, of the berries' mean. */
+function ofBerries(surface: BerrySurfaces | SharedBerry, { berries }: Grown, last: Grown): Uint8Array {
+	const each = surface.uvs.length / 2;
+	const before = (last.surfaces ?? last.berry)?.sky;
+	const sky = new Uint8Array(each * berries.count).fill(before ? mean(before) : OPEN);
+	if (before?.length !== each * last.berries.count) return sky;
+	const places = new Map(Array.from(last.berries.ids, (id, berry) => [id, berry]));
+	berries.ids.forEach((id, berry) => {
+		const was = places.get(id);
+		if (was !== undefined) sky.set(before.subarray(each * was, each * (was + 1)), each * berry);
+	});
+	return sky;
+}
+
+/** Each internode has the mean sky of the one that was of its kind and its place among them, or of the last. */
+function ofStems(
+	stem: StemMesh,
+	internodes: Internodes,
+	before: StemMesh,
+	skyBefore: Uint8Array,
+	internodesBefore: Internodes,
+): Uint8Array {
+	const sums = new Float64Array(internodesBefore.count);
+	const counts = new Float64Array(internodesBefore.count);
+	before.internode.forEach((internode, vertex) => {
+		sums[internode] += skyBefore[vertex];
+		counts[internode] += 1;
+	});
+	const known = byKind(internodesBefore);
+	const skies = new Uint8Array(internodes.count);
+	for (const [kind, members] of byKind(internodes)) {
+		const like = known.get(kind)?.filter((internode) => counts[internode] > 0) ?? [];
+		members.forEach((internode, place) => {
+			const was = like[Math.min(place, like.length - 1)];
+			skies[internode] = was === undefined ? OPEN : Math.round(sums[was] / counts[was]);
+		});
+	}
+	return Uint8Array.from(stem.internode, (internode) => skies[internode]);
+}
+
+function byKind({ kind }: Internodes): Map<number, number[]> {
+	const members = new Map<number, number[]>();
+	kind.forEach((each, internode) => {
+		const list = members.get(each);
+		if (list) list.push(internode);
+		else members.set(each, [internode]);
+	});
+	return members;
+}
+
+/** The sky of a mesh of as many vertices as before; of another, its mean. */
+function fitting(before: Uint8Array | undefined, vertices: number): Uint8Array {
+	if (before?.length === vertices) return before;
+	return new Uint8Array(vertices).fill(before ? mean(before) : OPEN);
+}
+
+function mean(values: Uint8Array): number {
+	if (values.length === 0) return OPEN;
+	return Math.round(values.reduce((sum, value) => sum + value, 0) / values.length);
+}

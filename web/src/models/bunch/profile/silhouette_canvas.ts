@@ -1,0 +1,94 @@
+/**
+ * Puts the silhouette on a canvas under the view's own lines. A bunch of 500 is 500 outlines in each of two views,
+ * anew at every step of a drag: as elements of a document they cost several times what growing them does.
+ */
+import type { View } from "./handles";
+import { type DrawnBunch, type Outline, type Stroke, silhouette } from "./silhouette";
+import type { ViewFrame } from "./view_frame";
+
+/** What a drawing is made from; equal ones need no new drawing. */
+export interface SilhouetteScene {
+	bunch: DrawnBunch | undefined;
+	view: View;
+	/** Millimetres to a unit of the paper. */
+	unit: number;
+	frame: ViewFrame;
+	/** Pixels of the screen to a CSS pixel. */
+	ratio: number;
+	/** Any CSS colour. */
+	ink: string;
+}
+
+/** Whether both give the same drawing. */
+export function sameScene(one: SilhouetteScene, other: SilhouetteScene): boolean {
+	const others = ingredients(other);
+	return ingredients(one).every((ingredient, index) => ingredient === others[index]);
+}
+
+function ingredients({ frame, ...scene }: SilhouetteScene): unknown[] {
+	const { left, top, width, height, scale } = frame;
+	return [scene.bunch, scene.view, scene.unit, scene.ratio, scene.ink, left, top, width, height, scale];
+}
+
+/** Widths of lines, in CSS pixels. */
+const STEM = 1;
+const BERRY = 0.8;
+
+/** The part of a canvas's context that is drawn with. */
+export type Pen = Pick<
+	CanvasRenderingContext2D,
+	| "setTransform"
+	| "beginPath"
+	| "moveTo"
+	| "lineTo"
+	| "ellipse"
+	| "stroke"
+	| "fill"
+	| "lineWidth"
+	| "lineCap"
+	| "strokeStyle"
+	| "globalCompositeOperation"
+>;
+
+/** Sizes the canvas for its frame, which wipes it, and draws. */
+export function drawSilhouette(canvas: HTMLCanvasElement, scene: SilhouetteScene): void {
+	const { frame, ratio, bunch } = scene;
+	canvas.width = Math.round(frame.width * frame.scale * ratio);
+	canvas.height = Math.round(frame.height * frame.scale * ratio);
+	const pen = canvas.getContext("2d");
+	if (pen && bunch) inkSilhouette(pen, { ...scene, bunch });
+}
+
+export function inkSilhouette(
+	pen: Pen,
+	{ bunch, view, unit, frame, ratio, ink }: SilhouetteScene & { bunch: DrawnBunch },
+) {
+	const { berries, stems } = silhouette(bunch, view, unit);
+	const zoom = frame.scale * ratio;
+	pen.setTransform(zoom, 0, 0, zoom, -frame.left * zoom, -frame.top * zoom);
+	pen.strokeStyle = ink;
+	pen.lineCap = "round";
+	pen.lineWidth = STEM / frame.scale;
+	inkStems(pen, stems);
+	pen.lineWidth = BERRY / frame.scale;
+	for (const berry of berries) inkBerry(pen, berry);
+}
+
+function inkStems(pen: Pen, stems: readonly Stroke[]): void {
+	pen.beginPath();
+	for (const [x1, y1, x2, y2] of stems) {
+		pen.moveTo(x1, y1);
+		pen.lineTo(x2, y2);
+	}
+	pen.stroke();
+}
+
+/** A berry takes away the lines behind it: so the page shows through, whatever its colour. */
+function inkBerry(pen: Pen, { x, y, rx, ry, turn }: Outline): void {
+	pen.beginPath();
+	pen.ellipse(x, y, rx, ry, turn, 0, 2 * Math.PI);
+	pen.globalCompositeOperation = "destination-out";
+	pen.fill();
+	pen.globalCompositeOperation = "source-over";
+	pen.stroke();
+}

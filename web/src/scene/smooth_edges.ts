@@ -1,0 +1,115 @@
+import {
+	BufferAttribute,
+	BufferGeometry,
+	Camera,
+	FramebufferTexture,
+	LinearFilter,
+	Mesh,
+	RGBFormat,
+	Scene,
+	ShaderMaterial,
+	Vector2,
+	type WebGLRenderer,
+} from "three";
+import type { Size } from "./renderer";
+
+const VERTEX = /* glsl */ `
+varying vec2 at;
+void main() {
+	at = 0.5 * position.xy + 0.5;
+	gl_Position = vec4(position.xy, 0.0, 1.0);
+}
+`;
+
+/** Along an edge, which runs across the steepest change of brightness, pixels are blurred; all others stay. */
+const FRAGMENT = /* glsl */ `
+varying vec2 at;
+uniform sampler2D picture;
+uniform vec2 pixel;
+uniform ivec2 last;
+const vec3 LUMA = vec3(0.299, 0.587, 0.114);
+float at_pixel(ivec2 by) {
+	return dot(texelFetch(picture, clamp(ivec2(gl_FragCoord.xy) + by, ivec2(0), last), 0).rgb, LUMA);
+}
+float bright(vec2 by) {
+	return dot(texture2D(picture, at + by * pixel).rgb, LUMA);
+}
+vec3 pair(vec2 run, float by) {
+	return 0.5 * (texture2D(picture, at + run * by).rgb + texture2D(picture, at - run * by).rgb);
+}
+void main() {
+	vec3 colour = texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+	float middle = dot(colour, LUMA);
+	vec4 beside = vec4(at_pixel(ivec2(0, 1)), at_pixel(ivec2(1, 0)), at_pixel(ivec2(0, -1)), at_pixel(ivec2(-1, 0)));
+	float least = min(middle, min(min(beside.x, beside.y), min(beside.z, beside.w)));
+	float most = max(middle, max(max(beside.x, beside.y), max(beside.z, beside.w)));
+	if (most - least > max(0.06, 0.15 * most)) {
+		vec4 corners = vec4(bright(vec2(-0.5, 0.5)), bright(vec2(0.5, 0.5)), bright(vec2(-0.5, -0.5)), bright(vec2(0.5, -0.5)));
+		vec2 run = vec2(corners.z + corners.w - corners.x - corners.y, corners.x + corners.z - corners.y - corners.w);
+		float flat_ = max(0.03 * (corners.x + corners.y + corners.z + corners.w), 0.008);
+		run = clamp(run / (min(abs(run.x), abs(run.y)) + flat_), -6.0, 6.0) * pixel;
+		vec3 near = pair(run, 1.0 / 6.0);
+		vec3 far = 0.5 * near + 0.5 * pair(run, 0.5);
+		float reached = dot(far, LUMA);
+		colour = reached < least || reached > most ? near : far;
+	}
+	gl_FragColor = vec4(colour, 1.0);
+}
+`;
+
+/**
+ * Smooth edges for a picture drawn without: a blur along what looks like one (Lottes 2009, "FXAA", the short form). Costs
+ * the same whatever is in the picture, where more samples a pixel have software shade every triangle's edge again.
+ */
+export class SmoothEdges {
+	readonly #scene = new Scene();
+	readonly #camera = new Camera();
+	readonly #material = new ShaderMaterial({
+		name: "smooth-edges",
+		vertexShader: VERTEX,
+		fragmentShader: FRAGMENT,
+		uniforms: { picture: { value: null }, pixel: { value: new Vector2() }, last: { value: new Vector2() } },
+		depthTest: false,
+		depthWrite: false,
+		toneMapped: false,
+	});
+	readonly #geometry = new BufferGeometry();
+	#picture: FramebufferTexture | undefined;
+
+	constructor() {
+		this.#geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+		const mesh = new Mesh(this.#geometry, this.#material);
+		mesh.frustumCulled = false;
+		this.#scene.add(mesh);
+	}
+
+	/** Smooths what stands in the lower left corner of the canvas. */
+	draw(renderer: WebGLRenderer, size: Size): void {
+		const picture = this.#pictureOf(size);
+		renderer.copyFramebufferToTexture(picture);
+		this.#material.uniforms.picture.value = picture;
+		this.#material.uniforms.pixel.value.set(1 / size.width, 1 / size.height);
+		this.#material.uniforms.last.value.set(size.width - 1, size.height - 1);
+		renderer.render(this.#scene, this.#camera);
+	}
+
+	dispose(): void {
+		this.#picture?.dispose();
+		this.#geometry.dispose();
+		this.#material.dispose();
+	}
+
+	#pictureOf({ width, height }: Size): FramebufferTexture {
+		const { image } = this.#picture ?? {};
+		if (this.#picture && image?.width === width && image.height === height) return this.#picture;
+		this.#picture?.dispose();
+		const made = new FramebufferTexture(width, height);
+		// As the canvas, which has no alpha.
+		made.format = RGBFormat;
+		made.internalFormat = "RGB8";
+		made.magFilter = LinearFilter;
+		made.minFilter = LinearFilter;
+		this.#picture = made;
+		return made;
+	}
+}

@@ -1,0 +1,15 @@
+/**
+ * Links to places in the page take the focus there and leave the address alone: its fragment may hold a document's text.
+ * Returns what ends it.
+ */
+export function listenForSkips(page: Document = document): () => void {
+	const listener = (event: MouseEvent) => {
+		const link = (event.target as Element).closest?.<HTMLAnchorElement>("a[href^='#']");
+		const place = link && page.getElementById(link.hash.slice(1));
+		if (!place) return;
+		event.preventDefault();
+		place.focus();
+	};
+	page.addEventListener("click", listener);
+	return () => page.removeEventListener("click", listener);
+}
