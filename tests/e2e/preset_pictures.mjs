@@ -52,7 +52,7 @@ async function draw({ address, name, size, oversampling, quality, theme, views }
 }
 
 async function listPresets() {
-	const { PRESETS } = await import(/* @vite-ignore */ "/src/models/bunch/presets/index.ts");
+	const { PRESETS } = await import(/* @vite-ignore */ "/src/models/bunch/presets/presets.ts");
 	return PRESETS.map(({ name, title, kind, figure, about }) => ({ name, title, kind, figure, about }));
 }
 

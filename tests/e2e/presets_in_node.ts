@@ -1,7 +1,7 @@
 /** Every preset as Node grows it. Loaded through Vite, which reads the app's modules as the app's bundle does. */
 import { readFileSync } from "node:fs";
 import { loadCoreFromBytes } from "../../web/src/core/loader";
-import { PRESETS } from "../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../web/src/models/bunch/presets/presets";
 import { specimenFromPreset } from "../../web/src/models/bunch/species";
 import { growBunch } from "../web/core/wasm";
 

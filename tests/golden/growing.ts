@@ -2,7 +2,7 @@
 import { spawnSync } from "node:child_process";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { type Block, Columns, writeContainer } from "../../web/src/core/container";
-import { PRESETS } from "../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../web/src/models/bunch/presets/presets";
 import { encodeRequest } from "../../web/src/models/bunch/request";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
 import { specimenFromPreset } from "../web/bunch";

@@ -8,7 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { withLock } from "./lock.mjs";
 import { run } from "./process.mjs";
-import { buildFolder, coreFolder, models, modulesFolder, testModulesFolder } from "./repository.mjs";
+import { buildFolder, coreFolder, modelFolders, modulesFolder, testModulesFolder } from "./repository.mjs";
 import { emscriptenEnvironment, emscriptenIdentity, prepare, ToolchainError } from "./toolchain.mjs";
 
 /** The compiler's own words on what does not compile. */
@@ -97,8 +97,9 @@ export async function buildCore(preset = "wasm", targets = []) {
 		if (/warning:/.test(output)) console.error(essence(output));
 		if (preset !== "wasm") return { changed: false };
 		for (const name of ["core-bench.wasm", "toy.wasm"]) publish(name, testModulesFolder);
-		prune(models().map((model) => `${model}.wasm`));
-		return { changed: models().filter((model) => publish(`${model}.wasm`)).length > 0 };
+		const modules = modelFolders().map((folder) => `${folder}.wasm`);
+		prune(modules);
+		return { changed: modules.filter((name) => publish(name)).length > 0 };
 	});
 }
 

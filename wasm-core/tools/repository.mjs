@@ -11,7 +11,7 @@ export const buildFolder = join(repository, "build");
 export const modulesFolder = join(buildFolder, "core");
 /** Modules that only tests and the bench load. */
 export const testModulesFolder = join(buildFolder, "core-test");
-/** The module of one model. */
-export const moduleOf = (model) => join(modulesFolder, `${model}.wasm`);
-/** The models, by the folders that hold them. */
-export const models = () => readdirSync(join(coreFolder, "src/models")).sort();
+/** The module that is linked of a folder of models. */
+export const moduleOf = (folder) => join(modulesFolder, `${folder}.wasm`);
+/** The folders of models: each holds one, or a family of them, and is a module. */
+export const modelFolders = () => readdirSync(join(coreFolder, "src/models")).sort();

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { run } from "../../../web/src/cli/run";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { encodeLink, restore, specimenFromPreset, withParameters } from "../bunch";
 import { complaint, grow, memoryWorld } from "./world";
 

@@ -4,7 +4,7 @@ import { Core } from "../../../web/src/core/core";
 import { CoreError, CoreTrap, UnsupportedError } from "../../../web/src/core/errors";
 import type { CoreExports } from "../../../web/src/core/exports";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
 import { type Specimen, specimenFromPreset, withParameters } from "../bunch";
 import { freshCore, growBunch, wasmBytes } from "./wasm";

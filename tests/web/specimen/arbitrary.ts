@@ -1,5 +1,5 @@
 import fc from "fast-check";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { type ChoiceEntry, type NumberEntry, valueIn } from "../../../web/src/specimen/table";
 import { BERRY_IDS, ENTRIES, MOST_THINNED, type Specimen, specimenFromPreset } from "../bunch";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { DEFAULT_PRESET, PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { DEFAULT_PRESET, PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { entryOf, presetNamed, restore, specimenFromPreset } from "../bunch";
 import { TABLE_3 } from "./table_3";
 

@@ -1,7 +1,7 @@
 /** What version 1 of a link means, as published. Where one of these fails, old links have changed: make a new version. */
 
 import { expect, it } from "vitest";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { valueIn } from "../../../web/src/specimen/table";
 import { decodeLink, decodeQuery, ENTRIES } from "../bunch";
 

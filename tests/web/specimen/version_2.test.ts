@@ -1,7 +1,7 @@
 /** What version 2 of a link means, as published. Where one of these fails, old links have changed: make a new version. */
 
 import { expect, it } from "vitest";
-import { PRESETS } from "../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { decodeLink, decodeQuery } from "../bunch";
 
 it("presets and defaults are those that were published", async () => {

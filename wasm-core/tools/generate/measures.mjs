@@ -1,17 +1,17 @@
 /** From wasm-core/parameters/<model>.measures.json: that model's C++ list, its TypeScript table and its page of docs. */
-import { noticeOf, tablesOf } from "./tables.mjs";
+import { namespaceOf, noticeOf, tablesOf, upFrom } from "./tables.mjs";
 
 /** The generated files. */
 export function outputs() {
-	return tablesOf(".measures.json").flatMap(({ model, source, table }) => {
+	return tablesOf(".measures.json").flatMap(({ model, folder, source, table }) => {
 		checkMeasures(table, source);
 		const notice = noticeOf(source);
 		return [
 			{
-				path: `wasm-core/src/models/${model}/measures/measures.generated.hpp`,
-				text: cplusplus(table, model, notice),
+				path: `wasm-core/src/models/${folder}/measures/measures.generated.hpp`,
+				text: cplusplus(table, folder, notice),
 			},
-			{ path: `web/src/models/${model}/measures.generated.ts`, text: typescript(table, notice) },
+			{ path: `web/src/models/${folder}/measures.generated.ts`, text: typescript(table, upFrom(folder), notice) },
 			{ path: `docs/models/${model}/measures.md`, text: markdown(table, notice) },
 		];
 	});
@@ -49,22 +49,22 @@ export function checkMeasures(table, from) {
 	if (problems.length > 0) throw new Error(`${from}: ${problems.join("; ")}`);
 }
 
-function cplusplus({ measures }, model, notice) {
+function cplusplus({ measures }, folder, notice) {
 	return `// ${notice}
 #pragma once
 
 #include <cstdint>
 
-namespace panicle::${model} {
+namespace panicle::${namespaceOf(folder)} {
 
-// In the order of Grown::measures; docs/models/${model}/measures.md has their units.
+// In the order of Grown::measures; docs/models/${folder.split("/").at(-1)}/measures.md has their units.
 enum class Measure : std::uint32_t {
 ${measures.map(({ key }) => `  ${key},`).join("\n")}
 };
 
 inline constexpr std::uint32_t measure_count = ${measures.length};
 
-}  // namespace panicle::${model}
+}  // namespace panicle::${namespaceOf(folder)}
 `;
 }
 
@@ -83,9 +83,9 @@ function object({ classes, ...properties }, indent) {
 	return `{\n${pairs.map((pair) => `${tabs}\t${pair}\n`).join("")}${tabs}}`;
 }
 
-function typescript({ groups, measures, skin }, notice) {
+function typescript({ groups, measures, skin }, up, notice) {
 	return `// ${notice}
-import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
+import type { MeasureGroup, MeasureInfo } from "${up}specimen/measures";
 
 /** Keys of the measures, in the order in which the core gives them. */
 export const MEASURE_KEYS = [

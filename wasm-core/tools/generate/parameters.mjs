@@ -1,15 +1,15 @@
 /** From wasm-core/parameters/<model>.json: that model's C++ table, its TypeScript table and its page of docs. */
 import { checkTable } from "./check_table.mjs";
-import { noticeOf, tablesOf } from "./tables.mjs";
+import { namespaceOf, noticeOf, tablesOf, upFrom } from "./tables.mjs";
 
 /** The generated files. */
 export function outputs() {
-	return tablesOf(".json").flatMap(({ model, source, table }) => {
+	return tablesOf(".json").flatMap(({ model, folder, source, table }) => {
 		checkTable(table, source);
 		const notice = noticeOf(source);
 		return [
-			{ path: `wasm-core/src/models/${model}/parameters.generated.hpp`, text: cplusplus(table, model, notice) },
-			{ path: `web/src/models/${model}/parameters.generated.ts`, text: typescript(table, notice) },
+			{ path: `wasm-core/src/models/${folder}/parameters.generated.hpp`, text: cplusplus(table, folder, notice) },
+			{ path: `web/src/models/${folder}/parameters.generated.ts`, text: typescript(table, upFrom(folder), notice) },
 			{ path: `docs/models/${model}/parameters.md`, text: markdown(table, notice) },
 		];
 	});
@@ -36,7 +36,7 @@ ${roles.join("\n")}
 
 `;
 
-function cplusplus(table, model, notice) {
+function cplusplus(table, folder, notice) {
 	const rows = ofCore(table);
 	const entries = rows.map(
 		(p) =>
@@ -52,7 +52,7 @@ function cplusplus(table, model, notice) {
 #include <cstdint>
 #include <string_view>
 
-namespace panicle::${model} {
+namespace panicle::${namespaceOf(folder)} {
 
 // In the order of the request's words.
 enum class Parameter : std::uint32_t {
@@ -77,7 +77,7 @@ ${entries.join("\n")}
 }};
 // clang-format on
 
-${roles.length > 0 ? rolesOf(roles) : ""}}  // namespace panicle::${model}
+${roles.length > 0 ? rolesOf(roles) : ""}}  // namespace panicle::${namespaceOf(folder)}
 `;
 }
 
@@ -120,10 +120,10 @@ const shortKeyList = (name, doc, parameters) =>
 /** `"a" | "b"`; where there are none, `never`. */
 const union = (parameters) => parameters.map((p) => literal(p.key)).join(" | ") || "never";
 
-function typescript(table, notice) {
+function typescript(table, up, notice) {
 	const look = table.parameters.filter((p) => p.look);
 	return `// ${notice}
-import type { Entry, Group } from "../../specimen/table";
+import type { Entry, Group } from "${up}specimen/table";
 
 ${keyList("NUMBER_KEYS", "Keys of the parameters that the core reads, in the request's order.", ofCore(table))}
 export type NumberKey = (typeof NUMBER_KEYS)[number];

@@ -1,6 +1,7 @@
 /**
- * Every model by its name. A folder here with an index.ts that exports `model` is one; nothing else has to be told of it.
- * The one place that imports models.
+ * Every model by its name. A folder here with an index.ts that exports `model` is one, and so is such a folder in a folder
+ * here, one of a family that shares its parent's files; nothing else has to be told of it. The one place that imports
+ * models.
  */
 import type { Model } from "./model";
 
@@ -10,12 +11,12 @@ export type LoadModel = () => Promise<Model>;
 /** What a link means that names no model. */
 export const DEFAULT_MODEL = "bunch";
 
-const folders = import.meta.glob<Model>("./*/index.ts", { import: "model" });
+const folders = import.meta.glob<Model>(["./*/index.ts", "./*/*/index.ts"], { import: "model" });
 
 /** How each is brought, by name: the default first, then by the alphabet, then what was added. */
 const loaders = new Map<string, LoadModel>(
 	Object.entries(folders)
-		.map(([path, load]) => [path.split("/")[1], load] as const)
+		.map(([path, load]) => [path.split("/").at(-2) as string, load] as const)
 		.sort(([a], [b]) => Number(b === DEFAULT_MODEL) - Number(a === DEFAULT_MODEL) || (a < b ? -1 : 1)),
 );
 const loading = new Map<string, Promise<Model>>();

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { type Grown, INTERNODE_KINDS, TRAITS } from "../../../../web/src/models/bunch/grown";
-import { PRESETS } from "../../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
 import { encodeRequest } from "../../../../web/src/models/bunch/request";
 import { BERRY_IDS, type Specimen, specimenFromPreset, withParameters } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";

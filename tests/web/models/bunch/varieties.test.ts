@@ -3,7 +3,7 @@
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
 import { MEASURE_KEYS, type MeasureKey } from "../../../../web/src/models/bunch/measures.generated";
-import { PRESETS } from "../../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
 import { specimenFromPreset } from "../../bunch";
 import { freshCore, growBunch } from "../../core/wasm";
 

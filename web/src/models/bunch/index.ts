@@ -24,5 +24,5 @@ export const model = {
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),
 	formats: BUNCH_FORMATS,
 	figure: async () => (await import("./figure/bunch_figure")).bunchFigure,
-	studio: async () => (await import("./tools/index")).face,
+	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<BunchSpecimen, Grown>;

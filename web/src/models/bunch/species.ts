@@ -7,7 +7,7 @@ import { grammarInputs } from "./details/inputs";
 import { radii } from "./details/radii";
 import { thinnedBerries } from "./details/thinned";
 import { PROCEDURES, type Procedure } from "./grown";
-import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/index";
+import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
 import type { BunchSpecimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 

@@ -9,7 +9,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
 import type { NumberKey } from "../../../../../web/src/models/bunch/parameters.generated";
-import { PRESETS } from "../../../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../../../web/src/models/bunch/presets/presets";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
 import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
 import { exportJson, type Specimen, specimenFromFile, specimenFromPreset } from "../../../bunch";

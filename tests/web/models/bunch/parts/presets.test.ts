@@ -8,7 +8,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
-import { PRESETS } from "../../../../../web/src/models/bunch/presets/index";
+import { PRESETS } from "../../../../../web/src/models/bunch/presets/presets";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
 import { exportJson, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
