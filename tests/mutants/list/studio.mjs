@@ -39,13 +39,13 @@ export default [
 			},
 			{
 				id: "studio-drag-measured-at-every-step",
-				find: "this.#measured = !held;",
-				replace: "this.#measured = true;",
-				breaks: "drags are slow with measuring",
+				find: "{ passing: held }",
+				replace: "{ passing: false }",
+				breaks: "every step of a drag is measured, and slow",
 			},
 			{
 				id: "studio-never-measured-after-a-drag",
-				find: "|| (!this.#state.held && !this.#measured)) this.#ask();",
+				find: "|| (!this.#state.held && !this.#whole)) this.#ask();",
 				replace: ") this.#ask();",
 				breaks: "the numbers stay those from before a drag",
 			},

@@ -20,7 +20,7 @@ import {
 import { drawGuides, drawHandle, drawOutline, drawScale, HANDLE_REACH, handleOf } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
-import { drawSilhouette, type SilhouetteScene, sameScene } from "./silhouette_canvas";
+import { SilhouetteDrawing } from "./silhouette_canvas";
 import { SteadyExtent } from "./steady_extent";
 import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
 
@@ -59,24 +59,16 @@ export class ProfileView extends LitElement {
 	#spoken = "";
 	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
 	#pointed = false;
-
-	/** What is on the canvas. */
-	#drawn?: SilhouetteScene;
-
+	readonly #silhouette = new SilhouetteDrawing();
 	readonly #steady = new SteadyExtent();
 	#asking?: ReturnType<typeof setTimeout>;
-	readonly #resized = new ResizeObserver(
-		([
-			{
-				contentRect: { width, height },
-			},
-		]) => {
-			if (width === 0 || (width === this.#size.width && height === this.#size.height)) return;
-			this.#size = { width, height };
-			this.#resizing = true;
-			this.requestUpdate();
-		},
-	);
+	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
+		const { width, height } = contentRect;
+		if (width === 0 || (width === this.#size.width && height === this.#size.height)) return;
+		this.#size = { width, height };
+		this.#resizing = true;
+		this.requestUpdate();
+	});
 	readonly #drags = new DragSession<Parameters>({
 		handles: () => this.#handles(),
 		get: () => this.parameters as Parameters,
@@ -158,24 +150,11 @@ export class ProfileView extends LitElement {
 		this.#drawBunch();
 	}
 
-	/** Draws the bunch behind the lines, where anything it is drawn from has changed. */
 	#drawBunch(): void {
-		const canvas = this.shadowRoot?.querySelector("canvas");
-		if (!canvas || !this.parameters) {
-			this.#drawn = undefined;
-			return;
-		}
-		const scene: SilhouetteScene = {
-			bunch: this.berries,
-			view: this.view,
-			unit: this.parameters.unit,
-			frame: this.#frame(),
-			ratio: devicePixelRatio,
-			ink: getComputedStyle(canvas).color,
-		};
-		if (this.#drawn && sameScene(this.#drawn, scene)) return;
-		this.#drawn = scene;
-		drawSilhouette(canvas, scene);
+		const { berries: bunch, view, parameters, shadowRoot } = this;
+		const canvas = shadowRoot?.querySelector("canvas");
+		if (canvas && parameters)
+			this.#silhouette.show(canvas, { bunch, view, unit: parameters.unit, frame: this.#frame() });
 	}
 
 	#handles(): Handle[] {

@@ -50,13 +50,24 @@ export type Pen = Pick<
 	| "globalCompositeOperation"
 >;
 
-/** Sizes the canvas for its frame, which wipes it, and draws. */
-export function drawSilhouette(canvas: HTMLCanvasElement, scene: SilhouetteScene): void {
-	const { frame, ratio, bunch } = scene;
-	canvas.width = Math.round(frame.width * frame.scale * ratio);
-	canvas.height = Math.round(frame.height * frame.scale * ratio);
-	const pen = canvas.getContext("2d");
-	if (pen && bunch) inkSilhouette(pen, { ...scene, bunch });
+/** What is on a view's canvas. */
+export class SilhouetteDrawing {
+	#drawn?: SilhouetteScene;
+	#on?: HTMLCanvasElement;
+
+	/** Draws in the canvas's own colour and at the screen's density, where anything that it is drawn from has changed. */
+	show(canvas: HTMLCanvasElement, drawn: Omit<SilhouetteScene, "ratio" | "ink">): void {
+		const scene = { ...drawn, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
+		if (canvas === this.#on && this.#drawn && sameScene(this.#drawn, scene)) return;
+		this.#drawn = scene;
+		this.#on = canvas;
+		const { frame, ratio, bunch } = scene;
+		// Whoever sizes a canvas wipes it.
+		canvas.width = Math.round(frame.width * frame.scale * ratio);
+		canvas.height = Math.round(frame.height * frame.scale * ratio);
+		const pen = canvas.getContext("2d");
+		if (pen && bunch) inkSilhouette(pen, { ...scene, bunch });
+	}
 }
 
 export function inkSilhouette(
