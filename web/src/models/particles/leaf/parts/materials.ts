@@ -1,0 +1,30 @@
+/** What a leaf is made of. */
+import { type Colour, linear, mix } from "../../../../plant/colour";
+import type { Material } from "../../../../plant/material";
+import type { LeafSpecimen } from "../specimen";
+
+type Look = LeafSpecimen["look"];
+
+/** Light through a blade is yellower than it: how much of each colour comes through, at the most. */
+const THROUGH: Colour = [1.6, 1.7, 0.7];
+const EVERYWHERE: Colour = [1, 1, 1];
+
+/** A face of the blade. Both together are closed, and thin: light comes through from the other one. */
+export function bladeMaterial({ glow, gloss }: Look, name: string, hex: string): Material {
+	const shine = name.includes("lower") ? 0.3 * (gloss as number) : (gloss as number);
+	return {
+		name,
+		colour: linear(hex),
+		roughness: mix(0.78, 0.3, shine),
+		specular: mix(0.3, 1, shine),
+		sheet: { through: THROUGH.map((value) => value * (glow as number)) as Colour, reverse: EVERYWHERE },
+	};
+}
+
+export function petioleMaterial({ stalk }: Look): Material {
+	return { name: "Petiole", colour: linear(stalk as string), roughness: 0.7 };
+}
+
+export function particleMaterial(colour: Colour): Material {
+	return { name: "Particle", colour, roughness: 0.5 };
+}
