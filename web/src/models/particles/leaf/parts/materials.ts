@@ -6,7 +6,7 @@ import type { LeafSpecimen } from "../specimen";
 type Look = LeafSpecimen["look"];
 
 /** Light through a blade is yellower than it: how much of each colour comes through, at the most. */
-const THROUGH: Colour = [1.6, 1.7, 0.7];
+const THROUGH: Colour = [1, 1.05, 0.5];
 const EVERYWHERE: Colour = [1, 1, 1];
 
 /** A face of the blade. Both together are closed, and thin: light comes through from the other one. */
