@@ -44,7 +44,8 @@ void smooth(Trails& trails, const Guide& guide) {
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
     if (runs[i].second == 0) continue;
     moving.push_back(i);
-    passes.push_back(-(least_passes + more_passes * static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]))));
+    passes.push_back(
+        -(least_passes + more_passes * static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]))));
   }
   const std::vector<std::uint32_t> order = order_of(passes);
   std::vector<glm::vec3>& places = trails.places;

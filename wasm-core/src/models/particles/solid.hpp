@@ -18,8 +18,8 @@ struct Surface {
 
 // Whether a point is inside is asked of the slice at its height, as in the paper (section 4.1): the surface's
 // cross-section with the horizontal plane, a polygon that winds about what is inside. Half-open rules make the slice of
-// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned ones
-// as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
+// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned
+// ones as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
 class Solid final : public Region {
  public:
   explicit Solid(Surface surface);
@@ -45,9 +45,7 @@ class Shell final : public Region {
   Shell(const Region& outer, const Region* inner) : outer_(&outer), inner_(inner) {}
   glm::vec3 low() const override { return outer_->low(); }
   glm::vec3 high() const override { return outer_->high(); }
-  bool contains(const glm::vec3& p) const override {
-    return outer_->contains(p) && !(inner_ && inner_->contains(p));
-  }
+  bool contains(const glm::vec3& p) const override { return outer_->contains(p) && !(inner_ && inner_->contains(p)); }
 
  private:
   const Region* outer_;
@@ -55,7 +53,8 @@ class Shell final : public Region {
 };
 
 Surface box(const glm::vec3& low, const glm::vec3& high);
-// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are closed.
+// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are
+// closed.
 Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides);
 Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides);
 // The surface about a point, smaller or larger.

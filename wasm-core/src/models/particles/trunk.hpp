@@ -7,12 +7,13 @@
 
 namespace panicle::particles {
 
-// Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and leave
-// no leader. Limbs cross what is in between, the inner boundary too. Roots do the same with the axis below.
+// Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and
+// leave no leader. Limbs cross what is in between, the inner boundary too. Roots do the same with the axis below.
 class Trunk final : public Guide {
  public:
-  // `slant`: by how much of its distance from the axis a particle aims lower (1 a clear leader, 2 decurrent). `ahead`: how
-  // far it looks along the axis that it is on. `way`: −1 where particles come down from above, 1 where they come up.
+  // `slant`: by how much of its distance from the axis a particle aims lower (1 a clear leader, 2 decurrent). `ahead`:
+  // how far it looks along the axis that it is on. `way`: −1 where particles come down from above, 1 where they come
+  // up.
   Trunk(const glm::vec3& foot, float slant, float ahead, float way = -1)
       : Guide(foot), slant_(slant), ahead_(ahead), way_(way) {}
 

@@ -35,7 +35,8 @@ glm::vec3 Venation::aim(const glm::vec3& p) const {
 float Venation::way(const glm::vec3& p) const { return waypoints_.way(p) + ribs_->length_below(ribs_->nearest(p)); }
 
 bool Venation::sees(const glm::vec3& a, const glm::vec3& b) const {
-  return outline_->holds(a == target() ? a + before_target * (b - a) : a, b == target() ? b + before_target * (a - b) : b);
+  return outline_->holds(a == target() ? a + before_target * (b - a) : a,
+                         b == target() ? b + before_target * (a - b) : b);
 }
 
 }  // namespace panicle::particles
