@@ -14,12 +14,6 @@ using namespace panicle::tests;
 
 namespace {
 
-Grown grown(const Request& request) {
-  auto result = grow(request);
-  if (!result) FAIL(result.error().message);
-  return std::move(result.value());
-}
-
 const Profile& shouldered() {
   static const Profile profile = table3[1].profile();
   return profile;

@@ -1,12 +1,15 @@
 // Requests and checks that the bunch's tests share.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "foundation/random.hpp"
 #include "models/bunch/builtin.hpp"
@@ -45,6 +48,12 @@ inline bunch::Request natural_request(const bunch::Profile& profile, std::uint32
   set(request, bunch::Parameter::procedure, 1);
   request.measures = false;
   return request;
+}
+
+inline bunch::Grown grown(const bunch::Request& request) {
+  auto result = bunch::grow(request);
+  REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
+  return std::move(result.value());
 }
 
 // The paper's letter: whole segments, no variation.

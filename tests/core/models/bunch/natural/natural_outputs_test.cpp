@@ -9,12 +9,6 @@ using namespace panicle::tests;
 
 namespace {
 
-Grown grown(const Request& request) {
-  auto result = grow(request);
-  REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
-  return std::move(result.value());
-}
-
 Request with_meshes(Parameter key, float value) {
   Request request = natural_request(table3[0].profile());
   set(request, key, value);

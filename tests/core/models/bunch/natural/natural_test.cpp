@@ -17,12 +17,6 @@ using namespace panicle::tests;
 
 namespace {
 
-Grown grown(const Request& request) {
-  auto result = grow(request);
-  REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
-  return std::move(result.value());
-}
-
 // A profile that a person might draw: wide enough for berries.
 Profile drawn_profile(std::uint64_t seed) {
   const auto pick = [seed](std::uint64_t k, std::int32_t low, std::int32_t high) {

@@ -1,0 +1,114 @@
+#include "models/particles/trail_plant.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle::particles {
+namespace {
+
+// What each place has of its own, not passed on from others.
+std::vector<double> own_energies(const Trails& trails) {
+  std::vector<double> own = trails.energy;
+  for (std::size_t i = 0; i < trails.size(); ++i)
+    if (trails.next[i] >= 0) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
+  return own;
+}
+
+// Of what leads to each place, the greatest energy.
+std::vector<double> heaviest_inflow(const Trails& trails) {
+  std::vector<double> heaviest(trails.size(), 0);
+  for (std::size_t i = 0; i < trails.size(); ++i)
+    if (trails.next[i] >= 0) {
+      double& most = heaviest[static_cast<std::size_t>(trails.next[i])];
+      most = std::max(most, trails.energy[i]);
+    }
+  return heaviest;
+}
+
+}  // namespace
+
+float radius_of(const Girth& girth, double energy, double all) {
+  const float share = all > 0 ? static_cast<float>(energy / all) : 0;
+  const float part = girth.law == WidthLaw::linear        ? share
+                     : girth.law == WidthLaw::square_root ? std::sqrt(share)
+                                                          : power(share, girth.exponent);
+  return std::max(girth.thickest * part, girth.thinnest);
+}
+
+Trails until(const Trails& trails, std::uint32_t step) {
+  const std::size_t count = trails.size();
+  std::vector<std::uint8_t> left(count, 0), kept(count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+    if (trails.next[i] >= 0 && trails.born[i] <= step) {
+      left[i] = kept[i] = 1;
+      kept[static_cast<std::size_t>(trails.next[i])] = 1;
+    }
+  if (count > 0) kept[0] = 1;
+
+  Trails young;
+  std::vector<std::int32_t> number(count, -1);
+  std::vector<double> own = own_energies(trails);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!kept[i]) continue;
+    number[i] = static_cast<std::int32_t>(young.size());
+    young.places.push_back(trails.places[i]);
+    young.next.push_back(left[i] ? number[static_cast<std::size_t>(trails.next[i])] : -1);
+    young.energy.push_back(trails.particle[i] >= 0 || left[i] ? own[i] : 0);
+    young.born.push_back(trails.born[i]);
+    young.particle.push_back(trails.particle[i]);
+  }
+  for (std::size_t i = young.size(); i-- > 0;)
+    if (young.next[i] >= 0) young.energy[static_cast<std::size_t>(young.next[i])] += young.energy[i];
+  return young;
+}
+
+std::uint32_t last_step(std::span<const Trails> crowds) {
+  std::uint32_t last = 0;
+  for (const Trails& trails : crowds)
+    for (std::size_t i = 0; i < trails.size(); ++i)
+      if (trails.next[i] >= 0) last = std::max(last, trails.born[i]);
+  return last;
+}
+
+std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,
+                                                  std::span<const double> all, const Girth& girth, const Frame& frame,
+                                                  const Tally& tally, std::uint32_t tag) {
+  std::vector<std::vector<std::int32_t>> numbers;
+  std::vector<float> energy, target_places, target_energy;
+  std::vector<std::uint32_t> born;
+  for (std::size_t c = 0; c < crowds.size(); ++c) {
+    const Trails& trails = crowds[c];
+    const std::vector<double> inflow = heaviest_inflow(trails);
+    std::vector<std::int32_t>& number = numbers.emplace_back(trails.size(), -1);
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      if (trails.next[i] < 0) continue;
+      const auto next = static_cast<std::size_t>(trails.next[i]);
+      number[i] = static_cast<std::int32_t>(plant.segments.size());
+      // Its own thickness where it begins; where it ends, that of the heaviest which goes on from there.
+      plant.segments.push_back({number[next], tag, frame(trails.places[next]), frame(trails.places[i]),
+                                radius_of(girth, trails.energy[i], all[c]), radius_of(girth, inflow[i], all[c])});
+      energy.push_back(static_cast<float>(trails.energy[i]));
+      born.push_back(trails.born[i]);
+    }
+    if (trails.size() == 0) continue;
+    const glm::vec3 target = frame(trails.places[0]);
+    target_places.insert(target_places.end(), {target.x, target.y, target.z});
+    target_energy.push_back(static_cast<float>(trails.energy[0]));
+  }
+  plant.counts.push_back({"particles", tally.particles});
+  plant.counts.push_back({"energy", static_cast<std::uint32_t>(tally.energy + 0.5)});
+  plant.counts.push_back({"merges", tally.merges});
+  plant.counts.push_back({"steps", tally.steps});
+  plant.counts.push_back({"segments", static_cast<std::uint32_t>(plant.segments.size())});
+  plant.counts.push_back({"targets", static_cast<std::uint32_t>(target_energy.size())});
+  plant.columns.add("segments.energy", std::move(energy));
+  plant.columns.add("segments.born", std::move(born));
+  plant.columns.add("targets.places", std::move(target_places), 3);
+  plant.columns.add("targets.energy", std::move(target_energy));
+  return numbers;
+}
+
+}  // namespace panicle::particles
