@@ -39,6 +39,9 @@ class Soil final : public Region {
   glm::vec3 low() const override { return outer_->low(); }
   glm::vec3 high() const override { return outer_->high(); }
   bool contains(const glm::vec3& p) const override { return outer_->contains(p) && !inner_->contains(p); }
+  Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
+    return share_between(outer_->share_of(from, to), inner_->share_of(from, to));
+  }
   float density(const glm::vec3& p) const override {
     return (topsoil_ > 0 ? exponential((p.y - high().y) / topsoil_) : 1) * hormone_->left(p);
   }

@@ -45,7 +45,8 @@ Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float heed, cons
 }
 
 float Foliage::density(const glm::vec3& p) const {
-  const float lit = light_ ? power(std::min(light_->at(p) / brightest_, 1.0f), heed_) : 1;
+  const float share = light_ ? std::min(light_->at(p) / brightest_, 1.0f) : 1;
+  const float lit = heed_ == 1 ? share : power(share, heed_);
   return lit * hormone_->left(p);
 }
 

@@ -44,6 +44,9 @@ class Foliage final : public Region {
   glm::vec3 low() const override { return crowns_->outer.low(); }
   glm::vec3 high() const override { return crowns_->outer.high(); }
   bool contains(const glm::vec3& p) const override { return crowns_->outer.contains(p) && !crowns_->inner.contains(p); }
+  Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
+    return share_between(crowns_->outer.share_of(from, to), crowns_->inner.share_of(from, to));
+  }
   float density(const glm::vec3& p) const override;
 
  private:
