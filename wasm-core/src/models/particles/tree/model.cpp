@@ -27,7 +27,7 @@ using TreeValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
 constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
-constexpr std::uint32_t light_cells = 36;
+constexpr std::uint32_t light_cells = 28;
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;      // that a way past an obstacle may lead
 // Of the hormone, in heights of the crown; of the leader, in widths.
