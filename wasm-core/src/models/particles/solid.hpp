@@ -19,8 +19,8 @@ struct Surface {
 
 // Whether a point is inside is asked of the slice at its height, as in the paper (section 4.1): the surface's
 // cross-section with the horizontal plane, a polygon that winds about what is inside. Half-open rules make the slice of
-// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned
-// ones as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
+// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned ones
+// as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
 class Solid final : public Region {
  public:
   explicit Solid(Surface surface);
@@ -49,34 +49,14 @@ class Solid final : public Region {
 
   Surface surface_;
   glm::vec3 low_{0}, high_{0};
-<<<<<<< HEAD
-  float row_height_ = 1;
-  std::vector<std::uint32_t> first_, members_;  // of each layer of the box: the triangles that meet it
-};
-
-// What is in one and not in the other: a crown whose inside is bare.
-class Shell final : public Region {
- public:
-  // Both must outlive it; `inner` may be null.
-  Shell(const Region& outer, const Region* inner) : outer_(&outer), inner_(inner) {}
-  glm::vec3 low() const override { return outer_->low(); }
-  glm::vec3 high() const override { return outer_->high(); }
-  bool contains(const glm::vec3& p) const override { return outer_->contains(p) && !(inner_ && inner_->contains(p)); }
-
- private:
-  const Region* outer_;
-  const Region* inner_;
-=======
   float edge_ = 1, per_edge_ = 1;
   glm::ivec3 count_{0};
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_, members_;  // of each row of cells along x: the triangles that meet it
->>>>>>> tree-core
 };
 
 Surface box(const glm::vec3& low, const glm::vec3& high);
-// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are
-// closed.
+// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are closed.
 Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides);
 Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides);
 // The surface about a point, smaller or larger.

@@ -1,0 +1,269 @@
+#include "models/particles/leaf/rib_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+#include "models/particles/waypoints.hpp"
+
+namespace panicle::particles::leaf {
+namespace {
+
+constexpr float before_tip = 0.985f;   // where a main vein ends, of its length
+constexpr float stride = 0.02f;        // of a rib's pieces, leaf lengths
+constexpr float before_margin = 0.012f;
+constexpr float first_secondary = 0.04f, last_secondary = 0.94f;  // along the midrib
+constexpr float lobe_reach = 0.94f;    // of the way into a lobe
+constexpr float least_secondary = 0.03f;
+constexpr float detour_cell = 0.012f;  // of the waypoints that a bent main vein follows
+
+glm::vec2 flat(const glm::vec3& p) { return {p.x, p.y}; }
+glm::vec3 deep(const glm::vec2& p) { return {p.x, p.y, 0}; }
+
+glm::vec2 turned(const glm::vec2& v, float degrees) {
+  const auto [sine, cosine] = sincos_degrees(degrees);
+  return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
+}
+
+std::int32_t add(Ribs& ribs, std::int32_t at, const glm::vec3& place) {
+  ribs.places.push_back(place);
+  ribs.next.push_back(at);
+  return static_cast<std::int32_t>(ribs.places.size()) - 1;
+}
+
+// From the base to a tip, in pieces: straight where that is open, else round the corners.
+std::vector<glm::vec3> main_vein(const glm::vec3& base, const glm::vec3& tip, const Outline& outline) {
+  std::vector<glm::vec3> corners{base};
+  const glm::vec3 end = base + before_tip * (tip - base);
+  if (!outline.holds(base + 1e-3f * (end - base), end)) {
+    const Waypoints ways(outline, {tip}, detour_cell);
+    glm::vec3 at = base;
+    for (int k = 0; k < 64 && glm::distance(at, tip) > stride; ++k) {
+      const glm::vec3 next = ways.next(at);
+      if (next == tip || next == at) break;
+      corners.push_back(at = next);
+    }
+    corners.push_back(at + before_tip * (tip - at));
+  } else {
+    corners.push_back(end);
+  }
+  std::vector<glm::vec3> places{base};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const float count = std::max(1.0f, std::ceil(glm::distance(corners[i - 1], corners[i]) / stride));
+    for (float k = 1; k <= count; ++k) places.push_back(corners[i - 1] + (k / count) * (corners[i] - corners[i - 1]));
+  }
+  // Round corners gently, where there is room.
+  for (int pass = 0; corners.size() > 2 && pass < 40; ++pass)
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+      const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (places[i - 1] + places[i + 1]);
+      if (outline.distance(drawn) >= before_margin && outline.contains(drawn)) places[i] = drawn;
+    }
+  return places;
+}
+
+// A main vein among the places of its ribs.
+struct Midrib {
+  std::vector<glm::vec3> places;
+  std::vector<std::int32_t> numbers;  // in the ribs
+  std::vector<float> lengths;         // from the base
+
+  float length() const { return lengths.back(); }
+  std::size_t at(float length) const {
+    const auto after = std::lower_bound(lengths.begin(), lengths.end(), length);
+    return std::min<std::size_t>(static_cast<std::size_t>(after - lengths.begin()), places.size() - 1);
+  }
+  glm::vec2 heading(std::size_t i) const {
+    const glm::vec3 way = places[std::min(i + 1, places.size() - 1)] - places[i > 0 ? i - 1 : 0];
+    const float size = glm::length(way);
+    return size > 0 ? flat(way) / size : glm::vec2(0, 1);
+  }
+};
+
+Midrib lay_midrib(Ribs& ribs, std::vector<glm::vec3> places) {
+  Midrib midrib{std::move(places), {0}, {0}};
+  for (std::size_t i = 1; i < midrib.places.size(); ++i) {
+    midrib.numbers.push_back(add(ribs, midrib.numbers.back(), midrib.places[i]));
+    midrib.lengths.push_back(midrib.lengths.back() + glm::distance(midrib.places[i - 1], midrib.places[i]));
+  }
+  return midrib;
+}
+
+// Where secondaries leave, from 0 at the base to 1 at the tip: their distances change evenly from 1 to `ratio`.
+std::vector<float> shares(std::uint32_t count, float ratio, float shift) {
+  std::vector<float> all;
+  float sum = 0;
+  const auto n = static_cast<float>(count);
+  const auto gap = [&](float k) { return 1 + (ratio - 1) * k / n; };
+  for (float k = 0; k < n; ++k) {
+    all.push_back(sum + shift * gap(k));
+    sum += gap(k);
+  }
+  for (float& share : all) share /= sum;
+  return all;
+}
+
+class Planner {
+ public:
+  Planner(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base)
+      : plan_(plan), margin_(margin), outline_(outline), base_(base) {}
+
+  // Walks from a midrib into the blade until the margin, or a place that `own` refuses, is near.
+  template <class Own>
+  void secondary(Ribs& ribs, const Midrib& midrib, float along, float side, const Own& own) const {
+    const std::size_t root = midrib.at(along);
+    const glm::vec2 heading = midrib.heading(root);
+    std::vector<glm::vec3> places;
+    glm::vec3 at = midrib.places[root];
+    float gone = 0;
+    // Half of the arch is behind when the secondary is as long as the midrib's way to the tip.
+    const float scale = std::max(midrib.length() - along, 0.15f);
+    for (int k = 0; k < 100; ++k) {
+      const float bend = plan_.arch * gone / (gone + scale);
+      const glm::vec3 next = at + stride * deep(turned(heading, side * plan_.angle * (1 - 1.4f * bend)));
+      if (!outline_.contains(next) || outline_.distance(next) < before_margin || !own(next)) break;
+      places.push_back(at = next);
+      gone += stride;
+    }
+    if (gone < least_secondary) return;
+    std::int32_t last = midrib.numbers[root];
+    for (const glm::vec3& place : places) last = add(ribs, last, place);
+  }
+
+  template <class Own>
+  void secondaries(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const Own& own) const {
+    for (const float side : {-1.0f, 1.0f})
+      for (const float share : shares(count, plan_.spacing, side > 0 ? plan_.offset : 0.0f)) {
+        const float along = first_secondary + share * (last_secondary - first_secondary);
+        if (along < last_secondary) secondary(ribs, midrib, along * midrib.length(), side, own);
+      }
+  }
+
+  // From where the midrib is seen at about the angle asked for, to a lobe's tip. False where no place sees it.
+  bool to_lobe(Ribs& ribs, const Midrib& midrib, const glm::vec3& tip) const {
+    std::size_t best = 0;
+    float least = 1e9f;
+    for (std::size_t i = 1; i + 2 < midrib.places.size(); ++i) {
+      const glm::vec3 from = midrib.places[i];
+      const glm::vec2 way = flat(tip - from), heading = midrib.heading(i);
+      const float angle = arc_cosine(glm::dot(way, heading) / std::max(glm::length(way), 1e-6f)) * 180 / pi;
+      const float off = std::fabs(angle - plan_.angle);
+      if (!(off < least) || !outline_.holds(from, from + lobe_reach * (tip - from))) continue;
+      best = i;
+      least = off;
+    }
+    if (best == 0) return false;
+    const glm::vec3 from = midrib.places[best], end = from + lobe_reach * (tip - from);
+    // Steeper first, then along the lobe.
+    const glm::vec2 heading = midrib.heading(best);
+    const float ahead = glm::dot(flat(end - from), heading);
+    const glm::vec3 corner = 0.5f * (from + end) - (0.35f * plan_.arch * ahead) * deep(heading);
+    const bool bent = outline_.holds(from, corner) && outline_.holds(corner, end);
+    const float count = std::max(2.0f, std::ceil(glm::distance(from, end) / stride));
+    std::int32_t last = midrib.numbers[best];
+    for (float k = 1; k <= count; ++k) {
+      const float t = k / count;
+      const glm::vec3 straight = from + t * (end - from);
+      const glm::vec3 arc = (1 - t) * (1 - t) * from + 2 * t * (1 - t) * corner + t * t * end;
+      last = add(ribs, last, bent ? arc : straight);
+    }
+    return true;
+  }
+
+  Ribs empty() const { return {{base_}, {-1}}; }
+  glm::vec3 tip_at(std::size_t point) const { return deep(margin_.points[point]); }
+
+  std::vector<Ribs> pinnate(std::vector<std::string>& notes) const {
+    std::vector<Ribs> all{empty()};
+    const Midrib midrib = lay_midrib(all[0], main_vein(base_, tip_at(margin_.tip), outline_));
+    std::uint32_t lobes = 0, hidden = 0;
+    for (const std::size_t tip : margin_.tips) {
+      if (tip == margin_.tip) continue;
+      ++lobes;
+      if (!to_lobe(all[0], midrib, tip_at(tip))) ++hidden;
+    }
+    if (hidden > 0) notes.push_back("The midrib sees " + std::to_string(hidden) + " lobe tips from nowhere: they have no rib.");
+    if (lobes == 0) secondaries(all[0], midrib, plan_.secondaries, [](const glm::vec3&) { return true; });
+    return all;
+  }
+
+  std::vector<Ribs> palmate(std::vector<std::string>& notes) const {
+    std::vector<std::size_t> tips = margin_.tips;
+    if (std::find(tips.begin(), tips.end(), margin_.tip) == tips.end()) tips.push_back(margin_.tip);
+    if (tips.size() == 1)
+      notes.push_back("A palmate leaf has a main vein to each lobe tip, and this outline marks none but the leaf's own.");
+    std::vector<Ribs> all;
+    std::vector<Midrib> rays;
+    float longest = 0;
+    for (const std::size_t tip : tips) {
+      all.push_back(empty());
+      rays.push_back(lay_midrib(all.back(), main_vein(base_, tip_at(tip), outline_)));
+      longest = std::max(longest, rays.back().length());
+    }
+    const std::vector<Ribs> bare = all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto own = [&](const glm::vec3& p) {
+        const float from_own = bare[i].nearest(p).distance;
+        for (std::size_t k = 0; k < bare.size(); ++k)
+          if (k != i && bare[k].nearest(p).distance < from_own + before_margin) return false;
+        return true;
+      };
+      const float count = std::floor(static_cast<float>(plan_.secondaries) * rays[i].length() / longest + 0.5f);
+      secondaries(all[i], rays[i], static_cast<std::uint32_t>(count), own);
+    }
+    return all;
+  }
+
+  // Arcs that share the blade between the midline and its sides evenly.
+  std::vector<Ribs> parallel() const {
+    constexpr float rows = 48;
+    const std::size_t count = margin_.points.size();
+    std::vector<float> lengths{0};
+    for (std::size_t i = 0; i < count; ++i)
+      lengths.push_back(lengths[i] + glm::distance(margin_.points[i], margin_.points[(i + 1) % count]));
+    const auto place = [&](float length) {
+      const auto after = std::upper_bound(lengths.begin(), lengths.end(), length);
+      const std::size_t i = std::min(static_cast<std::size_t>(after - lengths.begin()) - 1, count - 1);
+      const float whole = lengths[i + 1] - lengths[i];
+      const glm::vec2 to = margin_.points[(i + 1) % count];
+      return margin_.points[i] + (whole > 0 ? (length - lengths[i]) / whole : 0) * (to - margin_.points[i]);
+    };
+    const float right = lengths[margin_.tip], whole = lengths.back();
+    const auto arcs = static_cast<std::int32_t>(plan_.secondaries);
+    std::vector<Ribs> all;
+    for (std::int32_t k = -arcs; k <= arcs; ++k) {
+      const float aside = static_cast<float>(k) / (static_cast<float>(arcs) + 0.7f);
+      Ribs ribs = empty();
+      std::int32_t last = 0;
+      for (float row = 1; row < rows; ++row) {
+        const float share = before_tip * row / rows;
+        const glm::vec2 one = place(share * right), other = place(whole - share * (whole - right));
+        const glm::vec3 next = deep(0.5f * ((1 + aside) * one + (1 - aside) * other)), from = ribs.places.back();
+        const glm::vec3 open = last == 0 ? from + 1e-3f * (next - from) : from;
+        if (!outline_.holds(open, next)) break;
+        last = add(ribs, last, next);
+      }
+      all.push_back(std::move(ribs));
+    }
+    return all;
+  }
+
+ private:
+  const RibPlan& plan_;
+  const Margin& margin_;
+  const Outline& outline_;
+  glm::vec3 base_;
+};
+
+}  // namespace
+
+std::vector<Ribs> lay_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
+                           std::vector<std::string>& notes) {
+  const Planner planner(plan, margin, outline, base);
+  if (plan.kind == RibKind::pinnate) return planner.pinnate(notes);
+  if (plan.kind == RibKind::palmate) return planner.palmate(notes);
+  if (plan.kind == RibKind::parallel) return planner.parallel();
+  return {planner.empty()};
+}
+
+}  // namespace panicle::particles::leaf
