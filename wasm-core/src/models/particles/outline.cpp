@@ -84,11 +84,14 @@ bool Outline::holds(const glm::vec3& a, const glm::vec3& b) const {
   const float length = glm::distance(a, b);
   glm::vec3 at = a;
   for (float gone = 0;;) {
-    const float free = clearance(at);
-    if (gone + free >= length) return true;
-    if (free < cell_) return !crosses(at, b);
-    gone += free;
-    at = a + (gone / length) * (b - a);
+    // As far as the edge cannot be; near it a cell at a time, against the edges there.
+    const float free = clearance(at), hop = std::max(free, cell_);
+    const bool ends = gone + hop >= length;
+    const glm::vec3 next = ends ? b : a + ((gone + hop) / length) * (b - a);
+    if (free < cell_ && crosses(at, next)) return false;
+    if (ends) return true;
+    gone += hop;
+    at = next;
   }
 }
 

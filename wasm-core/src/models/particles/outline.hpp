@@ -25,10 +25,10 @@ class Outline final : public Region {
   // How far the edge is from a place, inside or outside.
   float distance(const glm::vec3& p) const;
   float area() const;  // of a polygon that does not cross itself
+  // How far it is at least: what is certain of a cell. 0 outside the outline's box.
+  float clearance(const glm::vec3& p) const;
 
  private:
-  // How far the edge is from a place at least: what is certain of its cell.
-  float clearance(const glm::vec3& p) const;
   bool crosses(const glm::vec3& a, const glm::vec3& b) const;
   float distance_to_edge(const glm::vec3& p, std::uint32_t edge) const;
   void measure();

@@ -64,14 +64,19 @@ void smooth(Trails& trails, const Guide& guide, float share) {
       }
       const glm::vec3& next = places[next_of(trails, i)];
       const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (next + mean / weights);
-      bool free = guide.open(drawn) && guide.passes(places[i], drawn) && guide.sees(drawn, next);
-      for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
+      float longest = std::max(glm::distance(drawn, places[i]), glm::distance(drawn, next));
+      for (std::uint32_t k = first; k < first + count; ++k) longest = std::max(longest, glm::distance(drawn, places[k]));
+      bool free = longest < guide.room(drawn);
+      if (!free) {
+        free = guide.open(drawn) && guide.passes(places[i], drawn) && guide.sees(drawn, next);
+        for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
+      }
       if (free) places[i] = drawn;
     }
   }
 }
 
-void bed(Trails& trails, const Ribs& ribs, float reach) {
+void bed(Trails& trails, const RibGrid& ribs, float reach) {
   const auto runs = leading_to(trails);
   for (std::size_t i = 1; i < trails.size(); ++i) {
     if (runs[i].second == 0) continue;

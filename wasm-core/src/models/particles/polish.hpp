@@ -2,7 +2,7 @@
 #pragma once
 
 #include "models/particles/guide.hpp"
-#include "models/particles/ribs.hpp"
+#include "models/particles/rib_grid.hpp"
 #include "models/particles/trails.hpp"
 
 namespace panicle::particles {
@@ -14,7 +14,7 @@ void smooth(Trails& trails, const Guide& guide, float share = 1);
 
 // Lays what runs along a rib into it: wholly on it, less and less up to `reach` from it, and the more energy passes the
 // more; ends of twigs stay.
-void bed(Trails& trails, const Ribs& ribs, float reach);
+void bed(Trails& trails, const RibGrid& ribs, float reach);
 
 // Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is left.
 // Forks, starts and energies stay.

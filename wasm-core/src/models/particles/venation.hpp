@@ -6,6 +6,7 @@
 
 #include "models/particles/guide.hpp"
 #include "models/particles/outline.hpp"
+#include "models/particles/rib_grid.hpp"
 #include "models/particles/ribs.hpp"
 #include "models/particles/waypoints.hpp"
 
@@ -23,13 +24,20 @@ class Venation final : public Guide {
   glm::vec3 aim(const glm::vec3& p) const override;
   float way(const glm::vec3& p) const override;
   bool open(const glm::vec3& p) const override { return outline_->contains(p); }
+  float room(const glm::vec3& p) const override { return outline_->clearance(p); }
   bool sees(const glm::vec3& a, const glm::vec3& b) const override;
+
+  // The ribs, for whoever would lay trails into them.
+  const RibGrid& ribs() const { return grid_; }
 
  private:
   const Outline* outline_;
   const Ribs* ribs_;
-  float slant_, ahead_;
-  Waypoints waypoints_;
+  RibGrid grid_;
+  const Waypoints& waypoints() const;
+
+  float slant_, ahead_, cell_;
+  mutable std::unique_ptr<const Waypoints> waypoints_;  // made when the first particle is hidden from what it aims at
 };
 
 }  // namespace panicle::particles

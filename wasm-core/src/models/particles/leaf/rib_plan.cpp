@@ -16,7 +16,7 @@ constexpr float before_margin = 0.012f;
 constexpr float first_secondary = 0.04f, last_secondary = 0.94f;  // along the midrib
 constexpr float lobe_reach = 0.94f;    // of the way into a lobe
 constexpr float least_secondary = 0.03f;
-constexpr float detour_cell = 0.012f;  // of the waypoints that a bent main vein follows
+constexpr float detour_cell = 0.03f;  // of the waypoints that a bent main vein follows
 
 glm::vec2 flat(const glm::vec3& p) { return {p.x, p.y}; }
 glm::vec3 deep(const glm::vec2& p) { return {p.x, p.y, 0}; }
@@ -120,7 +120,7 @@ class Planner {
     const float scale = std::max(midrib.length() - along, 0.15f);
     for (int k = 0; k < 100; ++k) {
       const float bend = plan_.arch * gone / (gone + scale);
-      const glm::vec3 next = at + stride * deep(turned(heading, side * plan_.angle * (1 - 1.4f * bend)));
+      const glm::vec3 next = at + stride * deep(turned(heading, side * plan_.angle * std::max(1 - 2.2f * bend, 0.0f)));
       if (!outline_.contains(next) || outline_.distance(next) < before_margin || !own(next)) break;
       places.push_back(at = next);
       gone += stride;

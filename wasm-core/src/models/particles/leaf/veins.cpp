@@ -79,7 +79,7 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
   Veins veins{.margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}};
   std::uint32_t count = values.whole(particles);
   if (asked.draft) count = std::min(count, draft_particles);
-  veins.spacing = spacing_of(veins.outline, count);
+  veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));
   const Rules rules = rules_of(values, veins.spacing);
   veins.stride = rules.step;
   const glm::vec3 base = base_of(veins.outline, notes);
@@ -96,9 +96,9 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
     Trails trails = crowd.trails();
     if (values[smoothing] > 0) {
       const float share = values[smoothing];
-      bed(trails, trees[k], share * bedded * veins.spacing);
+      bed(trails, guide.ribs(), share * bedded * veins.spacing);
       smooth(trails, guide, share);
-      bed(trails, trees[k], share * bedded_again * veins.spacing);
+      bed(trails, guide.ribs(), share * bedded_again * veins.spacing);
       trails = simplified(trails, share * simplified_within * veins.spacing);
     }
     veins.tally.particles += static_cast<std::uint32_t>(shares[k].size());
