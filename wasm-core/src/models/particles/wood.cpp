@@ -11,6 +11,8 @@ namespace {
 
 // How far a trail may be off where places are left out, in spacings.
 constexpr float tolerance = 0.08f;
+// Branches have no neighbours that keep them from being drawn straight.
+constexpr float smoothing = 2;
 // How far particles look along the axis, in spacings.
 constexpr float ahead = 2;
 
@@ -46,7 +48,7 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
     Crowd crowd(bound[i], motion.energy, guide, rules);
     crowd.run();
     Trails trails = crowd.trails();
-    smooth(trails, guide);
+    smooth(trails, guide, smoothing);
     wood.crowds.push_back(simplified(trails, tolerance * spacing));
     wood.all.push_back(trails.energy[0]);
     wood.tally.particles += static_cast<std::uint32_t>(bound[i].size());
