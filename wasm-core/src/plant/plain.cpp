@@ -62,6 +62,8 @@ void add_meshes(Plant& plant, const PlainOptions& options) {
   if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(options.ball_segments), {}, {}});
 }
 
+}  // namespace
+
 std::uint64_t mesh_fingerprint_of(const Plant& plant) {
   Fingerprint print;
   for (const PlantMesh& each : plant.meshes) {
@@ -72,8 +74,6 @@ std::uint64_t mesh_fingerprint_of(const Plant& plant) {
   }
   return print.value();
 }
-
-}  // namespace
 
 std::uint64_t fingerprint_of(const Plant& plant) {
   Fingerprint print;

@@ -36,5 +36,7 @@ Plant plant_of(const Drawing& drawing, const PlainOptions& options);
 
 // Over segments and organs (docs/fingerprint.md): for plants whose model has no order of its own.
 std::uint64_t fingerprint_of(const Plant& plant);
+// Over all meshes.
+std::uint64_t mesh_fingerprint_of(const Plant& plant);
 
 }  // namespace panicle

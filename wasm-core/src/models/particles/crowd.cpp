@@ -94,12 +94,8 @@ void Crowd::look() {
     const glm::vec3 sum = rules_.printed ? towards(glm::vec3(0), aside + ahead)
                                          : (rules_.pull * aside + ahead) / (1 + rules_.pull);
     strides_[slot] = rules_.step * sum;
-    if (!open_between(slot, place + strides_[slot])) strides_[slot] = rules_.step * ahead;
+    if (!guide_->passes(place, place + strides_[slot])) strides_[slot] = rules_.step * ahead;
   }
-}
-
-bool Crowd::open_between(std::uint32_t slot, const glm::vec3& to) const {
-  return guide_->open(to) || !guide_->open(places_[slot]);
 }
 
 void Crowd::move() {
@@ -128,7 +124,7 @@ void Crowd::meet() {
     const std::uint32_t heavy = second ? pair.b : pair.a, light = second ? pair.a : pair.b;
     const auto share = static_cast<float>(energies_[light] / (energies_[light] + energies_[heavy]));
     const glm::vec3 mean = places_[heavy] + share * (places_[light] - places_[heavy]);
-    if (open_between(heavy, mean)) go(heavy, mean);
+    if (guide_->passes(places_[heavy], mean)) go(heavy, mean);
     nodes_[static_cast<std::size_t>(nodes_at_[light])].next = nodes_at_[heavy];
     energies_[heavy] += energies_[light];
     heirs_[particles_[light]] = particles_[heavy];

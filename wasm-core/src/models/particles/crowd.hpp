@@ -66,7 +66,6 @@ class Crowd {
   void go(std::uint32_t slot, const glm::vec3& to);
   void arrive(std::uint32_t slot);
   void lead_home(std::uint32_t slot);
-  bool open_between(std::uint32_t slot, const glm::vec3& to) const;
   std::uint32_t heir(std::uint32_t particle);
 
   const Guide* guide_;

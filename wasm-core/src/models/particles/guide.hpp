@@ -21,6 +21,8 @@ class Guide {
   virtual float way(const glm::vec3& p) const { return glm::distance(p, target_); }
   // Whether a particle may be there.
   virtual bool open(const glm::vec3&) const { return true; }
+  // Whether a step may be taken. What is outside already may stay there.
+  virtual bool passes(const glm::vec3& from, const glm::vec3& to) const { return open(to) || !open(from); }
   // Whether nothing stands between two places.
   virtual bool sees(const glm::vec3&, const glm::vec3&) const { return true; }
 

@@ -63,7 +63,7 @@ void smooth(Trails& trails, const Guide& guide) {
       }
       const glm::vec3& next = places[next_of(trails, i)];
       const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (next + mean / weights);
-      bool free = guide.open(drawn) && guide.sees(drawn, next);
+      bool free = guide.open(drawn) && guide.passes(places[i], drawn) && guide.sees(drawn, next);
       for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
       if (free) places[i] = drawn;
     }

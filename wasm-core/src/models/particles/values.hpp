@@ -1,0 +1,44 @@
+// The numbers of a request in the order of a model's table: in their ranges, with a note on each that was not.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace panicle::particles {
+
+// `Parameter` and `table` as generated from the model's table.
+template <class Parameter, const auto& table>
+class Values {
+ public:
+  // What is not asked, or NaN, has its default.
+  Values(std::span<const float> asked, std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const auto& info = table[i];
+      values_[i] = info.standard;
+      if (i >= asked.size() || asked[i] != asked[i]) continue;
+      float fitting = std::clamp(asked[i], info.min, info.max);
+      if (info.whole) fitting = std::floor(fitting + 0.5f);
+      if (fitting != asked[i]) notes.push_back("Parameter " + std::string(info.key) + " was brought into its range.");
+      values_[i] = fitting;
+    }
+  }
+
+  float operator[](Parameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
+  std::uint32_t whole(Parameter parameter) const { return static_cast<std::uint32_t>((*this)[parameter]); }
+  // What was chosen, where the options stand in the order of an enumeration.
+  template <class Choice>
+  Choice choice(Parameter parameter) const {
+    return static_cast<Choice>(whole(parameter));
+  }
+
+ private:
+  std::array<float, table.size()> values_{};
+};
+
+}  // namespace panicle::particles
