@@ -92,7 +92,7 @@ describe("a closed mesh from a file", () => {
 	});
 
 	it.each([
-		["open", BOX.replace("f 1 2 6 5\n", ""), "The mesh has 4 edges with one side only"],
+		["flat", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", "The mesh is flat: it has no inside."],
 		["without triangles", "v 0 0 0\n", "The file holds no triangles."],
 		["with a corner too many", "v 0 0 0\nf 1 2 3\n", "Line 2 of the OBJ has a corner, “2”"],
 		["with words for numbers", "v 0 a 0\n", "Line 1 of the OBJ has “a”, which is no number."],

@@ -1,10 +1,10 @@
 /** What a specimen of a tree or a root holds beyond its table: what bounds it, where it makes for, what stands in its way. */
 import type { Specimen } from "../../../specimen/specimen";
 
-/** A point of a profile that is turned about the upright axis: shares of half the width, and of the height from the start of the crown or the ground. */
+/** A point of a profile that is turned about the upright axis: shares of half the boundary's width, and of its height from below. */
 export type Knot = readonly [radius: number, height: number];
 
-/** A closed mesh of one's own: its height is 1, it begins at height 0, its box is centred on the axis. */
+/** A closed mesh of one's own; the boundary's width, height and depth stretch it. */
 export interface ClosedMesh {
 	/** 3 × points. */
 	points: number[];

@@ -1,4 +1,4 @@
-/** A file's triangles as a boundary: welded, tested for being closed, simplified, brought to its frame. */
+/** A file's triangles as a boundary: welded, simplified, brought to height 1 over the middle of the ground. */
 import type { ClosedMesh } from "../bounded";
 import { MOST_TRIANGLES } from "../details/volume";
 import { MeshFileError, type Soup } from "./soup";
@@ -10,17 +10,12 @@ const FINEST = 64;
 /** Of its height, to which places are kept. */
 const DECIMALS = 1e4;
 
-/** @throws MeshFileError where it has no inside */
+/** Gaps stay; the core says what they mean. @throws MeshFileError where it has no inside */
 export function closedMesh(soup: Soup): ClosedMesh {
 	if (soup.triangles.length === 0) throw new MeshFileError("The file holds no triangles.");
 	const size = sizeOf(soup);
 	if (!(size > 0)) throw new MeshFileError("The mesh has no size.");
 	const welded = merged(soup, WELD * size);
-	const open = openEdges(welded.triangles);
-	if (open > 0) {
-		const edges = `${open} ${open === 1 ? "edge" : "edges"}`;
-		throw new MeshFileError(`The mesh has ${edges} with one side only: close its holes, so that it has an inside.`);
-	}
 	return framed(outwards(simplified(welded, size)));
 }
 
@@ -73,17 +68,6 @@ function simplified(mesh: Soup, size: number): Soup {
 		simple = merged(mesh, size / cells);
 	}
 	return simple;
-}
-
-/** Edges along which not as many triangles run one way as the other. */
-function openEdges(triangles: readonly number[]): number {
-	const balance = new Map<string, number>();
-	for (let i = 0; i < triangles.length; i++) {
-		const [from, to] = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]];
-		const [key, way] = from < to ? [`${from} ${to}`, 1] : [`${to} ${from}`, -1];
-		balance.set(key, (balance.get(key) ?? 0) + way);
-	}
-	return [...balance.values()].filter((sum) => sum !== 0).length;
 }
 
 /** The same, turned about where its triangles face inwards. */
