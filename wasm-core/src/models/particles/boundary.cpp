@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <glm/common.hpp>
 #include <map>
 #include <utility>
+
+#include "foundation/bits.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -82,8 +83,8 @@ std::vector<std::string> remarks_on(const Surface& mesh) {
   std::map<Place, std::uint32_t> numbers;
   std::vector<std::uint32_t> number;
   for (const glm::vec3& p : mesh.points) {
-    const Place place{std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
-                      std::bit_cast<std::uint32_t>(p.z + 0.0f)};
+    const Place place{bit_cast<std::uint32_t>(p.x + 0.0f), bit_cast<std::uint32_t>(p.y + 0.0f),
+                      bit_cast<std::uint32_t>(p.z + 0.0f)};
     number.push_back(numbers.emplace(place, static_cast<std::uint32_t>(numbers.size())).first->second);
   }
   // How often each edge is run through upwards less downwards, and at all.

@@ -1,10 +1,10 @@
 #include "models/particles/tree/leaves.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/bits.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 
@@ -108,7 +108,7 @@ glm::vec4 turn_to(const glm::vec3& up, const glm::vec3& front) {
 
 // A place keeps its luck wherever it stands among the others.
 std::uint64_t luck_of(const glm::vec3& p) {
-  const auto word = [](float value) { return std::uint64_t{std::bit_cast<std::uint32_t>(value)}; };
+  const auto word = [](float value) { return std::uint64_t{bit_cast<std::uint32_t>(value)}; };
   return hash_combine(word(p.x) << 32 | word(p.y), word(p.z));
 }
 
