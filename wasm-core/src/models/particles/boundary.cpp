@@ -77,7 +77,16 @@ std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points) {
   return line;
 }
 
-std::vector<std::string> remarks_on(const Surface& mesh) {
+std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise) {
+  return spline_through(points.size() > 1 ? points : otherwise);
+}
+
+void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes) {
+  if (mesh.triangles.empty()) {
+    form = Form::ellipsoid;
+    notes.push_back("There is no mesh, so the boundary is an ellipsoid; drop a closed mesh.");
+    return;
+  }
   // Points at the same place are one.
   using Place = std::array<std::uint32_t, 3>;
   std::map<Place, std::uint32_t> numbers;
@@ -104,14 +113,12 @@ std::vector<std::string> remarks_on(const Surface& mesh) {
     else if (runs.first != 0)
       ++turned_over;
   }
-  std::vector<std::string> remarks;
   if (open > 0)
-    remarks.push_back("The mesh is open at " + std::to_string(open) +
+    notes.push_back("The mesh is open at " + std::to_string(open) +
                       " edges; what lies behind a gap may be taken for inside or outside.");
   if (turned_over > 0)
-    remarks.push_back("Triangles of the mesh are turned against each other at " + std::to_string(turned_over) +
+    notes.push_back("Triangles of the mesh are turned against each other at " + std::to_string(turned_over) +
                       " edges; parts of it may count as holes.");
-  return remarks;
 }
 
 void append(Surface& surface, const Surface& other) {

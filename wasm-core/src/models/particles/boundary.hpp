@@ -22,8 +22,12 @@ Surface form_between(Form form, std::span<const glm::vec2> profile, const Surfac
 // A smooth line through points (radius, height), for a profile: Catmull–Rom, radii never below 0.
 std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points);
 
-// What is to be said of a dropped mesh, one sentence each: where it has gaps, sides turned against each other.
-std::vector<std::string> remarks_on(const Surface& mesh);
+// That of the points given, or of `otherwise` where there are fewer than two.
+std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise);
+
+// Notes what there is to say of a dropped mesh, one sentence each: gaps, sides turned against each other. Where there is none,
+// the form becomes an ellipsoid.
+void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes);
 
 // Adds another's triangles.
 void append(Surface& surface, const Surface& other);

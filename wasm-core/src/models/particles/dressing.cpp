@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "environment/voxel_light.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/tubes.hpp"
 
@@ -22,14 +23,13 @@ constexpr std::uint32_t sky_cells = 32, sky_directions = 32;
 
 std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); }
 
-}  // namespace
-
-std::vector<std::int32_t> axes_of(std::span<const Trails> crowds, std::span<const std::vector<std::int32_t>> numbers,
-                                  std::size_t segments) {
+// Of each segment the axis that it belongs to: at a fork the heaviest goes on.
+std::vector<std::int32_t> axes_of(const Grown& grown, std::size_t segments) {
   std::vector<std::int32_t> axes(segments, 0);
   std::int32_t count = 0;
-  for (std::size_t c = 0; c < crowds.size(); ++c) {
-    const Trails& trails = crowds[c];
+  for (std::size_t c = 0; c < grown.trails.size(); ++c) {
+    const Trails& trails = grown.trails[c];
+    const std::vector<std::int32_t>& numbers = grown.numbers[c];
     std::vector<std::int32_t> heaviest(trails.size(), -1);
     for (std::size_t i = 0; i < trails.size(); ++i) {
       if (trails.next[i] < 0) continue;
@@ -37,53 +37,17 @@ std::vector<std::int32_t> axes_of(std::span<const Trails> crowds, std::span<cons
       if (best < 0 || trails.energy[i] > trails.energy[static_cast<std::size_t>(best)]) best = static_cast<std::int32_t>(i);
     }
     for (std::size_t i = 0; i < trails.size(); ++i) {
-      const std::int32_t segment = numbers[c][i];
+      const std::int32_t segment = numbers[i];
       if (segment < 0) continue;
       const auto next = static_cast<std::size_t>(trails.next[i]);
-      const bool goes_on = numbers[c][next] >= 0 && heaviest[next] == static_cast<std::int32_t>(i);
-      axes[static_cast<std::size_t>(segment)] = goes_on ? axes[static_cast<std::size_t>(numbers[c][next])] : count++;
+      const bool goes_on = numbers[next] >= 0 && heaviest[next] == static_cast<std::int32_t>(i);
+      axes[static_cast<std::size_t>(segment)] = goes_on ? axes[static_cast<std::size_t>(numbers[next])] : count++;
     }
   }
   return axes;
 }
 
-void add_travellers(Plant& plant, const Trails& trails, std::uint32_t step, double all, const Girth& girth,
-                    float least_radius, std::uint32_t tag) {
-  // What has come to each place by then.
-  std::vector<double> here(trails.size(), 0);
-  std::vector<double> own = trails.energy;
-  for (std::size_t i = 1; i < trails.size(); ++i) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
-  for (std::size_t i = trails.size(); i-- > 1;) {
-    if (trails.particle[i] >= 0) here[i] += own[i];
-    if (trails.born[i] <= step) here[static_cast<std::size_t>(trails.next[i])] += here[i];
-  }
-  for (std::size_t i = 1; i < trails.size(); ++i) {
-    if (trails.born[i] <= step || !(here[i] > 0)) continue;
-    Organ ball;
-    ball.tag = tag;
-    ball.position = trails.places[i];
-    ball.scale = std::max(traveller * radius_of(girth, here[i], all), least_radius);
-    plant.organs.push_back(ball);
-  }
-}
-
-void add_stems(Plant& plant, std::span<const std::int32_t> axes, std::string_view material, const VoxelLight* sky) {
-  float thickest = 0;
-  for (const Segment& segment : plant.segments) thickest = std::max(thickest, segment.radius);
-  const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides};
-  StemMesh stems = sweep_stems({plant.segments, axes}, options, 1.0f);
-  Columns columns;
-  if (sky) {
-    std::vector<std::uint8_t> bytes;
-    const std::vector<float>& at = stems.mesh.positions;
-    bytes.reserve(at.size() / 3);
-    for (std::size_t v = 0; v + 2 < at.size(); v += 3) bytes.push_back(byte_of(sky->at({at[v], at[v + 1], at[v + 2]})));
-    columns.add("sky", std::move(bytes));
-  }
-  columns.add("segment", std::move(stems.segment));
-  plant.meshes.push_back({"stems", std::string(material), std::move(stems.mesh), {}, std::move(columns)});
-}
-
+// What is open around each cell.
 VoxelLight openness(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   const auto hold = [&](const glm::vec3& p) {
@@ -113,11 +77,47 @@ VoxelLight openness(const Plant& plant, std::uint32_t leaf_tag, float leaf_area)
   return {low, edge, words(count.x), words(count.y), words(count.z), matter, all_round(sky_directions)};
 }
 
-std::vector<std::uint8_t> sky_of_organs(const Plant& plant, const VoxelLight& sky) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(plant.organs.size());
-  for (const Organ& organ : plant.organs) bytes.push_back(byte_of(sky.at(organ.position)));
-  return bytes;
+}  // namespace
+
+void add_travellers(Plant& plant, const Trails& trails, std::uint32_t step, double all, const Girth& girth,
+                    float least_radius, std::uint32_t tag) {
+  // What has come to each place by then.
+  std::vector<double> here(trails.size(), 0);
+  std::vector<double> own = trails.energy;
+  for (std::size_t i = 1; i < trails.size(); ++i) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
+  for (std::size_t i = trails.size(); i-- > 1;) {
+    if (trails.particle[i] >= 0) here[i] += own[i];
+    if (trails.born[i] <= step) here[static_cast<std::size_t>(trails.next[i])] += here[i];
+  }
+  for (std::size_t i = 1; i < trails.size(); ++i) {
+    if (trails.born[i] <= step || !(here[i] > 0)) continue;
+    Organ ball;
+    ball.tag = tag;
+    ball.position = trails.places[i];
+    ball.scale = std::max(traveller * radius_of(girth, here[i], all), least_radius);
+    plant.organs.push_back(ball);
+  }
+}
+
+void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky) {
+  float thickest = 0;
+  for (const Segment& segment : plant.segments) thickest = std::max(thickest, segment.radius);
+  const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides};
+  StemMesh stems = sweep_stems({plant.segments, axes_of(grown, plant.segments.size())}, options, 1.0f);
+  Columns columns;
+  if (sky) {
+    const VoxelLight open = openness(plant, leaf, leaf_area);
+    std::vector<std::uint8_t> of_stems, of_organs;
+    const std::vector<float>& at = stems.mesh.positions;
+    of_stems.reserve(at.size() / 3);
+    for (std::size_t v = 0; v + 2 < at.size(); v += 3)
+      of_stems.push_back(byte_of(open.at({at[v], at[v + 1], at[v + 2]})));
+    for (const Organ& organ : plant.organs) of_organs.push_back(byte_of(open.at(organ.position)));
+    columns.add("sky", std::move(of_stems));
+    plant.columns.add("organs.sky", std::move(of_organs));
+  }
+  columns.add("segment", std::move(stems.segment));
+  plant.meshes.push_back({"stems", std::string(material), std::move(stems.mesh), {}, std::move(columns)});
 }
 
 }  // namespace panicle::particles

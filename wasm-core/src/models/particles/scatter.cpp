@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t stream_x = 0x70617274, stream_y = stream_x + 1, stream_z = stream_x + 2, stream_keep = stream_x + 3,
                         stream_place = stream_x + 4;
-// Probes of a region's size, along the longest edge of its box.
+// Probes of a region's size: along the longest edge of a flat one's box, along the edge of a cube as large as a deep one's.
 constexpr std::int32_t probes_flat = 256, probes_deep = 48;
 constexpr float jitter = 0.8f;
 // Least distance of blue noise in spacings, so that about as many points fit as were asked for (measured).
@@ -71,6 +71,11 @@ class Lattice {
       return (static_cast<float>(cell[k]) + 0.5f + share * (unit - 0.5f)) * edge_;
     };
     return {along(0), along(1), flat_ ? 0 : along(2)};
+  }
+  // What is certain of a cell; points of it may be off by rounding.
+  Share share_of(const glm::ivec3& cell, const Region& region) const {
+    const glm::vec3 low = (glm::vec3(cell) - 1e-3f) * edge_;
+    return flat_ ? Share::some : region.share_of(low, low + 1.002f * edge_);
   }
   // Whether all of a cell is within `reach` of a point.
   bool covered(const glm::ivec3& cell, const glm::vec3& p, float reach) const {
@@ -142,14 +147,20 @@ std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t see
     return nullptr;
   };
   std::vector<std::uint64_t> open, still_open;
-  for (std::uint64_t i = 0; i < lattice.cells(); ++i)
-    if (lattice.inner(i)) open.push_back(i);
+  std::vector<std::uint8_t> whole(lattice.cells(), 0);  // inside, all of it
+  for (std::uint64_t i = 0; i < lattice.cells(); ++i) {
+    if (!lattice.inner(i)) continue;
+    const Share share = lattice.share_of(lattice.cell(i), region);
+    if (share == Share::none) continue;
+    whole[i] = share == Share::all;
+    open.push_back(i);
+  }
   for (std::uint64_t round = 1; round <= blue_rounds && !open.empty(); ++round) {
     still_open.clear();
     for (const std::uint64_t i : open) {
       const glm::ivec3 cell = lattice.cell(i);
       const glm::vec3 p = lattice.point(cell, 1, seed, round);
-      if (!region.contains(p)) {
+      if (!whole[i] && !region.contains(p)) {
         if (round <= edge_rounds) still_open.push_back(i);  // its cell may lie across the edge
       } else if (const glm::vec3* other = in_the_way(i, p)) {
         if (!lattice.covered(cell, *other, apart)) still_open.push_back(i);
@@ -172,7 +183,8 @@ std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t see
 float spacing_of(const Region& region, std::uint32_t count) {
   const bool flat = region.flat();
   const glm::vec3 size = region.high() - region.low();
-  const float edge = std::max({size.x, size.y, size.z}) / static_cast<float>(flat ? probes_flat : probes_deep);
+  const float edge = flat ? std::max(size.x, size.y) / static_cast<float>(probes_flat)
+                          : cube_root(size.x * size.y * size.z) / static_cast<float>(probes_deep);
   if (!(edge > 0) || count == 0) return 0;
   double filled = 0;
   for (float z = flat ? 0 : 0.5f * edge; flat ? z <= 0 : z < size.z; z += edge)

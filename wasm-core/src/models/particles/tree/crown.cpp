@@ -8,9 +8,6 @@
 namespace panicle::particles::tree {
 namespace {
 
-// How far below its top a tree's hormone has fallen to 1/e, in heights of the crown; and how wide the leader is that it does
-// not hold back, in widths.
-constexpr float reach = 0.5f, leader = 0.06f;
 constexpr int probes = 24;
 
 }  // namespace
@@ -36,8 +33,8 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
   return made;
 }
 
-Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float heed, float hormone)
-    : crowns_(&crowns), light_(heed > 0 ? light : nullptr), heed_(heed), hormone_(hormone) {
+Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float heed, const Hormone& hormone)
+    : crowns_(&crowns), light_(light), hormone_(&hormone), heed_(heed) {
   if (light_ == nullptr) return;
   brightest_ = 0;
   const glm::vec3 size = high() - low();
@@ -47,20 +44,10 @@ Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float heed, floa
         brightest_ = std::max(brightest_, light_->at(low() + size * (glm::vec3(x, y, z) / static_cast<float>(probes))));
 }
 
-// What the hormone of the top leaves of side branches: the leader itself goes on.
-float Foliage::held_back(const glm::vec3& p) const {
-  float from_axis = crowns_->across;
-  for (const glm::vec3& foot : crowns_->feet)
-    from_axis = std::min(from_axis, std::sqrt((p.x - foot.x) * (p.x - foot.x) + (p.z - foot.z) * (p.z - foot.z)));
-  const float side = std::min(from_axis / (leader * crowns_->across), 1.0f);
-  const float below = std::max(crowns_->top - p.y, 0.0f) / (reach * crowns_->height);
-  return 1 - hormone_ * side * exponential(-below);
-}
-
 float Foliage::density(const glm::vec3& p) const {
-  float density = 1;
-  if (light_) density = power(std::min(light_->at(p) / brightest_, 1.0f), heed_);
-  return hormone_ > 0 ? density * held_back(p) : density;
+  const float share = light_ ? std::min(light_->at(p) / brightest_, 1.0f) : 1;
+  const float lit = heed_ == 1 ? share : power(share, heed_);
+  return lit * hormone_->left(p);
 }
 
 }  // namespace panicle::particles::tree

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "environment/voxel_light.hpp"
 #include "models/particles/boundary.hpp"
+#include "models/particles/hormone.hpp"
 #include "models/particles/solid.hpp"
 
 namespace panicle::particles::tree {
@@ -38,20 +38,22 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
 // What is between the boundaries, as dense as light and the top's hormone let it be.
 class Foliage final : public Region {
  public:
-  // Both must outlive it; `light` may be null. `heed`: the power of the light that density follows. `hormone`: 0 … 1.
-  Foliage(const Crowns& crowns, const VoxelLight* light, float heed, float hormone);
+  // All must outlive it; `light` may be null. `heed`: the power of the light that density follows.
+  Foliage(const Crowns& crowns, const VoxelLight* light, float heed, const Hormone& hormone);
 
   glm::vec3 low() const override { return crowns_->outer.low(); }
   glm::vec3 high() const override { return crowns_->outer.high(); }
   bool contains(const glm::vec3& p) const override { return crowns_->outer.contains(p) && !crowns_->inner.contains(p); }
+  Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
+    return share_between(crowns_->outer.share_of(from, to), crowns_->inner.share_of(from, to));
+  }
   float density(const glm::vec3& p) const override;
 
  private:
-  float held_back(const glm::vec3& p) const;
-
   const Crowns* crowns_;
   const VoxelLight* light_;
-  float heed_, hormone_;
+  const Hormone* hormone_;
+  float heed_;
   float brightest_ = 1;
 };
 
