@@ -14,7 +14,7 @@ import type { RootSpecimen } from "./specimen";
 class CutFigure implements Figure<RootSpecimen, TrailPlant> {
 	readonly modes = ["whole"];
 	readonly #stage: FigureStage;
-	readonly #roots: PartFigure<TrailPlant, RootSpecimen>;
+	readonly #roots: PartFigure<RootSpecimen, TrailPlant>;
 	#soil: PartMeshes | undefined;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 

@@ -26,7 +26,11 @@ export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colou
 		// Young leaves are lighter and yellower.
 		const { lightness, chroma, hue } = toLch(summer);
 		const youth = clamp((SUMMER - season) / SUMMER);
-		return fromLch({ lightness: lightness + 0.13 * youth, chroma: chroma * (1 + 0.25 * youth), hue: hue - 0.16 * youth });
+		return fromLch({
+			lightness: lightness + 0.13 * youth,
+			chroma: chroma * (1 + 0.25 * youth),
+			hue: hue - 0.16 * youth,
+		});
 	}
 	const turned = clamp((season + ahead - SUMMER) / (1 - SUMMER));
 	return mixed(summer, linear(autumn), turned * turned * (3 - 2 * turned));
@@ -40,7 +44,11 @@ export function leafTints(look: LeafLook): Material[] {
 		const { lightness, chroma, hue } = toLch(leafColour(look, SPREAD * share * turning));
 		return {
 			name: `Leaf ${tint + 1}`,
-			colour: fromLch({ lightness: lightness * (1 + UNEVEN * ORDER[tint]), chroma, hue: hue + 0.05 * ORDER[TINTS - 1 - tint] }),
+			colour: fromLch({
+				lightness: lightness * (1 + UNEVEN * ORDER[tint]),
+				chroma,
+				hue: hue + 0.05 * ORDER[TINTS - 1 - tint],
+			}),
 			roughness: 0.55,
 			doubleSided: true,
 			sheet: { through: [0.8, 0.9, 0.45], reverse: [1.25, 1.2, 1.35] },

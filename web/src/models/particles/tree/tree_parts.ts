@@ -1,9 +1,9 @@
 /** A tree in parts: bark, leaves in their tints, particles on their way. */
 import { linear } from "../../../plant/colour";
 import type { Part } from "../../../plant/part";
-import type { TrailPlant } from "../trails";
 import { particleMaterial } from "../boundary/particle_material";
 import { woodenParts } from "../boundary/wooden_parts";
+import type { TrailPlant } from "../trails";
 import { leafTints } from "./leaf_colours";
 import type { TreeSpecimen } from "./specimen";
 

@@ -8,9 +8,6 @@ import { MeshFileError } from "./soup";
 /** Bytes that are read at most. */
 const LARGEST = 64 * 1024 * 1024;
 
-/** The files that the picker offers. */
-export const ACCEPT = ".obj,.glb,model/obj,model/gltf-binary";
-
 /** @throws MeshFileError with the reason in plain words */
 export async function readMeshFile(file: File): Promise<ClosedMesh> {
 	if (file.size > LARGEST) throw new MeshFileError(`${file.name} is larger than 64 MB: simplify it first.`);

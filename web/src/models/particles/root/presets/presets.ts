@@ -1,14 +1,12 @@
 import { numbersIn, type Preset, type PresetKind } from "../../../../specimen/presets";
 import type { NumberKey } from "../parameters.generated";
 import { ROOT_TABLE } from "../table";
-import heart from "./heart.json";
 import carrot from "./carrot.json";
 import fibrous from "./fibrous.json";
+import heart from "./heart.json";
 import tap from "./tap.json";
 
-export const PRESET_KINDS = [
-	{ key: "root", title: "Roots" },
-] as const satisfies readonly PresetKind[];
+export const PRESET_KINDS = [{ key: "root", title: "Roots" }] as const satisfies readonly PresetKind[];
 
 /** As the file holds it: choices by name. */
 interface PresetFile extends Omit<Preset, "kind" | "parameters"> {
