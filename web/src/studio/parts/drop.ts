@@ -44,7 +44,8 @@ export class Drop extends StudioPart {
 	readonly #drop = (event: DragEvent): void => {
 		this.#hover(false);
 		const file = event.dataTransfer?.files[0];
-		if (!file) return;
+		// Some part of the page has taken it.
+		if (!file || event.defaultPrevented) return;
 		event.preventDefault();
 		void openFile(this.desk, file);
 	};

@@ -1,0 +1,23 @@
+import type { TrailPlant } from "../trails";
+import type { FlatVeins } from "./outline/outline_canvas";
+
+/** A grown leaf: its veins are trails, first as they lie flat, in lengths of the leaf. */
+export interface Leaf extends TrailPlant {
+	/** 4 × segments: start x y, end x y in the flat chart, in lengths of the leaf. */
+	chart: Float32Array;
+	/** 2 × points: the margin with its teeth, counter-clockwise from the base, in lengths of the leaf. */
+	margin: Float32Array;
+	/** By vertex of the blade: how much of it is vein, 0 … 1; empty without meshes. */
+	veined: Float32Array;
+	/** By vertex of the blade: how far the next vein is, 0 on one … 1 as far as anywhere; empty without meshes. */
+	away: Float32Array;
+}
+
+/** The veins as the flat views draw them. */
+export function flatVeins({ chart, margin, segments }: Leaf, millimetres: number): FlatVeins {
+	const widths = Float32Array.from({ length: segments.count }, (_, i) => {
+		const [start, end] = segments.radii.subarray(2 * i, 2 * i + 2);
+		return ((start + end) * 1000) / millimetres;
+	});
+	return { ends: chart, widths, margin };
+}
