@@ -25,6 +25,18 @@ std::vector<Lamp> overcast(std::uint32_t count) {
   return lamps;
 }
 
+std::vector<Lamp> all_round(std::uint32_t count) {
+  std::vector<Lamp> lamps;
+  const auto all = static_cast<float>(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    // Uniform along the axis is uniform on the sphere (Archimedes).
+    const float height = 1 - (2 * static_cast<float>(k) + 1) / all, radius = std::sqrt(1 - height * height);
+    const auto [sine, cosine] = sincos_degrees(golden_angle * static_cast<float>(k));
+    lamps.push_back({{radius * cosine, height, radius * sine}, 1 / all});
+  }
+  return lamps;
+}
+
 VoxelLight::VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::uint32_t y, std::uint32_t z,
                        std::span<const float> matter, std::span<const Lamp> lamps)
     : low_(low),
@@ -88,10 +100,20 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
 }
 
 float VoxelLight::at(const glm::vec3& p) const {
-  std::int32_t cell[3];
-  for (int k = 0; k < 3; ++k)
-    cell[k] = static_cast<std::int32_t>(std::clamp((p[k] - low_[k]) / edge_, 0.0f, static_cast<float>(count_[k] - 1)));
-  return light_[index(cell[0], cell[1], cell[2])];
+  std::int32_t cell[3], next[3];
+  float share[3];
+  for (int k = 0; k < 3; ++k) {
+    const float place = std::clamp((p[k] - low_[k]) / edge_ - 0.5f, 0.0f, static_cast<float>(count_[k] - 1));
+    cell[k] = static_cast<std::int32_t>(place);
+    next[k] = std::min(cell[k] + 1, count_[k] - 1);
+    share[k] = place - static_cast<float>(cell[k]);
+  }
+  const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
+  const auto row = [&](std::int32_t y, std::int32_t z) {
+    return mix(light_[index(cell[0], y, z)], light_[index(next[0], y, z)], share[0]);
+  };
+  return mix(mix(row(cell[1], cell[2]), row(next[1], cell[2]), share[1]),
+             mix(row(cell[1], next[2]), row(next[1], next[2]), share[1]), share[2]);
 }
 
 }  // namespace panicle

@@ -26,6 +26,14 @@ export interface Spindle {
 
 /** Ways round the axis at which a ring is tried. */
 const TURNS = 24;
+const AROUND = Array.from({ length: TURNS }, (_, turn) => {
+	const angle = (2 * Math.PI * turn) / TURNS;
+	return [Math.cos(angle), Math.sin(angle)] as const;
+});
+
+/** Spun, more bodies than this are told by the outermost at each of so many heights. */
+const MOST_RINGS = 2000;
+const LEVELS = 400;
 
 /** Spins a plant. */
 export function spindleOf({ spheres, points }: Bodies): Spindle {
@@ -55,7 +63,27 @@ export function spindleOf({ spheres, points }: Bodies): Spindle {
 			rings[at++] = stride === 4 ? array[i + 3] : 0;
 		}
 	}
-	return { centre, rings };
+	return { centre, rings: outermost(rings, high[1] - low[1]) };
+}
+
+/** Of very many rings those that tell how large the plant looks: at each height the one that reaches out farthest. */
+function outermost(rings: Float32Array, height: number): Float32Array {
+	if (rings.length <= 3 * MOST_RINGS) return rings;
+	const best = new Int32Array(LEVELS + 1).fill(-1);
+	const reach = new Float32Array(LEVELS + 1);
+	for (let i = 0; i < rings.length; i += 3) {
+		const level = height > 0 ? Math.round((rings[i + 1] / height + 0.5) * LEVELS) : 0;
+		const out = rings[i] + rings[i + 2];
+		if (best[level] >= 0 && out <= reach[level]) continue;
+		best[level] = i;
+		reach[level] = out;
+	}
+	const kept = best.filter((ring) => ring >= 0);
+	const few = new Float32Array(3 * kept.length);
+	kept.forEach((ring, k) => {
+		few.set(rings.subarray(ring, ring + 3), 3 * k);
+	});
+	return few;
 }
 
 /**
@@ -83,12 +111,11 @@ export function fitView(
 		const [out, height, thick] = [rings[i], rings[i + 1], rings[i + 2]];
 		radius = Math.max(radius, Math.hypot(out, height) + thick);
 		breadth = Math.max(breadth, out + thick);
-		for (let turn = 0; turn < TURNS; turn++) {
-			const angle = (2 * Math.PI * turn) / TURNS;
-			const forth = out * Math.cos(angle);
+		for (const [turnCosine, turnSine] of AROUND) {
+			const forth = out * turnCosine;
 			const near = forth * cosine + height * sine;
 			const up = Math.abs(height * cosine - forth * sine) + thick;
-			const aside = Math.abs(out * Math.sin(angle)) + thick;
+			const aside = Math.abs(out * turnSine) + thick;
 			distance = Math.max(distance, near + up / tall, near + aside / wide);
 		}
 	}

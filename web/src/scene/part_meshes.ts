@@ -7,8 +7,6 @@ import {
 	Matrix4,
 	Mesh,
 	type MeshStandardMaterial,
-	Quaternion,
-	Vector3,
 } from "three";
 import type { Material } from "../plant/material";
 import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
@@ -19,8 +17,33 @@ export type PartObject = Mesh<BufferGeometry, MeshStandardMaterial>;
 
 /** The transform of instance `index` as a matrix. */
 export function matrixOf(transforms: Float32Array, index: number, matrix = new Matrix4()): Matrix4 {
-	const [x, y, z, qx, qy, qz, qw, scale] = transforms.subarray(TRANSFORM * index, TRANSFORM * (index + 1));
-	return matrix.compose(new Vector3(x, y, z), new Quaternion(qx, qy, qz, qw), new Vector3(scale, scale, scale));
+	writeMatrix(transforms, TRANSFORM * index, matrix.elements, 0);
+	return matrix;
+}
+
+/** Place, turn and size as 4 × 4 numbers, column by column; of many instances, without an object for each. */
+function writeMatrix(transforms: Float32Array, from: number, into: { [index: number]: number }, at: number): void {
+	const qx = transforms[from + 3];
+	const qy = transforms[from + 4];
+	const qz = transforms[from + 5];
+	const qw = transforms[from + 6];
+	const scale = transforms[from + 7];
+	into[at] = scale * (1 - 2 * (qy * qy + qz * qz));
+	into[at + 1] = scale * 2 * (qx * qy + qw * qz);
+	into[at + 2] = scale * 2 * (qx * qz - qw * qy);
+	into[at + 3] = 0;
+	into[at + 4] = scale * 2 * (qx * qy - qw * qz);
+	into[at + 5] = scale * (1 - 2 * (qx * qx + qz * qz));
+	into[at + 6] = scale * 2 * (qy * qz + qw * qx);
+	into[at + 7] = 0;
+	into[at + 8] = scale * 2 * (qx * qz + qw * qy);
+	into[at + 9] = scale * 2 * (qy * qz - qw * qx);
+	into[at + 10] = scale * (1 - 2 * (qx * qx + qy * qy));
+	into[at + 11] = 0;
+	into[at + 12] = transforms[from];
+	into[at + 13] = transforms[from + 1];
+	into[at + 14] = transforms[from + 2];
+	into[at + 15] = 1;
 }
 
 /** The meshes of all parts that have a shape; geometries and materials are shared as the parts share theirs. */
@@ -90,7 +113,7 @@ function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): Bu
 function instanced(geometry: BufferGeometry, material: MeshStandardMaterial, transforms: Float32Array): PartObject {
 	const count = transforms.length / TRANSFORM;
 	const object = new InstancedMesh(geometry, material, count);
-	const matrix = new Matrix4();
-	for (let i = 0; i < count; i++) object.setMatrixAt(i, matrixOf(transforms, i, matrix));
+	const matrices = object.instanceMatrix.array;
+	for (let i = 0; i < count; i++) writeMatrix(transforms, TRANSFORM * i, matrices, 16 * i);
 	return object;
 }

@@ -104,7 +104,8 @@ bool Outline::crosses(const glm::vec3& a, const glm::vec3& b) const {
 }
 
 float Outline::distance_to_edge(const glm::vec3& p, std::uint32_t edge) const {
-  const glm::vec2 from = points_[edge], way = points_[(edge + 1) % points_.size()] - from, place = glm::vec2(p.x, p.y) - from;
+  const glm::vec2 from = points_[edge], way = points_[(edge + 1) % points_.size()] - from,
+                  place = glm::vec2(p.x, p.y) - from;
   const float square = glm::dot(way, way);
   const float at = square > 0 ? glm::clamp(glm::dot(place, way) / square, 0.0f, 1.0f) : 0;
   return glm::distance(place, at * way);
@@ -116,8 +117,8 @@ float Outline::distance(const glm::vec3& p) const {
   return least;
 }
 
-// Cells on the edge know an edge; the others take over what their neighbours know, in two sweeps. What they find is less
-// than a cell farther than the nearest.
+// Cells on the edge know an edge; the others take over what their neighbours know, in two sweeps. What they find is
+// less than a cell farther than the nearest.
 void Outline::measure() {
   const glm::vec3 size = high_ - low_;
   cell_ = std::max({size.x, size.y, std::numeric_limits<float>::min()}) / cells_along;

@@ -1,9 +1,13 @@
 // Where particles may start: an area in the plane z = 0 or a volume, as dense as it says.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 
 namespace panicle::particles {
+
+// How much of a box lies inside.
+enum class Share : std::uint8_t { none, some, all };
 
 class Region {
  public:
@@ -12,8 +16,16 @@ class Region {
   virtual glm::vec3 low() const = 0;
   virtual glm::vec3 high() const = 0;
   virtual bool contains(const glm::vec3& p) const = 0;
+  // What is certain of a box, cheaply; `some` where nothing is.
+  virtual Share share_of(const glm::vec3&, const glm::vec3&) const { return Share::some; }
   // How dense particles are at a place inside, in (0, 1]: by light, for instance.
   virtual float density(const glm::vec3&) const { return 1; }
+
+  // Of what is in one region and not in the other.
+  static Share share_between(Share outer, Share inner) {
+    if (outer == Share::none || inner == Share::all) return Share::none;
+    return outer == Share::all && inner == Share::none ? Share::all : Share::some;
+  }
 
   bool flat() const { return low().z == high().z; }
 };

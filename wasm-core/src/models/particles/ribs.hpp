@@ -1,4 +1,5 @@
-// The ribs that a leaf's veins run to: laid down before, for a midrib and its side veins do not come of particles alone.
+// The ribs that a leaf's veins run to: laid down before, for a midrib and its side veins do not come of particles
+// alone.
 #pragma once
 
 #include <cstdint>

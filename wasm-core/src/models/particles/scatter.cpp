@@ -15,12 +15,15 @@ namespace {
 
 constexpr std::uint64_t stream_x = 0x70617274, stream_y = stream_x + 1, stream_z = stream_x + 2, stream_keep = stream_x + 3,
                         stream_place = stream_x + 4;
-// Probes of a region's size, along the longest edge of its box.
+// Probes of a region's size: along the longest edge of a flat one's box, along the edge of a cube as large as a deep one's.
 constexpr std::int32_t probes_flat = 256, probes_deep = 48;
 constexpr float jitter = 0.8f;
 // Least distance of blue noise in spacings, so that about as many points fit as were asked for (measured).
 constexpr float apart_flat = 0.79f, apart_deep = 0.86f;
 constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
+// More than a hundred for each of the most points that are asked for: where a region fills hardly any of its box, there are
+// fewer points instead.
+constexpr std::uint64_t most_cells = 12'000'000;
 // A uniform point is looked for so many times for each wanted.
 constexpr std::uint64_t most_darts = 1000;
 
@@ -41,8 +44,10 @@ class Lattice {
            static_cast<std::uint64_t>(count_[2]);
   }
   glm::ivec3 cell(std::uint64_t index) const {
-    const auto x = static_cast<std::uint64_t>(count_[0]), y = static_cast<std::uint64_t>(count_[1]);
-    return glm::ivec3(index % x, index / x % y, index / (x * y)) + first_;
+    // Fewer than 2^32, and of words half as long quotients are had in a third of the time.
+    const auto at = static_cast<std::uint32_t>(index), x = static_cast<std::uint32_t>(count_[0]),
+               row = at / x, y = static_cast<std::uint32_t>(count_[1]), layer = row / y;
+    return glm::ivec3(at - row * x, row - layer * y, layer) + first_;
   }
   // Whether all of a cell's neighbours are in the lattice.
   bool inner(std::uint64_t index) const {
@@ -71,6 +76,11 @@ class Lattice {
       return (static_cast<float>(cell[k]) + 0.5f + share * (unit - 0.5f)) * edge_;
     };
     return {along(0), along(1), flat_ ? 0 : along(2)};
+  }
+  // What is certain of a cell; points of it may be off by rounding.
+  Share share_of(const glm::ivec3& cell, const Region& region) const {
+    const glm::vec3 low = (glm::vec3(cell) - 1e-3f) * edge_;
+    return flat_ ? Share::some : region.share_of(low, low + 1.002f * edge_);
   }
   // Whether all of a cell is within `reach` of a point.
   bool covered(const glm::ivec3& cell, const glm::vec3& p, float reach) const {
@@ -124,7 +134,9 @@ std::vector<glm::vec3> jittered(const Region& region, float spacing, std::uint64
 // Where it is less dense, points are taken out afterwards.
 std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t seed) {
   const bool flat = region.flat();
-  const Lattice lattice(region, apart / std::sqrt(flat ? 2.0f : 3.0f));
+  const float diagonal = std::sqrt(flat ? 2.0f : 3.0f);
+  while (Lattice(region, apart / diagonal).cells() > most_cells) apart *= 1.1f;
+  const Lattice lattice(region, apart / diagonal);
   std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are looked at as eight
   std::vector<glm::vec3> points, by_cell(lattice.cells());
   const std::vector<std::int64_t> rows = lattice.rows();
@@ -142,14 +154,20 @@ std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t see
     return nullptr;
   };
   std::vector<std::uint64_t> open, still_open;
-  for (std::uint64_t i = 0; i < lattice.cells(); ++i)
-    if (lattice.inner(i)) open.push_back(i);
+  std::vector<std::uint8_t> whole(lattice.cells(), 0);  // inside, all of it
+  for (std::uint64_t i = 0; i < lattice.cells(); ++i) {
+    if (!lattice.inner(i)) continue;
+    const Share share = lattice.share_of(lattice.cell(i), region);
+    if (share == Share::none) continue;
+    whole[i] = share == Share::all;
+    open.push_back(i);
+  }
   for (std::uint64_t round = 1; round <= blue_rounds && !open.empty(); ++round) {
     still_open.clear();
     for (const std::uint64_t i : open) {
       const glm::ivec3 cell = lattice.cell(i);
       const glm::vec3 p = lattice.point(cell, 1, seed, round);
-      if (!region.contains(p)) {
+      if (!whole[i] && !region.contains(p)) {
         if (round <= edge_rounds) still_open.push_back(i);  // its cell may lie across the edge
       } else if (const glm::vec3* other = in_the_way(i, p)) {
         if (!lattice.covered(cell, *other, apart)) still_open.push_back(i);
@@ -172,7 +190,8 @@ std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t see
 float spacing_of(const Region& region, std::uint32_t count) {
   const bool flat = region.flat();
   const glm::vec3 size = region.high() - region.low();
-  const float edge = std::max({size.x, size.y, size.z}) / static_cast<float>(flat ? probes_flat : probes_deep);
+  const float edge = flat ? std::max(size.x, size.y) / static_cast<float>(probes_flat)
+                          : cube_root(size.x * size.y * size.z) / static_cast<float>(probes_deep);
   if (!(edge > 0) || count == 0) return 0;
   double filled = 0;
   for (float z = flat ? 0 : 0.5f * edge; flat ? z <= 0 : z < size.z; z += edge)

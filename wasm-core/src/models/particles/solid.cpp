@@ -3,12 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
 #include "foundation/mathematics.hpp"
 
 namespace panicle::particles {
+namespace {
+
+constexpr float cells_along = 64;       // the longest edge of the box
+constexpr float half_diagonal = 0.867f;  // of a cell, in edges
+
+}  // namespace
 
 Solid::Solid(Surface surface) : surface_(std::move(surface)) {
   const std::vector<glm::vec3>& points = surface_.points;
@@ -18,34 +25,97 @@ Solid::Solid(Surface surface) : surface_(std::move(surface)) {
     low_ = glm::min(low_, p);
     high_ = glm::max(high_, p);
   }
-  const std::size_t triangles = surface_.triangles.size() / 3;
-  const std::size_t rows = std::clamp<std::size_t>(triangles, 1, 1024);
-  row_height_ = std::max((high_.y - low_.y) / static_cast<float>(rows), std::numeric_limits<float>::min());
-  first_.assign(rows + 1, 0);
-  const auto reach = [this](std::size_t triangle) {
-    const auto height = [&](std::size_t k) { return surface_.points[surface_.triangles[3 * triangle + k]].y; };
-    const auto [low, high] = std::minmax({height(0), height(1), height(2)});
-    return std::pair(row_of(low), row_of(high));
-  };
-  for (std::size_t t = 0; t < triangles; ++t)
-    for (auto [row, last] = reach(t); row <= last; ++row) ++first_[row + 1];
-  for (std::size_t row = 0; row < rows; ++row) first_[row + 1] += first_[row];
-  members_.resize(first_[rows]);
-  std::vector<std::uint32_t> free(first_.begin(), first_.end() - 1);
-  for (std::uint32_t t = 0; t < triangles; ++t)
-    for (auto [row, last] = reach(t); row <= last; ++row) members_[free[row]++] = t;
+  const glm::vec3 size = high_ - low_;
+  edge_ = std::max({size.x, size.y, size.z, std::numeric_limits<float>::min()}) / cells_along;
+  per_edge_ = 1 / edge_;
+  count_ = glm::ivec3(size * per_edge_) + 1;
+  sort();
+  classify();
 }
 
-std::size_t Solid::row_of(float y) const {
-  const auto rows = static_cast<float>(first_.size() - 1);
-  return static_cast<std::size_t>(std::clamp((y - low_.y) / row_height_, 0.0f, rows - 1));
+void Solid::sort() {
+  const std::size_t triangles = surface_.triangles.size() / 3;
+  first_.assign(static_cast<std::size_t>(count_.y * count_.z) + 1, 0);
+  const auto rows = [&](const auto& see) {
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+      const auto corner = [&](std::size_t k) { return place_of(surface_.points[surface_.triangles[3 * t + k]]); };
+      const glm::ivec3 a = corner(0), b = corner(1), c = corner(2);
+      const glm::ivec3 from = glm::min(a, glm::min(b, c)), to = glm::max(a, glm::max(b, c));
+      for (int z = from.z; z <= to.z; ++z)
+        for (int y = from.y; y <= to.y; ++y) see(static_cast<std::size_t>(z * count_.y + y), t);
+    }
+  };
+  rows([&](std::size_t row, std::uint32_t) { ++first_[row + 1]; });
+  for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
+  members_.resize(first_.back());
+  std::vector<std::uint32_t> free(first_.begin(), first_.end() - 1);
+  rows([&](std::size_t row, std::uint32_t t) { members_[free[row]++] = t; });
+}
+
+// Marks the cells that triangles come near to, and asks of one in each run of the others.
+void Solid::classify() {
+  cells_.assign(cell_at({0, 0, count_.z}), Cell::unknown);
+  const float slack = 1e-3f * edge_, reach = half_diagonal * edge_ + slack;
+  for (std::size_t t = 0; t + 2 < surface_.triangles.size(); t += 3) {
+    const glm::vec3& a = surface_.points[surface_.triangles[t]];
+    const glm::vec3& b = surface_.points[surface_.triangles[t + 1]];
+    const glm::vec3& c = surface_.points[surface_.triangles[t + 2]];
+    const glm::vec3 across = glm::cross(b - a, c - a);
+    const float length = glm::length(across);
+    const glm::vec3 normal = length > 0 ? across / length : glm::vec3(0);
+    const glm::ivec3 from = place_of(glm::max(glm::min(a, glm::min(b, c)) - slack, low_)),
+                     to = place_of(glm::max(a, glm::max(b, c)) + slack);
+    for (int z = from.z; z <= to.z; ++z)
+      for (int y = from.y; y <= to.y; ++y)
+        for (int x = from.x; x <= to.x; ++x) {
+          const glm::vec3 middle = low_ + edge_ * (glm::vec3(x, y, z) + 0.5f);
+          if (std::fabs(glm::dot(middle - a, normal)) <= reach) cells_[cell_at({x, y, z})] = Cell::mixed;
+        }
+  }
+  for (int z = 0; z < count_.z; ++z)
+    for (int y = 0; y < count_.y; ++y) {
+      Cell last = Cell::mixed;
+      for (int x = 0; x < count_.x; ++x) {
+        Cell& cell = cells_[cell_at({x, y, z})];
+        if (cell == Cell::unknown) {
+          if (last == Cell::mixed)
+            last = slice_contains(low_ + edge_ * (glm::vec3(x, y, z) + 0.5f)) ? Cell::inside : Cell::outside;
+          cell = last;
+        }
+        last = cell;
+      }
+    }
 }
 
 bool Solid::contains(const glm::vec3& p) const {
   for (int k = 0; k < 3; ++k)
     if (!(p[k] >= low_[k] && p[k] <= high_[k])) return false;
+  if (cells_.empty()) return false;
+  const Cell cell = cells_[cell_at(place_of(p))];
+  return cell == Cell::mixed ? slice_contains(p) : cell == Cell::inside;
+}
+
+Share Solid::share_of(const glm::vec3& low, const glm::vec3& high) const {
+  bool beyond = cells_.empty();
+  for (int k = 0; k < 3; ++k) {
+    if (!(low[k] <= high_[k] && high[k] >= low_[k])) return Share::none;
+    beyond = beyond || low[k] < low_[k] || high[k] > high_[k];
+  }
+  if (beyond) return Share::some;
+  const glm::ivec3 from = place_of(low), to = place_of(high);
+  const Cell first = cells_[cell_at(from)];
+  if (first == Cell::mixed) return Share::some;
+  for (int z = from.z; z <= to.z; ++z)
+    for (int y = from.y; y <= to.y; ++y)
+      for (int x = from.x; x <= to.x; ++x)
+        if (cells_[cell_at({x, y, z})] != first) return Share::some;
+  return first == Cell::inside ? Share::all : Share::none;
+}
+
+bool Solid::slice_contains(const glm::vec3& p) const {
   int turns = 0;
-  const std::size_t row = row_of(p.y);
+  const glm::ivec3 place = place_of(p);
+  const auto row = static_cast<std::size_t>(place.z * count_.y + place.y);
   for (std::uint32_t m = first_[row]; m < first_[row + 1]; ++m) {
     const std::uint32_t* corners = &surface_.triangles[3 * members_[m]];
     // Where the plane enters and leaves the triangle, in its own sense: corners at the plane's height count as below.

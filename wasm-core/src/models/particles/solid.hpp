@@ -1,6 +1,7 @@
 // A closed surface of triangles, and what is inside of it: what crowns and root balls are bounded by.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -28,30 +29,30 @@ class Solid final : public Region {
   glm::vec3 low() const override { return low_; }
   glm::vec3 high() const override { return high_; }
   bool contains(const glm::vec3& p) const override;
+  Share share_of(const glm::vec3& low, const glm::vec3& high) const override;
 
  private:
-  std::size_t row_of(float y) const;
+  enum class Cell : std::uint8_t { unknown, outside, inside, mixed };
+
+  // The cell of a place in the box.
+  glm::ivec3 place_of(const glm::vec3& p) const {
+    const glm::vec3 at = (p - low_) * per_edge_;
+    return {std::min(static_cast<std::int32_t>(at.x), count_.x - 1), std::min(static_cast<std::int32_t>(at.y), count_.y - 1),
+            std::min(static_cast<std::int32_t>(at.z), count_.z - 1)};
+  }
+  bool slice_contains(const glm::vec3& p) const;
+  void sort();
+  void classify();
+  std::size_t cell_at(const glm::ivec3& at) const {
+    return static_cast<std::size_t>((at.z * count_.y + at.y) * count_.x + at.x);
+  }
 
   Surface surface_;
   glm::vec3 low_{0}, high_{0};
-  float row_height_ = 1;
-  std::vector<std::uint32_t> first_, members_;  // of each layer of the box: the triangles that meet it
-};
-
-// What is in one and not in the other: a crown whose inside is bare.
-class Shell final : public Region {
- public:
-  // Both must outlive it; `inner` may be null.
-  Shell(const Region& outer, const Region* inner) : outer_(&outer), inner_(inner) {}
-  glm::vec3 low() const override { return outer_->low(); }
-  glm::vec3 high() const override { return outer_->high(); }
-  bool contains(const glm::vec3& p) const override {
-    return outer_->contains(p) && !(inner_ && inner_->contains(p));
-  }
-
- private:
-  const Region* outer_;
-  const Region* inner_;
+  float edge_ = 1, per_edge_ = 1;
+  glm::ivec3 count_{0};
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> first_, members_;  // of each row of cells along x: the triangles that meet it
 };
 
 Surface box(const glm::vec3& low, const glm::vec3& high);

@@ -1,35 +1,57 @@
-// How particles of a tree find their way: to its trunk, and down that to the ground.
+// How particles of a tree find their way: to its trunk, and down that to the ground. Those of a root go up in the same way.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "models/particles/guide.hpp"
+#include "models/particles/obstacles.hpp"
+#include "models/particles/region.hpp"
 
 namespace panicle::particles {
 
+struct TrunkHabit {
+  float slant = 1;    // by how much of its distance from the axis a particle aims lower: 1 a clear leader, 2 decurrent
+  float ahead = 0;    // how far it looks along the axis that it is on
+  float way = -1;     // −1 where particles come down from above, 1 where they come up
+  glm::vec3 bend{0};  // added to the direction of what is `reach` away from the axis or farther, less and less towards it
+  float reach = 1;
+};
+
 // Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and leave
-// no leader. Limbs cross what is in between, the inner boundary too. Roots do the same with the axis below.
+// no leader. Limbs cross what is in between, the inner boundary too; the outer one they leave on the way down alone.
 class Trunk final : public Guide {
  public:
-  // `slant`: by how much of its distance from the axis a particle aims lower (1 a clear leader, 2 decurrent). `ahead`: how
-  // far it looks along the axis that it is on. `way`: −1 where particles come down from above, 1 where they come up.
-  Trunk(const glm::vec3& foot, float slant, float ahead, float way = -1)
-      : Guide(foot), slant_(slant), ahead_(ahead), way_(way) {}
+  // `outer` and `obstacles` must outlive it; either may be null.
+  Trunk(const glm::vec3& foot, const TrunkHabit& habit, const Region* outer = nullptr,
+        const Obstacles* obstacles = nullptr);
 
-  glm::vec3 aim(const glm::vec3& p) const override {
-    const glm::vec3 foot = target();
-    const float from_axis = glm::length(glm::vec3(p.x - foot.x, 0, p.z - foot.z));
-    const float drop = glm::max(slant_ * from_axis, ahead_);
-    const float left = (p.y - foot.y) * -way_;
-    return left <= drop ? foot : glm::vec3(foot.x, p.y + way_ * drop, foot.z);
+  glm::vec3 aim(const glm::vec3& p) const override;
+  float way(const glm::vec3& p) const override;
+  bool open(const glm::vec3& p) const override { return obstacles_ == nullptr || !obstacles_->contains(p); }
+  bool sees(const glm::vec3& a, const glm::vec3& b) const override {
+    return obstacles_ == nullptr || !obstacles_->between(a, b);
   }
-  float way(const glm::vec3& p) const override {
-    const glm::vec3 near = aim(p);
-    return glm::distance(p, near) + glm::distance(near, target());
-  }
+  bool passes(const glm::vec3& from, const glm::vec3& to) const override;
+  // Whether a particle at `p` can come to the target at all.
+  bool reaches(const glm::vec3& p) const;
 
  private:
-  float slant_, ahead_, way_;
+  struct Corner {
+    glm::vec3 place;
+    float way;  // from there to the target
+  };
+
+  glm::vec3 to_axis(const glm::vec3& p) const;
+  float straight_way(const glm::vec3& p) const;
+  bool goes_straight(const glm::vec3& p) const { return sees(p, to_axis(p)) && sees(to_axis(p), target()); }
+  const Corner* turning(const glm::vec3& p) const;
+  void survey();
+
+  TrunkHabit habit_;
+  const Region* outer_;
+  const Obstacles* obstacles_;
+  std::vector<Corner> corners_;  // of obstacles, from which a way is known
 };
 
 }  // namespace panicle::particles

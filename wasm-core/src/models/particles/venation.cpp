@@ -44,7 +44,8 @@ float Venation::way(const glm::vec3& p) const {
 }
 
 bool Venation::sees(const glm::vec3& a, const glm::vec3& b) const {
-  return outline_->holds(a == target() ? a + before_target * (b - a) : a, b == target() ? b + before_target * (a - b) : b);
+  return outline_->holds(a == target() ? a + before_target * (b - a) : a,
+                         b == target() ? b + before_target * (a - b) : b);
 }
 
 }  // namespace panicle::particles

@@ -12,13 +12,13 @@
 
 namespace panicle::particles {
 
-// Printed, particles make for the petiole, and no midrib comes of it. Here each makes for the nearest rib, and the nearer the
-// petiole the farther off it is, so that side veins slant; on a rib it follows it. What the edge hides is come to by
-// waypoints. Ribs that are the petiole alone are the printed way, round corners.
+// Printed, particles make for the petiole, and no midrib comes of it. Here each makes for the nearest rib, and the
+// nearer the petiole the farther off it is, so that side veins slant; on a rib it follows it. What the edge hides is
+// come to by waypoints. Ribs that are the petiole alone are the printed way, round corners.
 class Venation final : public Guide {
  public:
-  // `slant`: by how much of its distance from the rib a particle aims below its foot there. `spacing`: of the particles.
-  // Outline and ribs must outlive it.
+  // `slant`: by how much of its distance from the rib a particle aims below its foot there. `spacing`: of the
+  // particles. Outline and ribs must outlive it.
   Venation(const Outline& outline, const Ribs& ribs, float slant, float spacing);
 
   glm::vec3 aim(const glm::vec3& p) const override;

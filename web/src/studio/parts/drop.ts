@@ -45,6 +45,7 @@ export class Drop extends StudioPart {
 	readonly #drop = (event: DragEvent): void => {
 		this.#hover(false);
 		const file = event.dataTransfer?.files[0];
+		// Some part of the page has taken it.
 		if (!file || event.defaultPrevented) return;
 		event.preventDefault();
 		void openFile(this.desk, file);

@@ -1,0 +1,35 @@
+// What a tree or a root grows within (Rodkaew et al. 2003, section 4.1): a form stretched to a box.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "models/particles/solid.hpp"
+
+namespace panicle::particles {
+
+enum class Form : std::uint32_t { ellipsoid, box, cone, cone_down, bowl, spline, mesh };
+
+// The form with `low` and `high` as its box; of a bowl the widest is on top. `profile`: of a spline, what `spline_through`
+// gives. `mesh`: of a mesh, in any unit.
+Surface form_between(Form form, std::span<const glm::vec2> profile, const Surface& mesh, const glm::vec3& low,
+                     const glm::vec3& high);
+
+// A smooth line through points (radius, height), for a profile: Catmull–Rom, radii never below 0.
+std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points);
+
+// That of the points given, or of `otherwise` where there are fewer than two.
+std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise);
+
+// Notes what there is to say of a dropped mesh, one sentence each: gaps, sides turned against each other. Where there is none,
+// the form becomes an ellipsoid.
+void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes);
+
+// Adds another's triangles.
+void append(Surface& surface, const Surface& other);
+
+}  // namespace panicle::particles

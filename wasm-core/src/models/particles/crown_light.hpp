@@ -1,0 +1,27 @@
+// Light in a crown that shades itself and its neighbours (Rodkaew et al. 2003, section 4.2), and the density that follows it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "environment/voxel_light.hpp"
+#include "models/particles/region.hpp"
+
+namespace panicle::particles {
+
+struct LightHabit {
+  glm::vec3 sun{0, 1, 0};  // unit, towards it
+  float sky = 1;           // share of the light that comes from all of the sky
+  float absorption = 0;    // of a length of 1 through the crown
+};
+
+// The sun and 24 directions of an overcast sky, which sum up to 1.
+std::vector<Lamp> lamps_of(const LightHabit& habit);
+// A bearing as in the tables (0 in front, +z; 90 at the right, +x) and a height above the horizon, in degrees.
+glm::vec3 towards_sun(float bearing, float height);
+
+// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `cells` along
+// its longest edge.
+VoxelLight light_in(const Region& crown, const LightHabit& habit, std::uint32_t cells);
+
+}  // namespace panicle::particles

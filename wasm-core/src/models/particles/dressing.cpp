@@ -1,0 +1,123 @@
+#include "models/particles/dressing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "environment/voxel_light.hpp"
+#include "foundation/mathematics.hpp"
+#include "geometry/tubes.hpp"
+
+namespace panicle::particles {
+namespace {
+
+constexpr std::uint32_t sides = 12, thin_sides = 4;
+// Axes thinner than this share of the thickest are thin.
+constexpr float thin = 0.12f;
+constexpr float traveller = 1.6f;  // times its trail's radius
+constexpr std::uint32_t sky_cells = 32, sky_directions = 32;
+
+std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); }
+
+// Of each segment the axis that it belongs to: at a fork the heaviest goes on.
+std::vector<std::int32_t> axes_of(const Grown& grown, std::size_t segments) {
+  std::vector<std::int32_t> axes(segments, 0);
+  std::int32_t count = 0;
+  for (std::size_t c = 0; c < grown.trails.size(); ++c) {
+    const Trails& trails = grown.trails[c];
+    const std::vector<std::int32_t>& numbers = grown.numbers[c];
+    std::vector<std::int32_t> heaviest(trails.size(), -1);
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      if (trails.next[i] < 0) continue;
+      std::int32_t& best = heaviest[static_cast<std::size_t>(trails.next[i])];
+      if (best < 0 || trails.energy[i] > trails.energy[static_cast<std::size_t>(best)]) best = static_cast<std::int32_t>(i);
+    }
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      const std::int32_t segment = numbers[i];
+      if (segment < 0) continue;
+      const auto next = static_cast<std::size_t>(trails.next[i]);
+      const bool goes_on = numbers[next] >= 0 && heaviest[next] == static_cast<std::int32_t>(i);
+      axes[static_cast<std::size_t>(segment)] = goes_on ? axes[static_cast<std::size_t>(numbers[next])] : count++;
+    }
+  }
+  return axes;
+}
+
+// What is open around each cell.
+VoxelLight openness(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+  const auto hold = [&](const glm::vec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  };
+  for (const Organ& organ : plant.organs) hold(organ.position);
+  for (const Segment& segment : plant.segments) hold(segment.end);
+  if (!(low.x <= high.x)) low = high = glm::vec3(0);
+  const glm::vec3 size = high - low;
+  const float edge = std::max({size.x, size.y, size.z, 1e-3f}) / static_cast<float>(sky_cells);
+  const glm::ivec3 count = glm::ivec3(size / edge) + 1;
+  std::vector<float> matter(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
+                            static_cast<std::size_t>(count.z));
+  // What a surface hides, taken over all sides, is half of a leaf's area and a quarter of a rod's surface.
+  const float cell = 1 / (edge * edge * edge);
+  const auto put_in = [&](const glm::vec3& p, float area) {
+    const glm::ivec3 at = glm::clamp(glm::ivec3((p - low) / edge), glm::ivec3(0), count - 1);
+    matter[static_cast<std::size_t>((at.z * count.y + at.y) * count.x + at.x)] += area * cell;
+  };
+  for (const Organ& organ : plant.organs)
+    if (organ.tag == leaf_tag) put_in(organ.position, 0.5f * leaf_area * organ.scale * organ.scale);
+  for (const Segment& segment : plant.segments)
+    put_in(0.5f * (segment.start + segment.end),
+           0.25f * pi * (segment.radius + segment.radius_end) * glm::distance(segment.start, segment.end));
+  const auto words = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
+  return {low, edge, words(count.x), words(count.y), words(count.z), matter, all_round(sky_directions)};
+}
+
+}  // namespace
+
+void add_travellers(Plant& plant, const Trails& trails, std::uint32_t step, double all, const Girth& girth,
+                    float least_radius, std::uint32_t tag) {
+  // What has come to each place by then.
+  std::vector<double> here(trails.size(), 0);
+  std::vector<double> own = trails.energy;
+  for (std::size_t i = 1; i < trails.size(); ++i) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
+  for (std::size_t i = trails.size(); i-- > 1;) {
+    if (trails.particle[i] >= 0) here[i] += own[i];
+    if (trails.born[i] <= step) here[static_cast<std::size_t>(trails.next[i])] += here[i];
+  }
+  for (std::size_t i = 1; i < trails.size(); ++i) {
+    if (trails.born[i] <= step || !(here[i] > 0)) continue;
+    Organ ball;
+    ball.tag = tag;
+    ball.position = trails.places[i];
+    ball.scale = std::max(traveller * radius_of(girth, here[i], all), least_radius);
+    plant.organs.push_back(ball);
+  }
+}
+
+void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky) {
+  float thickest = 0;
+  for (const Segment& segment : plant.segments) thickest = std::max(thickest, segment.radius);
+  const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
+  StemMesh stems = sweep_stems({plant.segments, axes_of(grown, plant.segments.size())}, options, 1.0f);
+  Columns columns;
+  if (sky) {
+    const VoxelLight open = openness(plant, leaf, leaf_area);
+    std::vector<std::uint8_t> of_stems, of_organs;
+    const std::vector<float>& at = stems.mesh.positions;
+    of_stems.reserve(at.size() / 3);
+    for (std::size_t v = 0; v + 2 < at.size(); v += 3)
+      of_stems.push_back(byte_of(open.at({at[v], at[v + 1], at[v + 2]})));
+    for (const Organ& organ : plant.organs) of_organs.push_back(byte_of(open.at(organ.position)));
+    columns.add("sky", std::move(of_stems));
+    plant.columns.add("organs.sky", std::move(of_organs));
+  }
+  columns.add("segment", std::move(stems.segment));
+  plant.meshes.push_back({"stems", std::string(material), std::move(stems.mesh), {}, std::move(columns)});
+}
+
+}  // namespace panicle::particles

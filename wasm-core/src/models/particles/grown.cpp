@@ -1,0 +1,40 @@
+#include "models/particles/grown.hpp"
+
+#include <string>
+
+#include "models/particles/dressing.hpp"
+
+namespace panicle::particles {
+namespace {
+
+constexpr float margin = 0.1f;       // by which ways keep clear of obstacles, in spacings
+constexpr float least_ball = 0.06f;  // radius of a particle, in spacings
+
+}  // namespace
+
+Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
+                const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
+                std::uint32_t traveller) {
+  // What is young has the grown one's spacing, and so fewer particles.
+  const float spacing = spacing_of(region, habit.count) / habit.growth;
+  const auto count = static_cast<std::uint32_t>(static_cast<float>(habit.count) * habit.growth * habit.growth * habit.growth + 0.5f);
+  std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
+  const Obstacles obstacles(request.obstacles, margin * spacing, floor, ceiling);
+  std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
+  if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
+
+  Grown grown;
+  grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles);
+  const Wood& wood = grown.wood;
+  if (wood.unreachable > 0)
+    plant.notes.push_back(std::to_string(wood.unreachable) + " particles have no way past the obstacles and were left out.");
+  const bool running = habit.running && habit.age < 1;
+  const auto now = running ? static_cast<std::uint32_t>(habit.age * static_cast<float>(wood.last)) : wood.last;
+  for (const Trails& trails : wood.crowds) grown.trails.push_back(running ? until(trails, now) : trails);
+  grown.numbers = add_trails(plant, grown.trails, wood.all, habit.girth, {}, wood.tally, 0);
+  for (std::size_t c = 0; running && c < targets.size(); ++c)
+    add_travellers(plant, wood.crowds[c], now, wood.all[c], habit.girth, least_ball * spacing, traveller);
+  return grown;
+}
+
+}  // namespace panicle::particles

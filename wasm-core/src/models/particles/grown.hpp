@@ -1,0 +1,71 @@
+// From a volume to a plant: what tree and root have in common.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "models/particles/scatter.hpp"
+#include "models/particles/space_request.hpp"
+#include "models/particles/trail_plant.hpp"
+#include "models/particles/wood.hpp"
+#include "plant/plant.hpp"
+
+namespace panicle::particles {
+
+struct SpaceHabit {
+  std::uint32_t count = 1000;
+  Pattern pattern = Pattern::blue;
+  Motion motion;
+  Girth girth;
+  TrunkHabit trunk;
+  float age = 1;       // 0 … 1
+  bool running = true; // what age does: whether particles run, or the volume grows
+  float growth = 1;    // size of the volume over what it will be
+};
+
+inline constexpr float youngest = 0.02f;  // size of what has hardly grown
+
+// What tables of both models have under the same keys. `Keys`: the model's enumeration of parameters.
+template <class Keys, class Values>
+SpaceHabit space_habit(const Values& values) {
+  SpaceHabit habit;
+  habit.count = values.whole(Keys::particles);
+  // Where some are taken out again, blue noise would be lost, and its price.
+  constexpr std::array patterns{Pattern::uniform, Pattern::jittered, Pattern::blue, Pattern::jittered};
+  habit.pattern = patterns[values.whole(Keys::pattern)];
+  habit.motion = {static_cast<double>(values[Keys::energy]),
+                  {.step = values[Keys::step],
+                   .merge = values[Keys::merge],
+                   .neighbourhood = values[Keys::neighbourhood],
+                   .pull = values[Keys::pull],
+                   .printed = values.whole(Keys::rule) == 1}};
+  habit.age = values[Keys::age] / 100;
+  habit.running = values.whole(Keys::life) == 0;
+  if (!habit.running) habit.growth = std::max(habit.age, youngest);
+  constexpr std::array laws{WidthLaw::linear, WidthLaw::square_root, WidthLaw::power, WidthLaw::power};
+  const std::uint32_t law = values.whole(Keys::law);
+  habit.girth = {laws[law], law == 2 ? 1.0f / 3 : values[Keys::exponent], 0.5f * habit.growth * values[Keys::girth],
+                 0.0005f * values[Keys::twig]};
+  habit.trunk.slant = values[Keys::slant];
+  // What bends the way of particles is the other way round than what bends the tips that they come from.
+  habit.trunk.bend = {0, values[Keys::gravitropism], 0};
+  return habit;
+}
+
+struct Grown {
+  Wood wood;
+  std::vector<Trails> trails;  // of each target, as they are now
+  std::vector<std::vector<std::int32_t>> numbers;  // of each place the segment, −1 for none
+};
+
+// Scatters, runs, and adds to the plant its segments, columns and counts, and what there is to note; particles on their way as
+// organs of tag `traveller`. Nothing starts in an obstacle, nothing goes below `floor` or above `ceiling` to pass one.
+Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
+                const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
+                std::uint32_t traveller);
+
+}  // namespace panicle::particles

@@ -1,0 +1,37 @@
+// What stands in the way of branches and roots: boxes, a wall, a stone, another tree's crown. Nothing starts in them and no way
+// passes them; what they hide is come to round their edges.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace panicle::particles {
+
+struct Box {
+  glm::vec3 low{0}, high{0};
+};
+
+class Obstacles {
+ public:
+  static constexpr std::uint32_t most = 16;
+
+  Obstacles() = default;
+  // `margin`: how much wider than they are they count, so that what is drawn of a way keeps clear of them. `floor`, `ceiling`:
+  // heights between which ways lead.
+  Obstacles(std::span<const Box> boxes, float margin, float floor, float ceiling);
+
+  bool empty() const { return boxes_.empty(); }
+  bool contains(const glm::vec3& p) const;
+  // Whether one of them meets the straight way from a to b.
+  bool between(const glm::vec3& a, const glm::vec3& b) const;
+  // Places to turn at, beside their edges.
+  std::span<const glm::vec3> corners() const { return corners_; }
+
+ private:
+  std::vector<Box> boxes_;
+  std::vector<glm::vec3> corners_;
+};
+
+}  // namespace panicle::particles

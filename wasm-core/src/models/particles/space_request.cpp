@@ -1,0 +1,74 @@
+#include "models/particles/space_request.hpp"
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <string>
+
+namespace panicle::particles {
+namespace {
+
+constexpr float farthest = 1e4f;
+
+Diagnostic refused(std::string why) { return {Reason::bad_input, std::move(why), 0, 0}; }
+
+// Whether a block holds whole rows of finite numbers of a sound size; if not, says so.
+bool sound(std::span<const float> values, std::size_t width, const char* name, Diagnostic& trouble) {
+  if (values.size() % width != 0) {
+    trouble = refused(std::string(name) + " must have " + std::to_string(width) + " numbers each.");
+    return false;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::fabs(values[i]) <= farthest) continue;
+    trouble = refused(std::string(name) + ": number " + std::to_string(i % width + 1) + " of row " +
+                      std::to_string(i / width + 1) + " is not finite or beyond 10 km.");
+    return false;
+  }
+  return true;
+}
+
+std::vector<glm::vec3> triples(std::span<const float> values) {
+  std::vector<glm::vec3> points;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) points.emplace_back(values[i], values[i + 1], values[i + 2]);
+  return points;
+}
+
+}  // namespace
+
+Result<SpaceRequest> read_space(Request& request) {
+  SpaceRequest read;
+  request.text("model");
+  read.seed = request.word("seed", 1);
+  read.meshes = request.wants("meshes");
+  read.measures = request.wants("measures");
+  read.sky = request.wants("sky");
+  read.mesh_fingerprint = request.wants("mesh_fingerprint");
+  read.parameters = request.floats("parameters");
+  const auto profile = request.floats("profile"), points = request.floats("volume.points");
+  const auto triangles = request.words("volume.triangles");
+  const auto targets = request.floats("targets"), obstacles = request.floats("obstacles");
+  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+
+  Diagnostic trouble;
+  if (!sound(profile, 2, "Points of the profile", trouble) || !sound(points, 3, "Points of the mesh", trouble) ||
+      !sound(targets, 3, "Targets", trouble) || !sound(obstacles, 6, "Obstacles", trouble))
+    return trouble;
+  if (triangles.size() % 3 != 0) return refused("Triangles of the mesh must have 3 corners each.");
+  for (const std::uint32_t corner : triangles)
+    if (corner >= points.size() / 3)
+      return refused("A triangle of the mesh has the corner " + std::to_string(corner) + ", but there are only " +
+                     std::to_string(points.size() / 3) + " points.");
+  if (targets.size() / 3 > SpaceRequest::most_targets)
+    return refused("There may be no more than " + std::to_string(SpaceRequest::most_targets) + " targets.");
+  if (obstacles.size() / 6 > Obstacles::most)
+    return refused("There may be no more than " + std::to_string(Obstacles::most) + " obstacles.");
+
+  for (std::size_t i = 0; i + 1 < profile.size(); i += 2) read.profile.emplace_back(std::fmax(profile[i], 0.0f), profile[i + 1]);
+  read.volume = {triples(points), {triangles.begin(), triangles.end()}};
+  read.targets = triples(targets);
+  const std::vector<glm::vec3> corners = triples(obstacles);
+  for (std::size_t i = 0; i + 1 < corners.size(); i += 2)
+    read.obstacles.push_back({glm::min(corners[i], corners[i + 1]), glm::max(corners[i], corners[i + 1])});
+  return read;
+}
+
+}  // namespace panicle::particles

@@ -1,0 +1,35 @@
+// What requests of a tree and of a root have in common: outputs, and what is given besides the numbers.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "models/particles/obstacles.hpp"
+#include "models/particles/solid.hpp"
+#include "plant/request.hpp"
+
+namespace panicle::particles {
+
+// Blocks: `profile` (float32, pairs of radius and height: 1 is half the width and the whole height of the boundary), `volume.points`
+// (float32, triples) and `volume.triangles` (uint32, triples) of a dropped mesh, `targets` (float32, triples in metres),
+// `obstacles` (float32, six each in metres: the low and the high corner of a box); and what every request has.
+struct SpaceRequest {
+  static constexpr std::size_t most_targets = 256;
+
+  std::uint64_t seed = 1;
+  bool meshes = false, measures = false, sky = false, mesh_fingerprint = false;
+  std::span<const float> parameters;
+  std::vector<glm::vec2> profile;
+  Surface volume;
+  std::vector<glm::vec3> targets;
+  std::vector<Box> obstacles;
+};
+
+// Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, corners that are
+// none of the mesh's points, more targets or obstacles than there may be.
+Result<SpaceRequest> read_space(Request& request);
+
+}  // namespace panicle::particles

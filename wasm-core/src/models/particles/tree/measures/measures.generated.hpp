@@ -1,0 +1,32 @@
+// Made from wasm-core/parameters/tree.measures.json by wasm-core/tools/generate.mjs; edit the table, not this.
+#pragma once
+
+#include <cstdint>
+
+namespace panicle::particles::tree {
+
+// In the order of Grown::measures; docs/models/tree/measures.md has their units.
+enum class Measure : std::uint32_t {
+  height,
+  spread,
+  crown_volume,
+  wood_length,
+  wood_volume,
+  trunk_width,
+  leaf_count,
+  leaf_area,
+  leaf_index,
+  light,
+  tips,
+  forks,
+  order,
+  order1,
+  order2,
+  order3,
+  bifurcation,
+  fork_angle,
+};
+
+inline constexpr std::uint32_t measure_count = 18;
+
+}  // namespace panicle::particles::tree

@@ -1,0 +1,171 @@
+// The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light, whose
+// trails to the ground are its branches. Blocks: those of space_request.hpp. Columns: those of trail_plant.hpp, and
+// `organs.sky`. Organs: `leaf`, `particle`. Meshes: `stems`, `leaves`, `balls`.
+#include <array>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "foundation/easing.hpp"
+#include "foundation/mathematics.hpp"
+#include "geometry/ball.hpp"
+#include "models/particles/branching.hpp"
+#include "models/particles/crown_light.hpp"
+#include "models/particles/dressing.hpp"
+#include "models/particles/grown.hpp"
+#include "models/particles/hormone.hpp"
+#include "models/particles/space_request.hpp"
+#include "models/particles/tree/crown.hpp"
+#include "models/particles/tree/leaves.hpp"
+#include "models/particles/tree/measures/measures.generated.hpp"
+#include "models/particles/tree/parameters.generated.hpp"
+#include "models/particles/values.hpp"
+#include "plant/model.hpp"
+#include "plant/plain.hpp"
+
+namespace panicle::particles::tree {
+namespace {
+
+using TreeValues = Values<Parameter, parameter_table>;
+using enum Parameter;
+
+constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+constexpr std::uint32_t light_cells = 28;
+constexpr std::uint32_t ball_segments = 12;
+constexpr float highest = 1e6f;      // that a way past an obstacle may lead
+// Of the hormone, in heights of the crown; of the leader, in widths.
+constexpr float hormone_reach = 0.5f, leader = 0.06f;
+// Hours of day between which shoots grow longer, and leaves stay.
+constexpr float shoots_end = 10, shoots_grow = 14, leaves_fall = 9, leaves_stay = 12;
+constexpr float shortest_shoots = 0.3f;
+constexpr std::array<glm::vec2, 5> egg{{{0.1f, 0}, {0.8f, 0.2f}, {1, 0.45f}, {0.7f, 0.8f}, {0.08f, 1}}};
+
+Form form_of(std::uint32_t shape) {
+  constexpr std::array forms{Form::ellipsoid, Form::ellipsoid, Form::box, Form::cone, Form::spline, Form::mesh};
+  return forms[shape];
+}
+
+CrownHabit crown_of(const TreeValues& values) {
+  CrownHabit habit;
+  habit.form = form_of(values.whole(shape));
+  habit.size = values.whole(shape) == 0 ? glm::vec3(values[width]) : glm::vec3(values[width], values[height], values[depth]);
+  habit.inner = values[inner];
+  habit.trunk = values[trunk];
+  habit.crowns = values.whole(crowns);
+  habit.distance = values[distance];
+  habit.stems = values.whole(stems);
+  if (values.whole(life) == 1) habit.growth = std::max(values[age] / 100, youngest);
+  habit.shoots = shortest_shoots + (1 - shortest_shoots) * smooth_step(shoots_end, shoots_grow, values[day]);
+  return habit;
+}
+
+struct Seen {
+  const Grown& grown;
+  const Region& crown;
+  const VoxelLight& light;
+  float leaf_area;  // of all
+  std::uint32_t leaf_count;
+};
+
+std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
+  const Branching branching = branching_of(plant.segments);
+  std::vector<float> measures(measure_count);
+  const auto set = [&](Measure measure, double value) {
+    measures[static_cast<std::size_t>(measure)] = static_cast<float>(value);
+  };
+  double lit = 0, starts = 0;
+  for (const Trails& trails : seen.grown.trails)
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      if (trails.particle[i] < 0) continue;
+      lit += static_cast<double>(seen.light.at(trails.places[i]));
+      ++starts;
+    }
+  const glm::vec3 size = seen.crown.high() - seen.crown.low();
+  const double shaded = 0.25 * static_cast<double>(pi * size.x * size.z);
+  set(Measure::height, std::max(branching.high, 0.0f));
+  set(Measure::spread, 0.5f * (branching.width_x + branching.width_z));
+  set(Measure::crown_volume, volume_of(seen.crown));
+  set(Measure::wood_length, branching.length);
+  set(Measure::wood_volume, 1000 * branching.volume);
+  set(Measure::trunk_width, 100 * branching.thickest);
+  set(Measure::leaf_count, seen.leaf_count);
+  set(Measure::leaf_area, seen.leaf_area);
+  set(Measure::leaf_index, shaded > 0 ? seen.leaf_area / shaded : nothing);
+  set(Measure::light, starts > 0 ? lit / starts : nothing);
+  set(Measure::tips, branching.tips);
+  set(Measure::forks, branching.forks);
+  set(Measure::order, branching.order);
+  set(Measure::order1, branching.of_order[0]);
+  set(Measure::order2, branching.of_order[1]);
+  set(Measure::order3, branching.of_order[2]);
+  set(Measure::bifurcation, branching.bifurcation);
+  set(Measure::fork_angle, branching.fork_angle);
+  return measures;
+}
+
+Result<Plant> grow(Request& request, const Limits&) {
+  const Result<SpaceRequest> read = read_space(request);
+  if (!read) return read.error();
+  Plant plant;
+  const TreeValues values(read->parameters, plant.notes);
+  CrownHabit habit = crown_of(values);
+  if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
+  Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume);
+  if (!read->targets.empty()) crowns_made.feet = read->targets;
+
+  const LightHabit light_habit{towards_sun(values[sun], values[sun_height]), values[sky],
+                               values[absorption] / crowns_made.across};
+  const bool by_light_too = values.whole(pattern) == 3 && values[by_light] > 0;
+  std::optional<VoxelLight> light;
+  if (by_light_too || read->measures) light.emplace(light_in(crowns_made.outer, light_habit, light_cells));
+  const Hormone held{values[hormone], crowns_made.top, hormone_reach * crowns_made.height, leader * crowns_made.across,
+                     crowns_made.feet};
+  const Foliage foliage(crowns_made, by_light_too ? &*light : nullptr, values[by_light], held);
+
+  const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
+  SpaceHabit space = space_habit<Parameter>(values);
+  space.trunk.bend -= values[phototropism] * brightest;
+  space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
+  plant.tags = {"branch"};
+  plant.organ_tags = {"leaf", "particle"};
+  const Grown grown =
+      grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0, highest, particle_tag);
+  LeafHabit leaf_habit;
+  leaf_habit.count = values.whole(leaves);
+  leaf_habit.size = 0.01f * values[leaf_size];
+  leaf_habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
+  leaf_habit.needles = values.choice<LeafShape>(leaf_shape) == LeafShape::needle;
+  leaf_habit.light = brightest;
+  leaf_habit.seed = read->seed;
+  const std::size_t particles_under_way = plant.organs.size();
+  for (std::size_t c = 0; c < grown.trails.size(); ++c)
+    add_leaves(plant, grown.trails[c], grown.numbers[c], leaf_habit, leaf_tag);
+  plant.counts.push_back({"leaves", static_cast<std::uint32_t>(plant.organs.size() - particles_under_way)});
+
+  const Blade blade = make_blade(values.choice<LeafShape>(leaf_shape), values[leaf_width], values[leaf_fold]);
+  if (read->measures) {
+    float area = 0;
+    for (const Organ& organ : plant.organs)
+      if (organ.tag == leaf_tag) area += blade.area * organ.scale * organ.scale;
+    const auto leaf_count = static_cast<std::uint32_t>(plant.organs.size() - particles_under_way);
+    plant.measures = measures_of(plant, {grown, foliage, *light, area, leaf_count});
+  }
+  if (read->meshes) {
+    dress(plant, grown, "bark", leaf_tag, blade.area, read->sky);
+    for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag ? 1 : 2;
+    plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
+    plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+  }
+  plant.fingerprint = fingerprint_of(plant);
+  if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  return plant;
+}
+
+}  // namespace
+
+extern const Model model;
+const Model model{"tree", grow};
+
+}  // namespace panicle::particles::tree

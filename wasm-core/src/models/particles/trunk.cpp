@@ -1,0 +1,96 @@
+#include "models/particles/trunk.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace panicle::particles {
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::max();
+// A longer one could turn a way round.
+constexpr float longest_bend = 0.9f;
+
+}  // namespace
+
+Trunk::Trunk(const glm::vec3& foot, const TrunkHabit& habit, const Region* outer, const Obstacles* obstacles)
+    : Guide(foot), habit_(habit), outer_(outer), obstacles_(obstacles && !obstacles->empty() ? obstacles : nullptr) {
+  const float bend = glm::length(habit.bend);
+  if (bend > longest_bend) habit_.bend *= longest_bend / bend;
+  if (obstacles_) survey();
+}
+
+glm::vec3 Trunk::to_axis(const glm::vec3& p) const {
+  const glm::vec3 foot = target();
+  const float from_axis = glm::length(glm::vec3(p.x - foot.x, 0, p.z - foot.z));
+  const float drop = glm::max(habit_.slant * from_axis, habit_.ahead);
+  const float left = (p.y - foot.y) * -habit_.way;
+  return left <= drop ? foot : glm::vec3(foot.x, p.y + habit_.way * drop, foot.z);
+}
+
+float Trunk::straight_way(const glm::vec3& p) const {
+  const glm::vec3 near = to_axis(p);
+  return glm::distance(p, near) + glm::distance(near, target());
+}
+
+glm::vec3 Trunk::aim(const glm::vec3& p) const {
+  const glm::vec3 straight = to_axis(p);
+  if (!sees(p, straight)) {
+    const Corner* corner = turning(p);
+    return corner ? corner->place : straight;
+  }
+  if (habit_.bend == glm::vec3(0)) return straight;
+  const glm::vec3 to = straight - p, from_axis(p.x - target().x, 0, p.z - target().z);
+  const float length = glm::length(to);
+  if (!(length > habit_.ahead)) return straight;
+  const glm::vec3 way = to / length + glm::min(glm::length(from_axis) / habit_.reach, 1.0f) * habit_.bend;
+  const glm::vec3 bent = p + way * (habit_.ahead / glm::length(way));
+  return passes(p, bent) ? bent : straight;
+}
+
+float Trunk::way(const glm::vec3& p) const {
+  if (sees(p, to_axis(p))) return straight_way(p);
+  const Corner* corner = turning(p);
+  return corner ? glm::distance(p, corner->place) + corner->way : straight_way(p);
+}
+
+bool Trunk::passes(const glm::vec3& from, const glm::vec3& to) const {
+  if (!sees(from, to)) return false;
+  return outer_ == nullptr || (to.y - from.y) * habit_.way >= 0 || outer_->contains(to);
+}
+
+bool Trunk::reaches(const glm::vec3& p) const {
+  return open(p) && (goes_straight(p) || turning(p) != nullptr);
+}
+
+// The corner in sight from which the way is shortest.
+const Trunk::Corner* Trunk::turning(const glm::vec3& p) const {
+  const Corner* best = nullptr;
+  float shortest = unknown;
+  for (const Corner& corner : corners_) {
+    const float way = glm::distance(p, corner.place) + corner.way;
+    if (way >= shortest || glm::distance(p, corner.place) < 1e-3f * habit_.ahead || !sees(p, corner.place)) continue;
+    shortest = way;
+    best = &corner;
+  }
+  return best;
+}
+
+// Dijkstra (1959) over the corners that see each other, from those that go straight.
+void Trunk::survey() {
+  std::vector<Corner> all;
+  for (const glm::vec3& place : obstacles_->corners())
+    all.push_back({place, goes_straight(place) ? straight_way(place) : unknown});
+  while (!all.empty()) {
+    const auto next = std::min_element(all.begin(), all.end(), [](const Corner& a, const Corner& b) { return a.way < b.way; });
+    if (next->way == unknown) break;
+    const Corner found = *next;
+    all.erase(next);
+    corners_.push_back(found);
+    for (Corner& other : all) {
+      const float way = found.way + glm::distance(found.place, other.place);
+      if (way < other.way && sees(found.place, other.place)) other.way = way;
+    }
+  }
+}
+
+}  // namespace panicle::particles

@@ -1,0 +1,64 @@
+#include "models/particles/wood.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "models/particles/crowd.hpp"
+#include "models/particles/polish.hpp"
+
+namespace panicle::particles {
+namespace {
+
+// How far a trail may be off where places are left out, in spacings.
+constexpr float tolerance = 0.08f;
+// Branches have no neighbours that keep them from being drawn straight.
+constexpr float smoothing = 2;
+// How far particles look along the axis, in spacings.
+constexpr float ahead = 2;
+
+std::size_t nearest(std::span<const glm::vec3> targets, const glm::vec3& p) {
+  std::size_t found = 0;
+  float best = glm::dot(p - targets[0], p - targets[0]);
+  for (std::size_t i = 1; i < targets.size(); ++i) {
+    const float square = glm::dot(p - targets[i], p - targets[i]);
+    if (!(square < best)) continue;
+    best = square;
+    found = i;
+  }
+  return found;
+}
+
+}  // namespace
+
+Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
+         TrunkHabit habit, const Region& outer, const Obstacles& obstacles) {
+  std::vector<std::vector<glm::vec3>> bound(targets.size());
+  for (const glm::vec3& start : starts) bound[nearest(targets, start)].push_back(start);
+  Rules rules = motion.rules;
+  rules.step *= spacing;
+  rules.merge *= spacing;
+  rules.neighbourhood *= spacing;
+  habit.ahead = ahead * spacing;
+  Wood wood;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Trunk guide(targets[i], habit, &outer, &obstacles);
+    if (!obstacles.empty())
+      wood.unreachable += static_cast<std::uint32_t>(
+          std::erase_if(bound[i], [&](const glm::vec3& start) { return !guide.reaches(start); }));
+    Crowd crowd(bound[i], motion.energy, guide, rules);
+    crowd.run();
+    Trails trails = crowd.trails();
+    smooth(trails, guide, smoothing);
+    wood.crowds.push_back(simplified(trails, tolerance * spacing));
+    wood.all.push_back(trails.energy[0]);
+    wood.tally.particles += static_cast<std::uint32_t>(bound[i].size());
+    wood.tally.merges += crowd.merges();
+    wood.tally.steps = std::max(wood.tally.steps, crowd.steps());
+    wood.tally.energy += crowd.arrived();
+    wood.stragglers += crowd.stragglers();
+  }
+  wood.last = last_step(wood.crowds);
+  return wood;
+}
+
+}  // namespace panicle::particles

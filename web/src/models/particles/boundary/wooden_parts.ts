@@ -1,0 +1,71 @@
+/** Trees and roots in parts: what is solid as it stands, and what is borne as many instances of one mesh. */
+import type { Material } from "../../../plant/material";
+import { hashFraction } from "../../../plant/noise";
+import { type Part, TRANSFORM } from "../../../plant/part";
+import { partsOf } from "../../../plant/parts_of";
+import type { Plant, PlantMesh } from "../../../plant/plant";
+
+/** How leaves differ among themselves: as many materials as there are tints, each for its share of them. */
+export type Tints = readonly Material[];
+
+/**
+ * @param materials of what is solid, by kind
+ * @param tints of what is borne, by the kind of its mesh
+ */
+export function* woodenParts(
+	{ meshes, organs }: Pick<Plant, "meshes" | "organs">,
+	materials: Readonly<Record<string, Material>>,
+	tints: Readonly<Record<string, Tints>>,
+): Generator<Part> {
+	const borne = new Set(organs.mesh);
+	const solid = meshes.filter((_, index) => !borne.has(index));
+	yield* partsOf({ meshes: solid, organs: { ...organs, count: 0 } }, materials);
+	for (const [index, mesh] of meshes.entries()) {
+		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
+	}
+}
+
+function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, tints: Tints): Generator<Part> {
+	const members = sorted(organs, index, Math.max(1, tints.length));
+	for (const [tint, { count, numbers }] of members.entries()) {
+		if (count === 0) continue;
+		const own = numbers.subarray(0, count);
+		const material = tints[tint] ?? { name: mesh.name, colour: [0.3, 0.4, 0.2], roughness: 0.7 };
+		const title = `${mesh.name.charAt(0).toUpperCase()}${mesh.name.slice(1)}`;
+		const sky = organs.sky;
+		yield {
+			name: members.length > 1 ? `${title} tint ${tint + 1}` : title,
+			shape: {
+				mesh,
+				material,
+				instances: {
+					transforms: taken(organs.transforms, own),
+					each: (i) => ({ name: `${title} ${own[i] + 1}`, extras: { segment: organs.segment[own[i]] } }),
+					...(sky ? { sky: Uint8Array.from(own, (organ) => sky[organ]) } : {}),
+				},
+			},
+		};
+	}
+}
+
+/** The organs of one mesh, by tint: chance decides, and the same one at every age. */
+function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: number; numbers: Uint32Array }[] {
+	const groups = Array.from({ length: tints }, () => ({ count: 0, numbers: new Uint32Array(organs.count) }));
+	for (let organ = 0; organ < organs.count; organ++) {
+		if (organs.mesh[organ] !== mesh) continue;
+		const group = groups[Math.floor(tints * hashFraction(organ, TINT))];
+		group.numbers[group.count++] = organ;
+	}
+	return groups;
+}
+
+const TINT = 0x71;
+
+function taken(transforms: Float32Array, organs: Uint32Array): Float32Array {
+	const into = new Float32Array(TRANSFORM * organs.length);
+	for (let i = 0; i < organs.length; i++) {
+		const from = TRANSFORM * organs[i];
+		for (let k = 0; k < TRANSFORM; k++) into[TRANSFORM * i + k] = transforms[from + k];
+	}
+	return into;
+}
