@@ -37,8 +37,6 @@ export function bladeColours(
 		const [broad, mottle] = [BROAD, MOTTLE].map((cells) => noise(cells * x, cells * y, cells * z) - 0.5);
 		const away = awayAt(map, uvs[2 * vertex], uvs[2 * vertex + 1]);
 		const near = (1 - away) ** 2;
-		// Of finer veins a mesh has no more than dots.
-		const shown = veined[vertex] * (1 - smoothstep(0.12, 0.3, away));
 		const rim = 1 - smoothstep(0, RIM, edge[vertex]);
 		const light = 1 + uneven * (0.6 * broad + 0.3 * mottle);
 		const fresh = mixed(scaled(green, light * (0.95 + 0.1 * near)), vein, HALO * near);
@@ -47,7 +45,7 @@ export function bladeColours(
 		const dry = smoothstep(0.85, 1.25, autumn * (0.45 + 0.3 * away + 0.55 * rim) + 0.5 * mottle);
 		const blade = mixed(mixed(fresh, scaled(late, light), turned), BROWN, 0.7 * dry);
 		const rib = mixed(vein, scaled(late, 0.85), 0.75 * smoothstep(0.5, 1, autumn));
-		colours.set(mixed(blade, rib, 0.9 * smoothstep(0.05, 0.7, shown)), 3 * vertex);
+		colours.set(mixed(blade, rib, 0.9 * smoothstep(0.05, 0.7, veined[vertex])), 3 * vertex);
 	}
 	return colours;
 }

@@ -1,12 +1,13 @@
 /** A leaf in parts: the two faces of its blade in colours of their own, its petiole, and particles on their way. */
-import { linear } from "../../../../plant/colour";
+import { linear, smoothstep } from "../../../../plant/colour";
 import type { Part } from "../../../../plant/part";
 import { partsOf } from "../../../../plant/parts_of";
-import type { Leaf } from "../grown";
+import type { PlantMesh } from "../../../../plant/plant";
+import type { BladeFace, Leaf } from "../grown";
 import type { LeafSpecimen } from "../specimen";
 import { bladeColours } from "./blade_colour";
 import { bladeMaterial, particleMaterial, petioleMaterial } from "./materials";
-import { veinMap } from "./vein_map";
+import { awayAt, type VeinMap, veinMap } from "./vein_map";
 
 /** The faces of the blade, by the names of their meshes: as people call them, and the look's colour. */
 const FACES: Readonly<Record<string, { title: string; colour: string }>> = {
@@ -25,7 +26,7 @@ export function* leafParts(leaf: Leaf, { look }: Pick<LeafSpecimen, "look">): Ge
 		const face = FACES[mesh.name];
 		if (!face) continue;
 		const hex = look[face.colour] as string;
-		const colours = bladeColours(mesh, faces[mesh.name], map, look, hex);
+		const colours = bladeColours(mesh, plainly(mesh, faces[mesh.name], map), map, look, hex);
 		const material = bladeMaterial(look, face.title, hex);
 		yield { name: face.title, shape: { mesh: { ...mesh, colours }, material, variant: mesh.name } };
 	}
@@ -35,4 +36,10 @@ export function* leafParts(leaf: Leaf, { look }: Pick<LeafSpecimen, "look">): Ge
 		{ meshes: others, organs },
 		{ stem: petioleMaterial(look), skin: particleMaterial(linear(look.vein_colour as string)) },
 	);
+}
+
+/** Of finer veins a mesh has no more than dots: they are left out. */
+function plainly({ uvs }: PlantMesh, { vein, edge }: BladeFace, map: VeinMap): BladeFace {
+	const shown = vein.map((share, at) => share * (1 - smoothstep(0.12, 0.3, awayAt(map, uvs[2 * at], uvs[2 * at + 1]))));
+	return { vein: shown, edge };
 }

@@ -7,6 +7,8 @@ type Look = LeafSpecimen["look"];
 
 /** Light through a blade is yellower than it: how much of each colour comes through, at the most. */
 const THROUGH: Colour = [1, 1.05, 0.5];
+/** The most light that files let pass. */
+const MOST_PASSING = 0.25;
 const EVERYWHERE: Colour = [1, 1, 1];
 
 /** A face of the blade. Both together are closed, and thin: light comes through from the other one. */
@@ -19,6 +21,14 @@ export function bladeMaterial({ glow, gloss }: Look, name: string, hex: string):
 		specular: mix(0.3, 1, shine),
 		sheet: { through: THROUGH.map((value) => value * (glow as number)) as Colour, reverse: EVERYWHERE },
 	};
+}
+
+/** The same for files, which tell light that passes by the flesh it passes. */
+export function fleshOf({ green, glow }: Look, thickness: number): Pick<Material, "flesh"> {
+	const share = MOST_PASSING * (glow as number);
+	if (share <= 0) return {};
+	const colour = linear(green as string).map((value) => Math.min(1, 0.25 + 2.5 * value)) as Colour;
+	return { flesh: { factor: share, thickness, colour, distance: thickness } };
 }
 
 export function petioleMaterial({ stalk }: Look): Material {
