@@ -10,7 +10,7 @@ import { bladeMaterial, particleMaterial, petioleMaterial } from "./materials";
 import { awayAt, type VeinMap, veinMap } from "./vein_map";
 
 /** The faces of the blade, by the names of their meshes: as people call them, and the look's colour. */
-const FACES: Readonly<Record<string, { title: string; colour: string }>> = {
+export const FACES: Readonly<Record<string, { title: string; colour: string }>> = {
 	upper: { title: "Blade, upper face", colour: "green" },
 	lower: { title: "Blade, lower face", colour: "under" },
 };
