@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "foundation/mathematics.hpp"
+#include "models/particles/leaf/sides.hpp"
 #include "models/particles/waypoints.hpp"
 
 namespace panicle::particles::leaf {
@@ -34,11 +35,17 @@ std::int32_t add(Ribs& ribs, std::int32_t at, const glm::vec3& place) {
   return static_cast<std::int32_t>(ribs.places.size()) - 1;
 }
 
+// Whether the straight way from the base, which is on the margin itself, lies in the blade.
+bool straight(const glm::vec3& base, const glm::vec3& end, const Outline& outline) {
+  const glm::vec3 start = base + 1e-3f * (end - base);
+  return outline.contains(start) && outline.contains(end) && outline.holds(start, end);
+}
+
 // From the base to a tip, in pieces: straight where that is open, else round the corners.
 std::vector<glm::vec3> main_vein(const glm::vec3& base, const glm::vec3& tip, const Outline& outline) {
   std::vector<glm::vec3> corners{base};
   const glm::vec3 end = base + before_tip * (tip - base);
-  if (!outline.holds(base + 1e-3f * (end - base), end)) {
+  if (!straight(base, end, outline)) {
     const Waypoints ways(outline, {tip}, detour_cell);
     glm::vec3 at = base;
     for (int k = 0; k < 64 && glm::distance(at, tip) > stride; ++k) {
@@ -105,31 +112,6 @@ std::vector<float> shares(std::uint32_t count, float ratio, float shift) {
   for (float& share : all) share /= sum;
   return all;
 }
-
-// Both sides of a margin from base to tip, by the share of their lengths.
-class Sides {
- public:
-  explicit Sides(const Margin& margin) : points_(margin.points), lengths_{0} {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      lengths_.push_back(lengths_[i] + glm::distance(points_[i], points_[(i + 1) % points_.size()]));
-    tip_ = lengths_[margin.tip];
-  }
-  glm::vec3 right(float share) const { return place(share * tip_); }
-  glm::vec3 left(float share) const { return place(lengths_.back() - share * (lengths_.back() - tip_)); }
-
- private:
-  glm::vec3 place(float length) const {
-    const auto after = std::upper_bound(lengths_.begin(), lengths_.end(), length);
-    const std::size_t i = std::min(static_cast<std::size_t>(after - lengths_.begin()) - 1, points_.size() - 1);
-    const float whole = lengths_[i + 1] - lengths_[i];
-    const glm::vec2 to = points_[(i + 1) % points_.size()];
-    return deep(points_[i] + (whole > 0 ? (length - lengths_[i]) / whole : 0) * (to - points_[i]));
-  }
-
-  std::span<const glm::vec2> points_;
-  std::vector<float> lengths_;
-  float tip_ = 0;
-};
 
 class Planner {
  public:
@@ -273,8 +255,7 @@ class Planner {
     for (float row = 1; row < rows; ++row) {
       const float share = before_tip * row / rows;
       const glm::vec3 next = 0.5f * ((1 + aside) * sides_.right(share) + (1 - aside) * sides_.left(share)), from = places.back();
-      const glm::vec3 open = places.size() == 1 ? from + 1e-3f * (next - from) : from;
-      if (!outline_.holds(open, next)) break;
+      if (places.size() == 1 ? !outline_.contains(next) : !outline_.holds(from, next)) break;
       places.push_back(next);
     }
     return places;
@@ -283,8 +264,23 @@ class Planner {
   // Straight to the tip where that is open, else midway between the sides.
   std::vector<glm::vec3> midline() const {
     const glm::vec3 tip = tip_at(margin_.tip), end = base_ + before_tip * (tip - base_);
-    if (outline_.holds(base_ + 1e-3f * (end - base_), end)) return main_vein(base_, tip, outline_);
-    std::vector<glm::vec3> places = between_sides(0);
+    if (straight(base_, end, outline_)) return main_vein(base_, tip, outline_);
+    // Across from side to side by the shorter way each time, so that both keep step round a bend.
+    constexpr float rows = 96;
+    std::vector<glm::vec3> places{base_};
+    for (float right = 0, left = 0; right + left < 2 * before_tip * rows;) {
+      const glm::vec3 one = sides_.right(right / rows), other = sides_.left(left / rows);
+      const glm::vec3 on = sides_.right(std::min(right + 1, rows) / rows), beyond = sides_.left(std::min(left + 1, rows) / rows);
+      const bool first = left >= rows || (right < rows && glm::distance(on, other) <= glm::distance(one, beyond));
+      (first ? right : left) += 1;
+      const glm::vec3 middle = first ? 0.5f * (on + other) : 0.5f * (one + beyond);
+      if (glm::distance(middle, places.back()) < stride) continue;
+      if (places.size() == 1 ? !outline_.contains(middle) : !outline_.holds(places.back(), middle)) {
+        if (places.size() == 1) continue;  // the base is a corner: on to where there is room
+        break;
+      }
+      places.push_back(middle);
+    }
     for (int pass = 0; pass < 20; ++pass)
       for (std::size_t i = 1; i + 1 < places.size(); ++i) {
         const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (places[i - 1] + places[i + 1]);
