@@ -77,11 +77,23 @@ void smooth(Trails& trails, const Guide& guide, float share) {
 }
 
 void bed(Trails& trails, const RibGrid& ribs, float reach) {
+  constexpr std::uint32_t none = ~0u;
   const auto runs = leading_to(trails);
+  // Whatever carries most stays on its line where another leaves it, else veins would step aside there.
+  std::vector<std::uint32_t> lines(trails.size(), 0), heaviest(trails.size(), 0);
+  for (std::uint32_t i = 1; i < trails.size(); ++i) {
+    std::uint32_t& child = heaviest[next_of(trails, i)];
+    if (child == 0 || trails.energy[i] > trails.energy[child]) child = i;
+  }
   for (std::size_t i = 1; i < trails.size(); ++i) {
+    lines[i] = none;
     if (runs[i].second == 0) continue;
-    const Ribs::Foot foot = ribs.nearest(trails.places[i]);
+    Ribs::Foot foot = ribs.nearest(trails.places[i]);
     if (!(foot.distance < reach)) continue;
+    const std::size_t next = next_of(trails, i);
+    if (heaviest[next] == i && lines[next] != none && ribs.line_of(foot.at) != lines[next])
+      if (const Ribs::Foot along = ribs.nearest_on(lines[next], trails.places[i]); along.distance < reach) foot = along;
+    lines[i] = ribs.line_of(foot.at);
     const auto carried = static_cast<float>(trails.energy[i] / (trails.energy[i] + bedded_energy * trails.energy[0]));
     trails.places[i] += carried * smooth_step(reach, 0.5f * reach, foot.distance) * (foot.place - trails.places[i]);
   }

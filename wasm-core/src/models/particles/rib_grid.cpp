@@ -20,6 +20,16 @@ RibGrid::RibGrid(const Ribs& ribs, const glm::vec3& low, const glm::vec3& high)
   cell_.y = std::max(cell_.y, std::numeric_limits<float>::min());
   std::vector<std::uint32_t> every, coarse, fine;
   for (std::uint32_t i = 1; i < ribs.places.size(); ++i) every.push_back(i);
+  std::vector<std::uint8_t> continued(ribs.places.size(), 0);
+  line_.push_back(0);
+  lines_.emplace_back();
+  for (const std::uint32_t i : every) {
+    const auto next = static_cast<std::size_t>(ribs.next[i]);
+    if (continued[next]) lines_.emplace_back();
+    line_.push_back(continued[next] ? static_cast<std::uint32_t>(lines_.size()) - 1 : line_[next]);
+    lines_[line_.back()].push_back(i);
+    continued[next] = 1;
+  }
   std::vector<float> distances;
   // Of `from`, those that come as near to some place about the middle as the nearest does.
   const auto select = [&](const std::vector<std::uint32_t>& from, const glm::vec3& middle, float radius,
@@ -62,6 +72,13 @@ Ribs::Foot RibGrid::nearest(const glm::vec3& p) const {
   Ribs::Foot best = ribs_->at_base(p);
   for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k)
     if (const Ribs::Foot foot = ribs_->foot_on(pieces_[k], p); foot.distance < best.distance) best = foot;
+  return best;
+}
+
+Ribs::Foot RibGrid::nearest_on(std::uint32_t line, const glm::vec3& p) const {
+  Ribs::Foot best{0, 0, p, std::numeric_limits<float>::max()};
+  for (const std::uint32_t i : lines_[line])
+    if (const Ribs::Foot foot = ribs_->foot_on(i, p); foot.distance < best.distance) best = foot;
   return best;
 }
 

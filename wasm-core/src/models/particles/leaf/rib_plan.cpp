@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "foundation/mathematics.hpp"
+#include "models/particles/leaf/sides.hpp"
 #include "models/particles/waypoints.hpp"
 
 namespace panicle::particles::leaf {
@@ -16,6 +17,8 @@ constexpr float before_margin = 0.012f;
 constexpr float first_secondary = 0.04f, last_secondary = 0.94f;  // along the midrib
 constexpr float lobe_reach = 0.94f;    // of the way into a lobe
 constexpr float least_secondary = 0.03f;
+// Where the blade reaches below the petiole, veins fan out from there: so far apart, to this angle, and no shorter than this.
+constexpr float fan = 32, fan_end = 165, least_fan = 0.1f;  // degrees, leaf lengths
 constexpr float detour_cell = 0.03f;  // of the waypoints that a bent main vein follows
 
 glm::vec2 flat(const glm::vec3& p) { return {p.x, p.y}; }
@@ -32,11 +35,17 @@ std::int32_t add(Ribs& ribs, std::int32_t at, const glm::vec3& place) {
   return static_cast<std::int32_t>(ribs.places.size()) - 1;
 }
 
+// Whether the straight way from the base, which is on the margin itself, lies in the blade.
+bool straight(const glm::vec3& base, const glm::vec3& end, const Outline& outline) {
+  const glm::vec3 start = base + 1e-3f * (end - base);
+  return outline.contains(start) && outline.contains(end) && outline.holds(start, end);
+}
+
 // From the base to a tip, in pieces: straight where that is open, else round the corners.
 std::vector<glm::vec3> main_vein(const glm::vec3& base, const glm::vec3& tip, const Outline& outline) {
   std::vector<glm::vec3> corners{base};
   const glm::vec3 end = base + before_tip * (tip - base);
-  if (!outline.holds(base + 1e-3f * (end - base), end)) {
+  if (!straight(base, end, outline)) {
     const Waypoints ways(outline, {tip}, detour_cell);
     glm::vec3 at = base;
     for (int k = 0; k < 64 && glm::distance(at, tip) > stride; ++k) {
@@ -44,7 +53,8 @@ std::vector<glm::vec3> main_vein(const glm::vec3& base, const glm::vec3& tip, co
       if (next == tip || next == at) break;
       corners.push_back(at = next);
     }
-    corners.push_back(at + before_tip * (tip - at));
+    const glm::vec3 last = at + before_tip * (tip - at);
+    if (outline.holds(at, last)) corners.push_back(last);
   } else {
     corners.push_back(end);
   }
@@ -106,11 +116,11 @@ std::vector<float> shares(std::uint32_t count, float ratio, float shift) {
 class Planner {
  public:
   Planner(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base)
-      : plan_(plan), margin_(margin), outline_(outline), base_(base) {}
+      : plan_(plan), margin_(margin), outline_(outline), base_(base), sides_(margin) {}
 
   // Walks from a midrib into the blade until the margin, or a place that `own` refuses, is near.
   template <class Own>
-  void secondary(Ribs& ribs, const Midrib& midrib, float along, float side, const Own& own) const {
+  void secondary(Ribs& ribs, const Midrib& midrib, float along, float side, float angle, float least, const Own& own) const {
     const std::size_t root = midrib.at(along);
     const glm::vec2 heading = midrib.heading(root);
     std::vector<glm::vec3> places;
@@ -120,12 +130,14 @@ class Planner {
     const float scale = std::max(midrib.length() - along, 0.15f);
     for (int k = 0; k < 100; ++k) {
       const float bend = plan_.arch * gone / (gone + scale);
-      const glm::vec3 next = at + stride * deep(turned(heading, side * plan_.angle * std::max(1 - 2.2f * bend, 0.0f)));
-      if (!outline_.contains(next) || outline_.distance(next) < before_margin || !own(next)) break;
+      const glm::vec3 next = at + stride * deep(turned(heading, side * angle * std::max(1 - 2.2f * bend, 0.0f)));
+      // The base is on the margin itself.
+      const float room = std::min(before_margin, 0.4f * (gone + stride));
+      if (!outline_.contains(next) || outline_.distance(next) < room || !own(next)) break;
       places.push_back(at = next);
       gone += stride;
     }
-    if (gone < least_secondary) return;
+    if (gone < least) return;
     std::int32_t last = midrib.numbers[root];
     for (const glm::vec3& place : places) last = add(ribs, last, place);
   }
@@ -135,8 +147,15 @@ class Planner {
     for (const float side : {-1.0f, 1.0f})
       for (const float share : shares(count, plan_.spacing, side > 0 ? plan_.offset : 0.0f)) {
         const float along = first_secondary + share * (last_secondary - first_secondary);
-        if (along < last_secondary) secondary(ribs, midrib, along * midrib.length(), side, own);
+        if (along < last_secondary) secondary(ribs, midrib, along * midrib.length(), side, plan_.angle, least_secondary, own);
       }
+  }
+
+  // Into what of the blade is below the base.
+  void basal_fan(Ribs& ribs, const Midrib& midrib) const {
+    for (const float side : {-1.0f, 1.0f})
+      for (float angle = plan_.angle + fan; angle <= fan_end; angle += fan)
+        secondary(ribs, midrib, 0, side, angle, least_fan, [](const glm::vec3&) { return true; });
   }
 
   // From where the midrib is seen at about the angle asked for, to a lobe's tip. False where no place sees it.
@@ -175,7 +194,7 @@ class Planner {
 
   std::vector<Ribs> pinnate(std::vector<std::string>& notes) const {
     std::vector<Ribs> all{empty()};
-    const Midrib midrib = lay_midrib(all[0], main_vein(base_, tip_at(margin_.tip), outline_));
+    const Midrib midrib = lay_midrib(all[0], midline());
     std::uint32_t lobes = 0, hidden = 0;
     for (const std::size_t tip : margin_.tips) {
       if (tip == margin_.tip) continue;
@@ -183,7 +202,10 @@ class Planner {
       if (!to_lobe(all[0], midrib, tip_at(tip))) ++hidden;
     }
     if (hidden > 0) notes.push_back("The midrib sees " + std::to_string(hidden) + " lobe tips from nowhere: they have no rib.");
-    if (lobes == 0) secondaries(all[0], midrib, plan_.secondaries, [](const glm::vec3&) { return true; });
+    if (lobes == 0 && plan_.secondaries > 0) {
+      secondaries(all[0], midrib, plan_.secondaries, [](const glm::vec3&) { return true; });
+      basal_fan(all[0], midrib);
+    }
     return all;
   }
 
@@ -216,36 +238,55 @@ class Planner {
 
   // Arcs that share the blade between the midline and its sides evenly.
   std::vector<Ribs> parallel() const {
-    constexpr float rows = 48;
-    const std::size_t count = margin_.points.size();
-    std::vector<float> lengths{0};
-    for (std::size_t i = 0; i < count; ++i)
-      lengths.push_back(lengths[i] + glm::distance(margin_.points[i], margin_.points[(i + 1) % count]));
-    const auto place = [&](float length) {
-      const auto after = std::upper_bound(lengths.begin(), lengths.end(), length);
-      const std::size_t i = std::min(static_cast<std::size_t>(after - lengths.begin()) - 1, count - 1);
-      const float whole = lengths[i + 1] - lengths[i];
-      const glm::vec2 to = margin_.points[(i + 1) % count];
-      return margin_.points[i] + (whole > 0 ? (length - lengths[i]) / whole : 0) * (to - margin_.points[i]);
-    };
-    const float right = lengths[margin_.tip], whole = lengths.back();
     const auto arcs = static_cast<std::int32_t>(plan_.secondaries);
     std::vector<Ribs> all;
     for (std::int32_t k = -arcs; k <= arcs; ++k) {
-      const float aside = static_cast<float>(k) / (static_cast<float>(arcs) + 0.7f);
       Ribs ribs = empty();
-      std::int32_t last = 0;
-      for (float row = 1; row < rows; ++row) {
-        const float share = before_tip * row / rows;
-        const glm::vec2 one = place(share * right), other = place(whole - share * (whole - right));
-        const glm::vec3 next = deep(0.5f * ((1 + aside) * one + (1 - aside) * other)), from = ribs.places.back();
-        const glm::vec3 open = last == 0 ? from + 1e-3f * (next - from) : from;
-        if (!outline_.holds(open, next)) break;
-        last = add(ribs, last, next);
-      }
+      lay_midrib(ribs, between_sides(static_cast<float>(k) / (static_cast<float>(arcs) + 0.7f)));
       all.push_back(std::move(ribs));
     }
     return all;
+  }
+
+  // From the base towards the tip between the margin's sides, −1 on the left one, 1 on the right; as far as that is open.
+  std::vector<glm::vec3> between_sides(float aside) const {
+    constexpr float rows = 48;
+    std::vector<glm::vec3> places{base_};
+    for (float row = 1; row < rows; ++row) {
+      const float share = before_tip * row / rows;
+      const glm::vec3 next = 0.5f * ((1 + aside) * sides_.right(share) + (1 - aside) * sides_.left(share)), from = places.back();
+      if (places.size() == 1 ? !outline_.contains(next) : !outline_.holds(from, next)) break;
+      places.push_back(next);
+    }
+    return places;
+  }
+
+  // Straight to the tip where that is open, else midway between the sides.
+  std::vector<glm::vec3> midline() const {
+    const glm::vec3 tip = tip_at(margin_.tip), end = base_ + before_tip * (tip - base_);
+    if (straight(base_, end, outline_)) return main_vein(base_, tip, outline_);
+    // Across from side to side by the shorter way each time, so that both keep step round a bend.
+    constexpr float rows = 96;
+    std::vector<glm::vec3> places{base_};
+    for (float right = 0, left = 0; right + left < 2 * before_tip * rows;) {
+      const glm::vec3 one = sides_.right(right / rows), other = sides_.left(left / rows);
+      const glm::vec3 on = sides_.right(std::min(right + 1, rows) / rows), beyond = sides_.left(std::min(left + 1, rows) / rows);
+      const bool first = left >= rows || (right < rows && glm::distance(on, other) <= glm::distance(one, beyond));
+      (first ? right : left) += 1;
+      const glm::vec3 middle = first ? 0.5f * (on + other) : 0.5f * (one + beyond);
+      if (glm::distance(middle, places.back()) < stride) continue;
+      if (places.size() == 1 ? !outline_.contains(middle) : !outline_.holds(places.back(), middle)) {
+        if (places.size() == 1) continue;  // the base is a corner: on to where there is room
+        break;
+      }
+      places.push_back(middle);
+    }
+    for (int pass = 0; pass < 20; ++pass)
+      for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+        const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (places[i - 1] + places[i + 1]);
+        if (outline_.contains(drawn) && outline_.distance(drawn) >= before_margin) places[i] = drawn;
+      }
+    return places;
   }
 
  private:
@@ -253,6 +294,7 @@ class Planner {
   const Margin& margin_;
   const Outline& outline_;
   glm::vec3 base_;
+  Sides sides_;
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint32_t draft_particles = 700;
 // In spacings: how near a rib trails are laid into it, and how far places may be from what is left of them.
 constexpr float bedded = 1.5f, bedded_again = 1.2f, simplified_within = 0.05f;
+constexpr float smoothed_again = 0.25f;  // so much of smoothing takes off the corners where side veins come in
 constexpr float on_margin = 1e-3f;
 
 // Where the petiole joins: the origin, or the margin's nearest place where that is outside.
@@ -99,6 +100,7 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
       bed(trails, guide.ribs(), share * bedded * veins.spacing);
       smooth(trails, guide, share);
       bed(trails, guide.ribs(), share * bedded_again * veins.spacing);
+      smooth(trails, guide, share * smoothed_again);
       trails = simplified(trails, share * simplified_within * veins.spacing);
     }
     veins.tally.particles += static_cast<std::uint32_t>(shares[k].size());
