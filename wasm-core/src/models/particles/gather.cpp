@@ -33,7 +33,7 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next) {
     if (trails.particle[i] < 0 && !passed[i]) continue;
     passed[to] = 1;
     energy[to] += energy[i];
-    if (to > 0) born[to] = std::min(born[to], born[i] + 1);
+    if (to > 0 && next[i] != trails.next[i]) born[to] = std::min(born[to], born[i] + 1);
   }
   Trails made;
   std::vector<std::int32_t> number(count, -1);
