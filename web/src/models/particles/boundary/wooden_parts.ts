@@ -18,7 +18,8 @@ export function* woodenParts(
 	tints: Readonly<Record<string, Tints>>,
 ): Generator<Part> {
 	const borne = new Set(organs.mesh);
-	const solid = meshes.filter((_, index) => !borne.has(index));
+	// What could be borne and is not, is not there.
+	const solid = meshes.filter(({ material }, index) => !borne.has(index) && !Object.hasOwn(tints, material));
 	yield* partsOf({ meshes: solid, organs: { ...organs, count: 0 } }, materials);
 	for (const [index, mesh] of meshes.entries()) {
 		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);

@@ -69,7 +69,7 @@ function quads(rings: number): Uint32Array {
 	for (let ring = 0; ring + 1 < rings; ring++) {
 		for (let k = 0; k < AROUND; k++) {
 			const [a, b] = [ring * AROUND + k, ring * AROUND + ((k + 1) % AROUND)];
-			indices.push(a, b, a + AROUND, b, b + AROUND, a + AROUND);
+			indices.push(a, a + AROUND, b, b, a + AROUND, b + AROUND);
 		}
 	}
 	return Uint32Array.from(indices);
