@@ -10,6 +10,7 @@ import {
 } from "three";
 import type { Material } from "../plant/material";
 import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
+import { grainChunk } from "./grain";
 import type { LightUniforms } from "./light_shader";
 import { standardMaterial } from "./standard_material";
 
@@ -62,6 +63,7 @@ export class PartMeshes {
 			if (!shape) continue;
 			const { mesh, instances } = shape;
 			const geometry = this.#geometryOf(mesh, instances?.sky);
+			if (shape.material.grain !== undefined) geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
 			const coloured = mesh.colours !== undefined;
 			const material = this.#materialOf(shape.material, coloured, geometry.hasAttribute("sky"));
 			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);
@@ -94,7 +96,8 @@ export class PartMeshes {
 		const kinds = this.#materials.get(material) ?? new Map<string, MeshStandardMaterial>();
 		this.#materials.set(material, kinds);
 		const kind = `${coloured} ${sky}`;
-		const made = kinds.get(kind) ?? standardMaterial(material, { light: this.#light, coloured, sky });
+		const detail = material.grain === undefined ? undefined : grainChunk(material.grain);
+		const made = kinds.get(kind) ?? standardMaterial(material, { light: this.#light, coloured, sky, detail });
 		kinds.set(kind, made);
 		return made;
 	}

@@ -3,24 +3,32 @@ import type { Material } from "../../../plant/material";
 import { hashFraction } from "../../../plant/noise";
 import { type Part, TRANSFORM } from "../../../plant/part";
 import { partsOf } from "../../../plant/parts_of";
-import type { Plant, PlantMesh } from "../../../plant/plant";
+import { EMPTY_PLANT, type Plant, type PlantMesh } from "../../../plant/plant";
+import { type Bark, woodColours } from "./wood_colours";
+import type { WoodenPlant } from "./wooden_plant";
 
 /** How leaves differ among themselves: as many materials as there are tints, each for its share of them. */
 export type Tints = readonly Material[];
 
-/**
- * @param materials of what is solid, by kind
- * @param tints of what is borne, by the kind of its mesh
- */
-export function* woodenParts(
-	{ meshes, organs }: Pick<Plant, "meshes" | "organs">,
-	materials: Readonly<Record<string, Material>>,
-	tints: Readonly<Record<string, Tints>>,
-): Generator<Part> {
+/** What trees and roots are dressed in. */
+export interface Dress {
+	/** Of all that is solid. */
+	readonly wood: Material;
+	readonly bark: Bark;
+	/** Of what is borne, by the kind of its mesh. */
+	readonly tints: Readonly<Record<string, Tints>>;
+}
+
+export function* woodenParts(plant: WoodenPlant, { wood, bark, tints }: Dress): Generator<Part> {
+	const { meshes, organs } = plant;
 	const borne = new Set(organs.mesh);
 	// What could be borne and is not, is not there.
 	const solid = meshes.filter(({ material }, index) => !borne.has(index) && !Object.hasOwn(tints, material));
-	yield* partsOf({ meshes: solid, organs: { ...organs, count: 0 } }, materials);
+	for (const mesh of solid) {
+		const colours = woodColours(plant, mesh, bark);
+		const coloured = colours ? { ...mesh, colours } : mesh;
+		yield* partsOf({ meshes: [coloured], organs: EMPTY_PLANT.organs }, { [mesh.material]: wood });
+	}
 	for (const [index, mesh] of meshes.entries()) {
 		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
 	}
