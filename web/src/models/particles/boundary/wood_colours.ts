@@ -21,14 +21,18 @@ export function woodColours({ segments, bearing }: WoodenPlant, mesh: PlantMesh,
 		const share = smoothstep(0, 1, Math.floor(i / 3) / (CLASSES - 1));
 		return bark.young[i % 3] + share * (bark.old[i % 3] - bark.young[i % 3]);
 	});
-	const colours = new Float32Array(mesh.positions.length);
 	const range = (CLASSES - 1) / (bark.to - bark.from);
-	for (let vertex = 0; vertex < bearing.length; vertex++) {
-		const radius = segments.radii[2 * bearing[vertex] + 1];
-		const place = 3 * Math.max(0, Math.min(CLASSES - 1, Math.floor((radius - bark.from) * range)));
-		colours[3 * vertex] = palette[place];
-		colours[3 * vertex + 1] = palette[place + 1];
-		colours[3 * vertex + 2] = palette[place + 2];
+	const places = new Uint8Array(segments.count);
+	for (let segment = 0; segment < places.length; segment++) {
+		const place = Math.floor((segments.radii[2 * segment + 1] - bark.from) * range);
+		places[segment] = 3 * Math.max(0, Math.min(CLASSES - 1, place));
+	}
+	const colours = new Float32Array(mesh.positions.length);
+	for (let vertex = 0, at = 0; vertex < bearing.length; vertex++, at += 3) {
+		const place = places[bearing[vertex]];
+		colours[at] = palette[place];
+		colours[at + 1] = palette[place + 1];
+		colours[at + 2] = palette[place + 2];
 	}
 	return colours;
 }

@@ -50,7 +50,7 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 				instances: {
 					transforms: taken(organs.transforms, own),
 					each: (i) => ({ name: `${title} ${own[i] + 1}`, extras: { segment: organs.segment[own[i]] } }),
-					...(sky ? { sky: Uint8Array.from(own, (organ) => sky[organ]) } : {}),
+					...(sky ? { sky: own.length === organs.count ? sky : picked(sky, own) } : {}),
 				},
 			},
 		};
@@ -69,6 +69,12 @@ function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: 
 }
 
 const TINT = 0x71;
+
+function picked(sky: Uint8Array, organs: Uint32Array): Uint8Array {
+	const into = new Uint8Array(organs.length);
+	for (let i = 0; i < organs.length; i++) into[i] = sky[organs[i]];
+	return into;
+}
 
 function taken(transforms: Float32Array, organs: Uint32Array): Float32Array {
 	const into = new Float32Array(TRANSFORM * organs.length);

@@ -6,6 +6,7 @@ import type { Figure, FigureMaker, FigureStage, Ray } from "../../../scene/figur
 import { boxOf } from "../../../scene/part_bounds";
 import { PartFigure } from "../../../scene/part_figure";
 import { PartMeshes } from "../../../scene/part_meshes";
+import { Wardrobe } from "../../../scene/wardrobe";
 import type { WoodenPlant } from "../boundary/wooden_plant";
 import { rootParts } from "./root_parts";
 import { pit } from "./soil";
@@ -15,12 +16,14 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 	readonly modes = ["whole"];
 	readonly #stage: FigureStage;
 	readonly #roots: PartFigure<RootSpecimen, WoodenPlant>;
+	readonly #wardrobe: Wardrobe;
 	#soil: PartMeshes | undefined;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
 	constructor(stage: FigureStage) {
 		this.#stage = stage;
 		this.#roots = new PartFigure(stage, rootParts);
+		this.#wardrobe = new Wardrobe(stage.light.uniforms);
 	}
 
 	show(grown: WoodenPlant, specimen: RootSpecimen): void {
@@ -32,9 +35,10 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 			this.#bounds = bodies;
 			return;
 		}
+		this.#wardrobe.change();
 		const mesh = pit({ low: box.min.toArray(), high: box.max.toArray() }, specimen.look.soil);
 		const shape = { mesh, material: { name: "Soil", colour: linear(specimen.look.soil), roughness: 1 } };
-		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#stage.light.uniforms);
+		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#wardrobe);
 		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
 		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
 		this.#stage.root.add(...this.#soil.objects);
@@ -61,6 +65,7 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 
 	dispose(): void {
 		this.#clear();
+		this.#wardrobe.dispose();
 		this.#roots.dispose();
 	}
 
