@@ -9,6 +9,7 @@
 namespace panicle {
 namespace {
 
+constexpr float most_bends = 4;  // rings more for them, where thin axes are plain
 constexpr float cap_degrees[] = {35, 65}, thin_cap_degrees[] = {50};  // from the rim; the pole is at 90
 
 // A cubic Hermite curve from node to node, as powers of t.
@@ -98,7 +99,8 @@ float distance_between(const Ring& a, const Ring& b) {
 
 }  // namespace
 
-TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin) : stems_(stems), axes_(axes), thin_(thin) {
+TubeMaker::TubeMaker(const Stems& stems, const StemAxes& axes, float thin, bool plain)
+    : stems_(stems), axes_(axes), thin_(thin), plain_(plain) {
   for (std::uint32_t n = 1; n <= most_steps; ++n) {
     for (std::uint32_t k = 0; k <= n; ++k) {
       const float turn = static_cast<float>(k) / static_cast<float>(n);
@@ -126,6 +128,7 @@ std::uint32_t TubeMaker::steps_to(const StemAxis& axis, std::uint32_t i) const {
   const bool thin = is_thin(axis);
   const float bend = glm::length(a.tangent - along) + glm::length(b.tangent - along);
   const float by_bend = (thin ? 4 : 6) * bend;  // about every 15°, every 10°
+  if (thin && plain_) return 1 + static_cast<std::uint32_t>(std::min(3 * bend, most_bends));
   const float most = thin ? (shaped ? 6.0f : 3.0f) : (shaped ? 10.0f : 7.0f);
   const float wanted = std::max(std::min(most, by_length), by_bend);
   const auto steps = static_cast<std::uint32_t>(std::min(wanted, static_cast<float>(most_steps)));

@@ -41,8 +41,8 @@ struct Tube {
 // bearer, rings lean towards the bearer's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
-  // Axes that begin thinner than `thin` get about half the rings.
-  TubeMaker(const Stems& stems, const StemAxes& axes, float thin = 0);
+  // Axes that begin thinner than `thin` get about half the rings; where that is to be `plain`, one a node and more in bends.
+  TubeMaker(const Stems& stems, const StemAxes& axes, float thin = 0, bool plain = false);
 
   bool is_thin(const StemAxis& axis) const { return axes_.nodes[axis.first].radius < thin_; }
 
@@ -65,6 +65,7 @@ class TubeMaker {
   const Stems stems_;
   const StemAxes& axes_;
   const float thin_;
+  const bool plain_;
   bool coarse_ = false;
   // Steps are shorter near nodes: at fraction k / n − c sin(2π k / n) / 2π. Here is that without c, for every n.
   std::array<std::array<float, most_steps + 1>, most_steps + 1> crowding_{};

@@ -10,7 +10,7 @@ namespace panicle {
 
 StemMesh sweep_stems(const Stems& stems, const TubeOptions& options, float scale) {
   const StemAxes axes = find_stem_axes(stems);
-  TubeMaker maker(stems, axes, options.thin);
+  TubeMaker maker(stems, axes, options.thin, options.thin_plain);
   const auto count = [&](bool thin) {
     TubeCount all;
     for (const StemAxis& axis : axes.axes) {

@@ -31,6 +31,8 @@ struct TubeOptions {
   // is a few pixels wide no more would be seen.
   float thin = 0;
   std::uint32_t thin_sides = 6;
+  // Thin axes get hardly more rings than they have nodes and bends: for thousands of twigs.
+  bool thin_plain = false;
 };
 
 // Sweeps the stems. Positions come out in the segments' unit times `scale`. u runs once round, v along the

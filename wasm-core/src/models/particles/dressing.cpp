@@ -15,7 +15,7 @@
 namespace panicle::particles {
 namespace {
 
-constexpr std::uint32_t sides = 12, thin_sides = 5;
+constexpr std::uint32_t sides = 12, thin_sides = 4;
 // Axes thinner than this share of the thickest are thin.
 constexpr float thin = 0.12f;
 constexpr float traveller = 1.6f;  // times its trail's radius
@@ -102,7 +102,7 @@ void add_travellers(Plant& plant, const Trails& trails, std::uint32_t step, doub
 void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky) {
   float thickest = 0;
   for (const Segment& segment : plant.segments) thickest = std::max(thickest, segment.radius);
-  const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides};
+  const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
   StemMesh stems = sweep_stems({plant.segments, axes_of(grown, plant.segments.size())}, options, 1.0f);
   Columns columns;
   if (sky) {

@@ -34,7 +34,8 @@ template <class Keys, class Values>
 SpaceHabit space_habit(const Values& values) {
   SpaceHabit habit;
   habit.count = values.whole(Keys::particles);
-  constexpr std::array patterns{Pattern::uniform, Pattern::jittered, Pattern::blue, Pattern::blue};
+  // Where some are taken out again, blue noise would be lost, and its price.
+  constexpr std::array patterns{Pattern::uniform, Pattern::jittered, Pattern::blue, Pattern::jittered};
   habit.pattern = patterns[values.whole(Keys::pattern)];
   habit.motion = {static_cast<double>(values[Keys::energy]),
                   {.step = values[Keys::step],

@@ -37,19 +37,19 @@ float distance_to(const glm::vec3& p, const glm::vec3& from, const glm::vec3& to
 
 }  // namespace
 
-void smooth(Trails& trails, const Guide& guide) {
+void smooth(Trails& trails, const Guide& guide, float times) {
   const auto runs = leading_to(trails);
   std::vector<std::uint32_t> moving;
   std::vector<float> passes;
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
     if (runs[i].second == 0) continue;
     moving.push_back(i);
-    passes.push_back(-(least_passes + more_passes * static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]))));
+    passes.push_back(-times * (least_passes + more_passes * static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]))));
   }
   const std::vector<std::uint32_t> order = order_of(passes);
   std::vector<glm::vec3>& places = trails.places;
   // Each in its turn, so that what a place sees is still there when the next is drawn.
-  for (float pass = 0; pass < least_passes + more_passes; ++pass) {
+  for (float pass = 0; pass < times * (least_passes + more_passes); ++pass) {
     for (const std::uint32_t at : order) {
       if (-passes[at] <= pass) break;
       const std::uint32_t i = moving[at];

@@ -8,9 +8,9 @@
 namespace panicle::particles {
 
 // Draws every place towards the next and the mean of those that lead to it, by their energy: twigs 8 times, what carries
-// all the energy 56 times. The target and the ends of twigs stay, and no place goes where it is not open or out of
+// all the energy 56 times, or `times` as often. The target and the ends of twigs stay, and no place goes where it is not open or out of
 // its neighbours' sight.
-void smooth(Trails& trails, const Guide& guide);
+void smooth(Trails& trails, const Guide& guide, float times = 1);
 
 // Lays what runs along a rib into it: wholly on it, less and less up to `reach` from it, and the more energy passes the
 // more; ends of twigs stay.

@@ -21,6 +21,9 @@ constexpr float jitter = 0.8f;
 // Least distance of blue noise in spacings, so that about as many points fit as were asked for (measured).
 constexpr float apart_flat = 0.79f, apart_deep = 0.86f;
 constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
+// More than a hundred for each of the most points that are asked for: where a region fills hardly any of its box, there are
+// fewer points instead.
+constexpr std::uint64_t most_cells = 12'000'000;
 // A uniform point is looked for so many times for each wanted.
 constexpr std::uint64_t most_darts = 1000;
 
@@ -41,8 +44,10 @@ class Lattice {
            static_cast<std::uint64_t>(count_[2]);
   }
   glm::ivec3 cell(std::uint64_t index) const {
-    const auto x = static_cast<std::uint64_t>(count_[0]), y = static_cast<std::uint64_t>(count_[1]);
-    return glm::ivec3(index % x, index / x % y, index / (x * y)) + first_;
+    // Fewer than 2^32, and of words half as long quotients are had in a third of the time.
+    const auto at = static_cast<std::uint32_t>(index), x = static_cast<std::uint32_t>(count_[0]),
+               row = at / x, y = static_cast<std::uint32_t>(count_[1]), layer = row / y;
+    return glm::ivec3(at - row * x, row - layer * y, layer) + first_;
   }
   // Whether all of a cell's neighbours are in the lattice.
   bool inner(std::uint64_t index) const {
@@ -129,7 +134,9 @@ std::vector<glm::vec3> jittered(const Region& region, float spacing, std::uint64
 // Where it is less dense, points are taken out afterwards.
 std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t seed) {
   const bool flat = region.flat();
-  const Lattice lattice(region, apart / std::sqrt(flat ? 2.0f : 3.0f));
+  const float diagonal = std::sqrt(flat ? 2.0f : 3.0f);
+  while (Lattice(region, apart / diagonal).cells() > most_cells) apart *= 1.1f;
+  const Lattice lattice(region, apart / diagonal);
   std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are looked at as eight
   std::vector<glm::vec3> points, by_cell(lattice.cells());
   const std::vector<std::int64_t> rows = lattice.rows();

@@ -27,13 +27,10 @@ Solid::Solid(Surface surface) : surface_(std::move(surface)) {
   }
   const glm::vec3 size = high_ - low_;
   edge_ = std::max({size.x, size.y, size.z, std::numeric_limits<float>::min()}) / cells_along;
-  count_ = glm::ivec3(size / edge_) + 1;
+  per_edge_ = 1 / edge_;
+  count_ = glm::ivec3(size * per_edge_) + 1;
   sort();
   classify();
-}
-
-glm::ivec3 Solid::place_of(const glm::vec3& p) const {
-  return glm::clamp(glm::ivec3((p - low_) / edge_), glm::ivec3(0), count_ - 1);
 }
 
 void Solid::sort() {
@@ -66,7 +63,8 @@ void Solid::classify() {
     const glm::vec3 across = glm::cross(b - a, c - a);
     const float length = glm::length(across);
     const glm::vec3 normal = length > 0 ? across / length : glm::vec3(0);
-    const glm::ivec3 from = place_of(glm::min(a, glm::min(b, c)) - slack), to = place_of(glm::max(a, glm::max(b, c)) + slack);
+    const glm::ivec3 from = place_of(glm::max(glm::min(a, glm::min(b, c)) - slack, low_)),
+                     to = place_of(glm::max(a, glm::max(b, c)) + slack);
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y)
         for (int x = from.x; x <= to.x; ++x) {

@@ -1,6 +1,7 @@
 // A closed surface of triangles, and what is inside of it: what crowns and root balls are bounded by.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -33,7 +34,12 @@ class Solid final : public Region {
  private:
   enum class Cell : std::uint8_t { unknown, outside, inside, mixed };
 
-  glm::ivec3 place_of(const glm::vec3& p) const;
+  // The cell of a place in the box.
+  glm::ivec3 place_of(const glm::vec3& p) const {
+    const glm::vec3 at = (p - low_) * per_edge_;
+    return {std::min(static_cast<std::int32_t>(at.x), count_.x - 1), std::min(static_cast<std::int32_t>(at.y), count_.y - 1),
+            std::min(static_cast<std::int32_t>(at.z), count_.z - 1)};
+  }
   bool slice_contains(const glm::vec3& p) const;
   void sort();
   void classify();
@@ -43,7 +49,7 @@ class Solid final : public Region {
 
   Surface surface_;
   glm::vec3 low_{0}, high_{0};
-  float edge_ = 1;
+  float edge_ = 1, per_edge_ = 1;
   glm::ivec3 count_{0};
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_, members_;  // of each row of cells along x: the triangles that meet it

@@ -3,14 +3,17 @@
 // `particle`. Meshes: `stems`, `balls`.
 #include <array>
 #include <glm/common.hpp>
+#include <limits>
 #include <string>
 
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
 #include "models/particles/boundary.hpp"
+#include "models/particles/branching.hpp"
 #include "models/particles/dressing.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/hormone.hpp"
+#include "models/particles/root/measures/measures.generated.hpp"
 #include "models/particles/root/parameters.generated.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/values.hpp"
@@ -53,6 +56,32 @@ class Soil final : public Region {
   float topsoil_;
 };
 
+std::vector<float> measures_of(const Plant& plant, const Region& soil) {
+  const Branching branching = branching_of(plant.segments);
+  std::vector<float> measures(measure_count);
+  const auto set = [&](Measure measure, double value) {
+    measures[static_cast<std::size_t>(measure)] = static_cast<float>(value);
+  };
+  const double rooted = static_cast<double>(volume_of(soil));
+  set(Measure::deepest, std::max(-branching.low, 0.0f));
+  set(Measure::spread, 0.5f * (branching.width_x + branching.width_z));
+  set(Measure::root_volume, rooted);
+  set(Measure::wood_length, branching.length);
+  set(Measure::wood_volume, 1000 * branching.volume);
+  set(Measure::collar_width, 100 * branching.thickest);
+  set(Measure::surface, branching.surface);
+  set(Measure::density, rooted > 0 ? 0.001 * branching.length / rooted : std::numeric_limits<double>::quiet_NaN());
+  set(Measure::tips, branching.tips);
+  set(Measure::forks, branching.forks);
+  set(Measure::order, branching.order);
+  set(Measure::order1, branching.of_order[0]);
+  set(Measure::order2, branching.of_order[1]);
+  set(Measure::order3, branching.of_order[2]);
+  set(Measure::bifurcation, branching.bifurcation);
+  set(Measure::fork_angle, branching.fork_angle);
+  return measures;
+}
+
 Result<Plant> grow(Request& request, const Limits&) {
   const Result<SpaceRequest> read = read_space(request);
   if (!read) return read.error();
@@ -80,6 +109,7 @@ Result<Plant> grow(Request& request, const Limits&) {
   plant.tags = {"root"};
   plant.organ_tags = {"particle"};
   const Grown grown = grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag);
+  if (read->measures) plant.measures = measures_of(plant, soil);
   if (read->meshes) {
     dress(plant, grown, "root", no_leaf, 0, read->sky);
     for (Organ& organ : plant.organs) organ.mesh = 1;

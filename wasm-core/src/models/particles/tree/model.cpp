@@ -3,11 +3,14 @@
 // `organs.sky`. Organs: `leaf`, `particle`. Meshes: `stems`, `leaves`, `balls`.
 #include <array>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "foundation/easing.hpp"
+#include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
+#include "models/particles/branching.hpp"
 #include "models/particles/crown_light.hpp"
 #include "models/particles/dressing.hpp"
 #include "models/particles/grown.hpp"
@@ -15,6 +18,7 @@
 #include "models/particles/space_request.hpp"
 #include "models/particles/tree/crown.hpp"
 #include "models/particles/tree/leaves.hpp"
+#include "models/particles/tree/measures/measures.generated.hpp"
 #include "models/particles/tree/parameters.generated.hpp"
 #include "models/particles/values.hpp"
 #include "plant/model.hpp"
@@ -27,9 +31,12 @@ using TreeValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
 constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
-constexpr std::uint32_t light_cells = 36;
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+constexpr std::uint32_t light_cells = 28;
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;      // that a way past an obstacle may lead
+// How much of the bole bears no branch, of what is below the crown.
+constexpr float bole = 0.6f;
 // Of the hormone, in heights of the crown; of the leader, in widths.
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
 // Hours of day between which shoots grow longer, and leaves stay.
@@ -56,6 +63,50 @@ CrownHabit crown_of(const TreeValues& values) {
   return habit;
 }
 
+struct Seen {
+  const Grown& grown;
+  const Region& crown;
+  const VoxelLight& light;
+  float leaf_area;  // of all
+  std::uint32_t leaf_count;
+};
+
+std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
+  const Branching branching = branching_of(plant.segments);
+  std::vector<float> measures(measure_count);
+  const auto set = [&](Measure measure, double value) {
+    measures[static_cast<std::size_t>(measure)] = static_cast<float>(value);
+  };
+  double lit = 0, starts = 0;
+  for (const Trails& trails : seen.grown.trails)
+    for (std::size_t i = 0; i < trails.size(); ++i) {
+      if (trails.particle[i] < 0) continue;
+      lit += static_cast<double>(seen.light.at(trails.places[i]));
+      ++starts;
+    }
+  const glm::vec3 size = seen.crown.high() - seen.crown.low();
+  const double shaded = 0.25 * static_cast<double>(pi * size.x * size.z);
+  set(Measure::height, std::max(branching.high, 0.0f));
+  set(Measure::spread, 0.5f * (branching.width_x + branching.width_z));
+  set(Measure::crown_volume, volume_of(seen.crown));
+  set(Measure::wood_length, branching.length);
+  set(Measure::wood_volume, 1000 * branching.volume);
+  set(Measure::trunk_width, 100 * branching.thickest);
+  set(Measure::leaf_count, seen.leaf_count);
+  set(Measure::leaf_area, seen.leaf_area);
+  set(Measure::leaf_index, shaded > 0 ? seen.leaf_area / shaded : nothing);
+  set(Measure::light, starts > 0 ? lit / starts : nothing);
+  set(Measure::tips, branching.tips);
+  set(Measure::forks, branching.forks);
+  set(Measure::order, branching.order);
+  set(Measure::order1, branching.of_order[0]);
+  set(Measure::order2, branching.of_order[1]);
+  set(Measure::order3, branching.of_order[2]);
+  set(Measure::bifurcation, branching.bifurcation);
+  set(Measure::fork_angle, branching.fork_angle);
+  return measures;
+}
+
 Result<Plant> grow(Request& request, const Limits&) {
   const Result<SpaceRequest> read = read_space(request);
   if (!read) return read.error();
@@ -78,6 +129,7 @@ Result<Plant> grow(Request& request, const Limits&) {
   const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
   SpaceHabit space = space_habit<Parameter>(values);
   space.trunk.bend -= values[phototropism] * brightest;
+  space.trunk.bole = bole * habit.growth * habit.trunk;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};
@@ -95,8 +147,15 @@ Result<Plant> grow(Request& request, const Limits&) {
     add_leaves(plant, grown.trails[c], grown.numbers[c], leaf_habit, leaf_tag);
   plant.counts.push_back({"leaves", static_cast<std::uint32_t>(plant.organs.size() - particles_under_way)});
 
+  const Blade blade = make_blade(values.choice<LeafShape>(leaf_shape), values[leaf_width], values[leaf_fold]);
+  if (read->measures) {
+    float area = 0;
+    for (const Organ& organ : plant.organs)
+      if (organ.tag == leaf_tag) area += blade.area * organ.scale * organ.scale;
+    const auto leaf_count = static_cast<std::uint32_t>(plant.organs.size() - particles_under_way);
+    plant.measures = measures_of(plant, {grown, foliage, *light, area, leaf_count});
+  }
   if (read->meshes) {
-    const Blade blade = make_blade(values.choice<LeafShape>(leaf_shape), values[leaf_width], values[leaf_fold]);
     dress(plant, grown, "bark", leaf_tag, blade.area, read->sky);
     for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag ? 1 : 2;
     plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});

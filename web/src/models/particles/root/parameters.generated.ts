@@ -265,7 +265,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 3,
 		default: 2,
 		step: 1,
-		help: "uniform: each for itself. jittered: one in each cell of a lattice. blue: none near another. topsoil: blue, and the denser the nearer the ground.",
+		help: "uniform: each for itself. jittered: one in each cell of a lattice. blue: none near another. topsoil: jittered, and the denser the nearer the ground.",
 		since: 2,
 	},
 	{

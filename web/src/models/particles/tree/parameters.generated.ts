@@ -475,7 +475,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 3,
 		default: 3,
 		step: 1,
-		help: "uniform: each for itself. jittered: one in each cell of a lattice. blue: none near another. light: blue, and the denser the lighter it is.",
+		help: "uniform: each for itself. jittered: one in each cell of a lattice. blue: none near another. light: jittered, and the denser the lighter it is.",
 		since: 2,
 	},
 	{
