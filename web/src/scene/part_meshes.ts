@@ -98,9 +98,12 @@ function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): Bu
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3));
 	if (sky) geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
 	geometry.setIndex(new BufferAttribute(indices, 1));
-	geometry.boundingSphere = sphereAbout(positions, 3);
+	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MOST_ASKED)));
 	return geometry;
 }
+
+/** Of very many vertices so many say how large a mesh is. */
+const MOST_ASKED = 20_000;
 
 /** A ball that holds points, the first three of every so many numbers, about the middle of their box: three's own takes ten times as long. */
 function sphereAbout(points: Float32Array, stride: number, reach = 0): Sphere {
