@@ -21,7 +21,7 @@ export interface Dress {
 
 export function* woodenParts(plant: WoodenPlant, { wood, bark, tints }: Dress): Generator<Part> {
 	const { meshes, organs } = plant;
-	const borne = new Set(organs.mesh);
+	const borne = borneIn(organs);
 	// What could be borne and is not, is not there.
 	const solid = meshes.filter(({ material }, index) => !borne.has(index) && !Object.hasOwn(tints, material));
 	for (const mesh of solid) {
@@ -34,13 +34,26 @@ export function* woodenParts(plant: WoodenPlant, { wood, bark, tints }: Dress): 
 	}
 }
 
+/** Meshes that something is drawn with. */
+function borneIn({ count, mesh }: Plant["organs"]): Set<number> {
+	const borne = new Set<number>();
+	let last = -1;
+	for (let organ = 0; organ < count; organ++) {
+		if (mesh[organ] === last) continue;
+		last = mesh[organ];
+		borne.add(last);
+	}
+	return borne;
+}
+
 function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, tints: Tints): Generator<Part> {
 	const members = sorted(organs, index, Math.max(1, tints.length));
 	for (const [tint, { count, numbers }] of members.entries()) {
 		if (count === 0) continue;
 		const own = numbers.subarray(0, count);
 		const material = tints[tint] ?? { name: mesh.name, colour: [0.3, 0.4, 0.2], roughness: 0.7 };
-		const title = `${mesh.name.charAt(0).toUpperCase()}${mesh.name.slice(1)}`;
+		const kind = organs.tags[organs.tag[own[0]]] ?? mesh.name;
+		const title = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}`;
 		const sky = organs.sky;
 		yield {
 			name: members.length > 1 ? `${title} tint ${tint + 1}` : title,
@@ -57,18 +70,19 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 	}
 }
 
-/** The organs of one mesh, by tint: chance decides, and the same one at every age. */
+/** The organs of one mesh, by tint: chance decides, by where they are, so that each stays what it is while others come. */
 function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: number; numbers: Uint32Array }[] {
 	const groups = Array.from({ length: tints }, () => ({ count: 0, numbers: new Uint32Array(organs.count) }));
+	const { buffer, byteOffset, length } = organs.transforms;
+	const bits = new Int32Array(buffer, byteOffset, length);
 	for (let organ = 0; organ < organs.count; organ++) {
 		if (organs.mesh[organ] !== mesh) continue;
-		const group = groups[Math.floor(tints * hashFraction(organ, TINT))];
+		const at = TRANSFORM * organ;
+		const group = groups[Math.floor(tints * hashFraction(bits[at] ^ Math.imul(bits[at + 2], 31), bits[at + 4]))];
 		group.numbers[group.count++] = organ;
 	}
 	return groups;
 }
-
-const TINT = 0x71;
 
 function picked(sky: Uint8Array, organs: Uint32Array): Uint8Array {
 	const into = new Uint8Array(organs.length);
