@@ -76,6 +76,14 @@ describe("a grown leaf", () => {
 		expect(draft.meshes[0].sky).toBeUndefined();
 	});
 
+	it("has all its particles while they are watched, in a coarser blade", () => {
+		const young = withValues("oak", { age: 50 });
+		const [whole, passing] = [grow(young), grow(young, { passing: true })];
+		expect(passing.counts).toEqual(whole.counts);
+		expect(passing.fingerprint).toBe(whole.fingerprint);
+		expect(passing.meshes[0].indices.length).toBeLessThan(whole.meshes[0].indices.length / 2);
+	});
+
 	it("is told in words", () => {
 		const oak = leafFromPreset("oak");
 		expect(model.words(grow(oak), oak)).toMatch(/^Oak leaf, 4\d cm², 11 cm long, 3\.\d m of veins$/);

@@ -14,16 +14,22 @@ export interface LeafOptions extends GrowthOptions {
 	detail?: number;
 }
 
+/** Triangles of the blade while particles run, against the core's own choice. */
+const WATCHED_DETAIL = 0.25;
+
 export function encodeLeaf(specimen: LeafSpecimen, options: LeafOptions = {}): Block[] {
 	const { meshes = true, passing = false, meshFingerprint = false, detail } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const { seed, parameters, outline } = specimen;
+	// Who watches particles run sees all of them, only the blade is coarser meanwhile.
+	const watched = parameters.age < 100;
+	const triangles = detail ?? (passing && watched ? WATCHED_DETAIL : undefined);
 	const outputs = [
 		meshes && "meshes",
 		measures && "measures",
 		sky && "sky",
 		meshFingerprint && "mesh_fingerprint",
-		passing && "draft",
+		passing && !watched && "draft",
 	];
 	return [
 		{ name: "model", data: "leaf" },
@@ -31,6 +37,6 @@ export function encodeLeaf(specimen: LeafSpecimen, options: LeafOptions = {}): B
 		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
 		{ name: "parameters", data: Float32Array.from(LEAF_TABLE.core, ({ key }) => parameters[key]) },
 		{ name: "outline", data: Float32Array.from(outline.flatMap(({ x, y, kind }) => [x, y, KINDS.indexOf(kind)])) },
-		...(detail === undefined ? [] : [{ name: "detail", data: Float32Array.of(detail) }]),
+		...(triangles === undefined ? [] : [{ name: "detail", data: Float32Array.of(triangles) }]),
 	];
 }
