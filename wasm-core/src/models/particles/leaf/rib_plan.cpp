@@ -19,7 +19,7 @@ constexpr float lobe_reach = 0.94f;    // of the way into a lobe
 constexpr float least_secondary = 0.03f;
 // Where the blade reaches below the petiole, veins fan out from there: so far apart, to this angle, and no shorter than this.
 constexpr float fan = 32, fan_end = 165, least_fan = 0.1f;  // degrees, leaf lengths
-constexpr float detour_cell = 0.03f;  // of the waypoints that a bent main vein follows
+constexpr float detour_cell = 0.04f;  // of the waypoints that a bent main vein follows
 
 glm::vec2 flat(const glm::vec3& p) { return {p.x, p.y}; }
 glm::vec3 deep(const glm::vec2& p) { return {p.x, p.y, 0}; }
