@@ -34,6 +34,8 @@ export interface Material {
 	 * the other side, as a factor on this one's.
 	 */
 	sheet?: { through: Colour; reverse: Colour };
+	/** Of tubes, what files cannot say: furrows along them, so much darker at their ground, 0 … 1. */
+	grain?: number;
 	/** Fine fibres or wax, seen at grazing angles: linear colour and roughness. */
 	sheen?: { colour: Colour; roughness: number };
 	/** Refractive index, where it is not 1.5. */

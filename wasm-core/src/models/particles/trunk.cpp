@@ -8,6 +8,7 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::max();
 // A longer one could turn a way round.
+constexpr float on_axis = 0.1f;  // nearer than this share of how far it looks, a particle is on the axis
 constexpr float longest_bend = 0.9f;
 
 }  // namespace
@@ -22,9 +23,10 @@ Trunk::Trunk(const glm::vec3& foot, const TrunkHabit& habit, const Region* outer
 glm::vec3 Trunk::to_axis(const glm::vec3& p) const {
   const glm::vec3 foot = target();
   const float from_axis = glm::length(glm::vec3(p.x - foot.x, 0, p.z - foot.z));
-  const float drop = glm::max(habit_.slant * from_axis, habit_.ahead);
   const float left = (p.y - foot.y) * -habit_.way;
-  return left <= drop ? foot : glm::vec3(foot.x, p.y + habit_.way * drop, foot.z);
+  float drop = glm::max(habit_.slant * from_axis, habit_.ahead);
+  if (from_axis > on_axis * habit_.ahead && left > habit_.bole) drop = glm::min(drop, left - habit_.bole);
+  return !(left > drop) ? foot : glm::vec3(foot.x, p.y + habit_.way * drop, foot.z);
 }
 
 float Trunk::straight_way(const glm::vec3& p) const {

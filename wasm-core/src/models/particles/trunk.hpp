@@ -13,6 +13,7 @@ namespace panicle::particles {
 struct TrunkHabit {
   float slant = 1;    // by how much of its distance from the axis a particle aims lower: 1 a clear leader, 2 decurrent
   float ahead = 0;    // how far it looks along the axis that it is on
+  float bole = 0;     // how far from the target nothing comes to the axis any more
   float way = -1;     // −1 where particles come down from above, 1 where they come up
   glm::vec3 bend{0};  // added to the direction of what is `reach` away from the axis or farther, less and less towards it
   float reach = 1;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/particles/crowd.hpp"
+#include "models/particles/gather.hpp"
 #include "models/particles/polish.hpp"
 
 namespace panicle::particles {
@@ -13,6 +14,8 @@ namespace {
 constexpr float tolerance = 0.08f;
 // Branches have no neighbours that keep them from being drawn straight.
 constexpr float smoothing = 2;
+// Closer than this to the axis, trails are one, in spacings.
+constexpr float trunk = 0.35f;
 // How far particles look along the axis, in spacings.
 constexpr float ahead = 2;
 
@@ -47,7 +50,7 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
           std::erase_if(bound[i], [&](const glm::vec3& start) { return !guide.reaches(start); }));
     Crowd crowd(bound[i], motion.energy, guide, rules);
     crowd.run();
-    Trails trails = crowd.trails();
+    Trails trails = gathered(crowd.trails(), trunk * spacing);
     smooth(trails, guide, smoothing);
     wood.crowds.push_back(simplified(trails, tolerance * spacing));
     wood.all.push_back(trails.energy[0]);

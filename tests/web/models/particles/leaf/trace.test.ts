@@ -122,7 +122,8 @@ describe("an outline traced from a picture", () => {
 			[20, 20, GREEN],
 			[160, 150, PAPER],
 		] as const) {
-			for (let i = 0; i < 25; i++) marked.data.set(ink.slice(0, 3) as number[], 4 * ((y + Math.floor(i / 5)) * 320 + x + (i % 5)));
+			for (let i = 0; i < 25; i++)
+				marked.data.set(ink.slice(0, 3) as number[], 4 * ((y + Math.floor(i / 5)) * 320 + x + (i % 5)));
 		}
 		expect(traceOutline(marked)).toEqual(traceOutline(plain));
 	});

@@ -35,6 +35,8 @@ constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t light_cells = 28;
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;      // that a way past an obstacle may lead
+// How much of the bole bears no branch, of what is below the crown.
+constexpr float bole = 0.6f;
 // Of the hormone, in heights of the crown; of the leader, in widths.
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
 // Hours of day between which shoots grow longer, and leaves stay.
@@ -127,6 +129,7 @@ Result<Plant> grow(Request& request, const Limits&) {
   const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
   SpaceHabit space = space_habit<Parameter>(values);
   space.trunk.bend -= values[phototropism] * brightest;
+  space.trunk.bole = bole * habit.growth * habit.trunk;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};

@@ -2,12 +2,12 @@
 import { html, nothing } from "lit";
 import type { Change, Desk } from "../../../controls/desk";
 import type { Tool } from "../../../controls/tool";
-import type { TrailPlant } from "../trails";
 import type { BoundedSpecimen, ClosedMesh } from "./bounded";
 import { ACCEPT } from "./mesh_file/accept";
+import type { WoodenPlant } from "./wooden_plant";
 
 /** @param height the parameter that is the boundary's height */
-export function meshTool<S extends BoundedSpecimen>(group: string, height: string): Tool<S, TrailPlant> {
+export function meshTool<S extends BoundedSpecimen>(group: string, height: string): Tool<S, WoodenPlant> {
 	return {
 		name: "mesh",
 		initial: undefined,
@@ -16,7 +16,7 @@ export function meshTool<S extends BoundedSpecimen>(group: string, height: strin
 	};
 }
 
-function draw<S extends BoundedSpecimen>(desk: Desk<S, TrailPlant>, height: string): unknown {
+function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: string): unknown {
 	const { specimen, model } = desk.state;
 	if (model.table.option(specimen, "shape") !== "mesh") return nothing;
 	const { volume } = specimen;
@@ -33,7 +33,7 @@ function draw<S extends BoundedSpecimen>(desk: Desk<S, TrailPlant>, height: stri
 
 const allow = (event: DragEvent): void => event.preventDefault();
 
-function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, TrailPlant>, height: string): void {
+function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, WoodenPlant>, height: string): void {
 	const input = event.target as HTMLInputElement;
 	const file = input.files?.[0];
 	if (file) void takeMesh(desk, file, height);
@@ -42,7 +42,11 @@ function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, TrailPlan
 }
 
 /** Takes a dropped OBJ, or a GLB that no plant is in; leaves other files to the page. */
-export function takeDrop<S extends BoundedSpecimen>(event: DragEvent, desk: Desk<S, TrailPlant>, height: string): void {
+export function takeDrop<S extends BoundedSpecimen>(
+	event: DragEvent,
+	desk: Desk<S, WoodenPlant>,
+	height: string,
+): void {
 	const file = event.dataTransfer?.files[0];
 	if (!file || !/\.(obj|glb)$/i.test(file.name)) return;
 	event.preventDefault();
@@ -51,7 +55,7 @@ export function takeDrop<S extends BoundedSpecimen>(event: DragEvent, desk: Desk
 
 /** Makes a file's mesh the boundary, as one step; whatever is wrong with it is said. */
 export async function takeMesh<S extends BoundedSpecimen>(
-	desk: Desk<S, TrailPlant>,
+	desk: Desk<S, WoodenPlant>,
 	file: File,
 	height: string,
 ): Promise<void> {
@@ -74,7 +78,7 @@ export async function takeMesh<S extends BoundedSpecimen>(
 
 /** As high as the boundary is, in the mesh's own proportions. */
 function asBoundary<S extends BoundedSpecimen>(
-	{ state }: Desk<S, TrailPlant>,
+	{ state }: Desk<S, WoodenPlant>,
 	volume: ClosedMesh,
 	height: string,
 ): Change {

@@ -25,14 +25,13 @@ export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: 
 		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
 		{ name: "parameters", data: Float32Array.from(table.core, ({ key }) => number(key, parameters[key])) },
 	];
-	if (shape === "spline" && profile)
-		blocks.push({ name: "profile", data: Float32Array.from(profile.flat()), width: 2 });
+	if (shape === "spline" && profile) blocks.push({ name: "profile", data: Float32Array.from(profile.flat()) });
 	if (shape === "mesh" && volume) {
-		blocks.push({ name: "volume.points", data: Float32Array.from(volume.points), width: 3 });
-		blocks.push({ name: "volume.triangles", data: Uint32Array.from(volume.triangles), width: 3 });
+		blocks.push({ name: "volume.points", data: Float32Array.from(volume.points) });
+		blocks.push({ name: "volume.triangles", data: Uint32Array.from(volume.triangles) });
 	}
-	if (targets) blocks.push({ name: "targets", data: Float32Array.from(targets), width: 3 });
-	if (obstacles) blocks.push({ name: "obstacles", data: Float32Array.from(obstacles), width: 6 });
+	if (targets) blocks.push({ name: "targets", data: Float32Array.from(targets) });
+	if (obstacles) blocks.push({ name: "obstacles", data: Float32Array.from(obstacles) });
 	return blocks;
 }
 

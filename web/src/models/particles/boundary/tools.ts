@@ -2,7 +2,6 @@
 import { html, nothing } from "lit";
 import type { Desk } from "../../../controls/desk";
 import type { Tool } from "../../../controls/tool";
-import type { TrailPlant } from "../trails";
 import type { BoundedSpecimen } from "./bounded";
 import { asProfile, boundaryPose, withKnot, withoutKnot } from "./editor/boundary_pose";
 import type { BoundaryScene } from "./editor/boundary_view";
@@ -10,6 +9,7 @@ import type { GripEvent } from "./editor/grip";
 import { type Lay, outlineIn } from "./editor/lay";
 import { wallsOf, withoutWall, withWall } from "./editor/walls";
 import { takeDrop } from "./mesh_tool";
+import type { WoodenPlant } from "./wooden_plant";
 import "./editor/boundary_view";
 
 /** Grip that was last touched: the one that the buttons mean. */
@@ -20,9 +20,9 @@ export function boundaryTool<S extends BoundedSpecimen>(
 	lay: Lay<S>,
 	group: string,
 	height: string,
-): Tool<S, TrailPlant, Meant> {
-	type Own = Desk<S, TrailPlant>;
-	const tool: Tool<S, TrailPlant, Meant> = {
+): Tool<S, WoodenPlant, Meant> {
+	type Own = Desk<S, WoodenPlant>;
+	const tool: Tool<S, WoodenPlant, Meant> = {
 		name: "boundary",
 		initial: "",
 		editor: { title: "Boundary", draw: (desk) => draw(desk) },

@@ -12,4 +12,12 @@ export const LEAF_FORMATS: readonly Format<LeafSpecimen, Leaf>[] = [
 		type: "image/svg+xml",
 		make: async (grown, specimen, link) => (await import("./svg")).leafSvg(grown, specimen, link),
 	},
+	{
+		key: "glb-baked",
+		title: "GLB, baked",
+		about: "A light mesh with textures: colour, normals, thickness",
+		suffix: "-baked.glb",
+		type: "model/gltf-binary",
+		make: async (grown, specimen, link) => (await import("./bake/baked_glb")).bakedGlb(grown, specimen, link),
+	},
 ];

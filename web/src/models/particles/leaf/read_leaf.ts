@@ -2,17 +2,20 @@ import type { Answer } from "../../../core/core";
 import { readTrailPlant } from "../trails";
 import type { Leaf } from "./grown";
 
-const NONE = new Float32Array(0);
-
 /** Columns of an answer → leaf (wasm-core/src/models/particles/leaf/model.hpp). */
 export function readLeaf(answer: Answer): Leaf {
 	const { columns } = answer;
-	const floats = (name: string) => (columns.has(name) ? columns.floats(name) : NONE);
+	const plant = readTrailPlant(answer);
+	const faces = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.vein`));
 	return {
-		...readTrailPlant(answer),
+		...plant,
 		chart: columns.floats("segments.chart"),
 		margin: columns.floats("margin"),
-		veined: floats("mesh.blade.vein"),
-		away: floats("mesh.blade.away"),
+		faces: Object.fromEntries(
+			faces.map(({ name }) => [
+				name,
+				{ vein: columns.floats(`mesh.${name}.vein`), edge: columns.floats(`mesh.${name}.edge`) },
+			]),
+		),
 	};
 }

@@ -6,24 +6,27 @@ import type { Figure, FigureMaker, FigureStage, Ray } from "../../../scene/figur
 import { boxOf } from "../../../scene/part_bounds";
 import { PartFigure } from "../../../scene/part_figure";
 import { PartMeshes } from "../../../scene/part_meshes";
-import type { TrailPlant } from "../trails";
+import { Wardrobe } from "../../../scene/wardrobe";
+import type { WoodenPlant } from "../boundary/wooden_plant";
 import { rootParts } from "./root_parts";
 import { pit } from "./soil";
 import type { RootSpecimen } from "./specimen";
 
-class CutFigure implements Figure<RootSpecimen, TrailPlant> {
+class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 	readonly modes = ["whole"];
 	readonly #stage: FigureStage;
-	readonly #roots: PartFigure<RootSpecimen, TrailPlant>;
+	readonly #roots: PartFigure<RootSpecimen, WoodenPlant>;
+	readonly #wardrobe: Wardrobe;
 	#soil: PartMeshes | undefined;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
 	constructor(stage: FigureStage) {
 		this.#stage = stage;
 		this.#roots = new PartFigure(stage, rootParts);
+		this.#wardrobe = new Wardrobe(stage.light.uniforms);
 	}
 
-	show(grown: TrailPlant, specimen: RootSpecimen): void {
+	show(grown: WoodenPlant, specimen: RootSpecimen): void {
 		this.#roots.show(grown, specimen);
 		this.#clear();
 		const bodies = this.#roots.bounds();
@@ -32,11 +35,12 @@ class CutFigure implements Figure<RootSpecimen, TrailPlant> {
 			this.#bounds = bodies;
 			return;
 		}
+		this.#wardrobe.change();
 		const mesh = pit({ low: box.min.toArray(), high: box.max.toArray() }, specimen.look.soil);
 		const shape = { mesh, material: { name: "Soil", colour: linear(specimen.look.soil), roughness: 1 } };
-		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#stage.light.uniforms);
-		// The near wall is not drawn, and so must not throw a shadow.
-		for (const object of this.#soil.objects) object.castShadow = false;
+		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#wardrobe);
+		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
+		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
 		this.#stage.root.add(...this.#soil.objects);
 		this.#bounds = { spheres: bodies.spheres, points: joined(bodies.points, mesh.positions) };
 	}
@@ -61,6 +65,7 @@ class CutFigure implements Figure<RootSpecimen, TrailPlant> {
 
 	dispose(): void {
 		this.#clear();
+		this.#wardrobe.dispose();
 		this.#roots.dispose();
 	}
 
@@ -78,4 +83,4 @@ function joined(a: Float32Array, b: Float32Array): Float32Array {
 	return both;
 }
 
-export const cutFigure: FigureMaker<RootSpecimen, TrailPlant> = (stage) => new CutFigure(stage);
+export const cutFigure: FigureMaker<RootSpecimen, WoodenPlant> = (stage) => new CutFigure(stage);

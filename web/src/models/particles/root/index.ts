@@ -1,8 +1,8 @@
 /** The root of particles' trails (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
 import type { Model } from "../../model";
 import { encodeBounded } from "../boundary/request";
+import { readWoodenPlant, type WoodenPlant } from "../boundary/wooden_plant";
 import { trailRecord } from "../record";
-import { readTrailPlant, type TrailPlant } from "../trails";
 import { rootParts } from "./root_parts";
 import { ROOT } from "./species";
 import type { RootSpecimen } from "./specimen";
@@ -15,10 +15,10 @@ export const model = {
 	wasm: "particles.wasm",
 	pictures: false,
 	encode: (specimen, options) => encodeBounded(ROOT.table, specimen, options),
-	read: readTrailPlant,
+	read: readWoodenPlant,
 	parts: rootParts,
 	words: rootInWords,
 	record: trailRecord,
 	figure: async () => (await import("./cut_figure")).cutFigure,
 	studio: async () => (await import("./tools/face")).face,
-} satisfies Model<RootSpecimen, TrailPlant>;
+} satisfies Model<RootSpecimen, WoodenPlant>;

@@ -1,12 +1,19 @@
 /** A root in parts: the roots themselves, and particles on their way. */
-import { linear } from "../../../plant/colour";
+import { linear, mixed } from "../../../plant/colour";
 import type { Part } from "../../../plant/part";
 import { particleMaterial } from "../boundary/particle_material";
 import { woodenParts } from "../boundary/wooden_parts";
-import type { TrailPlant } from "../trails";
+import type { WoodenPlant } from "../boundary/wooden_plant";
 import type { RootSpecimen } from "./specimen";
 
-export function rootParts(plant: TrailPlant, { look }: RootSpecimen): Iterable<Part> {
-	const root = { name: "Root", colour: linear(look.root), roughness: 0.85 };
-	return woodenParts(plant, { root, bark: root }, { skin: [particleMaterial] });
+/** What fine roots of any plant come near to. */
+const FINE = linear("d9c7a0");
+
+export function rootParts(plant: WoodenPlant, { look }: RootSpecimen): Iterable<Part> {
+	const old = linear(look.root);
+	return woodenParts(plant, {
+		wood: { name: "Root", colour: old, roughness: 0.85, grain: 0.25 },
+		bark: { old, young: mixed(old, FINE, 0.55), from: 0.0005, to: 0.008 },
+		tints: { skin: [particleMaterial] },
+	});
 }

@@ -13,11 +13,11 @@ export interface Dug {
 	high: readonly [x: number, y: number, z: number];
 }
 
-const AROUND = 96;
-const DOWN = 40;
-const FLOOR = 6;
+const AROUND = 160;
+const DOWN = 64;
+const FLOOR = 12;
 /** Room left about the roots, as a share of their reach. */
-const ROOM = 0.14;
+const ROOM = 0.1;
 /** How square the pit is: 2 an ellipse, more a box with round corners. */
 const SQUARENESS = 3.2;
 /** Metres of dark topsoil. */
@@ -43,7 +43,8 @@ export function pit({ low, high }: Dug, soil: string): PartMesh {
 			const out = (1 - inward) * (1 + bump);
 			positions.set([middle[0] + out * x, y, middle[1] + out * z], at);
 			normals.set(inward > 0 ? [0, 1, 0] : inwards(x, z, reach), at);
-			colours.set(earth(soil, x, y, z, grain), at);
+			// The floor is one colour from the wall to its middle, where its triangles meet.
+			colours.set(earth(soil, x, y, z, inward > 0 ? 0.6 : grain), at);
 		}
 	}
 	return { positions, normals, colours, uvs: new Float32Array(2 * rings * AROUND), indices: quads(rings) };
@@ -69,22 +70,22 @@ function quads(rings: number): Uint32Array {
 	for (let ring = 0; ring + 1 < rings; ring++) {
 		for (let k = 0; k < AROUND; k++) {
 			const [a, b] = [ring * AROUND + k, ring * AROUND + ((k + 1) % AROUND)];
-			indices.push(a, b, a + AROUND, b, b + AROUND, a + AROUND);
+			indices.push(a, a + AROUND, b, b, a + AROUND, b + AROUND);
 		}
 	}
 	return Uint32Array.from(indices);
 }
 
-/** Dark humus on top, paler below, in bands that waver, with stones. */
+/** Dark humus on top, paler below, in bands that waver, crumbs of both. */
 function earth(soil: string, x: number, y: number, z: number, grain: number): Colour {
 	const base = linear(soil);
-	const waver = 0.5 * HUMUS * (noise(3 * x + 7, 0, 3 * z) - 0.5);
-	const below = smoothstep(0.5 * HUMUS, 1.6 * HUMUS, -y + waver);
-	const dark = mixed(base, [0.008, 0.006, 0.004], 0.55);
-	const pale = mixed(base, [0.42, 0.31, 0.2], 0.32);
-	const flecks = noise(6 * grain * x, 6 * grain * y, 6 * grain * z);
-	const stone = smoothstep(0.8, 0.86, noise(2.5 * grain * x + 31, 2.5 * grain * y, 2.5 * grain * z));
-	const [red, green, blue] = mixed(mixed(dark, pale, below), [0.36, 0.33, 0.29], 0.6 * stone);
-	const shade = 0.82 + 0.36 * clamp(flecks);
+	const waver = HUMUS * (noise(0.3 * grain * x + 7, 0, 0.3 * grain * z) - 0.5);
+	const below = smoothstep(0.4 * HUMUS, 1.7 * HUMUS, -y + waver);
+	const dark = mixed(base, [0.008, 0.006, 0.004], 0.72);
+	const pale = mixed(base, [0.02, 0.014, 0.009], 0.25);
+	const [red, green, blue] = mixed(dark, pale, below);
+	const crumbs =
+		0.5 * noise(grain * x, grain * y, grain * z) + 0.5 * noise(2.7 * grain * x, 2.7 * grain * y, 2.7 * grain * z);
+	const shade = 0.7 + 0.6 * clamp(crumbs);
 	return [red * shade, green * shade, blue * shade];
 }

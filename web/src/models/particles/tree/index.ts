@@ -1,8 +1,8 @@
 /** The tree of particles' trails (Rodkaew et al. 2003, section 4): docs/models/tree/tree.md. */
 import type { Model } from "../../model";
 import { encodeBounded } from "../boundary/request";
+import { readWoodenPlant, type WoodenPlant } from "../boundary/wooden_plant";
 import { trailRecord } from "../record";
-import { readTrailPlant, type TrailPlant } from "../trails";
 import { TREE } from "./species";
 import type { TreeSpecimen } from "./specimen";
 import { treeParts } from "./tree_parts";
@@ -15,9 +15,9 @@ export const model = {
 	wasm: "particles.wasm",
 	pictures: false,
 	encode: (specimen, options) => encodeBounded(TREE.table, specimen, options),
-	read: readTrailPlant,
+	read: readWoodenPlant,
 	parts: treeParts,
 	words: treeInWords,
 	record: trailRecord,
 	studio: async () => (await import("./tools/face")).face,
-} satisfies Model<TreeSpecimen, TrailPlant>;
+} satisfies Model<TreeSpecimen, WoodenPlant>;

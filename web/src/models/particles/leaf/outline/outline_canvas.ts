@@ -43,11 +43,11 @@ export type Pen = Pick<
 
 /** Widths, in CSS pixels: of lines, and the least of a vein. */
 const LINE = 1.1;
-const FINEST = 0.35;
+const FINEST = 0.5;
 const BUNDLES = 8;
 const BLADE = 0.07;
 const GROWN = 0.45;
-const VEIN = 0.62;
+const VEIN = 0.7;
 
 /** Draws the scene on a canvas of its own size. */
 export function showOutline(canvas: HTMLCanvasElement, scene: Omit<OutlineScene, "ratio" | "ink">): void {
@@ -99,7 +99,6 @@ function inkVeins(pen: Pen, { ends, widths, margin }: FlatVeins, frame: OutlineF
 		pen.lineWidth = 0.8;
 		pen.stroke();
 	}
-	pen.globalAlpha = VEIN;
 	for (const members of bundled(widths, BUNDLES)) {
 		pen.beginPath();
 		let total = 0;
@@ -110,7 +109,10 @@ function inkVeins(pen: Pen, { ends, widths, margin }: FlatVeins, frame: OutlineF
 			pen.lineTo(to.x, to.y);
 			total += widths[index];
 		}
-		pen.lineWidth = Math.max(FINEST, (total / members.length) * frame.scale);
+		const width = (total / members.length) * frame.scale;
+		pen.lineWidth = Math.max(FINEST, width);
+		// What is finer than a line can be is paler in its place.
+		pen.globalAlpha = VEIN * Math.sqrt(Math.min(1, width / FINEST));
 		pen.stroke();
 	}
 }

@@ -1,48 +1,45 @@
-/** A leaf in parts: its blade in colours of its own, its petiole, and what is on its way. */
-import { type Colour, linear, mix } from "../../../../plant/colour";
-import type { Material } from "../../../../plant/material";
+/** A leaf in parts: the two faces of its blade in colours of their own, its petiole, and particles on their way. */
+import { linear, smoothstep } from "../../../../plant/colour";
 import type { Part } from "../../../../plant/part";
 import { partsOf } from "../../../../plant/parts_of";
-import type { Leaf } from "../grown";
+import type { PlantMesh } from "../../../../plant/plant";
+import type { BladeFace, Leaf } from "../grown";
 import type { LeafSpecimen } from "../specimen";
 import { bladeColours } from "./blade_colour";
+import { bladeMaterial, particleMaterial, petioleMaterial } from "./materials";
+import { awayAt, type VeinMap, veinMap } from "./vein_map";
+
+/** The faces of the blade, by the names of their meshes: as people call them, and the look's colour. */
+export const FACES: Readonly<Record<string, { title: string; colour: string }>> = {
+	upper: { title: "Blade, upper face", colour: "green" },
+	lower: { title: "Blade, lower face", colour: "under" },
+};
 
 /** @throws Error with a message for people where the leaf was asked for without meshes */
 export function* leafParts(leaf: Leaf, { look }: Pick<LeafSpecimen, "look">): Generator<Part> {
-	if (leaf.meshes.length === 0) throw new Error("This growth has no meshes to export: grow it with meshes.");
-	const materials = leafMaterials(look);
-	for (const part of partsOf(leaf, materials)) {
-		const { shape } = part;
-		if (shape?.material !== materials.blade) {
-			yield part;
-			continue;
-		}
-		const { positions } = shape.mesh;
-		const { veined, away } = leaf;
-		const colours = bladeColours({ positions, veined, away }, look, look.green as string);
-		yield { ...part, shape: { ...shape, mesh: { ...shape.mesh, colours }, variant: "" } };
+	const { meshes, organs, faces } = leaf;
+	if (meshes.length === 0 && leaf.segments.count > 0 && leaf.notes.length === 0) {
+		throw new Error("This growth has no meshes to export: grow it with meshes.");
 	}
+	const map = veinMap(leaf);
+	for (const mesh of meshes) {
+		const face = FACES[mesh.name];
+		if (!face) continue;
+		const hex = look[face.colour] as string;
+		const colours = bladeColours(mesh, plainly(mesh, faces[mesh.name], map), map, look, hex);
+		const material = bladeMaterial(look, face.title, hex);
+		yield { name: face.title, shape: { mesh: { ...mesh, colours }, material, variant: mesh.name } };
+	}
+	// Organs know meshes by their place among all.
+	const others = meshes.map((mesh) => (mesh.name in FACES ? { ...mesh, indices: new Uint32Array(0) } : mesh));
+	yield* partsOf(
+		{ meshes: others, organs },
+		{ stem: petioleMaterial(look), skin: particleMaterial(linear(look.vein_colour as string)) },
+	);
 }
 
-/** Light through a blade is yellower than it: how much of each colour comes through, at most. */
-const THROUGH: Colour = [0.95, 1, 0.4];
-
-/** By the kinds of material that the core's meshes name. */
-export function leafMaterials(look: LeafSpecimen["look"]): Record<"blade" | "stem" | "particle", Material> {
-	const [green, under] = [linear(look.green as string), linear(look.under as string)];
-	const autumn = look.autumn as number;
-	const reverse = green.map((value, k) => mix(under[k] / Math.max(value, 0.01), 1.1, autumn)) as Colour;
-	const glow = look.glow as number;
-	return {
-		blade: {
-			name: "Blade",
-			colour: green,
-			roughness: mix(0.8, 0.32, look.gloss as number),
-			specular: mix(0.35, 1, look.gloss as number),
-			doubleSided: true,
-			sheet: { through: THROUGH.map((value) => value * 1.7 * glow) as Colour, reverse },
-		},
-		stem: { name: "Petiole", colour: linear(look.stalk as string), roughness: 0.75 },
-		particle: { name: "Particle", colour: linear(look.vein_colour as string), roughness: 0.5 },
-	};
+/** Of finer veins a mesh has no more than dots: they are left out. */
+function plainly({ uvs }: PlantMesh, { vein, edge }: BladeFace, map: VeinMap): BladeFace {
+	const shown = vein.map((share, at) => share * (1 - smoothstep(0.12, 0.3, awayAt(map, uvs[2 * at], uvs[2 * at + 1]))));
+	return { vein: shown, edge };
 }

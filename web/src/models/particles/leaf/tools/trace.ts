@@ -5,7 +5,7 @@ import type { LeafDesk, LeafTool } from "./desk";
 export const trace: LeafTool = {
 	name: "trace",
 	initial: undefined,
-	panel: { group: "shape", place: "above", draw },
+	panel: { group: "shape", place: "below", draw },
 };
 
 const PICTURES = "image/png,image/jpeg,image/webp";

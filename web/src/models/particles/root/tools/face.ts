@@ -4,12 +4,12 @@ import type { Face } from "../../../../controls/tool";
 import { meshTool } from "../../boundary/mesh_tool";
 import { readout } from "../../boundary/readout";
 import { boundaryTool } from "../../boundary/tools";
-import type { TrailPlant } from "../../trails";
+import type { WoodenPlant } from "../../boundary/wooden_plant";
 import { watching } from "../../watch";
 import { rootLay } from "../lay";
 import type { RootSpecimen } from "../specimen";
 
-export const face: Face<RootSpecimen, TrailPlant> = {
+export const face: Face<RootSpecimen, WoodenPlant> = {
 	tools: [boundaryTool(rootLay, "volume", "reach"), meshTool("volume", "reach"), watching()],
 	readout,
 	about: html`<p>

@@ -4,13 +4,13 @@ import type { Face } from "../../../../controls/tool";
 import { meshTool } from "../../boundary/mesh_tool";
 import { readout } from "../../boundary/readout";
 import { boundaryTool } from "../../boundary/tools";
-import type { TrailPlant } from "../../trails";
+import type { WoodenPlant } from "../../boundary/wooden_plant";
 import { watching } from "../../watch";
 import { treeLay } from "../lay";
 import type { TreeSpecimen } from "../specimen";
 import { sun } from "./sun";
 
-export const face: Face<TreeSpecimen, TrailPlant> = {
+export const face: Face<TreeSpecimen, WoodenPlant> = {
 	tools: [boundaryTool(treeLay, "crown", "height"), sun, meshTool("crown", "height"), watching()],
 	readout,
 	about: html`<p>

@@ -1,0 +1,114 @@
+// Growing trees and roots by name, for tests.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "models/particles/root/parameters.generated.hpp"
+#include "models/particles/tree/parameters.generated.hpp"
+#include "plant/model.hpp"
+
+namespace panicle::particles {
+namespace tree {
+extern const Model model;
+}
+namespace root {
+extern const Model model;
+}
+
+struct Asked {
+  std::vector<std::pair<std::string_view, float>> parameters = {};
+  std::uint32_t seed = 1;
+  std::string outputs = {};
+  std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {};
+  std::vector<std::uint32_t> triangles = {};
+};
+
+template <class Table>
+Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
+  std::vector<float> values(table.size(), NAN);
+  for (const auto& [key, value] : asked.parameters) {
+    bool known = false;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      if (table[i].key != key) continue;
+      values[i] = value;
+      known = true;
+    }
+    REQUIRE_MESSAGE(known, key);
+  }
+  std::vector<ColumnView> blocks;
+  const auto add = [&blocks](std::string_view name, Element element, std::size_t rows, const void* data) {
+    if (rows > 0)
+      blocks.push_back({name, element, 1, static_cast<std::uint32_t>(rows), static_cast<const std::uint8_t*>(data)});
+  };
+  add("model", Element::text, model.name.size(), model.name.data());
+  add("seed", Element::uint32, 1, &asked.seed);
+  add("outputs", Element::text, asked.outputs.size(), asked.outputs.data());
+  add("parameters", Element::float32, values.size(), values.data());
+  add("profile", Element::float32, asked.profile.size(), asked.profile.data());
+  add("targets", Element::float32, asked.targets.size(), asked.targets.data());
+  add("obstacles", Element::float32, asked.obstacles.size(), asked.obstacles.data());
+  add("volume.points", Element::float32, asked.points.size(), asked.points.data());
+  add("volume.triangles", Element::uint32, asked.triangles.size(), asked.triangles.data());
+  Request request(blocks, nullptr);
+  return model.grow(request, Limits{});
+}
+
+inline Result<Plant> ask_tree(const Asked& asked) { return ask(tree::model, tree::parameter_table, asked); }
+inline Result<Plant> ask_root(const Asked& asked) { return ask(root::model, root::parameter_table, asked); }
+inline Plant grow_tree(const Asked& asked) {
+  Result<Plant> plant = ask_tree(asked);
+  REQUIRE_MESSAGE(plant, plant.error().message);
+  return std::move(plant.value());
+}
+inline Plant grow_root(const Asked& asked) {
+  Result<Plant> plant = ask_root(asked);
+  REQUIRE_MESSAGE(plant, plant.error().message);
+  return std::move(plant.value());
+}
+
+inline std::uint32_t count_of(const Plant& plant, std::string_view name) {
+  for (const Count& count : plant.counts)
+    if (count.name == name) return count.value;
+  FAIL("no such count");
+  return 0;
+}
+
+template <class Value>
+std::vector<Value> column_in(const Plant& plant, std::string_view name) {
+  for (std::size_t i = 0; i < plant.columns.size(); ++i) {
+    const ColumnView view = plant.columns[i];
+    if (view.name != name) continue;
+    std::vector<Value> values(std::size_t{view.rows} * view.width);
+    std::memcpy(values.data(), view.data, values.size() * sizeof(Value));
+    return values;
+  }
+  return {};
+}
+
+// Where particles started: ends that bear nothing. (All of a grown plant's particles are such ends.)
+inline std::vector<std::size_t> tips_of(const Plant& plant) {
+  std::vector<std::uint8_t> bears(plant.segments.size(), 0);
+  for (const Segment& segment : plant.segments)
+    if (segment.parent >= 0) bears[static_cast<std::size_t>(segment.parent)] = 1;
+  std::vector<std::size_t> tips;
+  for (std::size_t i = 0; i < bears.size(); ++i)
+    if (!bears[i]) tips.push_back(i);
+  return tips;
+}
+
+inline bool notes_say(const Plant& plant, std::string_view words) {
+  for (const std::string& note : plant.notes)
+    if (note.find(words) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace panicle::particles

@@ -1,0 +1,71 @@
+#include "models/particles/gather.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "foundation/order.hpp"
+
+namespace panicle::particles {
+namespace {
+
+// The trails with other links, in the order of the tree, without what carries nothing.
+Trails linked(const Trails& trails, std::vector<std::int32_t> next) {
+  const std::size_t count = trails.size();
+  std::vector<std::uint32_t> first(count + 1, 0), members(count);
+  for (std::size_t i = 1; i < count; ++i) ++first[static_cast<std::size_t>(next[i]) + 1];
+  for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
+  std::vector<std::uint32_t> free(first.begin(), first.end() - 1), order{0};
+  for (std::uint32_t i = 1; i < count; ++i) members[free[static_cast<std::size_t>(next[i])]++] = i;
+  for (std::size_t at = 0; at < order.size(); ++at)
+    order.insert(order.end(), members.begin() + first[order[at]], members.begin() + first[order[at] + 1]);
+
+  // What each has of its own, and then what comes by; from the ends on.
+  std::vector<double> energy = trails.energy;
+  std::vector<std::uint32_t> born = trails.born;
+  for (std::size_t i = 1; i < count; ++i) energy[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
+  for (std::size_t i = 0; i < count; ++i)
+    if (trails.particle[i] < 0) energy[i] = 0;
+  std::vector<std::uint8_t> passed(count, 0);
+  for (std::size_t at = order.size(); at-- > 1;) {
+    const std::uint32_t i = order[at];
+    const auto to = static_cast<std::size_t>(next[i]);
+    if (trails.particle[i] < 0 && !passed[i]) continue;
+    passed[to] = 1;
+    energy[to] += energy[i];
+    if (to > 0 && next[i] != trails.next[i]) born[to] = std::min(born[to], born[i] + 1);
+  }
+  Trails made;
+  std::vector<std::int32_t> number(count, -1);
+  for (const std::uint32_t i : order) {
+    if (i > 0 && trails.particle[i] < 0 && !passed[i]) continue;
+    number[i] = static_cast<std::int32_t>(made.size());
+    made.places.push_back(trails.places[i]);
+    made.next.push_back(i == 0 ? -1 : number[static_cast<std::size_t>(next[i])]);
+    made.energy.push_back(energy[i]);
+    made.born.push_back(born[i]);
+    made.particle.push_back(trails.particle[i]);
+  }
+  return made;
+}
+
+}  // namespace
+
+Trails gathered(const Trails& trails, float reach) {
+  std::vector<std::uint32_t> axis;
+  std::vector<float> nearness;
+  const glm::vec3 foot = trails.places[0];
+  for (std::uint32_t i = 1; i < trails.size(); ++i) {
+    const glm::vec3 from = trails.places[i] - foot;
+    if (trails.particle[i] >= 0 || !(from.x * from.x + from.z * from.z < reach * reach)) continue;
+    axis.push_back(i);
+    nearness.push_back(-std::fabs(from.y));
+  }
+  const std::vector<std::uint32_t> order = order_of(nearness);
+  std::vector<std::int32_t> next = trails.next;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    next[axis[order[k]]] = k + 1 < order.size() ? static_cast<std::int32_t>(axis[order[k + 1]]) : 0;
+  return linked(trails, std::move(next));
+}
+
+}  // namespace panicle::particles
