@@ -77,9 +77,9 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
   const Values& values = asked.values;
   auto spanned = spline(asked.outline);
   if (!spanned) return spanned.error();
-  Margin margin = toothed(spanned.value(),
-                          {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))},
-                          notes);
+  Margin margin = toothed(
+      spanned.value(),
+      {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))}, notes);
   Outline outline(margin.points);
   Veins veins{.margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}};
   std::uint32_t count = values.whole(particles);
@@ -89,7 +89,8 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
   veins.stride = rules.step;
   const glm::vec3 base = base_of(veins.outline, notes);
   const std::vector<Ribs> trees = lay_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
-  const auto starts = scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
+  const auto starts =
+      scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
   if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
 
   Guides guides;
