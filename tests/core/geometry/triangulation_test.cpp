@@ -72,7 +72,9 @@ TEST_CASE("a polygon is filled exactly, whatever its lobes and the points in it"
   }
 }
 
-TEST_CASE("points on a lattice, where all circles agree, are filled too; those twice there, outside or on the edge are left out") {
+TEST_CASE(
+    "points on a lattice, where all circles agree, are filled too; those twice there, outside or on the edge are left "
+    "out") {
   std::vector<glm::vec2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (int pass = 0; pass < 2; ++pass)
     for (float y = 0; y <= 1.25f; y += 0.125f)
@@ -90,8 +92,10 @@ TEST_CASE("away from the polygon's edges no corner lies in another triangle's ci
   for (std::size_t k = 0; k < triangles.size(); k += 3) {
     const glm::dvec2 a(points[triangles[k]]), b(points[triangles[k + 1]]), c(points[triangles[k + 2]]);
     const double d = 2 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-    const double bb = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), cc = (c.x - a.x) * (c.x - a.x) + (c.y - a.y) * (c.y - a.y);
-    const glm::dvec2 centre(a.x + ((c.y - a.y) * bb - (b.y - a.y) * cc) / d, a.y + ((b.x - a.x) * cc - (c.x - a.x) * bb) / d);
+    const double bb = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y),
+                 cc = (c.x - a.x) * (c.x - a.x) + (c.y - a.y) * (c.y - a.y);
+    const glm::dvec2 centre(a.x + ((c.y - a.y) * bb - (b.y - a.y) * cc) / d,
+                            a.y + ((b.x - a.x) * cc - (c.x - a.x) * bb) / d);
     const double square = (centre.x - a.x) * (centre.x - a.x) + (centre.y - a.y) * (centre.y - a.y);
     for (const glm::vec2& p : points) {
       const double x = static_cast<double>(p.x) - centre.x, y = static_cast<double>(p.y) - centre.y;

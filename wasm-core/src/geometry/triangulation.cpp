@@ -80,8 +80,8 @@ class Triangulation {
                qy = static_cast<double>(q.y), rx = static_cast<double>(r.x), ry = static_cast<double>(r.y);
     const double pp = px * px + py * py, qq = qx * qx + qy * qy, rr = rx * rx + ry * ry;
     const double sum = pp * (qx * ry - qy * rx) + qq * (rx * py - ry * px) + rr * (px * qy - py * qx);
-    const double size = pp * (std::fabs(qx * ry) + std::fabs(qy * rx)) + qq * (std::fabs(rx * py) + std::fabs(ry * px)) +
-                        rr * (std::fabs(px * qy) + std::fabs(py * qx));
+    const double size = pp * (std::fabs(qx * ry) + std::fabs(qy * rx)) +
+                        qq * (std::fabs(rx * py) + std::fabs(ry * px)) + rr * (std::fabs(px * qy) + std::fabs(py * qx));
     if (std::fabs(sum) > size * 0x1p-48) return sum > 0;
     const auto square = [](const Place& v) { return Wide{v.x} * v.x + Wide{v.y} * v.y; };
     const auto cross = [](const Place& v, const Place& w) { return Wide{v.x} * w.y - Wide{v.y} * w.x; };
@@ -93,8 +93,9 @@ class Triangulation {
     return (a + 1) % ring_ == b || (b + 1) % ring_ == a;
   }
 
-  // The triangle that holds a place, and the corner opposite the edge that it lies on, or none. A triangle that has it as
-  // a corner: {t, -2}. Walks there from the last one; from the first, one after the other, where walking goes in circles.
+  // The triangle that holds a place, and the corner opposite the edge that it lies on, or none. A triangle that has it
+  // as a corner: {t, -2}. Walks there from the last one; from the first, one after the other, where walking goes in
+  // circles.
   std::pair<std::int32_t, std::int32_t> locate(std::int32_t i) const {
     const auto look = [&](std::int32_t t, std::int32_t& out, std::int32_t& on) {
       const Triangle& here = tri(t);
@@ -268,7 +269,8 @@ class Triangulation {
       k = 0;
       while (tri(t).corner[k] != a) ++k;
       const std::int32_t right = tri(t).corner[next(k)], left = tri(t).corner[before(k)];
-      if (side(a, b, right) == 0 && side(a, right, left) > 0 && ahead(a, b, right)) return false;  // a corner on the way
+      if (side(a, b, right) == 0 && side(a, right, left) > 0 && ahead(a, b, right))
+        return false;  // a corner on the way
       found = side(a, b, right) < 0 && side(a, b, left) > 0;
       if (found) break;
       t = tri(t).beside[next(k)];

@@ -16,7 +16,14 @@ namespace {
 
 // A midrib in four pieces with a branch on each side of its second place.
 Ribs fishbone() {
-  return {{{0, 0, 0}, {0, 0.25f, 0}, {0, 0.5f, 0}, {0, 0.75f, 0}, {0, 1, 0}, {0.3f, 0.7f, 0}, {-0.3f, 0.7f, 0}, {-0.4f, 0.9f, 0}},
+  return {{{0, 0, 0},
+           {0, 0.25f, 0},
+           {0, 0.5f, 0},
+           {0, 0.75f, 0},
+           {0, 1, 0},
+           {0.3f, 0.7f, 0},
+           {-0.3f, 0.7f, 0},
+           {-0.4f, 0.9f, 0}},
           {-1, 0, 1, 2, 3, 2, 2, 6}};
 }
 

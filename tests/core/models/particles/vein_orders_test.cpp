@@ -32,14 +32,15 @@ TEST_CASE("a vein goes on as what carries most; what leaves it begins a vein of 
   CHECK(veins[3].places == std::vector<std::uint32_t>{3, 7});
   CHECK(veins[0].order == 1);
   CHECK(veins[1].order == 2);
-  // A twig on the midrib waits for the round after what is ever so much wider; of the next round it is too thin as well.
+  // A twig on the midrib waits for the round after what is ever so much wider; of the next round it is too thin as
+  // well.
   CHECK(veins[3].order == 3);
   CHECK(veins[2].order == 4);
 }
 
 TEST_CASE("veins that begin at targets are all of the first order, unless they are thin") {
-  const std::vector<Trails> crowds{trails_of({-1, 0}, {50, 50}), trails_of({-1, 0}, {40, 40}), trails_of({-1, 0}, {5, 5}),
-                                   trails_of({-1}, {0})};
+  const std::vector<Trails> crowds{trails_of({-1, 0}, {50, 50}), trails_of({-1, 0}, {40, 40}),
+                                   trails_of({-1, 0}, {5, 5}), trails_of({-1}, {0})};
   const std::vector<Vein> veins = veins_of(crowds);
   REQUIRE(veins.size() == 3);
   CHECK(veins[0].order == 1);

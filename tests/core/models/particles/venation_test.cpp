@@ -73,7 +73,8 @@ TEST_CASE("what runs along a rib is laid into it, what carries most past where a
   const Ribs ribs{{{0, 0, 0}, {0, 0.4f, 0}, {0, 0.8f, 0}, {0.3f, 0.7f, 0}}, {-1, 0, 1, 1}};
   const RibGrid grid(ribs, {-1, 0, 0}, {1, 1, 0});
   Trails trails;
-  trails.places = {{0, 0, 0}, {0.01f, 0.2f, 0}, {0.02f, 0.41f, 0}, {0.01f, 0.6f, 0}, {0, 0.8f, 0}, {0.2f, 0.61f, 0}, {0.3f, 0.75f, 0}};
+  trails.places = {{0, 0, 0},    {0.01f, 0.2f, 0}, {0.02f, 0.41f, 0}, {0.01f, 0.6f, 0},
+                   {0, 0.8f, 0}, {0.2f, 0.61f, 0}, {0.3f, 0.75f, 0}};
   trails.next = {-1, 0, 1, 2, 3, 2, 5};
   trails.energy = {100, 100, 100, 70, 70, 30, 30};
   trails.born.assign(7, 0);

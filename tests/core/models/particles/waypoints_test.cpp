@@ -33,8 +33,9 @@ TEST_CASE("waypoints lead round corners to the goal, on ways that stay inside an
     const glm::vec3 near(0.3f, 0.3f, 0), far(0.7f, 0.3f, 0);
     float shortest = glm::distance(p, goal);
     if (!outline.holds(p, goal)) {
-      shortest = outline.holds(p, near + glm::vec3(-1e-4f, -1e-4f, 0)) ? glm::distance(p, near)
-                                                                     : glm::distance(p, far) + glm::distance(far, near);
+      shortest = outline.holds(p, near + glm::vec3(-1e-4f, -1e-4f, 0))
+                     ? glm::distance(p, near)
+                     : glm::distance(p, far) + glm::distance(far, near);
       shortest += glm::distance(near, goal);
     }
     CHECK(promised >= 0.99f * shortest);

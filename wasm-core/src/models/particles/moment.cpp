@@ -14,7 +14,8 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
 
   Trails young;
   std::vector<std::int32_t> number(count, -1);
-  const auto add = [&](const glm::vec3& place, std::int32_t next, double energy, std::uint32_t born, std::int32_t particle) {
+  const auto add = [&](const glm::vec3& place, std::int32_t next, double energy, std::uint32_t born,
+                       std::int32_t particle) {
     young.places.push_back(place);
     young.next.push_back(next);
     young.energy.push_back(energy);
@@ -31,7 +32,8 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
     const glm::vec3 way = trails.places[next] - trails.places[i];
     // When the place was there, and the particle could be: others may have been there before it.
     const float earliest = left + glm::length(way) / stride;
-    const float there = next == 0 ? std::max(left + 1, earliest) : std::max(static_cast<float>(trails.born[next]), earliest);
+    const float there =
+        next == 0 ? std::max(left + 1, earliest) : std::max(static_cast<float>(trails.born[next]), earliest);
     std::int32_t to = -1;
     if (left < moment && there <= moment)
       to = number[next];

@@ -15,7 +15,8 @@ void add_veins(const Trails& trails, std::size_t crowd, std::vector<Vein>& veins
   for (std::size_t i = 1; i < count; ++i) {
     if (trails.next[i] < 0) continue;
     std::int32_t& child = heaviest[static_cast<std::size_t>(trails.next[i])];
-    if (child < 0 || trails.energy[i] > trails.energy[static_cast<std::size_t>(child)]) child = static_cast<std::int32_t>(i);
+    if (child < 0 || trails.energy[i] > trails.energy[static_cast<std::size_t>(child)])
+      child = static_cast<std::int32_t>(i);
   }
   for (std::size_t i = 1; i < count; ++i) {
     if (trails.next[i] < 0) continue;

@@ -85,7 +85,8 @@ TEST_CASE("flat, the upper face looks up, fills the outline and shows its chart"
   const ChartSquare square = chart_square(outline);
   double area = 0;
   for (std::size_t k = 0; k < upper.indices.size(); k += 3) {
-    const glm::vec3 a = vector_at(upper.positions, upper.indices[k]), b = vector_at(upper.positions, upper.indices[k + 1]),
+    const glm::vec3 a = vector_at(upper.positions, upper.indices[k]),
+                    b = vector_at(upper.positions, upper.indices[k + 1]),
                     c = vector_at(upper.positions, upper.indices[k + 2]);
     const float twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     CHECK(twice > 0);
@@ -104,7 +105,8 @@ TEST_CASE("flat, the upper face looks up, fills the outline and shows its chart"
   for (const glm::vec2& corner : margin.points) {
     float nearest = 1;
     for (std::size_t i = 0; i < upper.positions.size() / 3; ++i)
-      nearest = std::min(nearest, glm::distance(10.0f * vector_at(upper.positions, i), glm::vec3(corner.x, corner.y, 0.001f)));
+      nearest = std::min(nearest,
+                         glm::distance(10.0f * vector_at(upper.positions, i), glm::vec3(corner.x, corner.y, 0.001f)));
     CHECK(nearest < 0.012f);
   }
 }

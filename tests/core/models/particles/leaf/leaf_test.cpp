@@ -140,12 +140,14 @@ void check_leaf(const Plant& plant, double energy, float step) {
 
 }  // namespace
 
-TEST_CASE("energy arrives whole, trails are one tree a target and stay in the outline, whatever its shape and the ribs") {
+TEST_CASE(
+    "energy arrives whole, trails are one tree a target and stay in the outline, whatever its shape and the ribs") {
   for (const NamedOutline& named : leaf_outlines())
     for (const float ribs : {0.0f, 1.0f, 2.0f, 3.0f}) {
       CAPTURE(std::string(named.name));
       CAPTURE(ribs);
-      const Plant plant = leaf_of({{{Parameter::ribs, ribs}, {Parameter::particles, 500}, {Parameter::energy, 3}}, named.rows});
+      const Plant plant =
+          leaf_of({{{Parameter::ribs, ribs}, {Parameter::particles, 500}, {Parameter::energy, 3}}, named.rows});
       check_leaf(plant, 3, 0.35f);
       CHECK(count_at(plant, "particles") > 400);
       const auto targets = count_at(plant, "targets");
@@ -185,22 +187,26 @@ TEST_CASE("so it is of outlines, seeds and rules at random") {
 
 TEST_CASE("a palmate leaf has a tree for each lobe, a pinnate one a midrib and side veins about as many as asked") {
   const auto outlines = leaf_outlines();
-  const auto grape = std::find_if(outlines.begin(), outlines.end(), [](const auto& one) { return one.name == "grapevine"; });
+  const auto grape =
+      std::find_if(outlines.begin(), outlines.end(), [](const auto& one) { return one.name == "grapevine"; });
   const Plant palmate = leaf_of({{{Parameter::ribs, 2}}, grape->rows, 1, "measures"});
   CHECK(count_at(palmate, "targets") == 5);
   const auto measure = [](const Plant& plant, Measure key) { return plant.measures[static_cast<std::size_t>(key)]; };
   CHECK(measure(palmate, Measure::count_1) >= 3);
   CHECK(measure(palmate, Measure::count_1) <= 5);
 
-  const Plant pinnate = leaf_of({{{Parameter::secondaries, 9}, {Parameter::angle, 60}, {Parameter::arch, 0}}, {}, 1, "measures"});
+  const Plant pinnate =
+      leaf_of({{{Parameter::secondaries, 9}, {Parameter::angle, 60}, {Parameter::arch, 0}}, {}, 1, "measures"});
   CHECK(measure(pinnate, Measure::count_1) == 1);
   CHECK(measure(pinnate, Measure::count_2) >= 11);
   CHECK(measure(pinnate, Measure::count_2) <= 20);
   CHECK(measure(pinnate, Measure::secondary_angle) == doctest::Approx(60).epsilon(0.15));
-  const Plant steeper = leaf_of({{{Parameter::secondaries, 9}, {Parameter::angle, 35}, {Parameter::arch, 0}}, {}, 1, "measures"});
+  const Plant steeper =
+      leaf_of({{{Parameter::secondaries, 9}, {Parameter::angle, 35}, {Parameter::arch, 0}}, {}, 1, "measures"});
   CHECK(measure(steeper, Measure::secondary_angle) < measure(pinnate, Measure::secondary_angle) - 10);
   // Fewer stand farther apart.
-  const Plant fewer = leaf_of({{{Parameter::secondaries, 5}, {Parameter::angle, 60}, {Parameter::arch, 0}}, {}, 1, "measures"});
+  const Plant fewer =
+      leaf_of({{{Parameter::secondaries, 5}, {Parameter::angle, 60}, {Parameter::arch, 0}}, {}, 1, "measures"});
   CHECK(measure(fewer, Measure::secondary_spacing) > 1.3f * measure(pinnate, Measure::secondary_spacing));
 }
 
@@ -209,12 +215,14 @@ TEST_CASE("the thickest vein is as wide as asked, and others by the law") {
     float law, exponent, power;
   };
   for (const auto& [law, exponent, power] : {Case{0, absent, 1}, Case{1, absent, 0.5f}, Case{2, 0.33f, 0.33f}}) {
-    const Plant plant = leaf_of({{{Parameter::law, law}, {Parameter::exponent, exponent}, {Parameter::vein, 2}, {Parameter::particles, 300}}});
+    const Plant plant = leaf_of(
+        {{{Parameter::law, law}, {Parameter::exponent, exponent}, {Parameter::vein, 2}, {Parameter::particles, 300}}});
     const auto energy = column_at<float>(plant, "segments.energy");
     const float all = static_cast<float>(count_at(plant, "particles"));
     CHECK(plant.segments[0].radius == doctest::Approx(0.001 * std::pow(energy[0] / all, power)).epsilon(1e-3));
     for (std::size_t i = 0; i < plant.segments.size(); ++i)
-      CHECK(plant.segments[i].radius == doctest::Approx(std::max(0.001f * std::pow(energy[i] / all, power), 5e-6f)).epsilon(2e-3));
+      CHECK(plant.segments[i].radius ==
+            doctest::Approx(std::max(0.001f * std::pow(energy[i] / all, power), 5e-6f)).epsilon(2e-3));
   }
 }
 
@@ -228,7 +236,9 @@ TEST_CASE("a growth is its request's: the same twice, another with another seed"
 }
 
 TEST_CASE("age runs from scattered particles to whole trails, in the middle both stand") {
-  const auto at = [](float age) { return leaf_of({{{Parameter::particles, 400}, {Parameter::age, age}}, {}, 1, "meshes"}); };
+  const auto at = [](float age) {
+    return leaf_of({{{Parameter::particles, 400}, {Parameter::age, age}}, {}, 1, "meshes"});
+  };
   const Plant begin = at(0), middle = at(50), end = at(100);
   CHECK(begin.segments.empty());
   CHECK(begin.organs.size() == count_at(begin, "particles"));
@@ -247,7 +257,9 @@ TEST_CASE("age runs from scattered particles to whole trails, in the middle both
   CHECK(count_at(middle, "energy") == count_at(end, "energy"));
 }
 
-TEST_CASE("meshes come where they are asked for, with the sky where that is, and fewer triangles for less detail or a draft") {
+TEST_CASE(
+    "meshes come where they are asked for, with the sky where that is, and fewer triangles for less detail or a "
+    "draft") {
   const auto triangles = [](const Plant& plant) { return mesh_at(plant, "upper")->mesh.indices.size() / 3; };
   const Plant full = leaf_of({{}, {}, 1, "meshes sky"}), light = leaf_of({{}, {}, 1, "meshes", {0.05f}});
   const Plant draft = leaf_of({{}, {}, 1, "meshes draft"});
@@ -275,8 +287,14 @@ TEST_CASE("meshes come where they are asked for, with the sky where that is, and
 TEST_CASE("what is measured is geometry's") {
   // A square of 100 mm, its corners sharp, one particle: a straight vein.
   const std::vector<float> square{-0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 1, 1, -0.5f, 1, 1};
-  const Plant plant = leaf_of({{{Parameter::length, 100}, {Parameter::ribs, 0}, {Parameter::particles, 1}, {Parameter::pattern, 0}, {Parameter::vein, 2}},
-                               square, 3, "measures"});
+  const Plant plant = leaf_of({{{Parameter::length, 100},
+                                {Parameter::ribs, 0},
+                                {Parameter::particles, 1},
+                                {Parameter::pattern, 0},
+                                {Parameter::vein, 2}},
+                               square,
+                               3,
+                               "measures"});
   const auto measure = [&](Measure key) { return plant.measures[static_cast<std::size_t>(key)]; };
   CHECK(measure(Measure::area) == doctest::Approx(100));
   CHECK(measure(Measure::perimeter) == doctest::Approx(400));
@@ -313,7 +331,8 @@ TEST_CASE("angles and spacings of secondaries are those of a drawn leaf") {
   std::vector<std::int32_t> midrib{last};
   for (int k = 1; k <= 10; ++k) midrib.push_back(last = add({0, 0.1f * static_cast<float>(k), 0}, last, 100 - 9 * k));
   const float out = 0.2f * std::sqrt(3.0f);
-  for (const int k : {2, 5, 7}) add({out, 0.1f * static_cast<float>(k) + 0.2f, 0}, midrib[static_cast<std::size_t>(k)], 8);
+  for (const int k : {2, 5, 7})
+    add({out, 0.1f * static_cast<float>(k) + 0.2f, 0}, midrib[static_cast<std::size_t>(k)], 8);
   add({-0.2f, 0.6f, 0}, midrib[4], 8);
   trails.born.assign(trails.size(), 0);
   trails.particle.assign(trails.size(), -1);
@@ -335,7 +354,8 @@ TEST_CASE("angles and spacings of secondaries are those of a drawn leaf") {
 }
 
 TEST_CASE("what a leaf cannot use is brought into its range with a note, or refused in words") {
-  const Plant wild = leaf_of({{{Parameter::particles, 1e9f}, {Parameter::age, 100}, {Parameter::teeth, -4}}, {}, 1, "", {99}});
+  const Plant wild =
+      leaf_of({{{Parameter::particles, 1e9f}, {Parameter::age, 100}, {Parameter::teeth, -4}}, {}, 1, "", {99}});
   CHECK(count_at(wild, "particles") > 19000);
   CHECK(count_at(wild, "particles") < 21000);
   CHECK(wild.notes.size() == 3);

@@ -86,7 +86,8 @@ TEST_CASE("edges that cross are found, whichever they are") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     std::vector<glm::vec2> points;
     for (std::uint64_t i = 0; i < 4 + seed % 6; ++i)
-      points.push_back({static_cast<float>(random_integer(seed, 1, i, 0, 7)) / 8, static_cast<float>(random_integer(seed, 2, i, 0, 7)) / 8});
+      points.push_back({static_cast<float>(random_integer(seed, 1, i, 0, 7)) / 8,
+                        static_cast<float>(random_integer(seed, 2, i, 0, 7)) / 8});
     const std::size_t count = points.size();
     bool twice = false, crossed = false;
     for (std::size_t i = 0; i < count; ++i)
@@ -123,7 +124,8 @@ TEST_CASE("teeth are as many, as deep and as the shape has them; the margin's po
   std::vector<std::string> notes;
   CHECK(toothed(margin.value(), {.count = 0}, notes).points == margin->points);
   const Outline plain(margin->points);
-  for (const ToothShape shape : {ToothShape::dentate, ToothShape::serrate, ToothShape::crenate, ToothShape::double_serrate})
+  for (const ToothShape shape :
+       {ToothShape::dentate, ToothShape::serrate, ToothShape::crenate, ToothShape::double_serrate})
     for (const std::uint32_t count : {1u, 6u, 20u, 80u}) {
       CAPTURE(count);
       const Margin cut = toothed(margin.value(), {count, 0.4f, shape}, notes);
@@ -154,7 +156,8 @@ TEST_CASE("teeth are as many, as deep and as the shape has them; the margin's po
 
 TEST_CASE("teeth that would meet in a narrow lobe are cut less deep, and it is said") {
   // A needle with two points.
-  const auto margin = spline(points_of({0, 0, 1, 0.012f, 0.5f, 1, 0.1f, 1, 3, 0, 0.52f, 1, -0.1f, 1, 3, -0.012f, 0.5f, 1}));
+  const auto margin =
+      spline(points_of({0, 0, 1, 0.012f, 0.5f, 1, 0.1f, 1, 3, 0, 0.52f, 1, -0.1f, 1, 3, -0.012f, 0.5f, 1}));
   REQUIRE(margin);
   std::vector<std::string> notes;
   const Margin cut = toothed(margin.value(), {6, 1, ToothShape::dentate}, notes);

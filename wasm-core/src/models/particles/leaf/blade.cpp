@@ -41,7 +41,8 @@ void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
   const auto count = static_cast<std::uint32_t>(ring);
   for (std::size_t i = 0; i < ring; ++i) {
     const glm::vec3 top = vector_at(upper.positions, i), bottom = vector_at(lower.positions, i);
-    const glm::vec3 along = vector_at(upper.positions, (i + 1) % ring) - vector_at(upper.positions, (i + ring - 1) % ring);
+    const glm::vec3 along =
+        vector_at(upper.positions, (i + 1) % ring) - vector_at(upper.positions, (i + ring - 1) % ring);
     const glm::vec3 outward = glm::cross(along, top - bottom);
     const float length = glm::length(outward);
     for (const glm::vec3& place : {top, bottom}) {

@@ -21,7 +21,8 @@ constexpr float along_vein = 0.6f;        // of the spacing, between places on a
 
 glm::vec2 snapped(const glm::vec2& p) { return glm::floor(p * triangulation_lattice + 0.5f) / triangulation_lattice; }
 
-// The points of a closed ring that are left when those are taken out which are hardly off the way between their neighbours.
+// The points of a closed ring that are left when those are taken out which are hardly off the way between their
+// neighbours.
 std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within) {
   std::vector<glm::vec2> kept;
   std::size_t last = 0;
@@ -48,7 +49,9 @@ std::vector<glm::vec2> simplified(std::span<const glm::vec2> ring, float within)
 class Crowding {
  public:
   Crowding(const glm::vec2& low, const glm::vec2& high, float cell)
-      : low_(low), cell_(cell), across_(static_cast<std::int32_t>((high.x - low.x) / cell) + 1),
+      : low_(low),
+        cell_(cell),
+        across_(static_cast<std::int32_t>((high.x - low.x) / cell) + 1),
         up_(static_cast<std::int32_t>((high.y - low.y) / cell) + 1),
         cells_(static_cast<std::size_t>(across_ * up_)) {}
 
@@ -65,7 +68,9 @@ class Crowding {
   }
 
  private:
-  std::int32_t column(float x) const { return std::clamp(static_cast<std::int32_t>((x - low_.x) / cell_), 0, across_ - 1); }
+  std::int32_t column(float x) const {
+    return std::clamp(static_cast<std::int32_t>((x - low_.x) / cell_), 0, across_ - 1);
+  }
   std::int32_t row(float y) const { return std::clamp(static_cast<std::int32_t>((y - low_.y) / cell_), 0, up_ - 1); }
   std::size_t index(std::int32_t x, std::int32_t y) const { return static_cast<std::size_t>(y * across_ + x); }
 
@@ -81,7 +86,8 @@ std::vector<VeinPiece> widest(std::span<const VeinPiece> veins, float length) {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const VeinPiece& one, const VeinPiece& other) { return one.radius_from > other.radius_from; });
   std::size_t kept = 0;
-  for (float sum = 0; kept < sorted.size() && sum < length; ++kept) sum += glm::distance(sorted[kept].from, sorted[kept].to);
+  for (float sum = 0; kept < sorted.size() && sum < length; ++kept)
+    sum += glm::distance(sorted[kept].from, sorted[kept].to);
   sorted.resize(kept);
   return sorted;
 }
@@ -130,7 +136,8 @@ BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<c
   blade.vein.assign(blade.points.size(), 0);
   blade.rise.assign(blade.points.size(), 0);
   const float cell = 2 * spacing;
-  const auto across = static_cast<std::int32_t>((high.x - low.x) / cell) + 1, up = static_cast<std::int32_t>((high.y - low.y) / cell) + 1;
+  const auto across = static_cast<std::int32_t>((high.x - low.x) / cell) + 1,
+             up = static_cast<std::int32_t>((high.y - low.y) / cell) + 1;
   const auto column = [&](float x) { return std::clamp(static_cast<std::int32_t>((x - low.x) / cell), 0, across - 1); };
   const auto row = [&](float y) { return std::clamp(static_cast<std::int32_t>((y - low.y) / cell), 0, up - 1); };
   std::vector<std::vector<std::uint32_t>> by_cell(static_cast<std::size_t>(across * up));

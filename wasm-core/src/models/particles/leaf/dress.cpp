@@ -15,7 +15,8 @@ namespace {
 constexpr float draft_detail = 0.25f;
 constexpr std::uint32_t petiole_sides = 14, ball_segments = 8;
 
-std::vector<VeinPiece> pieces_of(std::span<const Trails> flat, std::span<const double> all, const Girth& girth, float scale) {
+std::vector<VeinPiece> pieces_of(std::span<const Trails> flat, std::span<const double> all, const Girth& girth,
+                                 float scale) {
   std::vector<VeinPiece> pieces;
   for (std::size_t c = 0; c < flat.size(); ++c) {
     const Trails& trails = flat[c];
@@ -42,8 +43,8 @@ void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const
   const BladeForm form{.thickness = 0.001f * values[thickness],
                        .relief = values[relief],
                        .detail = asked.draft ? std::min(asked.detail, draft_detail) : asked.detail};
-  std::vector<PlantMesh> blade = make_blade(veins.margin, veins.outline, pieces_of(flat, veins.all, girth, bending.scale),
-                                            bending, form);
+  std::vector<PlantMesh> blade =
+      make_blade(veins.margin, veins.outline, pieces_of(flat, veins.all, girth, bending.scale), bending, form);
   if (blade.empty()) plant.notes.push_back("The outline is too narrow somewhere for a blade: veins alone are shown.");
   const std::vector<Segment> stalk =
       make_petiole(bending, 0.01f * values[petiole] * bending.scale, std::max(girth.thickest, 0.5f * form.thickness));

@@ -9,11 +9,11 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr std::size_t fewest_points = 3, most_points = 400;
-constexpr float farthest = 4;         // leaf lengths from where the petiole joins
-constexpr double least_area = 1e-3;   // square leaf lengths
-constexpr float piece = 0.015f;       // of the spline, about
+constexpr float farthest = 4;        // leaf lengths from where the petiole joins
+constexpr double least_area = 1e-3;  // square leaf lengths
+constexpr float piece = 0.015f;      // of the spline, about
 constexpr float fewest_pieces = 2, most_pieces = 32;
-constexpr float lattice = 1048576;    // 2²⁰
+constexpr float lattice = 1048576;  // 2²⁰
 
 Diagnostic bad(std::string message) { return {Reason::bad_input, std::move(message)}; }
 
@@ -34,7 +34,9 @@ std::int64_t turn(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
   return (whole(b.x) - whole(a.x)) * (whole(c.y) - whole(a.y)) - (whole(b.y) - whole(a.y)) * (whole(c.x) - whole(a.x));
 }
 
-bool apart(float a, float b, float c, float d) { return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b); }
+bool apart(float a, float b, float c, float d) {
+  return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+}
 
 bool meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm::vec2& d) {
   if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) return false;
@@ -47,7 +49,8 @@ bool meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm:
 glm::vec2 handle(const glm::vec2& before, const glm::vec2& at, const glm::vec2& to) {
   const float back = std::sqrt(glm::distance(at, before)), on = std::sqrt(glm::distance(to, at));
   if (back == 0 || on == 0) return at + (to - at) / 3.0f;
-  return (back * back * to - on * on * before + (2 * back * back + 3 * back * on + on * on) * at) / (3 * back * (back + on));
+  return (back * back * to - on * on * before + (2 * back * back + 3 * back * on + on * on) * at) /
+         (3 * back * (back + on));
 }
 
 bool sharp(PointKind kind) { return kind == PointKind::corner || kind == PointKind::pointed_tip; }

@@ -24,13 +24,13 @@ struct ControlPoint {
 // An ovate leaf.
 std::vector<ControlPoint> default_outline();
 
-// The block `outline`: rows of x, y, kind. Empty: the default. Errors: bad_input, which says which row and what to do, where it
-// is not rows of three, or too few or too many, or not numbers, or too far off, or without any area. A kind that is none is a
-// smooth point, with a note.
+// The block `outline`: rows of x, y, kind. Empty: the default. Errors: bad_input, which says which row and what to do,
+// where it is not rows of three, or too few or too many, or not numbers, or too far off, or without any area. A kind
+// that is none is a smooth point, with a note.
 Result<std::vector<ControlPoint>> read_outline(std::span<const float> rows, std::vector<std::string>& notes);
 
-// A closed polygon, counter-clockwise from the base. Its corners lie on a lattice of 2⁻²⁰, so that sums of their products are exact
-// in whole numbers.
+// A closed polygon, counter-clockwise from the base. Its corners lie on a lattice of 2⁻²⁰, so that sums of their
+// products are exact in whole numbers.
 struct Margin {
   std::vector<glm::vec2> points;
   std::vector<std::size_t> controls;  // of each control point, where among the points it is
@@ -38,10 +38,10 @@ struct Margin {
   std::size_t tip = 0;                // the leaf's own: the highest lobe tip; without one the highest point
 };
 
-// The centripetal Catmull-Rom spline (Yuksel et al. 2011, "Parameterization and applications of Catmull-Rom curves") through the
-// points, a cubic from each to the next. At a corner and a pointed tip it breaks: the cubic's control there is halfway to its other one,
-// or a third of the way to the next point where that is sharp too.
-// Errors: bad_input, which names the control points, where it crosses itself.
+// The centripetal Catmull-Rom spline (Yuksel et al. 2011, "Parameterization and applications of Catmull-Rom curves")
+// through the points, a cubic from each to the next. At a corner and a pointed tip it breaks: the cubic's control there
+// is halfway to its other one, or a third of the way to the next point where that is sharp too. Errors: bad_input,
+// which names the control points, where it crosses itself.
 Result<Margin> spline(std::span<const ControlPoint> points);
 
 enum class ToothShape : std::uint32_t { dentate, serrate, crenate, double_serrate };
@@ -52,9 +52,9 @@ struct Teeth {
   ToothShape shape = ToothShape::serrate;
 };
 
-// Cuts teeth out of a margin: their points stay on it, between them it is cut in. They are shared out by length over the stretches
-// between lobe tips and the sinuses between those, lean towards the tip of their stretch, and are lower towards tips and base.
-// Teeth that would make it cross itself are cut less deep, with a note.
+// Cuts teeth out of a margin: their points stay on it, between them it is cut in. They are shared out by length over
+// the stretches between lobe tips and the sinuses between those, lean towards the tip of their stretch, and are lower
+// towards tips and base. Teeth that would make it cross itself are cut less deep, with a note.
 Margin toothed(const Margin& margin, const Teeth& teeth, std::vector<std::string>& notes);
 
 // The first pair of edges that cross or touch, other than neighbours; both the same where there are none.

@@ -1,5 +1,5 @@
-// The model `leaf`: blocks of the request are in request.hpp. What the plant has besides what trail_plant.hpp and dress.hpp say:
-// tag `vein`; organs `particle`, those on their way while age is below 100, on the bent blade; columns
+// The model `leaf`: blocks of the request are in request.hpp. What the plant has besides what trail_plant.hpp and
+// dress.hpp say: tag `vein`; organs `particle`, those on their way while age is below 100, on the bent blade; columns
 //   segments.chart  float32 × 4: x, y of start and end in the flat chart, leaf lengths
 //   segments.order  uint32: 1 primary, 2 secondary … (vein_orders.hpp)
 //   margin          float32 × 2: the outline's polygon, teeth and all, counter-clockwise from the base
@@ -22,7 +22,7 @@
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float thinnest = 5e-6f;                       // radius of a vein, metres
+constexpr float thinnest = 5e-6f;                          // radius of a vein, metres
 constexpr float ball_widens = 1.6f, least_ball = 0.0022f;  // of a particle: against its trail's radius; leaf lengths
 
 Girth girth_of(const Values& values) {
@@ -53,7 +53,8 @@ std::vector<Trails> standing(const Veins& veins, float age) {
 }
 
 // Those on their way: balls that lie on the blade.
-void add_particles(Plant& plant, const Veins& veins, std::span<const Trails> flat, const Bending& bending, const Girth& girth) {
+void add_particles(Plant& plant, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
+                   const Girth& girth) {
   plant.organ_tags = {"particle"};
   for (std::size_t c = 0; c < flat.size(); ++c)
     for (std::size_t i = 1; i < flat[c].size(); ++i) {
@@ -83,11 +84,12 @@ void add_chart(Plant& plant, const Veins& veins, std::span<const Trails> flat) {
       chart.insert(chart.end(), {from.x, from.y, to.x, to.y});
     }
   plant.columns.add("segments.chart", std::move(chart), 4);
-  plant.columns.add("margin", column_of<float>(veins.margin.points, 2,
-                                               [](const glm::vec2& p, float* at) {
-                                                 at[0] = p.x;
-                                                 at[1] = p.y;
-                                               }),
+  plant.columns.add("margin",
+                    column_of<float>(veins.margin.points, 2,
+                                     [](const glm::vec2& p, float* at) {
+                                       at[0] = p.x;
+                                       at[1] = p.y;
+                                     }),
                     2);
   const ChartSquare square = chart_square(veins.outline);
   plant.columns.add("chart", std::vector<float>{square.low.x, square.low.y, square.size}, 3);

@@ -14,9 +14,9 @@ namespace panicle::particles::leaf {
 
 using Values = particles::Values<Parameter, parameter_table>;
 
-// Blocks: `model`, `seed`, `outputs` (meshes, measures, sky, mesh_fingerprint; draft: few particles and triangles, for as long as
-// something is dragged), `parameters`, `outline` (float32, three to a point: margin.hpp), `detail` (float32: triangles of the blade against the
-// default, 0.02 … 4).
+// Blocks: `model`, `seed`, `outputs` (meshes, measures, sky, mesh_fingerprint; draft: few particles and triangles, for
+// as long as something is dragged), `parameters`, `outline` (float32, three to a point: margin.hpp), `detail` (float32:
+// triangles of the blade against the default, 0.02 … 4).
 struct Asked {
   Values values;
   std::vector<ControlPoint> outline;

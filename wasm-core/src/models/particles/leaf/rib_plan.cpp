@@ -11,15 +11,16 @@
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float before_tip = 0.985f;   // where a main vein ends, of its length
-constexpr float stride = 0.02f;        // of a rib's pieces, leaf lengths
+constexpr float before_tip = 0.985f;  // where a main vein ends, of its length
+constexpr float stride = 0.02f;       // of a rib's pieces, leaf lengths
 constexpr float before_margin = 0.012f;
 constexpr float first_secondary = 0.04f, last_secondary = 0.94f;  // along the midrib
-constexpr float lobe_reach = 0.94f;    // of the way into a lobe
+constexpr float lobe_reach = 0.94f;                               // of the way into a lobe
 constexpr float least_secondary = 0.03f;
-// Where the blade reaches below the petiole, veins fan out from there: so far apart, to this angle, and no shorter than this.
+// Where the blade reaches below the petiole, veins fan out from there: so far apart, to this angle, and no shorter than
+// this.
 constexpr float fan = 32, fan_end = 165, least_fan = 0.1f;  // degrees, leaf lengths
-constexpr float detour_cell = 0.03f;  // of the waypoints that a bent main vein follows
+constexpr float detour_cell = 0.04f;                        // of the waypoints that a bent main vein follows
 
 glm::vec2 flat(const glm::vec3& p) { return {p.x, p.y}; }
 glm::vec3 deep(const glm::vec2& p) { return {p.x, p.y, 0}; }
@@ -120,7 +121,8 @@ class Planner {
 
   // Walks from a midrib into the blade until the margin, or a place that `own` refuses, is near.
   template <class Own>
-  void secondary(Ribs& ribs, const Midrib& midrib, float along, float side, float angle, float least, const Own& own) const {
+  void secondary(Ribs& ribs, const Midrib& midrib, float along, float side, float angle, float least,
+                 const Own& own) const {
     const std::size_t root = midrib.at(along);
     const glm::vec2 heading = midrib.heading(root);
     std::vector<glm::vec3> places;
@@ -147,7 +149,8 @@ class Planner {
     for (const float side : {-1.0f, 1.0f})
       for (const float share : shares(count, plan_.spacing, side > 0 ? plan_.offset : 0.0f)) {
         const float along = first_secondary + share * (last_secondary - first_secondary);
-        if (along < last_secondary) secondary(ribs, midrib, along * midrib.length(), side, plan_.angle, least_secondary, own);
+        if (along < last_secondary)
+          secondary(ribs, midrib, along * midrib.length(), side, plan_.angle, least_secondary, own);
       }
   }
 
@@ -201,7 +204,8 @@ class Planner {
       ++lobes;
       if (!to_lobe(all[0], midrib, tip_at(tip))) ++hidden;
     }
-    if (hidden > 0) notes.push_back("The midrib sees " + std::to_string(hidden) + " lobe tips from nowhere: they have no rib.");
+    if (hidden > 0)
+      notes.push_back("The midrib sees " + std::to_string(hidden) + " lobe tips from nowhere: they have no rib.");
     if (lobes == 0 && plan_.secondaries > 0) {
       secondaries(all[0], midrib, plan_.secondaries, [](const glm::vec3&) { return true; });
       basal_fan(all[0], midrib);
@@ -213,7 +217,8 @@ class Planner {
     std::vector<std::size_t> tips = margin_.tips;
     if (std::find(tips.begin(), tips.end(), margin_.tip) == tips.end()) tips.push_back(margin_.tip);
     if (tips.size() == 1)
-      notes.push_back("A palmate leaf has a main vein to each lobe tip, and this outline marks none but the leaf's own.");
+      notes.push_back(
+          "A palmate leaf has a main vein to each lobe tip, and this outline marks none but the leaf's own.");
     std::vector<Ribs> all;
     std::vector<Midrib> rays;
     float longest = 0;
@@ -248,13 +253,15 @@ class Planner {
     return all;
   }
 
-  // From the base towards the tip between the margin's sides, −1 on the left one, 1 on the right; as far as that is open.
+  // From the base towards the tip between the margin's sides, −1 on the left one, 1 on the right; as far as that is
+  // open.
   std::vector<glm::vec3> between_sides(float aside) const {
     constexpr float rows = 48;
     std::vector<glm::vec3> places{base_};
     for (float row = 1; row < rows; ++row) {
       const float share = before_tip * row / rows;
-      const glm::vec3 next = 0.5f * ((1 + aside) * sides_.right(share) + (1 - aside) * sides_.left(share)), from = places.back();
+      const glm::vec3 next = 0.5f * ((1 + aside) * sides_.right(share) + (1 - aside) * sides_.left(share)),
+                      from = places.back();
       if (places.size() == 1 ? !outline_.contains(next) : !outline_.holds(from, next)) break;
       places.push_back(next);
     }
@@ -270,7 +277,8 @@ class Planner {
     std::vector<glm::vec3> places{base_};
     for (float right = 0, left = 0; right + left < 2 * before_tip * rows;) {
       const glm::vec3 one = sides_.right(right / rows), other = sides_.left(left / rows);
-      const glm::vec3 on = sides_.right(std::min(right + 1, rows) / rows), beyond = sides_.left(std::min(left + 1, rows) / rows);
+      const glm::vec3 on = sides_.right(std::min(right + 1, rows) / rows),
+                      beyond = sides_.left(std::min(left + 1, rows) / rows);
       const bool first = left >= rows || (right < rows && glm::distance(on, other) <= glm::distance(one, beyond));
       (first ? right : left) += 1;
       const glm::vec3 middle = first ? 0.5f * (on + other) : 0.5f * (one + beyond);

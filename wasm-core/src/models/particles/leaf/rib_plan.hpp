@@ -22,9 +22,9 @@ struct RibPlan {
   float arch = 0.4f;              // how much a secondary bends towards the tip, 0 … 1
 };
 
-// One tree of ribs for each target: none and pinnate have one, palmate one for each lobe tip, parallel one for each arc. All end
-// where the petiole joins, `base`. Secondaries end shortly before the margin; in a lobed pinnate leaf one runs to each lobe tip, or
-// as far as is open. Says in `notes` what cannot be laid.
+// One tree of ribs for each target: none and pinnate have one, palmate one for each lobe tip, parallel one for each
+// arc. All end where the petiole joins, `base`. Secondaries end shortly before the margin; in a lobed pinnate leaf one
+// runs to each lobe tip, or as far as is open. Says in `notes` what cannot be laid.
 std::vector<Ribs> lay_ribs(const RibPlan& plan, const Margin& margin, const Outline& outline, const glm::vec3& base,
                            std::vector<std::string>& notes);
 

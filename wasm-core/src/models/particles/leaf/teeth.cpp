@@ -14,16 +14,17 @@ constexpr float slope_at_tips = 0.25f;
 constexpr float longest_edge = 0.015f;  // leaf lengths
 constexpr int attempts = 4;
 
-// Places on a tooth: along it towards the tip, and how far out, both 0 … 1. It begins at 0, 0; the next one's is its end.
+// Places on a tooth: along it towards the tip, and how far out, both 0 … 1. It begins at 0, 0; the next one's is its
+// end.
 using Profile = std::span<const glm::vec2>;
 
 Profile profile_of(ToothShape shape) {
   static constexpr glm::vec2 dentate[] = {{0, 0}, {0.22f, 0.4f}, {0.5f, 1}, {0.78f, 0.4f}};
   static constexpr glm::vec2 serrate[] = {{0, 0}, {0.25f, 0.42f}, {0.55f, 0.78f}, {0.86f, 1}, {0.93f, 0.4f}};
-  static constexpr glm::vec2 crenate[] = {{0, 0},         {0.06f, 0.42f}, {0.18f, 0.74f}, {0.33f, 0.93f},
-                                          {0.5f, 1},      {0.67f, 0.93f}, {0.82f, 0.74f}, {0.94f, 0.42f}};
-  static constexpr glm::vec2 twice[] = {{0, 0},         {0.2f, 0.34f},  {0.36f, 0.52f}, {0.41f, 0.3f},
-                                        {0.62f, 0.66f}, {0.88f, 1},     {0.95f, 0.45f}};
+  static constexpr glm::vec2 crenate[] = {{0, 0},    {0.06f, 0.42f}, {0.18f, 0.74f}, {0.33f, 0.93f},
+                                          {0.5f, 1}, {0.67f, 0.93f}, {0.82f, 0.74f}, {0.94f, 0.42f}};
+  static constexpr glm::vec2 twice[] = {{0, 0},         {0.2f, 0.34f}, {0.36f, 0.52f}, {0.41f, 0.3f},
+                                        {0.62f, 0.66f}, {0.88f, 1},    {0.95f, 0.45f}};
   if (shape == ToothShape::dentate) return dentate;
   if (shape == ToothShape::serrate) return serrate;
   return shape == ToothShape::crenate ? Profile(crenate) : Profile(twice);
@@ -46,7 +47,8 @@ class Rail {
   glm::vec2 place(float length) const {
     const std::size_t i = edge(length);
     const float whole = lengths_[i + 1] - lengths_[i];
-    return points_[i] + (whole > 0 ? (length - lengths_[i]) / whole : 0) * (points_[(i + 1) % points_.size()] - points_[i]);
+    return points_[i] +
+           (whole > 0 ? (length - lengths_[i]) / whole : 0) * (points_[(i + 1) % points_.size()] - points_[i]);
   }
   // Into the blade, unit; across what is near, so that it does not jump at the polygon's corners.
   glm::vec2 inwards(float length, float reach) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <utility>
 
 #include "models/particles/crowd.hpp"
@@ -50,14 +51,17 @@ Rules rules_of(const Values& values, float apart) {
           .join = values[join] * apart};
 }
 
+using Guides = std::vector<std::unique_ptr<const Venation>>;
+
 // Each start to the ribs nearest to it; of equally near ones the first.
-std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& starts, const std::vector<Ribs>& ribs) {
-  std::vector<std::vector<glm::vec3>> shares(ribs.size());
+std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& starts, const Guides& guides) {
+  if (guides.size() == 1) return {starts};
+  std::vector<std::vector<glm::vec3>> shares(guides.size());
   for (const glm::vec3& start : starts) {
     std::size_t best = 0;
-    float least = ribs[0].nearest(start).distance;
-    for (std::size_t k = 1; k < ribs.size(); ++k)
-      if (const float distance = ribs[k].nearest(start).distance; distance < least) {
+    float least = guides[0]->ribs().nearest(start).distance;
+    for (std::size_t k = 1; k < guides.size(); ++k)
+      if (const float distance = guides[k]->ribs().nearest(start).distance; distance < least) {
         best = k;
         least = distance;
       }
@@ -73,9 +77,9 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
   const Values& values = asked.values;
   auto spanned = spline(asked.outline);
   if (!spanned) return spanned.error();
-  Margin margin = toothed(spanned.value(),
-                          {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))},
-                          notes);
+  Margin margin = toothed(
+      spanned.value(),
+      {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))}, notes);
   Outline outline(margin.points);
   Veins veins{.margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}};
   std::uint32_t count = values.whole(particles);
@@ -85,13 +89,17 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
   veins.stride = rules.step;
   const glm::vec3 base = base_of(veins.outline, notes);
   const std::vector<Ribs> trees = lay_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
-  const auto starts = scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
+  const auto starts =
+      scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
   if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
 
-  const auto shares = shared_out(starts, trees);
+  Guides guides;
+  for (const Ribs& ribs_of_target : trees)
+    guides.push_back(std::make_unique<const Venation>(veins.outline, ribs_of_target, values[slant], veins.spacing));
+  const auto shares = shared_out(starts, guides);
   const double all = static_cast<double>(values[energy]) * static_cast<double>(starts.size());
-  for (std::size_t k = 0; k < trees.size(); ++k) {
-    const Venation guide(veins.outline, trees[k], values[slant], veins.spacing);
+  for (std::size_t k = 0; k < guides.size(); ++k) {
+    const Venation& guide = *guides[k];
     Crowd crowd(shares[k], static_cast<double>(values[energy]), guide, rules);
     crowd.run();
     Trails trails = crowd.trails();

@@ -13,8 +13,8 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-// Leaf lengths along a vein between which its heading is taken, clear of the round where it leaves; and how far to both sides of that
-// its bearer's is.
+// Leaf lengths along a vein between which its heading is taken, clear of the round where it leaves; and how far to both
+// sides of that its bearer's is.
 constexpr float heading_from = 0.02f, heading_to = 0.08f, bearer_reach = 0.05f;
 
 const glm::vec3& place_of(const Measured& leaf, const Vein& vein, std::size_t k) {
@@ -58,7 +58,8 @@ bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
   found.angle = arc_cosine(glm::dot(heading, way) / lengths) * 180 / pi;
   found.left = heading.x * way.y - heading.y * way.x > 0;
   found.along = 0;
-  for (std::size_t i = 1; i <= k; ++i) found.along += glm::distance(place_of(leaf, bearer, i - 1), place_of(leaf, bearer, i));
+  for (std::size_t i = 1; i <= k; ++i)
+    found.along += glm::distance(place_of(leaf, bearer, i - 1), place_of(leaf, bearer, i));
   return true;
 }
 
