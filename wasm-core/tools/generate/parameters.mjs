@@ -114,8 +114,11 @@ function info(p) {
 const keyList = (name, doc, parameters) =>
 	`/** ${doc} */\nexport const ${name} = [\n${parameters.map((p) => `\t"${p.key}",\n`).join("")}] as const;`;
 
-const shortKeyList = (name, doc, parameters) =>
-	`/** ${doc} */\nexport const ${name} = [${parameters.map((p) => `"${p.key}"`).join(", ")}] as const;`;
+/** One line where it fits. */
+function shortKeyList(name, doc, parameters) {
+	const line = `export const ${name} = [${parameters.map((p) => `"${p.key}"`).join(", ")}] as const;`;
+	return line.length <= 120 ? `/** ${doc} */\n${line}` : keyList(name, doc, parameters);
+}
 
 /** `"a" | "b"`; where there are none, `never`. */
 const union = (parameters) => parameters.map((p) => literal(p.key)).join(" | ") || "never";
