@@ -20,7 +20,6 @@ export const face: Face<LeafSpecimen, Leaf> = {
 			veins. A double click on the margin puts a point in, one on a point changes its kind; or trace a picture.
 		</p>
 		<p>
-			After Y. Rodkaew, P. Chongstitvatana, S. Siripant and C. Lursinsap, “Particle systems for plant modeling”,
-			<i>Plant Growth Modeling and Applications</i> (2003).
+			After Y. Rodkaew, P. Chongstitvatana, S. Siripant and C. Lursinsap, “Particle systems for plant modeling” (2003).
 		</p>`,
 };
