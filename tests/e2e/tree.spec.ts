@@ -88,6 +88,7 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 	await studio.regrown(() => drop("octahedron.obj", [...octahedron, ...faces].join("\n")));
 	await expect(studio.notices).toContainText("The mesh is the boundary now");
 	await expect(page.locator(".override")).toContainText("A mesh of 8 triangles.");
+	await expect(studio.notices).not.toContainText("The file was not opened");
 	await drop("broken.obj", "v 0 0 0\nf 1 2 3\n");
 	await expect(studio.notices).toContainText("Line 2 of the OBJ has a corner, “2”");
 });
