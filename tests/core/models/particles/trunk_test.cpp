@@ -63,6 +63,8 @@ TEST_CASE("a way leads out of the crown downwards alone") {
   CHECK(trunk.passes({0, 2, 0}, {0, 3, 0}));
   CHECK_FALSE(trunk.passes({0, 3.9f, 0}, {0, 4.1f, 0}));
   CHECK_FALSE(trunk.passes({0, 1, 0}, {0, 1.1f, 0}));
+  CHECK_FALSE(trunk.passes({0, 0.1f, 0}, {0, -0.1f, 0}));  // the ground
+  CHECK_FALSE(trunk.passes({0, -0.1f, 0}, {0, -0.2f, 0}));
   const Trunk root({0, 5, 0}, {.ahead = 0.1f, .way = 1}, &crown);
   CHECK(root.passes({0, 3.9f, 0}, {0, 4.1f, 0}));
   CHECK_FALSE(root.passes({0, 2.1f, 0}, {0, 1.9f, 0}));

@@ -55,7 +55,7 @@ class Crowd {
     glm::vec3 place;
     std::int32_t next = -1;
     std::uint32_t particle = 0;  // that left it
-    std::uint32_t born = 0;      // the step in which it was left
+    std::uint32_t born = 0;      // the step in which it was left for the next
   };
 
   void look();
@@ -63,6 +63,7 @@ class Crowd {
   void meet();
   void join();
   void leave();
+  void link(std::uint32_t slot, std::int32_t to);
   void go(std::uint32_t slot, const glm::vec3& to);
   void arrive(std::uint32_t slot);
   void lead_home(std::uint32_t slot);

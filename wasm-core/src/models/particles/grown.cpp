@@ -19,7 +19,9 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   const float spacing = spacing_of(region, habit.count) / habit.growth;
   const auto count = static_cast<std::uint32_t>(static_cast<float>(habit.count) * habit.growth * habit.growth * habit.growth + 0.5f);
   std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
-  const Obstacles obstacles(request.obstacles, margin * spacing, floor, ceiling);
+  // A step may end that far beyond a corner.
+  const float step = habit.motion.rules.step * spacing;
+  const Obstacles obstacles(request.obstacles, margin * spacing, floor + step, ceiling - step);
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
 

@@ -56,8 +56,9 @@ float Trunk::way(const glm::vec3& p) const {
 }
 
 bool Trunk::passes(const glm::vec3& from, const glm::vec3& to) const {
-  if (!sees(from, to)) return false;
-  return outer_ == nullptr || (to.y - from.y) * habit_.way >= 0 || outer_->contains(to);
+  const float along = (to.y - from.y) * habit_.way;
+  if (along > 0 && (to.y - target().y) * habit_.way > 0) return false;
+  return sees(from, to) && (outer_ == nullptr || along >= 0 || outer_->contains(to));
 }
 
 bool Trunk::reaches(const glm::vec3& p) const {

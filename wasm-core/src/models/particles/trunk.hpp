@@ -20,7 +20,8 @@ struct TrunkHabit {
 };
 
 // Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and leave
-// no leader. Limbs cross what is in between, the inner boundary too; the outer one they leave on the way down alone.
+// no leader. Limbs cross what is in between, the inner boundary too; the outer one they leave on the way down alone, and
+// nothing goes beyond the height of the target: the ground.
 class Trunk final : public Guide {
  public:
   // `outer` and `obstacles` must outlive it; either may be null.
