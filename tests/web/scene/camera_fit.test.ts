@@ -44,6 +44,36 @@ describe("fitView", () => {
 		expect(Math.max(...reaches)).toBeGreaterThan(0.75);
 	});
 
+	it("tells a crown of very many leaves by its outermost, and fits it as well", () => {
+		const count = 30_000;
+		const spheres = new Float32Array(4 * count);
+		for (let i = 0; i < count; i++) {
+			const [up, turn, out] = [1 - (2 * (i + 0.5)) / count, 2.4 * i, 1 - 0.4 * ((i % 7) / 7)];
+			const across = 5 * out * Math.sqrt(1 - up * up);
+			spheres.set([across * Math.cos(turn), 6 + 5 * out * up, across * Math.sin(turn), 0.1], 4 * i);
+		}
+		const { centre, rings } = spindleOf({ spheres, points: NONE });
+		expect(rings.length / 3).toBeLessThan(500);
+		expect(centre[1]).toBeCloseTo(6, 1);
+		const whole = {
+			centre,
+			rings: Float32Array.from({ length: 3 * count }, (_, k) => {
+				const [x, y, z, r] = spheres.subarray(4 * Math.floor(k / 3));
+				return [Math.hypot(x - centre[0], z - centre[2]), y - centre[1], r][k % 3];
+			}),
+		};
+		for (const elevation of [0, 0.5, 1.3]) {
+			const [few, all] = [{ centre, rings }, whole].map((each) => fitView(each, 0.4, 1.6, 0.07, elevation));
+			expect(few.distance / all.distance).toBeGreaterThan(0.995);
+			expect(few.distance).toBeLessThanOrEqual(all.distance);
+		}
+		const flat = spindleOf({
+			spheres: spheres.map((value, i) => (i % 4 === 1 ? 2 : i % 4 === 3 ? 0 : value)),
+			points: NONE,
+		});
+		expect(fitView(flat, 0.4, 1, 0.07, 0).distance).toBeGreaterThan(5);
+	});
+
 	it("fits something of no size and the stems of a bunch without berries", () => {
 		expect(fitView(spindleOf({ spheres: NONE, points: NONE }), 0.4, 1, 0.07, 0).distance).toBeGreaterThan(0);
 		const bare = fitView(spindleOf({ spheres: NONE, points: bunch.internodes.ends }), 0.4, 1, 0.07, 0);

@@ -44,6 +44,24 @@ describe("Turntable", () => {
 		});
 	};
 
+	it("draws all of both on the way from a seedling to a tree a hundred times as tall, and back", () => {
+		table.reducedMotion = false;
+		const { camera } = table;
+		const [small, large] = [spindle(90, 0.16), spindle(90, 16)];
+		table.follow(large, false);
+		table.advance(1000);
+		table.advance(1160);
+		const reach = table.controls.target.length() + 20;
+		expect(camera.far).toBeGreaterThan(table.distance + reach);
+		table.advance(2000);
+		expect(camera.far).toBeGreaterThan(table.distance + reach);
+		table.follow(small, false);
+		table.advance(3000);
+		table.advance(4000);
+		expect(camera.near).toBeLessThan(0.5 * table.distance);
+		expect(camera.far).toBeLessThan(20 * table.distance);
+	});
+
 	it("glides, and stops gliding when motion becomes unwelcome", () => {
 		table.reducedMotion = false;
 		const before = table.distance;

@@ -16,6 +16,12 @@ describe("apply", () => {
 		});
 	});
 
+	it("puts details in the place of those there are", () => {
+		const thinned = apply(BUNCH, bunch, { details: { thinned: [3, 1] } });
+		expect(thinned).toEqual({ ...bunch, thinned: [3, 1] });
+		expect(apply(BUNCH, thinned, { parameters: { l: 300 } }).thinned).toEqual([3, 1]);
+	});
+
 	it("keeps every value in its range", () => {
 		const next = apply(BUNCH, bunch, { parameters: { l: 9999, p3w: -5 } }).parameters;
 		expect([next.l, next.p3w]).toEqual([580, 0]);

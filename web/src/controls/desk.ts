@@ -8,6 +8,8 @@ export interface Change {
 	seed?: number;
 	parameters?: Readonly<Partial<Record<string, number>>>;
 	look?: Readonly<Partial<Record<string, number | string>>>;
+	/** Fields of the specimen that are its details', by name, each in the form that its detail keeps; absent where undefined. */
+	details?: Readonly<Record<string, unknown>>;
 }
 
 export interface DeskState<S extends Specimen = Specimen, G extends Plant = Plant> {

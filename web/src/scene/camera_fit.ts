@@ -26,36 +26,76 @@ export interface Spindle {
 
 /** Ways round the axis at which a ring is tried. */
 const TURNS = 24;
+const AROUND = Array.from({ length: TURNS }, (_, turn) => {
+	const angle = (2 * Math.PI * turn) / TURNS;
+	return [Math.cos(angle), Math.sin(angle)] as const;
+});
+
+/** Spun, more bodies than this are told by the outermost at each of so many heights. */
+const MOST_RINGS = 2000;
+const LEVELS = 400;
 
 /** Spins a plant. */
 export function spindleOf({ spheres, points }: Bodies): Spindle {
-	const low = [Infinity, Infinity, Infinity];
-	const high = [-Infinity, -Infinity, -Infinity];
-	const bodies = [
-		{ array: spheres, stride: 4 },
-		{ array: points, stride: 3 },
-	];
-	for (const { array, stride } of bodies) {
-		for (let i = 0; i + stride <= array.length; i += stride) {
-			const r = stride === 4 ? array[i + 3] : 0;
-			for (let k = 0; k < 3; k++) {
-				low[k] = Math.min(low[k], array[i + k] - r);
-				high[k] = Math.max(high[k], array[i + k] + r);
-			}
-		}
-	}
+	const low: Spindle["centre"] = [Infinity, Infinity, Infinity];
+	const high: Spindle["centre"] = [-Infinity, -Infinity, -Infinity];
+	stretch(low, high, points, 3);
+	stretch(low, high, spheres, 4);
 	if (!(low[0] <= high[0])) return { centre: [0, 0, 0], rings: new Float32Array([0.05, 0, 0]) };
 	const centre: Spindle["centre"] = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])];
 	const rings = new Float32Array((spheres.length / 4 + points.length / 3) * 3);
-	let at = 0;
-	for (const { array, stride } of bodies) {
-		for (let i = 0; i + stride <= array.length; i += stride) {
-			rings[at++] = Math.hypot(array[i] - centre[0], array[i + 2] - centre[2]);
-			rings[at++] = array[i + 1] - centre[1];
-			rings[at++] = stride === 4 ? array[i + 3] : 0;
-		}
+	const rest = spin(centre, spheres, 4, rings);
+	spin(centre, points, 3, rest);
+	return { centre, rings: outermost(rings, high[1] - low[1]) };
+}
+
+/** Makes a box hold points, or balls of four numbers. */
+function stretch(low: Spindle["centre"], high: Spindle["centre"], bodies: Float32Array, stride: 3 | 4): void {
+	let [lowX, lowY, lowZ] = low;
+	let [highX, highY, highZ] = high;
+	for (let i = 0; i + stride <= bodies.length; i += stride) {
+		const r = stride === 4 ? bodies[i + 3] : 0;
+		lowX = Math.min(lowX, bodies[i] - r);
+		lowY = Math.min(lowY, bodies[i + 1] - r);
+		lowZ = Math.min(lowZ, bodies[i + 2] - r);
+		highX = Math.max(highX, bodies[i] + r);
+		highY = Math.max(highY, bodies[i + 1] + r);
+		highZ = Math.max(highZ, bodies[i + 2] + r);
 	}
-	return { centre, rings };
+	low.splice(0, 3, lowX, lowY, lowZ);
+	high.splice(0, 3, highX, highY, highZ);
+}
+
+/** Writes the rings of points, or of balls of four numbers; returns the room that is left. */
+function spin([x, y, z]: Spindle["centre"], bodies: Float32Array, stride: 3 | 4, rings: Float32Array): Float32Array {
+	let at = 0;
+	for (let i = 0; i + stride <= bodies.length; i += stride) {
+		const [across, along] = [bodies[i] - x, bodies[i + 2] - z];
+		rings[at++] = Math.sqrt(across * across + along * along);
+		rings[at++] = bodies[i + 1] - y;
+		rings[at++] = stride === 4 ? bodies[i + 3] : 0;
+	}
+	return rings.subarray(at);
+}
+
+/** Of very many rings those that tell how large the plant looks: at each height the one that reaches out farthest. */
+function outermost(rings: Float32Array, height: number): Float32Array {
+	if (rings.length <= 3 * MOST_RINGS) return rings;
+	const best = new Int32Array(LEVELS + 1).fill(-1);
+	const reach = new Float32Array(LEVELS + 1);
+	for (let i = 0; i < rings.length; i += 3) {
+		const level = height > 0 ? Math.round((rings[i + 1] / height + 0.5) * LEVELS) : 0;
+		const out = rings[i] + rings[i + 2];
+		if (best[level] >= 0 && out <= reach[level]) continue;
+		best[level] = i;
+		reach[level] = out;
+	}
+	const kept = best.filter((ring) => ring >= 0);
+	const few = new Float32Array(3 * kept.length);
+	kept.forEach((ring, k) => {
+		few.set(rings.subarray(ring, ring + 3), 3 * k);
+	});
+	return few;
 }
 
 /**
@@ -83,12 +123,11 @@ export function fitView(
 		const [out, height, thick] = [rings[i], rings[i + 1], rings[i + 2]];
 		radius = Math.max(radius, Math.hypot(out, height) + thick);
 		breadth = Math.max(breadth, out + thick);
-		for (let turn = 0; turn < TURNS; turn++) {
-			const angle = (2 * Math.PI * turn) / TURNS;
-			const forth = out * Math.cos(angle);
+		for (const [turnCosine, turnSine] of AROUND) {
+			const forth = out * turnCosine;
 			const near = forth * cosine + height * sine;
 			const up = Math.abs(height * cosine - forth * sine) + thick;
-			const aside = Math.abs(out * Math.sin(angle)) + thick;
+			const aside = Math.abs(out * turnSine) + thick;
 			distance = Math.max(distance, near + up / tall, near + aside / wide);
 		}
 	}

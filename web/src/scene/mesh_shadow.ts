@@ -104,5 +104,6 @@ function sharing(mesh: Mesh | InstancedMesh, material: ShaderMaterial): Mesh {
 	const shared = new InstancedMesh(mesh.geometry, material, 0);
 	shared.instanceMatrix = mesh.instanceMatrix;
 	shared.count = mesh.count;
+	shared.boundingSphere = mesh.boundingSphere;
 	return shared;
 }

@@ -8,25 +8,31 @@ const POINTS = 400;
 /** What parts take up: points of their meshes, and a ball about each instance. */
 export function boundsOf(parts: Iterable<Part>): Bodies {
 	const points: number[] = [];
-	const spheres: number[] = [];
+	const balls: Float32Array[] = [];
 	for (const { shape } of everyPart(parts)) {
 		if (!shape) continue;
 		const { positions } = shape.mesh;
-		if (shape.instances) addBalls(spheres, shape.instances.transforms, reachOf(positions));
+		if (shape.instances) balls.push(ballsOf(shape.instances.transforms, reachOf(positions)));
 		else addPoints(points, positions);
 	}
-	return { spheres: Float32Array.from(spheres), points: Float32Array.from(points) };
+	return { spheres: joined(balls), points: Float32Array.from(points) };
+}
+
+/** The upright box that holds them; an empty one where there are none. */
+export function boxOf({ spheres, points }: Bodies): Box3 {
+	const { min, max } = new Box3();
+	const hold = (x: number, y: number, z: number, reach: number) => {
+		min.set(Math.min(min.x, x - reach), Math.min(min.y, y - reach), Math.min(min.z, z - reach));
+		max.set(Math.max(max.x, x + reach), Math.max(max.y, y + reach), Math.max(max.z, z + reach));
+	};
+	for (let i = 0; i < points.length; i += 3) hold(points[i], points[i + 1], points[i + 2], 0);
+	for (let i = 0; i < spheres.length; i += 4) hold(spheres[i], spheres[i + 1], spheres[i + 2], spheres[i + 3]);
+	return new Box3(min, max);
 }
 
 /** A ball that holds them, about the middle of their box. */
-export function ballOf({ spheres, points }: Bodies): { centre: Vector3; radius: number } {
-	const box = new Box3();
-	for (let i = 0; i < points.length; i += 3) box.expandByPoint(new Vector3().fromArray(points, i));
-	for (let i = 0; i < spheres.length; i += 4) {
-		const reach = new Vector3().setScalar(spheres[i + 3]);
-		const centre = new Vector3().fromArray(spheres, i);
-		box.expandByPoint(centre.clone().add(reach)).expandByPoint(centre.sub(reach));
-	}
+export function ballOf(bodies: Bodies): { centre: Vector3; radius: number } {
+	const box = boxOf(bodies);
 	if (box.isEmpty()) return { centre: new Vector3(), radius: 0 };
 	const { center: centre, radius } = box.getBoundingSphere(new Sphere());
 	return { centre, radius };
@@ -41,10 +47,27 @@ function reachOf(positions: Float32Array): number {
 	return Math.sqrt(square);
 }
 
-function addBalls(spheres: number[], transforms: Float32Array, reach: number): void {
-	for (let at = 0; at < transforms.length; at += TRANSFORM) {
-		spheres.push(transforms[at], transforms[at + 1], transforms[at + 2], reach * transforms[at + 7]);
+function ballsOf(transforms: Float32Array, reach: number): Float32Array {
+	const count = transforms.length / TRANSFORM;
+	const balls = new Float32Array(4 * count);
+	for (let i = 0; i < count; i++) {
+		const at = TRANSFORM * i;
+		balls[4 * i] = transforms[at];
+		balls[4 * i + 1] = transforms[at + 1];
+		balls[4 * i + 2] = transforms[at + 2];
+		balls[4 * i + 3] = reach * transforms[at + 7];
 	}
+	return balls;
+}
+
+function joined(arrays: readonly Float32Array[]): Float32Array {
+	const whole = new Float32Array(arrays.reduce((length, array) => length + array.length, 0));
+	let at = 0;
+	for (const array of arrays) {
+		whole.set(array, at);
+		at += array.length;
+	}
+	return whole;
 }
 
 function addPoints(points: number[], positions: Float32Array): void {

@@ -6,6 +6,7 @@ import { MeshShadow } from "./mesh_shadow";
 import { ballOf, boundsOf } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
+import { Wardrobe } from "./wardrobe";
 
 /** The light that marks a part. */
 const MARK = new Color(0.22, 0.18, 0.12);
@@ -20,6 +21,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	readonly #parts: (grown: G, specimen: S) => Iterable<Part>;
 	readonly #lights = new StandardLights();
 	readonly #shadow: MeshShadow;
+	readonly #wardrobe: Wardrobe;
 	#shown: PartMeshes;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 	#mark: PartObject | undefined;
@@ -27,7 +29,8 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	constructor(stage: FigureStage, parts: (grown: G, specimen: S) => Iterable<Part>) {
 		this.#stage = stage;
 		this.#parts = parts;
-		this.#shown = new PartMeshes([], stage.light.uniforms);
+		this.#wardrobe = new Wardrobe(stage.light.uniforms);
+		this.#shown = new PartMeshes([], this.#wardrobe);
 		this.#shadow = new MeshShadow(stage.shadow);
 		stage.root.add(this.#lights.group);
 	}
@@ -35,7 +38,8 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	show(grown: G, specimen: S): void {
 		this.#clear();
 		const parts = [...this.#parts(grown, specimen)];
-		this.#shown = new PartMeshes(parts, this.#stage.light.uniforms);
+		this.#wardrobe.change();
+		this.#shown = new PartMeshes(parts, this.#wardrobe);
 		for (const object of this.#shown.objects) this.#stage.root.add(object);
 		this.#shadow.lay(this.#shown.objects);
 		this.#bounds = boundsOf(parts);
@@ -88,6 +92,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 
 	dispose(): void {
 		this.#clear();
+		this.#wardrobe.dispose();
 		this.#shadow.dispose();
 		this.#lights.dispose();
 	}

@@ -7,51 +7,73 @@ import {
 	Matrix4,
 	Mesh,
 	type MeshStandardMaterial,
-	Quaternion,
+	Sphere,
 	Vector3,
 } from "three";
-import type { Material } from "../plant/material";
 import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
-import type { LightUniforms } from "./light_shader";
-import { standardMaterial } from "./standard_material";
+import type { Wardrobe } from "./wardrobe";
 
 export type PartObject = Mesh<BufferGeometry, MeshStandardMaterial>;
 
 /** The transform of instance `index` as a matrix. */
 export function matrixOf(transforms: Float32Array, index: number, matrix = new Matrix4()): Matrix4 {
-	const [x, y, z, qx, qy, qz, qw, scale] = transforms.subarray(TRANSFORM * index, TRANSFORM * (index + 1));
-	return matrix.compose(new Vector3(x, y, z), new Quaternion(qx, qy, qz, qw), new Vector3(scale, scale, scale));
+	writeMatrix(transforms, TRANSFORM * index, matrix.elements, 0);
+	return matrix;
+}
+
+/** Place, turn and size as 4 × 4 numbers, column by column; of many instances, without an object for each. */
+function writeMatrix(transforms: Float32Array, from: number, into: { [index: number]: number }, at: number): void {
+	const qx = transforms[from + 3];
+	const qy = transforms[from + 4];
+	const qz = transforms[from + 5];
+	const qw = transforms[from + 6];
+	const scale = transforms[from + 7];
+	into[at] = scale * (1 - 2 * (qy * qy + qz * qz));
+	into[at + 1] = scale * 2 * (qx * qy + qw * qz);
+	into[at + 2] = scale * 2 * (qx * qz - qw * qy);
+	into[at + 3] = 0;
+	into[at + 4] = scale * 2 * (qx * qy - qw * qz);
+	into[at + 5] = scale * (1 - 2 * (qx * qx + qz * qz));
+	into[at + 6] = scale * 2 * (qy * qz + qw * qx);
+	into[at + 7] = 0;
+	into[at + 8] = scale * 2 * (qx * qz + qw * qy);
+	into[at + 9] = scale * 2 * (qy * qz - qw * qx);
+	into[at + 10] = scale * (1 - 2 * (qx * qx + qy * qy));
+	into[at + 11] = 0;
+	into[at + 12] = transforms[from];
+	into[at + 13] = transforms[from + 1];
+	into[at + 14] = transforms[from + 2];
+	into[at + 15] = 1;
 }
 
 /** The meshes of all parts that have a shape; geometries and materials are shared as the parts share theirs. */
 export class PartMeshes {
 	readonly objects: PartObject[] = [];
-	readonly #light: LightUniforms;
 	readonly #geometries = new Map<PartMesh, BufferGeometry>();
 	/** Those with something of their instances in them, which nobody shares. */
 	readonly #own: BufferGeometry[] = [];
-	/** By what else tells two apart: whether they have colours, and skies. */
-	readonly #materials = new Map<Material, Map<string, MeshStandardMaterial>>();
 
-	constructor(parts: Iterable<Part>, light: LightUniforms) {
-		this.#light = light;
+	/** @param wardrobe whose materials they wear; it stays whose it is */
+	constructor(parts: Iterable<Part>, wardrobe: Wardrobe) {
 		for (const { name, shape } of everyPart(parts)) {
 			if (!shape) continue;
 			const { mesh, instances } = shape;
 			const geometry = this.#geometryOf(mesh, instances?.sky);
+			if (shape.material.grain !== undefined) geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
 			const coloured = mesh.colours !== undefined;
-			const material = this.#materialOf(shape.material, coloured, geometry.hasAttribute("sky"));
+			const material = wardrobe.materialOf(shape.material, coloured, geometry.hasAttribute("sky"));
 			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);
 			object.name = name;
 			object.castShadow = true;
 			object.receiveShadow = true;
+			// A plant is in view; to find out would take longer, of many instances, than drawing them.
+			object.frustumCulled = false;
 			this.objects.push(object);
 		}
 	}
 
 	dispose(): void {
 		for (const geometry of [...this.#geometries.values(), ...this.#own]) geometry.dispose();
-		for (const kinds of this.#materials.values()) for (const material of kinds.values()) material.dispose();
 		for (const object of this.objects) if (object instanceof InstancedMesh) object.dispose();
 	}
 
@@ -63,17 +85,9 @@ export class PartMeshes {
 		for (const [name, attribute] of Object.entries(known.attributes)) own.setAttribute(name, attribute);
 		own.setAttribute("sky", new InstancedBufferAttribute(skies, 1, true));
 		own.setIndex(known.index);
+		own.boundingSphere = known.boundingSphere;
 		this.#own.push(own);
 		return own;
-	}
-
-	#materialOf(material: Material, coloured: boolean, sky: boolean): MeshStandardMaterial {
-		const kinds = this.#materials.get(material) ?? new Map<string, MeshStandardMaterial>();
-		this.#materials.set(material, kinds);
-		const kind = `${coloured} ${sky}`;
-		const made = kinds.get(kind) ?? standardMaterial(material, { light: this.#light, coloured, sky });
-		kinds.set(kind, made);
-		return made;
 	}
 }
 
@@ -84,13 +98,44 @@ function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): Bu
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3));
 	if (sky) geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
 	geometry.setIndex(new BufferAttribute(indices, 1));
+	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MOST_ASKED)));
 	return geometry;
+}
+
+/** Of very many vertices so many say how large a mesh is. */
+const MOST_ASKED = 20_000;
+
+/** A ball that holds points, the first three of every so many numbers, about the middle of their box: three's own takes ten times as long. */
+function sphereAbout(points: Float32Array, stride: number, reach = 0): Sphere {
+	let [lowX, lowY, lowZ, highX, highY, highZ] = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+	for (let i = 0; i < points.length; i += stride) {
+		const x = points[i];
+		const y = points[i + 1];
+		const z = points[i + 2];
+		if (x < lowX) lowX = x;
+		if (x > highX) highX = x;
+		if (y < lowY) lowY = y;
+		if (y > highY) highY = y;
+		if (z < lowZ) lowZ = z;
+		if (z > highZ) highZ = z;
+	}
+	if (!(lowX <= highX)) return new Sphere(new Vector3(), -1);
+	const centre = new Vector3(lowX + highX, lowY + highY, lowZ + highZ).multiplyScalar(0.5);
+	return new Sphere(centre, reach + 0.5 * Math.hypot(highX - lowX, highY - lowY, highZ - lowZ));
+}
+
+/** How far an instance reaches from where it stands, at most. */
+function reachOf({ boundingSphere }: BufferGeometry, transforms: Float32Array): number {
+	let largest = 0;
+	for (let at = 7; at < transforms.length; at += TRANSFORM) largest = Math.max(largest, transforms[at]);
+	return largest * (boundingSphere ? boundingSphere.radius + boundingSphere.center.length() : 0);
 }
 
 function instanced(geometry: BufferGeometry, material: MeshStandardMaterial, transforms: Float32Array): PartObject {
 	const count = transforms.length / TRANSFORM;
 	const object = new InstancedMesh(geometry, material, count);
-	const matrix = new Matrix4();
-	for (let i = 0; i < count; i++) object.setMatrixAt(i, matrixOf(transforms, i, matrix));
+	const matrices = object.instanceMatrix.array;
+	for (let i = 0; i < count; i++) writeMatrix(transforms, TRANSFORM * i, matrices, 16 * i);
+	object.boundingSphere = sphereAbout(transforms, TRANSFORM, reachOf(geometry, transforms));
 	return object;
 }

@@ -183,6 +183,8 @@ export class Turntable {
 		this.#fitted = this.#spindle;
 		this.controls.minDistance = 0;
 		this.controls.maxDistance = Infinity;
+		// On the way all of both is seen, be one a hundred times as large.
+		this.#setDepth(Math.min(this.distance, fit.distance * zoom), Math.max(this.distance, fit.distance * zoom));
 		this.#glide = {
 			from: this.controls.target.clone(),
 			to: new Vector3(...fit.target),
@@ -209,8 +211,13 @@ export class Turntable {
 		if (!fit) return;
 		this.controls.minDistance = 0.25 * fit.distance;
 		this.controls.maxDistance = 4 * fit.distance;
-		this.camera.near = 0.02 * fit.distance;
-		this.camera.far = 10 * fit.distance;
+		this.#setDepth(fit.distance, fit.distance);
+	}
+
+	/** What is drawn lies between these, for eyes so far from what they look at. */
+	#setDepth(nearest: number, farthest: number): void {
+		this.camera.near = 0.02 * nearest;
+		this.camera.far = 10 * farthest;
 		this.camera.updateProjectionMatrix();
 	}
 

@@ -8,9 +8,9 @@ import type { Specimen } from "../specimen/specimen";
 export function apply<S extends Specimen>(
 	species: Species<S>,
 	specimen: S,
-	{ parameters = {}, look = {}, seed }: Change,
+	{ parameters = {}, look = {}, details = {}, seed }: Change,
 ): S {
-	const next = withLook(species, withParameters(species, specimen, parameters), look);
+	const next = { ...withLook(species, withParameters(species, specimen, parameters), look), ...details };
 	return seed === undefined ? next : withSeed(next, seed);
 }
 

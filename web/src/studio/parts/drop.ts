@@ -32,8 +32,9 @@ export class Drop extends StudioPart {
 
 	readonly #over = (event: DragEvent): void => {
 		if (!event.dataTransfer?.types.includes("Files")) return;
+		// Where a part of the page takes what is over it, this one does not.
+		this.#hover(!event.defaultPrevented);
 		event.preventDefault();
-		this.#hover(true);
 	};
 
 	readonly #leave = (event: DragEvent): void => {
@@ -44,7 +45,8 @@ export class Drop extends StudioPart {
 	readonly #drop = (event: DragEvent): void => {
 		this.#hover(false);
 		const file = event.dataTransfer?.files[0];
-		if (!file) return;
+		// Some part of the page has taken it.
+		if (!file || event.defaultPrevented) return;
 		event.preventDefault();
 		void openFile(this.desk, file);
 	};

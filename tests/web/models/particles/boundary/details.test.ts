@@ -1,0 +1,66 @@
+import { describe, expect, it } from "vitest";
+import { MOST_KNOTS } from "../../../../../web/src/models/particles/boundary/details/profile";
+import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import { decodeLink, decodeQuery, encodeLink } from "../../../../../web/src/specimen/link";
+import { restore } from "../../../../../web/src/specimen/restore";
+import { writtenSpecimen } from "../../../../../web/src/specimen/written";
+
+const oak = fromPreset(TREE);
+
+const read = (query: string) => decodeQuery(TREE, `?v=2&model=tree&${query}`);
+const notesOf = (query: string) => read(query).notes.map(({ text }) => text);
+
+describe("what a boundary has besides numbers", () => {
+	it("goes into a link and comes back, under 300 characters for a typical edit", async () => {
+		const specimen = {
+			...oak,
+			profile: [...(oak.profile ?? [])].map(([radius, height], i) => [i === 2 ? 0.87 : radius, height] as const),
+			targets: [0, 0, 0, 1.5, 0, -2.25],
+			obstacles: [2, 0, -1, 2.5, 4, 1],
+		};
+		const link = await encodeLink(TREE, specimen);
+		expect(link.length).toBeLessThan(300);
+		expect(link).toContain("targets=0,0,0,1.5,0,-2.25&obstacles=2,0,-1,2.5,4,1");
+		expect(await decodeLink(TREE, link)).toEqual({ specimen, notes: [] });
+	});
+
+	it("is absent from the link where it is the preset's", async () => {
+		expect(await encodeLink(TREE, oak)).toBe("?v=2&model=tree");
+	});
+
+	it("goes into files, a mesh too, which no link carries", async () => {
+		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		const specimen = { ...oak, volume, obstacles: [0, 0, 0, 1, 1, 1] };
+		const written = JSON.parse(JSON.stringify(writtenSpecimen(TREE, specimen)));
+		expect(restore(TREE, written)).toEqual({ specimen, notes: [] });
+		expect(await encodeLink(TREE, specimen)).toBe("?v=2&model=tree&obstacles=0,0,0,1,1,1");
+	});
+
+	it("brings corners of an obstacle into order, and empty lists to nothing", () => {
+		expect(read("obstacles=3,2,1,0,0,0").specimen.obstacles).toEqual([0, 0, 0, 3, 2, 1]);
+		expect(read("targets=").specimen).not.toHaveProperty("targets");
+	});
+
+	it.each([
+		["profile=1,2", "profile: “1,2” is not at least 3 points like “0.5,0,1,0.4,0,1”; the preset's profile is used."],
+		["profile=1,0,a,1,0,1", "profile: “1,0,a,1,0,1” is not at least 3 points"],
+		["profile=9,0,1,0.5,0,1", "profile: radii lie from 0 to 3, heights from 0 to 1; points outside are brought in."],
+		["profile=1,0,1,0.7,1,0.4,0,1", "profile: heights must not fall; the points are put in order."],
+		["targets=1,2", "targets: “1,2” is not places like “0,0,0”; the preset's are used."],
+		["targets=1,2,500", "targets: farther than 100 m from the middle; they are brought in."],
+		["obstacles=1,2,3", "obstacles: “1,2,3” is not boxes like “1,0,-2,1.5,4,2”; the preset's are used."],
+	])("notes what it cannot use of %s", (query, note) => {
+		expect(notesOf(query)).toHaveLength(1);
+		expect(notesOf(query)[0]).toContain(note.slice(0, note.length));
+	});
+
+	it("takes no more points than it can hold, nor a mesh whose corners are not there", () => {
+		const many = Array.from({ length: MOST_KNOTS + 2 }, (_, i) => `1,${i / 40}`).join();
+		expect(read(`profile=${many}`).specimen.profile).toHaveLength(MOST_KNOTS);
+		expect(notesOf(`profile=${many}`)[0]).toContain("more than 24 points");
+		const { specimen, notes } = restore(TREE, { model: "tree", volume: { points: [0, 0, 0], triangles: [0, 1, 2] } });
+		expect(specimen.volume).toBeUndefined();
+		expect(notes[0].text).toContain("is not a mesh of at most 4000 triangles");
+	});
+});

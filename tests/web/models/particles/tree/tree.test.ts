@@ -1,0 +1,177 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../../web/src/core/core";
+import { aboutPlant } from "../../../../../web/src/export/about_plant";
+import { exportGlb } from "../../../../../web/src/export/glb";
+import { exportJson } from "../../../../../web/src/export/json";
+import { splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
+import { woodColours } from "../../../../../web/src/models/particles/boundary/wood_colours";
+import { model } from "../../../../../web/src/models/particles/tree/index";
+import { leafColour, leafTints } from "../../../../../web/src/models/particles/tree/leaf_colours";
+import type { TreeSpecimen } from "../../../../../web/src/models/particles/tree/specimen";
+import { toLch } from "../../../../../web/src/plant/colour";
+import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import { decodeLink, encodeLink } from "../../../../../web/src/specimen/link";
+import { restore } from "../../../../../web/src/specimen/restore";
+import { complaints } from "../../../export/reading";
+import { growBounded, particlesCore } from "../boundary/particles";
+
+let core: Core;
+beforeAll(async () => {
+	core = await particlesCore();
+});
+const grow = (specimen: TreeSpecimen, options = {}) => growBounded(core, model.table, specimen, options);
+const oak = fromPreset(model);
+/** As few particles as still make a tree. */
+const small = (specimen = oak, parameters = {}) => ({
+	...specimen,
+	parameters: { ...specimen.parameters, particles: 120, ...parameters },
+});
+
+describe("a tree's presets", () => {
+	it.each(model.presets.list.map(({ name }) => name))(
+		"%s comes through its link and grows without a note",
+		async (name) => {
+			const specimen = fromPreset(model, name);
+			expect(await decodeLink(model, await encodeLink(model, specimen))).toEqual({ specimen, notes: [] });
+			expect(restore(model, JSON.parse(JSON.stringify(specimen)))).toEqual({ specimen, notes: [] });
+			const { counts, notes, arrived } = grow(specimen, { meshes: false });
+			expect(notes).toEqual([]);
+			expect(counts.particles).toBeGreaterThan(0.8 * specimen.parameters.particles);
+			expect(arrived.reduce((sum, energy) => sum + energy)).toBe(counts.particles);
+			expect(arrived).toHaveLength(specimen.parameters.crowns * specimen.parameters.stems);
+		},
+	);
+
+	it("say what they are in one sentence", () => {
+		for (const { about, title } of model.presets.list) {
+			expect(about).toMatch(/^[A-Z].*[^.]\.$/);
+			expect(title.length).toBeLessThan(20);
+		}
+	});
+});
+
+describe("a tree", () => {
+	it("heeds a profile, targets, obstacles and a mesh", () => {
+		const fingerprint = (specimen: TreeSpecimen) => grow(specimen, { meshes: false }).fingerprint;
+		const usual = fingerprint(small());
+		const mesh = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		const others = [
+			{ ...small(), profile: [[1, 0], [0.2, 0.5], [1, 1]] as [number, number][] }, // biome-ignore format: a table
+			{ ...small(), targets: [3, 0, 0] },
+			{ ...small(), obstacles: [-6, 0, -6, -1, 12, 6] },
+			{ ...small(oak, { shape: 5 }), volume: mesh },
+		];
+		expect(new Set([usual, ...others.map(fingerprint)]).size).toBe(5);
+		// Nothing but the shape that it is for heeds a profile.
+		const box = small(fromPreset(model, "box"));
+		expect(fingerprint({ ...box, profile: [[1, 0], [1, 0.5], [1, 1]] })).toBe(fingerprint(box)); // biome-ignore format: a table
+	});
+
+	it("has the profile that the core takes where none is given", () => {
+		const bare = small({ ...fromPreset(model, "twin") }, { shape: 4, crowns: 1 });
+		expect(bare.profile).toBeUndefined();
+		const egg: [number, number][] = [[0.1, 0], [0.8, 0.2], [1, 0.45], [0.7, 0.8], [0.08, 1]]; // biome-ignore format: a table
+		expect(grow({ ...bare, profile: egg }, { meshes: false }).fingerprint).toBe(
+			grow(bare, { meshes: false }).fingerprint,
+		);
+	});
+
+	it("keeps its twigs' ends inside the outline that the editor draws", () => {
+		const { profile = [], parameters } = oak;
+		const outline = splineThrough(profile);
+		const { organs } = grow(small(oak, { particles: 400 }), {});
+		for (let i = 0; i < organs.count; i++) {
+			const [x, y, z] = organs.transforms.subarray(8 * i);
+			const height = (y - parameters.trunk) / parameters.height;
+			const radius = (2 * Math.hypot(x, z)) / parameters.width;
+			const widest = outline.reduce((most, [r, h]) => (Math.abs(h - height) < 0.06 ? Math.max(most, r) : most), 0);
+			expect(radius).toBeLessThan(widest + 0.03);
+		}
+	});
+
+	it("is made of bark and of leaves in their tints, each leaf once and by a name of its own", () => {
+		const specimen = small();
+		const plant = grow(specimen);
+		const parts = [...model.parts(plant, specimen)];
+		expect(parts[0].shape?.material.name).toBe("Bark");
+		const leaves = parts.slice(1).flatMap(({ shape }) => shape?.instances ?? []);
+		expect(leaves.length).toBeGreaterThan(3);
+		const count = leaves.reduce((sum, { transforms }) => sum + transforms.length / 8, 0);
+		expect(count).toBe(plant.counts.leaves);
+		const names = leaves.flatMap(({ transforms, each }) =>
+			Array.from({ length: transforms.length / 8 }, (_, i) => each?.(i).name),
+		);
+		expect(new Set(names).size).toBe(count);
+		expect(names[0]).toMatch(/^Leaf \d+$/);
+		expect(leaves[0].sky).toHaveLength(leaves[0].transforms.length / 8);
+		// Balls that nobody bears are not there.
+		expect(parts.some(({ name }) => /ball/i.test(name))).toBe(false);
+	});
+
+	it("keeps each leaf's tint while particles run, and shows those as balls", () => {
+		const specimen = small();
+		const young = small(oak, { age: 40 });
+		const tints = (each: TreeSpecimen) => {
+			const found = new Map<string, string>();
+			for (const { name, shape } of model.parts(grow(each), each)) {
+				const { transforms = new Float32Array() } = shape?.instances ?? {};
+				for (let at = 0; at < transforms.length; at += 8) found.set(transforms.subarray(at, at + 8).join(), name);
+			}
+			return found;
+		};
+		const [before, after] = [tints(young), tints(specimen)];
+		let kept = 0;
+		for (const [place, name] of before) {
+			if (!after.has(place)) continue;
+			expect(after.get(place)).toBe(name);
+			kept++;
+		}
+		expect([...before.values()]).toContain("Particle");
+		expect([...after.values()]).not.toContain("Particle");
+		expect(kept).toBeGreaterThan(0);
+	});
+
+	it("has young bark on its twigs, but not in passing", () => {
+		const plant = grow(small());
+		const stems = plant.meshes[0];
+		const bark = { old: [1, 1, 1], young: [0, 0, 0], from: 0.008, to: 0.05 } as const;
+		const shades = woodColours(plant, stems, { ...bark, old: [1, 1, 1], young: [0, 0, 0] });
+		expect(Math.min(...(shades ?? []))).toBe(0);
+		expect(Math.max(...(shades ?? []))).toBe(1);
+		const passing = grow(small(), { passing: true });
+		expect(woodColours(passing, passing.meshes[0], { ...bark, old: [1, 1, 1], young: [0, 0, 0] })).toBeUndefined();
+	});
+
+	it("is exported as GLB to which Khronos' validator has nothing to say, and as JSON as the issue wants it", async () => {
+		const specimen = small(oak, { particles: 40 });
+		const plant = grow(specimen);
+		const about = await aboutPlant(model, plant, specimen);
+		for (const options of [{}, { instancing: true }]) {
+			expect(await complaints(exportGlb(model.parts(plant, specimen), about, options))).toEqual([]);
+		}
+		const json = JSON.parse(JSON.stringify(exportJson(model, plant, specimen)));
+		expect(Object.keys(json)).toEqual(
+			expect.arrayContaining(["counts", "segments", "targets", "measures", "notes", "fingerprint"]),
+		);
+		expect(json.segments[0]).toMatchObject({ parent: -1, energy: expect.any(Number), radius: expect.any(Number) });
+		expect(json.counts).toMatchObject({ targets: 1, energy: json.counts.particles, segments: json.segments.length });
+		expect(json.measures.height.value ?? json.measures.height).toBeGreaterThan(5);
+	});
+
+	it("is described in a few words", () => {
+		expect(model.words(grow(small(), { meshes: false }))).toMatch(/^[\d.]+ m tall, [\d,]+ leaves$/);
+		expect(model.words(grow(small(oak, { leaves: 0 }), { meshes: false }))).toMatch(/m tall, bare$/);
+	});
+});
+
+describe("leaves through the year", () => {
+	const look = { leaf: "4c7a34", autumn: "c9892b", season: 0.4 };
+	it("are lighter in spring, their own in summer, and turn one after the other", () => {
+		const lightness = (season: number) => toLch(leafColour({ ...look, season })).lightness;
+		expect(lightness(0)).toBeGreaterThan(lightness(0.4));
+		const hues = (season: number) => leafTints({ ...look, season }).map(({ colour }) => toLch(colour).hue);
+		const spread = (season: number) => Math.max(...hues(season)) - Math.min(...hues(season));
+		expect(spread(0.75)).toBeGreaterThan(2 * spread(0.4));
+		expect(leafTints(look)).toHaveLength(6);
+	});
+});

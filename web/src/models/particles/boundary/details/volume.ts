@@ -1,0 +1,33 @@
+/** A closed mesh of one's own as the boundary. Files carry it; it is too long for a link. */
+import { type Notes, quote } from "../../../../specimen/notes";
+import { isRecord, readNumbers } from "../../../../specimen/read_values";
+import type { Detail } from "../../../../specimen/species";
+import type { BoundedSpecimen, ClosedMesh } from "../bounded";
+
+/** More than simplify.ts leaves. */
+export const MOST_TRIANGLES = 4000;
+
+export function volumeOf<S extends BoundedSpecimen>(): Detail<S> {
+	return {
+		keys: ["volume"],
+		where: { shape: "mesh" },
+		read: (specimen, key, value, notes) => {
+			const read = readVolume(key, value, notes);
+			if (read) specimen.volume = read;
+		},
+	};
+}
+
+function readVolume(key: string, value: unknown, notes: Notes): ClosedMesh | undefined {
+	const [points, triangles] = isRecord(value) ? [readNumbers(value.points), readNumbers(value.triangles)] : [];
+	const corners = (points?.length ?? 0) / 3;
+	const sound =
+		points?.every(Number.isFinite) &&
+		points.length % 3 === 0 &&
+		triangles?.every((index) => Number.isInteger(index) && index >= 0 && index < corners) &&
+		triangles.length % 3 === 0 &&
+		triangles.length <= 3 * MOST_TRIANGLES;
+	if (sound && points && triangles) return { points, triangles };
+	notes.add(key, `${quote(value)} is not a mesh of at most ${MOST_TRIANGLES} triangles`, "it is left out");
+	return undefined;
+}

@@ -1,0 +1,98 @@
+/** Branches as a line drawing behind a flat view: from in front, the heaviest of them. */
+import type { TrailPlant } from "../../trails";
+import type { Frame } from "./frame";
+
+/** As many lines as a canvas takes within a frame; the rest are twigs that would only grey the drawing. */
+const MOST = 2500;
+/** Classes of energy, each a factor of 2^½ above the last. */
+const CLASSES = 64;
+
+/** What a drawing is made from; equal ones need no new drawing. */
+interface Drawn {
+	readonly plant: TrailPlant | undefined;
+	readonly frame: Frame;
+	readonly ratio: number;
+	readonly ink: string;
+}
+
+export class BranchDrawing {
+	#drawn: Drawn | undefined;
+
+	/** Draws in the canvas's own colour and at the screen's density, where anything that it is drawn from has changed. */
+	show(canvas: HTMLCanvasElement, plant: TrailPlant | undefined, frame: Frame): void {
+		const now = { plant, frame, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
+		if (this.#drawn && same(this.#drawn, now)) return;
+		this.#drawn = now;
+		// Whoever sizes a canvas wipes it.
+		canvas.width = Math.round(frame.width * now.ratio);
+		canvas.height = Math.round(frame.height * now.ratio);
+		const pen = canvas.getContext("2d");
+		if (pen && plant) inkBranches(pen, plant, now);
+	}
+}
+
+function same(one: Drawn, other: Drawn): boolean {
+	const parts = ({ plant, frame: { width, height, scale, origin }, ratio, ink }: Drawn) => [
+		...[plant, width, height, scale, origin.x, origin.y, ratio, ink],
+	];
+	const others = parts(other);
+	return parts(one).every((part, i) => part === others[i]);
+}
+
+type Pen = Pick<
+	CanvasRenderingContext2D,
+	"setTransform" | "beginPath" | "moveTo" | "lineTo" | "stroke" | "lineWidth" | "lineCap" | "strokeStyle"
+>;
+
+/** The least line, CSS pixels: thinner ones are drawn so thick. */
+const HAIR = 0.6;
+
+export function inkBranches(
+	pen: Pen,
+	plant: TrailPlant,
+	{ frame, ratio, ink }: Pick<Drawn, "frame" | "ratio" | "ink">,
+): void {
+	const { scale, origin } = frame;
+	const { ends, radii } = plant.segments;
+	const zoom = ratio * scale;
+	pen.setTransform(zoom, 0, 0, -zoom, ratio * origin.x, ratio * origin.y);
+	pen.strokeStyle = ink;
+	pen.lineCap = "round";
+	// One path a width: as wide as they are, in steps of half as much again.
+	const byWidth = new Map<number, number[]>();
+	for (const segment of heaviest(plant.energy, MOST)) {
+		const pixels = Math.max(HAIR, 2 * radii[2 * segment] * scale);
+		const step = Math.round(Math.log(pixels / HAIR) / Math.log(1.5));
+		const group = byWidth.get(step);
+		if (group) group.push(segment);
+		else byWidth.set(step, [segment]);
+	}
+	for (const [step, segments] of byWidth) {
+		pen.lineWidth = (HAIR * 1.5 ** step) / scale;
+		pen.beginPath();
+		for (const segment of segments) {
+			const at = 6 * segment;
+			pen.moveTo(ends[at], ends[at + 1]);
+			pen.lineTo(ends[at + 3], ends[at + 4]);
+		}
+		pen.stroke();
+	}
+}
+
+/** About so many segments at most, those that the most energy passes; by counting, for there may be a hundred thousand. */
+export function heaviest(energy: Float32Array, most: number): number[] {
+	const classOf = (value: number) => Math.min(CLASSES - 1, Math.max(0, Math.floor(2 * Math.log2(Math.max(1, value)))));
+	const counts = new Uint32Array(CLASSES);
+	for (const value of energy) counts[classOf(value)]++;
+	let [least, sum] = [CLASSES, 0];
+	while (least > 0 && sum + counts[least - 1] <= most) sum += counts[--least];
+	// Of the class that is too many, every so many-th.
+	const every = least > 0 ? Math.ceil(counts[least - 1] / Math.max(1, most - sum)) : 1;
+	const chosen: number[] = [];
+	let seen = 0;
+	for (let i = 0; i < energy.length; i++) {
+		const own = classOf(energy[i]);
+		if (own >= least || (own === least - 1 && seen++ % every === 0)) chosen.push(i);
+	}
+	return chosen;
+}

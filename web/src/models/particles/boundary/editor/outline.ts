@@ -1,0 +1,92 @@
+/** A boundary from in front, in shares of its box: from its axis out, from its lowest point up (wasm-core/src/models/particles/boundary.cpp). */
+import type { ClosedMesh, Knot } from "../bounded";
+
+export type Form = "ellipsoid" | "box" | "cone" | "coneDown" | "bowl" | "spline" | "mesh";
+
+/** Pieces of a spline between two knots, as the core has them. */
+const PIECES = 6;
+const ARC = 48;
+const LEVELS = 40;
+
+/** The right half, from below; where a mesh is not the same on both sides, the wider one. */
+export function outlineOf(form: Form, profile: readonly Knot[], mesh?: ClosedMesh): readonly Knot[] {
+	switch (form) {
+		case "box":
+			return [[0, 0], [1, 0], [1, 1], [0, 1]]; // biome-ignore format: a square
+		case "cone":
+			return [[0, 0], [1, 0], [0, 1]]; // biome-ignore format: a triangle
+		case "coneDown":
+			return [[0, 0], [1, 1], [0, 1]]; // biome-ignore format: a triangle
+		case "bowl":
+			return [...arc(0, Math.PI / 2).map(([radius, sine]): Knot => [radius, sine + 1]), [0, 1]];
+		case "spline":
+			return [[0, profile[0][1]], ...splineThrough(profile), [0, profile[profile.length - 1][1]]];
+		case "mesh":
+			return mesh && mesh.points.length > 0 ? silhouette(mesh) : outlineOf("ellipsoid", profile);
+		case "ellipsoid":
+			return arc(-Math.PI / 2, Math.PI / 2).map(([radius, sine]) => [radius, 0.5 + 0.5 * sine]);
+	}
+}
+
+/** Cosine and sine from one angle to another, one at the least for each of `ARC` parts of half a turn. */
+function arc(from: number, to: number): Knot[] {
+	const down = from === 0 ? [-Math.PI / 2, 0] : [from, to];
+	return Array.from({ length: ARC + 1 }, (_, i) => {
+		const angle = down[0] + ((down[1] - down[0]) * i) / ARC;
+		return [Math.cos(angle), Math.sin(angle)];
+	});
+}
+
+/** A smooth line through points: Catmull–Rom, radii never below 0. */
+export function splineThrough(points: readonly Knot[]): Knot[] {
+	const line: Knot[] = [];
+	const last = points.length - 1;
+	for (let i = 0; i < last; i++) {
+		const [a, b, c, d] = [-1, 0, 1, 2].map((by) => points[Math.min(Math.max(i + by, 0), last)]);
+		for (let k = 0; k < PIECES; k++) {
+			const t = k / PIECES;
+			const [radius, height] = [0, 1].map(
+				(j) =>
+					0.5 *
+					(2 * b[j] +
+						t * (c[j] - a[j] + t * (2 * a[j] - 5 * b[j] + 4 * c[j] - d[j] + t * (3 * (b[j] - c[j]) + d[j] - a[j])))),
+			);
+			line.push([Math.max(0, radius), height]);
+		}
+	}
+	return [...line, points[last]];
+}
+
+/** The half width of a mesh's box at each of some heights: where its edges cross them, or it has corners. */
+function silhouette({ points, triangles }: ClosedMesh): Knot[] {
+	let [half, height] = [0, 0];
+	for (let i = 0; i < points.length; i += 3) {
+		half = Math.max(half, Math.abs(points[i]));
+		height = Math.max(height, points[i + 1]);
+	}
+	const widths = new Float32Array(LEVELS + 1);
+	for (let i = 0; i < triangles.length; i++) {
+		const [from, to] = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]].map((corner) => [
+			points[3 * corner] / half,
+			(points[3 * corner + 1] / height) * LEVELS,
+		]);
+		const [low, high] = from[1] <= to[1] ? [from, to] : [to, from];
+		for (let level = Math.floor(low[1]); level <= Math.ceil(high[1]) && level <= LEVELS; level++) {
+			const t = high[1] > low[1] ? Math.min(1, Math.max(0, (level - low[1]) / (high[1] - low[1]))) : 0;
+			widths[level] = Math.max(widths[level], Math.abs(low[0] + t * (high[0] - low[0])));
+		}
+	}
+	return [[0, 0], ...Array.from(widths, (width, level): Knot => [width, level / LEVELS]), [0, 1]];
+}
+
+/** How far out an outline is at a height. */
+export function radiusAt(outline: readonly Knot[], height: number): number {
+	let widest = 0;
+	for (let i = 0; i + 1 < outline.length; i++) {
+		const [a, b] = [outline[i], outline[i + 1]];
+		if (Math.min(a[1], b[1]) > height || Math.max(a[1], b[1]) < height) continue;
+		const t = a[1] === b[1] ? 0 : (height - a[1]) / (b[1] - a[1]);
+		widest = Math.max(widest, a[1] === b[1] ? Math.max(a[0], b[0]) : a[0] + t * (b[0] - a[0]));
+	}
+	return widest;
+}

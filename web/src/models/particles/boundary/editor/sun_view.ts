@@ -1,0 +1,35 @@
+/** `<panicle-sun>`: the sky from above, with the sun in it. */
+import { svg, type TemplateResult } from "lit";
+import { type Frame, frameAbout, toScreen } from "./frame";
+import { GripView } from "./grip_view";
+
+/** Heights above the horizon at which rings are drawn, degrees. */
+const RINGS = [0, 30, 60];
+const WORDS = [
+	["front", 0, -1],
+	["behind", 0, 1],
+] as const;
+
+export class SunView extends GripView {
+	protected readonly heading = "Sun, on the sky seen from above";
+	protected readonly help =
+		"Drag, or use the arrow keys: left and right turn the sun about the tree, up and down raise and lower it by five degrees, with Shift by fifteen. Escape calls off a drag.";
+
+	protected fit(): Frame {
+		return frameAbout({ halfWidth: 1.12, low: -1.12, high: 1.12 }, this.size.width, this.size.height);
+	}
+
+	protected drawing(frame: Frame): TemplateResult {
+		const middle = toScreen(frame, { x: 0, y: 0 });
+		const sun = this.pose && toScreen(frame, this.pose.grips[0].at);
+		return svg`${RINGS.map((height) => svg`<circle class=${height === 0 ? "outer" : "ring"} cx=${middle.x} cy=${middle.y} r=${frame.scale * (1 - height / 90)}></circle>`)}
+			${sun ? svg`<line class="ray" x1=${sun.x} y1=${sun.y} x2=${middle.x} y2=${middle.y}></line>` : ""}
+			<circle class="target" cx=${middle.x} cy=${middle.y} r="3"></circle>
+			${WORDS.map(([word, x, y]) => {
+				const at = toScreen(frame, { x, y: 1.1 * y });
+				return svg`<text x=${at.x} y=${at.y + 3} text-anchor="middle">${word}</text>`;
+			})}`;
+	}
+}
+
+customElements.define("panicle-sun", SunView);

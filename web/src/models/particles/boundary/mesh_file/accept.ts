@@ -1,0 +1,2 @@
+/** The files that the picker offers. */
+export const ACCEPT = ".obj,.glb,model/obj,model/gltf-binary";

@@ -1,0 +1,93 @@
+/** A file's triangles as a boundary: welded, simplified, brought to height 1 over the middle of the ground. */
+import type { ClosedMesh } from "../bounded";
+import { MOST_TRIANGLES } from "../details/volume";
+import { MeshFileError, type Soup } from "./soup";
+
+/** Points nearer than this share of the mesh's size are one. */
+const WELD = 1e-5;
+/** Cells along the longest side at which simplifying begins; each attempt has a quarter fewer. */
+const FINEST = 64;
+/** Of its height, to which places are kept. */
+const DECIMALS = 1e4;
+
+/** Gaps stay; the core says what they mean. @throws MeshFileError where it has no inside */
+export function closedMesh(soup: Soup): ClosedMesh {
+	if (soup.triangles.length === 0) throw new MeshFileError("The file holds no triangles.");
+	const size = sizeOf(soup);
+	if (!(size > 0)) throw new MeshFileError("The mesh has no size.");
+	const welded = merged(soup, WELD * size);
+	return framed(outwards(simplified(welded, size)));
+}
+
+function boxOf({ points }: Soup): { low: number[]; high: number[] } {
+	const low = [Infinity, Infinity, Infinity];
+	const high = [-Infinity, -Infinity, -Infinity];
+	for (let i = 0; i < points.length; i++) {
+		low[i % 3] = Math.min(low[i % 3], points[i]);
+		high[i % 3] = Math.max(high[i % 3], points[i]);
+	}
+	return { low, high };
+}
+
+function sizeOf(soup: Soup): number {
+	const { low, high } = boxOf(soup);
+	return Math.max(...high.map((value, k) => value - low[k]));
+}
+
+/**
+ * One point for each cell of a grid, at the mean of those in it; triangles that shrink to lines go. What is closed stays
+ * closed: every edge keeps as many triangles on one side as on the other.
+ */
+function merged({ points, triangles }: Soup, cell: number): Soup {
+	const cells = new Map<string, number>();
+	const sums: number[] = [];
+	const counts: number[] = [];
+	const into = Array.from({ length: points.length / 3 }, (_, i) => {
+		const key = [0, 1, 2].map((k) => Math.round(points[3 * i + k] / cell)).join();
+		const index = cells.get(key) ?? counts.length;
+		if (index === counts.length) {
+			cells.set(key, index);
+			sums.push(0, 0, 0);
+			counts.push(0);
+		}
+		for (let k = 0; k < 3; k++) sums[3 * index + k] += points[3 * i + k];
+		counts[index]++;
+		return index;
+	});
+	const kept: number[] = [];
+	for (let i = 0; i < triangles.length; i += 3) {
+		const [a, b, c] = [into[triangles[i]], into[triangles[i + 1]], into[triangles[i + 2]]];
+		if (a !== b && b !== c && c !== a) kept.push(a, b, c);
+	}
+	return { points: sums.map((sum, i) => sum / counts[Math.floor(i / 3)]), triangles: kept };
+}
+
+function simplified(mesh: Soup, size: number): Soup {
+	let simple = mesh;
+	for (let cells = FINEST; simple.triangles.length > 3 * MOST_TRIANGLES; cells *= 0.75) {
+		simple = merged(mesh, size / cells);
+	}
+	return simple;
+}
+
+/** The same, turned about where its triangles face inwards. */
+function outwards(mesh: Soup): Soup {
+	const { points, triangles } = mesh;
+	let volume = 0;
+	for (let i = 0; i < triangles.length; i += 3) {
+		const [a, b, c] = [0, 1, 2].map((k) => points.slice(3 * triangles[i + k], 3 * triangles[i + k] + 3));
+		volume +=
+			a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+	}
+	if (volume >= 0) return mesh;
+	return { points, triangles: triangles.map((_, i) => triangles[i % 3 === 1 ? i + 1 : i % 3 === 2 ? i - 1 : i]) };
+}
+
+function framed({ points, triangles }: Soup): ClosedMesh {
+	const { low, high } = boxOf({ points, triangles });
+	const height = high[1] - low[1];
+	if (!(height > 0)) throw new MeshFileError("The mesh is flat: it has no inside.");
+	const from = [(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2];
+	const place = (value: number, k: number) => Math.round(((value - from[k]) / height) * DECIMALS) / DECIMALS + 0;
+	return { points: points.map((value, i) => place(value, i % 3)), triangles };
+}

@@ -1,0 +1,102 @@
+/** A closed mesh of one's own as the boundary: chosen in the panel or dropped there or on the boundary's view. */
+import { html, nothing } from "lit";
+import type { Change, Desk } from "../../../controls/desk";
+import type { Tool } from "../../../controls/tool";
+import type { BoundedSpecimen, ClosedMesh } from "./bounded";
+import { ACCEPT } from "./mesh_file/accept";
+import type { WoodenPlant } from "./wooden_plant";
+
+/** @param height the parameter that is the boundary's height */
+export function meshTool<S extends BoundedSpecimen>(group: string, height: string): Tool<S, WoodenPlant> {
+	return {
+		name: "mesh",
+		initial: undefined,
+		applies: () => true,
+		panel: { group, place: "below", draw: (desk) => draw(desk, height) },
+	};
+}
+
+function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: string): unknown {
+	const { specimen, model } = desk.state;
+	if (model.table.option(specimen, "shape") !== "mesh") return nothing;
+	const { volume } = specimen;
+	const words = volume
+		? `A mesh of ${(volume.triangles.length / 3).toLocaleString("en")} triangles. Files (JSON, GLB) carry it; it is too long for a link, which shows an ellipsoid in its place.`
+		: "No mesh yet: choose a closed one, or drop it here. Until then an ellipsoid is grown.";
+	return html`<div class="override" @dragover=${allow} @drop=${(event: DragEvent) => takeDrop(event, desk, height)}>
+		<p>${words}</p>
+		<label class="button">${volume ? "Another mesh (OBJ, GLB)…" : "Choose a mesh (OBJ, GLB)…"}
+			<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, desk, height)}>
+		</label>
+	</div>`;
+}
+
+const allow = (event: DragEvent): void => event.preventDefault();
+
+function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, WoodenPlant>, height: string): void {
+	const input = event.target as HTMLInputElement;
+	const file = input.files?.[0];
+	if (file) void takeMesh(desk, file, height);
+	// The same file may be chosen again.
+	input.value = "";
+}
+
+/** Takes a dropped OBJ, or a GLB that no plant is in; leaves other files to the page. */
+export function takeDrop<S extends BoundedSpecimen>(
+	event: DragEvent,
+	desk: Desk<S, WoodenPlant>,
+	height: string,
+): void {
+	const file = event.dataTransfer?.files[0];
+	if (!file || !/\.(obj|glb)$/i.test(file.name)) return;
+	event.preventDefault();
+	void takeMesh(desk, file, height);
+}
+
+/** Makes a file's mesh the boundary, as one step; whatever is wrong with it is said. */
+export async function takeMesh<S extends BoundedSpecimen>(
+	desk: Desk<S, WoodenPlant>,
+	file: File,
+	height: string,
+): Promise<void> {
+	const reader = await import("./mesh_file/read").catch(() => undefined);
+	if (!reader) {
+		desk.notify("The mesh was not read", [
+			"Part of the page could not be fetched; check the connection and try again.",
+		]);
+		return;
+	}
+	try {
+		desk.set(asBoundary(desk, await reader.readMeshFile(file), height));
+		desk.notify("The mesh is the boundary now", [
+			"Links are too short for it: download JSON or GLB to keep this plant, and drop the file to bring it back.",
+		]);
+	} catch (error) {
+		desk.notify("The mesh was not read", [error instanceof Error ? error.message : String(error)]);
+	}
+}
+
+/** As high as the boundary is, in the mesh's own proportions. */
+function asBoundary<S extends BoundedSpecimen>(
+	{ state }: Desk<S, WoodenPlant>,
+	volume: ClosedMesh,
+	height: string,
+): Change {
+	const shape = state.model.table.entry("shape");
+	const tall = state.specimen.parameters[height];
+	const span = (axis: number) => {
+		const along = volume.points.filter((_, i) => i % 3 === axis);
+		return (
+			along.reduce((most, value) => Math.max(most, value), 0) -
+			along.reduce((least, value) => Math.min(least, value), 0)
+		);
+	};
+	return {
+		parameters: {
+			shape: shape?.kind === "choice" ? shape.options.indexOf("mesh") : 0,
+			width: tall * span(0),
+			depth: tall * span(2),
+		},
+		details: { volume },
+	};
+}

@@ -1,0 +1,41 @@
+/** Specimen → the blocks of a request, as wasm-core/src/models/particles/space_request.hpp lists them. */
+import type { Block } from "../../../core/container";
+import { CoreError } from "../../../core/errors";
+import type { Table } from "../../../specimen/table";
+import type { GrowthOptions } from "../../model";
+import type { BoundedSpecimen } from "./bounded";
+
+export interface RequestOptions extends GrowthOptions {
+	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
+	sky?: boolean;
+	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	meshFingerprint?: boolean;
+}
+
+/** @throws CoreError where a parameter is no number: the specimen has not come through specimen/restore.ts */
+export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: RequestOptions = {}): Block[] {
+	const { meshes = true, passing = false, meshFingerprint = false } = options;
+	const { measures = !passing, sky = meshes && !passing } = options;
+	const outputs = [meshes && "meshes", measures && "measures", sky && "sky", meshFingerprint && "mesh_fingerprint"];
+	const { model, seed, parameters, profile, targets, obstacles, volume } = specimen;
+	const shape = table.option(specimen, "shape");
+	const blocks: Block[] = [
+		{ name: "model", data: model },
+		{ name: "seed", data: Uint32Array.of(seed) },
+		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
+		{ name: "parameters", data: Float32Array.from(table.core, ({ key }) => number(key, parameters[key])) },
+	];
+	if (shape === "spline" && profile) blocks.push({ name: "profile", data: Float32Array.from(profile.flat()) });
+	if (shape === "mesh" && volume) {
+		blocks.push({ name: "volume.points", data: Float32Array.from(volume.points) });
+		blocks.push({ name: "volume.triangles", data: Uint32Array.from(volume.triangles) });
+	}
+	if (targets) blocks.push({ name: "targets", data: Float32Array.from(targets) });
+	if (obstacles) blocks.push({ name: "obstacles", data: Float32Array.from(obstacles) });
+	return blocks;
+}
+
+function number(key: string, value: number): number {
+	if (Number.isFinite(value)) return value;
+	throw new CoreError("bad request", `${key} is not a number.`);
+}

@@ -1,0 +1,86 @@
+/** The tools that trees and roots share, made for a model's own lay-out: the boundary's view, walls, a mesh of one's own. */
+import { html, nothing } from "lit";
+import type { Desk } from "../../../controls/desk";
+import type { Tool } from "../../../controls/tool";
+import type { BoundedSpecimen } from "./bounded";
+import { asProfile, boundaryPose, withKnot, withoutKnot } from "./editor/boundary_pose";
+import type { BoundaryScene } from "./editor/boundary_view";
+import type { GripEvent } from "./editor/grip";
+import { type Lay, outlineIn } from "./editor/lay";
+import { wallsOf, withoutWall, withWall } from "./editor/walls";
+import { takeDrop } from "./mesh_tool";
+import type { WoodenPlant } from "./wooden_plant";
+import "./editor/boundary_view";
+
+/** Grip that was last touched: the one that the buttons mean. */
+type Meant = string;
+
+/** The flat view of outer and inner boundary. */
+export function boundaryTool<S extends BoundedSpecimen>(
+	lay: Lay<S>,
+	group: string,
+	height: string,
+): Tool<S, WoodenPlant, Meant> {
+	type Own = Desk<S, WoodenPlant>;
+	const tool: Tool<S, WoodenPlant, Meant> = {
+		name: "boundary",
+		initial: "",
+		editor: { title: "Boundary", draw: (desk) => draw(desk) },
+		panel: { group, place: "below", draw: (desk) => buttons(desk) },
+		keys: [{ keys: ["Insert", "Delete"], does: "On a point of the boundary: one more after it, or one fewer" }],
+	};
+	const draw = (desk: Own) => html`<panicle-boundary
+		.pose=${boundaryPose(lay, desk.state.specimen, desk.preset)} .scene=${sceneOf(lay, desk.state.specimen)}
+		.grown=${desk.state.grown}
+		@dragover=${(event: DragEvent) => event.preventDefault()} @drop=${(event: DragEvent) => takeDrop(event, desk, height)}
+		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
+		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(tool, detail)}
+	></panicle-boundary>`;
+	const buttons = (desk: Own) => {
+		const { specimen } = desk.state;
+		const meant = desk.toolState(tool);
+		const spline = lay.form(specimen) === "spline";
+		const [added, removed] = [withKnot(lay, specimen, meant), withoutKnot(lay, specimen, meant)];
+		return html`<div class="actions">
+			${
+				spline
+					? html`<button class="button" type="button" ?disabled=${!added} @click=${() => added && desk.set(added)}>Add a point</button>
+						<button class="button" type="button" ?disabled=${!removed} @click=${() => removed && desk.set(removed)}>Remove the point</button>`
+					: html`<button class="button" type="button" @click=${() => shapeByHand(desk)}>Shape by hand</button>`
+			}
+			<button class="button" type="button" @click=${() => desk.set(wallBeside(lay, specimen))}>Add an obstacle</button>
+			${
+				specimen.obstacles
+					? html`<button class="button" type="button" @click=${() => desk.set(withoutWall(specimen))}>Remove an obstacle</button>`
+					: nothing
+			}
+		</div>`;
+	};
+	const shapeByHand = (desk: Own) => {
+		const { specimen, model } = desk.state;
+		const entry = model.table.entry("shape");
+		const shape = entry?.kind === "choice" ? entry.options.indexOf("spline") : -1;
+		desk.set({ parameters: { shape }, details: { profile: asProfile(lay, specimen) } });
+	};
+	return tool;
+}
+
+function wallBeside<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S) {
+	const { halfWidth, low, high } = lay.box(specimen);
+	const axis = lay.axes(specimen).at(-1) ?? 0;
+	const reach = high > 0 ? high : low;
+	const walls = wallsOf(specimen).length;
+	return withWall(specimen, { x: axis + halfWidth * (0.4 + 0.2 * walls), y: reach }, 2 * halfWidth);
+}
+
+export function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): BoundaryScene {
+	return {
+		box: lay.box(specimen),
+		axes: lay.axes(specimen),
+		outline: outlineIn(lay, specimen),
+		inner: specimen.parameters.inner,
+		bareAbout: lay.bareAbout(lay.box(specimen)),
+		walls: wallsOf(specimen),
+		targets: specimen.targets ?? [],
+	};
+}

@@ -1,0 +1,38 @@
+/** Thin branches have another bark than thick ones: smoother, younger. */
+import { type Colour, smoothstep } from "../../../plant/colour";
+import type { PlantMesh } from "../../../plant/plant";
+import type { WoodenPlant } from "./wooden_plant";
+
+export interface Bark {
+	readonly old: Colour;
+	readonly young: Colour;
+	/** Radii in metres between which the one becomes the other. */
+	readonly from: number;
+	readonly to: number;
+}
+
+/** Of so many radii colours are worked out; those between take the next below. */
+const CLASSES = 64;
+
+/** 3 × vertices of the tubes, by the radius of what they go around; none in passing, when a frame has no time for them. */
+export function woodColours({ segments, bearing }: WoodenPlant, mesh: PlantMesh, bark: Bark): Float32Array | undefined {
+	if (!bearing || !mesh.sky || bearing.length !== mesh.positions.length / 3) return undefined;
+	const palette = Float32Array.from({ length: 3 * CLASSES }, (_, i) => {
+		const share = smoothstep(0, 1, Math.floor(i / 3) / (CLASSES - 1));
+		return bark.young[i % 3] + share * (bark.old[i % 3] - bark.young[i % 3]);
+	});
+	const range = (CLASSES - 1) / (bark.to - bark.from);
+	const places = new Uint8Array(segments.count);
+	for (let segment = 0; segment < places.length; segment++) {
+		const place = Math.floor((segments.radii[2 * segment + 1] - bark.from) * range);
+		places[segment] = 3 * Math.max(0, Math.min(CLASSES - 1, place));
+	}
+	const colours = new Float32Array(mesh.positions.length);
+	for (let vertex = 0, at = 0; vertex < bearing.length; vertex++, at += 3) {
+		const place = places[bearing[vertex]];
+		colours[at] = palette[place];
+		colours[at + 1] = palette[place + 1];
+		colours[at + 2] = palette[place + 2];
+	}
+	return colours;
+}

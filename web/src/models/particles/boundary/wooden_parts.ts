@@ -1,0 +1,100 @@
+/** Trees and roots in parts: what is solid as it stands, and what is borne as many instances of one mesh. */
+import type { Material } from "../../../plant/material";
+import { hashFraction } from "../../../plant/noise";
+import { type Part, TRANSFORM } from "../../../plant/part";
+import { partsOf } from "../../../plant/parts_of";
+import { EMPTY_PLANT, type Plant, type PlantMesh } from "../../../plant/plant";
+import { type Bark, woodColours } from "./wood_colours";
+import type { WoodenPlant } from "./wooden_plant";
+
+/** How leaves differ among themselves: as many materials as there are tints, each for its share of them. */
+export type Tints = readonly Material[];
+
+/** What trees and roots are dressed in. */
+export interface Dress {
+	/** Of all that is solid. */
+	readonly wood: Material;
+	readonly bark: Bark;
+	/** Of what is borne, by the kind of its mesh. */
+	readonly tints: Readonly<Record<string, Tints>>;
+}
+
+export function* woodenParts(plant: WoodenPlant, { wood, bark, tints }: Dress): Generator<Part> {
+	const { meshes, organs } = plant;
+	const borne = borneIn(organs);
+	// What could be borne and is not, is not there.
+	const solid = meshes.filter(({ material }, index) => !borne.has(index) && !Object.hasOwn(tints, material));
+	for (const mesh of solid) {
+		const colours = woodColours(plant, mesh, bark);
+		const coloured = colours ? { ...mesh, colours } : mesh;
+		yield* partsOf({ meshes: [coloured], organs: EMPTY_PLANT.organs }, { [mesh.material]: wood });
+	}
+	for (const [index, mesh] of meshes.entries()) {
+		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
+	}
+}
+
+/** Meshes that something is drawn with. */
+function borneIn({ count, mesh }: Plant["organs"]): Set<number> {
+	const borne = new Set<number>();
+	let last = -1;
+	for (let organ = 0; organ < count; organ++) {
+		if (mesh[organ] === last) continue;
+		last = mesh[organ];
+		borne.add(last);
+	}
+	return borne;
+}
+
+function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, tints: Tints): Generator<Part> {
+	const members = sorted(organs, index, Math.max(1, tints.length));
+	for (const [tint, { count, numbers }] of members.entries()) {
+		if (count === 0) continue;
+		const own = numbers.subarray(0, count);
+		const material = tints[tint] ?? { name: mesh.name, colour: [0.3, 0.4, 0.2], roughness: 0.7 };
+		const kind = organs.tags[organs.tag[own[0]]] ?? mesh.name;
+		const title = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}`;
+		const sky = organs.sky;
+		yield {
+			name: members.length > 1 ? `${title} tint ${tint + 1}` : title,
+			shape: {
+				mesh,
+				material,
+				instances: {
+					transforms: taken(organs.transforms, own),
+					each: (i) => ({ name: `${title} ${own[i] + 1}`, extras: { segment: organs.segment[own[i]] } }),
+					...(sky ? { sky: own.length === organs.count ? sky : picked(sky, own) } : {}),
+				},
+			},
+		};
+	}
+}
+
+/** The organs of one mesh, by tint: chance decides, by where they are, so that each stays what it is while others come. */
+function sorted(organs: Plant["organs"], mesh: number, tints: number): { count: number; numbers: Uint32Array }[] {
+	const groups = Array.from({ length: tints }, () => ({ count: 0, numbers: new Uint32Array(organs.count) }));
+	const { buffer, byteOffset, length } = organs.transforms;
+	const bits = new Int32Array(buffer, byteOffset, length);
+	for (let organ = 0; organ < organs.count; organ++) {
+		if (organs.mesh[organ] !== mesh) continue;
+		const at = TRANSFORM * organ;
+		const group = groups[Math.floor(tints * hashFraction(bits[at] ^ Math.imul(bits[at + 2], 31), bits[at + 4]))];
+		group.numbers[group.count++] = organ;
+	}
+	return groups;
+}
+
+function picked(sky: Uint8Array, organs: Uint32Array): Uint8Array {
+	const into = new Uint8Array(organs.length);
+	for (let i = 0; i < organs.length; i++) into[i] = sky[organs[i]];
+	return into;
+}
+
+function taken(transforms: Float32Array, organs: Uint32Array): Float32Array {
+	const into = new Float32Array(TRANSFORM * organs.length);
+	for (let i = 0; i < organs.length; i++) {
+		const from = TRANSFORM * organs[i];
+		for (let k = 0; k < TRANSFORM; k++) into[TRANSFORM * i + k] = transforms[from + k];
+	}
+	return into;
+}

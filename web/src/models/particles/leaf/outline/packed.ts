@@ -1,0 +1,45 @@
+/**
+ * An outline as a link writes it: four characters of base 64 (RFC 4648, section 5) a point, most significant first: kind in
+ * 2 bits, then x + 1.024 and y + 0.5 in thousandths, 11 each. `~` before it: the right side alone, the left being its
+ * mirror image.
+ */
+import { bothSides, isSymmetric, KINDS, type OutlinePoint, type OutlinePoints, REACH, rightSide, STEP } from "./points";
+
+const DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+const CHARACTERS = 4;
+const BITS = 11;
+const MASK = (1 << BITS) - 1;
+const HALF = "~";
+/** One less than the least x, and the least y, in steps. */
+const LEAST = { x: Math.round(REACH.x[0] / STEP) - 1, y: Math.round(REACH.y[0] / STEP) };
+const STEPS = Math.round(1 / STEP);
+
+export function packOutline(points: OutlinePoints): string {
+	const half = rightSide(points);
+	// Two points on the midrib that face each other would come back as one.
+	const isHalf = isSymmetric(points) && bothSides(half).length === points.length;
+	return isHalf ? HALF + half.map(packed).join("") : points.map(packed).join("");
+}
+
+/** The points; undefined where the text is none of `packOutline`'s. */
+export function unpackOutline(text: string): OutlinePoint[] | undefined {
+	const digits = text.startsWith(HALF) ? text.slice(HALF.length) : text;
+	if (digits.length % CHARACTERS !== 0 || !/^[\w-]*$/.test(digits)) return undefined;
+	const points = Array.from({ length: digits.length / CHARACTERS }, (_, index) =>
+		unpacked(digits.slice(CHARACTERS * index, CHARACTERS * (index + 1))),
+	);
+	return digits === text ? points : bothSides(points);
+}
+
+function packed({ x, y, kind }: OutlinePoint): string {
+	const across = Math.round(x / STEP) - LEAST.x;
+	const up = Math.round(y / STEP) - LEAST.y;
+	const word = (((KINDS.indexOf(kind) << BITS) | across) << BITS) | up;
+	return [18, 12, 6, 0].map((shift) => DIGITS[(word >> shift) & 63]).join("");
+}
+
+function unpacked(characters: string): OutlinePoint {
+	const word = [...characters].reduce((sum, digit) => (sum << 6) | DIGITS.indexOf(digit), 0);
+	const step = (shift: number, least: number) => (((word >> shift) & MASK) + least) / STEPS + 0; // −0 becomes 0
+	return { x: step(BITS, LEAST.x), y: step(0, LEAST.y), kind: KINDS[word >> (2 * BITS)] };
+}

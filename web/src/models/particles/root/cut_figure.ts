@@ -1,0 +1,86 @@
+/** A root in the ground: its parts as any plant's, and the pit around them. */
+import { Mesh, type PerspectiveCamera } from "three";
+import { linear } from "../../../plant/colour";
+import type { Bodies } from "../../../scene/camera_fit";
+import type { Figure, FigureMaker, FigureStage, Ray } from "../../../scene/figure";
+import { boxOf } from "../../../scene/part_bounds";
+import { PartFigure } from "../../../scene/part_figure";
+import { PartMeshes } from "../../../scene/part_meshes";
+import { Wardrobe } from "../../../scene/wardrobe";
+import type { WoodenPlant } from "../boundary/wooden_plant";
+import { rootParts } from "./root_parts";
+import { pit } from "./soil";
+import type { RootSpecimen } from "./specimen";
+
+class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
+	readonly modes = ["whole"];
+	readonly #stage: FigureStage;
+	readonly #roots: PartFigure<RootSpecimen, WoodenPlant>;
+	readonly #wardrobe: Wardrobe;
+	#soil: PartMeshes | undefined;
+	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
+
+	constructor(stage: FigureStage) {
+		this.#stage = stage;
+		this.#roots = new PartFigure(stage, rootParts);
+		this.#wardrobe = new Wardrobe(stage.light.uniforms);
+	}
+
+	show(grown: WoodenPlant, specimen: RootSpecimen): void {
+		this.#roots.show(grown, specimen);
+		this.#clear();
+		const bodies = this.#roots.bounds();
+		const box = boxOf(bodies);
+		if (box.isEmpty()) {
+			this.#bounds = bodies;
+			return;
+		}
+		this.#wardrobe.change();
+		const mesh = pit({ low: box.min.toArray(), high: box.max.toArray() }, specimen.look.soil);
+		const shape = { mesh, material: { name: "Soil", colour: linear(specimen.look.soil), roughness: 1 } };
+		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#wardrobe);
+		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
+		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
+		this.#stage.root.add(...this.#soil.objects);
+		this.#bounds = { spheres: bodies.spheres, points: joined(bodies.points, mesh.positions) };
+	}
+
+	bounds(): Bodies {
+		return this.#bounds;
+	}
+
+	prepare(camera: PerspectiveCamera): void {
+		this.#roots.prepare(camera);
+	}
+
+	pick(ray: Ray): number | undefined {
+		return this.#roots.pick(ray);
+	}
+
+	mark(picked: number | undefined): void {
+		this.#roots.mark(picked);
+	}
+
+	setMode(): void {}
+
+	dispose(): void {
+		this.#clear();
+		this.#wardrobe.dispose();
+		this.#roots.dispose();
+	}
+
+	#clear(): void {
+		for (const object of this.#soil?.objects ?? []) if (object instanceof Mesh) object.removeFromParent();
+		this.#soil?.dispose();
+		this.#soil = undefined;
+	}
+}
+
+function joined(a: Float32Array, b: Float32Array): Float32Array {
+	const both = new Float32Array(a.length + b.length);
+	both.set(a);
+	both.set(b, a.length);
+	return both;
+}
+
+export const cutFigure: FigureMaker<RootSpecimen, WoodenPlant> = (stage) => new CutFigure(stage);

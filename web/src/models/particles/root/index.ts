@@ -1,0 +1,24 @@
+/** The root of particles' trails (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
+import type { Model } from "../../model";
+import { encodeBounded } from "../boundary/request";
+import { readWoodenPlant, type WoodenPlant } from "../boundary/wooden_plant";
+import { trailRecord } from "../record";
+import { rootParts } from "./root_parts";
+import { ROOT } from "./species";
+import type { RootSpecimen } from "./specimen";
+import { rootInWords } from "./words";
+
+export const model = {
+	...ROOT,
+	title: "Root",
+	noun: "root",
+	wasm: "particles.wasm",
+	pictures: false,
+	encode: (specimen, options) => encodeBounded(ROOT.table, specimen, options),
+	read: readWoodenPlant,
+	parts: rootParts,
+	words: rootInWords,
+	record: trailRecord,
+	figure: async () => (await import("./cut_figure")).cutFigure,
+	studio: async () => (await import("./tools/face")).face,
+} satisfies Model<RootSpecimen, WoodenPlant>;

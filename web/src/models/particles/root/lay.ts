@@ -1,0 +1,35 @@
+import type { Lay } from "../boundary/editor/lay";
+import { roundly } from "../boundary/editor/lay";
+import type { Form } from "../boundary/editor/outline";
+import type { RootSpecimen } from "./specimen";
+import { ROOT_TABLE } from "./table";
+
+const FORMS: Readonly<Record<string, Form>> = {
+	ball: "ellipsoid",
+	bowl: "bowl",
+	cone: "coneDown",
+	box: "box",
+	spline: "spline",
+	mesh: "mesh",
+};
+
+/** How a root's volume lies: below ground. */
+export const rootLay: Lay<RootSpecimen> = {
+	form: (specimen) => FORMS[ROOT_TABLE.option(specimen, "shape") ?? "bowl"],
+	// As wasm-core/src/models/particles/root/model.cpp has it.
+	profile: [
+		[0.04, 0],
+		[0.16, 0.3],
+		[0.34, 0.6],
+		[0.7, 0.85],
+		[1, 1],
+	],
+	box: ({ parameters: { width, reach, top } }) => ({ halfWidth: width / 2, low: -top - reach, high: -top }),
+	axes: () => [0],
+	fit: (specimen, { halfWidth, low, high }) => {
+		const top = Math.max(0, -high);
+		return { ...roundly(specimen, halfWidth), top, reach: -top - low };
+	},
+	ends: { high: "Upper end", low: "Deepest" },
+	bareAbout: ({ high }) => high,
+};

@@ -1,0 +1,23 @@
+/** The page's side of the root: loaded with the first root, in a page alone. */
+import { html } from "lit";
+import type { Face } from "../../../../controls/tool";
+import { meshTool } from "../../boundary/mesh_tool";
+import { readout } from "../../boundary/readout";
+import { boundaryTool } from "../../boundary/tools";
+import type { WoodenPlant } from "../../boundary/wooden_plant";
+import { watching } from "../../watch";
+import { rootLay } from "../lay";
+import type { RootSpecimen } from "../specimen";
+
+export const face: Face<RootSpecimen, WoodenPlant> = {
+	tools: [boundaryTool(rootLay, "volume", "reach"), meshTool("volume", "reach"), watching()],
+	readout,
+	about: html`<p>
+			Particles scattered in a volume below ground run together on their way up to the collar; their trails are the roots.
+			They are seen in a pit of which the near wall is left away. Drag the points of the volume.
+		</p>
+		<p>
+			After Y. Rodkaew, P. Chongstitvatana, S. Siripant and C. Lursinsap, “Particle systems for plant modeling”, <i>Plant
+			Growth Modeling and Applications</i> (2003).
+		</p>`,
+};

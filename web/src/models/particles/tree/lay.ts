@@ -1,0 +1,49 @@
+import type { Lay } from "../boundary/editor/lay";
+import { roundly } from "../boundary/editor/lay";
+import type { Form } from "../boundary/editor/outline";
+import type { TreeSpecimen } from "./specimen";
+import { TREE_TABLE } from "./table";
+
+const FORMS: Readonly<Record<string, Form>> = {
+	sphere: "ellipsoid",
+	ellipsoid: "ellipsoid",
+	box: "box",
+	cone: "cone",
+	spline: "spline",
+	mesh: "mesh",
+};
+
+/** How a tree's crowns lie: side by side, above their trunks. */
+export const treeLay: Lay<TreeSpecimen> = {
+	form: (specimen) => FORMS[TREE_TABLE.option(specimen, "shape") ?? "ellipsoid"],
+	// As wasm-core/src/models/particles/tree/model.cpp has it.
+	profile: [
+		[0.1, 0],
+		[0.8, 0.2],
+		[1, 0.45],
+		[0.7, 0.8],
+		[0.08, 1],
+	],
+	box: (specimen) => {
+		const { width, height, trunk } = specimen.parameters;
+		return { halfWidth: width / 2, low: trunk, high: trunk + (isBall(specimen) ? width : height) };
+	},
+	axes: ({ parameters: { crowns, distance } }) =>
+		Array.from({ length: crowns }, (_, i) => (i - (crowns - 1) / 2) * distance),
+	fit: (specimen, { halfWidth, low, high }) => {
+		if (!isBall(specimen)) return { ...roundly(specimen, halfWidth), trunk: low, height: high - low };
+		const { width, trunk } = specimen.parameters;
+		// Of a ball the side that was moved counts.
+		const moved =
+			Math.abs(2 * halfWidth - width) > 1e-6 ? 2 * halfWidth : Math.abs(low - trunk) > 1e-6 ? width : high - low;
+		return { width: moved, depth: moved, height: moved, trunk: low };
+	},
+	move: ({ parameters: { crowns } }, axis) =>
+		crowns > 1 ? { distance: (2 * Math.abs(axis)) / (crowns - 1) } : undefined,
+	ends: { high: "Top", low: "Lowest branches" },
+	bareAbout: ({ low, high }) => (low + high) / 2,
+};
+
+function isBall(specimen: TreeSpecimen): boolean {
+	return TREE_TABLE.option(specimen, "shape") === "sphere";
+}

@@ -1,0 +1,60 @@
+/** The colours of leaves through the year: no two turn on the same day. */
+import { type Colour, clamp, fromLch, linear, mixed, toLch } from "../../../plant/colour";
+import type { Material } from "../../../plant/material";
+
+/** As many sorts of leaves as differ to the eye. */
+const TINTS = 6;
+/** When summer is. */
+const SUMMER = 0.4;
+/** How far apart the first and the last leaf turn, as a share of the year. */
+const SPREAD = 0.3;
+/** How much lighter or darker single leaves are. */
+const UNEVEN = 0.07;
+
+export interface LeafLook {
+	/** Six hexadecimal digits. */
+	leaf: string;
+	autumn: string;
+	/** 0 spring, 0.4 summer, 1 autumn. */
+	season: number;
+}
+
+/** The colour of a leaf that is ahead of the others by so much of the year. */
+export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colour {
+	const summer = linear(leaf);
+	if (season <= SUMMER) {
+		// Young leaves are lighter and yellower.
+		const { lightness, chroma, hue } = toLch(summer);
+		const youth = clamp((SUMMER - season) / SUMMER);
+		return fromLch({
+			lightness: lightness + 0.13 * youth,
+			chroma: chroma * (1 + 0.25 * youth),
+			hue: hue - 0.16 * youth,
+		});
+	}
+	const turned = clamp((season + ahead - SUMMER) / (1 - SUMMER));
+	return mixed(summer, linear(autumn), turned * turned * (3 - 2 * turned));
+}
+
+/** One material a tint, by how far ahead its leaves are. */
+export function leafTints(look: LeafLook): Material[] {
+	return Array.from({ length: TINTS }, (_, tint) => {
+		const share = tint / (TINTS - 1) - 0.5;
+		const turning = look.season > SUMMER ? Math.min(1, (look.season - SUMMER) / 0.2) : 0;
+		const { lightness, chroma, hue } = toLch(leafColour(look, SPREAD * share * turning));
+		return {
+			name: `Leaf ${tint + 1}`,
+			colour: fromLch({
+				lightness: lightness * (1 + UNEVEN * ORDER[tint]),
+				chroma,
+				hue: hue + 0.05 * ORDER[TINTS - 1 - tint],
+			}),
+			roughness: 0.55,
+			doubleSided: true,
+			sheet: { through: [0.8, 0.9, 0.45], reverse: [1.25, 1.2, 1.35] },
+		};
+	});
+}
+
+/** Which tints are light and which dark, −1 … 1: not in the order in which they turn. */
+const ORDER = [0.2, -0.6, 1, -1, 0.6, -0.2];

@@ -1,0 +1,24 @@
+/** The page's side of the tree: loaded with the first tree, in a page alone. */
+import { html } from "lit";
+import type { Face } from "../../../../controls/tool";
+import { meshTool } from "../../boundary/mesh_tool";
+import { readout } from "../../boundary/readout";
+import { boundaryTool } from "../../boundary/tools";
+import type { WoodenPlant } from "../../boundary/wooden_plant";
+import { watching } from "../../watch";
+import { treeLay } from "../lay";
+import type { TreeSpecimen } from "../specimen";
+import { sun } from "./sun";
+
+export const face: Face<TreeSpecimen, WoodenPlant> = {
+	tools: [boundaryTool(treeLay, "crown", "height"), sun, meshTool("crown", "height"), watching()],
+	readout,
+	about: html`<p>
+			Particles scattered between an outer and an inner boundary run together on their way to the ground; their trails are
+			the branches. Drag the boundary's points, or the sun: where it is light, there are more.
+		</p>
+		<p>
+			After Y. Rodkaew, P. Chongstitvatana, S. Siripant and C. Lursinsap, “Particle systems for plant modeling”, <i>Plant
+			Growth Modeling and Applications</i> (2003).
+		</p>`,
+};

@@ -1,0 +1,20 @@
+import { html } from "lit";
+import type { Tool } from "../../../../controls/tool";
+import type { GripEvent } from "../../boundary/editor/grip";
+import { sunPose } from "../../boundary/editor/sun_pose";
+import type { WoodenPlant } from "../../boundary/wooden_plant";
+import type { TreeSpecimen } from "../specimen";
+import "../../boundary/editor/sun_view";
+
+/** The sky with the sun that one drags. */
+export const sun: Tool<TreeSpecimen, WoodenPlant> = {
+	name: "sun",
+	initial: undefined,
+	editor: {
+		title: "Sun",
+		draw: (desk) => html`<panicle-sun
+			.pose=${sunPose(desk.state.specimen, desk.preset)}
+			@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
+		></panicle-sun>`,
+	},
+};
