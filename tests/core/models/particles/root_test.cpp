@@ -22,7 +22,8 @@ TEST_CASE("for every volume and seed roots run up to the collar, and stay below 
       for (const float slant : {0.0f, 1.0f, 6.0f}) {
         CAPTURE(shape);
         CAPTURE(slant);
-        const Plant plant = grow_root({.parameters = {{"shape", shape}, {"slant", slant}, {"particles", 500}, {"energy", 2}}, .seed = seed});
+        const Plant plant = grow_root(
+            {.parameters = {{"shape", shape}, {"slant", slant}, {"particles", 500}, {"energy", 2}}, .seed = seed});
         const auto arrived = column_in<float>(plant, "targets.energy");
         REQUIRE(arrived.size() == 1);
         CHECK(arrived[0] == 2 * static_cast<float>(count_of(plant, "particles")));
@@ -48,7 +49,8 @@ TEST_CASE("a slight slant gives a tap root, a great one fibres") {
     float passing = 0;
     for (std::size_t i = 0; i < plant.segments.size(); ++i) {
       const Segment& segment = plant.segments[i];
-      if (segment.start.y > -0.6f && segment.end.y <= -0.6f && std::hypot(segment.start.x, segment.start.z) < 0.2f) passing = std::max(passing, energy[i]);
+      if (segment.start.y > -0.6f && segment.end.y <= -0.6f && std::hypot(segment.start.x, segment.start.z) < 0.2f)
+        passing = std::max(passing, energy[i]);
     }
     return passing / static_cast<float>(count_of(plant, "particles"));
   };
@@ -56,7 +58,8 @@ TEST_CASE("a slight slant gives a tap root, a great one fibres") {
 }
 
 TEST_CASE("topsoil thins roots downwards by its depth") {
-  const Plant plant = grow_root({.parameters = {{"shape", 3}, {"pattern", 3}, {"topsoil", 0.3f}, {"particles", 6000}, {"reach", 1.2f}}});
+  const Plant plant = grow_root(
+      {.parameters = {{"shape", 3}, {"pattern", 3}, {"topsoil", 0.3f}, {"particles", 6000}, {"reach", 1.2f}}});
   std::uint32_t upper = 0, lower = 0;
   for (const std::size_t tip : tips_of(plant)) ++(plant.segments[tip].end.y > -0.6f ? upper : lower);
   // ∫ e^(−y / 0.3) over each half: e² = 7.39 times as many above.
@@ -65,7 +68,8 @@ TEST_CASE("topsoil thins roots downwards by its depth") {
 
 TEST_CASE("tips bend down by gravitropism") {
   const auto fall = [](float gravitropism) {
-    const Plant plant = grow_root({.parameters = {{"gravitropism", gravitropism}, {"particles", 1200}, {"reach", 4}, {"top", 2}}});
+    const Plant plant =
+        grow_root({.parameters = {{"gravitropism", gravitropism}, {"particles", 1200}, {"reach", 4}, {"top", 2}}});
     float sum = 0;
     for (const std::size_t tip : tips_of(plant)) {
       std::size_t at = tip;
@@ -81,7 +85,8 @@ TEST_CASE("tips bend down by gravitropism") {
 }
 
 TEST_CASE("roots grow round stones, below ground") {
-  const Plant plant = grow_root({.parameters = {{"particles", 800}}, .obstacles = {0.2f, -0.5f, -0.5f, 0.6f, 0.5f, 0.5f}});
+  const Plant plant =
+      grow_root({.parameters = {{"particles", 800}}, .obstacles = {0.2f, -0.5f, -0.5f, 0.6f, 0.5f, 0.5f}});
   std::uint32_t through = 0;
   for (const Segment& segment : plant.segments) {
     const glm::vec3 middle = 0.5f * (segment.start + segment.end);
@@ -92,7 +97,9 @@ TEST_CASE("roots grow round stones, below ground") {
 }
 
 TEST_CASE("several plants stand in a row, above a volume that begins where it is told") {
-  const Plant plant = grow_root({.parameters = {{"stems", 2}, {"width", 4}, {"top", 0.3f}, {"particles", 600}, {"life", 0}}, .outputs = "measures"});
+  const Plant plant =
+      grow_root({.parameters = {{"stems", 2}, {"width", 4}, {"top", 0.3f}, {"particles", 600}, {"life", 0}},
+                 .outputs = "measures"});
   CHECK(column_in<float>(plant, "targets.places") == std::vector<float>{-1, 0, 0, 1, 0, 0});
   for (const std::size_t tip : tips_of(plant)) CHECK(plant.segments[tip].end.y <= -0.3f);
   CHECK(measure(plant, Measure::deepest) == doctest::Approx(1.5f).epsilon(0.1));
@@ -124,11 +131,14 @@ TEST_CASE("what is measured is what there is") {
   CHECK(std::isnan(branching_of(std::span(segments).first(1)).bifurcation));
   CHECK(branching_of({}).order == 0);
 
-  const Plant plant = grow_root({.parameters = {{"shape", 3}, {"width", 1}, {"depth", 1}, {"reach", 2}, {"inner", 0.5f}, {"particles", 800}}, .outputs = "measures"});
+  const Plant plant = grow_root(
+      {.parameters = {{"shape", 3}, {"width", 1}, {"depth", 1}, {"reach", 2}, {"inner", 0.5f}, {"particles", 800}},
+       .outputs = "measures"});
   REQUIRE(plant.measures.size() == root::measure_count);
   CHECK(measure(plant, Measure::root_volume) == doctest::Approx(2 * (1 - 0.125f)).epsilon(0.03));
   CHECK(measure(plant, Measure::tips) == static_cast<float>(count_of(plant, "particles")));
-  CHECK(measure(plant, Measure::density) == doctest::Approx(0.001f * measure(plant, Measure::wood_length) / measure(plant, Measure::root_volume)));
+  CHECK(measure(plant, Measure::density) ==
+        doctest::Approx(0.001f * measure(plant, Measure::wood_length) / measure(plant, Measure::root_volume)));
 }
 
 }  // namespace

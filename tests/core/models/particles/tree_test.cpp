@@ -102,7 +102,8 @@ TEST_CASE("for every shape and seed it ends, with all energy at the targets and 
         CAPTURE(one.name);
         CAPTURE(seed);
         Asked asked{.parameters = one.parameters, .seed = seed, .profile = one.profile};
-        asked.parameters.insert(asked.parameters.end(), {{"particles", 500}, {"rule", rule}, {"energy", 3}, {"stems", rule + 1}});
+        asked.parameters.insert(asked.parameters.end(),
+                                {{"particles", 500}, {"rule", rule}, {"energy", 3}, {"stems", rule + 1}});
         const Plant plant = grow_tree(asked);
         CHECK(count_of(plant, "particles") > 350);
         check_sound(plant, 3);
@@ -111,11 +112,16 @@ TEST_CASE("for every shape and seed it ends, with all energy at the targets and 
 
 TEST_CASE("odd numbers end too") {
   const std::vector<std::vector<std::pair<std::string_view, float>>> odd{
-      {{"step", 2}, {"merge", 0.1f}, {"pull", 4}},        {{"step", 0.05f}, {"merge", 4}, {"pull", 0}},
-      {{"neighbourhood", 0.5f}, {"slant", 0}},            {{"slant", 4}, {"trunk", 0}, {"rule", 1}},
-      {{"phototropism", 1}, {"gravitropism", 1}},         {{"phototropism", -1}, {"gravitropism", -1}},
-      {{"crowns", 3}, {"distance", 0}, {"stems", 4}},     {{"inner", 0.95f}, {"absorption", 20}, {"by_light", 2}},
-      {{"width", 0.1f}, {"depth", 60}, {"height", 0.1f}}, {{"particles", 10}, {"hormone", 1}, {"day", 6}},
+      {{"step", 2}, {"merge", 0.1f}, {"pull", 4}},
+      {{"step", 0.05f}, {"merge", 4}, {"pull", 0}},
+      {{"neighbourhood", 0.5f}, {"slant", 0}},
+      {{"slant", 4}, {"trunk", 0}, {"rule", 1}},
+      {{"phototropism", 1}, {"gravitropism", 1}},
+      {{"phototropism", -1}, {"gravitropism", -1}},
+      {{"crowns", 3}, {"distance", 0}, {"stems", 4}},
+      {{"inner", 0.95f}, {"absorption", 20}, {"by_light", 2}},
+      {{"width", 0.1f}, {"depth", 60}, {"height", 0.1f}},
+      {{"particles", 10}, {"hormone", 1}, {"day", 6}},
   };
   for (std::size_t i = 0; i < odd.size(); ++i) {
     CAPTURE(i);
@@ -131,7 +137,8 @@ TEST_CASE("nothing starts outside the outer or inside the inner boundary, and tr
       CAPTURE(one.name);
       CAPTURE(pattern);
       Asked asked{.parameters = one.parameters, .profile = one.profile};
-      asked.parameters.insert(asked.parameters.end(), {{"particles", 700}, {"pattern", pattern}, {"gravitropism", 0.5f}});
+      asked.parameters.insert(asked.parameters.end(),
+                              {{"particles", 700}, {"pattern", pattern}, {"gravitropism", 0.5f}});
       const Plant plant = grow_tree(asked);
       const auto crowns = tree::make_crowns(habit_of(one), spline_through(profile_points(one.profile)), {});
       for (const std::size_t tip : tips_of(plant)) {
@@ -158,13 +165,10 @@ TEST_CASE("the uniform pattern has as many particles as were asked for, the othe
 TEST_CASE("under a sky, the lower facing halves of twins hold at most 0.8 of the outer ones' particles") {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     const auto halves = [seed](float heed) {
-      const Plant plant = grow_tree({.parameters = {{"crowns", 2},
-                                                    {"distance", 6},
-                                                    {"sky", 1},
-                                                    {"absorption", 5},
-                                                    {"by_light", heed},
-                                                    {"particles", 4000}},
-                                     .seed = seed});
+      const Plant plant = grow_tree(
+          {.parameters =
+               {{"crowns", 2}, {"distance", 6}, {"sky", 1}, {"absorption", 5}, {"by_light", heed}, {"particles", 4000}},
+           .seed = seed});
       std::uint32_t facing = 0, outer = 0;
       for (const std::size_t tip : tips_of(plant)) {
         const glm::vec3 p = plant.segments[tip].end;
@@ -180,7 +184,8 @@ TEST_CASE("under a sky, the lower facing halves of twins hold at most 0.8 of the
 
 TEST_CASE("particles gather on the side of the sun") {
   const auto share = [](float bearing) {
-    const Plant plant = grow_tree({.parameters = {{"sun", bearing}, {"sun_height", 20}, {"sky", 0.2f}, {"particles", 2000}}});
+    const Plant plant =
+        grow_tree({.parameters = {{"sun", bearing}, {"sun_height", 20}, {"sky", 0.2f}, {"particles", 2000}}});
     float sum = 0;
     for (const std::size_t tip : tips_of(plant)) sum += plant.segments[tip].end.x;
     return sum / static_cast<float>(tips_of(plant).size());
@@ -206,7 +211,9 @@ glm::vec3 twigs_of(const Plant& plant) {
 
 TEST_CASE("tips bend down or up by gravitropism, towards or away from the light by phototropism") {
   const auto twigs = [](std::string_view which, float much) {
-    return twigs_of(grow_tree({.parameters = {{which, much}, {"particles", 1500}, {"sun", 90}, {"sun_height", 10}, {"sky", 0}, {"pattern", 2}}}));
+    return twigs_of(grow_tree(
+        {.parameters = {
+             {which, much}, {"particles", 1500}, {"sun", 90}, {"sun_height", 10}, {"sky", 0}, {"pattern", 2}}}));
   };
   const glm::vec3 plain = twigs("gravitropism", 0);
   CHECK(twigs("gravitropism", 0.8f).y < plain.y - 0.1f);
@@ -216,7 +223,9 @@ TEST_CASE("tips bend down or up by gravitropism, towards or away from the light 
 }
 
 TEST_CASE("short days end the growth of shoots and make leaves fall") {
-  const auto grown = [](float day) { return grow_tree({.parameters = {{"day", day}, {"particles", 1000}}, .outputs = "measures"}); };
+  const auto grown = [](float day) {
+    return grow_tree({.parameters = {{"day", day}, {"particles", 1000}}, .outputs = "measures"});
+  };
   const Plant summer = grown(16), autumn = grown(11), winter = grown(8);
   CHECK(measure(grown(14), Measure::height) == measure(summer, Measure::height));
   CHECK(measure(autumn, Measure::height) < measure(summer, Measure::height) - 0.2f);
@@ -230,7 +239,8 @@ TEST_CASE("short days end the growth of shoots and make leaves fall") {
 
 TEST_CASE("apical dominance keeps side branches below the top from growing, and not the leader") {
   const auto top = [](float hormone) {
-    const Plant plant = grow_tree({.parameters = {{"hormone", hormone}, {"particles", 4000}, {"pattern", 2}, {"inner", 0}}});
+    const Plant plant =
+        grow_tree({.parameters = {{"hormone", hormone}, {"particles", 4000}, {"pattern", 2}, {"inner", 0}}});
     std::uint32_t high = 0, low = 0, leader = 0;
     for (const std::size_t tip : tips_of(plant)) {
       const glm::vec3 p = plant.segments[tip].end;
@@ -248,7 +258,9 @@ TEST_CASE("apical dominance keeps side branches below the top from growing, and 
 
 TEST_CASE("age: what has grown stays, thickens, and ends as the whole tree") {
   const auto at = [](float age) { return grow_tree({.parameters = {{"age", age}, {"particles", 800}}}); };
-  const auto key = [](const Segment& s) { return std::array{s.start.x, s.start.y, s.start.z, s.end.x, s.end.y, s.end.z}; };
+  const auto key = [](const Segment& s) {
+    return std::array{s.start.x, s.start.y, s.start.z, s.end.x, s.end.y, s.end.z};
+  };
   std::map<std::array<float, 6>, float> before;
   for (const float age : {0.0f, 10.0f, 35.0f, 60.0f, 90.0f, 100.0f}) {
     const Plant plant = at(age);
@@ -274,12 +286,15 @@ TEST_CASE("age: what has grown stays, thickens, and ends as the whole tree") {
 
 TEST_CASE("where the boundary grows, a young tree is a small tree, whose twigs start where they will") {
   const auto at = [](float age) {
-    return grow_tree({.parameters = {{"life", 1}, {"age", age}, {"particles", 3000}, {"pattern", 2}, {"inner", 0}}, .outputs = "measures"});
+    return grow_tree({.parameters = {{"life", 1}, {"age", age}, {"particles", 3000}, {"pattern", 2}, {"inner", 0}},
+                      .outputs = "measures"});
   };
   const Plant young = at(40), grown = at(100);
   CHECK(measure(young, Measure::height) == doctest::Approx(0.4f * measure(grown, Measure::height)).epsilon(0.03));
-  CHECK(measure(young, Measure::crown_volume) == doctest::Approx(0.064f * measure(grown, Measure::crown_volume)).epsilon(0.02));
-  const float share = static_cast<float>(count_of(young, "particles")) / static_cast<float>(count_of(grown, "particles"));
+  CHECK(measure(young, Measure::crown_volume) ==
+        doctest::Approx(0.064f * measure(grown, Measure::crown_volume)).epsilon(0.02));
+  const float share =
+      static_cast<float>(count_of(young, "particles")) / static_cast<float>(count_of(grown, "particles"));
   CHECK(share == doctest::Approx(0.064f).epsilon(0.25));
   CHECK(measure(young, Measure::trunk_width) == doctest::Approx(0.4f * measure(grown, Measure::trunk_width)));
   check_sound(young, 1);
@@ -305,13 +320,15 @@ TEST_CASE("each particle goes to the nearest target") {
   const std::vector<glm::vec3> targets{{-1, 0, 0}, {1, 0, 0}, {0, 0, 1.5f}};
   std::vector<std::int32_t> root(plant.segments.size());
   for (std::size_t i = 0; i < plant.segments.size(); ++i)
-    root[i] = plant.segments[i].parent < 0 ? static_cast<std::int32_t>(i) : root[static_cast<std::size_t>(plant.segments[i].parent)];
+    root[i] = plant.segments[i].parent < 0 ? static_cast<std::int32_t>(i)
+                                           : root[static_cast<std::size_t>(plant.segments[i].parent)];
   for (const std::size_t tip : tips_of(plant)) {
     const glm::vec3 p = plant.segments[tip].end, mine = plant.segments[static_cast<std::size_t>(root[tip])].start;
     for (const glm::vec3& other : targets) CHECK(glm::distance(p, mine) <= glm::distance(p, other) + 1e-5f);
   }
   // A hedge: stems in a row along the width.
-  const Plant hedge = grow_tree({.parameters = {{"shape", 2}, {"width", 8}, {"depth", 1}, {"stems", 4}, {"particles", 800}}});
+  const Plant hedge =
+      grow_tree({.parameters = {{"shape", 2}, {"width", 8}, {"depth", 1}, {"stems", 4}, {"particles", 800}}});
   CHECK(column_in<float>(hedge, "targets.places") == std::vector<float>{-3, 0, 0, -1, 0, 0, 1, 0, 0, 3, 0, 0});
   check_sound(hedge, 1);
 }
@@ -331,7 +348,8 @@ TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
 
 TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipsoid") {
   const Surface cube = box({5, 5, 5}, {7, 9, 7});
-  Asked asked{.parameters = {{"shape", 5}, {"particles", 500}, {"inner", 0}, {"width", 4}, {"height", 2}, {"depth", 3}}};
+  Asked asked{
+      .parameters = {{"shape", 5}, {"particles", 500}, {"inner", 0}, {"width", 4}, {"height", 2}, {"depth", 3}}};
   for (const glm::vec3& p : cube.points) asked.points.insert(asked.points.end(), {p.x, p.y, p.z});
   asked.triangles = cube.triangles;
   const Plant plant = grow_tree(asked);
@@ -385,12 +403,14 @@ TEST_CASE("meshes: tubes of bark along the branches, leaves and balls as organs 
   for (std::size_t v = 0; v + 2 < stems.normals.size(); v += 3)
     CHECK(std::hypot(stems.normals[v], stems.normals[v + 1], stems.normals[v + 2]) == doctest::Approx(1).epsilon(1e-3));
   CHECK(column_in<std::uint8_t>(plant, "organs.sky").size() == plant.organs.size());
-  for (const Organ& organ : plant.organs) CHECK(plant.meshes[static_cast<std::size_t>(organ.mesh)].name == (organ.tag == 0 ? "leaves" : "balls"));
+  for (const Organ& organ : plant.organs)
+    CHECK(plant.meshes[static_cast<std::size_t>(organ.mesh)].name == (organ.tag == 0 ? "leaves" : "balls"));
   CHECK(grow_tree({.parameters = {{"particles", 400}}}).meshes.empty());
 }
 
 TEST_CASE("the sky is darker inside a crown than on it") {
-  const Plant plant = grow_tree({.parameters = {{"particles", 3000}, {"inner", 0}, {"leaf_size", 30}}, .outputs = "meshes sky"});
+  const Plant plant =
+      grow_tree({.parameters = {{"particles", 3000}, {"inner", 0}, {"leaf_size", 30}}, .outputs = "meshes sky"});
   const auto sky = column_in<std::uint8_t>(plant, "organs.sky");
   double inside = 0, outside = 0, insiders = 0, outsiders = 0;
   for (std::size_t i = 0; i < sky.size(); ++i) {

@@ -10,8 +10,8 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t home = ~0u;
-constexpr float patience = 4;        // ways
-constexpr float standing = 1e-6f;    // of a step: less is waiting
+constexpr float patience = 4;      // ways
+constexpr float standing = 1e-6f;  // of a step: less is waiting
 constexpr std::uint32_t cells_a_particle = 24;
 
 glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
@@ -91,8 +91,8 @@ void Crowd::look() {
       continue;
     }
     const glm::vec3 aside = towards(place, places_[other]);
-    const glm::vec3 sum = rules_.printed ? towards(glm::vec3(0), aside + ahead)
-                                         : (rules_.pull * aside + ahead) / (1 + rules_.pull);
+    const glm::vec3 sum =
+        rules_.printed ? towards(glm::vec3(0), aside + ahead) : (rules_.pull * aside + ahead) / (1 + rules_.pull);
     strides_[slot] = rules_.step * sum;
     if (!guide_->passes(place, place + strides_[slot])) strides_[slot] = rules_.step * ahead;
   }

@@ -65,7 +65,8 @@ void smooth(Trails& trails, const Guide& guide, float share) {
       const glm::vec3& next = places[next_of(trails, i)];
       const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (next + mean / weights);
       float longest = std::max(glm::distance(drawn, places[i]), glm::distance(drawn, next));
-      for (std::uint32_t k = first; k < first + count; ++k) longest = std::max(longest, glm::distance(drawn, places[k]));
+      for (std::uint32_t k = first; k < first + count; ++k)
+        longest = std::max(longest, glm::distance(drawn, places[k]));
       bool free = longest < guide.room(drawn);
       if (!free) {
         free = guide.open(drawn) && guide.passes(places[i], drawn) && guide.sees(drawn, next);

@@ -61,9 +61,7 @@ bool Trunk::passes(const glm::vec3& from, const glm::vec3& to) const {
   return sees(from, to) && (outer_ == nullptr || along >= 0 || outer_->contains(to));
 }
 
-bool Trunk::reaches(const glm::vec3& p) const {
-  return open(p) && (goes_straight(p) || turning(p) != nullptr);
-}
+bool Trunk::reaches(const glm::vec3& p) const { return open(p) && (goes_straight(p) || turning(p) != nullptr); }
 
 // The corner in sight from which the way is shortest.
 const Trunk::Corner* Trunk::turning(const glm::vec3& p) const {
@@ -84,7 +82,8 @@ void Trunk::survey() {
   for (const glm::vec3& place : obstacles_->corners())
     all.push_back({place, goes_straight(place) ? straight_way(place) : unknown});
   while (!all.empty()) {
-    const auto next = std::min_element(all.begin(), all.end(), [](const Corner& a, const Corner& b) { return a.way < b.way; });
+    const auto next =
+        std::min_element(all.begin(), all.end(), [](const Corner& a, const Corner& b) { return a.way < b.way; });
     if (next->way == unknown) break;
     const Corner found = *next;
     all.erase(next);
