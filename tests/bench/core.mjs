@@ -9,7 +9,18 @@ import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { buildFolder, testModulesFolder } from "../../wasm-core/tools/repository.mjs";
 import { median } from "./statistics.mjs";
 
-export const KERNELS = { derive: 0, plan: 1, probe: 2, tubes: 3 };
+export const KERNELS = {
+	derive: 0,
+	plan: 1,
+	probe: 2,
+	tubes: 3,
+	crowd_flat: 4,
+	crowd_space: 5,
+	brute_flat: 6,
+	brute_space: 7,
+	colonise_flat: 8,
+	colonise_space: 9,
+};
 
 export async function loadBenchCore() {
 	await buildCore("wasm", ["all"]);

@@ -1,7 +1,7 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- browser` all but that; `npm run bench -- frame
- * [FOLDER]` times drawing alone, also of a page of views built before.
+ * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench
+ * -- browser` all but the page; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before.
  */
 import { join } from "node:path";
 import { runnerImport } from "vite";
@@ -10,6 +10,7 @@ import { benchBrowser } from "./browser.mjs";
 import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
 import { benchFrame } from "./frame.mjs";
 import { benchNatural } from "./natural.mjs";
+import { benchParticles } from "./particles.mjs";
 import { peerModules } from "./peer.mjs";
 import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
 
@@ -47,6 +48,7 @@ const ratios = [];
 
 const [, , only, folder] = process.argv;
 if (only === undefined || only === "core") benchCore();
+if (only === undefined || only === "particles") await benchParticles({ core, source });
 if (only === undefined || only === "browser") await benchBrowser();
 if (only === undefined || only === "frame") await benchFrame(folder);
 

@@ -1,4 +1,4 @@
-/** How much of dist/ a first load brings over the wire: the page and all that it asks for before a person does anything. */
+/** How much of dist/ a first load brings over the wire: the page and all that it asks for until its plant is drawn. */
 import { readFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { gzipSync } from "node:zlib";

@@ -1,5 +1,5 @@
 /**
- * `npm run gallery:docs`: every preset from the front and the side, with its numbers, as docs/gallery.md and
+ * `npm run gallery:docs`: every bunch among the presets from the front and the side, with its numbers, as docs/gallery.md and
  * docs/gallery/*.webp: to be held against the real fruit. Run it when growth, presets or the scene have changed.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
@@ -46,7 +46,7 @@ function section([kind, title, about], rows) {
 mkdirSync(folder, { recursive: true });
 const rows = { shape: [], variety: [], fruit: [] };
 let total = 0;
-await drawPresets([{ ...PICTURE, views: VIEWS }], (preset, { pictures, measures }) => {
+await drawPresets("bunch", [{ ...PICTURE, views: VIEWS }], (preset, { pictures, measures }) => {
 	for (const [view, bytes] of Object.entries(pictures)) {
 		if (bytes.length > LARGEST)
 			throw new Error(`${preset.name}-${view}.webp has ${bytes.length} bytes; lower the quality.`);

@@ -1,8 +1,7 @@
-/** Every preset grown and drawn by the app's own core and scene, for the scripts that keep pictures of them. */
+/** Presets grown and drawn by the app's own core and scene, for the scripts that keep pictures of them. */
 import { createServer } from "vite";
+import { modulesFolder } from "../../wasm-core/tools/repository.mjs";
 import { launch } from "./browser.mjs";
-
-const core = `/@fs${new URL("../../build/core/bunch.wasm", import.meta.url).pathname}`;
 
 /**
  * @typedef {object} Asked
@@ -14,25 +13,24 @@ const core = `/@fs${new URL("../../build/core/bunch.wasm", import.meta.url).path
  */
 
 /** Runs in the page, where Vite serves the sources. */
-async function draw({ address, name, size, oversampling, quality, theme, views }) {
+async function draw({ cores, model: called, name, size, oversampling, quality, theme, views }) {
 	const at = (path) => import(/* @vite-ignore */ `/src/${path}`);
 	const { Viewer } = await at("scene/viewer.ts");
-	const { bunchFigure } = await at("models/bunch/figure/bunch_figure.ts");
+	const { partFigure } = await at("scene/part_figure.ts");
 	const { Core } = await at("core/core.ts");
 	const { compileCore } = await at("core/loader.ts");
-	const { encodeRequest } = await at("models/bunch/request.ts");
-	const { readGrown } = await at("models/bunch/read_grown.ts");
-	const { specimenFromPreset } = await at("models/bunch/species.ts");
-	const { MEASURE_KEYS } = await at("models/bunch/measures.generated.ts");
-	globalThis.core ??= await Core.instantiate(await compileCore(address));
-	const specimen = specimenFromPreset(name);
-	const grown = readGrown(globalThis.core.grow(encodeRequest(specimen)));
+	const { fromPreset } = await at("specimen/from_preset.ts");
+	const { modelNamed } = await at("models/index.ts");
+	const model = await modelNamed(called);
+	globalThis.core ??= await Core.instantiate(await compileCore(`/@fs${cores}/${model.wasm}`));
+	const specimen = fromPreset(model, name);
+	const grown = model.read(globalThis.core.grow(model.encode(specimen)));
 	const [width, height] = [size.width * oversampling, size.height * oversampling];
 	// One view for all: building its programs takes longer than drawing.
 	if (!globalThis.view) {
 		const canvas = Object.assign(document.createElement("canvas"), { width, height });
 		globalThis.view = new Viewer(canvas, { still: true, reducedMotion: true, theme });
-		globalThis.view.use(bunchFigure);
+		globalThis.view.use((await model.figure?.()) ?? partFigure((plant, from) => model.parts(plant, from)));
 	}
 	globalThis.view.show(grown, specimen);
 	const pictures = {};
@@ -47,21 +45,25 @@ async function draw({ address, name, size, oversampling, quality, theme, views }
 		const bytes = new Uint8Array(await blob.arrayBuffer());
 		pictures[view] = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 	}
-	const measures = Object.fromEntries(MEASURE_KEYS.map((key, index) => [key, grown.measures?.[index] ?? Number.NaN]));
+	const measures = Object.fromEntries(
+		model.table.measures.map(({ key }, index) => [key, grown.measures?.[index] ?? Number.NaN]),
+	);
 	return { pictures, measures };
 }
 
-async function listPresets() {
-	const { PRESETS } = await import(/* @vite-ignore */ "/src/models/bunch/presets/presets.ts");
-	return PRESETS.map(({ name, title, kind, figure, about }) => ({ name, title, kind, figure, about }));
+async function listPresets(model) {
+	const { modelNamed } = await import(/* @vite-ignore */ "/src/models/index.ts");
+	const { presets } = await modelNamed(model);
+	return presets.list.map(({ name, title, kind, figure, about }) => ({ name, title, kind, figure, about }));
 }
 
 /**
- * Draws every preset, in the order of the gallery.
+ * Draws every preset of a model, in the order of the gallery.
+ * @param {string} model its name
  * @param {Asked[]} asked one after the other
  * @param {(preset: object, drawn: { pictures: Record<string, Buffer>, measures: Record<string, number> }, asked: Asked) => void} keep
  */
-export async function drawPresets(asked, keep) {
+export async function drawPresets(model, asked, keep) {
 	// Nothing may load the page anew while it draws: no watching, no bundling of packages behind its back.
 	const server = await createServer({
 		server: { host: "localhost", port: 0, hmr: false, watch: null },
@@ -73,8 +75,13 @@ export async function drawPresets(asked, keep) {
 	for (const each of asked) {
 		const page = await browser.newPage({ viewport: { width: 600, height: 600 } });
 		await page.goto(server.resolvedUrls.local[0]);
-		for (const preset of await page.evaluate(listPresets)) {
-			const { pictures, measures } = await page.evaluate(draw, { address: core, name: preset.name, ...each });
+		for (const preset of await page.evaluate(listPresets, model)) {
+			const { pictures, measures } = await page.evaluate(draw, {
+				cores: modulesFolder,
+				model,
+				name: preset.name,
+				...each,
+			});
 			const decoded = Object.entries(pictures).map(([view, base64]) => [view, Buffer.from(base64, "base64")]);
 			keep(preset, { pictures: Object.fromEntries(decoded), measures }, each);
 		}

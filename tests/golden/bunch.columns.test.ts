@@ -4,13 +4,12 @@
  * bunch.json these may change where what is drawn becomes better: `UPDATE_GOLDENS=1 npx vitest run tests/golden` writes
  * them anew.
  */
-import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { beforeAll, expect, it } from "vitest";
-import type { Columns } from "../../web/src/core/container";
 import type { Core } from "../../web/src/core/core";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
 import { freshCore } from "../web/core/wasm";
+import { digest } from "./digest";
 import { buildNative, grownNatively, PROCEDURES, requestFor } from "./growing";
 
 const GOLDENS = new URL("./bunch.columns.json", import.meta.url);
@@ -42,17 +41,6 @@ const natural: Subject[] = [
 	}),
 );
 const subjects = [...paper, ...natural];
-
-/** Each column by its name: how many values a row has, how many there are, and a hash of their bytes. */
-function digest(columns: Columns): Record<string, string> {
-	const entries = columns.names.sort().map((name) => {
-		const data = columns.any(name);
-		const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-		const hash = createHash("sha256").update(bytes).digest("hex").slice(0, 10);
-		return [name, `${columns.width(name)} × ${data.length / columns.width(name)} ${hash}`];
-	});
-	return Object.fromEntries(entries);
-}
 
 const found: Record<string, Record<string, string>> = {};
 

@@ -12,6 +12,7 @@
 #include "models/bunch/paper/interaction.hpp"
 #include "models/bunch/parameters.generated.hpp"
 #include "models/bunch/stems.hpp"
+#include "particles.hpp"
 
 namespace panicle::bench {
 namespace {
@@ -112,6 +113,18 @@ double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds) {
         break;
       case Kernel::tubes:
         work = tubes(skeleton);
+        break;
+      case Kernel::crowd_flat:
+      case Kernel::crowd_space:
+        work = run_crowd(size, kernel == Kernel::crowd_flat);
+        break;
+      case Kernel::brute_flat:
+      case Kernel::brute_space:
+        work = run_brute_crowd(size, kernel == Kernel::brute_flat);
+        break;
+      case Kernel::colonise_flat:
+      case Kernel::colonise_space:
+        work = colonise(size, kernel == Kernel::colonise_flat);
         break;
     }
   }

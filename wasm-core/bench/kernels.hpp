@@ -10,6 +10,13 @@ enum class Kernel : std::uint32_t {
   plan = 1,    // shouldered conical with `size` times its axes on a longer rachis, no meshes; work: pedicels
   probe = 2,   // `size` berries looking for room one after another; work: berries probed
   tubes = 3,   // stems of `size` internodes, 12 sides; work: vertices
+  // Of `size` particles or points (particles.hpp), flat and in space.
+  crowd_flat = 4,
+  crowd_space = 5,
+  brute_flat = 6,
+  brute_space = 7,
+  colonise_flat = 8,
+  colonise_space = 9,
 };
 
 // Does the work `rounds` times over and returns how much one round was; negative if it failed.

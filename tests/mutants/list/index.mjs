@@ -12,6 +12,7 @@ import files from "./files.mjs";
 import light from "./light.mjs";
 import lsystem from "./lsystem.mjs";
 import page from "./page.mjs";
+import particles from "./particles.mjs";
 import rooms from "./rooms.mjs";
 import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
@@ -22,6 +23,7 @@ import webCore from "./web_core.mjs";
 export const groups = [
 	...rooms,
 	...lsystem,
+	...particles,
 	...bunchCore,
 	...bunchNatural,
 	...swelling,

@@ -206,3 +206,38 @@ describe("standard materials in a GLB", () => {
 		expect(material.roughness).toBeCloseTo(0.65, 5);
 	});
 });
+
+describe("textures", () => {
+	const picture = { width: 2, height: 2, pixels: Uint8Array.from({ length: 12 }, (_, i) => 20 * i) };
+	const parts: Part[] = [
+		{
+			name: "Sheet",
+			shape: {
+				mesh: tetrahedron([0, 0, 0], 1),
+				material: {
+					...HAIR,
+					textures: { colour: picture, normal: picture, thickness: picture },
+					flesh: { factor: 0.2, thickness: 0.001, colour: [0.5, 0.6, 0.2], distance: 0.001 },
+				},
+			},
+		},
+	];
+
+	it.each(FORMS)("lie on the mesh as PNGs in the file, and the validator has no error (%o)", async (form) => {
+		const file = exportGlb(parts, ABOUT, form);
+		// Whoever shows the normals makes the tangents: said of every such file.
+		const found = (await complaints(file)).filter(({ code }) => code !== "MESH_PRIMITIVE_GENERATED_TANGENT_SPACE");
+		expect(found).toEqual([]);
+		const { materials, textures, images, samplers } = documentOf(file);
+		expect(materials).toMatchObject([
+			{
+				pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, 1], baseColorTexture: { index: 0 } },
+				normalTexture: { index: 1 },
+				extensions: { KHR_materials_volume: { thicknessTexture: { index: 2 } } },
+			},
+		]);
+		expect(textures).toMatchObject([0, 1, 2].map((source) => ({ source, sampler: 0 })));
+		expect(images?.map(({ mimeType }) => mimeType)).toEqual(["image/png", "image/png", "image/png"]);
+		expect(samplers).toHaveLength(1);
+	});
+});

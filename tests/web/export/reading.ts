@@ -26,6 +26,9 @@ export interface Document {
 	nodes: Node[];
 	meshes?: { name: string; primitives: { attributes: Record<string, number>; indices: number; material: number }[] }[];
 	materials?: { name: string; pbrMetallicRoughness: { baseColorFactor: number[] }; extensions?: object }[];
+	textures?: { source: number; sampler: number }[];
+	images?: { mimeType: string; bufferView: number }[];
+	samplers?: object[];
 	accessors?: { count: number; componentType: number; min?: number[]; max?: number[] }[];
 	bufferViews?: { byteOffset: number; byteLength: number; target?: number }[];
 }

@@ -25,7 +25,7 @@ const ColumnView* Request::find(std::string_view name, Element element, std::uin
     found = &blocks_[i];
   }
   if (found == nullptr) return nullptr;
-  const bool fits = found->element == element && found->width == 1 && found->rows <= most;
+  const bool fits = found->element == element && found->width >= 1 && found->rows <= most / found->width;
   if (!fits && trouble_.reason == Reason::none)
     trouble_ = refused("The request's block " + quoted(name) +
                        (found->element == element ? " has more values than are allowed." : " is of another kind."));

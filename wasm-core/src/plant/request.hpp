@@ -27,7 +27,7 @@ class Request {
   // Both must outlive the request. `programs` may be null where no handles are known.
   Request(std::span<const ColumnView> blocks, const Programs* programs);
 
-  // What a block holds; nothing, zero or `otherwise` where it is absent.
+  // What a block holds, rows of whatever width one after the other; nothing, zero or `otherwise` where it is absent.
   std::string_view text(std::string_view name);
   std::span<const float> floats(std::string_view name);
   std::span<const std::int32_t> integers(std::string_view name);

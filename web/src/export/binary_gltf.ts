@@ -1,5 +1,5 @@
 /**
- * A writer of binary glTF 2.0 for what Panicle exports: one buffer, geometry only. Small on purpose; why not a library
+ * A writer of binary glTF 2.0 for what Panicle exports: one buffer, geometry and pictures. Small on purpose; why not a library
  * is in docs/export.md.
  */
 import { shortFloat } from "./numbers";
@@ -76,6 +76,14 @@ export class BinaryGltf {
 		return this.#accessors.push(accessor) - 1;
 	}
 
+	/** Appends bytes that no accessor reads, a file within the file; returns the index of their view. */
+	raw(bytes: Uint8Array): number {
+		const view = this.#view(`raw ${this.#views.size}`);
+		view.chunks.push(bytes);
+		view.bytes = bytes.byteLength;
+		return view.index;
+	}
+
 	/** The whole file. `json` is the document without `accessors`, `bufferViews` and `buffers`. */
 	finish(json: Record<string, unknown>): Uint8Array<ArrayBuffer> {
 		const bufferViews: Record<string, unknown>[] = [];
@@ -85,7 +93,7 @@ export class BinaryGltf {
 			if (layout.stride) view.byteStride = layout.stride;
 			if (layout.target) view.target = TARGETS[layout.target];
 			bufferViews.push(view);
-			bytes += byteLength;
+			bytes += aligned(byteLength);
 		}
 		const geometry =
 			bytes > 0 ? { accessors: this.#accessors, bufferViews, buffers: [{ byteLength: bytes }] } : undefined;

@@ -1,12 +1,13 @@
 /** Any plant's parts → binary glTF 2.0, in metres, +Y up. What is in the file, and why it is so, is in docs/export.md. */
 import type { Colour } from "../plant/colour";
-import type { Material } from "../plant/material";
+import type { Material, Picture } from "../plant/material";
 import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 import { everywhere, shaded } from "../plant/shade";
 import type { About } from "./about";
 import { GltfDocument, type Json, type Placed } from "./gltf_document";
-import { gltfMaterial } from "./gltf_material";
+import { gltfMaterial, type TextureIndices } from "./gltf_material";
 import { rounded, shortFloat } from "./numbers";
+import { png } from "./png";
 import { brightest, sharesOf } from "./vertex_colours";
 import { written } from "./written";
 
@@ -164,9 +165,17 @@ class PartsWriter {
 		if (known !== undefined) return known;
 		// Compact meshes reach from −1 to 1, each scaled by its own node.
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
-		const index = this.#document.material(gltfMaterial(material, base ?? material.colour, thickness));
+		const textures = this.#textures(material);
+		const index = this.#document.material(gltfMaterial(material, base ?? material.colour, thickness, textures));
 		indices.set(material, index);
 		return index;
+	}
+
+	#textures({ name, textures = {} }: Material): TextureIndices {
+		const kinds = Object.entries(textures) as [keyof TextureIndices, Picture][];
+		return Object.fromEntries(
+			kinds.map(([kind, picture]) => [kind, this.#document.texture(`${name} ${kind}`, png(picture))]),
+		);
 	}
 }
 

@@ -28,6 +28,9 @@ const VIEWS: Record<string, ViewLayout> = {
 	scales: {},
 };
 
+/** Smooth, with smaller copies, and no repetition. */
+const CLAMPED = { magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 };
+
 /** Most vertices 16-bit indices reach; 65535 itself means a restart of the strip. */
 const SHORT_INDEX_VERTICES = 65535;
 
@@ -58,6 +61,8 @@ export class GltfDocument {
 	readonly #nodes: Json[] = [];
 	readonly #meshes: Json[] = [];
 	readonly #materials: Json[] = [];
+	readonly #images: Json[] = [];
+	readonly #textures: Json[] = [];
 	readonly #patterns = new Map<Float32Array, Pattern & { of: Uint32Array }>();
 	readonly #used = new Set<string>();
 	readonly #required = new Set<string>();
@@ -72,6 +77,13 @@ export class GltfDocument {
 	material(material: GltfMaterial): number {
 		for (const name of Object.keys(material.extensions ?? {})) this.#used.add(name);
 		return this.#materials.push({ ...material }) - 1;
+	}
+
+	/** Appends a PNG; returns the index of a texture of it that ends at its edges. */
+	texture(name: string, bytes: Uint8Array): number {
+		const bufferView = this.#binary.raw(bytes);
+		const source = this.#images.push({ name, mimeType: "image/png", bufferView }) - 1;
+		return this.#textures.push({ name, source, sampler: 0 }) - 1;
 	}
 
 	/** An extension without which the file must not be read. */
@@ -105,7 +117,13 @@ export class GltfDocument {
 			scene: 0,
 			scenes: [{ nodes: roots }],
 			nodes: this.#nodes,
-			...filled({ meshes: this.#meshes, materials: this.#materials }),
+			...filled({
+				meshes: this.#meshes,
+				materials: this.#materials,
+				textures: this.#textures,
+				images: this.#images,
+				samplers: this.#textures.length > 0 ? [CLAMPED] : [],
+			}),
 		});
 	}
 

@@ -5,9 +5,21 @@ import { rounded } from "./numbers";
 
 const DECIMALS = 6;
 
+interface TextureInfo {
+	index: number;
+}
+
+/** The textures of a material, by their indices in the document. */
+export interface TextureIndices {
+	colour?: number;
+	normal?: number;
+	thickness?: number;
+}
+
 export interface GltfMaterial {
 	name: string;
 	pbrMetallicRoughness: object;
+	normalTexture?: TextureInfo;
 	doubleSided?: boolean;
 	extensions?: Record<string, object>;
 }
@@ -16,22 +28,34 @@ export interface GltfMaterial {
  * @param colour the base, which vertices' colours multiply
  * @param thickness of the flesh in the unit of the meshes, where there is any
  */
-export function gltfMaterial(material: Material, colour: Colour, thickness: number): GltfMaterial {
+export function gltfMaterial(
+	material: Material,
+	colour: Colour,
+	thickness: number,
+	textures: TextureIndices = {},
+): GltfMaterial {
 	const { name, roughness, doubleSided } = material;
-	const extensions = extensionsOf(material, thickness);
+	const extensions = extensionsOf(material, thickness, textures);
+	const textured = textures.colour !== undefined;
 	return {
 		name,
 		pbrMetallicRoughness: {
-			baseColorFactor: [...short(colour), 1],
+			baseColorFactor: textured ? [1, 1, 1, 1] : [...short(colour), 1],
+			...(textured ? { baseColorTexture: { index: textures.colour } } : {}),
 			metallicFactor: 0,
 			roughnessFactor: one(roughness),
 		},
+		...(textures.normal === undefined ? {} : { normalTexture: { index: textures.normal } }),
 		...(doubleSided ? { doubleSided } : {}),
 		...(Object.keys(extensions).length > 0 ? { extensions } : {}),
 	};
 }
 
-function extensionsOf({ sheen, ior, specular, clearcoat, flesh }: Material, thickness: number): Record<string, object> {
+function extensionsOf(
+	{ sheen, ior, specular, clearcoat, flesh }: Material,
+	thickness: number,
+	textures: TextureIndices,
+): Record<string, object> {
 	const extensions: Record<string, object> = {};
 	if (sheen) {
 		extensions.KHR_materials_sheen = {
@@ -49,6 +73,7 @@ function extensionsOf({ sheen, ior, specular, clearcoat, flesh }: Material, thic
 		extensions.KHR_materials_transmission = { transmissionFactor: one(flesh.factor) };
 		extensions.KHR_materials_volume = {
 			thicknessFactor: one(thickness),
+			...(textures.thickness === undefined ? {} : { thicknessTexture: { index: textures.thickness } }),
 			attenuationColor: short(flesh.colour),
 			attenuationDistance: one(flesh.distance),
 		};

@@ -1,7 +1,25 @@
 /** What surfaces are made of, as physically based values: what the view draws and what files say. */
 import { type Colour, linear } from "./colour";
 
-/** Parts that share a material share the object. Nothing of a plant is metallic or textured. */
+/** A picture that is laid on a surface by its uv: the first row is v = 0. */
+export interface Picture {
+	width: number;
+	height: number;
+	/** 3 × width × height: red, green, blue. */
+	pixels: Uint8Array;
+}
+
+/** What files lay on a mesh that is too light to show it; the view draws the finer mesh in place of them. */
+export interface Textures {
+	/** sRGB: in place of the material's colour. */
+	colour?: Picture;
+	/** Normals in the surface's frame, 0 … 255 for −1 … 1: x to +u, y to +v. */
+	normal?: Picture;
+	/** Of the flesh, as a share of its thickness, in the green channel. */
+	thickness?: Picture;
+}
+
+/** Parts that share a material share the object. Nothing of a plant is metallic. */
 export interface Material {
 	/** As files call it. */
 	name: string;
@@ -26,6 +44,7 @@ export interface Material {
 	specular?: number;
 	/** A second, smooth mirror over the first. */
 	clearcoat?: { factor: number; roughness: number };
+	textures?: Textures;
 	/** Light through the flesh: its share; how thick it is; how long a way leaves how much of it (metres, linear colour). */
 	flesh?: { factor: number; thickness: number; colour: Colour; distance: number };
 }

@@ -54,6 +54,7 @@ applyTheme(ui.theme);
 modelNamed(asked).then(start, refuse);
 
 function start(model: Model): void {
+	cores.warm(model.wasm); // Of a family it is not named after the model.
 	loadFigure(model).catch(() => {}); // The stage asks again, and says why not.
 	const growing = new Growing(cores, () => studio);
 	const bar = new AddressBar();
@@ -108,15 +109,31 @@ function titleOf({ state: { model, specimen } }: Studio): string {
 	return `${model.presets.named(preset)?.title ?? model.title} ${seed} · Panicle`;
 }
 
-/** Once the first plant is there, or is known not to come, the gallery gets every model's presets. */
+/** Once the first plant is drawn, or is known not to come, the gallery gets every model's presets. */
 function listCatalogue(studio: Studio): void {
-	const end = studio.subscribe(() => {
+	const end = studio.subscribe(async () => {
 		const { shown, failure } = studio.state;
 		if (!shown && !failure) return;
 		end();
+		if (shown) await drawn();
 		void Promise.allSettled(modelNames().map((name) => modelNamed(name))).then((models) => {
 			studio.list(models.flatMap((model) => (model.status === "fulfilled" ? [model.value] : [])));
 		});
+	});
+}
+
+/** Where nothing is drawn within this time the gallery waits no longer; milliseconds. */
+const LONGEST_WAIT = 3000;
+
+/** Settles when the view has drawn its first plant. */
+function drawn(): Promise<void> {
+	return new Promise((resolve) => {
+		new PerformanceObserver((list, observer) => {
+			if (list.getEntriesByName("first-bunch").length === 0) return;
+			observer.disconnect();
+			resolve();
+		}).observe({ type: "mark", buffered: true });
+		setTimeout(resolve, LONGEST_WAIT);
 	});
 }
 

@@ -49,7 +49,8 @@ TEST_CASE("the spacing of points is the root of what each of them has of the reg
   CHECK(spacing_of(Round(true), 0) == 0);
 }
 
-TEST_CASE("no particle starts outside the outer boundary or inside the inner one, and about as many do as were asked for") {
+TEST_CASE(
+    "no particle starts outside the outer boundary or inside the inner one, and about as many do as were asked for") {
   for (const bool flat : {true, false})
     for (const float hole : {0.0f, 0.75f})
       for (const Pattern pattern : patterns)
@@ -88,7 +89,8 @@ TEST_CASE("where a region says a quarter, a quarter as many start") {
   for (const Pattern pattern : patterns) {
     CAPTURE(static_cast<int>(pattern));
     const auto points = scatter(region, pattern, 4000, spacing_of(region, 4000), 5);
-    const auto bright = static_cast<float>(std::count_if(points.begin(), points.end(), [](auto& p) { return p.x < 0; }));
+    const auto bright =
+        static_cast<float>(std::count_if(points.begin(), points.end(), [](auto& p) { return p.x < 0; }));
     const auto dark = static_cast<float>(points.size()) - bright;
     CHECK(dark / bright == doctest::Approx(0.25).epsilon(0.12));
     CHECK(static_cast<float>(points.size()) == doctest::Approx(4000).epsilon(0.06));
@@ -100,7 +102,8 @@ TEST_CASE("a region that grows keeps the points that it has, and another seed gi
   const auto kept = [&](const std::vector<glm::vec3>& now, const std::vector<glm::vec3>& before) {
     std::set<std::tuple<float, float, float>> all;
     for (const glm::vec3& p : now) all.insert(key(p));
-    return static_cast<float>(std::count_if(before.begin(), before.end(), [&](auto& p) { return all.contains(key(p)); })) /
+    return static_cast<float>(
+               std::count_if(before.begin(), before.end(), [&](auto& p) { return all.contains(key(p)); })) /
            static_cast<float>(before.size());
   };
   for (const Pattern pattern : {Pattern::jittered, Pattern::blue}) {

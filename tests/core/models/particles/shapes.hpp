@@ -40,9 +40,7 @@ class Walled final : public Guide {
  public:
   using Guide::Guide;
   glm::vec3 aim(const glm::vec3& p) const override { return sees(p, target()) ? target() : glm::vec3(0, 0.55f, 0); }
-  float way(const glm::vec3& p) const override {
-    return glm::distance(p, aim(p)) + glm::distance(aim(p), target());
-  }
+  float way(const glm::vec3& p) const override { return glm::distance(p, aim(p)) + glm::distance(aim(p), target()); }
   bool open(const glm::vec3& p) const override { return std::fabs(p.x) >= 0.01f || p.y > 0.5f; }
   bool sees(const glm::vec3& a, const glm::vec3& b) const override {
     if ((a.x > 0) == (b.x > 0)) return true;

@@ -23,6 +23,8 @@ class Guide {
   virtual bool open(const glm::vec3&) const { return true; }
   // Whether a step may be taken. What is outside already may stay there.
   virtual bool passes(const glm::vec3& from, const glm::vec3& to) const { return open(to) || !open(from); }
+  // How far from there, at least, there is nothing that stands in the way; 0 where that is not known.
+  virtual float room(const glm::vec3&) const { return 0; }
   // Whether nothing stands between two places.
   virtual bool sees(const glm::vec3&, const glm::vec3&) const { return true; }
 

@@ -84,11 +84,14 @@ bool Outline::holds(const glm::vec3& a, const glm::vec3& b) const {
   const float length = glm::distance(a, b);
   glm::vec3 at = a;
   for (float gone = 0;;) {
-    const float free = clearance(at);
-    if (gone + free >= length) return true;
-    if (free < cell_) return !crosses(at, b);
-    gone += free;
-    at = a + (gone / length) * (b - a);
+    // As far as the edge cannot be; near it a cell at a time, against the edges there.
+    const float free = clearance(at), hop = std::max(free, cell_);
+    const bool ends = gone + hop >= length;
+    const glm::vec3 next = ends ? b : a + ((gone + hop) / length) * (b - a);
+    if (free < cell_ && crosses(at, next)) return false;
+    if (ends) return true;
+    gone += hop;
+    at = next;
   }
 }
 
@@ -101,7 +104,8 @@ bool Outline::crosses(const glm::vec3& a, const glm::vec3& b) const {
 }
 
 float Outline::distance_to_edge(const glm::vec3& p, std::uint32_t edge) const {
-  const glm::vec2 from = points_[edge], way = points_[(edge + 1) % points_.size()] - from, place = glm::vec2(p.x, p.y) - from;
+  const glm::vec2 from = points_[edge], way = points_[(edge + 1) % points_.size()] - from,
+                  place = glm::vec2(p.x, p.y) - from;
   const float square = glm::dot(way, way);
   const float at = square > 0 ? glm::clamp(glm::dot(place, way) / square, 0.0f, 1.0f) : 0;
   return glm::distance(place, at * way);
@@ -113,25 +117,25 @@ float Outline::distance(const glm::vec3& p) const {
   return least;
 }
 
-// Cells on the edge know an edge; the others take over what their neighbours know, in two sweeps. What they find is less
-// than a cell farther than the nearest.
+// Cells on the edge know an edge; the others take over what their neighbours know, in two sweeps. What they find is
+// less than a cell farther than the nearest.
 void Outline::measure() {
   const glm::vec3 size = high_ - low_;
   cell_ = std::max({size.x, size.y, std::numeric_limits<float>::min()}) / cells_along;
   across_ = static_cast<std::int32_t>(size.x / cell_) + 1;
   up_ = static_cast<std::int32_t>(size.y / cell_) + 1;
   constexpr std::uint32_t unknown = ~0u;
-  std::vector<std::uint32_t> nearest(static_cast<std::size_t>(across_ * up_), unknown);
-  clearance_.assign(nearest.size(), std::numeric_limits<float>::max());
+  nearest_.assign(static_cast<std::size_t>(across_ * up_), unknown);
+  clearance_.assign(nearest_.size(), std::numeric_limits<float>::max());
   const auto offer = [&](std::int32_t x, std::int32_t y, std::uint32_t edge) {
     if (x < 0 || y < 0 || x >= across_ || y >= up_ || edge == unknown) return;
     const auto cell = static_cast<std::size_t>(y * across_ + x);
-    if (nearest[cell] == edge) return;
+    if (nearest_[cell] == edge) return;
     const glm::vec3 middle = low_ + cell_ * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 0);
     const float away = distance_to_edge(middle, edge);
     if (!(away < clearance_[cell])) return;
     clearance_[cell] = away;
-    nearest[cell] = edge;
+    nearest_[cell] = edge;
   };
   for (std::uint32_t edge = 0; edge < points_.size(); ++edge) {
     const glm::vec2 from = points_[edge], way = points_[(edge + 1) % points_.size()] - from;
@@ -142,7 +146,7 @@ void Outline::measure() {
     }
   }
   const auto known = [&](std::int32_t x, std::int32_t y) {
-    return x < 0 || y < 0 || x >= across_ || y >= up_ ? unknown : nearest[static_cast<std::size_t>(y * across_ + x)];
+    return x < 0 || y < 0 || x >= across_ || y >= up_ ? unknown : nearest_[static_cast<std::size_t>(y * across_ + x)];
   };
   for (std::int32_t sweep = 0; sweep < 2; ++sweep) {
     const std::int32_t back = sweep == 0 ? -1 : 1;
@@ -160,6 +164,13 @@ void Outline::measure() {
     }
   }
   for (float& free : clearance_) free = std::max(0.0f, free - uncertain * cell_);
+}
+
+float Outline::about_distance(const glm::vec3& p) const {
+  const glm::vec3 at = (p - low_) / cell_;
+  const auto x = static_cast<std::int32_t>(std::clamp(at.x, 0.0f, static_cast<float>(across_ - 1)));
+  const auto y = static_cast<std::int32_t>(std::clamp(at.y, 0.0f, static_cast<float>(up_ - 1)));
+  return distance_to_edge(p, nearest_[static_cast<std::size_t>(y * across_ + x)]);
 }
 
 float Outline::clearance(const glm::vec3& p) const {

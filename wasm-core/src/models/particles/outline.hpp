@@ -25,10 +25,12 @@ class Outline final : public Region {
   // How far the edge is from a place, inside or outside.
   float distance(const glm::vec3& p) const;
   float area() const;  // of a polygon that does not cross itself
+  // Nearly that, at a glance: from the edge nearest to the middle of a cell. What lies outside is of the cell nearest to it.
+  float about_distance(const glm::vec3& p) const;
+  // How far it is at least: what is certain of a cell. 0 outside the outline's box.
+  float clearance(const glm::vec3& p) const;
 
  private:
-  // How far the edge is from a place at least: what is certain of its cell.
-  float clearance(const glm::vec3& p) const;
   bool crosses(const glm::vec3& a, const glm::vec3& b) const;
   float distance_to_edge(const glm::vec3& p, std::uint32_t edge) const;
   void measure();
@@ -43,7 +45,8 @@ class Outline final : public Region {
   std::vector<std::uint32_t> first_, members_;  // of each row of the box: the edges that meet it
   float cell_ = 1;
   std::int32_t across_ = 0, up_ = 0;
-  std::vector<float> clearance_;  // of each cell of the box
+  std::vector<float> clearance_;         // of each cell of the box
+  std::vector<std::uint32_t> nearest_;  // of each: the edge nearest to its middle
 };
 
 }  // namespace panicle::particles

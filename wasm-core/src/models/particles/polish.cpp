@@ -37,19 +37,20 @@ float distance_to(const glm::vec3& p, const glm::vec3& from, const glm::vec3& to
 
 }  // namespace
 
-void smooth(Trails& trails, const Guide& guide, float times) {
+void smooth(Trails& trails, const Guide& guide, float share) {
   const auto runs = leading_to(trails);
   std::vector<std::uint32_t> moving;
   std::vector<float> passes;
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
     if (runs[i].second == 0) continue;
     moving.push_back(i);
-    passes.push_back(-times * (least_passes + more_passes * static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]))));
+    const float weight = static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]));
+    passes.push_back(-share * (least_passes + more_passes * weight));
   }
   const std::vector<std::uint32_t> order = order_of(passes);
   std::vector<glm::vec3>& places = trails.places;
   // Each in its turn, so that what a place sees is still there when the next is drawn.
-  for (float pass = 0; pass < times * (least_passes + more_passes); ++pass) {
+  for (float pass = 0; pass < share * (least_passes + more_passes); ++pass) {
     for (const std::uint32_t at : order) {
       if (-passes[at] <= pass) break;
       const std::uint32_t i = moving[at];
@@ -63,19 +64,37 @@ void smooth(Trails& trails, const Guide& guide, float times) {
       }
       const glm::vec3& next = places[next_of(trails, i)];
       const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (next + mean / weights);
-      bool free = guide.open(drawn) && guide.passes(places[i], drawn) && guide.sees(drawn, next);
-      for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
+      float longest = std::max(glm::distance(drawn, places[i]), glm::distance(drawn, next));
+      for (std::uint32_t k = first; k < first + count; ++k)
+        longest = std::max(longest, glm::distance(drawn, places[k]));
+      bool free = longest < guide.room(drawn);
+      if (!free) {
+        free = guide.open(drawn) && guide.passes(places[i], drawn) && guide.sees(drawn, next);
+        for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
+      }
       if (free) places[i] = drawn;
     }
   }
 }
 
-void bed(Trails& trails, const Ribs& ribs, float reach) {
+void bed(Trails& trails, const RibGrid& ribs, float reach) {
+  constexpr std::uint32_t none = ~0u;
   const auto runs = leading_to(trails);
+  // Whatever carries most stays on its line where another leaves it, else veins would step aside there.
+  std::vector<std::uint32_t> lines(trails.size(), 0), heaviest(trails.size(), 0);
+  for (std::uint32_t i = 1; i < trails.size(); ++i) {
+    std::uint32_t& child = heaviest[next_of(trails, i)];
+    if (child == 0 || trails.energy[i] > trails.energy[child]) child = i;
+  }
   for (std::size_t i = 1; i < trails.size(); ++i) {
+    lines[i] = none;
     if (runs[i].second == 0) continue;
-    const Ribs::Foot foot = ribs.nearest(trails.places[i]);
+    Ribs::Foot foot = ribs.nearest(trails.places[i]);
     if (!(foot.distance < reach)) continue;
+    const std::size_t next = next_of(trails, i);
+    if (heaviest[next] == i && lines[next] != none && ribs.line_of(foot.at) != lines[next])
+      if (const Ribs::Foot along = ribs.nearest_on(lines[next], trails.places[i]); along.distance < reach) foot = along;
+    lines[i] = ribs.line_of(foot.at);
     const auto carried = static_cast<float>(trails.energy[i] / (trails.energy[i] + bedded_energy * trails.energy[0]));
     trails.places[i] += carried * smooth_step(reach, 0.5f * reach, foot.distance) * (foot.place - trails.places[i]);
   }

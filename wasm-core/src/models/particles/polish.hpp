@@ -2,22 +2,22 @@
 #pragma once
 
 #include "models/particles/guide.hpp"
-#include "models/particles/ribs.hpp"
+#include "models/particles/rib_grid.hpp"
 #include "models/particles/trails.hpp"
 
 namespace panicle::particles {
 
-// Draws every place towards the next and the mean of those that lead to it, by their energy: twigs 8 times, what carries
-// all the energy 56 times, or `times` as often. The target and the ends of twigs stay, and no place goes where it is not open or out of
-// its neighbours' sight.
-void smooth(Trails& trails, const Guide& guide, float times = 1);
+// Draws every place towards the next and the mean of those that lead to it, by their energy: twigs 8 times, what
+// carries all the energy 56 times, or a share of that. The target and the ends of twigs stay, and no place goes where
+// it is not open or out of its neighbours' sight.
+void smooth(Trails& trails, const Guide& guide, float share = 1);
 
 // Lays what runs along a rib into it: wholly on it, less and less up to `reach` from it, and the more energy passes the
 // more; ends of twigs stay.
-void bed(Trails& trails, const Ribs& ribs, float reach);
+void bed(Trails& trails, const RibGrid& ribs, float reach);
 
-// Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is left.
-// Forks, starts and energies stay.
+// Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is
+// left. Forks, starts and energies stay.
 Trails simplified(const Trails& trails, float tolerance);
 
 }  // namespace panicle::particles

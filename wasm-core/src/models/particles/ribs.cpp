@@ -5,16 +5,20 @@
 
 namespace panicle::particles {
 
+Ribs::Foot Ribs::foot_on(std::size_t at, const glm::vec3& p) const {
+  const glm::vec3 from = places[at], way = places[static_cast<std::size_t>(next[at])] - from;
+  const float square = glm::dot(way, way);
+  const float along = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
+  const glm::vec3 place = from + along * way;
+  return {at, along, place, glm::distance(p, place)};
+}
+
+Ribs::Foot Ribs::at_base(const glm::vec3& p) const { return {0, 0, places[0], glm::distance(p, places[0])}; }
+
 Ribs::Foot Ribs::nearest(const glm::vec3& p) const {
-  Foot best{0, 0, places[0], glm::distance(p, places[0])};
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const glm::vec3 from = places[i], way = places[static_cast<std::size_t>(next[i])] - from;
-    const float square = glm::dot(way, way);
-    const float along = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
-    const glm::vec3 place = from + along * way;
-    const float distance = glm::distance(p, place);
-    if (distance < best.distance) best = {i, along, place, distance};
-  }
+  Foot best = at_base(p);
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (const Foot foot = foot_on(i, p); foot.distance < best.distance) best = foot;
   return best;
 }
 

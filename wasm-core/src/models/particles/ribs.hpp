@@ -1,4 +1,5 @@
-// The ribs that a leaf's veins run to: laid down before, for a midrib and its side veins do not come of particles alone.
+// The ribs that a leaf's veins run to: laid down before, for a midrib and its side veins do not come of particles
+// alone.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,9 @@ struct Ribs {
     glm::vec3 place;
     float distance;  // from who asked
   };
+  // The place nearest to `p` on the piece from place `at`, not 0, to the next; and place 0.
+  Foot foot_on(std::size_t at, const glm::vec3& p) const;
+  Foot at_base(const glm::vec3& p) const;
   // The place nearest to `p`; of equally near ones that of the earliest piece. Of ribs without a piece, place 0.
   Foot nearest(const glm::vec3& p) const;
   // Where one comes to from there by following them so far down; place 0 at the end.

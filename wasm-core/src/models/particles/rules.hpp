@@ -11,8 +11,8 @@ struct Rules {
   float merge = 0;          // r: closer than this, two become one
   float neighbourhood = 0;  // farther neighbours are not seen; 0: none is too far
   float pull = 0.75f;       // w: how much a particle heeds its neighbour; 1 as much as its target
-  bool printed = false;     // every move is as long as the step (section 2.1), not the less the more the two pulls differ
-  float join = 0;           // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
+  bool printed = false;  // every move is as long as the step (section 2.1), not the less the more the two pulls differ
+  float join = 0;        // closer than this to an older trail ahead, a particle ends in it; 0: trails may cross
 };
 
 // Two that make for each other come closer by twice this at each step.

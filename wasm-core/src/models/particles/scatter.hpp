@@ -15,13 +15,13 @@ enum class Pattern : std::uint32_t {
   blue,      // none nearer to another than is told: even, without a lattice's rows
 };
 
-// The spacing of `count` points that fill a region evenly: the root of its area or volume a point, where places count by
-// their density.
+// The spacing of `count` points that fill a region evenly: the root of its area or volume a point, where places count
+// by their density.
 float spacing_of(const Region& region, std::uint32_t count);
 
-// About `count` points inside the region (of the uniform pattern exactly so many, unless the region is empty), as dense as it
-// says. Cells lie about the origin, not about the region, and luck is a place's own: a region that changes a little keeps
-// the points that it still holds, as long as their spacing stays.
+// About `count` points inside the region (of the uniform pattern exactly so many, unless the region is empty), as dense
+// as it says. Cells lie about the origin, not about the region, and luck is a place's own: a region that changes a
+// little keeps the points that it still holds, as long as their spacing stays.
 std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint32_t count, float spacing,
                                std::uint64_t seed);
 

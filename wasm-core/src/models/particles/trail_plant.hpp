@@ -1,5 +1,5 @@
-// Trails as a plant: a segment for each piece of way, its thickness by the energy that passes, and what is known of it in
-// columns. Shared by leaf, tree and root.
+// Trails as a plant: a segment for each piece of way, its thickness by the energy that passes, and what is known of it
+// in columns. Shared by leaf, tree and root.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace panicle::particles {
 
-// How thickness follows energy (section 3 of the paper leaves it open). Where the sum of squares is kept at a fork it is
-// Leonardo's rule, where that of cubes is kept Murray's: a power of 1/2 and of 1/3.
+// How thickness follows energy (section 3 of the paper leaves it open). Where the sum of squares is kept at a fork it
+// is Leonardo's rule, where that of cubes is kept Murray's: a power of 1/2 and of 1/3.
 enum class WidthLaw : std::uint32_t { linear, square_root, power };
 
 struct Girth {
@@ -26,8 +26,8 @@ struct Girth {
 // The radius where so much of `all` passes.
 float radius_of(const Girth& girth, double energy, double all);
 
-// The trails as they stood after so many steps: those left by then, with the energy that had passed. Places that nothing
-// leads on from yet have `next` −1, the target among them: there particles are on their way.
+// The trails as they stood after so many steps: those left by then, with the energy that had passed. Places that
+// nothing leads on from yet have `next` −1, the target among them: there particles are on their way.
 Trails until(const Trails& trails, std::uint32_t step);
 
 // The last step in which anyone moved.
@@ -46,12 +46,12 @@ struct Tally {
   double energy = 0;  // that the particles had together
 };
 
-// Appends the trails of all targets, one tree after the other: segments (parents first; `parent` −1 at a target or where a
-// particle is on its way; `start` is the end nearer the target; tag `tag`), and columns: `segments.energy` (float32),
-// `segments.born` (uint32: the step that left it), `targets.places` (float32 × 3, metres), `targets.energy` (float32: what has
-// arrived). Counts: particles, energy, merges, steps, segments, targets. `all`: for each target what arrives there in the
-// end, which thickness counts by. Gives for each place of each crowd the segment that begins to lead on from it, −1 for
-// none.
+// Appends the trails of all targets, one tree after the other: segments (parents first; `parent` −1 at a target or
+// where a particle is on its way; `start` is the end nearer the target; tag `tag`), and columns: `segments.energy`
+// (float32), `segments.born` (uint32: the step that left it), `targets.places` (float32 × 3, metres), `targets.energy`
+// (float32: what has arrived). Counts: particles, energy, merges, steps, segments, targets. `all`: for each target what
+// arrives there in the end, which thickness counts by. Gives for each place of each crowd the segment that begins to
+// lead on from it, −1 for none.
 std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,
                                                   std::span<const double> all, const Girth& girth, const Frame& frame,
                                                   const Tally& tally, std::uint32_t tag);

@@ -18,24 +18,34 @@ Venation::Venation(const Outline& outline, const Ribs& ribs, float slant, float 
     : Guide(ribs.places[0]),
       outline_(&outline),
       ribs_(&ribs),
+      grid_(ribs, outline.low(), outline.high()),
       slant_(slant),
       ahead_(look_ahead * spacing),
-      waypoints_(outline, ribs.strewn(field_cell * spacing), field_cell * spacing) {}
+      cell_(field_cell * spacing) {}
+
+const Waypoints& Venation::waypoints() const {
+  if (!waypoints_) waypoints_ = std::make_unique<const Waypoints>(*outline_, ribs_->strewn(cell_), cell_);
+  return *waypoints_;
+}
 
 // What of the rib is seen: far below the foot, else less far; round corners by waypoints, which lead to the ribs.
 glm::vec3 Venation::aim(const glm::vec3& p) const {
-  const Ribs::Foot foot = ribs_->nearest(p);
+  const Ribs::Foot foot = grid_.nearest(p);
   for (float below = std::max(slant_ * foot.distance, ahead_); below > least_ahead * ahead_; below *= 0.5f) {
     const glm::vec3 place = ribs_->down(foot, below);
     if (sees(p, place)) return place;
   }
-  return waypoints_.next(p);
+  return waypoints().next(p);
 }
 
-float Venation::way(const glm::vec3& p) const { return waypoints_.way(p) + ribs_->length_below(ribs_->nearest(p)); }
+float Venation::way(const glm::vec3& p) const {
+  const Ribs::Foot foot = grid_.nearest(p);
+  return (sees(p, foot.place) ? foot.distance : waypoints().way(p)) + ribs_->length_below(foot);
+}
 
 bool Venation::sees(const glm::vec3& a, const glm::vec3& b) const {
-  return outline_->holds(a == target() ? a + before_target * (b - a) : a, b == target() ? b + before_target * (a - b) : b);
+  return outline_->holds(a == target() ? a + before_target * (b - a) : a,
+                         b == target() ? b + before_target * (a - b) : b);
 }
 
 }  // namespace panicle::particles

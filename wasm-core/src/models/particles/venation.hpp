@@ -6,30 +6,38 @@
 
 #include "models/particles/guide.hpp"
 #include "models/particles/outline.hpp"
+#include "models/particles/rib_grid.hpp"
 #include "models/particles/ribs.hpp"
 #include "models/particles/waypoints.hpp"
 
 namespace panicle::particles {
 
-// Printed, particles make for the petiole, and no midrib comes of it. Here each makes for the nearest rib, and the nearer the
-// petiole the farther off it is, so that side veins slant; on a rib it follows it. What the edge hides is come to by
-// waypoints. Ribs that are the petiole alone are the printed way, round corners.
+// Printed, particles make for the petiole, and no midrib comes of it. Here each makes for the nearest rib, and the
+// nearer the petiole the farther off it is, so that side veins slant; on a rib it follows it. What the edge hides is
+// come to by waypoints. Ribs that are the petiole alone are the printed way, round corners.
 class Venation final : public Guide {
  public:
-  // `slant`: by how much of its distance from the rib a particle aims below its foot there. `spacing`: of the particles.
-  // Outline and ribs must outlive it.
+  // `slant`: by how much of its distance from the rib a particle aims below its foot there. `spacing`: of the
+  // particles. Outline and ribs must outlive it.
   Venation(const Outline& outline, const Ribs& ribs, float slant, float spacing);
 
   glm::vec3 aim(const glm::vec3& p) const override;
   float way(const glm::vec3& p) const override;
   bool open(const glm::vec3& p) const override { return outline_->contains(p); }
+  float room(const glm::vec3& p) const override { return outline_->clearance(p); }
   bool sees(const glm::vec3& a, const glm::vec3& b) const override;
+
+  // The ribs, for whoever would lay trails into them.
+  const RibGrid& ribs() const { return grid_; }
 
  private:
   const Outline* outline_;
   const Ribs* ribs_;
-  float slant_, ahead_;
-  Waypoints waypoints_;
+  RibGrid grid_;
+  const Waypoints& waypoints() const;
+
+  float slant_, ahead_, cell_;
+  mutable std::unique_ptr<const Waypoints> waypoints_;  // made when the first particle is hidden from what it aims at
 };
 
 }  // namespace panicle::particles

@@ -1,4 +1,5 @@
-// Ways through an outline that bends: from anywhere inside to the nearest of some goals, by corners, never across the edge.
+// Ways through an outline that bends: from anywhere inside to the nearest of some goals, by corners, never across the
+// edge.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@ class Waypoints {
   // `outline` must outlive it. `cell`: the grid's width; wider where more than 128 would lie along an edge of the box.
   Waypoints(const Outline& outline, std::vector<glm::vec3> goals, float cell);
 
-  // What is seen from `p` on the shortest way known to a goal: the goal, or a corner to turn at. Outside, the nearest cell
-  // inside.
+  // What is seen from `p` on the shortest way known to a goal: the goal, or a corner to turn at. Outside, the nearest
+  // cell inside.
   glm::vec3 next(const glm::vec3& p) const;
   // The length of that way.
   float way(const glm::vec3& p) const;

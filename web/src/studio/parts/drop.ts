@@ -32,8 +32,9 @@ export class Drop extends StudioPart {
 
 	readonly #over = (event: DragEvent): void => {
 		if (!event.dataTransfer?.types.includes("Files")) return;
+		// Where a part of the page takes what is over it, this one does not.
+		this.#hover(!event.defaultPrevented);
 		event.preventDefault();
-		this.#hover(true);
 	};
 
 	readonly #leave = (event: DragEvent): void => {

@@ -74,10 +74,22 @@ describe("the outline in the document", () => {
 		]);
 	});
 
+	it("refuses what crosses itself", () => {
+		const bow = [
+			[0, 0],
+			[0.4, 0.8],
+			[-0.1, 1],
+			[0.5, 0.2],
+		];
+		expect(texts(restore(LEAF, { model: "leaf", outline: bow }))).toEqual([
+			"outline: it encloses nothing or crosses itself; the preset's is used.",
+		]);
+	});
+
 	it("refuses what encloses nothing, and takes no more points than there may be", () => {
 		const line = [0, 0.2, 0.4, 0.6].map((y) => ({ x: 0, y }));
-		expect(texts(restore(LEAF, { model: "leaf", outline: line }))[0]).toContain("enclose nothing");
-		const many = Array.from({ length: 99 }, (_, i) => ({ x: Math.sin(i / 16) / 2, y: 0.5 - Math.cos(i / 16) / 2 }));
+		expect(texts(restore(LEAF, { model: "leaf", outline: line }))[0]).toContain("encloses nothing");
+		const many = Array.from({ length: 99 }, (_, i) => ({ x: Math.sin(i / 16) / 2, y: (1 - Math.cos(i / 16)) / 2 }));
 		const read = restore(LEAF, { model: "leaf", outline: many });
 		expect(read.specimen.outline).toHaveLength(64);
 		expect(texts(read)[0]).toContain("more than 64 points");

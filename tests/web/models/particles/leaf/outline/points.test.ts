@@ -18,8 +18,13 @@ import {
 	removePoint,
 	turnKind,
 } from "../../../../../../web/src/models/particles/leaf/outline/points";
-import { curveOf, nearestSpan, spansOf } from "../../../../../../web/src/models/particles/leaf/outline/spline";
-import { leafFromPreset } from "../../../../../../web/src/models/particles/leaf/species";
+import {
+	curveOf,
+	enclosesBlade,
+	nearestSpan,
+	spansOf,
+} from "../../../../../../web/src/models/particles/leaf/outline/spline";
+import { LEAF, leafFromPreset } from "../../../../../../web/src/models/particles/leaf/species";
 
 const { outline: oak } = leafFromPreset("oak");
 const [SAME, ALONE] = [{ mirror: true }, { mirror: false }];
@@ -151,6 +156,12 @@ describe("the curve", () => {
 		};
 		expect(turn(1)).toBeCloseTo(0);
 		expect(turn(2)).toBeGreaterThan(0.5);
+	});
+
+	it("encloses a blade in every preset, but not where a point is taken past the other side", () => {
+		for (const { name } of LEAF.presets.list) expect(enclosesBlade(leafFromPreset(name).outline)).toBe(true);
+		expect(enclosesBlade(movePoint(kite, 1, { x: -0.5, y: 0.4 }, ALONE))).toBe(false);
+		expect(enclosesBlade(movePoint(oak, 10, { x: -0.4, y: 0.4 }, ALONE))).toBe(false);
 	});
 
 	it("tells which span a place is nearest to", () => {

@@ -4,6 +4,7 @@ import { isRecord, readNumber } from "../../../../specimen/read_values";
 import type { Detail } from "../../../../specimen/species";
 import { packOutline, unpackOutline } from "../outline/packed";
 import { doubleArea, FEWEST_POINTS, KINDS, type Kind, MOST_POINTS, type OutlinePoint, placed } from "../outline/points";
+import { enclosesBlade } from "../outline/spline";
 import type { LeafSpecimen } from "../specimen";
 
 const KEY = "outline";
@@ -60,13 +61,8 @@ function fitted(key: string, given: readonly OutlinePoint[], notes: Notes): Outl
 		notes.add(key, "the first point is not at the petiole, 0, 0", "it is taken there");
 		points[0] = { ...points[0], x: 0, y: 0 };
 	}
-	const area = doubleArea(points);
-	if (Math.abs(area) < LEAST_AREA) {
-		notes.add(key, "its points enclose nothing", BEFORE);
-		return undefined;
-	}
-	return area > 0 ? points : [points[0], ...points.slice(1).reverse()];
+	const round = doubleArea(points) > 0 ? points : [points[0], ...points.slice(1).reverse()];
+	if (enclosesBlade(round)) return round;
+	notes.add(key, "it encloses nothing or crosses itself", BEFORE);
+	return undefined;
 }
-
-/** Twice the area of the least blade, in lengths of the leaf squared. */
-const LEAST_AREA = 0.004;

@@ -1,8 +1,9 @@
 /**
- * The curve that an outline's points mean, as the core draws it (wasm-core/src/models/particles/leaf): a closed centripetal Catmull–Rom spline
- * (Yuksel, Schaefer and Keyser 2011), broken at corners and pointed tips.
+ * The curve that an outline's points mean, as the core has it (wasm-core/src/models/particles/leaf/margin.hpp): a closed
+ * centripetal Catmull–Rom spline (Yuksel, Schaefer and Keyser 2011), which at corners and pointed tips goes on as if its other
+ * neighbour were mirrored in them.
  */
-import type { OutlinePoint, OutlinePoints, Place } from "./points";
+import { doubleArea, type OutlinePoint, type OutlinePoints, type Place } from "./points";
 
 /** A cubic from one point to the next. */
 export interface Span {
@@ -20,14 +21,9 @@ export function spansOf(points: OutlinePoints): Span[] {
 	return points.map((from, index) => {
 		const at = (offset: number) => points[(index + offset + length) % length];
 		const to = at(1);
-		const first = isSharp(from) ? undefined : handle(at(-1), from, to);
-		const second = isSharp(to) ? undefined : handle(at(2), to, from);
-		return {
-			from,
-			first: first ?? between(from, second ?? to, second ? 1 / 2 : 1 / 3),
-			second: second ?? between(to, first ?? from, first ? 1 / 2 : 1 / 3),
-			to,
-		};
+		const first = isSharp(from) ? between(from, to, 1 / 3) : handle(at(-1), from, to);
+		const second = isSharp(to) ? between(to, from, 1 / 3) : handle(at(2), to, from);
+		return { from, first, second, to };
 	});
 }
 
@@ -66,6 +62,36 @@ function handle(before: Place, at: Place, to: Place): Place {
 		(back * back * to[axis] - on * on * before[axis] + (2 * back * back + 3 * back * on + on * on) * at[axis]) /
 		(3 * back * (back + on));
 	return { x: along("x"), y: along("y") };
+}
+
+/** Twice the area of the least blade, in lengths of the leaf squared. */
+const LEAST_AREA = 0.004;
+
+/** Whether points enclose a blade: counter-clockwise, of some area, without crossing each other's way. */
+export function enclosesBlade(points: OutlinePoints): boolean {
+	const curve = curveOf(points);
+	return doubleArea(curve) > LEAST_AREA && !crossesItself(curve);
+}
+
+/** Whether a closed polygon crosses or touches itself. */
+function crossesItself(polygon: readonly Place[]): boolean {
+	const { length } = polygon;
+	for (let i = 0; i < length; i++) {
+		const [a, b] = [polygon[i], polygon[(i + 1) % length]];
+		const [left, right] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
+		// The last edge is the first one's neighbour.
+		for (let j = i + 2; j < (i === 0 ? length - 1 : length); j++) {
+			const [c, d] = [polygon[j], polygon[(j + 1) % length]];
+			if ((c.x < left && d.x < left) || (c.x > right && d.x > right)) continue;
+			if (side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0) return true;
+		}
+	}
+	return false;
+}
+
+/** On which side of the way from one place to another a third one lies. */
+function side(from: Place, to: Place, { x, y }: Place): number {
+	return (to.x - from.x) * (y - from.y) - (to.y - from.y) * (x - from.x);
 }
 
 function between(from: Place, to: Place, share: number): Place {

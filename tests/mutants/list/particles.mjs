@@ -1,0 +1,79 @@
+/** Leaf, tree and root: the system of particles that they share. */
+const SRC = "wasm-core/src/models/particles";
+const TESTS = "tests/core/models/particles";
+
+export default [
+	{
+		file: `${SRC}/crowd.cpp`,
+		suites: [`${TESTS}/crowd_test.cpp`],
+		faults: [
+			{
+				id: "crowd-energy-lost-in-meeting",
+				find: "energies_[heavy] += energies_[light];",
+				replace: "",
+				breaks: "energy is lost wherever two meet",
+			},
+			{
+				id: "crowd-light-goes-on",
+				find: "const bool second = energies_[pair.b] > energies_[pair.a];",
+				replace: "const bool second = energies_[pair.b] < energies_[pair.a];",
+				breaks: "the lighter of two goes on, and trails jump to it",
+			},
+			{
+				id: "crowd-joins-its-own",
+				find: "|| heir(node.particle) == self ||",
+				replace: "||",
+				breaks: "a particle ends in its own trail, and its energy never arrives",
+				hangs: true,
+			},
+			{
+				id: "crowd-joined-at-home-lost",
+				find: "arrived_ += energies_[slot];\n    else",
+				replace: "arrived_ += 0;\n    else",
+				breaks: "energy that joins a trail already home is lost",
+			},
+			{
+				id: "crowd-without-patience",
+				find: "const bool alone = steps_ > patience_ || count < 2;",
+				replace: "const bool alone = count < 2;",
+				breaks: "bends hold two in a circle for ever",
+			},
+			{
+				id: "crowd-out-of-the-shape",
+				find: "if (!open_between(slot, place + strides_[slot])) strides_[slot] = rules_.step * ahead;",
+				replace: "",
+				breaks: "trails leave the outline",
+			},
+			{
+				id: "crowd-printed-rule-damped",
+				find: "rules_.printed ? towards(glm::vec3(0), aside + ahead)",
+				replace: "rules_.printed ? (aside + ahead) * 0.5f",
+				breaks: "the printed rule is not the printed one",
+			},
+		],
+	},
+	{
+		file: `${SRC}/trail_plant.cpp`,
+		suites: [`${TESTS}/trail_plant_test.cpp`],
+		faults: [
+			{
+				id: "trails-as-thin-as-the-lightest",
+				find: "most = std::max(most, trails.energy[i]);",
+				replace: "most = most > 0 ? std::min(most, trails.energy[i]) : trails.energy[i];",
+				breaks: "branches are pinched at every fork",
+			},
+			{
+				id: "trails-square-root-is-linear",
+				find: "? std::sqrt(share)",
+				replace: "? share",
+				breaks: "Leonardo's rule does not hold",
+			},
+			{
+				id: "trails-young-without-fronts",
+				find: "kept[static_cast<std::size_t>(trails.next[i])] = 1;",
+				replace: "kept[static_cast<std::size_t>(trails.next[i])] |= left[static_cast<std::size_t>(trails.next[i])];",
+				breaks: "while they run, the last piece of each trail hangs on nothing",
+			},
+		],
+	},
+];

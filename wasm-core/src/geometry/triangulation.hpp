@@ -1,0 +1,22 @@
+// A polygon and points inside it as triangles: the constrained Delaunay triangulation, by insertion and flips (Lawson 1977;
+// edges of the polygon by Sloan 1993, "A fast algorithm for generating constrained Delaunay triangulations").
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+namespace panicle {
+
+// What divides the lattice that places are taken to lie on: with it all decisions are exact.
+inline constexpr float triangulation_lattice = 1048576;  // 2²⁰
+
+// Triangles, counter-clockwise, three indices each, that fill the polygon of the first `ring` points exactly; the others are
+// corners too where they lie inside it. Those that lie outside or on its edges, or where another is, are left out.
+// `points`: within ±8, on the lattice or rounded to it. The polygon runs counter-clockwise and neither crosses nor touches itself;
+// of one that does nothing comes back.
+std::vector<std::uint32_t> triangulate(std::span<const glm::vec2> points, std::size_t ring);
+
+}  // namespace panicle

@@ -1,0 +1,122 @@
+#include "models/particles/leaf/blade.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "geometry/triangulation.hpp"
+#include "models/particles/leaf/blade_points.hpp"
+
+namespace panicle::particles::leaf {
+namespace {
+
+constexpr float groove = 0.4f;       // depth above, of the ridge's height below
+constexpr float thin_margin = 0.5f;  // of the blade's thickness
+
+void put_at(std::vector<float>& values, const glm::vec3& v) { values.insert(values.end(), {v.x, v.y, v.z}); }
+
+glm::vec3 vector_at(const std::vector<float>& values, std::size_t row) {
+  return {values[3 * row], values[3 * row + 1], values[3 * row + 2]};
+}
+
+// Means over the triangles about each vertex, by their areas.
+void add_normals(Mesh& mesh, std::size_t vertices, std::size_t indices) {
+  std::vector<glm::vec3> sums(vertices, glm::vec3(0));
+  for (std::size_t k = 0; k < indices; k += 3) {
+    const std::size_t a = mesh.indices[k], b = mesh.indices[k + 1], c = mesh.indices[k + 2];
+    const glm::vec3 origin = vector_at(mesh.positions, a);
+    const glm::vec3 twice = glm::cross(vector_at(mesh.positions, b) - origin, vector_at(mesh.positions, c) - origin);
+    for (const std::size_t i : {a, b, c}) sums[i] += twice;
+  }
+  for (const glm::vec3& sum : sums) {
+    const float length = glm::length(sum);
+    put_at(mesh.normals, length > 0 ? sum / length : glm::vec3(0, 0, 1));
+  }
+}
+
+// Walls from the upper to the lower ring, with corners of their own.
+void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
+  const auto first = static_cast<std::uint32_t>(lower.positions.size() / 3);
+  const auto count = static_cast<std::uint32_t>(ring);
+  for (std::size_t i = 0; i < ring; ++i) {
+    const glm::vec3 top = vector_at(upper.positions, i), bottom = vector_at(lower.positions, i);
+    const glm::vec3 along = vector_at(upper.positions, (i + 1) % ring) - vector_at(upper.positions, (i + ring - 1) % ring);
+    const glm::vec3 outward = glm::cross(along, top - bottom);
+    const float length = glm::length(outward);
+    for (const glm::vec3& place : {top, bottom}) {
+      put_at(lower.positions, place);
+      put_at(lower.normals, length > 0 ? outward / length : glm::vec3(0, 0, 1));
+      lower.uvs.insert(lower.uvs.end(), {upper.uvs[2 * i], upper.uvs[2 * i + 1]});
+    }
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t top = first + 2 * i, next = first + 2 * ((i + 1) % count);
+    lower.indices.insert(lower.indices.end(), {top, top + 1, next, next, top + 1, next + 1});
+  }
+}
+
+}  // namespace
+
+ChartSquare chart_square(const Outline& outline) {
+  const glm::vec3 size = outline.high() - outline.low();
+  const float side = std::max(size.x, size.y);
+  const glm::vec3 middle = 0.5f * (outline.low() + outline.high());
+  return {{middle.x - 0.5f * side, middle.y - 0.5f * side}, side};
+}
+
+std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins,
+                                  const Bending& bending, const BladeForm& form) {
+  const BladePoints laid = lay_points(margin, outline, veins, form.detail);
+  const std::vector<std::uint32_t> triangles = triangulate(laid.points, laid.ring);
+  if (triangles.empty()) return {};
+  // Points that no triangle uses are left out; the ring is all used, so that it stays first.
+  std::vector<std::int32_t> number(laid.points.size(), -1);
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t i = 0; i < laid.ring; ++i) {
+    number[i] = static_cast<std::int32_t>(i);
+    used.push_back(i);
+  }
+  for (const std::uint32_t i : triangles)
+    if (number[i] < 0) {
+      number[i] = static_cast<std::int32_t>(used.size());
+      used.push_back(i);
+    }
+  const ChartSquare square = chart_square(outline);
+  Mesh upper, lower;
+  std::vector<float> vein, edge;
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    const std::uint32_t i = used[k];
+    const glm::vec2 p = laid.points[i];
+    const glm::vec3 middle = bending(p), normal = bending.normal(p);
+    const float half = 0.5f * form.thickness * (k < laid.ring ? thin_margin : 1.0f);
+    const float ridge = k < laid.ring ? 0 : form.relief * bending.scale * laid.rise[i];
+    put_at(upper.positions, middle + (half - std::min(groove * ridge, half)) * normal);
+    put_at(lower.positions, middle - (half + ridge) * normal);
+    upper.uvs.insert(upper.uvs.end(), {(p.x - square.low.x) / square.size, (p.y - square.low.y) / square.size});
+    vein.push_back(laid.vein[i]);
+    edge.push_back(k < laid.ring ? 0 : outline.about_distance({p.x, p.y, 0}));
+  }
+  lower.uvs = upper.uvs;
+  for (std::size_t k = 0; k < triangles.size(); k += 3) {
+    const auto corner = [&](std::size_t at) { return static_cast<std::uint32_t>(number[triangles[k + at]]); };
+    upper.indices.insert(upper.indices.end(), {corner(0), corner(1), corner(2)});
+    lower.indices.insert(lower.indices.end(), {corner(0), corner(2), corner(1)});
+  }
+  add_normals(upper, used.size(), upper.indices.size());
+  add_normals(lower, used.size(), lower.indices.size());
+  add_rim(lower, upper, laid.ring);
+  std::vector<float> vein_below = vein, edge_below = edge;
+  vein_below.resize(lower.positions.size() / 3, 0);
+  edge_below.resize(lower.positions.size() / 3, 0);
+  std::vector<PlantMesh> faces;
+  faces.push_back({"upper", "blade", std::move(upper), {}, {}});
+  faces.back().columns.add("vein", std::move(vein));
+  faces.back().columns.add("edge", std::move(edge));
+  faces.push_back({"lower", "blade", std::move(lower), {}, {}});
+  faces.back().columns.add("vein", std::move(vein_below));
+  faces.back().columns.add("edge", std::move(edge_below));
+  return faces;
+}
+
+}  // namespace panicle::particles::leaf

@@ -1,0 +1,22 @@
+// Where the blade's mesh has its corners: on the margin, on veins, and on a lattice between.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "models/particles/leaf/blade.hpp"
+
+namespace panicle::particles::leaf {
+
+struct BladePoints {
+  std::vector<glm::vec2> points;  // the ring first, counter-clockwise
+  std::size_t ring = 0;
+  std::vector<float> vein;  // of each point: 1 on a vein's axis, 0 beside
+  std::vector<float> rise;  // of each point: radius of that vein, times `vein`; leaf lengths
+};
+
+BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins, float detail);
+
+}  // namespace panicle::particles::leaf

@@ -1,0 +1,66 @@
+// The margin of a leaf: a spline through control points, cut by teeth.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "foundation/result.hpp"
+
+namespace panicle::particles::leaf {
+
+enum class PointKind : std::uint32_t { smooth, corner, round_tip, pointed_tip };
+
+inline bool tip_kind(PointKind kind) { return kind >= PointKind::round_tip; }
+
+// Lengths in leaf lengths: the petiole joins at the origin, the tip is about (0, 1).
+struct ControlPoint {
+  glm::vec2 place{0};
+  PointKind kind = PointKind::smooth;
+};
+
+// An ovate leaf.
+std::vector<ControlPoint> default_outline();
+
+// The block `outline`: rows of x, y, kind. Empty: the default. Errors: bad_input, which says which row and what to do, where it
+// is not rows of three, or too few or too many, or not numbers, or too far off, or without any area. A kind that is none is a
+// smooth point, with a note.
+Result<std::vector<ControlPoint>> read_outline(std::span<const float> rows, std::vector<std::string>& notes);
+
+// A closed polygon, counter-clockwise from the base. Its corners lie on a lattice of 2⁻²⁰, so that sums of their products are exact
+// in whole numbers.
+struct Margin {
+  std::vector<glm::vec2> points;
+  std::vector<std::size_t> controls;  // of each control point, where among the points it is
+  std::vector<std::size_t> tips;      // the lobe tips among the points, the leaf's own included, in their order
+  std::size_t tip = 0;                // the leaf's own: the highest lobe tip; without one the highest point
+};
+
+// The centripetal Catmull-Rom spline (Yuksel et al. 2011, "Parameterization and applications of Catmull-Rom curves") through the
+// points, a cubic from each to the next. At a corner and a pointed tip it breaks: the cubic's control there is halfway to its other one,
+// or a third of the way to the next point where that is sharp too.
+// Errors: bad_input, which names the control points, where it crosses itself.
+Result<Margin> spline(std::span<const ControlPoint> points);
+
+enum class ToothShape : std::uint32_t { dentate, serrate, crenate, double_serrate };
+
+struct Teeth {
+  std::uint32_t count = 0;  // on each side, from base to tip
+  float depth = 0.35f;      // over their width
+  ToothShape shape = ToothShape::serrate;
+};
+
+// Cuts teeth out of a margin: their points stay on it, between them it is cut in. They are shared out by length over the stretches
+// between lobe tips and the sinuses between those, lean towards the tip of their stretch, and are lower towards tips and base.
+// Teeth that would make it cross itself are cut less deep, with a note.
+Margin toothed(const Margin& margin, const Teeth& teeth, std::vector<std::string>& notes);
+
+// The first pair of edges that cross or touch, other than neighbours; both the same where there are none.
+struct EdgePair {
+  std::size_t first = 0, second = 0;
+};
+EdgePair crossing(std::span<const glm::vec2> points);
+
+}  // namespace panicle::particles::leaf

@@ -1,0 +1,116 @@
+#include "models/particles/leaf/veins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "models/particles/crowd.hpp"
+#include "models/particles/leaf/rib_plan.hpp"
+#include "models/particles/polish.hpp"
+#include "models/particles/scatter.hpp"
+#include "models/particles/venation.hpp"
+
+namespace panicle::particles::leaf {
+namespace {
+
+constexpr std::uint32_t draft_particles = 700;
+// In spacings: how near a rib trails are laid into it, and how far places may be from what is left of them.
+constexpr float bedded = 1.5f, bedded_again = 1.2f, simplified_within = 0.05f;
+constexpr float smoothed_again = 0.25f;  // so much of smoothing takes off the corners where side veins come in
+constexpr float on_margin = 1e-3f;
+
+// Where the petiole joins: the origin, or the margin's nearest place where that is outside.
+glm::vec3 base_of(const Outline& outline, std::vector<std::string>& notes) {
+  if (outline.contains({0, 0, 0}) || outline.distance({0, 0, 0}) <= on_margin) return {0, 0, 0};
+  glm::vec2 nearest = outline.points()[0];
+  for (const glm::vec2& p : outline.points())
+    if (glm::length(p) < glm::length(nearest)) nearest = p;
+  notes.push_back("The petiole's place, 0, 0, is outside the outline: it joins at the margin's nearest place.");
+  return {nearest.x, nearest.y, 0};
+}
+
+RibPlan plan_of(const Values& values) {
+  using enum Parameter;
+  return {.kind = static_cast<RibKind>(values.whole(ribs)),
+          .secondaries = values.whole(secondaries),
+          .angle = values[angle],
+          .spacing = values[spacing],
+          .offset = values[offset],
+          .arch = values[arch]};
+}
+
+Rules rules_of(const Values& values, float apart) {
+  using enum Parameter;
+  return {.step = values[step] * apart,
+          .merge = values[merge] * apart,
+          .neighbourhood = values[neighbourhood] * apart,
+          .pull = values[pull],
+          .printed = values[rule] == 1,
+          .join = values[join] * apart};
+}
+
+// Each start to the ribs nearest to it; of equally near ones the first.
+std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& starts, const std::vector<Ribs>& ribs) {
+  std::vector<std::vector<glm::vec3>> shares(ribs.size());
+  for (const glm::vec3& start : starts) {
+    std::size_t best = 0;
+    float least = ribs[0].nearest(start).distance;
+    for (std::size_t k = 1; k < ribs.size(); ++k)
+      if (const float distance = ribs[k].nearest(start).distance; distance < least) {
+        best = k;
+        least = distance;
+      }
+    shares[best].push_back(start);
+  }
+  return shares;
+}
+
+}  // namespace
+
+Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
+  using enum Parameter;
+  const Values& values = asked.values;
+  auto spanned = spline(asked.outline);
+  if (!spanned) return spanned.error();
+  Margin margin = toothed(spanned.value(),
+                          {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))},
+                          notes);
+  Outline outline(margin.points);
+  Veins veins{.margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}};
+  std::uint32_t count = values.whole(particles);
+  if (asked.draft) count = std::min(count, draft_particles);
+  veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));
+  const Rules rules = rules_of(values, veins.spacing);
+  veins.stride = rules.step;
+  const glm::vec3 base = base_of(veins.outline, notes);
+  const std::vector<Ribs> trees = lay_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
+  const auto starts = scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
+  if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
+
+  const auto shares = shared_out(starts, trees);
+  const double all = static_cast<double>(values[energy]) * static_cast<double>(starts.size());
+  for (std::size_t k = 0; k < trees.size(); ++k) {
+    const Venation guide(veins.outline, trees[k], values[slant], veins.spacing);
+    Crowd crowd(shares[k], static_cast<double>(values[energy]), guide, rules);
+    crowd.run();
+    Trails trails = crowd.trails();
+    if (values[smoothing] > 0) {
+      const float share = values[smoothing];
+      bed(trails, guide.ribs(), share * bedded * veins.spacing);
+      smooth(trails, guide, share);
+      bed(trails, guide.ribs(), share * bedded_again * veins.spacing);
+      smooth(trails, guide, share * smoothed_again);
+      trails = simplified(trails, share * simplified_within * veins.spacing);
+    }
+    veins.tally.particles += static_cast<std::uint32_t>(shares[k].size());
+    veins.tally.merges += crowd.merges();
+    veins.tally.steps = std::max(veins.tally.steps, crowd.steps());
+    veins.tally.energy += crowd.arrived();
+    veins.crowds.push_back(std::move(trails));
+    veins.all.push_back(all);
+  }
+  return veins;
+}
+
+}  // namespace panicle::particles::leaf

@@ -1,0 +1,28 @@
+// A leaf's veins in its flat chart: particles run from all over the blade to the ribs and down those to the petiole.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "foundation/result.hpp"
+#include "models/particles/leaf/request.hpp"
+#include "models/particles/outline.hpp"
+#include "models/particles/trail_plant.hpp"
+#include "models/particles/trails.hpp"
+
+namespace panicle::particles::leaf {
+
+struct Veins {
+  Margin margin;
+  Outline outline;
+  std::vector<Trails> crowds;  // one for each target, polished, once all have arrived; leaf lengths
+  std::vector<double> all;     // for each: the energy that thickness counts by, that of the whole leaf
+  Tally tally;
+  float spacing = 0;  // of the particles
+  float stride = 0;   // of a particle
+};
+
+// Errors: those of `spline`.
+Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes);
+
+}  // namespace panicle::particles::leaf

@@ -1,0 +1,35 @@
+// The nearest place on ribs, for many who ask.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "models/particles/ribs.hpp"
+
+namespace panicle::particles {
+
+// A grid over a box: each cell knows the pieces of which one must be the nearest to whatever is in it.
+class RibGrid {
+ public:
+  // `ribs` must outlive it. The box lies in the plane z = 0.
+  RibGrid(const Ribs& ribs, const glm::vec3& low, const glm::vec3& high);
+
+  // The same as `ribs.nearest(p)`, of places with z = 0.
+  Ribs::Foot nearest(const glm::vec3& p) const;
+
+  // Ribs as lines: at each place the first that leads there goes on the line, the others begin lines of their own. The line of the
+  // piece from place `at`; 0 is that which begins at place 0.
+  std::uint32_t line_of(std::size_t at) const { return line_[at]; }
+  // The nearest place on one line.
+  Ribs::Foot nearest_on(std::uint32_t line, const glm::vec3& p) const;
+
+ private:
+  const Ribs* ribs_;
+  glm::vec3 low_, cell_;
+  std::vector<std::uint32_t> first_, pieces_;  // by cell; in ascending order
+  std::vector<std::uint32_t> line_;            // by place
+  std::vector<std::vector<std::uint32_t>> lines_;
+};
+
+}  // namespace panicle::particles

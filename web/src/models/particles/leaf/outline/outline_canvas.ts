@@ -1,0 +1,118 @@
+/** The flat leaf on a canvas under the handles: its margin, and the veins of the last growth as wide as they are. */
+import { bundled } from "./bundles";
+import { inView, type OutlineFrame, STUB } from "./outline_frame";
+import type { Place } from "./points";
+
+/** Veins in the flat chart. */
+export interface FlatVeins {
+	/** 4 × count: start x y, end x y, in lengths of the leaf. */
+	ends: Float32Array;
+	/** count: their width, in lengths of the leaf. */
+	widths: Float32Array;
+	/** 2 × count: the margin with its teeth, in lengths of the leaf; empty where there is none. */
+	margin: Float32Array;
+}
+
+export interface OutlineScene {
+	curve: readonly Place[];
+	veins: FlatVeins | undefined;
+	frame: OutlineFrame;
+	/** Pixels of the screen to a CSS pixel. */
+	ratio: number;
+	/** Any CSS colour. */
+	ink: string;
+}
+
+/** The part of a canvas's context that is drawn with. */
+export type Pen = Pick<
+	CanvasRenderingContext2D,
+	| "setTransform"
+	| "beginPath"
+	| "moveTo"
+	| "lineTo"
+	| "closePath"
+	| "stroke"
+	| "fill"
+	| "lineWidth"
+	| "lineCap"
+	| "lineJoin"
+	| "strokeStyle"
+	| "fillStyle"
+	| "globalAlpha"
+>;
+
+/** Widths, in CSS pixels: of lines, and the least of a vein. */
+const LINE = 1.1;
+const FINEST = 0.5;
+const BUNDLES = 8;
+const BLADE = 0.07;
+const GROWN = 0.45;
+const VEIN = 0.7;
+
+/** Draws the scene on a canvas of its own size. */
+export function showOutline(canvas: HTMLCanvasElement, scene: Omit<OutlineScene, "ratio" | "ink">): void {
+	const { width, height } = scene.frame;
+	const ratio = devicePixelRatio;
+	// Whoever sizes a canvas wipes it.
+	canvas.width = Math.round(width * ratio);
+	canvas.height = Math.round(height * ratio);
+	const pen = canvas.getContext("2d");
+	if (pen) inkOutline(pen, { ...scene, ratio, ink: getComputedStyle(canvas).color });
+}
+
+export function inkOutline(pen: Pen, { curve, veins, frame, ratio, ink }: OutlineScene): void {
+	pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+	pen.strokeStyle = ink;
+	pen.fillStyle = ink;
+	pen.lineCap = "round";
+	pen.lineJoin = "round";
+	trace(pen, frame, curve);
+	pen.globalAlpha = BLADE;
+	pen.fill();
+	if (veins) inkVeins(pen, veins, frame);
+	pen.globalAlpha = 1;
+	pen.lineWidth = LINE;
+	trace(pen, frame, curve);
+	pen.stroke();
+	pen.beginPath();
+	const [from, to] = [inView(frame, { x: 0, y: 0 }), inView(frame, { x: 0, y: -STUB })];
+	pen.moveTo(from.x, from.y);
+	pen.lineTo(to.x, to.y);
+	pen.stroke();
+}
+
+function trace(pen: Pen, frame: OutlineFrame, curve: readonly Place[]): void {
+	pen.beginPath();
+	curve.forEach((place, index) => {
+		const { x, y } = inView(frame, place);
+		if (index === 0) pen.moveTo(x, y);
+		else pen.lineTo(x, y);
+	});
+	pen.closePath();
+}
+
+function inkVeins(pen: Pen, { ends, widths, margin }: FlatVeins, frame: OutlineFrame): void {
+	if (margin.length > 0) {
+		const places = Array.from({ length: margin.length / 2 }, (_, i) => ({ x: margin[2 * i], y: margin[2 * i + 1] }));
+		trace(pen, frame, places);
+		pen.globalAlpha = GROWN;
+		pen.lineWidth = 0.8;
+		pen.stroke();
+	}
+	for (const members of bundled(widths, BUNDLES)) {
+		pen.beginPath();
+		let total = 0;
+		for (const index of members) {
+			const from = inView(frame, { x: ends[4 * index], y: ends[4 * index + 1] });
+			const to = inView(frame, { x: ends[4 * index + 2], y: ends[4 * index + 3] });
+			pen.moveTo(from.x, from.y);
+			pen.lineTo(to.x, to.y);
+			total += widths[index];
+		}
+		const width = (total / members.length) * frame.scale;
+		pen.lineWidth = Math.max(FINEST, width);
+		// What is finer than a line can be is paler in its place.
+		pen.globalAlpha = VEIN * Math.sqrt(Math.min(1, width / FINEST));
+		pen.stroke();
+	}
+}

@@ -1,0 +1,40 @@
+/** What a leaf is made of. */
+import { type Colour, linear, mix } from "../../../../plant/colour";
+import type { Material } from "../../../../plant/material";
+import type { LeafSpecimen } from "../specimen";
+
+type Look = LeafSpecimen["look"];
+
+/** Light through a blade is yellower than it: how much of each colour comes through, at the most. */
+const THROUGH: Colour = [1, 1.05, 0.5];
+/** The most light that files let pass. */
+const MOST_PASSING = 0.25;
+const EVERYWHERE: Colour = [1, 1, 1];
+
+/** A face of the blade. Both together are closed, and thin: light comes through from the other one. */
+export function bladeMaterial({ glow, gloss }: Look, name: string, hex: string): Material {
+	const shine = name.includes("lower") ? 0.3 * (gloss as number) : (gloss as number);
+	return {
+		name,
+		colour: linear(hex),
+		roughness: mix(0.78, 0.3, shine),
+		specular: mix(0.3, 1, shine),
+		sheet: { through: THROUGH.map((value) => value * (glow as number)) as Colour, reverse: EVERYWHERE },
+	};
+}
+
+/** The same for files, which tell light that passes by the flesh it passes. */
+export function fleshOf({ green, glow }: Look, thickness: number): Pick<Material, "flesh"> {
+	const share = MOST_PASSING * (glow as number);
+	if (share <= 0) return {};
+	const colour = linear(green as string).map((value) => Math.min(1, 0.25 + 2.5 * value)) as Colour;
+	return { flesh: { factor: share, thickness, colour, distance: thickness } };
+}
+
+export function petioleMaterial({ stalk }: Look): Material {
+	return { name: "Petiole", colour: linear(stalk as string), roughness: 0.7 };
+}
+
+export function particleMaterial(colour: Colour): Material {
+	return { name: "Particle", colour, roughness: 0.5 };
+}

@@ -1,0 +1,21 @@
+import type { Answer } from "../../../core/core";
+import { readTrailPlant } from "../trails";
+import type { Leaf } from "./grown";
+
+/** Columns of an answer → leaf (wasm-core/src/models/particles/leaf/model.hpp). */
+export function readLeaf(answer: Answer): Leaf {
+	const { columns } = answer;
+	const plant = readTrailPlant(answer);
+	const faces = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.vein`));
+	return {
+		...plant,
+		chart: columns.floats("segments.chart"),
+		margin: columns.floats("margin"),
+		faces: Object.fromEntries(
+			faces.map(({ name }) => [
+				name,
+				{ vein: columns.floats(`mesh.${name}.vein`), edge: columns.floats(`mesh.${name}.edge`) },
+			]),
+		),
+	};
+}

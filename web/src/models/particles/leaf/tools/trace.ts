@@ -1,0 +1,68 @@
+import { html } from "lit";
+import type { LeafDesk, LeafTool } from "./desk";
+
+/** An outline from a picture: chosen in the panel, or dropped on the flat view. */
+export const trace: LeafTool = {
+	name: "trace",
+	initial: undefined,
+	panel: { group: "shape", place: "below", draw },
+};
+
+const PICTURES = "image/png,image/jpeg,image/webp";
+
+function draw(desk: LeafDesk): unknown {
+	const altered = desk.state.specimen.outline !== desk.preset.outline;
+	const choose = (event: Event) => (event.currentTarget as Element).parentElement?.querySelector("input")?.click();
+	const chosen = (event: Event) => {
+		const input = event.currentTarget as HTMLInputElement;
+		const file = input.files?.[0];
+		input.value = ""; // the same file may be chosen again
+		if (file) void traceFile(desk, file);
+	};
+	return html`<div class="actions">
+		<input type="file" hidden accept=${PICTURES} aria-label="Picture of a leaf" @change=${chosen} />
+		<button class="button" type="button" @click=${choose}>Trace a picture…</button>
+		<button
+			class="button" type="button" ?disabled=${!altered}
+			@click=${() => desk.set({ details: { outline: desk.preset.outline } })}
+		>Preset’s outline</button>
+	</div>`;
+}
+
+/** Over the flat view a picture may be dropped; the page takes other files. */
+export function pictureOver(event: DragEvent): void {
+	if (hasPicture(event)) event.preventDefault();
+}
+
+export function pictureDropped(event: DragEvent, desk: LeafDesk): void {
+	const file = event.dataTransfer?.files[0];
+	if (!file?.type.startsWith("image/")) return;
+	event.preventDefault();
+	void traceFile(desk, file);
+}
+
+function hasPicture({ dataTransfer }: DragEvent): boolean {
+	return [...(dataTransfer?.items ?? [])].some(({ kind, type }) => kind === "file" && type.startsWith("image/"));
+}
+
+/** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
+export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
+	const again = () => void traceFile(desk, file);
+	const [reader, tracer, words] = await Promise.all([
+		import("../trace/read_picture"),
+		import("../trace/trace"),
+		import("../trace/picture"),
+	]).catch(() => []);
+	if (!reader || !tracer || !words) {
+		desk.notify("The picture was not traced", ["Part of the page could not be fetched."], { again });
+		return;
+	}
+	try {
+		const outline = tracer.traceOutline(await reader.readPicture(file));
+		desk.set({ details: { outline } });
+		desk.notify(`An outline of ${outline.length} points was traced`, [], { brief: true });
+	} catch (error) {
+		if (!(error instanceof words.TraceError)) throw error;
+		desk.notify("The picture was not traced", [error.message]);
+	}
+}

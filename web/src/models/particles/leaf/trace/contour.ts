@@ -1,0 +1,48 @@
+/** The edge of a mask of one blob, as the corners of pixels in turn: clockwise on the screen, inside to the right. */
+import type { Mask, Pixel } from "./picture";
+
+/** Right, down, left, up. */
+const WAYS = [
+	[1, 0],
+	[0, 1],
+	[-1, 0],
+	[0, -1],
+] as const;
+
+export function contourOf({ width, height, inside }: Mask): Pixel[] {
+	const start = inside.indexOf(1);
+	if (start < 0) return [];
+	const at = (x: number, y: number) => x >= 0 && y >= 0 && x < width && y < height && inside[y * width + x] === 1;
+	let [x, y, way] = [start % width, Math.floor(start / width), 0];
+	const first = { x, y };
+	const corners: Pixel[] = [];
+	do {
+		corners.push({ x, y });
+		x += WAYS[way][0];
+		y += WAYS[way][1];
+		// The two pixels ahead of this corner, left and right of the way.
+		const [dx, dy] = WAYS[way];
+		const right = at(dx > 0 || dy < 0 ? x : x - 1, dy > 0 || dx > 0 ? y : y - 1);
+		const left = at(dx > 0 || dy > 0 ? x : x - 1, dx < 0 || dy > 0 ? y : y - 1);
+		if (left && right) way = (way + 3) % 4;
+		else if (!right) way = (way + 1) % 4;
+	} while (x !== first.x || y !== first.y);
+	return corners;
+}
+
+/** A closed polygon with its steps smoothed away: each place the mean of those within so many of it, by Gauss. */
+export function smoothed(polygon: readonly Pixel[], sigma: number): Pixel[] {
+	const { length } = polygon;
+	const half = Math.ceil(3 * sigma);
+	const weights = Array.from({ length: 2 * half + 1 }, (_, k) => Math.exp(-((k - half) ** 2) / (2 * sigma * sigma)));
+	const total = weights.reduce((sum, weight) => sum + weight, 0);
+	return polygon.map((_, index) => {
+		let [x, y] = [0, 0];
+		weights.forEach((weight, k) => {
+			const other = polygon[(index + k - half + half * length) % length];
+			x += weight * other.x;
+			y += weight * other.y;
+		});
+		return { x: x / total, y: y / total };
+	});
+}

@@ -1,0 +1,24 @@
+/** Pixels, as a canvas gives them. */
+export interface Picture {
+	width: number;
+	height: number;
+	/** 4 × pixels: red, green, blue, alpha, rows from the top. */
+	data: Uint8ClampedArray;
+}
+
+/** One byte a pixel: 1 inside. */
+export interface Mask {
+	width: number;
+	height: number;
+	inside: Uint8Array;
+}
+
+export interface Pixel {
+	x: number;
+	y: number;
+}
+
+/** What a person can do about a picture that no leaf can be traced from. */
+export class TraceError extends Error {
+	override name = "TraceError";
+}

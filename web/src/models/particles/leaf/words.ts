@@ -1,0 +1,43 @@
+/** The leaf in a few plain words: for the caption, the picture's description and the screen reader. */
+
+import type { Leaf } from "./grown";
+import { LEAF } from "./species";
+import type { LeafSpecimen } from "./specimen";
+
+/** "Oak leaf, 42 cm², 11 cm long, 2.3 m of veins"; while particles run, how many do. */
+export function leafInWords({ chart, margin, counts }: Leaf, { preset, parameters }: LeafSpecimen): string {
+	const { length, age } = parameters;
+	const title = LEAF.presets.named(preset)?.title ?? "";
+	const name = title.toLowerCase().includes("leaf") ? title : `${title} leaf`;
+	const area = `${rounded(polygonArea(margin) * (length / 10) ** 2)} cm²`;
+	const veins = `${rounded((lengthOf(chart) * length) / 1000)} m of veins`;
+	const running = age < 100 ? `${counts.particles} particles, ` : "";
+	return `${name}, ${running}${area}, ${rounded((heightOf(margin) * length) / 10)} cm long, ${veins}`;
+}
+
+/** Two figures, or all before the point. */
+function rounded(value: number): string {
+	return value >= 10 ? String(Math.round(value)) : String(Number(value.toPrecision(2)));
+}
+
+/** Of a closed polygon, 2 × points. */
+export function polygonArea(points: Float32Array): number {
+	let double = 0;
+	for (let at = 0; at < points.length; at += 2) {
+		const next = (at + 2) % points.length;
+		double += points[at] * points[next + 1] - points[next] * points[at + 1];
+	}
+	return double / 2;
+}
+
+/** Of all pieces together, 4 × pieces. */
+function lengthOf(ends: Float32Array): number {
+	let sum = 0;
+	for (let at = 0; at < ends.length; at += 4) sum += Math.hypot(ends[at + 2] - ends[at], ends[at + 3] - ends[at + 1]);
+	return sum;
+}
+
+function heightOf(points: Float32Array): number {
+	const ys = Array.from({ length: points.length / 2 }, (_, i) => points[2 * i + 1]);
+	return points.length > 0 ? Math.max(...ys) - Math.min(...ys) : 0;
+}
