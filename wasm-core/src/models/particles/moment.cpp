@@ -29,10 +29,11 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
     if (left > moment && !start) continue;
     const auto next = static_cast<std::size_t>(trails.next[i]);
     const glm::vec3 way = trails.places[next] - trails.places[i];
-    const float there = next == 0 ? left + std::max(1.0f, glm::length(way) / stride)
-                                  : static_cast<float>(trails.born[next]);
+    // When the place was there, and the particle could be: others may have been there before it.
+    const float earliest = left + glm::length(way) / stride;
+    const float there = next == 0 ? std::max(left + 1, earliest) : std::max(static_cast<float>(trails.born[next]), earliest);
     std::int32_t to = -1;
-    if (there <= moment)
+    if (left < moment && there <= moment)
       to = number[next];
     else if (left < moment)
       to = add(trails.places[i] + ((moment - left) / (there - left)) * way, -1, 0, trails.born[i], -1);

@@ -18,7 +18,7 @@ export const model = {
 	pictures: false,
 	encode: encodeLeaf,
 	read: readLeaf,
-	parts: leafParts,
+	parts: (grown, specimen) => leafParts(grown, specimen),
 	words: leafInWords,
 	record: trailRecord,
 	formats: LEAF_FORMATS,

@@ -13,8 +13,9 @@ namespace panicle::particles::leaf {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-// How far along a vein, leaf lengths, its heading is taken: where it leaves, and of its bearer to both sides of that.
-constexpr float heading_reach = 0.05f;
+// Leaf lengths along a vein between which its heading is taken, clear of the round where it leaves; and how far to both sides of that
+// its bearer's is.
+constexpr float heading_from = 0.02f, heading_to = 0.08f, bearer_reach = 0.05f;
 
 const glm::vec3& place_of(const Measured& leaf, const Vein& vein, std::size_t k) {
   return leaf.crowds[vein.crowd].places[vein.places[k]];
@@ -50,8 +51,8 @@ bool leaving(const Measured& leaf, const Vein& vein, Leaving& found) {
   const Vein& bearer = leaf.veins[static_cast<std::size_t>(vein.bearer)];
   const auto at = std::find(bearer.places.begin(), bearer.places.end(), vein.places[0]);
   const auto k = static_cast<std::size_t>(at - bearer.places.begin());
-  const glm::vec3 heading = ahead(leaf, bearer, k, heading_reach, false) - ahead(leaf, bearer, k, heading_reach, true);
-  const glm::vec3 way = ahead(leaf, vein, 0, heading_reach, false) - place_of(leaf, vein, 0);
+  const glm::vec3 heading = ahead(leaf, bearer, k, bearer_reach, false) - ahead(leaf, bearer, k, bearer_reach, true);
+  const glm::vec3 way = ahead(leaf, vein, 0, heading_to, false) - ahead(leaf, vein, 0, heading_from, false);
   const float lengths = glm::length(heading) * glm::length(way);
   if (!(lengths > 0)) return false;
   found.angle = arc_cosine(glm::dot(heading, way) / lengths) * 180 / pi;

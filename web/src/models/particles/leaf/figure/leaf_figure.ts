@@ -1,15 +1,19 @@
-/** A leaf on the stage: its parts as any plant's, and on the faces of its blade the finest veins. */
-import { BufferAttribute, Mesh, type MeshStandardMaterial, type PerspectiveCamera, type Texture } from "three";
+/** A leaf on the stage: its parts as any plant's, and on the faces of its blade the veins, down to the finest. */
+import { BufferAttribute, Color, Mesh, type MeshStandardMaterial, type PerspectiveCamera, type Texture } from "three";
 import type { Bodies } from "../../../../scene/camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "../../../../scene/figure";
 import { PartFigure } from "../../../../scene/part_figure";
 import type { Leaf } from "../grown";
+import { ribColour } from "../parts/blade_colour";
 import { FACES, leafParts } from "../parts/leaf_parts";
 import type { LeafSpecimen } from "../specimen";
 import { veinTexture } from "./vein_texture";
 
 /** Height between the texture's black and white, in thicknesses of the blade: grooves above, ridges below. */
 const RELIEF: Readonly<Record<string, number>> = { upper: -0.9, lower: 1.6 };
+
+/** The colour between veins is that of the vertices. */
+const VEINED = "diffuseColor.rgb = mix(diffuseColor.rgb, veinColour, 0.72 * texture2D(map, vMapUv).r);";
 
 class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 	readonly modes = ["whole"];
@@ -21,7 +25,7 @@ class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 
 	constructor(stage: FigureStage) {
 		this.#stage = stage;
-		this.#parts = new PartFigure(stage, leafParts);
+		this.#parts = new PartFigure(stage, (grown, { look }) => leafParts(grown, { look }, { veins: false }));
 	}
 
 	show(grown: Leaf, specimen: LeafSpecimen): void {
@@ -62,10 +66,22 @@ class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 		this.#parts.dispose();
 	}
 
-	#lay(face: Mesh, uvs: Float32Array, texture: Texture, name: string, { parameters }: LeafSpecimen): void {
+	#lay(face: Mesh, uvs: Float32Array, texture: Texture, name: string, { look, parameters }: LeafSpecimen): void {
 		const material = face.material as MeshStandardMaterial;
 		face.geometry.setAttribute("uv", new BufferAttribute(uvs, 2));
 		material.map = texture;
+		const veins = { value: new Color(...ribColour(look)) };
+		const lit = material.onBeforeCompile;
+		material.onBeforeCompile = (shader, renderer) => {
+			lit.call(material, shader, renderer);
+			shader.uniforms.veinColour = veins;
+			shader.fragmentShader = shader.fragmentShader
+				.replace("#include <common>", "#include <common>\nuniform vec3 veinColour;")
+				.replace("#include <map_fragment>", "")
+				.replace("#include <color_fragment>", `#include <color_fragment>\n${VEINED}`);
+		};
+		const key = material.customProgramCacheKey();
+		material.customProgramCacheKey = () => `${key} veined`;
 		material.bumpMap = texture;
 		material.bumpScale = (RELIEF[name] * parameters.relief * parameters.thickness) / 1000;
 	}

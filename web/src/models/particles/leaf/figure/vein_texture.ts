@@ -1,7 +1,4 @@
-/**
- * The finest veins, which no mesh can hold, as a texture over the chart: white where veins are, grey between. It dims what
- * vertices' colours say between veins, and is the height of the relief.
- */
+/** Veins finer than any mesh holds, as a texture over the chart: how much of each place is vein, white all, black none. */
 import { CanvasTexture, LinearMipmapLinearFilter } from "three";
 import type { Leaf } from "../grown";
 import { bundled } from "../outline/bundles";
@@ -10,12 +7,10 @@ import { chartSquare } from "../parts/vein_map";
 /** Pixels to a side. */
 const SIDE = 1024;
 const CLASSES = 10;
-/** What is left of light between veins: linear, as the texture is read. */
-const BETWEEN = 0.76;
 /** The least width of a line, pixels: what is finer is paler in its place. */
 const FINEST = 1.3;
 
-/** Where there is no canvas to draw on, undefined. */
+/** Undefined where there is no canvas to draw on. */
 export function veinTexture(
 	{ chart, margin, segments: { radii } }: Leaf,
 	millimetres: number,
@@ -26,8 +21,7 @@ export function veinTexture(
 	const pen = canvas.getContext("2d");
 	if (!pen) return undefined;
 	const { left, bottom, size } = chartSquare(margin);
-	const grey = Math.round(255 * BETWEEN);
-	pen.fillStyle = `rgb(${grey} ${grey} ${grey})`;
+	pen.fillStyle = "#000";
 	pen.fillRect(0, 0, SIDE, SIDE);
 	pen.strokeStyle = "#fff";
 	pen.lineCap = "round";
@@ -44,7 +38,7 @@ export function veinTexture(
 		}
 		const width = ((total / members.length) * 1000 * scale) / millimetres;
 		pen.lineWidth = Math.max(FINEST, width);
-		pen.globalAlpha = Math.sqrt(Math.min(1, width / FINEST));
+		pen.globalAlpha = Math.min(1, width / FINEST) ** 0.8;
 		pen.stroke();
 	}
 	const texture = new CanvasTexture(canvas);

@@ -30,6 +30,7 @@ export function bladeColours(
 ): Float32Array {
 	const green = linear(hex);
 	const [vein, late] = [linear(look.vein_colour as string), linear(look.autumn_colour as string)];
+	const rib = ribColour(look);
 	const [autumn, uneven] = [look.autumn as number, look.uneven as number];
 	const colours = new Float32Array(positions.length);
 	for (let vertex = 0; vertex < veined.length; vertex++) {
@@ -44,10 +45,15 @@ export function bladeColours(
 		const turned = smoothstep(0.3, 0.8, autumn * (1.1 + 0.35 * away + 0.35 * rim) - 0.3 * near + 0.6 * uneven * broad);
 		const dry = smoothstep(0.85, 1.25, autumn * (0.45 + 0.3 * away + 0.55 * rim) + 0.5 * mottle);
 		const blade = mixed(mixed(fresh, scaled(late, light), turned), BROWN, 0.7 * dry);
-		const rib = mixed(vein, scaled(late, 0.85), 0.75 * smoothstep(0.5, 1, autumn));
 		colours.set(mixed(blade, rib, 0.9 * smoothstep(0.05, 0.7, veined[vertex])), 3 * vertex);
 	}
 	return colours;
+}
+
+/** Of veins, as autumn leaves them. */
+export function ribColour({ vein_colour, autumn_colour, autumn }: LeafSpecimen["look"]): Colour {
+	const late = scaled(linear(autumn_colour as string), 0.85);
+	return mixed(linear(vein_colour as string), late, 0.75 * smoothstep(0.5, 1, autumn as number));
 }
 
 function scaled(colour: Colour, factor: number): Colour {

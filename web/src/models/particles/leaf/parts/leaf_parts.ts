@@ -15,8 +15,17 @@ export const FACES: Readonly<Record<string, { title: string; colour: string }>> 
 	lower: { title: "Blade, lower face", colour: "under" },
 };
 
+export interface LeafPartsOptions {
+	/** Whether colours of vertices show the veins; the default is yes. */
+	veins?: boolean;
+}
+
 /** @throws Error with a message for people where the leaf was asked for without meshes */
-export function* leafParts(leaf: Leaf, { look }: Pick<LeafSpecimen, "look">): Generator<Part> {
+export function* leafParts(
+	leaf: Leaf,
+	{ look }: Pick<LeafSpecimen, "look">,
+	{ veins = true }: LeafPartsOptions = {},
+): Generator<Part> {
 	const { meshes, organs, faces } = leaf;
 	if (meshes.length === 0 && leaf.segments.count > 0 && leaf.notes.length === 0) {
 		throw new Error("This growth has no meshes to export: grow it with meshes.");
@@ -26,7 +35,13 @@ export function* leafParts(leaf: Leaf, { look }: Pick<LeafSpecimen, "look">): Ge
 		const face = FACES[mesh.name];
 		if (!face) continue;
 		const hex = look[face.colour] as string;
-		const colours = bladeColours(mesh, plainly(mesh, faces[mesh.name], map), map, look, hex);
+		const colours = bladeColours(
+			mesh,
+			veins ? plainly(mesh, faces[mesh.name], map) : veinless(faces[mesh.name]),
+			map,
+			look,
+			hex,
+		);
 		const material = bladeMaterial(look, face.title, hex);
 		yield { name: face.title, shape: { mesh: { ...mesh, colours }, material, variant: mesh.name } };
 	}
@@ -42,4 +57,8 @@ export function* leafParts(leaf: Leaf, { look }: Pick<LeafSpecimen, "look">): Ge
 function plainly({ uvs }: PlantMesh, { vein, edge }: BladeFace, map: VeinMap): BladeFace {
 	const shown = vein.map((share, at) => share * (1 - smoothstep(0.12, 0.3, awayAt(map, uvs[2 * at], uvs[2 * at + 1]))));
 	return { vein: shown, edge };
+}
+
+function veinless({ vein, edge }: BladeFace): BladeFace {
+	return { vein: new Float32Array(vein.length), edge };
 }

@@ -1,0 +1,65 @@
+#include "models/particles/moment.hpp"
+
+#include <doctest/doctest.h>
+
+#include "models/particles/crowd.hpp"
+#include "models/particles/polish.hpp"
+#include "models/particles/scatter.hpp"
+#include "shapes.hpp"
+
+using namespace panicle;
+using namespace panicle::particles;
+
+TEST_CASE("at the beginning all particles stand where they start, at the end all trails stand") {
+  const Round disc(true);
+  const Straight guide({0, -1, 0});
+  const auto starts = scatter(disc, Pattern::blue, 300, spacing_of(disc, 300), 3);
+  Crowd crowd(starts, 2, guide, {.step = 0.04f, .merge = 0.07f, .join = 0.02f});
+  crowd.run();
+  const Trails whole = crowd.trails(), trails = simplified(whole, 0.005f);
+
+  const Trails young = at_moment(trails, 0, 0.04f);
+  std::size_t on_their_way = 0;
+  for (std::size_t i = 1; i < young.size(); ++i) {
+    REQUIRE(young.next[i] == -1);
+    CHECK(young.energy[i] == 2);
+    CHECK(young.places[i] == starts[static_cast<std::size_t>(young.particle[i])]);
+    ++on_their_way;
+  }
+  CHECK(on_their_way == starts.size());
+  CHECK(young.energy[0] == 0);
+
+  const Trails old = at_moment(trails, static_cast<float>(crowd.steps()), 0.04f);
+  CHECK(old.places == trails.places);
+  CHECK(old.energy == trails.energy);
+}
+
+TEST_CASE("between, no energy is lost, trees keep their order and everyone moves on") {
+  const Round disc(true);
+  const Straight guide({0.3f, -1, 0});
+  const auto starts = scatter(disc, Pattern::jittered, 200, spacing_of(disc, 200), 8);
+  Crowd crowd(starts, 1, guide, {.step = 0.05f, .merge = 0.09f});
+  crowd.run();
+  const Trails trails = simplified(crowd.trails(), 0.004f);
+  float before = 0;
+  double home = 0;
+  for (float moment = 0; moment <= static_cast<float>(crowd.steps()); moment += 1.5f) {
+    const Trails young = at_moment(trails, moment, 0.05f);
+    double roots = 0;
+    float length = 0;
+    for (std::size_t i = 0; i < young.size(); ++i) {
+      if (young.next[i] < 0) {
+        roots += young.energy[i];
+        continue;
+      }
+      REQUIRE(static_cast<std::size_t>(young.next[i]) < i);
+      length += glm::distance(young.places[i], young.places[static_cast<std::size_t>(young.next[i])]);
+    }
+    CHECK(roots == static_cast<double>(starts.size()));
+    CHECK(length >= before);
+    CHECK(young.energy[0] >= home);
+    before = length;
+    home = young.energy[0];
+  }
+  CHECK(home > 0);
+}
