@@ -39,7 +39,17 @@ export const NUMBER_KEYS = [
 export type NumberKey = (typeof NUMBER_KEYS)[number];
 
 /** Keys of the parameters that only colour the result. */
-export const LOOK_KEYS = ["green", "under", "vein_colour", "stalk", "autumn", "autumn_colour", "glow", "gloss", "uneven"] as const;
+export const LOOK_KEYS = [
+	"green",
+	"under",
+	"vein_colour",
+	"stalk",
+	"autumn",
+	"autumn_colour",
+	"glow",
+	"gloss",
+	"uneven",
+] as const;
 export type LookKey = (typeof LOOK_KEYS)[number];
 /** Those of them that are colours, as six hexadecimal digits. */
 export type ColourKey = "green" | "under" | "vein_colour" | "stalk" | "autumn_colour";
