@@ -98,7 +98,7 @@ test("roots stand below ground, and another model's preset brings its views", as
 	await expect(page).toHaveTitle("Tap root 1 · Panicle");
 	await expect(page.getByRole("application", { name: /^Root: [\d.]+ m deep, [\d,]+ root tips/ })).toBeVisible();
 	await expect(page.getByRole("region", { name: "Sun view" })).toHaveCount(0);
-	await studio.regrown(() => page.getByRole("button", { name: "Birch" }).click());
+	await studio.regrown(() => page.getByRole("button", { name: "Cypress", exact: true }).click());
 	await expect(page.getByRole("region", { name: "Sun view" })).toBeVisible();
 	await studio.regrown(() => studio.button("Undo").click());
 	await expect(page.getByRole("region", { name: "Sun view" })).toHaveCount(0);
