@@ -27,7 +27,8 @@ VoxelLight filled(float k, const std::vector<Lamp>& lamps, float from = 0, float
 
 TEST_CASE("from above, light falls by the law of Beer and Lambert") {
   const VoxelLight light = filled(0.4f, {{{0, 1, 0}, 1}});
-  for (float y = 0.125f; y < 6; y += 0.25f) CHECK(light.at({5, y, 5}) == doctest::Approx(std::exp(-0.4f * (6 - y))).epsilon(1e-3));
+  for (float y = 0.125f; y < 6; y += 0.25f)
+    CHECK(light.at({5, y, 5}) == doctest::Approx(std::exp(-0.4f * (6 - y))).epsilon(1e-3));
 }
 
 TEST_CASE("aslant, it goes the longer way through the same layer, towards each side") {
@@ -52,7 +53,9 @@ TEST_CASE("between the middles of cells light is in between, and beyond the box 
 
 TEST_CASE("a block casts its shadow where it stands between, and nowhere else") {
   std::vector<float> matter(std::size_t{across} * up * across, 0);
-  const auto at = [](std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (std::size_t{z} * up + y) * across + x; };
+  const auto at = [](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return (std::size_t{z} * up + y) * across + x;
+  };
   for (std::uint32_t z = 16; z < 24; ++z)
     for (std::uint32_t y = 12; y < 16; ++y)
       for (std::uint32_t x = 16; x < 24; ++x) matter[at(x, y, z)] = 50;

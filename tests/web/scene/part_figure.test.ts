@@ -2,10 +2,12 @@ import {
 	type DirectionalLight,
 	Group,
 	type InstancedBufferAttribute,
-	type InstancedMesh,
+	InstancedMesh,
+	Matrix4,
 	type Mesh,
 	type MeshPhysicalMaterial,
 	PerspectiveCamera,
+	Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
 import { partsOf } from "../../../web/src/plant/parts_of";
@@ -36,6 +38,43 @@ describe("the figure of any plant", () => {
 		figure.show({ ...plant, meshes: plant.meshes.slice(0, 1) }, {});
 		expect(meshes()).toHaveLength(2);
 		expect(stage.shadow.root.children).toHaveLength(2 * 4);
+	});
+
+	it("keeps what it wears from plant to plant, so that no program is built anew, and throws away what two have not worn", () => {
+		const { figure, meshes } = staged();
+		figure.show(plant, {});
+		const worn = meshes().map(({ material }) => material as MeshPhysicalMaterial);
+		const gone: string[] = [];
+		for (const material of worn) material.addEventListener("dispose", () => gone.push(material.name));
+		figure.show(structuredClone(plant), {});
+		expect(meshes().map(({ material }) => material)).toEqual(worn);
+		expect(gone).toEqual([]);
+		const bare = { ...plant, meshes: [] };
+		figure.show(bare, {});
+		figure.show(bare, {});
+		expect(gone).toEqual([]);
+		figure.show(bare, {});
+		expect(new Set(gone)).toEqual(new Set(worn.map(({ name }) => name)));
+	});
+
+	it("knows of every mesh and its instances a ball that holds them", () => {
+		const { figure, meshes } = staged();
+		figure.show(plant, {});
+		const corner = new Vector3();
+		const place = new Matrix4();
+		for (const mesh of meshes()) {
+			const many = mesh instanceof InstancedMesh ? mesh.count : 1;
+			const ball = mesh instanceof InstancedMesh ? mesh.boundingSphere : mesh.geometry.boundingSphere;
+			for (let i = 0; i < many; i++) {
+				if (mesh instanceof InstancedMesh) mesh.getMatrixAt(i, place);
+				const positions = mesh.geometry.getAttribute("position");
+				for (let k = 0; k < positions.count; k++) {
+					corner.fromBufferAttribute(positions, k);
+					if (mesh instanceof InstancedMesh) corner.applyMatrix4(place);
+					expect(ball?.distanceToPoint(corner)).toBeLessThan(1e-6);
+				}
+			}
+		}
 	});
 
 	it("holds the whole plant", () => {

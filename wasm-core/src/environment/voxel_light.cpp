@@ -50,8 +50,8 @@ std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) co
   return static_cast<std::size_t>((z * count_[1] + y) * count_[0] + x);
 }
 
-// Layer by layer away from the lamp, across the axis that it lies nearest to: what a cell's middle is behind is what the
-// place towards the lamp in the layer before is behind, and the matter on the way.
+// Layer by layer away from the lamp, across the axis that it lies nearest to: what a cell's middle is behind is what
+// the place towards the lamp in the layer before is behind, and the matter on the way.
 void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
   int main = 0;
   for (int k = 1; k < 3; ++k)
@@ -91,7 +91,8 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
         const float here = matter[cell(layer, u, v)];
         matter_here[at] = here;
         const float from_u = static_cast<float>(u) + shift_across, from_v = static_cast<float>(v) + shift_along;
-        depth[at] = sample(before, from_u, from_v) + 0.5f * step * edge_ * (here + sample(matter_before, from_u, from_v));
+        depth[at] =
+            sample(before, from_u, from_v) + 0.5f * step * edge_ * (here + sample(matter_before, from_u, from_v));
         light_[cell(layer, u, v)] += lamp.share * exponential(-depth[at]);
       }
     std::swap(before, depth);

@@ -9,7 +9,7 @@
 namespace panicle {
 namespace {
 
-constexpr float most_bends = 4;  // rings more for them, where thin axes are plain
+constexpr float most_bends = 4;                                       // rings more for them, where thin axes are plain
 constexpr float cap_degrees[] = {35, 65}, thin_cap_degrees[] = {50};  // from the rim; the pole is at 90
 
 // A cubic Hermite curve from node to node, as powers of t.

@@ -41,7 +41,8 @@ struct Tube {
 // bearer, rings lean towards the bearer's axis and take on its normals, so that the two look grown together.
 class TubeMaker {
  public:
-  // Axes that begin thinner than `thin` get about half the rings; where that is to be `plain`, one a node and more in bends.
+  // Axes that begin thinner than `thin` get about half the rings; where that is to be `plain`, one a node and more in
+  // bends.
   TubeMaker(const Stems& stems, const StemAxes& axes, float thin = 0, bool plain = false);
 
   bool is_thin(const StemAxis& axis) const { return axes_.nodes[axis.first].radius < thin_; }

@@ -82,13 +82,15 @@ function spin([x, y, z]: Spindle["centre"], bodies: Float32Array, stride: 3 | 4,
 function outermost(rings: Float32Array, height: number): Float32Array {
 	if (rings.length <= 3 * MOST_RINGS) return rings;
 	const best = new Int32Array(LEVELS + 1).fill(-1);
-	const reach = new Float32Array(LEVELS + 1);
+	const reach = new Float32Array(LEVELS + 1).fill(-1);
+	const perLevel = height > 0 ? LEVELS / height : 0;
 	for (let i = 0; i < rings.length; i += 3) {
-		const level = height > 0 ? Math.round((rings[i + 1] / height + 0.5) * LEVELS) : 0;
+		const level = Math.min(LEVELS, Math.max(0, (rings[i + 1] * perLevel + 0.5 * LEVELS) | 0));
 		const out = rings[i] + rings[i + 2];
-		if (best[level] >= 0 && out <= reach[level]) continue;
-		best[level] = i;
-		reach[level] = out;
+		if (out > reach[level]) {
+			best[level] = i;
+			reach[level] = out;
+		}
 	}
 	const kept = best.filter((ring) => ring >= 0);
 	const few = new Float32Array(3 * kept.length);

@@ -128,7 +128,8 @@ TEST_CASE("nothing is in nothing, and nowhere is nowhere") {
 TEST_CASE("each form fills its box from end to end, and no further") {
   const std::vector<glm::vec2> barrel{{0.5f, 0}, {1, 0.5f}, {0.5f, 1}};
   const glm::vec3 low(-2, 1, -1), high(2, 4, 1);
-  for (const Form form : {Form::ellipsoid, Form::box, Form::cone, Form::cone_down, Form::bowl, Form::spline, Form::mesh}) {
+  for (const Form form :
+       {Form::ellipsoid, Form::box, Form::cone, Form::cone_down, Form::bowl, Form::spline, Form::mesh}) {
     const Solid solid(form_between(form, barrel, corner(), low, high));
     CAPTURE(static_cast<int>(form));
     for (int k = 0; k < 3; ++k) {
@@ -137,7 +138,9 @@ TEST_CASE("each form fills its box from end to end, and no further") {
     }
     CHECK(solid.contains({form == Form::mesh ? -1.0f : 0.0f, 2, form == Form::mesh ? 0.1f : 0.0f}));
   }
-  const auto holds = [&](Form form, float x, float y) { return Solid(form_between(form, {}, {}, low, high)).contains({x, y, 0}); };
+  const auto holds = [&](Form form, float x, float y) {
+    return Solid(form_between(form, {}, {}, low, high)).contains({x, y, 0});
+  };
   CHECK(holds(Form::cone, 1.7f, 1.2f));
   CHECK_FALSE(holds(Form::cone, 1.7f, 3.8f));
   CHECK(holds(Form::cone_down, 1.7f, 3.8f));

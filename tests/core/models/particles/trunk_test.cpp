@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "models/particles/crowd.hpp"
-#include "models/particles/solid.hpp"
 #include "models/particles/gather.hpp"
+#include "models/particles/solid.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 TEST_CASE("particles make for the axis below them, as much lower as they are away") {
   const Trunk trunk({1, 0, 2}, {.slant = 0.5f, .ahead = 0.1f});
   CHECK(trunk.aim({3, 5, 2}) == glm::vec3(1, 4, 2));
-  CHECK(trunk.aim({1, 5, 2}).y == doctest::Approx(4.9f));   // on it, as far as it looks
-  CHECK(trunk.aim({3, 0.5f, 2}) == glm::vec3(1, 0, 2));     // never below the target
+  CHECK(trunk.aim({1, 5, 2}).y == doctest::Approx(4.9f));  // on it, as far as it looks
+  CHECK(trunk.aim({3, 0.5f, 2}) == glm::vec3(1, 0, 2));    // never below the target
   CHECK(trunk.way({3, 5, 2}) == doctest::Approx(std::sqrt(5.0f) + 4));
 }
 
@@ -63,6 +63,8 @@ TEST_CASE("a way leads out of the crown downwards alone") {
   CHECK(trunk.passes({0, 2, 0}, {0, 3, 0}));
   CHECK_FALSE(trunk.passes({0, 3.9f, 0}, {0, 4.1f, 0}));
   CHECK_FALSE(trunk.passes({0, 1, 0}, {0, 1.1f, 0}));
+  CHECK_FALSE(trunk.passes({0, 0.1f, 0}, {0, -0.1f, 0}));  // the ground
+  CHECK_FALSE(trunk.passes({0, -0.1f, 0}, {0, -0.2f, 0}));
   const Trunk root({0, 5, 0}, {.ahead = 0.1f, .way = 1}, &crown);
   CHECK(root.passes({0, 3.9f, 0}, {0, 4.1f, 0}));
   CHECK_FALSE(root.passes({0, 2.1f, 0}, {0, 1.9f, 0}));
@@ -102,8 +104,11 @@ TEST_CASE("obstacles hide what is behind them, and are gone round") {
 
 TEST_CASE("what nothing leads out of is not reached") {
   // A chimney: four walls and a lid.
-  const std::vector<Box> chimney{{{2, 0, -1}, {2.2f, 4, 1}}, {{4, 0, -1}, {4.2f, 4, 1}}, {{2, 0, -1.2f}, {4.2f, 4, -1}},
-                                 {{2, 0, 1}, {4.2f, 4, 1.2f}}, {{2, 4, -1.2f}, {4.2f, 4.2f, 1.2f}}};
+  const std::vector<Box> chimney{{{2, 0, -1}, {2.2f, 4, 1}},
+                                 {{4, 0, -1}, {4.2f, 4, 1}},
+                                 {{2, 0, -1.2f}, {4.2f, 4, -1}},
+                                 {{2, 0, 1}, {4.2f, 4, 1.2f}},
+                                 {{2, 4, -1.2f}, {4.2f, 4.2f, 1.2f}}};
   const Obstacles obstacles(chimney, 0.02f, 0, 100);
   const Trunk trunk({0, 0, 0}, {.ahead = 0.1f}, nullptr, &obstacles);
   CHECK_FALSE(trunk.reaches({3, 2, 0}));

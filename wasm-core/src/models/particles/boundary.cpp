@@ -24,7 +24,8 @@ Surface stretched(Surface surface, const glm::vec3& low, const glm::vec3& high) 
   }
   for (glm::vec3& p : surface.points)
     for (int k = 0; k < 3; ++k)
-      p[k] = to[k] > from[k] ? low[k] + (high[k] - low[k]) * ((p[k] - from[k]) / (to[k] - from[k])) : 0.5f * (low[k] + high[k]);
+      p[k] = to[k] > from[k] ? low[k] + (high[k] - low[k]) * ((p[k] - from[k]) / (to[k] - from[k]))
+                             : 0.5f * (low[k] + high[k]);
   return surface;
 }
 
@@ -44,17 +45,23 @@ Surface form_between(Form form, std::span<const glm::vec2> profile, const Surfac
   const glm::vec3 middle = 0.5f * (low + high), half = 0.5f * (high - low);
   constexpr std::array<glm::vec2, 2> up{{{1, 0}, {0, 1}}}, down{{{0, 0}, {1, 1}}};
   switch (form) {
-    case Form::box: return box(low, high);
-    case Form::cone: return turned(up, low, high);
-    case Form::cone_down: return turned(down, low, high);
+    case Form::box:
+      return box(low, high);
+    case Form::cone:
+      return turned(up, low, high);
+    case Form::cone_down:
+      return turned(down, low, high);
     case Form::bowl: {
       Surface surface = ellipsoid(glm::vec3(middle.x, high.y, middle.z), {half.x, 2 * half.y, half.z}, sides);
       for (glm::vec3& p : surface.points) p.y = std::min(p.y, high.y);
       return surface;
     }
-    case Form::spline: return turned(profile, low, high);
-    case Form::mesh: return stretched(mesh, low, high);
-    case Form::ellipsoid: break;
+    case Form::spline:
+      return turned(profile, low, high);
+    case Form::mesh:
+      return stretched(mesh, low, high);
+    case Form::ellipsoid:
+      break;
   }
   return ellipsoid(middle, half, sides);
 }
@@ -69,7 +76,8 @@ std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points) {
     const glm::vec2 a = at(i, -1), b = at(i, 0), c = at(i, 1), d = at(i, 2);
     for (int k = 0; k < pieces; ++k) {
       const float t = static_cast<float>(k) / pieces;
-      line.push_back(0.5f * (2.0f * b + t * (c - a + t * (2.0f * a - 5.0f * b + 4.0f * c - d + t * (3.0f * (b - c) + d - a)))));
+      line.push_back(
+          0.5f * (2.0f * b + t * (c - a + t * (2.0f * a - 5.0f * b + 4.0f * c - d + t * (3.0f * (b - c) + d - a)))));
     }
   }
   if (!points.empty()) line.push_back(points.back());
@@ -115,10 +123,10 @@ void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes) {
   }
   if (open > 0)
     notes.push_back("The mesh is open at " + std::to_string(open) +
-                      " edges; what lies behind a gap may be taken for inside or outside.");
+                    " edges; what lies behind a gap may be taken for inside or outside.");
   if (turned_over > 0)
     notes.push_back("Triangles of the mesh are turned against each other at " + std::to_string(turned_over) +
-                      " edges; parts of it may count as holes.");
+                    " edges; parts of it may count as holes.");
 }
 
 void append(Surface& surface, const Surface& other) {

@@ -14,8 +14,8 @@ namespace panicle::particles {
 
 enum class Form : std::uint32_t { ellipsoid, box, cone, cone_down, bowl, spline, mesh };
 
-// The form with `low` and `high` as its box; of a bowl the widest is on top. `profile`: of a spline, what `spline_through`
-// gives. `mesh`: of a mesh, in any unit.
+// The form with `low` and `high` as its box; of a bowl the widest is on top. `profile`: of a spline, what
+// `spline_through` gives. `mesh`: of a mesh, in any unit.
 Surface form_between(Form form, std::span<const glm::vec2> profile, const Surface& mesh, const glm::vec3& low,
                      const glm::vec3& high);
 
@@ -25,8 +25,8 @@ std::vector<glm::vec2> spline_through(std::span<const glm::vec2> points);
 // That of the points given, or of `otherwise` where there are fewer than two.
 std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<const glm::vec2> otherwise);
 
-// Notes what there is to say of a dropped mesh, one sentence each: gaps, sides turned against each other. Where there is none,
-// the form becomes an ellipsoid.
+// Notes what there is to say of a dropped mesh, one sentence each: gaps, sides turned against each other. Where there
+// is none, the form becomes an ellipsoid.
 void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes);
 
 // Adds another's triangles.

@@ -16,8 +16,8 @@ struct Branching {
   float width_x = 0, width_z = 0;              // of their box
   float thickest = 0;                          // diameter where a segment begins that nothing bears
   std::uint32_t tips = 0, forks = 0;
-  // Strahler (1957): tips are 1; where two or more of the highest order meet it is one more. A branch of an order is a run of
-  // segments of that order.
+  // Strahler (1957): tips are 1; where two or more of the highest order meet it is one more. A branch of an order is a
+  // run of segments of that order.
   std::uint32_t order = 0;
   std::array<std::uint32_t, 32> of_order{};  // branches, by order − 1
   float bifurcation = 0;                     // geometric mean of of_order[k] / of_order[k + 1]; NaN for a single order

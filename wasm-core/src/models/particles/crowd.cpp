@@ -10,8 +10,8 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t home = ~0u;
-constexpr float patience = 4;        // ways
-constexpr float standing = 1e-6f;    // of a step: less is waiting
+constexpr float patience = 4;      // ways
+constexpr float standing = 1e-6f;  // of a step: less is waiting
 constexpr std::uint32_t cells_a_particle = 24;
 
 glm::vec3 towards(const glm::vec3& from, const glm::vec3& to) {
@@ -91,8 +91,8 @@ void Crowd::look() {
       continue;
     }
     const glm::vec3 aside = towards(place, places_[other]);
-    const glm::vec3 sum = rules_.printed ? towards(glm::vec3(0), aside + ahead)
-                                         : (rules_.pull * aside + ahead) / (1 + rules_.pull);
+    const glm::vec3 sum =
+        rules_.printed ? towards(glm::vec3(0), aside + ahead) : (rules_.pull * aside + ahead) / (1 + rules_.pull);
     strides_[slot] = rules_.step * sum;
     if (!guide_->passes(place, place + strides_[slot])) strides_[slot] = rules_.step * ahead;
   }
@@ -125,7 +125,7 @@ void Crowd::meet() {
     const auto share = static_cast<float>(energies_[light] / (energies_[light] + energies_[heavy]));
     const glm::vec3 mean = places_[heavy] + share * (places_[light] - places_[heavy]);
     if (guide_->passes(places_[heavy], mean)) go(heavy, mean);
-    nodes_[static_cast<std::size_t>(nodes_at_[light])].next = nodes_at_[heavy];
+    link(light, nodes_at_[heavy]);
     energies_[heavy] += energies_[light];
     heirs_[particles_[light]] = particles_[heavy];
     met_[heavy] = met_[light] = 1;
@@ -154,7 +154,7 @@ void Crowd::join() {
     });
     if (found < 0) continue;
     const std::uint32_t other = heir(nodes_[static_cast<std::size_t>(found)].particle);
-    nodes_[static_cast<std::size_t>(nodes_at_[slot])].next = found;
+    link(slot, found);
     if (slots_[other] == home)
       arrived_ += energies_[slot];
     else
@@ -167,11 +167,18 @@ void Crowd::join() {
   for (std::size_t at = grid_.size(); at < nodes_.size(); ++at) grid_.lay(nodes_[at].place);
 }
 
+// Leads on from where a particle is.
+void Crowd::link(std::uint32_t slot, std::int32_t to) {
+  Node& node = nodes_[static_cast<std::size_t>(nodes_at_[slot])];
+  node.next = to;
+  node.born = steps_;
+}
+
 void Crowd::go(std::uint32_t slot, const glm::vec3& to) {
   if (to == places_[slot]) return;
-  nodes_[static_cast<std::size_t>(nodes_at_[slot])].next = static_cast<std::int32_t>(nodes_.size());
+  link(slot, static_cast<std::int32_t>(nodes_.size()));
   nodes_at_[slot] = static_cast<std::int32_t>(nodes_.size());
-  nodes_.push_back({to, -1, particles_[slot], steps_});
+  nodes_.push_back({to, -1, particles_[slot]});
   places_[slot] = to;
 }
 
@@ -188,7 +195,7 @@ void Crowd::lead_home(std::uint32_t slot) {
 }
 
 void Crowd::arrive(std::uint32_t slot) {
-  nodes_[static_cast<std::size_t>(nodes_at_[slot])].next = 0;
+  link(slot, 0);
   arrived_ += energies_[slot];
   slots_[particles_[slot]] = home;
   gone_[slot] = 1;

@@ -1,6 +1,6 @@
-// The particles of one target on their way there (Rodkaew et al. 2003, section 2): each is drawn to its nearest neighbour
-// and to the target, those that meet become one, and their trails are kept. Crowds of several targets do not see each
-// other, else twigs would bridge the crowns of a twin tree.
+// The particles of one target on their way there (Rodkaew et al. 2003, section 2): each is drawn to its nearest
+// neighbour and to the target, those that meet become one, and their trails are kept. Crowds of several targets do not
+// see each other, else twigs would bridge the crowns of a twin tree.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ namespace panicle::particles {
 //   cancel, a particle waits: the one in front for the one behind.
 // - A step that would leave the shape is taken towards the aim alone.
 // - A particle within a step of the target arrives; its last segment ends exactly there.
-// - Pairs closer than `merge` meet, the nearest first, each particle once a step. The heavier goes on (of equal ones the one
+// - Pairs closer than `merge` meet, the nearest first, each particle once a step. The heavier goes on (of equal ones
+// the one
 //   with the lower index) from the mean of both places by energy, or from its own where that mean is outside.
 // - With `join`, a particle ends in an older trail that lies ahead and is not its own; its energy runs on there.
 // - After four times the steps that the longest way takes, none heeds its neighbours any more: bends can hold two in a
@@ -55,7 +56,7 @@ class Crowd {
     glm::vec3 place;
     std::int32_t next = -1;
     std::uint32_t particle = 0;  // that left it
-    std::uint32_t born = 0;      // the step in which it was left
+    std::uint32_t born = 0;      // the step in which it was left for the next
   };
 
   void look();
@@ -63,6 +64,7 @@ class Crowd {
   void meet();
   void join();
   void leave();
+  void link(std::uint32_t slot, std::int32_t to);
   void go(std::uint32_t slot, const glm::vec3& to);
   void arrive(std::uint32_t slot);
   void lead_home(std::uint32_t slot);

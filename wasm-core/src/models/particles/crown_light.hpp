@@ -1,4 +1,5 @@
-// Light in a crown that shades itself and its neighbours (Rodkaew et al. 2003, section 4.2), and the density that follows it.
+// Light in a crown that shades itself and its neighbours (Rodkaew et al. 2003, section 4.2), and the density that
+// follows it.
 #pragma once
 
 #include <memory>
@@ -20,8 +21,8 @@ std::vector<Lamp> lamps_of(const LightHabit& habit);
 // A bearing as in the tables (0 in front, +z; 90 at the right, +x) and a height above the horizon, in degrees.
 glm::vec3 towards_sun(float bearing, float height);
 
-// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `cells` along
-// its longest edge.
+// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `cells`
+// along its longest edge.
 VoxelLight light_in(const Region& crown, const LightHabit& habit, std::uint32_t cells);
 
 }  // namespace panicle::particles

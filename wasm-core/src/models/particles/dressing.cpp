@@ -34,7 +34,8 @@ std::vector<std::int32_t> axes_of(const Grown& grown, std::size_t segments) {
     for (std::size_t i = 0; i < trails.size(); ++i) {
       if (trails.next[i] < 0) continue;
       std::int32_t& best = heaviest[static_cast<std::size_t>(trails.next[i])];
-      if (best < 0 || trails.energy[i] > trails.energy[static_cast<std::size_t>(best)]) best = static_cast<std::int32_t>(i);
+      if (best < 0 || trails.energy[i] > trails.energy[static_cast<std::size_t>(best)])
+        best = static_cast<std::int32_t>(i);
     }
     for (std::size_t i = 0; i < trails.size(); ++i) {
       const std::int32_t segment = numbers[i];

@@ -1,14 +1,14 @@
-// Trails that run down the same axis, made one: particles that follow each other there never meet, and a tree would have several
-// trunks in one.
+// Trails that run down the same axis, made one: particles that follow each other there never meet, and a tree would
+// have several trunks in one.
 #pragma once
 
 #include "models/particles/trails.hpp"
 
 namespace panicle::particles {
 
-// Whatever of the trails is closer than `reach` to the upright axis through the target leads on along one line of places, from
-// that which is farthest up or down to the target. Starts stay ends, energies arrive as before, and a place is as old as
-// the first that comes by; places that nothing comes by any more are left out.
+// Whatever of the trails is closer than `reach` to the upright axis through the target leads on along one line of
+// places, from that which is farthest up or down to the target. Starts stay ends, energies arrive as before, and a
+// place is as old as the first that comes by; places that nothing comes by any more are left out.
 Trails gathered(const Trails& trails, float reach);
 
 }  // namespace panicle::particles

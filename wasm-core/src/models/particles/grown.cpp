@@ -17,9 +17,12 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
                 std::uint32_t traveller) {
   // What is young has the grown one's spacing, and so fewer particles.
   const float spacing = spacing_of(region, habit.count) / habit.growth;
-  const auto count = static_cast<std::uint32_t>(static_cast<float>(habit.count) * habit.growth * habit.growth * habit.growth + 0.5f);
+  const auto count =
+      static_cast<std::uint32_t>(static_cast<float>(habit.count) * habit.growth * habit.growth * habit.growth + 0.5f);
   std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
-  const Obstacles obstacles(request.obstacles, margin * spacing, floor, ceiling);
+  // A step may end that far beyond a corner.
+  const float step = habit.motion.rules.step * spacing;
+  const Obstacles obstacles(request.obstacles, margin * spacing, floor + step, ceiling - step);
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
 
@@ -27,7 +30,8 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles);
   const Wood& wood = grown.wood;
   if (wood.unreachable > 0)
-    plant.notes.push_back(std::to_string(wood.unreachable) + " particles have no way past the obstacles and were left out.");
+    plant.notes.push_back(std::to_string(wood.unreachable) +
+                          " particles have no way past the obstacles and were left out.");
   const bool running = habit.running && habit.age < 1;
   const auto now = running ? static_cast<std::uint32_t>(habit.age * static_cast<float>(wood.last)) : wood.last;
   for (const Trails& trails : wood.crowds) grown.trails.push_back(running ? until(trails, now) : trails);

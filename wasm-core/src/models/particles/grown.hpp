@@ -22,9 +22,9 @@ struct SpaceHabit {
   Motion motion;
   Girth girth;
   TrunkHabit trunk;
-  float age = 1;       // 0 … 1
-  bool running = true; // what age does: whether particles run, or the volume grows
-  float growth = 1;    // size of the volume over what it will be
+  float age = 1;        // 0 … 1
+  bool running = true;  // what age does: whether particles run, or the volume grows
+  float growth = 1;     // size of the volume over what it will be
 };
 
 inline constexpr float youngest = 0.02f;  // size of what has hardly grown
@@ -58,12 +58,13 @@ SpaceHabit space_habit(const Values& values) {
 
 struct Grown {
   Wood wood;
-  std::vector<Trails> trails;  // of each target, as they are now
+  std::vector<Trails> trails;                      // of each target, as they are now
   std::vector<std::vector<std::int32_t>> numbers;  // of each place the segment, −1 for none
 };
 
-// Scatters, runs, and adds to the plant its segments, columns and counts, and what there is to note; particles on their way as
-// organs of tag `traveller`. Nothing starts in an obstacle, nothing goes below `floor` or above `ceiling` to pass one.
+// Scatters, runs, and adds to the plant its segments, columns and counts, and what there is to note; particles on their
+// way as organs of tag `traveller`. Nothing starts in an obstacle, nothing goes below `floor` or above `ceiling` to
+// pass one.
 Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                 const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                 std::uint32_t traveller);

@@ -1,5 +1,5 @@
-// Apical dominance: the hormone of an axis's tip keeps side branches near it from growing (Thimann & Skoog 1933), as a density
-// of particles.
+// Apical dominance: the hormone of an axis's tip keeps side branches near it from growing (Thimann & Skoog 1933), as a
+// density of particles.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace panicle::particles {
 
 struct Hormone {
-  float strength = 0;                // 0 … 1
-  float tip = 0;                     // height of the tip that it comes from
-  float reach = 1;                   // distance along the axis over which it falls to 1/e
-  float leader = 1;                  // how far from the axis what it holds back begins
-  std::span<const glm::vec3> feet;   // of the axes
+  float strength = 0;               // 0 … 1
+  float tip = 0;                    // height of the tip that it comes from
+  float reach = 1;                  // distance along the axis over which it falls to 1/e
+  float leader = 1;                 // how far from the axis what it holds back begins
+  std::span<const glm::vec3> feet;  // of the axes
 
   // The share that is left at a place: all on the axis, for the leader goes on.
   float left(const glm::vec3& p) const {

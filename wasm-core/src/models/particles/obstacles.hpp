@@ -1,5 +1,5 @@
-// What stands in the way of branches and roots: boxes, a wall, a stone, another tree's crown. Nothing starts in them and no way
-// passes them; what they hide is come to round their edges.
+// What stands in the way of branches and roots: boxes, a wall, a stone, another tree's crown. Nothing starts in them
+// and no way passes them; what they hide is come to round their edges.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ class Obstacles {
   static constexpr std::uint32_t most = 16;
 
   Obstacles() = default;
-  // `margin`: how much wider than they are they count, so that what is drawn of a way keeps clear of them. `floor`, `ceiling`:
-  // heights between which ways lead.
+  // `margin`: how much wider than they are they count, so that what is drawn of a way keeps clear of them. `floor`,
+  // `ceiling`: heights between which ways lead.
   Obstacles(std::span<const Box> boxes, float margin, float floor, float ceiling);
 
   bool empty() const { return boxes_.empty(); }

@@ -13,16 +13,17 @@
 namespace panicle::particles {
 namespace {
 
-constexpr std::uint64_t stream_x = 0x70617274, stream_y = stream_x + 1, stream_z = stream_x + 2, stream_keep = stream_x + 3,
-                        stream_place = stream_x + 4;
-// Probes of a region's size: along the longest edge of a flat one's box, along the edge of a cube as large as a deep one's.
+constexpr std::uint64_t stream_x = 0x70617274, stream_y = stream_x + 1, stream_z = stream_x + 2,
+                        stream_keep = stream_x + 3, stream_place = stream_x + 4;
+// Probes of a region's size: along the longest edge of a flat one's box, along the edge of a cube as large as a deep
+// one's.
 constexpr std::int32_t probes_flat = 256, probes_deep = 48;
 constexpr float jitter = 0.8f;
 // Least distance of blue noise in spacings, so that about as many points fit as were asked for (measured).
 constexpr float apart_flat = 0.79f, apart_deep = 0.86f;
 constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
-// More than a hundred for each of the most points that are asked for: where a region fills hardly any of its box, there are
-// fewer points instead.
+// More than a hundred for each of the most points that are asked for: where a region fills hardly any of its box, there
+// are fewer points instead.
 constexpr std::uint64_t most_cells = 12'000'000;
 // A uniform point is looked for so many times for each wanted.
 constexpr std::uint64_t most_darts = 1000;
@@ -45,8 +46,8 @@ class Lattice {
   }
   glm::ivec3 cell(std::uint64_t index) const {
     // Fewer than 2^32, and of words half as long quotients are had in a third of the time.
-    const auto at = static_cast<std::uint32_t>(index), x = static_cast<std::uint32_t>(count_[0]),
-               row = at / x, y = static_cast<std::uint32_t>(count_[1]), layer = row / y;
+    const auto at = static_cast<std::uint32_t>(index), x = static_cast<std::uint32_t>(count_[0]), row = at / x,
+               y = static_cast<std::uint32_t>(count_[1]), layer = row / y;
     return glm::ivec3(at - row * x, row - layer * y, layer) + first_;
   }
   // Whether all of a cell's neighbours are in the lattice.
@@ -56,8 +57,8 @@ class Lattice {
       if (at[k] < margin || at[k] >= count_[k] - margin) return false;
     return true;
   }
-  // From a cell's index to the first of each row of five cells about it, the nearest rows first: with them all cells that
-  // come nearer to it than a cell is long from corner to corner.
+  // From a cell's index to the first of each row of five cells about it, the nearest rows first: with them all cells
+  // that come nearer to it than a cell is long from corner to corner.
   std::vector<std::int64_t> rows() const {
     std::vector<std::int64_t> found;
     for (std::int32_t shell = 0; shell <= 2 * margin * margin; ++shell)
@@ -129,9 +130,9 @@ std::vector<glm::vec3> jittered(const Region& region, float spacing, std::uint64
   return points;
 }
 
-// Darts at the cells of a lattice, small enough to hold one point at most: some rounds through those that are still empty
-// leave hardly a gap, in time linear in their number. (Darts at the whole region need ever more to find the last gaps.)
-// Where it is less dense, points are taken out afterwards.
+// Darts at the cells of a lattice, small enough to hold one point at most: some rounds through those that are still
+// empty leave hardly a gap, in time linear in their number. (Darts at the whole region need ever more to find the last
+// gaps.) Where it is less dense, points are taken out afterwards.
 std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t seed) {
   const bool flat = region.flat();
   const float diagonal = std::sqrt(flat ? 2.0f : 3.0f);

@@ -12,7 +12,7 @@
 namespace panicle::particles {
 namespace {
 
-constexpr float cells_along = 64;       // the longest edge of the box
+constexpr float cells_along = 64;        // the longest edge of the box
 constexpr float half_diagonal = 0.867f;  // of a cell, in edges
 
 }  // namespace
@@ -145,7 +145,8 @@ Surface box(const glm::vec3& low, const glm::vec3& high) {
   Surface made;
   for (std::uint32_t i = 0; i < 8; ++i)
     made.points.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  made.triangles = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
+  made.triangles = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
+                    2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
   return made;
 }
 
@@ -160,7 +161,9 @@ Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std:
       made.points.push_back(foot + glm::vec3(ring.x * cosine, ring.y, ring.x * sine));
     }
   middle(profile.back().y);
-  const auto at = [&](std::size_t ring, std::uint32_t k) { return static_cast<std::uint32_t>(1 + ring * sides + k % sides); };
+  const auto at = [&](std::size_t ring, std::uint32_t k) {
+    return static_cast<std::uint32_t>(1 + ring * sides + k % sides);
+  };
   const auto top = static_cast<std::uint32_t>(made.points.size() - 1);
   const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     made.triangles.insert(made.triangles.end(), {a, b, c});

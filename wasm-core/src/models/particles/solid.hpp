@@ -19,8 +19,8 @@ struct Surface {
 
 // Whether a point is inside is asked of the slice at its height, as in the paper (section 4.1): the surface's
 // cross-section with the horizontal plane, a polygon that winds about what is inside. Half-open rules make the slice of
-// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned ones
-// as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
+// any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned
+// ones as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
 class Solid final : public Region {
  public:
   explicit Solid(Surface surface);
@@ -37,7 +37,8 @@ class Solid final : public Region {
   // The cell of a place in the box.
   glm::ivec3 place_of(const glm::vec3& p) const {
     const glm::vec3 at = (p - low_) * per_edge_;
-    return {std::min(static_cast<std::int32_t>(at.x), count_.x - 1), std::min(static_cast<std::int32_t>(at.y), count_.y - 1),
+    return {std::min(static_cast<std::int32_t>(at.x), count_.x - 1),
+            std::min(static_cast<std::int32_t>(at.y), count_.y - 1),
             std::min(static_cast<std::int32_t>(at.z), count_.z - 1)};
   }
   bool slice_contains(const glm::vec3& p) const;
@@ -56,7 +57,8 @@ class Solid final : public Region {
 };
 
 Surface box(const glm::vec3& low, const glm::vec3& high);
-// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are closed.
+// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are
+// closed.
 Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides);
 Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides);
 // The surface about a point, smaller or larger.

@@ -62,7 +62,8 @@ Result<SpaceRequest> read_space(Request& request) {
   if (obstacles.size() / 6 > Obstacles::most)
     return refused("There may be no more than " + std::to_string(Obstacles::most) + " obstacles.");
 
-  for (std::size_t i = 0; i + 1 < profile.size(); i += 2) read.profile.emplace_back(std::fmax(profile[i], 0.0f), profile[i + 1]);
+  for (std::size_t i = 0; i + 1 < profile.size(); i += 2)
+    read.profile.emplace_back(std::fmax(profile[i], 0.0f), profile[i + 1]);
   read.volume = {triples(points), {triangles.begin(), triangles.end()}};
   read.targets = triples(targets);
   const std::vector<glm::vec3> corners = triples(obstacles);

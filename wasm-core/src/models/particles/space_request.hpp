@@ -13,9 +13,10 @@
 
 namespace panicle::particles {
 
-// Blocks: `profile` (float32, pairs of radius and height: 1 is half the width and the whole height of the boundary), `volume.points`
-// (float32, triples) and `volume.triangles` (uint32, triples) of a dropped mesh, `targets` (float32, triples in metres),
-// `obstacles` (float32, six each in metres: the low and the high corner of a box); and what every request has.
+// Blocks: `profile` (float32, pairs of radius and height: 1 is half the width and the whole height of the boundary),
+// `volume.points` (float32, triples) and `volume.triangles` (uint32, triples) of a dropped mesh, `targets` (float32,
+// triples in metres), `obstacles` (float32, six each in metres: the low and the high corner of a box); and what every
+// request has.
 struct SpaceRequest {
   static constexpr std::size_t most_targets = 256;
 
@@ -28,8 +29,8 @@ struct SpaceRequest {
   std::vector<Box> obstacles;
 };
 
-// Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, corners that are
-// none of the mesh's points, more targets or obstacles than there may be.
+// Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, corners
+// that are none of the mesh's points, more targets or obstacles than there may be.
 Result<SpaceRequest> read_space(Request& request);
 
 }  // namespace panicle::particles

@@ -56,13 +56,12 @@ float Trunk::way(const glm::vec3& p) const {
 }
 
 bool Trunk::passes(const glm::vec3& from, const glm::vec3& to) const {
-  if (!sees(from, to)) return false;
-  return outer_ == nullptr || (to.y - from.y) * habit_.way >= 0 || outer_->contains(to);
+  const float along = (to.y - from.y) * habit_.way;
+  if (along > 0 && (to.y - target().y) * habit_.way > 0) return false;
+  return sees(from, to) && (outer_ == nullptr || along >= 0 || outer_->contains(to));
 }
 
-bool Trunk::reaches(const glm::vec3& p) const {
-  return open(p) && (goes_straight(p) || turning(p) != nullptr);
-}
+bool Trunk::reaches(const glm::vec3& p) const { return open(p) && (goes_straight(p) || turning(p) != nullptr); }
 
 // The corner in sight from which the way is shortest.
 const Trunk::Corner* Trunk::turning(const glm::vec3& p) const {
@@ -83,7 +82,8 @@ void Trunk::survey() {
   for (const glm::vec3& place : obstacles_->corners())
     all.push_back({place, goes_straight(place) ? straight_way(place) : unknown});
   while (!all.empty()) {
-    const auto next = std::min_element(all.begin(), all.end(), [](const Corner& a, const Corner& b) { return a.way < b.way; });
+    const auto next =
+        std::min_element(all.begin(), all.end(), [](const Corner& a, const Corner& b) { return a.way < b.way; });
     if (next->way == unknown) break;
     const Corner found = *next;
     all.erase(next);

@@ -1,4 +1,5 @@
-// How particles of a tree find their way: to its trunk, and down that to the ground. Those of a root go up in the same way.
+// How particles of a tree find their way: to its trunk, and down that to the ground. Those of a root go up in the same
+// way.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +12,18 @@
 namespace panicle::particles {
 
 struct TrunkHabit {
-  float slant = 1;    // by how much of its distance from the axis a particle aims lower: 1 a clear leader, 2 decurrent
-  float ahead = 0;    // how far it looks along the axis that it is on
-  float bole = 0;     // how far from the target nothing comes to the axis any more
-  float way = -1;     // −1 where particles come down from above, 1 where they come up
-  glm::vec3 bend{0};  // added to the direction of what is `reach` away from the axis or farther, less and less towards it
+  float slant = 1;  // by how much of its distance from the axis a particle aims lower: 1 a clear leader, 2 decurrent
+  float ahead = 0;  // how far it looks along the axis that it is on
+  float bole = 0;   // how far from the target nothing comes to the axis any more
+  float way = -1;   // −1 where particles come down from above, 1 where they come up
+  glm::vec3 bend{
+      0};  // added to the direction of what is `reach` away from the axis or farther, less and less towards it
   float reach = 1;
 };
 
-// Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and leave
-// no leader. Limbs cross what is in between, the inner boundary too; the outer one they leave on the way down alone.
+// Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and
+// leave no leader. Limbs cross what is in between, the inner boundary too; the outer one they leave on the way down
+// alone, and nothing goes beyond the height of the target: the ground.
 class Trunk final : public Guide {
  public:
   // `outer` and `obstacles` must outlive it; either may be null.

@@ -29,8 +29,8 @@ struct Wood {
   std::uint32_t unreachable = 0;  // that have no way past the obstacles, and were left out
 };
 
-// Runs the particles to the nearest target (ties: that of the lowest index), those of each for themselves. `habit.ahead`
-// is set by the spacing.
+// Runs the particles to the nearest target (ties: that of the lowest index), those of each for themselves.
+// `habit.ahead` is set by the spacing.
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
          TrunkHabit habit, const Region& outer, const Obstacles& obstacles);
 

@@ -108,6 +108,24 @@ describe("a tree", () => {
 		expect(parts.some(({ name }) => /ball/i.test(name))).toBe(false);
 	});
 
+	it("stands beside its obstacles, whose faces look outwards", () => {
+		const specimen = { ...small(), obstacles: [2, 0, -1, 3, 4, 1, -5, 0, 0, -4, 1, 1] };
+		const walls = [...model.parts(grow(specimen), specimen)].filter(({ name }) => name.startsWith("Obstacle"));
+		expect(walls.map(({ name }) => name)).toEqual(["Obstacle 1", "Obstacle 2"]);
+		const { positions, normals, indices } = walls[0].shape?.mesh ?? { positions: [], normals: [], indices: [] };
+		expect(indices).toHaveLength(36);
+		for (let i = 0; i < positions.length; i++) {
+			if (normals[i] !== 0) expect(positions[i]).toBe([2, 0, -1, 3, 4, 1][(i % 3) + (normals[i] > 0 ? 3 : 0)]);
+		}
+		for (let i = 0; i < indices.length; i += 3) {
+			const [a, b, c] = [0, 1, 2].map((k) => positions.slice(3 * indices[i + k], 3 * indices[i + k] + 3));
+			const [u, v] = [b, c].map((p) => [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+			const cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+			const facing = cross.reduce((sum, value, k) => sum + value * normals[3 * indices[i] + k], 0);
+			expect(facing).toBeGreaterThan(0);
+		}
+	});
+
 	it("keeps each leaf's tint while particles run, and shows those as balls", () => {
 		const specimen = small();
 		const young = small(oak, { age: 40 });

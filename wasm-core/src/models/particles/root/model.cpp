@@ -1,6 +1,8 @@
-// The root (Rodkaew et al. 2003, section 4; docs/models/root/root.md): particles in a volume below ground, whose trails up to the
-// collar are its roots. Blocks: those of space_request.hpp. Columns: those of trail_plant.hpp, and `organs.sky`. Organs:
-// `particle`. Meshes: `stems`, `balls`.
+// The root (Rodkaew et al. 2003, section 4; docs/models/root/root.md): particles in a volume below ground, whose trails
+// up to the collar are its roots. Blocks: those of space_request.hpp. Columns: those of trail_plant.hpp, and
+// `organs.sky`. Organs: `particle`. Meshes: `stems`, `balls`.
+#include "plant/model.hpp"
+
 #include <array>
 #include <glm/common.hpp>
 #include <limits>
@@ -17,7 +19,6 @@
 #include "models/particles/root/parameters.generated.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/values.hpp"
-#include "plant/model.hpp"
 #include "plant/plain.hpp"
 
 namespace panicle::particles::root {
@@ -100,7 +101,8 @@ Result<Plant> grow(Request& request, const Limits&) {
   const Solid inner(values[Parameter::inner] > 0 ? scaled(whole, {0, ground, 0}, values[Parameter::inner]) : Surface{});
   std::vector<glm::vec3> targets = read->targets;
   const float plants = values[stems];
-  for (float k = 0; read->targets.empty() && k < plants; ++k) targets.emplace_back(extent.x * ((k + 0.5f) / plants - 0.5f), 0, 0);
+  for (float k = 0; read->targets.empty() && k < plants; ++k)
+    targets.emplace_back(extent.x * ((k + 0.5f) / plants - 0.5f), 0, 0);
 
   const Hormone held{values[hormone], low.y, hormone_reach * extent.y, 0.5f * leader * (extent.x + extent.z), targets};
   const Soil soil(outer, inner, values.whole(pattern) == 3 ? values[topsoil] : 0, held);

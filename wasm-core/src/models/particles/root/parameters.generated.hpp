@@ -58,7 +58,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"top", "", "", 0.0f, 5.0f, 0.0f, 0.0f, false},
     {"stems", "", "", 1.0f, 60.0f, 0.0f, 1.0f, true},
     {"slant", "", "", 0.0f, 8.0f, 0.0f, 1.0f, false},
-    {"gravitropism", "", "", -1.0f, 1.0f, 0.0f, 0.2f, false},
+    {"gravitropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
     {"law", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"exponent", "", "power", 0.1f, 1.5f, 0.0f, 0.45f, false},
     {"girth", "", "", 0.002f, 5.0f, 0.0f, 0.08f, false},

@@ -14,17 +14,19 @@ namespace {
 constexpr std::uint64_t stream_tilt = 0x6c656166, stream_turn = stream_tilt + 1, stream_size = stream_tilt + 2,
                         stream_fall = stream_tilt + 3;
 constexpr float golden_angle = 137.50776f;
-constexpr float tilt = 0.45f;           // how far leaves look away from the light
-constexpr float droop = 0.25f;          // of their tips
-constexpr float least_size = 0.75f;     // of the largest
+constexpr float tilt = 0.45f;        // how far leaves look away from the light
+constexpr float droop = 0.25f;       // of their tips
+constexpr float least_size = 0.75f;  // of the largest
 constexpr int needles = 5;
 
 // Half widths along a blade, in halves of its width.
 struct Station {
   float at, half;
 };
-constexpr std::array<Station, 6> pointed{{{0, 0.06f}, {0.14f, 0.62f}, {0.36f, 1}, {0.6f, 0.8f}, {0.82f, 0.36f}, {1, 0}}};
-constexpr std::array<Station, 6> round_{{{0, 0.1f}, {0.1f, 0.66f}, {0.42f, 1}, {0.72f, 0.9f}, {0.92f, 0.5f}, {1, 0.06f}}};
+constexpr std::array<Station, 6> pointed{
+    {{0, 0.06f}, {0.14f, 0.62f}, {0.36f, 1}, {0.6f, 0.8f}, {0.82f, 0.36f}, {1, 0}}};
+constexpr std::array<Station, 6> round_{
+    {{0, 0.1f}, {0.1f, 0.66f}, {0.42f, 1}, {0.72f, 0.9f}, {0.92f, 0.5f}, {1, 0.06f}}};
 
 void put_vertex(Mesh& mesh, const glm::vec3& p, const glm::vec3& normal, float u, float v) {
   mesh.positions.insert(mesh.positions.end(), {p.x, p.y, p.z});
@@ -43,7 +45,8 @@ void add_half(Mesh& mesh, std::span<const Station> stations, float width, float 
     const float arch = -0.12f * station.at * station.at;
     const glm::vec3 bent = glm::normalize(normal + glm::vec3(0, 0.24f * station.at, 0));
     put_vertex(mesh, {0, station.at, arch}, bent, 0.5f, station.at);
-    put_vertex(mesh, {side * half * cosine, station.at, arch + half * sine}, bent, 0.5f + 0.5f * side * station.half, station.at);
+    put_vertex(mesh, {side * half * cosine, station.at, arch + half * sine}, bent, 0.5f + 0.5f * side * station.half,
+               station.at);
   }
   for (std::uint32_t k = 0; k + 1 < stations.size(); ++k) {
     const std::uint32_t a = first + 2 * k, b = a + 1, c = a + 2, d = a + 3;
@@ -134,7 +137,8 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
     const Segment& twig = plant.segments[static_cast<std::size_t>(numbers[i])];
     const glm::vec3 along = twig.end - twig.start;
     const float length = glm::length(along);
-    const glm::vec3 way = length > 0 ? along / length : glm::vec3(0, 1, 0), side = beside(way), across = glm::cross(way, side);
+    const glm::vec3 way = length > 0 ? along / length : glm::vec3(0, 1, 0), side = beside(way),
+                    across = glm::cross(way, side);
     const std::uint64_t place = luck_of(trails.places[i]);
     const float turn = 360 * random_unit(habit.seed, stream_turn, place);
     for (std::uint32_t k = 0; k < habit.count; ++k) {

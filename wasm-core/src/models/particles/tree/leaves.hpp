@@ -18,7 +18,8 @@ struct Blade {
   float area = 0;  // of one side
 };
 
-// `width`: over the length. `fold`: degrees by which each half is folded up along the midrib. Of needles there are five.
+// `width`: over the length. `fold`: degrees by which each half is folded up along the midrib. Of needles there are
+// five.
 Blade make_blade(LeafShape shape, float width, float fold);
 
 struct LeafHabit {

@@ -1,6 +1,8 @@
-// The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light, whose
-// trails to the ground are its branches. Blocks: those of space_request.hpp. Columns: those of trail_plant.hpp, and
-// `organs.sky`. Organs: `leaf`, `particle`. Meshes: `stems`, `leaves`, `balls`.
+// The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light,
+// whose trails to the ground are its branches. Blocks: those of space_request.hpp. Columns: those of trail_plant.hpp,
+// and `organs.sky`. Organs: `leaf`, `particle`. Meshes: `stems`, `leaves`, `balls`.
+#include "plant/model.hpp"
+
 #include <array>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -21,7 +23,6 @@
 #include "models/particles/tree/measures/measures.generated.hpp"
 #include "models/particles/tree/parameters.generated.hpp"
 #include "models/particles/values.hpp"
-#include "plant/model.hpp"
 #include "plant/plain.hpp"
 
 namespace panicle::particles::tree {
@@ -34,7 +35,7 @@ constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t light_cells = 28;
 constexpr std::uint32_t ball_segments = 12;
-constexpr float highest = 1e6f;      // that a way past an obstacle may lead
+constexpr float highest = 1e6f;  // that a way past an obstacle may lead
 // How much of the bole bears no branch, of what is below the crown.
 constexpr float bole = 0.6f;
 // Of the hormone, in heights of the crown; of the leader, in widths.
@@ -52,7 +53,8 @@ Form form_of(std::uint32_t shape) {
 CrownHabit crown_of(const TreeValues& values) {
   CrownHabit habit;
   habit.form = form_of(values.whole(shape));
-  habit.size = values.whole(shape) == 0 ? glm::vec3(values[width]) : glm::vec3(values[width], values[height], values[depth]);
+  habit.size =
+      values.whole(shape) == 0 ? glm::vec3(values[width]) : glm::vec3(values[width], values[height], values[depth]);
   habit.inner = values[inner];
   habit.trunk = values[trunk];
   habit.crowns = values.whole(crowns);

@@ -170,7 +170,7 @@ export const PARAMETERS: readonly Entry[] = [
 		unit: "",
 		min: -1,
 		max: 1,
-		default: 0.2,
+		default: 0,
 		step: 0.05,
 		help: "How much tips bend down; below 0 up.",
 		since: 2,

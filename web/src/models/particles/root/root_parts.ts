@@ -1,6 +1,7 @@
 /** A root in parts: the roots themselves, and particles on their way. */
 import { linear, mixed } from "../../../plant/colour";
 import type { Part } from "../../../plant/part";
+import { obstacleParts } from "../boundary/obstacle_parts";
 import { particleMaterial } from "../boundary/particle_material";
 import { woodenParts } from "../boundary/wooden_parts";
 import type { WoodenPlant } from "../boundary/wooden_plant";
@@ -9,11 +10,13 @@ import type { RootSpecimen } from "./specimen";
 /** What fine roots of any plant come near to. */
 const FINE = linear("d9c7a0");
 
-export function rootParts(plant: WoodenPlant, { look }: RootSpecimen): Iterable<Part> {
+export function* rootParts(plant: WoodenPlant, specimen: RootSpecimen): Generator<Part> {
+	const { look } = specimen;
 	const old = linear(look.root);
-	return woodenParts(plant, {
+	yield* woodenParts(plant, {
 		wood: { name: "Root", colour: old, roughness: 0.85, grain: 0.25 },
 		bark: { old, young: mixed(old, FINE, 0.55), from: 0.0005, to: 0.008 },
 		tints: { skin: [particleMaterial] },
 	});
+	yield* obstacleParts(specimen);
 }

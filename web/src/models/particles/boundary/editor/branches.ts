@@ -23,10 +23,12 @@ export class BranchDrawing {
 		const now = { plant, frame, ratio: devicePixelRatio, ink: getComputedStyle(canvas).color };
 		if (this.#drawn && same(this.#drawn, now)) return;
 		this.#drawn = now;
-		// Whoever sizes a canvas wipes it.
-		canvas.width = Math.round(frame.width * now.ratio);
-		canvas.height = Math.round(frame.height * now.ratio);
+		const [width, height] = [frame.width, frame.height].map((pixels) => Math.round(pixels * now.ratio));
 		const pen = canvas.getContext("2d");
+		// To size a canvas wipes it, but takes longer.
+		if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+		pen?.setTransform(1, 0, 0, 1, 0, 0);
+		pen?.clearRect(0, 0, width, height);
 		if (pen && plant) inkBranches(pen, plant, now);
 	}
 }

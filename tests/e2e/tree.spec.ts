@@ -1,0 +1,105 @@
+import { unzipSync } from "fflate";
+import { validateBytes } from "gltf-validator";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+/** Few enough particles for a machine that draws by software. */
+const SMALL = "&n=300";
+
+test("a boundary's point is dragged, stepped by keys and undone; Escape calls a drag off", async ({ page }) => {
+	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
+	await expect(page).toHaveTitle("Oak 1 · Panicle");
+	const grown = await studio.fingerprint.innerText();
+	const grip = page.getByRole("region", { name: "Boundary view" }).locator("[data-grip=knot2]");
+	const box = await grip.boundingBox();
+	if (!box) throw new Error("There is no grip to drag.");
+	const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+	const drag = async () => {
+		await page.mouse.move(x, y);
+		await page.mouse.down();
+		for (let step = 1; step <= 6; step++) await page.mouse.move(x - 5 * step, y + step);
+	};
+	const dragged = await studio.regrown(async () => {
+		await drag();
+		await page.mouse.up();
+	});
+	await expect(page).toHaveURL(/profile=/);
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(studio.fingerprint).toHaveText(grown);
+	await expect(page).not.toHaveURL(/profile=/);
+
+	await drag();
+	await expect(studio.fingerprint).not.toHaveText(grown);
+	await page.keyboard.press("Escape");
+	await page.mouse.up();
+	await expect(studio.fingerprint).toHaveText(grown);
+
+	await grip.focus();
+	const stepped = await studio.regrown(() => page.keyboard.press("Shift+ArrowLeft"));
+	expect(stepped).not.toBe(dragged);
+	await expect(grip).toHaveAccessibleName(/^Point 3: [\d.]+ m out, [\d.]+ m up$/);
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(studio.fingerprint).toHaveText(grown);
+});
+
+test("the sun is moved, the age runs back and forth to the same tree", async ({ page }) => {
+	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
+	const grown = await studio.fingerprint.innerText();
+	await page.getByRole("region", { name: "Sun view" }).locator("[data-grip=sun]").focus();
+	await studio.regrown(() => page.keyboard.press("Shift+ArrowRight"));
+	await expect(page).toHaveURL(/sun=55/);
+	await studio.regrown(() => studio.button("Undo").click());
+	const age = studio.slider("Age");
+	await studio.regrown(() => age.press("PageDown"));
+	const young = await studio.fingerprint.innerText();
+	await studio.regrown(() => age.press("PageUp"));
+	await expect(studio.fingerprint).toHaveText(grown);
+	await studio.regrown(() => age.press("PageDown"));
+	await expect(studio.fingerprint).toHaveText(young);
+});
+
+test("a tree is downloaded as GLB, OBJ and JSON", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?model=tree&preset=sphere&n=60");
+	const glb = await studio.download("glb");
+	const { issues } = await validateBytes(new Uint8Array(glb.bytes));
+	expect([issues.numErrors, issues.numWarnings]).toEqual([0, 0]);
+	const obj = unzipSync(new Uint8Array((await studio.download("obj")).bytes));
+	expect(Object.keys(obj).some((name) => name.endsWith(".obj"))).toBe(true);
+	const json = JSON.parse((await studio.download("json")).bytes.toString());
+	expect(json.specimen).toMatchObject({ model: "tree", preset: "sphere" });
+	expect(json.targets).toHaveLength(1);
+	expect(json.fingerprint).toBe(await studio.fingerprint.innerText());
+});
+
+test("a closed mesh dropped on the boundary becomes it, and the page says where it is kept", async ({ page }) => {
+	const studio = await new StudioPage(page).open(`?model=tree&preset=box${SMALL}`);
+	const octahedron = ["1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"].map((point) => `v ${point}`);
+	const faces = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6"].map((face) => `f ${face}`);
+	const drop = (name: string, text: string) =>
+		page.locator("panicle-boundary").evaluate(
+			(view, [fileName, content]) => {
+				const dataTransfer = new DataTransfer();
+				dataTransfer.items.add(new File([content], fileName));
+				const init = { dataTransfer, bubbles: true, cancelable: true, composed: true };
+				for (const type of ["dragover", "drop"]) view.dispatchEvent(new DragEvent(type, init));
+			},
+			[name, text],
+		);
+	await studio.regrown(() => drop("octahedron.obj", [...octahedron, ...faces].join("\n")));
+	await expect(studio.notices).toContainText("The mesh is the boundary now");
+	await expect(page.locator(".override")).toContainText("A mesh of 8 triangles.");
+	await expect(studio.notices).not.toContainText("The file was not opened");
+	await drop("broken.obj", "v 0 0 0\nf 1 2 3\n");
+	await expect(studio.notices).toContainText("Line 2 of the OBJ has a corner, “2”");
+});
+
+test("roots stand below ground, and another model's preset brings its views", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?model=root&n=300");
+	await expect(page).toHaveTitle("Tap root 1 · Panicle");
+	await expect(page.getByRole("application", { name: /^Root: [\d.]+ m deep, [\d,]+ root tips/ })).toBeVisible();
+	await expect(page.getByRole("region", { name: "Sun view" })).toHaveCount(0);
+	await studio.regrown(() => page.getByRole("button", { name: "Cypress", exact: true }).click());
+	await expect(page.getByRole("region", { name: "Sun view" })).toBeVisible();
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(page.getByRole("region", { name: "Sun view" })).toHaveCount(0);
+});
