@@ -13,7 +13,7 @@ namespace {
 // How far a trail may be off where places are left out, in spacings.
 constexpr float tolerance = 0.08f;
 // Branches have no neighbours that keep them from being drawn straight.
-constexpr float smoothing = 2;
+constexpr float smoothing = 1.5f;
 // Closer than this to the axis, trails are one, in spacings.
 constexpr float trunk = 0.35f;
 // How far particles look along the axis, in spacings.
