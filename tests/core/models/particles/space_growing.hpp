@@ -88,7 +88,7 @@ std::vector<Value> column_in(const Plant& plant, std::string_view name) {
     const ColumnView view = plant.columns[i];
     if (view.name != name) continue;
     std::vector<Value> values(std::size_t{view.rows} * view.width);
-    std::memcpy(values.data(), view.data, values.size() * sizeof(Value));
+    if (!values.empty()) std::memcpy(values.data(), view.data, values.size() * sizeof(Value));
     return values;
   }
   return {};
