@@ -40,7 +40,7 @@ export default [
 			},
 			{
 				id: "crowd-out-of-the-shape",
-				find: "if (!open_between(slot, place + strides_[slot])) strides_[slot] = rules_.step * ahead;",
+				find: "if (!guide_->passes(place, place + strides_[slot])) strides_[slot] = rules_.step * ahead;",
 				replace: "",
 				breaks: "trails leave the outline",
 			},

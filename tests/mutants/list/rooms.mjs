@@ -249,9 +249,9 @@ export default [
 			},
 			{
 				id: "request-of-any-width",
-				find: "found->width == 1 && ",
-				replace: "",
-				breaks: "columns of several values a row are read as single ones",
+				find: "found->rows <= most / found->width",
+				replace: "found->rows <= most",
+				breaks: "a block of wide rows may be larger than is allowed",
 			},
 		],
 	},

@@ -408,6 +408,21 @@ TEST_CASE("meshes: tubes of bark along the branches, leaves and balls as organs 
   CHECK(grow_tree({.parameters = {{"particles", 400}}}).meshes.empty());
 }
 
+TEST_CASE("meshes are there for what is borne, and for nothing else") {
+  const auto names = [](std::initializer_list<std::pair<std::string_view, float>> more) {
+    std::vector<std::pair<std::string_view, float>> parameters{{"particles", 200}};
+    parameters.insert(parameters.end(), more);
+    std::vector<std::string> found;
+    for (const PlantMesh& each : grow_tree({.parameters = parameters, .outputs = "meshes"}).meshes)
+      found.push_back(each.name);
+    return found;
+  };
+  CHECK(names({}) == std::vector<std::string>{"stems", "leaves"});
+  CHECK(names({{"leaves", 0}}) == std::vector<std::string>{"stems"});
+  CHECK(names({{"leaves", 0}, {"age", 50}}) == std::vector<std::string>{"stems", "balls"});
+  CHECK(names({{"age", 50}}) == std::vector<std::string>{"stems", "leaves", "balls"});
+}
+
 TEST_CASE("the sky is darker inside a crown than on it") {
   const Plant plant =
       grow_tree({.parameters = {{"particles", 3000}, {"inner", 0}, {"leaf_size", 30}}, .outputs = "meshes sky"});

@@ -115,7 +115,7 @@ Result<Plant> grow(Request& request, const Limits&) {
   if (read->meshes) {
     dress(plant, grown, "root", no_leaf, 0, read->sky);
     for (Organ& organ : plant.organs) organ.mesh = 1;
-    plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+    if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
   }
   plant.fingerprint = fingerprint_of(plant);
   if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);

@@ -159,9 +159,11 @@ Result<Plant> grow(Request& request, const Limits&) {
   }
   if (read->meshes) {
     dress(plant, grown, "bark", leaf_tag, blade.area, read->sky);
-    for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag ? 1 : 2;
-    plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
-    plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+    // Only what is borne: a mesh that no organ is drawn with would stand by itself.
+    const bool leafy = plant.organs.size() > particles_under_way;
+    for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag || !leafy ? 1 : 2;
+    if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
+    if (particles_under_way > 0) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
   }
   plant.fingerprint = fingerprint_of(plant);
   if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
