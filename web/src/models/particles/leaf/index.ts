@@ -15,7 +15,6 @@ export const model = {
 	title: "Leaf",
 	noun: "leaf",
 	wasm: "particles.wasm",
-	pictures: false,
 	encode: encodeLeaf,
 	read: readLeaf,
 	parts: (grown, specimen) => leafParts(grown, specimen),

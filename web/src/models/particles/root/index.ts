@@ -13,7 +13,6 @@ export const model = {
 	title: "Root",
 	noun: "root",
 	wasm: "particles.wasm",
-	pictures: false,
 	encode: (specimen, options) => encodeBounded(ROOT.table, specimen, options),
 	read: readWoodenPlant,
 	parts: rootParts,

@@ -13,7 +13,6 @@ export const model = {
 	title: "Tree",
 	noun: "tree",
 	wasm: "particles.wasm",
-	pictures: false,
 	encode: (specimen, options) => encodeBounded(TREE.table, specimen, options),
 	read: readWoodenPlant,
 	parts: treeParts,
