@@ -7,8 +7,15 @@ const kind = (page: Page) => page.getByRole("combobox", { name: "Kind of preset"
 const count = (page: Page) => page.locator(".find [role=status]");
 const shown = (page: Page) => page.locator(".preset");
 
+/** The app with every model's presets in its gallery. */
+async function opened(page: Page, search?: string): Promise<StudioPage> {
+	const studio = await new StudioPage(page).open(search);
+	await expect(page.locator("[data-preset=twin]")).toBeAttached();
+	return studio;
+}
+
 test("presets are searched by what they are called and said to be, and the count is told", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
+	const studio = await opened(page);
 	const all = await shown(page).count();
 	await expect(count(page)).toHaveText(`${all} presets`);
 	await search(page).fill("gewurz");
@@ -23,7 +30,7 @@ test("presets are searched by what they are called and said to be, and the count
 });
 
 test("nothing found says so, and Escape or a button brings all of them back", async ({ page }) => {
-	await new StudioPage(page).open();
+	await opened(page);
 	const all = await shown(page).count();
 	await search(page).fill("plum pudding");
 	await expect(shown(page)).toHaveCount(0);
@@ -39,7 +46,7 @@ test("nothing found says so, and Escape or a button brings all of them back", as
 });
 
 test("one kind is shown alone, and searched alone", async ({ page }) => {
-	await new StudioPage(page).open();
+	await opened(page);
 	await kind(page).selectOption("Other fruits");
 	await expect(shown(page)).toHaveCount(5);
 	await expect(page.getByRole("region", { name: "Varieties" })).toHaveCount(0);
@@ -53,7 +60,7 @@ test("one kind is shown alone, and searched alone", async ({ page }) => {
 test("the keyboard goes from the field to the presets and from one to the next; the strip is one stop", async ({
 	page,
 }) => {
-	const studio = await new StudioPage(page).open();
+	const studio = await opened(page);
 	await search(page).focus();
 	await page.keyboard.press("Tab");
 	await page.keyboard.press("Tab");
@@ -77,7 +84,7 @@ test("the keyboard goes from the field to the presets and from one to the next; 
 });
 
 test("typing in the field is typing: no letter is a shortcut, and undo is the field's", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
+	const studio = await opened(page);
 	await search(page).pressSequentially("snot");
 	await expect(studio.button("Show stems only")).toHaveAttribute("aria-pressed", "false");
 	await expect(studio.button("Undo")).toBeDisabled();
@@ -90,7 +97,7 @@ for (const [words, width, height] of [
 ] as const) {
 	test(`presets are found ${words}`, async ({ page }) => {
 		await page.setViewportSize({ width, height });
-		const studio = await new StudioPage(page).open();
+		const studio = await opened(page);
 		await search(page).fill("syrah");
 		await expect(shown(page)).toHaveText(["Syrah"]);
 		await studio.regrown(() => shown(page).first().click());
@@ -105,7 +112,7 @@ test("pictures come when they are near to being seen", async ({ page }) => {
 		if (/\/gallery\//.test(request.url())) asked.add(request.url());
 	});
 	await page.setViewportSize({ width: 390, height: 844 });
-	await new StudioPage(page).open();
+	await opened(page);
 	await page.waitForLoadState("networkidle");
 	expect(asked.size).toBeGreaterThan(0);
 	expect(asked.size).toBeLessThan(await shown(page).count());

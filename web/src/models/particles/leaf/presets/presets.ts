@@ -19,7 +19,7 @@ import willow from "./willow.json";
 export const PRESET_KINDS = [
 	{ key: "palmate", title: "Main veins from the base" },
 	{ key: "pinnate", title: "A midrib with side veins" },
-	{ key: "free", title: "Neither" },
+	{ key: "free", title: "Fans and bows" },
 ] as const satisfies readonly PresetKind[];
 
 /** The preset a link without `preset` means. */
