@@ -28,12 +28,6 @@ bunch::Request read(const ContainerWriter& writer) {
   return read;
 }
 
-Grown grown(const bunch::Request& request) {
-  auto result = grow(request);
-  REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
-  return std::move(result.value());
-}
-
 template <class Value>
 std::vector<Value> column(const Plant& plant, std::string_view name) {
   for (std::size_t i = 0; i < plant.columns.size(); ++i) {
