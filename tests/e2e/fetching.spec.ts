@@ -49,7 +49,7 @@ test("the octahedron comes with the next press, where its script did not", async
 });
 
 test("the tools come when asked again, where their script did not", async ({ page }) => {
-	const tools = await failing(page, /assets\/tools-/);
+	const tools = await failing(page, /assets\/face-/);
 	const studio = new StudioPage(page);
 	await page.goto("./");
 	await expect(studio.notices).toContainText("The tools of the bunch could not be fetched");
