@@ -4,6 +4,9 @@ import { StudioPage } from "./studio_page";
 test("the 3-D view turns by mouse and keys, and comes back to the picture it began with", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+	// What else comes with the page has come: a first picture taken meanwhile need not be the last.
+	await expect(page.locator("[data-preset=twin]")).toBeAttached();
+	await page.waitForLoadState("networkidle");
 	/** The picture once it stands still, drawn in full, with the focus on it and the mouse away. */
 	const settled = async () => {
 		await page.mouse.move(0, 0);
@@ -15,7 +18,7 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 			return before !== undefined && picture.equals(before);
 		};
 		// Longer than a movement takes to be drawn in full, even where software draws.
-		await expect.poll(same, { intervals: [1000] }).toBe(true);
+		await expect.poll(same, { intervals: [1500] }).toBe(true);
 		return picture as unknown as Buffer;
 	};
 	// The ring of the focus is seen after a key, and not after a click.
