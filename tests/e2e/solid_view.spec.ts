@@ -1,6 +1,10 @@
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
+/** Whether two pictures are the same but for the last digit, which compositing at an edge need not give twice. */
+const same = (one: Uint8Array, other: Uint8Array) =>
+	one.length === other.length && one.every((level, at) => Math.abs(level - other[at]) <= 2);
+
 test("the 3-D view turns by mouse and keys, and comes back to the picture it began with", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=short-conical");
 	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
@@ -11,15 +15,15 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	const settled = async () => {
 		await page.mouse.move(0, 0);
 		await studio.canvas.focus();
-		let picture: Buffer | undefined;
-		const same = async () => {
+		let picture = new Uint8Array();
+		const still = async () => {
 			const before = picture;
-			picture = await studio.canvas.screenshot();
-			return before !== undefined && picture.equals(before);
+			picture = (await studio.pixels()).data;
+			return same(picture, before);
 		};
 		// Longer than a movement takes to be drawn in full, even where software draws.
-		await expect.poll(same, { intervals: [1500] }).toBe(true);
-		return picture as unknown as Buffer;
+		await expect.poll(still, { intervals: [1500] }).toBe(true);
+		return picture;
 	};
 	// The ring of the focus is seen after a key, and not after a click.
 	await studio.button("Reset view").click();
@@ -28,9 +32,9 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	const front = await settled();
 	for (const key of ["ArrowRight", "+", "Shift+ArrowUp"]) {
 		await page.keyboard.press(key);
-		await expect.poll(async () => (await studio.canvas.screenshot()).equals(front)).toBe(false);
+		await expect.poll(async () => same((await studio.pixels()).data, front)).toBe(false);
 		await page.keyboard.press("0");
-		await expect.poll(async () => (await settled()).equals(front)).toBe(true);
+		await expect.poll(async () => same(await settled(), front)).toBe(true);
 	}
 	const box = await studio.canvas.boundingBox();
 	if (!box) throw new Error("no canvas");
@@ -38,9 +42,9 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	await page.mouse.down();
 	await page.mouse.move(box.x + 120, box.y + 60, { steps: 3 });
 	await page.mouse.up();
-	expect((await settled()).equals(clicked)).toBe(false);
+	expect(same(await settled(), clicked)).toBe(false);
 	await studio.button("Reset view").click();
-	await expect.poll(async () => (await settled()).equals(clicked)).toBe(true);
+	await expect.poll(async () => same(await settled(), clicked)).toBe(true);
 	expect(page.url()).not.toMatch(/[?&]l=/);
 });
 

@@ -108,7 +108,7 @@ export class StudioPage {
 
 	/** The share of the view's pixels that are dark: berries and stems on the light paper. */
 	async inkOnCanvas(): Promise<number> {
-		const { data } = await this.#pixels();
+		const { data } = await this.pixels();
 		let dark = 0;
 		for (let at = 0; at < data.length; at += 4) if (data[at] + data[at + 1] + data[at + 2] < 360) dark++;
 		return dark / (data.length / 4);
@@ -116,7 +116,7 @@ export class StudioPage {
 
 	/** Where on the page the lowest handle of the octahedron is: the lowest patch of the accent's colour. */
 	async lowestHandle(): Promise<{ x: number; y: number } | undefined> {
-		const { data, width } = await this.#pixels();
+		const { data, width } = await this.pixels();
 		const near = (at: number) =>
 			Math.abs(data[at] - 123) + Math.abs(data[at + 1] - 30) + Math.abs(data[at + 2] - 59) < 24;
 		let last = data.length - 4;
@@ -128,7 +128,7 @@ export class StudioPage {
 	}
 
 	/** What the view shows, read from a screenshot: a WebGL canvas keeps no pixels to ask for. */
-	async #pixels(): Promise<{ width: number; data: Uint8Array }> {
+	async pixels(): Promise<{ width: number; data: Uint8Array }> {
 		const picture = await this.canvas.screenshot();
 		const { width, base64 } = await this.page.evaluate(async (png) => {
 			const bytes = Uint8Array.from(atob(png), (char) => char.charCodeAt(0));
