@@ -15,7 +15,7 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	const settled = async () => {
 		await page.mouse.move(0, 0);
 		await studio.canvas.focus();
-		let picture = new Uint8Array();
+		let picture: Uint8Array = new Uint8Array();
 		const still = async () => {
 			const before = picture;
 			picture = (await studio.pixels()).data;
