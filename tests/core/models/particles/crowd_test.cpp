@@ -244,6 +244,21 @@ TEST_CASE("the order of starts is all that names them: the same starts give the 
   CHECK(one.next == other.next);
 }
 
+TEST_CASE("two who are alone see each other, however far apart") {
+  const Straight guide({0, 0, 0});
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    CAPTURE(seed);
+    const auto place = [&](std::uint64_t i) {
+      return glm::vec3(random_unit(seed, i, 0), random_unit(seed, i, 1), random_unit(seed, i, 2));
+    };
+    const std::vector<glm::vec3> points{place(0), place(1)};
+    Neighbours neighbours;
+    neighbours.lay(points);
+    CHECK(neighbours.nearest(0, 1e9f, guide) == 1);
+    CHECK(neighbours.nearest(1, 1e9f, guide) == 0);
+  }
+}
+
 TEST_CASE("nearest and pairs are what looking at all would find, ties to the lowest index") {
   const Straight guide({0, 0, 0});
   for (std::uint64_t seed = 0; seed < 40; ++seed) {

@@ -113,6 +113,32 @@ TEST_CASE("a region that grows keeps the points that it has, and another seed gi
   }
 }
 
+namespace {
+
+// Two balls far apart, which count how often they are asked of a place.
+class FarApart final : public Region {
+ public:
+  glm::vec3 low() const override { return {-1, -1, -1}; }
+  glm::vec3 high() const override { return {201, 1, 1}; }
+  bool contains(const glm::vec3& p) const override {
+    ++asked;
+    return glm::length(p) < 1 || glm::distance(p, glm::vec3(200, 0, 0)) < 1;
+  }
+  Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
+    return from.x > 1 && to.x < 199 ? Share::none : Share::some;
+  }
+  mutable std::uint64_t asked = 0;
+};
+
+}  // namespace
+
+TEST_CASE("what lies empty between is not looked at place by place") {
+  const FarApart region;
+  const auto points = scatter(region, Pattern::jittered, 8000, 0.1f, 1);
+  CHECK(points.size() > 7000);
+  CHECK(region.asked < 8 * points.size());
+}
+
 TEST_CASE("a region without extent holds nobody, and nothing hangs") {
   for (const Pattern pattern : patterns) {
     CHECK(scatter(Round(true, 0), pattern, 100, spacing_of(Round(true, 0), 100), 1).empty());

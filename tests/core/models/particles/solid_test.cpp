@@ -114,6 +114,19 @@ TEST_CASE("what is certain of a box is so for every place in it") {
   CHECK(solid.share_of({2, 2, 2}, {3, 3, 3}) == Share::none);
 }
 
+TEST_CASE("of solids far apart what is certain is known as well as of one") {
+  Surface two = ellipsoid({0, 0, 0}, {1, 1, 1}, 32);
+  append(two, ellipsoid({100, 0, 0}, {1, 1, 1}, 32));
+  const Solid solid(two);
+  CHECK(solid.share_of({99.9f, -0.1f, -0.1f}, {100.1f, 0.1f, 0.1f}) == Share::all);
+  CHECK(solid.share_of({40, -0.5f, -0.5f}, {60, 0.5f, 0.5f}) == Share::none);
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    const glm::vec3 p = dart(i, 1.1f);
+    const float length = glm::length(p);
+    if (length < 0.95f || length > 1) CHECK(solid.contains(p + glm::vec3(100, 0, 0)) == (length < 1));
+  }
+}
+
 TEST_CASE("nothing is in nothing, and nowhere is nowhere") {
   const Solid none({});
   CHECK_FALSE(none.contains({0, 0, 0}));
@@ -123,6 +136,8 @@ TEST_CASE("nothing is in nothing, and nowhere is nowhere") {
   CHECK_FALSE(solid.contains({0.5f, INFINITY, 0.5f}));
   const Solid flat(box({0, 0, 0}, {1, 0, 1}));
   CHECK_FALSE(flat.contains({0.5f, 0.5f, 0.5f}));
+  const Solid point(box({1, 1, 1}, {1, 1, 1}));
+  CHECK_FALSE(point.contains({1, 1, 1.5f}));
 }
 
 TEST_CASE("each form fills its box from end to end, and no further") {

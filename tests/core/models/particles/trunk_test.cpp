@@ -123,7 +123,7 @@ TEST_CASE("trails down one axis become one trunk, with all that arrives") {
   trails.energy = {3, 1, 2, 1, 2, 1, 2};
   trails.born = {9, 7, 8, 5, 6, 1, 1};
   trails.particle = {-1, -1, -1, -1, -1, 0, 1};
-  const Trails one = gathered(trails, 0.1f);
+  const Trails one = gathered(trails, Straight({0, 0, 0}), 0.1f);
   REQUIRE(one.size() == 7);
   CHECK(one.energy[0] == 3);
   std::size_t at_target = 0;
@@ -149,9 +149,31 @@ TEST_CASE("an excursion off the axis that nothing goes by any more is left out")
   trails.energy = {1, 1, 1, 1, 1};
   trails.born = {5, 4, 3, 2, 1};
   trails.particle = {-1, -1, -1, -1, 0};
-  const Trails one = gathered(trails, 0.1f);
+  const Trails one = gathered(trails, Straight({0, 0, 0}), 0.1f);
   REQUIRE(one.size() == 4);
   for (const glm::vec3& place : one.places) CHECK(place.x != 0.5f);
+}
+
+TEST_CASE("where something stands on the axis, what is beyond is one line that goes round as its particles went") {
+  const std::vector<Box> boxes{{{-0.3f, 1.4f, -0.3f}, {0.3f, 1.6f, 0.3f}}};
+  const Obstacles obstacles(boxes, 0, 0, 100);
+  const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, nullptr, &obstacles);
+  // Two trails side by side above it, each round it on a side of its own.
+  Trails trails;
+  trails.places = {{0, 0, 0}, {0, 1, 0},        {0.01f, 0.8f, 0}, {0.5f, 1.5f, 0}, {-0.5f, 1.5f, 0},
+                   {0, 2, 0}, {0.01f, 2.2f, 0}, {1, 3, 0},        {-1, 3, 0}};
+  trails.next = {-1, 0, 0, 1, 2, 3, 4, 5, 6};
+  trails.energy = {2, 1, 1, 1, 1, 1, 1, 1, 1};
+  trails.born = {9, 7, 7, 5, 5, 3, 3, 1, 1};
+  trails.particle = {-1, -1, -1, -1, -1, -1, -1, 0, 1};
+  const Trails one = gathered(trails, guide, 0.1f);
+  REQUIRE(one.size() == 8);
+  for (std::size_t i = 1; i < one.size(); ++i) {
+    const auto next = static_cast<std::size_t>(one.next[i]);
+    CHECK(guide.sees(one.places[i], one.places[next]));
+    CHECK(one.places[i].x != -0.5f);
+    if (one.places[i].x == 0.5f) CHECK(one.energy[i] == 2);
+  }
 }
 
 }  // namespace

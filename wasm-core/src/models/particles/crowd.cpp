@@ -47,7 +47,8 @@ Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guid
     low = glm::min(low, starts[i]);
     high = glm::max(high, starts[i]);
   }
-  patience_ = 1 + static_cast<std::uint32_t>(std::min(patience * longest / rules.step, 1e9f));
+  const float strides = rules.step > 0 ? patience * longest / rules.step : 0;
+  patience_ = 1 + static_cast<std::uint32_t>(std::min(strides, 1e9f));
   if (rules_.join > 0) {
     grid_ = TrailGrid(low, high, rules_.join, cells_a_particle * started_ + 64);
     for (const Node& node : nodes_) grid_.lay(node.place);
@@ -84,17 +85,21 @@ void Crowd::look() {
   strides_.resize(count);
   for (std::uint32_t slot = 0; slot < count; ++slot) {
     const glm::vec3& place = places_[slot];
-    const glm::vec3 ahead = towards(place, guide_->aim(place));
+    const glm::vec3 aim = guide_->aim(place), ahead = towards(place, aim);
     const std::uint32_t other = alone ? Neighbours::none : neighbours_.nearest(slot, reach, *guide_);
-    if (other == Neighbours::none) {
-      strides_[slot] = rules_.step * ahead;
-      continue;
+    glm::vec3& stride = strides_[slot];
+    stride = rules_.step * ahead;
+    if (other != Neighbours::none) {
+      const glm::vec3 aside = towards(place, places_[other]);
+      const glm::vec3 sum =
+          rules_.printed ? towards(glm::vec3(0), aside + ahead) : (rules_.pull * aside + ahead) / (1 + rules_.pull);
+      if (guide_->passes(place, place + rules_.step * sum)) {
+        stride = rules_.step * sum;
+        continue;
+      }
     }
-    const glm::vec3 aside = towards(place, places_[other]);
-    const glm::vec3 sum =
-        rules_.printed ? towards(glm::vec3(0), aside + ahead) : (rules_.pull * aside + ahead) / (1 + rules_.pull);
-    strides_[slot] = rules_.step * sum;
-    if (!guide_->passes(place, place + strides_[slot])) strides_[slot] = rules_.step * ahead;
+    // What is made for is in sight; what lies a step beyond it need not be.
+    if (glm::distance(place, aim) < rules_.step && !guide_->passes(place, place + stride)) stride = aim - place;
   }
 }
 

@@ -19,7 +19,7 @@ namespace panicle::particles {
 // What print leaves open is decided so:
 // - All directions come from the places before the step. Coincident particles do not draw each other. Where both pulls
 //   cancel, a particle waits: the one in front for the one behind.
-// - A step that would leave the shape is taken towards the aim alone.
+// - A step that would leave the shape is taken towards the aim alone, and no farther than there where it still would.
 // - A particle within a step of the target arrives; its last segment ends exactly there.
 // - Pairs closer than `merge` meet, the nearest first, each particle once a step. The heavier goes on (of equal ones
 // the one

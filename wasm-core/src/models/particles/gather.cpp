@@ -51,7 +51,7 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next) {
 
 }  // namespace
 
-Trails gathered(const Trails& trails, float reach) {
+Trails gathered(const Trails& trails, const Guide& guide, float reach) {
   std::vector<std::uint32_t> axis;
   std::vector<float> nearness;
   const glm::vec3 foot = trails.places[0];
@@ -61,10 +61,18 @@ Trails gathered(const Trails& trails, float reach) {
     axis.push_back(i);
     nearness.push_back(-std::fabs(from.y));
   }
-  const std::vector<std::uint32_t> order = order_of(nearness);
+  std::vector<std::uint32_t> line;
+  for (const std::uint32_t at : order_of(nearness)) line.push_back(axis[at]);
+  line.push_back(0);
   std::vector<std::int32_t> next = trails.next;
-  for (std::size_t k = 0; k < order.size(); ++k)
-    next[axis[order[k]]] = k + 1 < order.size() ? static_cast<std::int32_t>(axis[order[k + 1]]) : 0;
+  for (std::size_t first = 0, end; first < line.size(); first = end) {
+    end = first + 1;
+    while (end < line.size() && guide.sees(trails.places[line[end - 1]], trails.places[line[end]])) ++end;
+    // A trail leads to ever lower numbers, so from the lowest of a stretch none leads back into it.
+    const auto exit = std::min_element(line.begin() + static_cast<std::ptrdiff_t>(first),
+                                       line.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t k = first; line[k] != *exit; ++k) next[line[k]] = static_cast<std::int32_t>(line[k + 1]);
+  }
   return linked(trails, std::move(next));
 }
 

@@ -2,13 +2,15 @@
 // have several trunks in one.
 #pragma once
 
+#include "models/particles/guide.hpp"
 #include "models/particles/trails.hpp"
 
 namespace panicle::particles {
 
 // Whatever of the trails is closer than `reach` to the upright axis through the target leads on along one line of
 // places, from that which is farthest up or down to the target. Starts stay ends, energies arrive as before, and a
-// place is as old as the first that comes by; places that nothing comes by any more are left out.
-Trails gathered(const Trails& trails, float reach);
+// place is as old as the first that comes by; places that nothing comes by any more are left out. Where something
+// stands on the axis, what is beyond it is a line of its own, which goes round as its particles went.
+Trails gathered(const Trails& trails, const Guide& guide, float reach);
 
 }  // namespace panicle::particles

@@ -37,7 +37,8 @@ void Neighbours::lay(std::span<const glm::vec3> points) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  across_ = points.empty() ? 0 : glm::distance(low, high);
+  // A little more, lest its square be rounded below that of two at opposite corners.
+  across_ = points.empty() ? 0 : 1.001f * glm::distance(low, high);
   edge_ = spacing(high - low, points.size());
   grid_.lay(points, edge_);
   const std::span<const std::uint32_t> ids = grid_.ids();

@@ -33,7 +33,7 @@ class Neighbours {
  private:
   std::span<const glm::vec3> points_;
   float edge_ = 0;
-  float across_ = 0;  // of the points' box, corner to corner
+  float across_ = 0;  // at least what the points' box measures from corner to corner
   PointGrid grid_;
   std::vector<float> x_, y_, z_;  // by slot, and three more
 };

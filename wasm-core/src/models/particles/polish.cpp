@@ -42,7 +42,7 @@ void smooth(Trails& trails, const Guide& guide, float share) {
   std::vector<std::uint32_t> moving;
   std::vector<float> passes;
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
-    if (runs[i].second == 0) continue;
+    if (runs[i].second == 0 || trails.particle[i] >= 0) continue;
     moving.push_back(i);
     const float weight = static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]));
     passes.push_back(-share * (least_passes + more_passes * weight));

@@ -25,6 +25,8 @@ constexpr std::uint64_t blue_rounds = 6, edge_rounds = 2;
 // More than a hundred for each of the most points that are asked for: where a region fills hardly any of its box, there
 // are fewer points instead.
 constexpr std::uint64_t most_cells = 12'000'000;
+// Of a jittered lattice, whose cells hold one point each and are not kept.
+constexpr std::uint64_t most_jittered = 100'000'000;
 // A uniform point is looked for so many times for each wanted.
 constexpr std::uint64_t most_darts = 1000;
 
@@ -79,9 +81,16 @@ class Lattice {
     return {along(0), along(1), flat_ ? 0 : along(2)};
   }
   // What is certain of a cell; points of it may be off by rounding.
-  Share share_of(const glm::ivec3& cell, const Region& region) const {
-    const glm::vec3 low = (glm::vec3(cell) - 1e-3f) * edge_;
-    return flat_ ? Share::some : region.share_of(low, low + 1.002f * edge_);
+  Share share_of(const glm::ivec3& cell, const Region& region) const { return share_of(cell, 1, region); }
+  // Of so many in a row.
+  Share share_of(const glm::ivec3& cell, std::int32_t count, const Region& region) const {
+    const glm::vec3 low = (glm::vec3(cell) - 1e-3f) * edge_, size = glm::vec3(count, 1, 1) + 2e-3f;
+    return flat_ ? Share::some : region.share_of(low, low + size * edge_);
+  }
+  // How many cells there are from one on in its row, 16 at most.
+  std::uint64_t run(std::uint64_t index) const {
+    const auto row = static_cast<std::uint64_t>(count_[0]);
+    return std::min<std::uint64_t>(16, row - index % row);
   }
   // Whether all of a cell is within `reach` of a point.
   bool covered(const glm::ivec3& cell, const glm::vec3& p, float reach) const {
@@ -120,12 +129,19 @@ std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::u
 
 std::vector<glm::vec3> jittered(const Region& region, float spacing, std::uint64_t seed) {
   std::vector<glm::vec3> points;
+  while (Lattice(region, spacing).cells() > most_jittered) spacing *= 1.1f;
   const Lattice lattice(region, spacing);
-  for (std::uint64_t i = 0; i < lattice.cells(); ++i) {
-    const glm::ivec3 cell = lattice.cell(i);
+  const auto look = [&](const glm::ivec3& cell) {
     const glm::vec3 p = lattice.point(cell, jitter, seed, 0);
     if (region.contains(p) && random_unit(seed, stream_keep, Lattice::address_of(cell, 0)) < region.density(p))
       points.push_back(p);
+  };
+  // By runs of cells: where crowns stand far apart, most of their box is air.
+  for (std::uint64_t i = 0; i < lattice.cells(); i += lattice.run(i)) {
+    const glm::ivec3 cell = lattice.cell(i);
+    const auto length = static_cast<std::int32_t>(lattice.run(i));
+    if (lattice.share_of(cell, length, region) == Share::none) continue;
+    for (std::int32_t k = 0; k < length; ++k) look(cell + glm::ivec3(k, 0, 0));
   }
   return points;
 }

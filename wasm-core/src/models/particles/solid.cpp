@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <utility>
 
 #include "foundation/mathematics.hpp"
@@ -12,7 +11,10 @@
 namespace panicle::particles {
 namespace {
 
-constexpr float cells_along = 64;        // the longest edge of the box
+constexpr float cells_along = 64;  // the edge of a cube as large as the box
+constexpr float most_along = 4096;
+constexpr float most_cells = 400'000;
+constexpr float least_edge = 1e-30f;     // of a cell, where all points coincide
 constexpr float half_diagonal = 0.867f;  // of a cell, in edges
 
 }  // namespace
@@ -26,7 +28,10 @@ Solid::Solid(Surface surface) : surface_(std::move(surface)) {
     high_ = glm::max(high_, p);
   }
   const glm::vec3 size = high_ - low_;
-  edge_ = std::max({size.x, size.y, size.z, std::numeric_limits<float>::min()}) / cells_along;
+  const float longest = std::max({size.x, size.y, size.z});
+  edge_ = std::max({cube_root(size.x * size.y * size.z) / cells_along, longest / most_along, least_edge});
+  const auto cells = [&] { return (size.x / edge_ + 1) * (size.y / edge_ + 1) * (size.z / edge_ + 1); };
+  while (cells() > most_cells) edge_ *= 1.25f;
   per_edge_ = 1 / edge_;
   count_ = glm::ivec3(size * per_edge_) + 1;
   sort();

@@ -50,7 +50,7 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
           std::erase_if(bound[i], [&](const glm::vec3& start) { return !guide.reaches(start); }));
     Crowd crowd(bound[i], motion.energy, guide, rules);
     crowd.run();
-    Trails trails = gathered(crowd.trails(), trunk * spacing);
+    Trails trails = gathered(crowd.trails(), guide, trunk * spacing);
     smooth(trails, guide, smoothing);
     wood.crowds.push_back(simplified(trails, tolerance * spacing));
     wood.all.push_back(trails.energy[0]);

@@ -1,0 +1,54 @@
+// What stands in the way of trees and roots.
+#include "models/particles/obstacles.hpp"
+
+#include <doctest/doctest.h>
+
+#include "space_growing.hpp"
+
+namespace panicle::particles {
+namespace {
+
+std::vector<Box> boxes_of(const std::vector<float>& rows) {
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i + 5 < rows.size(); i += 6)
+    boxes.push_back({{rows[i], rows[i + 1], rows[i + 2]}, {rows[i + 3], rows[i + 4], rows[i + 5]}});
+  return boxes;
+}
+
+// No way through one, and all energy at the target.
+void check_round(const Plant& plant, const std::vector<float>& rows) {
+  const Obstacles obstacles(boxes_of(rows), 0, -100, 100);
+  const auto energies = column_in<float>(plant, "segments.energy");
+  REQUIRE(energies.size() == plant.segments.size());
+  float arrived = 0;
+  for (std::size_t i = 0; i < plant.segments.size(); ++i) {
+    const Segment& segment = plant.segments[i];
+    CHECK_FALSE(obstacles.between(segment.start, segment.end));
+    if (segment.parent < 0) arrived += energies[i];
+  }
+  CHECK(arrived == static_cast<float>(count_of(plant, "particles")));
+}
+
+}  // namespace
+
+TEST_CASE("what stands on a trunk's axis is gone round") {
+  for (const std::vector<float>& rows : {std::vector<float>{-0.5f, 1.5f, -0.5f, 0.5f, 2, 0.5f},
+                                         {-0.4f, 3, -0.4f, 0.4f, 3.3f, 0.4f},
+                                         {-0.5f, 0.6f, -0.5f, 0.5f, 1, 0.5f, -0.3f, 3, -0.3f, 0.6f, 3.5f, 0.3f}}) {
+    CAPTURE(rows[1]);
+    check_round(grow_tree({.parameters = {{"particles", 1500}}, .obstacles = rows}), rows);
+  }
+}
+
+TEST_CASE("a tap root goes round the stone below it, and is one again beyond") {
+  const std::vector<float> stone{-0.1f, -0.6f, -0.1f, 0.1f, -0.4f, 0.1f};
+  const Plant plant = grow_root({.parameters = {{"particles", 1500}}, .obstacles = stone});
+  check_round(plant, stone);
+  // What crosses a level below it near the axis.
+  int strands = 0;
+  for (const Segment& segment : plant.segments)
+    strands += segment.start.y >= -0.75f && segment.end.y < -0.75f && std::hypot(segment.end.x, segment.end.z) < 0.01f;
+  CHECK(strands <= 1);
+}
+
+}  // namespace panicle::particles
