@@ -1,14 +1,7 @@
-import { BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, type Texture, Vector3 } from "three";
+import { type Mesh, type Texture, Vector3 } from "three";
 import { linear } from "../plant/colour";
+import { FullScreen } from "./full_screen";
 import type { LightRig } from "./light";
-
-const VERTEX = /* glsl */ `
-varying vec2 place;
-void main() {
-	place = position.xy;
-	gl_Position = vec4(position.xy, 1.0, 1.0);
-}
-`;
 
 /** Paper: a pool of light that comes from the key's side, the plant's shadow, a breath of grain against banding. */
 const FRAGMENT = /* glsl */ `
@@ -28,7 +21,7 @@ void main() {
 	vec2 from = (place - vec2(-0.18, 0.16)) * vec2(min(aspect, 1.35), 1.0);
 	float near = exp(-1.5 * dot(from, from));
 	vec3 paper = mix(edge, pool, near);
-	float hidden = 1.0 - dot(texture2D(shadowMap, 0.5 * place + 0.5), vec4(0.25));
+	float hidden = 1.0 - texture2D(shadowMap, 0.5 * place + 0.5).r;
 	// The shadow fades out before the view's edge so that no edge ever cuts it.
 	vec2 rim = 1.0 - smoothstep(vec2(0.7), vec2(1.02), abs(place));
 	paper *= mix(vec3(1.0), shade, shadow * hidden * rim.x * rim.y);
@@ -38,16 +31,13 @@ void main() {
 }
 `;
 
-/** One triangle behind everything; not tone-mapped, so that its edges are exactly the page's colour. */
+/** The paper behind everything; not tone-mapped, so that its edges are exactly the page's colour. */
 export class Backdrop {
-	readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+	readonly #paper: FullScreen;
 
 	constructor(shadowMap: Texture) {
-		const geometry = new BufferGeometry();
-		geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-		const material = new ShaderMaterial({
+		this.#paper = new FullScreen({
 			name: "backdrop",
-			vertexShader: VERTEX,
 			fragmentShader: FRAGMENT,
 			uniforms: {
 				shadowMap: { value: shadowMap },
@@ -57,28 +47,28 @@ export class Backdrop {
 				shadow: { value: 0 },
 				aspect: { value: 1 },
 			},
-			depthWrite: false,
-			toneMapped: false,
+			behind: true,
 		});
-		this.mesh = new Mesh(geometry, material);
-		this.mesh.frustumCulled = false;
 		// After the plant: the depth test then spares the pixels that it covers.
 		this.mesh.renderOrder = 2;
 	}
 
+	get mesh(): Mesh {
+		return this.#paper.mesh;
+	}
+
 	setRig(rig: LightRig): void {
-		const { uniforms } = this.mesh.material;
+		const { uniforms } = this.#paper;
 		uniforms.edge.value.fromArray(linear(rig.paper.edge));
 		uniforms.pool.value.fromArray(linear(rig.paper.pool));
 		uniforms.shadow.value = rig.shadow.depth;
 	}
 
 	setAspect(aspect: number): void {
-		this.mesh.material.uniforms.aspect.value = aspect;
+		this.#paper.uniforms.aspect.value = aspect;
 	}
 
 	dispose(): void {
-		this.mesh.geometry.dispose();
-		this.mesh.material.dispose();
+		this.#paper.dispose();
 	}
 }

@@ -1,32 +1,41 @@
 import { LinearFilter, type PerspectiveCamera, Scene, Vector3, type WebGLRenderer, WebGLRenderTarget } from "three";
 import type { LightRig } from "./light";
 import { spreadOf } from "./light";
+import { SoftShadow } from "./soft_shadow";
 
 /** Pixels along the target's shorter side; the shadow is soft, so more would show nothing new. */
-const RESOLUTION = 104;
+const RESOLUTION = 160;
 
 /**
  * The shadow on the paper, drawn small and read back by the backdrop. The paper faces the viewer at depth `paper` (view
  * space, negative); the shadow goes there along the lamp's direction and is as soft as it has come far.
  */
 export class PaperShadow {
-	/** What casts: meshes whose materials, made with `uniforms`, lay them on the paper, white light to black. */
+	/** What casts softly of itself: meshes whose materials, made with `uniforms`, lay them on the paper, white light to black. */
 	readonly root = new Scene();
+	/** What casts as from a point, to be softened (`MeshShadow`). */
+	readonly hard = new Scene();
 	readonly uniforms = {
 		paper: { value: -1 },
 		/** Towards the lamp, in view space, and the tangent of its apparent radius. */
 		lamp: { value: new Vector3(0, 0, 1) },
 		spread: { value: 0.3 },
 	};
+	readonly #soft = new SoftShadow();
 	readonly #target = new WebGLRenderTarget(1, 1, {
 		depthBuffer: false,
 		magFilter: LinearFilter,
 		minFilter: LinearFilter,
 	});
 
-	/** What has been drawn: the light that is left. The channels are as many samples of the lamp, to be averaged. */
+	/** What has been drawn: the light that is left, in each channel. */
 	get texture() {
 		return this.#target.texture;
+	}
+
+	/** Whether anything casts. */
+	set visible(visible: boolean) {
+		this.root.visible = this.hard.visible = visible;
 	}
 
 	setRig({ shadow, key }: LightRig): void {
@@ -45,11 +54,14 @@ export class PaperShadow {
 		renderer.setRenderTarget(this.#target);
 		renderer.setClearColor(0xffffff, 1);
 		renderer.clear();
-		renderer.render(this.root, camera);
+		if (this.hard.visible && this.hard.children.length > 0)
+			this.#soft.draw(renderer, this.hard, camera, this.uniforms.spread.value, this.#target);
+		if (this.root.children.length > 0) renderer.render(this.root, camera);
 		renderer.setRenderTarget(null);
 	}
 
 	dispose(): void {
 		this.#target.dispose();
+		this.#soft.dispose();
 	}
 }

@@ -1,29 +1,10 @@
-import {
-	BufferAttribute,
-	BufferGeometry,
-	Camera,
-	FramebufferTexture,
-	LinearFilter,
-	Mesh,
-	RGBFormat,
-	Scene,
-	ShaderMaterial,
-	Vector2,
-	type WebGLRenderer,
-} from "three";
+import { FramebufferTexture, LinearFilter, RGBFormat, Vector2, type WebGLRenderer } from "three";
+import { FullScreen } from "./full_screen";
 import type { Size } from "./renderer";
-
-const VERTEX = /* glsl */ `
-varying vec2 at;
-void main() {
-	at = 0.5 * position.xy + 0.5;
-	gl_Position = vec4(position.xy, 0.0, 1.0);
-}
-`;
 
 /** Along an edge, which runs across the steepest change of brightness, pixels are blurred; all others stay. */
 const FRAGMENT = /* glsl */ `
-varying vec2 at;
+varying vec2 place;
 uniform sampler2D picture;
 uniform vec2 pixel;
 uniform ivec2 last;
@@ -32,9 +13,10 @@ float at_pixel(ivec2 by) {
 	return dot(texelFetch(picture, clamp(ivec2(gl_FragCoord.xy) + by, ivec2(0), last), 0).rgb, LUMA);
 }
 float bright(vec2 by) {
-	return dot(texture2D(picture, at + by * pixel).rgb, LUMA);
+	return dot(texture2D(picture, 0.5 * place + 0.5 + by * pixel).rgb, LUMA);
 }
 vec3 pair(vec2 run, float by) {
+	vec2 at = 0.5 * place + 0.5;
 	return 0.5 * (texture2D(picture, at + run * by).rgb + texture2D(picture, at - run * by).rgb);
 }
 void main() {
@@ -62,41 +44,27 @@ void main() {
  * the same whatever is in the picture, where more samples a pixel have software shade every triangle's edge again.
  */
 export class SmoothEdges {
-	readonly #scene = new Scene();
-	readonly #camera = new Camera();
-	readonly #material = new ShaderMaterial({
+	readonly #screen = new FullScreen({
 		name: "smooth-edges",
-		vertexShader: VERTEX,
 		fragmentShader: FRAGMENT,
 		uniforms: { picture: { value: null }, pixel: { value: new Vector2() }, last: { value: new Vector2() } },
-		depthTest: false,
-		depthWrite: false,
-		toneMapped: false,
 	});
-	readonly #geometry = new BufferGeometry();
 	#picture: FramebufferTexture | undefined;
-
-	constructor() {
-		this.#geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-		const mesh = new Mesh(this.#geometry, this.#material);
-		mesh.frustumCulled = false;
-		this.#scene.add(mesh);
-	}
 
 	/** Smooths what stands in the lower left corner of the canvas. */
 	draw(renderer: WebGLRenderer, size: Size): void {
 		const picture = this.#pictureOf(size);
 		renderer.copyFramebufferToTexture(picture);
-		this.#material.uniforms.picture.value = picture;
-		this.#material.uniforms.pixel.value.set(1 / size.width, 1 / size.height);
-		this.#material.uniforms.last.value.set(size.width - 1, size.height - 1);
-		renderer.render(this.#scene, this.#camera);
+		const { uniforms } = this.#screen;
+		uniforms.picture.value = picture;
+		uniforms.pixel.value.set(1 / size.width, 1 / size.height);
+		uniforms.last.value.set(size.width - 1, size.height - 1);
+		this.#screen.draw(renderer);
 	}
 
 	dispose(): void {
 		this.#picture?.dispose();
-		this.#geometry.dispose();
-		this.#material.dispose();
+		this.#screen.dispose();
 	}
 
 	#pictureOf({ width, height }: Size): FramebufferTexture {

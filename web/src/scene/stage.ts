@@ -109,13 +109,13 @@ export class Stage<S, G> implements Drawable {
 	#fill(): void {
 		this.#filled = true;
 		this.#root.visible = true;
-		this.#shadow.root.visible = true;
+		this.#shadow.visible = true;
 	}
 
 	#empty(): void {
 		this.#filled = false;
 		this.#root.visible = false;
-		this.#shadow.root.visible = false;
+		this.#shadow.visible = false;
 		this.#marked = undefined;
 	}
 }

@@ -1,0 +1,65 @@
+import {
+	BufferAttribute,
+	BufferGeometry,
+	Camera,
+	type IUniform,
+	Mesh,
+	Scene,
+	ShaderMaterial,
+	type WebGLRenderer,
+} from "three";
+
+const VERTEX = /* glsl */ `
+varying vec2 place;
+void main() {
+	place = position.xy;
+	gl_Position = vec4(position.xy, 1.0, 1.0);
+}
+`;
+
+export interface FullScreenOptions {
+	name: string;
+	/** Finds itself in `varying vec2 place`, from −1, −1 at the lower left to 1, 1. */
+	fragmentShader: string;
+	uniforms: Record<string, IUniform>;
+	/** Whether it stands behind what has been drawn; else over it. */
+	behind?: boolean;
+}
+
+/** One triangle over all of a target, whatever the camera. */
+export class FullScreen {
+	readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+	readonly #camera = new Camera();
+	#scene: Scene | undefined;
+
+	constructor({ name, fragmentShader, uniforms, behind = false }: FullScreenOptions) {
+		const geometry = new BufferGeometry();
+		geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+		const material = new ShaderMaterial({
+			name,
+			vertexShader: VERTEX,
+			fragmentShader,
+			uniforms,
+			depthTest: behind,
+			depthWrite: false,
+			toneMapped: false,
+		});
+		this.mesh = new Mesh(geometry, material);
+		this.mesh.frustumCulled = false;
+	}
+
+	get uniforms(): Record<string, IUniform> {
+		return this.mesh.material.uniforms;
+	}
+
+	/** Draws it alone, over what the target holds. */
+	draw(renderer: WebGLRenderer): void {
+		this.#scene ??= new Scene().add(this.mesh);
+		renderer.render(this.#scene, this.#camera);
+	}
+
+	dispose(): void {
+		this.mesh.geometry.dispose();
+		this.mesh.material.dispose();
+	}
+}

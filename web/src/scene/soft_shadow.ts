@@ -1,0 +1,86 @@
+import {
+	LinearFilter,
+	LinearMipmapLinearFilter,
+	type PerspectiveCamera,
+	type Scene,
+	type WebGLRenderer,
+	WebGLRenderTarget,
+} from "three";
+import { FullScreen } from "./full_screen";
+
+/** Pixels along the hard shadow's shorter side: stalks must not fall between them. */
+const RESOLUTION = 400;
+
+/**
+ * Each place looks how far what hides it has come, first in the large and then nearer by, and takes the mean of the disc as
+ * which the lamp is seen from there (Fernando 2005, "Percentage-closer soft shadows", on a picture of the shadow).
+ */
+const FRAGMENT = /* glsl */ `
+varying vec2 place;
+uniform sampler2D hard;
+uniform vec2 size;
+uniform float softness;
+vec2 seen(vec2 at, float pixels) {
+	return textureLod(hard, at, log2(max(1.0, pixels))).rg;
+}
+void main() {
+	vec2 at = 0.5 * place + 0.5;
+	float radius = softness;
+	for (int look = 0; look < 3; look++) {
+		vec2 aside = radius / size;
+		vec2 found = seen(at, radius) + seen(at + aside * vec2(0.7, 0.2), radius) + seen(at + aside * vec2(-0.2, 0.7), radius)
+			+ seen(at + aside * vec2(-0.7, -0.2), radius) + seen(at + aside * vec2(0.2, -0.7), radius);
+		if (found.r < 1e-3) break;
+		radius = max(1.0, softness * found.g / found.r);
+	}
+	float hidden = 0.0, weights = 0.0;
+	for (int i = 0; i < 24; i++) {
+		float out_ = sqrt((float(i) + 0.5) / 24.0), turn = 2.39996323 * float(i);
+		float weight = 1.0 - 0.7 * out_ * out_;
+		hidden += weight * seen(at + radius * out_ * vec2(cos(turn), sin(turn)) / size, 0.5 * radius).r;
+		weights += weight;
+	}
+	gl_FragColor = vec4(vec3(1.0 - hidden / weights), 1.0);
+}
+`;
+
+/** Makes of shadows thrown from a point those of a lamp that has an extent: the softer, the farther they have come. */
+export class SoftShadow {
+	readonly #target = new WebGLRenderTarget(1, 1, {
+		depthBuffer: false,
+		generateMipmaps: true,
+		magFilter: LinearFilter,
+		minFilter: LinearMipmapLinearFilter,
+	});
+	readonly #screen = new FullScreen({
+		name: "soft-shadow",
+		fragmentShader: FRAGMENT,
+		uniforms: { hard: { value: this.#target.texture }, size: { value: [1, 1] }, softness: { value: 0 } },
+	});
+
+	/**
+	 * Draws into `onto` how much light is left, 1 to 0.
+	 * @param hard what casts; draws 1 and, over half the paper's distance, how far the shadow has come
+	 * @param spread the tangent of the lamp's apparent radius
+	 */
+	draw(renderer: WebGLRenderer, hard: Scene, camera: PerspectiveCamera, spread: number, onto: WebGLRenderTarget): void {
+		const height = camera.aspect >= 1 ? RESOLUTION : Math.round(RESOLUTION / camera.aspect);
+		const width = Math.round(height * camera.aspect);
+		this.#target.setSize(width, height);
+		renderer.setRenderTarget(this.#target);
+		renderer.setClearColor(0x000000, 1);
+		renderer.clear();
+		renderer.render(hard, camera);
+		const { uniforms } = this.#screen;
+		uniforms.size.value = [width, height];
+		// A length of half the paper's distance, in pixels, at that distance.
+		uniforms.softness.value = spread * 0.25 * camera.projectionMatrix.elements[5] * height;
+		renderer.setRenderTarget(onto);
+		this.#screen.draw(renderer);
+	}
+
+	dispose(): void {
+		this.#target.dispose();
+		this.#screen.dispose();
+	}
+}
