@@ -107,8 +107,12 @@ export class StudioPage {
 	}
 
 	/** The share of the view's pixels that are dark: berries and stems on the light paper. */
-	async inkOnCanvas(): Promise<number> {
-		const { data } = await this.pixels();
+	inkOnCanvas(): Promise<number> {
+		return this.inkOn(this.canvas);
+	}
+
+	async inkOn(view: Locator): Promise<number> {
+		const { data } = await this.pixels(view);
 		let dark = 0;
 		for (let at = 0; at < data.length; at += 4) if (data[at] + data[at + 1] + data[at + 2] < 360) dark++;
 		return dark / (data.length / 4);
@@ -128,8 +132,8 @@ export class StudioPage {
 	}
 
 	/** What the view shows, read from a screenshot: a WebGL canvas keeps no pixels to ask for. */
-	async pixels(): Promise<{ width: number; data: Uint8Array }> {
-		const picture = await this.canvas.screenshot();
+	async pixels(view = this.canvas): Promise<{ width: number; data: Uint8Array }> {
+		const picture = await view.screenshot();
 		const { width, base64 } = await this.page.evaluate(async (png) => {
 			const bytes = Uint8Array.from(atob(png), (char) => char.charCodeAt(0));
 			const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));

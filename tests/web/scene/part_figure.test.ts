@@ -33,11 +33,10 @@ describe("the figure of any plant", () => {
 		figure.show(plant, {});
 		expect(meshes().map(({ name }) => name)).toEqual(["Trunk", "Branch", "Bract", "Leaf"]);
 		expect((meshes()[3] as InstancedMesh).count).toBe(3);
-		// Four places of the lamp.
-		expect(stage.shadow.root.children).toHaveLength(4 * 4);
+		expect(stage.shadow.hard.children).toHaveLength(4);
 		figure.show({ ...plant, meshes: plant.meshes.slice(0, 1) }, {});
 		expect(meshes()).toHaveLength(2);
-		expect(stage.shadow.root.children).toHaveLength(2 * 4);
+		expect(stage.shadow.hard.children).toHaveLength(2);
 	});
 
 	it("keeps what it wears from plant to plant, so that no program is built anew, and throws away what two have not worn", () => {
@@ -112,7 +111,7 @@ describe("the figure of any plant", () => {
 		figure.mark(0);
 		figure.dispose();
 		expect(stage.root.children).toEqual([]);
-		expect(stage.shadow.root.children).toEqual([]);
+		expect(stage.shadow.hard.children).toEqual([]);
 	});
 
 	it("stands in the stage's light", () => {
