@@ -8,6 +8,7 @@ import { exportJson } from "../../../../../web/src/export/json";
 import { exportObj } from "../../../../../web/src/export/obj";
 import { png } from "../../../../../web/src/export/png";
 import type { GrowthOptions } from "../../../../../web/src/models/model";
+import type { Leaf } from "../../../../../web/src/models/particles/leaf/grown";
 import { model } from "../../../../../web/src/models/particles/leaf/index";
 import { curveOf } from "../../../../../web/src/models/particles/leaf/outline/spline";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
@@ -103,12 +104,32 @@ describe("a grown leaf", () => {
 	});
 });
 
+/** Of all runs of a path. */
+function lengthOf(d: string): number {
+	const runs = d.split("M").slice(1);
+	return runs.reduce((sum, run) => {
+		const places = run.split("L").map((place) => place.split(" ").map(Number));
+		const steps = places.slice(1).map(([x, y], i) => Math.hypot(x - places[i][0], y - places[i][1]));
+		return sum + steps.reduce((all, step) => all + step, 0);
+	}, 0);
+}
+
+/** Square millimetres of length times mean width. */
+function veinArea({ chart, segments }: Leaf, millimetres: number): number {
+	let sum = 0;
+	for (let i = 0; i < segments.count; i++) {
+		const length = Math.hypot(chart[4 * i + 2] - chart[4 * i], chart[4 * i + 3] - chart[4 * i + 1]);
+		sum += length * millimetres * (segments.radii[2 * i] + segments.radii[2 * i + 1]) * 1000;
+	}
+	return sum;
+}
+
 describe("files of a leaf", () => {
 	const specimen = leafFromPreset("grapevine");
 
 	it("is a GLB to which Khronos' validator has nothing to say, grown or on the way, and an OBJ", async () => {
 		for (const each of [specimen, withValues("maple", { age: 35, particles: 200 })]) {
-			const leaf = grow(each, { measures: false });
+			const leaf = grow(each);
 			const about = await aboutPlant(model, leaf, each);
 			const found = await complaints(exportGlb(model.parts(leaf, each), about));
 			// Whoever shows the normals makes the tangents.
@@ -140,22 +161,28 @@ describe("files of a leaf", () => {
 		expect(widths).toEqual([...widths].sort((a, b) => a - b));
 		expect(widths.at(-1)).toBeLessThanOrEqual(specimen.parameters.vein + 0.01);
 		expect(svg.match(/L/g)?.length).toBeGreaterThanOrEqual(leaf.segments.count);
+		// What is drawn covers as much as the veins do, and no step along a vein is seen.
+		const drawn = classes.reduce((sum, [, width, d]) => sum + Number(width) * lengthOf(d), 0);
+		expect(drawn / veinArea(leaf, specimen.parameters.length)).toBeCloseTo(1, 1);
+		const main = widths.filter((width) => width > 0.2);
+		for (let i = 1; i < main.length; i++) expect(main[i] / main[i - 1]).toBeLessThan(1.25);
 		const [, width] = /width="([\d.]+)mm"/.exec(svg) ?? [];
 		expect(Number(width)).toBeGreaterThan(specimen.parameters.length);
+		const [, height] = /height="([\d.]+)mm"/.exec(svg) ?? [];
+		const ys = leaf.margin.filter((_, at) => at % 2 === 1);
+		expect(Number(height)).toBeCloseTo((Math.max(...ys) - Math.min(...ys)) * specimen.parameters.length + 4, 1);
 		expect(svg).not.toContain("NaN");
 	});
 
 	it("lays the same pictures on its faces in GLB and OBJ as in the view, larger ones once it stands", async () => {
-		const sizes = [specimen, specimen].map((each, i) =>
-			[...model.parts(grow(each, { passing: i === 1 }), each)].map(
-				({ shape }) => shape?.material.textures?.colour?.width,
-			),
+		const sizes = [{ measures: false }, { passing: true }].map((options) =>
+			[...model.parts(grow(specimen, options), specimen)].map(({ shape }) => shape?.material.textures?.colour?.width),
 		);
 		expect(sizes).toEqual([
 			[1024, 1024, undefined],
 			[256, 256, undefined],
 		]);
-		const leaf = grow(specimen, { measures: false });
+		const leaf = grow(specimen, { passing: true });
 		const parts = [...model.parts(leaf, specimen)];
 		const textures = parts.map(({ shape }) => shape?.material.textures);
 		expect(parts.map(({ shape }) => shape?.mesh.colours)).toEqual([undefined, undefined, undefined]);

@@ -47,7 +47,7 @@ function area(uvs: Float32Array, a: number, b: number, c: number): number {
 }
 
 /** Triangles of three corners, and the vertices that they use. */
-function compacted({ positions, uvs }: Mesh, indices: Uint32Array): Mesh {
+function compacted({ positions, normals, uvs }: Mesh, indices: Uint32Array): Mesh {
 	const numbers = new Map<number, number>();
 	const kept: number[] = [];
 	for (let at = 0; at < indices.length; at += 3) {
@@ -61,23 +61,10 @@ function compacted({ positions, uvs }: Mesh, indices: Uint32Array): Mesh {
 	const used = [...numbers.keys()];
 	const gathered = (values: Float32Array, width: number) =>
 		Float32Array.from(used.flatMap((vertex) => [...values.subarray(width * vertex, width * (vertex + 1))]));
-	const lit = { positions: gathered(positions, 3), uvs: gathered(uvs, 2), indices: Uint32Array.from(kept) };
-	return { ...lit, normals: normalsOf(lit) };
-}
-
-/** Means over the triangles about each vertex, by their areas: of the blade alone, whose veins are in its textures. */
-function normalsOf({ positions, indices }: Pick<Mesh, "positions" | "indices">): Float32Array {
-	const normals = new Float32Array(positions.length);
-	const way = (from: number, to: number) => [0, 1, 2].map((k) => positions[3 * to + k] - positions[3 * from + k]);
-	for (let at = 0; at < indices.length; at += 3) {
-		const [a, b, c] = indices.subarray(at, at + 3);
-		const [[ux, uy, uz], [vx, vy, vz]] = [way(a, b), way(a, c)];
-		const twice = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-		for (const corner of [a, b, c]) for (let k = 0; k < 3; k++) normals[3 * corner + k] += twice[k];
-	}
-	for (let at = 0; at < normals.length; at += 3) {
-		const length = Math.hypot(...normals.subarray(at, at + 3)) || 1;
-		for (let k = 0; k < 3; k++) normals[at + k] /= length;
-	}
-	return normals;
+	return {
+		positions: gathered(positions, 3),
+		normals: gathered(normals, 3),
+		uvs: gathered(uvs, 2),
+		indices: Uint32Array.from(kept),
+	};
 }

@@ -12,7 +12,7 @@ const TURNING_RIM = 0.11;
 const DRYING_RIM = 0.12;
 /** When a place turns that no vein feeds, and how much later one does on the widest vein: in shares of autumn. */
 const TURNS = 0.4;
-const FED_TURNS = 0.46;
+const FED_TURNS = 0.55;
 /** How long it takes to turn, before and after: what is fed less and less fades outward. */
 const FADING = 0.2;
 /** The same of drying up. */
@@ -32,9 +32,9 @@ export function bladeColours(
 ): (fields: BladeFields, at: number) => BladeColour {
 	const [fresh, late] = [linear(look.vein_colour as string), linear(look.autumn_colour as string)];
 	const [autumn, uneven, scorch] = [look.autumn as number, look.uneven as number, look.scorch as number];
-	const lateVein = mixed(scaled(late, 0.85), fresh, 0.4);
+	const lateVein = mixed(scaled(late, 0.85), fresh, 0.25);
 	// From before the first place turns to after the last.
-	const season = -0.35 + 1.75 * autumn;
+	const season = -0.4 + 1.8 * autumn;
 	const drought = 1.9 * scorch * Math.max(0, autumn - 0.45);
 	return ({ edge, fed, halo, broad, mottle }, at) => {
 		const light = 1 + uneven * (0.6 * broad[at] + 0.3 * mottle[at]);

@@ -21,15 +21,17 @@ export function* leafParts(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "pa
 	if (meshes.length === 0 && leaf.segments.count > 0 && leaf.notes.length === 0) {
 		throw new Error("This growth has no meshes to export: grow it with meshes.");
 	}
-	const pictures = drawn.get(leaf) ?? new FacePictures(leaf, parameters.length, leaf.measures ? SIDE : PASSING_SIDE);
+	// What grows in passing does not ask what sky there is.
+	const side = meshes.some(({ sky }) => sky) ? SIDE : PASSING_SIDE;
+	const pictures = drawn.get(leaf) ?? new FacePictures(leaf, parameters.length, side);
 	drawn.set(leaf, pictures);
-	for (const side of ["upper", "lower"] as const) {
-		const mesh = meshes.find(({ name }) => name === side);
+	for (const face of ["upper", "lower"] as const) {
+		const mesh = meshes.find(({ name }) => name === face);
 		if (!mesh) continue;
-		const { picture, mean } = pictures.colour(specimen, side);
-		const textures = { colour: picture, normal: pictures.normal(parameters, side) };
-		const material = { ...bladeMaterial(look, side), colour: mean, textures };
-		yield { name: FACES[side], shape: { mesh: { ...mesh, uvs: asSeen(mesh.uvs, side) }, material } };
+		const { picture, mean } = pictures.colour(specimen, face);
+		const textures = { colour: picture, normal: pictures.normal(parameters, face) };
+		const material = { ...bladeMaterial(look, face), colour: mean, textures };
+		yield { name: FACES[face], shape: { mesh: { ...mesh, uvs: asSeen(mesh.uvs, face) }, material } };
 	}
 	// Organs know meshes by their place among all.
 	const others = meshes.map((mesh) => (mesh.name in FACES ? { ...mesh, indices: new Uint32Array(0) } : mesh));
