@@ -12,7 +12,7 @@ import { faceColour, type Side } from "./materials";
 import { type VeinRaster, veinRaster } from "./vein_raster";
 
 /** Pixels to a cell of what blades' colours go by. */
-const PIXELS_PER_CELL = 5;
+const PIXELS_PER_CELL = 6;
 /** Veins are grooves above, so deep against the ridges below, and no deeper than this share of the blade. */
 const GROOVE = 0.4;
 const DEEPEST = 0.5;
@@ -42,8 +42,8 @@ export class FacePictures {
 	/** sRGB, and the mean of the blade in linear light. */
 	colour({ look, seed }: Pick<LeafSpecimen, "look" | "seed">, face: Side): { picture: Picture; mean: Colour } {
 		const fields = this.#fieldsOf(seed);
-		const { cells, mean } = painted(fields, bladeColours(look, faceColour(look, face)));
-		return { picture: laid(this.raster, fields, cells, face), mean };
+		const paint = painted(fields, bladeColours(look, faceColour(look, face)));
+		return { picture: laid(this.raster, fields, paint, face), mean: paint.mean };
 	}
 
 	/** Normals of the veins on a flat blade: green is up. */
@@ -58,9 +58,13 @@ export class FacePictures {
 	thickness({ relief, thickness }: LeafSpecimen["parameters"], face: Side): Picture {
 		const { side, height } = this.raster;
 		const thickest = this.thickest({ relief, thickness });
-		return drawn(side, face, (pixels, to, at) => {
+		const pixels = new Uint8Array(3 * side * side);
+		for (let at = 0; at < height.length; at++) {
+			const column = face === "upper" ? at % side : side - 1 - (at % side);
+			const to = 3 * ((side - 1 - Math.floor(at / side)) * side + column);
 			pixels.fill(Math.round((255 * (thickness + relief * height[at])) / thickest), to, to + 3);
-		});
+		}
+		return { width: side, height: side, pixels };
 	}
 
 	/** Millimetres, of blade and vein together. */
@@ -82,8 +86,14 @@ export class FacePictures {
 	}
 }
 
-/** By cell: blade red, green, blue, vein red, green, blue, 0 … 255 in sRGB; what is far from the leaf is of its mean colour. */
-function painted(fields: BladeFields, colourAt: (fields: BladeFields, at: number) => BladeColour) {
+interface Painted {
+	/** By cell: blade red, green, blue, vein red, green, blue, 0 … 255 in sRGB; the mean far from the leaf. */
+	cells: Float32Array;
+	/** Of the blade, linear light. */
+	mean: Colour;
+}
+
+function painted(fields: BladeFields, colourAt: (fields: BladeFields, at: number) => BladeColour): Painted {
 	const cells = new Float32Array(6 * fields.near.length);
 	const mean: Colour = [0, 0, 0];
 	let inside = 0;
@@ -116,31 +126,42 @@ function shown(value: number): number {
 }
 
 /** The blade's colours between cells, and veins over them. */
-function laid({ side, cover }: VeinRaster, fields: BladeFields, cells: Float32Array, face: Side): Picture {
-	const pixels = new Uint8Array(3 * side * side);
+function laid({ side, cover }: VeinRaster, fields: BladeFields, { cells, mean }: Painted, face: Side): Picture {
+	const pixels = filled(side, mean.map(shown) as Colour);
 	const scale = fields.side / side;
 	const line = new Float32Array(6 * fields.side);
-	const places = Float32Array.from({ length: side }, (_, x) => {
-		const column = face === "upper" ? x : side - 1 - x;
-		return Math.min(fields.side - 1.001, Math.max(0, (column + 0.5) * scale - 0.5));
-	});
-	const mirrored = face === "lower";
-	for (let y = 0; y < side; y++) {
-		const row = side - 1 - y;
-		blend(cells, fields.side, (row + 0.5) * scale - 0.5, line);
-		for (let x = 0; x < side; x++) {
-			const cell = Math.floor(places[x]);
-			const part = places[x] - cell;
-			const ink = INK * cover[row * side + (mirrored ? side - 1 - x : x)];
-			const to = 3 * (y * side + x);
+	const sign = face === "upper" ? 1 : -1;
+	for (let row = 0; row < side; row++) {
+		const place = (row + 0.5) * scale - 0.5;
+		const [from, to] = extent(fields, place);
+		if (from > to) continue;
+		blend(cells, fields.side, place, line);
+		const last = Math.min(side - 1, Math.ceil((to + 1.5) / scale));
+		const start = 3 * ((side - 1 - row) * side + (face === "upper" ? 0 : side - 1));
+		for (let column = Math.max(0, Math.floor((from - 0.5) / scale)); column <= last; column++) {
+			const across = Math.min(fields.side - 1.001, Math.max(0, (column + 0.5) * scale - 0.5));
+			const cell = Math.floor(across);
+			const part = across - cell;
+			const ink = INK * cover[row * side + column];
+			const at = start + 3 * sign * column;
 			for (let left = 6 * cell, k = 0; k < 3; k++, left++) {
 				let value = line[left] + part * (line[left + 6] - line[left]);
 				if (ink > 0) value += ink * (line[left + 3] + part * (line[left + 9] - line[left + 3]) - value);
-				pixels[to + k] = value + 0.5;
+				pixels[at + k] = value + 0.5;
 			}
 		}
 	}
 	return { width: side, height: side, pixels };
+}
+
+/** The first and the last cell near the leaf in the two rows about a place between them; the last is first where there is none. */
+function extent({ side, near }: BladeFields, place: number): [from: number, to: number] {
+	const low = side * Math.floor(Math.min(side - 1.001, Math.max(0, place)));
+	const isNear = (column: number) => near[low + column] || near[low + side + column];
+	let [from, to] = [0, side - 1];
+	while (from < side && !isNear(from)) from++;
+	while (to > from && !isNear(to)) to--;
+	return [from, to];
 }
 
 /** What a line between two rows of cells has of them. */
@@ -153,40 +174,41 @@ function blend(cells: Float32Array, side: number, row: number, line: Float32Arra
 }
 
 function normals({ side, cell, height }: VeinRaster, relief: number, thickness: number, face: Side): Picture {
-	const deepest = DEEPEST * thickness;
-	const rise = height.map((high) =>
-		face === "lower" || high === 0 ? relief * high : -deepest * (1 - Math.exp((-GROOVE * relief * high) / deepest)),
-	);
+	const rise = face === "lower" ? height.map((high) => relief * high) : grooves(height, relief, thickness);
+	const pixels = filled(side, FLAT);
 	const steep = 1 / (2 * cell);
-	return drawn(side, face, (pixels, to, at, column, row) => {
-		const right = rise[column + 1 < side ? at + 1 : at] - rise[column > 0 ? at - 1 : at];
-		const up = rise[row + 1 < side ? at + side : at] - rise[row > 0 ? at - side : at];
-		if (right === 0 && up === 0) {
-			for (let k = 0; k < 3; k++) pixels[to + k] = FLAT[k];
-			return;
-		}
-		const nx = face === "upper" ? -steep * right : steep * right;
-		const ny = -steep * up;
-		const half = 127.5 / Math.sqrt(nx * nx + ny * ny + 1);
-		pixels[to] = 128 + nx * half;
-		pixels[to + 1] = 128 + ny * half;
-		pixels[to + 2] = 128 + half;
-	});
-}
-
-/** A picture of a face, cell by cell: `to` in its pixels, `at` in the raster. */
-function drawn(
-	side: number,
-	face: Side,
-	draw: (pixels: Uint8Array, to: number, at: number, column: number, row: number) => void,
-): Picture {
-	const pixels = new Uint8Array(3 * side * side);
-	for (let y = 0; y < side; y++) {
-		const row = side - 1 - y;
-		for (let x = 0; x < side; x++) {
-			const column = face === "upper" ? x : side - 1 - x;
-			draw(pixels, 3 * (y * side + x), row * side + column, column, row);
+	const sign = face === "upper" ? 1 : -1;
+	for (let row = 0; row < side; row++) {
+		const below = row > 0 ? -side : 0;
+		const above = row < side - 1 ? side : 0;
+		const start = 3 * ((side - 1 - row) * side + (face === "upper" ? 0 : side - 1));
+		for (let column = 0; column < side; column++) {
+			const at = row * side + column;
+			const right = rise[column < side - 1 ? at + 1 : at] - rise[column > 0 ? at - 1 : at];
+			const up = rise[at + above] - rise[at + below];
+			if (right === 0 && up === 0) continue;
+			const nx = -sign * steep * right;
+			const ny = -steep * up;
+			const half = 127.5 / Math.sqrt(nx * nx + ny * ny + 1);
+			const to = start + 3 * sign * column;
+			pixels[to] = 128 + nx * half;
+			pixels[to + 1] = 128 + ny * half;
+			pixels[to + 2] = 128 + half;
 		}
 	}
 	return { width: side, height: side, pixels };
+}
+
+/** How high the upper face stands: it sinks in over veins, ever less as it comes to the blade's middle. */
+function grooves(height: Float32Array, relief: number, thickness: number): Float32Array {
+	const deepest = DEEPEST * thickness;
+	return height.map((high) => (high === 0 ? 0 : -deepest * (1 - Math.exp((-GROOVE * relief * high) / deepest))));
+}
+
+/** Pixels of one colour, 0 … 255. */
+function filled(side: number, colour: readonly [number, number, number]): Uint8Array {
+	const pixels = new Uint8Array(3 * side * side);
+	for (let k = 0; k < 3; k++) pixels[k] = Math.round(colour[k]);
+	for (let done = 3; done < pixels.length; done *= 2) pixels.copyWithin(done, 0, Math.min(done, pixels.length - done));
+	return pixels;
 }

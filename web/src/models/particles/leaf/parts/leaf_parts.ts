@@ -31,7 +31,7 @@ export function* leafParts(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "pa
 		const { picture, mean } = pictures.colour(specimen, face);
 		const textures = { colour: picture, normal: pictures.normal(parameters, face) };
 		const material = { ...bladeMaterial(look, face), colour: mean, textures };
-		yield { name: FACES[face], shape: { mesh: { ...mesh, uvs: asSeen(mesh.uvs, face) }, material } };
+		yield { name: FACES[face], shape: { mesh: { ...mesh, name: FACES[face], uvs: asSeen(mesh.uvs, face) }, material } };
 	}
 	// Organs know meshes by their place among all.
 	const others = meshes.map((mesh) => (mesh.name in FACES ? { ...mesh, indices: new Uint32Array(0) } : mesh));
