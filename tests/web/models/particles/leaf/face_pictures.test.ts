@@ -5,7 +5,7 @@ import type { Leaf } from "../../../../../web/src/models/particles/leaf/grown";
 import { model } from "../../../../../web/src/models/particles/leaf/index";
 import { bladeFields } from "../../../../../web/src/models/particles/leaf/parts/blade_fields";
 import { FacePictures } from "../../../../../web/src/models/particles/leaf/parts/face_pictures";
-import { veinRaster } from "../../../../../web/src/models/particles/leaf/parts/vein_raster";
+import { SHEATH, veinRaster } from "../../../../../web/src/models/particles/leaf/parts/vein_raster";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
 import type { LeafSpecimen } from "../../../../../web/src/models/particles/leaf/specimen";
 import { polygonArea } from "../../../../../web/src/models/particles/leaf/words";
@@ -42,7 +42,7 @@ describe("the flat leaf in cells", () => {
 		let veins = 0;
 		for (let i = 0; i < segments.count; i++) {
 			const piece = Math.hypot(chart[4 * i + 2] - chart[4 * i], chart[4 * i + 3] - chart[4 * i + 1]);
-			veins += piece * length * 2000 * segments.radii[2 * i + 1];
+			veins += piece * length * 2 * (1000 * segments.radii[2 * i + 1] + SHEATH);
 		}
 		const covered = raster.cover.reduce((sum, share) => sum + share, 0) * raster.cell ** 2;
 		expect(covered / veins).toBeGreaterThan(0.6);

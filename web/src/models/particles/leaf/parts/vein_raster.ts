@@ -2,6 +2,8 @@
 import type { Leaf } from "../grown";
 import { chartOf, inCells } from "./chart";
 
+/** Millimetres on either side of a vein that are as pale as it: the sheath about it, which shows where veins themselves are too fine. */
+export const SHEATH = 0.012;
 /** A ridge ends this many radii of its vein from the axis: it rises smoothly out of the blade. */
 const FOOT = 1.6;
 /** The least width of its slope, in cells: what is finer is lower by as much as it is wider. */
@@ -12,7 +14,7 @@ export interface VeinRaster {
 	side: number;
 	/** Millimetres to a cell. */
 	cell: number;
-	/** Share of the cell that is vein, 0 … 1. */
+	/** Share of the cell that is vein or its sheath, 0 … 1. */
 	cover: Float32Array;
 	/** How high a vein stands there, as high on its axis as half its width: millimetres. */
 	height: Float32Array;
@@ -37,8 +39,9 @@ export function veinRaster(
 /** One straight piece of a vein, its radius in cells. */
 function draw({ side, cell, cover, height }: VeinRaster, places: Float32Array, from: number, radius: number): void {
 	const [x1, y1, x2, y2] = [places[from], places[from + 1], places[from + 2], places[from + 3]];
-	const covering = Math.max(radius, 0.5) + 0.5;
-	const thin = Math.min(1, 2 * radius);
+	const pale = radius + SHEATH / cell;
+	const covering = Math.max(pale, 0.5) + 0.5;
+	const thin = Math.min(1, 2 * pale);
 	const foot = Math.max(FOOT * radius, LEAST_FOOT);
 	const top = (cell * radius * FOOT * radius) / foot;
 	const reach = Math.max(covering, foot);
