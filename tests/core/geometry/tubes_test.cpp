@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "foundation/fingerprint.hpp"
 #include "foundation/mathematics.hpp"
@@ -169,6 +172,30 @@ TEST_CASE("vertices of a segment stay near it") {
     const double along = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
     CHECK(glm::length(p - (a + (b - a) * along)) < 2.2 * near.radius);
   }
+}
+
+TEST_CASE("what has joints swells there, what has none is as thick as its segments all along") {
+  Skeleton chain;
+  for (int i = 0; i < 5; ++i) {
+    const auto at = static_cast<float>(i);
+    chain.add(i - 1, 0, {0, -50 * at, 0}, {0, -50 * (at + 1), 0}, 7);
+    chain.segments.back().radius_end = 7;
+  }
+  const auto extent = [&](bool jointed) {
+    const StemMesh stem = sweep_stems({.segments = chain.segments, .jointed = jointed}, twelve, 1);
+    float least = 100, most = 0;
+    for (std::size_t i = 0; i < stem.mesh.positions.size(); i += 3) {
+      const float height = stem.mesh.positions[i + 1];
+      if (height > -30 || height < -230) continue;  // where it stands and where it ends it is rounded
+      const float radius = std::hypot(stem.mesh.positions[i], stem.mesh.positions[i + 2]);
+      least = std::min(least, radius);
+      most = std::max(most, radius);
+    }
+    return std::pair(least, most);
+  };
+  CHECK(extent(true).first < 0.9f * extent(true).second);
+  CHECK(extent(false).first == doctest::Approx(7).epsilon(1e-4));
+  CHECK(extent(false).second == doctest::Approx(7).epsilon(1e-4));
 }
 
 TEST_CASE("an axis ends in the shape that it is given") {

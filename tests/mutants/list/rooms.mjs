@@ -211,6 +211,12 @@ export default [
 				replace: "if (end_.flare < 0) factor +=",
 				breaks: "berries have no receptacle to sit on",
 			},
+			{
+				id: "thickness-joints-everywhere",
+				find: "if (jointed_) {",
+				replace: "if (jointed_ || t >= 0) {",
+				breaks: "petioles are strings of beads",
+			},
 		],
 	},
 	{

@@ -240,4 +240,21 @@ describe("textures", () => {
 		expect(images?.map(({ mimeType }) => mimeType)).toEqual(["image/png", "image/png", "image/png"]);
 		expect(samplers).toHaveLength(1);
 	});
+
+	it("are in place of vertices' colours, which are left with the shade", async () => {
+		const shape = parts[0].shape as Shape;
+		const mesh = { ...shape.mesh, colours: new Float32Array(12).fill(0.1), sky: Uint8Array.of(255, 255, 102, 0) };
+		const dressed = exportGlb([{ name: "Sheet", shape: { ...shape, mesh } }], ABOUT);
+		// A picture is nothing that three can read without a canvas; what is asked here is beside it.
+		const { meshes, materials = [], accessors = [], bufferViews = [] } = documentOf(dressed);
+		expect(materials[0].pbrMetallicRoughness.baseColorFactor).toEqual([1, 1, 1, 1]);
+		const { byteOffset } = bufferViews[accessors[meshes?.[0].primitives[0].attributes.COLOR_0 ?? -1].bufferView];
+		const binary = 28 + new DataView(dressed.buffer).getUint32(12, true);
+		const bytes = [...dressed.subarray(binary + byteOffset, binary + byteOffset + 16)];
+		const shade = HAIR.colour.map((albedo) => Math.round(255 * bounced(0.4, albedo)));
+		expect(bytes).toEqual([255, 255, 255, 255, 255, 255, 255, 255, ...shade, 255, 0, 0, 0, 255]);
+		const bare = { ...mesh, sky: undefined };
+		const plainly = documentOf(exportGlb([{ name: "Sheet", shape: { ...shape, mesh: bare } }], ABOUT));
+		expect(plainly.meshes?.[0].primitives[0].attributes).not.toHaveProperty("COLOR_0");
+	});
 });

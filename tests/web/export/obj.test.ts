@@ -3,6 +3,7 @@ import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
 import { exportObj } from "../../../web/src/export/obj";
+import { png } from "../../../web/src/export/png";
 import { encoded } from "../../../web/src/plant/colour";
 import type { Part } from "../../../web/src/plant/part";
 import { meshesOf } from "./reading";
@@ -94,5 +95,27 @@ describe("the materials of an OBJ", () => {
 		const material = (name: string) => meshes.get(name)?.material as MeshPhongMaterial;
 		expect([material("A").name, material("B").name]).toEqual(["Pulp", "Pulp_2"]);
 		expect(material("B").color.b).toBe(1);
+	});
+
+	it("ask for pictures beside them, each written once, and leave their colour to them", () => {
+		const colour = { width: 1, height: 1, pixels: Uint8Array.of(10, 200, 30) };
+		const normal = { width: 1, height: 1, pixels: Uint8Array.of(128, 128, 255) };
+		const sheet = (name: string, textures: object): Part => ({
+			name,
+			shape: { mesh: tetrahedron([0, 0, 0], 1), material: { ...PULP, name, textures } },
+		});
+		const parts = [sheet("Face, up", { colour, normal, thickness: colour }), sheet("Other", { colour })];
+		const { mtl, pictures } = exportObj(parts, ABOUT, "my leaf");
+		const [first, second] = mtl.split("newmtl ").slice(1);
+		expect(first).toContain("Kd 1 1 1\n");
+		expect(first).toContain("map_Kd my_leaf-Face_up-colour.png\n");
+		expect(first).toContain("norm my_leaf-Face_up-normal.png\n");
+		expect(second).toContain("map_Kd my_leaf-Face_up-colour.png\n");
+		expect(second).not.toContain("norm");
+		expect(pictures).toEqual([
+			{ name: "my_leaf-Face_up-colour.png", bytes: png(colour) },
+			{ name: "my_leaf-Face_up-normal.png", bytes: png(normal) },
+		]);
+		expect(exportObj(plain(), ABOUT, "toy").pictures).toEqual([]);
 	});
 });

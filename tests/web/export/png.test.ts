@@ -26,7 +26,11 @@ describe("png", () => {
 		expect(chunks.map(({ type }) => type)).toEqual(["IHDR", "IDAT", "IEND"]);
 		expect([...chunks[0].data]).toEqual([0, 0, 0, 3, 0, 0, 0, 2, 8, 2, 0, 0, 0]);
 		const rows = inflateSync(chunks[1].data);
-		expect([...rows]).toEqual([0, ...pixels.subarray(0, 9), 0, ...pixels.subarray(9)]);
+		// Each row after how it is filtered: 2, to be added to the one above, of bytes.
+		expect(rows).toHaveLength(20);
+		expect([rows[0], rows[10]]).toEqual([2, 2]);
+		expect([...rows.subarray(1, 10)]).toEqual([...pixels.subarray(0, 9)]);
+		expect([...rows.subarray(11)].map((value, i) => (value + pixels[i]) % 256)).toEqual([...pixels.subarray(9)]);
 	});
 
 	it("gives the same bytes for the same pixels", () => {

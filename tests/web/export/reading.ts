@@ -29,7 +29,7 @@ export interface Document {
 	textures?: { source: number; sampler: number }[];
 	images?: { mimeType: string; bufferView: number }[];
 	samplers?: object[];
-	accessors?: { count: number; componentType: number; min?: number[]; max?: number[] }[];
+	accessors?: { bufferView: number; count: number; componentType: number; min?: number[]; max?: number[] }[];
 	bufferViews?: { byteOffset: number; byteLength: number; target?: number }[];
 }
 

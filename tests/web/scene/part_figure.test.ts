@@ -7,15 +7,18 @@ import {
 	type Mesh,
 	type MeshPhysicalMaterial,
 	PerspectiveCamera,
+	type Texture,
 	Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
+import type { Material, Picture } from "../../../web/src/plant/material";
+import type { Part } from "../../../web/src/plant/part";
 import { partsOf } from "../../../web/src/plant/parts_of";
 import type { Plant } from "../../../web/src/plant/plant";
 import { PaperShadow } from "../../../web/src/scene/paper_shadow";
 import { partFigure } from "../../../web/src/scene/part_figure";
 import { StageLight } from "../../../web/src/scene/stage_light";
-import { fruits } from "../export/toy_parts";
+import { fruits, PULP, tetrahedron } from "../export/toy_parts";
 import { toyPlant } from "../plant/toy_plant";
 
 const plant = toyPlant();
@@ -54,6 +57,43 @@ describe("the figure of any plant", () => {
 		expect(gone).toEqual([]);
 		figure.show(bare, {});
 		expect(new Set(gone)).toEqual(new Set(worn.map(({ name }) => name)));
+	});
+
+	it("lays pictures on what has textures, and others in their place, in the same materials", () => {
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const figure = partFigure<unknown, Part[]>((parts) => parts)(stage);
+		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+		const picture = (shade: number): Picture => ({ width: 2, height: 1, pixels: new Uint8Array(6).fill(shade) });
+		const normal = picture(128);
+		const sheet = (shade: number): Part => {
+			const material: Material = { ...PULP, colour: [shade, 0, 0], textures: { colour: picture(shade), normal } };
+			const mesh = tetrahedron([0, 0, 0], 1, new Array(12).fill(0.5));
+			return { name: `Sheet ${shade}`, shape: { mesh, material } };
+		};
+		figure.show([sheet(10), sheet(20)], {});
+		const worn = meshes().map(({ material }) => material as MeshPhysicalMaterial);
+		const shown = () => worn.map(({ map }) => [...((map as Texture).image as { data: Uint8Array }).data]);
+		expect(shown()).toEqual([10, 20].map((shade) => [shade, shade, shade, 255, shade, shade, shade, 255]));
+		expect(worn.map(({ color, vertexColors }) => [color.r, vertexColors])).toEqual([
+			[1, false],
+			[1, false],
+		]);
+		expect(worn[0].map?.colorSpace).toBe("srgb");
+		// The first row is v = 0; green points against v, three's up.
+		expect(worn[0].map?.flipY).toBe(false);
+		expect(worn[0].normalScale.toArray()).toEqual([1, -1]);
+		expect(meshes().every(({ geometry }) => geometry.hasAttribute("uv"))).toBe(true);
+		const [before, kept] = [worn[0].map, worn[0].normalMap];
+		const gone: string[] = [];
+		before?.addEventListener("dispose", () => gone.push("colour"));
+		kept?.addEventListener("dispose", () => gone.push("normal"));
+		figure.show([sheet(30), sheet(40)], {});
+		expect(meshes().map(({ material }) => material)).toEqual(worn);
+		expect(shown().map(([red]) => red)).toEqual([30, 40]);
+		expect(gone).toEqual(["colour"]);
+		expect(worn[0].normalMap).toBe(kept);
+		figure.dispose();
+		expect(gone).toEqual(["colour", "normal"]);
 	});
 
 	it("knows of every mesh and its instances a ball that holds them", () => {

@@ -28,8 +28,8 @@ float ridge(float x) { return smooth(x < 1 ? x : (collar_end - x) / (collar_end 
 
 }  // namespace
 
-Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end)
-    : nodes_(nodes), origin_(origin), end_(end) {
+Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed)
+    : nodes_(nodes), origin_(origin), end_(end), jointed_(jointed) {
   for (const Node& node : nodes) length_ += node.step;
   emergence_ = 1.5f * nodes[0].radius;
   if (origin.attached) {
@@ -54,8 +54,11 @@ void Thickness::enter(std::size_t i) {
 }
 
 Section Thickness::at(float t) const {
-  const float swelling = wide_hill(t * per_swelling_) + wide_hill((1 - t) * per_next_swelling_);
-  const float radius = (radius_ + gain_ * smooth(t)) * (between_nodes + node_swelling * swelling);
+  float radius = radius_ + gain_ * smooth(t);
+  if (jointed_) {
+    const float swelling = wide_hill(t * per_swelling_) + wide_hill((1 - t) * per_next_swelling_);
+    radius *= between_nodes + node_swelling * swelling;
+  }
   const float from_start = from_start_ + t * step_;
   const float from_end = length_ - from_start;
   return collar(radius * end_factor(from_end), from_start, from_end);

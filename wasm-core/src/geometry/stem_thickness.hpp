@@ -16,11 +16,11 @@ struct Section {
   float blend = 0;   // share of the bearer's normals in those of the branch, so that no edge shows between them
 };
 
-// The radius passes smoothly from node to node and is a little less between them. A branch spreads into its bearer,
-// within whose surface it begins; its end widens or narrows as StemEnd says.
+// The radius passes smoothly from node to node and is, of jointed stems, a little less between them. A branch spreads
+// into its bearer, within whose surface it begins; its end widens or narrows as StemEnd says.
 class Thickness {
  public:
-  Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end);
+  Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed);
 
   // Goes on to the segment that ends at node i: 1, 2, …
   void enter(std::size_t i);
@@ -34,6 +34,7 @@ class Thickness {
   std::span<const Node> nodes_;
   Origin origin_;
   StemEnd end_;
+  bool jointed_;
   float length_ = 0;                         // of the whole axis
   float per_emergence_ = 0, emergence_ = 0;  // how far from its start a branch leaves its bearer's surface
   float per_end_radius_ = 0;

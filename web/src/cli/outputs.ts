@@ -1,5 +1,5 @@
 /** What the command can write of a plant. */
-import { basename } from "node:path";
+import { basename, dirname, join } from "node:path";
 import { aboutPlant } from "../export/about_plant";
 import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";
@@ -27,7 +27,7 @@ export function knowsEnding(model: Pick<Model, "formats">, ending: string): bool
 	return endings(model).includes(ending);
 }
 
-/** The files of a plant by the ending of the name that was asked for; an OBJ has its materials beside it. */
+/** The files of a plant by the ending of the name that was asked for; an OBJ has its materials and their pictures beside it. */
 export async function filesOf(
 	{ file, ending }: { file: string; ending: string },
 	model: Model,
@@ -40,10 +40,11 @@ export async function filesOf(
 	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
 	if (ending === "glb") return [[file, exportGlb(parts, about)]];
 	const stem = file.slice(0, -".obj".length);
-	const { obj, mtl } = exportObj(parts, about, basename(stem));
+	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));
 	return [
 		[file, obj],
 		[`${stem}.mtl`, mtl],
+		...pictures.map(({ name, bytes }): File => [join(dirname(stem), name), bytes]),
 	];
 }
 

@@ -58,7 +58,10 @@ class PartsWriter {
 			const colours = shape && writtenColours(shape);
 			if (!colours) continue;
 			this.#colours.set(shape.mesh, colours);
-			this.#bases.set(shape.material, brightest(colours, this.#bases.get(shape.material)));
+			const { material } = shape;
+			// Of a picture, vertices can only say how much of it is left in the shade.
+			const base = material.textures?.colour ? material.colour : brightest(colours, this.#bases.get(material));
+			this.#bases.set(material, base);
 		}
 	}
 
@@ -181,7 +184,8 @@ class PartsWriter {
 
 /** Colours of vertices in the shade in which they stand: most programs know no other way to show it. */
 function writtenColours({ mesh, material }: Shape): Float32Array | undefined {
-	const { colours, sky, positions } = mesh;
+	const { sky, positions } = mesh;
+	const colours = material.textures?.colour ? undefined : mesh.colours;
 	return sky ? shaded(colours ?? everywhere(material.colour, positions.length / 3), sky) : colours;
 }
 

@@ -8,24 +8,28 @@ import { rounded } from "./numbers";
 const SPECULAR = { smooth: 0.25, matt: 0.04 } as const;
 const SMOOTH = 0.5;
 const DECIMALS = 4;
+const WHITE = [1, 1, 1];
 
 /** A material under the name that the OBJ calls it by. */
 export interface NamedMaterial {
 	name: string;
 	material: Material;
+	/** Files beside this one, by what they show. */
+	pictures?: { colour?: string; normal?: string };
 }
 
-/** The text; values that physically based readers know are `Pr` roughness, `Pm` metallic, `Ps` sheen, `Pc` coat. */
+/** The text; values that physically based readers know are `Pr` roughness, `Pm` metallic, `Ps` sheen, `Pc` coat, `norm` a picture of normals. */
 export function writeMtl(materials: readonly NamedMaterial[]): string {
 	return [`# ${GENERATOR}\n`, ...materials.map(block)].join("\n");
 }
 
-function block({ name, material }: NamedMaterial): string {
+function block({ name, material, pictures = {} }: NamedMaterial): string {
 	const { colour, roughness, sheen, clearcoat, ior } = material;
 	const specular = roughness < SMOOTH ? SPECULAR.smooth : SPECULAR.matt;
 	const lines = [
 		`newmtl ${name}`,
-		`Kd ${encoded(colour).map(short).join(" ")}`,
+		// What a picture says is multiplied by this, or takes its place.
+		`Kd ${(pictures.colour ? WHITE : encoded(colour).map(short)).join(" ")}`,
 		`Ks ${specular} ${specular} ${specular}`,
 		// Blinn–Phong's exponent of the same width of highlight as this roughness.
 		`Ns ${rounded(2 / roughness ** 4 - 2, 1)}`,
@@ -37,6 +41,8 @@ function block({ name, material }: NamedMaterial): string {
 	if (ior !== undefined) lines.push(`Ni ${short(ior)}`);
 	if (sheen) lines.push(`Ps ${short(Math.max(...sheen.colour))}`);
 	if (clearcoat) lines.push(`Pc ${short(clearcoat.factor)}`, `Pcr ${short(clearcoat.roughness)}`);
+	if (pictures.colour) lines.push(`map_Kd ${pictures.colour}`);
+	if (pictures.normal) lines.push(`norm ${pictures.normal}`);
 	return `${lines.join("\n")}\n`;
 }
 

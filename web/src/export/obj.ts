@@ -2,20 +2,33 @@
  * Any plant's parts → Wavefront OBJ with MTL: metres, +Y up, every instance baked. The objects have the names of the GLB's
  * nodes, with underscores for spaces. What is in the files is in docs/export.md.
  */
+import type { Picture } from "../plant/material";
 import { placeVectors, rows } from "../plant/orientation";
 import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 import type { About } from "./about";
 import { GENERATOR } from "./generator";
-import { writeMtl } from "./mtl";
+import { type NamedMaterial, writeMtl } from "./mtl";
 import { ObjMaterials } from "./obj_materials";
 import { ObjWriter } from "./obj_writer";
+import { png } from "./png";
 
 /** What a vertex is likely to take with its share of the faces, in bytes; only a guess to begin with. */
 const BYTES_PER_VERTEX = 160;
 const ORIGIN = [0, 0, 0];
 
-/** The two texts. `name` is what the files are called without their endings: the OBJ asks for `name.mtl`. */
-export function exportObj(parts: Iterable<Part>, about: About, name: string): { obj: string; mtl: string } {
+/** A picture that the MTL asks for. */
+export interface ObjPicture {
+	/** Of its file, which lies beside the MTL. */
+	name: string;
+	bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** The two texts and their pictures. `name` is what the files are called without their endings: the OBJ asks for `name.mtl`. */
+export function exportObj(
+	parts: Iterable<Part>,
+	about: About,
+	name: string,
+): { obj: string; mtl: string; pictures: ObjPicture[] } {
 	const all = [...everyPart(parts)];
 	const writer = new ObjWriter(BYTES_PER_VERTEX * verticesOf(all));
 	writer.line(`# ${GENERATOR}: ${about.name}, metres, +Y up`);
@@ -25,7 +38,24 @@ export function exportObj(parts: Iterable<Part>, about: About, name: string): { 
 	for (const part of all) {
 		if (part.shape) writeShape(writer, part.name, part.shape, materials.nameOf(part.shape));
 	}
-	return { obj: writer.toString(), mtl: writeMtl(materials.all()) };
+	const pictures = new Map<Picture, ObjPicture>();
+	const named = materials.all().map((each) => ({ ...each, pictures: picturesOf(each, name, pictures) }));
+	return { obj: writer.toString(), mtl: writeMtl(named), pictures: [...pictures.values()] };
+}
+
+/** The names of a material's pictures, each of which is written once. */
+function picturesOf({ name, material }: NamedMaterial, file: string, written: Map<Picture, ObjPicture>) {
+	const kinds = (["colour", "normal"] as const).flatMap((kind) => {
+		const picture = material.textures?.[kind];
+		if (!picture) return [];
+		const known = written.get(picture) ?? {
+			name: `${file}-${name}-${kind}.png`.replaceAll(/[^A-Za-z0-9.-]+/g, "_"),
+			bytes: png(picture),
+		};
+		written.set(picture, known);
+		return [[kind, known.name]];
+	});
+	return Object.fromEntries(kinds);
 }
 
 function verticesOf(parts: readonly Part[]): number {

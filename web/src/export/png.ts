@@ -1,10 +1,14 @@
-/** Pictures as PNG (ISO/IEC 15948): eight bits a channel, no filter; the same pixels give the same bytes. */
+/** Pictures as PNG (ISO/IEC 15948): eight bits a channel; the same pixels give the same bytes. */
 import { zlibSync } from "fflate";
 import type { Picture } from "../plant/material";
 
 const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 const TRUE_COLOUR = 2;
 const CHANNELS = 3;
+/** Rows as what they differ by from the row above: a third less of what blends slowly, hardly more of what is flat. */
+const UP = 2;
+/** The highest, 9, takes twice as long for a fiftieth less. */
+const LEVEL = 6;
 
 export function png({ width, height, pixels }: Picture): Uint8Array<ArrayBuffer> {
 	const header = new Uint8Array(13);
@@ -13,10 +17,18 @@ export function png({ width, height, pixels }: Picture): Uint8Array<ArrayBuffer>
 	view.setUint32(4, height);
 	header.set([8, TRUE_COLOUR], 8);
 	const row = CHANNELS * width;
-	// Before each row stands how it is filtered: not at all.
+	// Before each row stands how it is filtered. Above the first one all is 0.
 	const rows = new Uint8Array((row + 1) * height);
-	for (let y = 0; y < height; y++) rows.set(pixels.subarray(y * row, (y + 1) * row), y * (row + 1) + 1);
-	const chunks = [chunk("IHDR", header), chunk("IDAT", zlibSync(rows, { level: 9 })), chunk("IEND", new Uint8Array(0))];
+	for (let y = 0; y < height; y++) {
+		const to = y * (row + 1);
+		rows[to] = UP;
+		for (let i = 0; i < row; i++) rows[to + 1 + i] = pixels[y * row + i] - (y > 0 ? pixels[(y - 1) * row + i] : 0);
+	}
+	const chunks = [
+		chunk("IHDR", header),
+		chunk("IDAT", zlibSync(rows, { level: LEVEL })),
+		chunk("IEND", new Uint8Array(0)),
+	];
 	const file = new Uint8Array(SIGNATURE.length + chunks.reduce((sum, { length }) => sum + length, 0));
 	file.set(SIGNATURE);
 	let at = SIGNATURE.length;

@@ -25,12 +25,13 @@ export async function makeFile(model: Model, request: FileRequest): Promise<Blob
 		return new Blob([bytes], { type: "model/gltf-binary" });
 	}
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
-	const { obj, mtl } = exportObj(parts, about, name);
-	const both = [
+	const { obj, mtl, pictures } = exportObj(parts, about, name);
+	const all = [
 		{ name: `${name}.obj`, bytes: encoder.encode(obj) },
 		{ name: `${name}.mtl`, bytes: encoder.encode(mtl) },
+		...pictures,
 	];
-	return new Blob([zip(both)], { type: "application/zip" });
+	return new Blob([zip(all)], { type: "application/zip" });
 }
 
 function json(model: Model, { grown, specimen }: FileRequest): Blob {

@@ -9,13 +9,17 @@ export interface Picture {
 	pixels: Uint8Array;
 }
 
-/** What files lay on a mesh that is too light to show it; the view draws the finer mesh in place of them. */
+/** What is finer than a mesh: view and files lay the same pictures on it. */
 export interface Textures {
-	/** sRGB: in place of the material's colour. */
+	/** sRGB: in place of the material's colour and of colours of vertices; the material's is its mean. */
 	colour?: Picture;
-	/** Normals in the surface's frame, 0 … 255 for −1 … 1: x to +u, y to +v. */
+	/**
+	 * Normals in the surface's frame, 0 … 255 for −1 … 1: red to +u, green to −v, which is up in the picture, as glTF has it
+	 * ("+Y up"). Texture coordinates must not be mirrored: seen from outside, v runs down where u runs right. So
+	 * normal × tangent points to −v whoever makes the tangents, and files need not bring any.
+	 */
 	normal?: Picture;
-	/** Of the flesh, as a share of its thickness, in the green channel. */
+	/** Of the flesh, as a share of its thickness, in the green channel. Files alone have it. */
 	thickness?: Picture;
 }
 

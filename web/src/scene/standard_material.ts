@@ -6,6 +6,8 @@ import {
 	MeshPhysicalMaterial,
 	MeshStandardMaterial,
 	ShaderChunk,
+	type Texture,
+	Vector2,
 	Vector3,
 	type WebGLProgramParametersWithUniforms,
 } from "three";
@@ -26,6 +28,8 @@ export interface StandardOptions {
 	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
 	sky?: boolean;
 	shares?: LampShares;
+	/** What stands for the material's textures; geometries that wear it have `uv`. */
+	maps?: { colour?: Texture; normal?: Texture };
 	/** Finer than vertices: a function `vec3 detailed(vec3 colour, vec2 chart)` of texture coordinates. */
 	detail?: string;
 }
@@ -39,8 +43,14 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	made.name = material.name;
 	made.side = material.doubleSided ? DoubleSide : FrontSide;
 	if (options.detail) made.defines = { ...made.defines, USE_UV: "" };
-	made.color = options.coloured ? new Color(1, 1, 1) : new Color(...material.colour);
-	made.vertexColors = options.coloured ?? false;
+	const { colour: map, normal: normalMap } = options.maps ?? {};
+	const plain = !map && !options.coloured;
+	made.color = plain ? new Color(...material.colour) : new Color(1, 1, 1);
+	made.vertexColors = !map && (options.coloured ?? false);
+	if (map) made.map = map;
+	if (normalMap) made.normalMap = normalMap;
+	// three's frame is that of u and v, green of our normals points against v.
+	made.normalScale = new Vector2(1, -1);
 	made.roughness = material.roughness;
 	made.metalness = 0;
 	const sheet = material.sheet && sheetUniforms();

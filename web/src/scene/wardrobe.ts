@@ -1,8 +1,21 @@
-import type { MeshStandardMaterial } from "three";
-import type { Material } from "../plant/material";
+import type { MeshStandardMaterial, Texture } from "three";
+import type { Material, Picture } from "../plant/material";
 import { grainChunk } from "./grain";
 import type { LightUniforms } from "./light_shader";
+import { pictureTexture } from "./picture_texture";
 import { standardMaterial } from "./standard_material";
+
+/** The textures that are drawn, and what of a material of three's shows each. */
+const DRAWN = { colour: "map", normal: "normalMap" } as const;
+type Drawn = keyof typeof DRAWN;
+const KINDS = Object.keys(DRAWN) as Drawn[];
+
+interface Kept {
+	made: MeshStandardMaterial;
+	worn: number;
+	/** What its textures show. */
+	shows: Partial<Record<Drawn, Picture>>;
+}
 
 /**
  * Materials as three's, kept from one plant to the next: whoever throws the last one of a kind away throws its program
@@ -11,19 +24,22 @@ import { standardMaterial } from "./standard_material";
 export class Wardrobe {
 	readonly #light: LightUniforms;
 	/** By all that tells two apart; with the plant that last wore them. */
-	readonly #kept = new Map<string, { made: MeshStandardMaterial; worn: number }>();
+	readonly #kept = new Map<string, Kept>();
+	/** The textured materials of the plant that is being dressed, in order: pictures may change, their place stays. */
+	readonly #textured = new Map<Material, number>();
 	#plant = 0;
 
 	constructor(light: LightUniforms) {
 		this.#light = light;
 	}
 
-	/** Another plant is to be dressed: what the last two have not worn goes. */
+	/** Another plant is to be dressed, the last one is off the stage: what the last two have not worn goes. */
 	change(): void {
 		this.#plant++;
-		for (const [key, { made, worn }] of this.#kept) {
-			if (worn >= this.#plant - 2) continue;
-			made.dispose();
+		this.#textured.clear();
+		for (const [key, kept] of this.#kept) {
+			if (kept.worn >= this.#plant - 2) continue;
+			thrownAway(kept);
 			this.#kept.delete(key);
 		}
 	}
@@ -33,20 +49,43 @@ export class Wardrobe {
 	 * @param sky whether vertices or instances know how much of the sky they see
 	 */
 	materialOf(material: Material, coloured: boolean, sky: boolean): MeshStandardMaterial {
-		const key = JSON.stringify([material, coloured, sky]);
-		const kept = this.#kept.get(key) ?? { made: this.#make(material, coloured, sky), worn: 0 };
+		const { textures, ...plain } = material;
+		if (textures && !this.#textured.has(material)) this.#textured.set(material, this.#textured.size);
+		// A picture's mean does not matter where the picture is shown.
+		const told = textures?.colour ? { ...plain, colour: undefined } : plain;
+		const laid = textures && KINDS.filter((kind) => textures[kind]);
+		const key = JSON.stringify([told, coloured, sky, laid, this.#textured.get(material)]);
+		const kept = this.#kept.get(key) ?? this.#make(material, coloured, sky);
 		kept.worn = this.#plant;
 		this.#kept.set(key, kept);
+		for (const kind of laid ?? []) lay(kept, kind, textures?.[kind] as Picture);
 		return kept.made;
 	}
 
 	dispose(): void {
-		for (const { made } of this.#kept.values()) made.dispose();
+		for (const kept of this.#kept.values()) thrownAway(kept);
 		this.#kept.clear();
 	}
 
-	#make(material: Material, coloured: boolean, sky: boolean): MeshStandardMaterial {
+	#make(material: Material, coloured: boolean, sky: boolean): Kept {
 		const detail = material.grain === undefined ? undefined : grainChunk(material.grain);
-		return standardMaterial(material, { light: this.#light, coloured, sky, detail });
+		const shows = { ...material.textures };
+		const maps = Object.fromEntries(
+			KINDS.flatMap((kind) => (shows[kind] ? [[kind, pictureTexture(shows[kind], kind === "colour")]] : [])),
+		);
+		return { made: standardMaterial(material, { light: this.#light, coloured, sky, detail, maps }), worn: 0, shows };
 	}
+}
+
+/** Another picture in place of the one that it shows. */
+function lay({ made, shows }: Kept, kind: Drawn, picture: Picture): void {
+	if (shows[kind] === picture) return;
+	(made[DRAWN[kind]] as Texture).dispose();
+	made[DRAWN[kind]] = pictureTexture(picture, kind === "colour");
+	shows[kind] = picture;
+}
+
+function thrownAway({ made }: Kept): void {
+	for (const kind of KINDS) made[DRAWN[kind]]?.dispose();
+	made.dispose();
 }

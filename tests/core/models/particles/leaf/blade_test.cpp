@@ -168,6 +168,21 @@ TEST_CASE("bending folds, waves and curls, and flat is flat") {
   CHECK(waved({0, 0.125f}).z == 0);
 }
 
+TEST_CASE("normals are those of the bent blade, whatever veins stand out of it") {
+  const Margin margin = margin_of({}, 0);
+  const Outline outline(margin.points);
+  const Bending bending{.scale = 0.1f, .half_width = 0.3f, .fold = 20, .curl = 60, .undulation = 0.1f};
+  const auto faces = make_blade(margin, outline, midrib, bending, {.thickness = 0.002f, .relief = 2, .detail = 1});
+  const ChartSquare square = chart_square(outline);
+  const std::size_t count = faces[0].mesh.positions.size() / 3;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec2 uv(faces[0].mesh.uvs[2 * i], faces[0].mesh.uvs[2 * i + 1]);
+    const glm::vec3 normal = bending.normal(square.low + square.size * uv);
+    CHECK(glm::distance(vector_at(faces[0].mesh.normals, i), normal) < 1e-3f);
+    CHECK(vector_at(faces[1].mesh.normals, i) == -vector_at(faces[0].mesh.normals, i));
+  }
+}
+
 TEST_CASE("the petiole comes out from under the blade, is as long as asked and widens to its foot") {
   const Bending bending{.scale = 0.1f, .half_width = 0.3f, .curl = 40};
   const auto segments = make_petiole(bending, 0.05f, 0.001f);

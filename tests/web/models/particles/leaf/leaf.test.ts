@@ -6,15 +6,19 @@ import { aboutPlant } from "../../../../../web/src/export/about_plant";
 import { exportGlb } from "../../../../../web/src/export/glb";
 import { exportJson } from "../../../../../web/src/export/json";
 import { exportObj } from "../../../../../web/src/export/obj";
+import { png } from "../../../../../web/src/export/png";
 import type { GrowthOptions } from "../../../../../web/src/models/model";
+import type { Leaf } from "../../../../../web/src/models/particles/leaf/grown";
 import { model } from "../../../../../web/src/models/particles/leaf/index";
 import { curveOf } from "../../../../../web/src/models/particles/leaf/outline/spline";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
 import type { LeafSpecimen } from "../../../../../web/src/models/particles/leaf/specimen";
 import { leafSvg } from "../../../../../web/src/models/particles/leaf/svg";
 import { polygonArea } from "../../../../../web/src/models/particles/leaf/words";
+import type { Picture } from "../../../../../web/src/plant/material";
+import type { PartMesh } from "../../../../../web/src/plant/part";
 import { decodeLink, encodeLink } from "../../../../../web/src/specimen/link";
-import { complaints } from "../../../export/reading";
+import { complaints, documentOf } from "../../../export/reading";
 
 let core: Core;
 beforeAll(async () => {
@@ -38,9 +42,8 @@ describe("a grown leaf", () => {
 		expect(leaf.chart).toHaveLength(4 * segments.count);
 		expect(segments.count).toBeGreaterThan(counts.particles);
 		expect(leaf.meshes.map((mesh) => mesh.name)).toEqual(expect.arrayContaining(["upper", "lower", "petiole"]));
-		for (const [face, { vein, edge }] of Object.entries(leaf.faces)) {
-			const vertices = (leaf.meshes.find((mesh) => mesh.name === face)?.positions.length ?? 0) / 3;
-			expect([vein.length, edge.length]).toEqual([vertices, vertices]);
+		for (const [face, { edge }] of Object.entries(leaf.faces)) {
+			expect(leaf.meshes.find((mesh) => mesh.name === face)?.positions).toHaveLength(3 * edge.length);
 		}
 	});
 
@@ -101,6 +104,26 @@ describe("a grown leaf", () => {
 	});
 });
 
+/** Of all runs of a path. */
+function lengthOf(d: string): number {
+	const runs = d.split("M").slice(1);
+	return runs.reduce((sum, run) => {
+		const places = run.split("L").map((place) => place.split(" ").map(Number));
+		const steps = places.slice(1).map(([x, y], i) => Math.hypot(x - places[i][0], y - places[i][1]));
+		return sum + steps.reduce((all, step) => all + step, 0);
+	}, 0);
+}
+
+/** Square millimetres of length times mean width. */
+function veinArea({ chart, segments }: Leaf, millimetres: number): number {
+	let sum = 0;
+	for (let i = 0; i < segments.count; i++) {
+		const length = Math.hypot(chart[4 * i + 2] - chart[4 * i], chart[4 * i + 3] - chart[4 * i + 1]);
+		sum += length * millimetres * (segments.radii[2 * i] + segments.radii[2 * i + 1]) * 1000;
+	}
+	return sum;
+}
+
 describe("files of a leaf", () => {
 	const specimen = leafFromPreset("grapevine");
 
@@ -108,7 +131,9 @@ describe("files of a leaf", () => {
 		for (const each of [specimen, withValues("maple", { age: 35, particles: 200 })]) {
 			const leaf = grow(each);
 			const about = await aboutPlant(model, leaf, each);
-			expect(await complaints(exportGlb(model.parts(leaf, each), about))).toEqual([]);
+			const found = await complaints(exportGlb(model.parts(leaf, each), about));
+			// Whoever shows the normals makes the tangents.
+			expect(found.filter(({ code }) => code !== "MESH_PRIMITIVE_GENERATED_TANGENT_SPACE")).toEqual([]);
 		}
 		const leaf = grow(specimen);
 		const { obj } = exportObj(model.parts(leaf, specimen), await aboutPlant(model, leaf, specimen), "leaf");
@@ -136,25 +161,70 @@ describe("files of a leaf", () => {
 		expect(widths).toEqual([...widths].sort((a, b) => a - b));
 		expect(widths.at(-1)).toBeLessThanOrEqual(specimen.parameters.vein + 0.01);
 		expect(svg.match(/L/g)?.length).toBeGreaterThanOrEqual(leaf.segments.count);
+		// What is drawn covers as much as the veins do, and no step along a vein is seen.
+		const drawn = classes.reduce((sum, [, width, d]) => sum + Number(width) * lengthOf(d), 0);
+		expect(drawn / veinArea(leaf, specimen.parameters.length)).toBeCloseTo(1, 1);
+		const main = widths.filter((width) => width > 0.2);
+		for (let i = 1; i < main.length; i++) expect(main[i] / main[i - 1]).toBeLessThan(1.25);
 		const [, width] = /width="([\d.]+)mm"/.exec(svg) ?? [];
 		expect(Number(width)).toBeGreaterThan(specimen.parameters.length);
+		const [, height] = /height="([\d.]+)mm"/.exec(svg) ?? [];
+		const ys = leaf.margin.filter((_, at) => at % 2 === 1);
+		expect(Number(height)).toBeCloseTo((Math.max(...ys) - Math.min(...ys)) * specimen.parameters.length + 4, 1);
 		expect(svg).not.toContain("NaN");
 	});
 
-	it("has the colours of its look: veins pale, autumn turned, the lower face its own", () => {
-		const leaf = grow(specimen);
-		const meanOf = (look: LeafSpecimen["look"], face: number) => {
-			const [...parts] = model.parts(leaf, { ...specimen, look });
-			const colours = parts[face].shape?.mesh.colours ?? new Float32Array(0);
-			return [0, 1, 2].map(
-				(k) => colours.filter((_, at) => at % 3 === k).reduce((a, b) => a + b) / (colours.length / 3),
+	it("lays the same pictures on its faces in GLB and OBJ as in the view, larger ones once it stands", async () => {
+		const sizes = [{ measures: false }, { passing: true }].map((options) =>
+			[...model.parts(grow(specimen, options), specimen)].map(({ shape }) => shape?.material.textures?.colour?.width),
+		);
+		expect(sizes).toEqual([
+			[1024, 1024, undefined],
+			[256, 256, undefined],
+		]);
+		const leaf = grow(specimen, { passing: true });
+		const parts = [...model.parts(leaf, specimen)];
+		const textures = parts.map(({ shape }) => shape?.material.textures);
+		expect(parts.map(({ shape }) => shape?.mesh.colours)).toEqual([undefined, undefined, undefined]);
+		const about = await aboutPlant(model, leaf, specimen);
+		const { obj, mtl, pictures } = exportObj(parts, about, "leaf");
+		const wanted = textures.slice(0, 2).flatMap((each) => [each?.colour, each?.normal].map((it) => png(it as Picture)));
+		expect(pictures.map(({ bytes }) => bytes)).toEqual(wanted);
+		for (const each of pictures) expect(mtl).toContain(` ${each.name}\n`);
+		expect(obj.match(/^usemtl .*$/gm)).toEqual([
+			"usemtl Blade,_upper_face",
+			"usemtl Blade,_lower_face",
+			"usemtl Petiole",
+		]);
+		const glb = exportGlb(parts, about);
+		const { images = [], bufferViews = [] } = documentOf(glb);
+		const embedded = images.map(({ bufferView }) => bufferViews[bufferView]);
+		const binary = 28 + new DataView(glb.buffer).getUint32(12, true);
+		const bytes = embedded.map(({ byteOffset, byteLength }) =>
+			glb.slice(binary + byteOffset, binary + byteOffset + byteLength),
+		);
+		expect(bytes).toEqual(wanted);
+	});
+
+	it("is laid with pictures as each face is seen, nothing mirrored", () => {
+		const [upper, lower] = [...model.parts(grow(specimen), specimen)].map(({ shape }) => shape?.mesh as PartMesh);
+		for (const { positions, normals, uvs, indices } of [upper, lower]) {
+			let right = 0;
+			for (let at = 0; at < indices.length; at += 3) {
+				const [a, b, c] = indices.subarray(at, at + 3);
+				const [ux, uy] = [uvs[2 * b] - uvs[2 * a], uvs[2 * b + 1] - uvs[2 * a + 1]];
+				const [vx, vy] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]];
+				const turn = ux * vy - uy * vx;
+				// The rim has no area in the chart.
+				if (Math.abs(turn) > 1e-7) right += turn < 0 ? 1 : -1;
+				else right += 1;
+			}
+			expect(right).toBe(indices.length / 3);
+			const top = uvs.findIndex(
+				(value, at) => at % 2 === 1 && value === uvs.filter((_, i) => i % 2 === 1).reduce((x, y) => Math.min(x, y)),
 			);
-		};
-		const [green, turned] = [meanOf(specimen.look, 0), meanOf({ ...specimen.look, autumn: 1 }, 0)];
-		expect(green[1]).toBeGreaterThan(1.5 * green[0]);
-		expect(turned[0]).toBeGreaterThan(turned[1]);
-		expect(meanOf(specimen.look, 1)[2]).toBeGreaterThan(2 * green[2]);
-		const pale = meanOf({ ...specimen.look, vein_colour: "ffffff" }, 0);
-		expect(pale[2]).toBeGreaterThan(green[2]);
+			expect(positions[3 * ((top - 1) / 2) + 1]).toBeGreaterThan(0.09);
+			expect(normals.length).toBe(positions.length);
+		}
 	});
 });

@@ -20,21 +20,6 @@ glm::vec3 vector_at(const std::vector<float>& values, std::size_t row) {
   return {values[3 * row], values[3 * row + 1], values[3 * row + 2]};
 }
 
-// Means over the triangles about each vertex, by their areas.
-void add_normals(Mesh& mesh, std::size_t vertices, std::size_t indices) {
-  std::vector<glm::vec3> sums(vertices, glm::vec3(0));
-  for (std::size_t k = 0; k < indices; k += 3) {
-    const std::size_t a = mesh.indices[k], b = mesh.indices[k + 1], c = mesh.indices[k + 2];
-    const glm::vec3 origin = vector_at(mesh.positions, a);
-    const glm::vec3 twice = glm::cross(vector_at(mesh.positions, b) - origin, vector_at(mesh.positions, c) - origin);
-    for (const std::size_t i : {a, b, c}) sums[i] += twice;
-  }
-  for (const glm::vec3& sum : sums) {
-    const float length = glm::length(sum);
-    put_at(mesh.normals, length > 0 ? sum / length : glm::vec3(0, 0, 1));
-  }
-}
-
 // Walls from the upper to the lower ring, with corners of their own.
 void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
   const auto first = static_cast<std::uint32_t>(lower.positions.size() / 3);
@@ -94,6 +79,8 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     const float ridge = k < laid.ring ? 0 : form.relief * bending.scale * laid.rise[i];
     put_at(upper.positions, middle + (half - std::min(groove * ridge, half)) * normal);
     put_at(lower.positions, middle - (half + ridge) * normal);
+    put_at(upper.normals, normal);
+    put_at(lower.normals, -normal);
     upper.uvs.insert(upper.uvs.end(), {(p.x - square.low.x) / square.size, (p.y - square.low.y) / square.size});
     vein.push_back(laid.vein[i]);
     edge.push_back(k < laid.ring ? 0 : outline.about_distance({p.x, p.y, 0}));
@@ -104,8 +91,6 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     upper.indices.insert(upper.indices.end(), {corner(0), corner(1), corner(2)});
     lower.indices.insert(lower.indices.end(), {corner(0), corner(2), corner(1)});
   }
-  add_normals(upper, used.size(), upper.indices.size());
-  add_normals(lower, used.size(), lower.indices.size());
   add_rim(lower, upper, laid.ring);
   std::vector<float> vein_below = vein, edge_below = edge;
   vein_below.resize(lower.positions.size() / 3, 0);

@@ -49,7 +49,7 @@ void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const
   const std::vector<Segment> stalk =
       make_petiole(bending, 0.01f * values[petiole] * bending.scale, std::max(girth.thickest, 0.5f * form.thickness));
   StemMesh tube;
-  if (!stalk.empty()) tube = sweep_stems({stalk}, {.sides = petiole_sides}, 1.0f);
+  if (!stalk.empty()) tube = sweep_stems({.segments = stalk, .jointed = false}, {.sides = petiole_sides}, 1.0f);
   if (asked.sky) {
     // Owners are the petiole's segments, then the blade: a sheet that hides nothing from itself.
     const auto owner = static_cast<std::int32_t>(stalk.size());

@@ -3,8 +3,6 @@ import type { FlatVeins } from "./outline/outline_canvas";
 
 /** What else is known of a face of the blade, by vertex. */
 export interface BladeFace {
-	/** How much of it is vein: 1 on a vein's axis … 0 from its edge on. */
-	vein: Float32Array;
 	/** How far the margin is, in lengths of the leaf, about. */
 	edge: Float32Array;
 }

@@ -6,16 +6,11 @@ import type { Leaf } from "./grown";
 export function readLeaf(answer: Answer): Leaf {
 	const { columns } = answer;
 	const plant = readTrailPlant(answer);
-	const faces = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.vein`));
+	const faces = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.edge`));
 	return {
 		...plant,
 		chart: columns.floats("segments.chart"),
 		margin: columns.floats("margin"),
-		faces: Object.fromEntries(
-			faces.map(({ name }) => [
-				name,
-				{ vein: columns.floats(`mesh.${name}.vein`), edge: columns.floats(`mesh.${name}.edge`) },
-			]),
-		),
+		faces: Object.fromEntries(faces.map(({ name }) => [name, { edge: columns.floats(`mesh.${name}.edge`) }])),
 	};
 }

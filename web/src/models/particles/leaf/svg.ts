@@ -5,16 +5,16 @@ import { bundled } from "./outline/bundles";
 import type { LeafSpecimen } from "./specimen";
 import { leafInWords } from "./words";
 
-/** Classes of widths, from the finest vein to the widest. */
-const CLASSES = 12;
+/** Classes of widths, from the finest vein to the widest: fewer show as steps along a main vein. */
+const CLASSES = 24;
 /** Left free round the leaf. */
 const MARGIN = 2;
 
 /** @param link the address that brings the leaf back */
 export function leafSvg(leaf: Leaf, specimen: LeafSpecimen, link: string): string {
-	const { length: size, petiole } = specimen.parameters;
+	const { length: size } = specimen.parameters;
 	const { ends, widths, margin } = flatVeins(leaf, size);
-	const { left, top, width, height } = boxOf(margin, size, (petiole / 100) * size);
+	const { left, top, width, height } = boxOf(margin, size);
 	const point = (x: number, y: number) => `${short(x * size)} ${short(-y * size)}`;
 	const edge = Array.from({ length: margin.length / 2 }, (_, i) => point(margin[2 * i], margin[2 * i + 1]));
 	const veins = bundled(widths, CLASSES).map((members) => {
@@ -24,7 +24,7 @@ export function leafSvg(leaf: Leaf, specimen: LeafSpecimen, link: string): strin
 			const places = chain.map((index) => point(ends[4 * index + 2], ends[4 * index + 3]));
 			return `M${[point(ends[4 * first], ends[4 * first + 1]), ...places].join("L")}`;
 		});
-		return `<path stroke-width="${short(mean * size)}" d="${lines.join("")}"/>`;
+		return `<path stroke-width="${Number((mean * size).toPrecision(3))}" d="${lines.join("")}"/>`;
 	});
 	return `<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="${width}mm" height="${height}mm" viewBox="${left} ${top} ${width} ${height}">
@@ -53,8 +53,8 @@ function chained(members: readonly number[], parent: Int32Array): number[][] {
 	return chains;
 }
 
-function boxOf(margin: Float32Array, size: number, petiole: number) {
-	let [left, right, low, high] = [0, 0, -petiole / size, 0];
+function boxOf(margin: Float32Array, size: number) {
+	let [left, right, low, high] = [0, 0, 0, 0];
 	for (let at = 0; at < margin.length; at += 2) {
 		[left, right] = [Math.min(left, margin[at]), Math.max(right, margin[at])];
 		[low, high] = [Math.min(low, margin[at + 1]), Math.max(high, margin[at + 1])];

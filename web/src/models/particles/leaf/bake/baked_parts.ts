@@ -3,11 +3,11 @@ import type { Part } from "../../../../plant/part";
 import { partsOf } from "../../../../plant/parts_of";
 import type { Mesh } from "../../../../plant/plant";
 import type { Leaf } from "../grown";
-import { bladeMaterial, fleshOf, petioleMaterial } from "../parts/materials";
+import { asSeen } from "../parts/as_seen";
+import { FacePictures } from "../parts/face_pictures";
+import { bladeMaterial, FACES, fleshOf, petioleMaterial, type Side } from "../parts/materials";
 import type { LeafSpecimen } from "../specimen";
 import { lightMesh } from "./light_mesh";
-import { facePictures, type Side } from "./pictures";
-import { veinRaster } from "./vein_raster";
 
 export interface BakeOptions {
 	/** Pixels to a side of each texture. */
@@ -23,27 +23,33 @@ export function* bakedParts(leaf: Leaf, specimen: LeafSpecimen, options: BakeOpt
 	const upper = leaf.meshes.find(({ name }) => name === "upper");
 	if (!upper) throw new Error("This growth has no blade to export: grow it with meshes.");
 	const light = lightMesh(upper, leaf.faces.upper.edge, cells);
-	const raster = veinRaster(leaf, parameters.length, pixels);
+	const pictures = new FacePictures(leaf, parameters.length, pixels);
+	const thickest = pictures.thickest(parameters) / 1000;
 	for (const side of ["upper", "lower"] as const) {
-		const title = `Blade, ${side} face`;
+		const { picture, mean } = pictures.colour(specimen, side);
 		const material = {
-			...bladeMaterial(look, title, look[side === "upper" ? "green" : "under"] as string),
-			...fleshOf(look, parameters.thickness / 1000),
-			textures: facePictures(leaf, specimen, raster, side),
+			...bladeMaterial(look, side),
+			...fleshOf(look, thickest, parameters.thickness / 1000),
+			colour: mean,
+			textures: {
+				colour: picture,
+				normal: pictures.normal(parameters, side),
+				thickness: pictures.thickness(parameters, side),
+			},
 		};
-		yield { name: title, shape: { mesh: seen(light, side), material } };
+		yield { name: FACES[side], shape: { mesh: seen(light, side), material } };
 	}
 	const stalk = leaf.meshes.filter(({ name }) => name === "petiole").map(({ sky: _, ...mesh }) => mesh);
 	yield* partsOf({ meshes: stalk, organs: { ...leaf.organs, count: 0 } }, { stem: petioleMaterial(look) });
 }
 
-/** One side of a sheet, with texture coordinates as bake/pictures.ts has them. */
+/** One side of a sheet. */
 function seen({ positions, normals, uvs, indices }: Mesh, side: Side): Mesh {
 	const isUpper = side === "upper";
 	return {
 		positions,
 		normals: isUpper ? normals : normals.map((value) => -value),
-		uvs: uvs.map((value, at) => (at % 2 === 0 && isUpper ? value : 1 - value)),
+		uvs: asSeen(uvs, side),
 		indices: isUpper ? indices : indices.map((_, at) => indices[at % 3 === 0 ? at : at % 3 === 1 ? at + 1 : at - 1]),
 	};
 }

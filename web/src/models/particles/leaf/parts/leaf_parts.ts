@@ -1,49 +1,37 @@
-/** A leaf in parts: the two faces of its blade in colours of their own, its petiole, and particles on their way. */
-import { linear, smoothstep } from "../../../../plant/colour";
+/** A leaf in parts: the two faces of its blade with pictures laid on, its petiole, and particles on their way. */
+import { linear } from "../../../../plant/colour";
 import type { Part } from "../../../../plant/part";
 import { partsOf } from "../../../../plant/parts_of";
-import type { PlantMesh } from "../../../../plant/plant";
-import type { BladeFace, Leaf } from "../grown";
+import type { Leaf } from "../grown";
 import type { LeafSpecimen } from "../specimen";
-import { bladeColours } from "./blade_colour";
-import { bladeMaterial, particleMaterial, petioleMaterial } from "./materials";
-import { awayAt, type VeinMap, veinMap } from "./vein_map";
+import { asSeen } from "./as_seen";
+import { FacePictures } from "./face_pictures";
+import { bladeMaterial, FACES, particleMaterial, petioleMaterial } from "./materials";
 
-/** The faces of the blade, by the names of their meshes: as people call them, and the look's colour. */
-export const FACES: Readonly<Record<string, { title: string; colour: string }>> = {
-	upper: { title: "Blade, upper face", colour: "green" },
-	lower: { title: "Blade, lower face", colour: "under" },
-};
+/** Pixels to a side of the pictures, of what stays and of what is on its way. */
+const [SIDE, PASSING_SIDE] = [1024, 256];
 
-export interface LeafPartsOptions {
-	/** Whether colours of vertices show the veins; the default is yes. */
-	veins?: boolean;
-}
+/** Pictures by the leaf that they show, so that other colours find its veins drawn. */
+const drawn = new WeakMap<Leaf, FacePictures>();
 
 /** @throws Error with a message for people where the leaf was asked for without meshes */
-export function* leafParts(
-	leaf: Leaf,
-	{ look }: Pick<LeafSpecimen, "look">,
-	{ veins = true }: LeafPartsOptions = {},
-): Generator<Part> {
-	const { meshes, organs, faces } = leaf;
+export function* leafParts(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">): Generator<Part> {
+	const { meshes, organs } = leaf;
+	const { look, parameters } = specimen;
 	if (meshes.length === 0 && leaf.segments.count > 0 && leaf.notes.length === 0) {
 		throw new Error("This growth has no meshes to export: grow it with meshes.");
 	}
-	const map = veinMap(leaf);
-	for (const mesh of meshes) {
-		const face = FACES[mesh.name];
-		if (!face) continue;
-		const hex = look[face.colour] as string;
-		const colours = bladeColours(
-			mesh,
-			veins ? plainly(mesh, faces[mesh.name], map) : veinless(faces[mesh.name]),
-			map,
-			look,
-			hex,
-		);
-		const material = bladeMaterial(look, face.title, hex);
-		yield { name: face.title, shape: { mesh: { ...mesh, colours }, material, variant: mesh.name } };
+	// What grows in passing does not ask what sky there is.
+	const side = meshes.some(({ sky }) => sky) ? SIDE : PASSING_SIDE;
+	const pictures = drawn.get(leaf) ?? new FacePictures(leaf, parameters.length, side);
+	drawn.set(leaf, pictures);
+	for (const face of ["upper", "lower"] as const) {
+		const mesh = meshes.find(({ name }) => name === face);
+		if (!mesh) continue;
+		const { picture, mean } = pictures.colour(specimen, face);
+		const textures = { colour: picture, normal: pictures.normal(parameters, face) };
+		const material = { ...bladeMaterial(look, face), colour: mean, textures };
+		yield { name: FACES[face], shape: { mesh: { ...mesh, name: FACES[face], uvs: asSeen(mesh.uvs, face) }, material } };
 	}
 	// Organs know meshes by their place among all.
 	const others = meshes.map((mesh) => (mesh.name in FACES ? { ...mesh, indices: new Uint32Array(0) } : mesh));
@@ -51,14 +39,4 @@ export function* leafParts(
 		{ meshes: others, organs },
 		{ stem: petioleMaterial(look), skin: particleMaterial(linear(look.vein_colour as string)) },
 	);
-}
-
-/** Of finer veins a mesh has no more than dots: they are left out. */
-function plainly({ uvs }: PlantMesh, { vein, edge }: BladeFace, map: VeinMap): BladeFace {
-	const shown = vein.map((share, at) => share * (1 - smoothstep(0.12, 0.3, awayAt(map, uvs[2 * at], uvs[2 * at + 1]))));
-	return { vein: shown, edge };
-}
-
-function veinless({ vein, edge }: BladeFace): BladeFace {
-	return { vein: new Float32Array(vein.length), edge };
 }

@@ -1,0 +1,72 @@
+/** What a leaf is laid with, from the pictures' pixels to view and files. */
+const PARTS = "web/src/models/particles/leaf/parts";
+const TESTS = "tests/web/models/particles/leaf";
+
+export default [
+	{
+		file: `${PARTS}/face_pictures.ts`,
+		suites: [`${TESTS}/bake.test.ts`, `${TESTS}/face_pictures.test.ts`],
+		faults: [
+			{
+				id: "leaf-normals-green-down",
+				find: "const ny = -steep * up;",
+				replace: "const ny = steep * up;",
+				breaks: "light from above shows veins as if it came from below",
+			},
+			{
+				id: "leaf-normals-not-mirrored",
+				find: "const nx = -sign * steep * right;",
+				replace: "const nx = -steep * right;",
+				breaks: "light from the left shows the lower face's veins as if it came from the right",
+			},
+		],
+	},
+	{
+		file: `${PARTS}/blade_fields.ts`,
+		suites: [`${TESTS}/face_pictures.test.ts`],
+		faults: [
+			{
+				id: "leaf-fed-alike-by-all-veins",
+				find: "REACH * side * share ** REACH_POWER",
+				replace: "REACH * side",
+				breaks: "in autumn green bands are as broad about a twig of a vein as about the midrib",
+			},
+		],
+	},
+	{
+		file: `${PARTS}/as_seen.ts`,
+		suites: [`${TESTS}/leaf.test.ts`],
+		faults: [
+			{
+				id: "leaf-pictures-mirrored",
+				find: "at % 2 === 0 && side",
+				replace: "side",
+				breaks: "pictures lie head down, and readers' tangents are of the other hand",
+			},
+		],
+	},
+	{
+		file: "web/src/scene/wardrobe.ts",
+		suites: ["tests/web/scene/part_figure.test.ts"],
+		faults: [
+			{
+				id: "wardrobe-keeps-first-pictures",
+				find: "if (shows[kind] === picture) return;",
+				replace: "if (shows[kind]) return;",
+				breaks: "a leaf dragged to another shape keeps the veins of the first",
+			},
+		],
+	},
+	{
+		file: "web/src/export/glb.ts",
+		suites: ["tests/web/export/glb.test.ts"],
+		faults: [
+			{
+				id: "glb-picture-coloured-twice",
+				find: "material.textures?.colour ? undefined : mesh.colours",
+				replace: "mesh.colours",
+				breaks: "pictures are dyed once more by the vertices' colours",
+			},
+		],
+	},
+];

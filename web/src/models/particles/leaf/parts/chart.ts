@@ -1,0 +1,72 @@
+/** The flat leaf as a square: what its texture coordinates span, and grids over it, rows from the bottom. */
+
+/** The square about the margin's middle that holds it, in lengths of the leaf. */
+export interface Chart {
+	left: number;
+	bottom: number;
+	size: number;
+}
+
+export function chartOf(margin: Float32Array): Chart {
+	let [left, right, bottom, top] = [0, 0, 0, 0];
+	for (let at = 0; at < margin.length; at += 2) {
+		[left, right] = [Math.min(left, margin[at]), Math.max(right, margin[at])];
+		[bottom, top] = [Math.min(bottom, margin[at + 1]), Math.max(top, margin[at + 1])];
+	}
+	const size = Math.max(right - left, top - bottom, 1e-6);
+	return { left: (left + right - size) / 2, bottom: (bottom + top - size) / 2, size };
+}
+
+/** 2 × points in cells of a grid of so many to a side. */
+export function inCells(points: Float32Array, { left, bottom, size }: Chart, side: number): Float32Array {
+	return points.map((value, at) => ((value - (at % 2 === 0 ? left : bottom)) / size) * side);
+}
+
+/** By cell, whether its middle lies inside of a margin given in cells: 1 or 0, row by row between the crossings. */
+export function insideOf(margin: Float32Array, side: number): Uint8Array {
+	const inside = new Uint8Array(side * side);
+	const crossings: number[][] = Array.from({ length: side }, () => []);
+	const count = margin.length / 2;
+	for (let i = 0; i < count; i++) {
+		const j = (i + 1) % count;
+		const [x1, y1, x2, y2] = [margin[2 * i], margin[2 * i + 1], margin[2 * j], margin[2 * j + 1]];
+		const last = Math.min(side - 1, Math.ceil(Math.max(y1, y2) - 0.5) - 1);
+		for (let row = Math.max(0, Math.ceil(Math.min(y1, y2) - 0.5)); row <= last; row++) {
+			crossings[row].push(x1 + ((row + 0.5 - y1) / (y2 - y1)) * (x2 - x1));
+		}
+	}
+	crossings.forEach((xs, row) => {
+		xs.sort((a, b) => a - b);
+		for (let k = 0; k + 1 < xs.length; k += 2) {
+			const [from, to] = [Math.max(0, Math.ceil(xs[k] - 0.5)), Math.min(side, Math.ceil(xs[k + 1] - 0.5))];
+			inside.fill(1, row * side + from, row * side + Math.max(from, to));
+		}
+	});
+	return inside;
+}
+
+/** How far each cell is from the nearest zero, in cells, by two chamfered passes (Borgefors 1986). Cells start at most `far`. */
+export function spread(away: Float32Array, side: number): void {
+	for (let at = 0; at < away.length; at++) {
+		const column = at % side;
+		let least = away[at];
+		if (column > 0) least = Math.min(least, away[at - 1] + 1);
+		if (at >= side) {
+			least = Math.min(least, away[at - side] + 1);
+			if (column > 0) least = Math.min(least, away[at - side - 1] + Math.SQRT2);
+			if (column < side - 1) least = Math.min(least, away[at - side + 1] + Math.SQRT2);
+		}
+		away[at] = least;
+	}
+	for (let at = away.length - 1; at >= 0; at--) {
+		const column = at % side;
+		let least = away[at];
+		if (column < side - 1) least = Math.min(least, away[at + 1] + 1);
+		if (at + side < away.length) {
+			least = Math.min(least, away[at + side] + 1);
+			if (column < side - 1) least = Math.min(least, away[at + side + 1] + Math.SQRT2);
+			if (column > 0) least = Math.min(least, away[at + side - 1] + Math.SQRT2);
+		}
+		away[at] = least;
+	}
+}

@@ -1,0 +1,70 @@
+/** The veins of the flat leaf in cells: what of each is vein, and how high it stands there. */
+import type { Leaf } from "../grown";
+import { chartOf, inCells } from "./chart";
+
+/** Millimetres on either side of a vein that are as pale as it: the sheath about it, which shows where veins themselves are too fine. */
+export const SHEATH = 0.012;
+/** A ridge ends this many radii of its vein from the axis: it rises smoothly out of the blade. */
+const FOOT = 1.6;
+/** The least width of its slope, in cells: what is finer is lower by as much as it is wider. */
+const LEAST_FOOT = 1.5;
+
+export interface VeinRaster {
+	/** Cells to a side of the square that texture coordinates span; rows from the bottom. */
+	side: number;
+	/** Millimetres to a cell. */
+	cell: number;
+	/** Share of the cell that is vein or its sheath, 0 … 1. */
+	cover: Float32Array;
+	/** How high a vein stands there, as high on its axis as half its width: millimetres. */
+	height: Float32Array;
+}
+
+/** @param millimetres of a length of the leaf */
+export function veinRaster(
+	{ chart: ends, margin, segments }: Pick<Leaf, "chart" | "margin" | "segments">,
+	millimetres: number,
+	side: number,
+): VeinRaster {
+	const chart = chartOf(margin);
+	const cell = (chart.size * millimetres) / side;
+	const raster = { side, cell, cover: new Float32Array(side * side), height: new Float32Array(side * side) };
+	const places = inCells(ends, chart, side);
+	for (let piece = 0; piece < segments.count; piece++) {
+		draw(raster, places, 4 * piece, (segments.radii[2 * piece + 1] * 1000) / cell);
+	}
+	return raster;
+}
+
+/** One straight piece of a vein, its radius in cells. */
+function draw({ side, cell, cover, height }: VeinRaster, places: Float32Array, from: number, radius: number): void {
+	const [x1, y1, x2, y2] = [places[from], places[from + 1], places[from + 2], places[from + 3]];
+	const pale = radius + SHEATH / cell;
+	const covering = Math.max(pale, 0.5) + 0.5;
+	const thin = Math.min(1, 2 * pale);
+	const foot = Math.max(FOOT * radius, LEAST_FOOT);
+	const top = (cell * radius * FOOT * radius) / foot;
+	const reach = Math.max(covering, foot);
+	const [dx, dy] = [x2 - x1, y2 - y1];
+	const squared = dx * dx + dy * dy;
+	const within = (value: number) => Math.min(side - 1, Math.max(0, Math.floor(value)));
+	const [left, right] = [within(Math.min(x1, x2) - reach), within(Math.max(x1, x2) + reach)];
+	const upTo = within(Math.max(y1, y2) + reach);
+	for (let row = within(Math.min(y1, y2) - reach); row <= upTo; row++) {
+		for (let column = left; column <= right; column++) {
+			const px = column + 0.5 - x1;
+			const py = row + 0.5 - y1;
+			const t = squared > 0 ? Math.min(1, Math.max(0, (px * dx + py * dy) / squared)) : 0;
+			const [ox, oy] = [px - t * dx, py - t * dy];
+			const away = ox * ox + oy * oy;
+			if (away >= reach * reach) continue;
+			const at = row * side + column;
+			// What is finer than a cell covers less of it.
+			const share = Math.min(1, covering - Math.sqrt(away)) * thin;
+			if (share > cover[at]) cover[at] = share;
+			const slope = Math.max(0, 1 - away / (foot * foot));
+			const high = top * slope * slope;
+			if (high > height[at]) height[at] = high;
+		}
+	}
+}
