@@ -10,7 +10,7 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	await expect(page).toHaveTitle("Oak 1 · Panicle");
 	const grown = await studio.fingerprint.innerText();
-	const grip = page.getByRole("region", { name: "Boundary view" }).locator("[data-grip=knot2]");
+	const grip = page.getByRole("region", { name: "Boundary view" }).locator("[data-handle=knot2]");
 	const box = await grip.boundingBox();
 	if (!box) throw new Error("There is no grip to drag.");
 	const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -45,7 +45,7 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 test("the sun is moved, the age runs back and forth to the same tree", async ({ page }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	const grown = await studio.fingerprint.innerText();
-	await page.getByRole("region", { name: "Sun view" }).locator("[data-grip=sun]").focus();
+	await page.getByRole("region", { name: "Sun view" }).locator("[data-handle=sun]").focus();
 	await studio.regrown(() => page.keyboard.press("Shift+ArrowRight"));
 	await expect(page).toHaveURL(/sun=55/);
 	await studio.regrown(() => studio.button("Undo").click());

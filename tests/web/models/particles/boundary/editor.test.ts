@@ -7,7 +7,7 @@ import {
 	scaleBar,
 	toScreen,
 } from "../../../../../web/src/models/particles/boundary/editor/frame";
-import { changeBy, nearestGrip } from "../../../../../web/src/models/particles/boundary/editor/grip";
+import { changeBy } from "../../../../../web/src/models/particles/boundary/editor/grip";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
 import { wallsOf, withoutWall, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
@@ -146,13 +146,6 @@ describe("grips of a boundary", () => {
 		expect(apply(TREE, moved, pose.change)).toEqual({ ...specimen, obstacles: undefined });
 	});
 
-	it("are taken hold of by the nearest within reach", () => {
-		const pose = poseOf();
-		const { at } = grip(pose, "knot2");
-		expect(nearestGrip(pose, { x: at.x + 0.1, y: at.y }, 0.5)?.id).toBe("knot2");
-		expect(nearestGrip(pose, { x: at.x + 0.6, y: at.y }, 0.5)).toBeUndefined();
-	});
-
 	it("take over a form as a profile to be shaped by hand", () => {
 		const box = tree("box");
 		expect(asProfile(treeLay, box).map(([radius]) => radius)).toEqual([1, 1, 1, 1, 1, 1]);
@@ -205,7 +198,7 @@ describe("a flat view's frame", () => {
 		const corner = toScreen(frame, { x: 6, y: 10 });
 		expect(corner.x).toBeLessThan(223);
 		expect(corner.y).toBeGreaterThan(0);
-		const back = fromScreen(frame, corner.x, corner.y);
+		const back = fromScreen(frame, corner);
 		expect([back.x, back.y]).toEqual([expect.closeTo(6), expect.closeTo(10)]);
 		// A little larger, it is shown at the same scale.
 		expect(frameAbout({ halfWidth: 6, low: -0.5, high: 10.1 }, 223, 200).scale).toBe(frame.scale);

@@ -1,10 +1,10 @@
 /** The grips of a boundary, and what moving them does: pure functions from a specimen to a change of it. */
 import type { Change } from "../../../../controls/desk";
+import type { Point } from "../../../../controls/handles/point";
 import { onStep } from "../../../../specimen/table";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FEWEST_KNOTS, knotAt, MOST_KNOTS } from "../details/profile";
 import { lengthInWords } from "../words";
-import type { Point } from "./frame";
 import type { Grip, Pose } from "./grip";
 import { type Lay, outlineIn } from "./lay";
 import { radiusAt } from "./outline";

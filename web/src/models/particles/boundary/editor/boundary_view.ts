@@ -1,5 +1,6 @@
 /** `<panicle-boundary>`: outer and inner boundary from in front, with their grips, over the branches that grew in them. */
 import { svg, type TemplateResult } from "lit";
+import { drawScaleBar } from "../../../../controls/handles/scale_bar";
 import type { TrailPlant } from "../../trails";
 import type { Knot } from "../bounded";
 import { BranchDrawing } from "./branches";
@@ -57,8 +58,8 @@ export class BoundaryView extends GripView {
 			${scale(frame)}`;
 	}
 
-	protected override ink(canvas: HTMLCanvasElement, frame: Frame): void {
-		this.#branches.show(canvas, this.grown, frame);
+	protected override ink(canvas: HTMLCanvasElement): void {
+		this.#branches.show(canvas, this.grown, this.frame);
 	}
 }
 
@@ -113,16 +114,9 @@ function dot(frame: Frame, target: { x: number; y: number }): TemplateResult {
 	return svg`<circle class="target" cx=${x} cy=${y} r="2.5"></circle>`;
 }
 
-/** A scale bar at the lower left, as on a plate. */
 function scale(frame: Frame): TemplateResult {
 	const { length, label } = scaleBar(frame);
-	const pixels = length * frame.scale;
-	return svg`<g class="scale" transform="translate(8 ${frame.height - 6})">
-		<line x1="0" y1="0" x2=${pixels} y2="0"></line>
-		<line x1="0" y1="-3" x2="0" y2="0"></line>
-		<line x1=${pixels} y1="-3" x2=${pixels} y2="0"></line>
-		<text x=${pixels / 2} y="-6" text-anchor="middle">${label}</text>
-	</g>`;
+	return drawScaleBar(length * frame.scale, label, `translate(8 ${frame.height - 6})`);
 }
 
 customElements.define("panicle-boundary", BoundaryView);

@@ -1,9 +1,9 @@
 /** Boxes in which nothing grows, from in front: each is moved by its middle and sized by its upper right corner. */
 import type { Change } from "../../../../controls/desk";
+import type { Point } from "../../../../controls/handles/point";
 import { onStep } from "../../../../specimen/table";
 import type { Bounded } from "../bounded";
 import { lengthInWords } from "../words";
-import type { Point } from "./frame";
 import type { Grip } from "./grip";
 
 const WIDTH = 6;
