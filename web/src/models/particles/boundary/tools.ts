@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import type { Desk } from "../../../controls/desk";
 import type { Tool } from "../../../controls/tool";
 import type { BoundedSpecimen } from "./bounded";
+import { MOST_OBSTACLES } from "./details/places";
 import { asProfile, boundaryPose, withKnot, withoutKnot } from "./editor/boundary_pose";
 import type { BoundaryScene } from "./editor/boundary_view";
 import { feetOf } from "./editor/feet";
@@ -57,7 +58,10 @@ export function boundaryTool<S extends BoundedSpecimen>(
 						<button class="button" type="button" ?disabled=${!removed} @click=${() => removed && desk.set(removed)}>Remove the point</button>`
 					: html`<button class="button" type="button" @click=${() => shapeByHand(desk)}>Shape by hand</button>`
 			}
-			<button class="button" type="button" @click=${() => desk.set(wallBeside(lay, specimen))}>Add an obstacle</button>
+			<button
+				class="button" type="button" ?disabled=${wallsOf(specimen).length >= MOST_OBSTACLES}
+				@click=${() => desk.set(wallBeside(lay, specimen))}
+			>Add an obstacle</button>
 			${
 				specimen.obstacles
 					? html`<button class="button" type="button" @click=${() => desk.set(withoutWall(specimen))}>Remove an obstacle</button>`

@@ -2,6 +2,9 @@ import { css } from "lit";
 
 /** What the outline's view adds to handle_style.ts. */
 export const outlineStyle = css`
+	:host {
+		container-type: size;
+	}
 	.field {
 		bottom: 40px;
 	}
@@ -90,6 +93,23 @@ export const outlineStyle = css`
 		}
 		.bar {
 			height: 44px;
+		}
+	}
+	/* A leaf is taller than wide: where height is dear, the buttons stand beside it. */
+	@container (orientation: landscape) {
+		.field {
+			inset: 0 54px 0 0;
+		}
+		.bar {
+			inset: 0 0 0 auto;
+			flex-direction: column;
+			width: 44px;
+			height: auto;
+		}
+		.bar button {
+			width: 100%;
+			max-width: none;
+			max-height: 56px;
 		}
 	}
 `;
