@@ -113,6 +113,9 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 	await expect(page.locator(".override")).toContainText("A mesh of 8 triangles.");
 	await expect(page.locator("panicle-boundary path.outer")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
 	await expect(studio.notices).not.toContainText("The file was not opened");
+	const inSpace = studio.button("Boundary in 3-D");
+	await inSpace.click();
+	await expect(inSpace).toHaveAttribute("aria-pressed", "true");
 	await drop("broken.obj", "v 0 0 0\nf 1 2 3\n");
 	await expect(studio.notices).toContainText("Line 2 of the OBJ has a corner, “2”");
 });

@@ -12,6 +12,7 @@ import { footprintIn } from "../../../../../web/src/models/particles/boundary/ed
 import { contourOf } from "../../../../../web/src/models/particles/boundary/editor/mesh_outline";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
 import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
+import { shellsOf } from "../../../../../web/src/models/particles/boundary/editor/shell";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
 import { wallsOf, withoutWall, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { rootLay } from "../../../../../web/src/models/particles/root/lay";
@@ -317,6 +318,50 @@ describe("a dropped mesh", () => {
 		const front = ring.map((i) => i + 8);
 		const back = ring.map((_, i) => ring[i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1]);
 		expect(contourOf({ points, triangles: [...front, ...back] }, 1)).toHaveLength(2);
+	});
+});
+
+describe("a boundary in 3-D", () => {
+	const extent = (points: readonly number[], k: number) => {
+		const along = points.filter((_, i) => i % 3 === k);
+		return [Math.min(...along), Math.max(...along)];
+	};
+
+	it.each(["sphere", "box", "cypress", "twin"])("fills the box that the core grows in: %s", (preset) => {
+		const specimen = tree(preset);
+		const { halfWidth, low, high } = treeLay.box(specimen);
+		const shells = shellsOf(treeLay, specimen);
+		expect(shells).toHaveLength(specimen.parameters.crowns);
+		const deep = treeLay.halfDepth(specimen);
+		for (const [i, axis] of treeLay.axes(specimen).entries()) {
+			const { points, triangles } = shells[i];
+			const near = [0, 1, 2].map((k) => extent(points, k).map((value) => Math.round(10 * value) / 10));
+			const box = [
+				[axis - halfWidth, axis + halfWidth],
+				[low, high],
+				[-deep, deep],
+			];
+			box.forEach((range, k) => {
+				expect(Math.abs(near[k][0] - range[0])).toBeLessThan(0.08);
+				expect(Math.abs(near[k][1] - range[1])).toBeLessThan(0.08);
+			});
+			expect(Math.max(...triangles)).toBe(points.length / 3 - 1);
+		}
+	});
+
+	it("is a mesh's own, stretched to the box", () => {
+		const box = tree("box");
+		const shape = TREE.table.entry("shape");
+		const volume = { points: [5, 0, 5, 7, 0, 5, 5, 0, 9, 5, 3, 5], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		const mesh = shape?.kind === "choice" ? shape.options.indexOf("mesh") : -1;
+		const specimen = { ...box, volume, parameters: { ...box.parameters, shape: mesh } };
+		const { width, depth, trunk, height } = specimen.parameters;
+		const [{ points }] = shellsOf(treeLay, specimen);
+		expect([0, 1, 2].map((k) => extent(points, k))).toEqual([
+			[-width / 2, width / 2],
+			[trunk, trunk + height],
+			[-depth / 2, depth / 2],
+		]);
 	});
 });
 
