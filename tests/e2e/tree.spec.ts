@@ -43,9 +43,11 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 
 	const trunk = await studio.grip("Boundary", "target0");
 	await page.mouse.move(trunk.x, trunk.y);
-	await page.mouse.down();
-	await page.mouse.move(trunk.x + 20, trunk.y + 1, { steps: 3 });
-	await studio.regrown(() => page.mouse.up());
+	await studio.regrown(async () => {
+		await page.mouse.down();
+		await page.mouse.move(trunk.x + 20, trunk.y + 1, { steps: 3 });
+		await page.mouse.up();
+	});
 	await expect(page).toHaveURL(/targets=[\d.]+,0,0/);
 	await studio.regrown(() => studio.button("Add an obstacle").click());
 	const wall = page.locator("panicle-plan [data-handle='wall0 middle']");
