@@ -8,30 +8,17 @@ import {
 	toScreen,
 } from "../../../../../web/src/models/particles/boundary/editor/frame";
 import { changeBy } from "../../../../../web/src/models/particles/boundary/editor/grip";
-import { footprintIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
-import { contourOf } from "../../../../../web/src/models/particles/boundary/editor/mesh_outline";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
-import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
-import { shellsOf } from "../../../../../web/src/models/particles/boundary/editor/shell";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
 import { wallsOf, withoutWall, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { rootLay } from "../../../../../web/src/models/particles/root/lay";
 import { ROOT } from "../../../../../web/src/models/particles/root/species";
 import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
 import { TREE } from "../../../../../web/src/models/particles/tree/species";
-import { fromPreset } from "../../../../../web/src/specimen/from_preset";
-import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
 import { apply } from "../../../../../web/src/studio/change";
-import { growBounded, particlesCore } from "./particles";
+import { gripOf, root, tree } from "./particles";
 
-const tree = (preset: string) => fromPreset(TREE, preset);
-const root = (preset: string) => fromPreset(ROOT, preset);
 const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));
-const grip = (pose: ReturnType<typeof poseOf>, id: string) => {
-	const found = pose.grips.find((each) => each.id === id);
-	if (!found) throw new Error(`There is no grip ${id} among ${pose.grips.map((each) => each.id)}.`);
-	return found;
-};
 
 describe("the outline from in front", () => {
 	it("is widest where its form is", () => {
@@ -65,8 +52,8 @@ describe("grips of a boundary", () => {
 	it("stand on the points of the profile, in metres over the ground", () => {
 		const { width, trunk, height } = tree("oak").parameters;
 		const [radius, up] = (tree("oak").profile ?? [])[2];
-		expect(grip(poseOf(), "knot2").at).toEqual({ x: (radius * width) / 2, y: trunk + up * height });
-		expect(grip(poseOf(), "knot2").value).toMatch(/^[\d.]+ m out, [\d.]+ m up$/);
+		expect(gripOf(poseOf(), "knot2").at).toEqual({ x: (radius * width) / 2, y: trunk + up * height });
+		expect(gripOf(poseOf(), "knot2").value).toMatch(/^[\d.]+ m out, [\d.]+ m up$/);
 	});
 
 	it("move the point, between its neighbours and never across the axis", () => {
@@ -111,9 +98,9 @@ describe("grips of a boundary", () => {
 	it("set the inner boundary and the distance of twins", () => {
 		const twin = tree("twin");
 		const pose = poseOf(twin);
-		const inner = grip(pose, "inner");
+		const inner = gripOf(pose, "inner");
 		expect(apply(TREE, twin, pose.pull("inner", inner.at)).parameters.inner).toBeCloseTo(twin.parameters.inner);
-		expect(grip(pose, "axis").at.x).toBeCloseTo(twin.parameters.distance / 2);
+		expect(gripOf(pose, "axis").at.x).toBeCloseTo(twin.parameters.distance / 2);
 		expect(apply(TREE, twin, pose.pull("axis", { x: 4, y: 1 })).parameters.distance).toBe(8);
 		expect(poseOf().grips.map(({ id }) => id)).not.toContain("axis");
 	});
@@ -171,197 +158,6 @@ describe("obstacles", () => {
 		expect(wallsOf(moved)).toEqual([[5, 1, -3, 5.3, 6, 3]]);
 		expect(wallsOf(apply(TREE, one, pose.pull("wall0 corner", { x: 0, y: 9 })))).toEqual([[4, 0, -3, 4.02, 9, 3]]);
 		expect(apply(TREE, one, withoutWall(one)).obstacles).toBeUndefined();
-	});
-});
-
-describe("a plan", () => {
-	const planOf = (specimen = tree("oak")) => planPose(treeLay, specimen, tree(specimen.preset));
-
-	it("shows what is in front below, and moves and sizes obstacles from front to back", () => {
-		const oak = tree("oak");
-		const one = apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6));
-		expect(grip(planOf(one), "wall0 middle").at).toEqual({ x: 4.15, y: 0 });
-		expect(grip(planOf(one), "wall0 corner").at).toEqual({ x: 4.3, y: -3 });
-		const back = apply(TREE, one, planOf(one).pull("wall0 middle", { x: 4.15, y: 2 }));
-		expect(wallsOf(back)).toEqual([[4, 0, -5, 4.3, 5, 1]]);
-		expect(grip(planOf(back), "wall0 middle").value).toBe("4.2 m right, 2 m behind");
-		const thin = apply(TREE, one, planOf(one).pull("wall0 corner", { x: 5, y: 2.5 }));
-		expect(wallsOf(thin)).toEqual([[4, 0, -3, 5, 5, -2.5]]);
-		const least = apply(TREE, one, planOf(one).pull("wall0 corner", { x: 5, y: 9 }));
-		expect(wallsOf(least)).toEqual([[4, 0, -3, 5, 5, -2.98]]);
-	});
-
-	it("takes the boundary's depth apart from its width, but a ball's", () => {
-		const oak = tree("oak");
-		const { width } = oak.parameters;
-		const deep = apply(TREE, oak, planOf().pull("front", { x: 0, y: -3 }));
-		expect(deep.parameters).toMatchObject({ depth: 6, width });
-		expect(planOf(deep).reset?.("front")).toEqual({ parameters: { depth: oak.parameters.depth } });
-		const ball = tree("sphere");
-		expect(apply(TREE, ball, planOf(ball).pull("front", { x: 0, y: -3 })).parameters).toMatchObject({
-			width: 6,
-			depth: 6,
-		});
-		const heart = root("heart");
-		expect(planPose(rootLay, heart, heart).pull("front", { x: 0, y: -1 })).toEqual({ parameters: { depth: 2 } });
-	});
-
-	it("has a footprint", () => {
-		expect(footprintIn(treeLay, tree("box"))[0]).toHaveLength(4);
-		for (const { x, y } of footprintIn(treeLay, tree("sphere"))[0]) expect(Math.hypot(x, y)).toBeCloseTo(1);
-	});
-});
-
-describe("targets", () => {
-	it("stand where the core puts them while the specimen says nothing", async () => {
-		const core = await particlesCore();
-		const small = (model: string, preset: string, more: object) => {
-			const specimen = model === "tree" ? tree(preset) : root(preset);
-			return { ...specimen, parameters: { ...specimen.parameters, particles: 50, ...more } };
-		};
-		for (const [lay, species, specimen] of [
-			[treeLay, TREE, small("tree", "twin", { stems: 3 })],
-			[rootLay, ROOT, small("root", "tap", { stems: 4 })],
-		] as const) {
-			const { targets } = growBounded(core, species.table, specimen, { meshes: false });
-			const said = (lay as typeof treeLay).targets(specimen as never);
-			expect(said).toHaveLength(targets.length);
-			for (const [i, value] of targets.entries()) expect(said[i]).toBeCloseTo(value, 4);
-		}
-	});
-
-	it("are dragged in front and from above, and stay on the ground unless they are lifted", () => {
-		const twin = tree("twin");
-		const half = twin.parameters.distance / 2;
-		const front = apply(TREE, twin, poseOf(twin).pull("target1", { x: 3.014, y: 0.1 }));
-		expect(front.targets).toEqual([-half, 0, 0, 3.01, 0, 0]);
-		expect(apply(TREE, twin, poseOf(twin).pull("target1", { x: 3, y: 1 })).targets?.[4]).toBe(1);
-		const plan = planPose(treeLay, front, twin);
-		const back = apply(TREE, front, plan.pull("target0", { x: -1, y: 0.5 }));
-		expect(back.targets).toEqual([-1, 0, -0.5, 3.01, 0, 0]);
-		expect(grip(poseOf(back), "target0")).toMatchObject({ at: { x: -1, y: 0 }, label: "Trunk 1", value: "1 m left" });
-		expect(planPose(treeLay, back, twin).grips.find(({ id }) => id === "target0")?.value).toBe(
-			"1 m left, 50 cm behind",
-		);
-	});
-
-	it("are stepped, taken out, and brought back", () => {
-		const twin = tree("twin");
-		const pose = poseOf(twin);
-		const up = apply(TREE, twin, pose.nudge("target0", 0, 1, false) ?? {});
-		expect(up.targets?.[1]).toBeGreaterThan(0);
-		const one = apply(TREE, twin, pose.remove?.("target0") ?? {});
-		expect(one.targets).toHaveLength(3);
-		expect(poseOf(one).remove?.("target0")).toBeUndefined();
-		const there = apply(TREE, twin, pose.pull("target0", { x: 0, y: 0 }));
-		expect(apply(TREE, there, poseOf(there).reset?.("target0") ?? {}).targets).toBeUndefined();
-	});
-
-	it("do not lie under the grip of the crowns' distance", () => {
-		const pose = poseOf(tree("twin"));
-		const away = grip(pose, "axis").at.y - grip(pose, "target1").at.y;
-		expect(away).toBeGreaterThan(1);
-	});
-
-	it("go into a short link, with obstacles placed by hand as well", () => {
-		const oak = tree("oak");
-		let edited = apply(TREE, oak, poseOf(oak).pull("target0", { x: 1.23, y: 0 }));
-		edited = apply(TREE, edited, poseOf(edited).pull("knot2", { x: 3.3, y: 4.4 }));
-		edited = apply(TREE, edited, withWall(edited, { x: 4, y: 5 }, 6));
-		edited = apply(TREE, edited, planPose(treeLay, edited, oak).pull("wall0 middle", { x: 4.5, y: 1.27 }));
-		const query = encodeQuery(TREE, edited);
-		expect(query).toMatch(/targets=1\.23,0,0&obstacles=4\.35,0,-4\.27,4\.65,5,1\.73/);
-		expect(`https://example.org/${query}`.length).toBeLessThan(300);
-		expect(decodeQuery(TREE, query).specimen).toEqual(edited);
-	});
-});
-
-describe("a dropped mesh", () => {
-	/** A prism over an L, one unit thick, its foot to the left. */
-	const L = [[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]]; // biome-ignore format: corners
-	const mesh = {
-		points: [0, 1].flatMap((z) => L.flatMap(([x, y]) => [x, y, z])),
-		triangles: [
-			...[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5].map((i) => 6 + i),
-			...[0, 2, 1, 0, 3, 2, 0, 4, 3, 0, 5, 4],
-			...L.flatMap((_, i) => [i, (i + 1) % 6, 6 + ((i + 1) % 6), i, 6 + ((i + 1) % 6), 6 + i]),
-		],
-	};
-
-	it("is seen as its silhouette, not as a likeness of both sides", () => {
-		const [loop, ...more] = contourOf(mesh, 1);
-		expect(more).toEqual([]);
-		expect(loop).toHaveLength(6);
-		expect(loop).toContainEqual({ x: expect.closeTo(-1 / 3), y: expect.closeTo(1 / 3) });
-		expect(loop).toContainEqual({ x: 1, y: 0 });
-		expect(loop).not.toContainEqual({ x: 1, y: 1 });
-	});
-
-	it("is a rectangle from above, its front below", () => {
-		// Its two tops are apart in height: each has an edge of its own.
-		const loops = contourOf(mesh, 2);
-		expect(loops).toHaveLength(2);
-		const xs = loops.flat().map(({ x }) => x);
-		const ys = loops.flat().map(({ y }) => y);
-		expect([Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)]).toEqual([-1, 1, -1, 1]);
-	});
-
-	it("keeps its hole", () => {
-		// A frame: the square from 0 to 3 without that from 1 to 2.
-		const outer = [[0, 0], [3, 0], [3, 3], [0, 3]]; // biome-ignore format: corners
-		const inner = [[1, 1], [2, 1], [2, 2], [1, 2]]; // biome-ignore format: corners
-		const points = [0, 1].flatMap((z) => [...outer, ...inner].flatMap(([x, y]) => [x, y, z]));
-		const ring = [0, 1, 2, 3].flatMap((i) => {
-			const [a, b, c, d] = [i, (i + 1) % 4, 4 + ((i + 1) % 4), 4 + i];
-			return [a, b, c, a, c, d];
-		});
-		const front = ring.map((i) => i + 8);
-		const back = ring.map((_, i) => ring[i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1]);
-		expect(contourOf({ points, triangles: [...front, ...back] }, 1)).toHaveLength(2);
-	});
-});
-
-describe("a boundary in 3-D", () => {
-	const extent = (points: readonly number[], k: number) => {
-		const along = points.filter((_, i) => i % 3 === k);
-		return [Math.min(...along), Math.max(...along)];
-	};
-
-	it.each(["sphere", "box", "cypress", "twin"])("fills the box that the core grows in: %s", (preset) => {
-		const specimen = tree(preset);
-		const { halfWidth, low, high } = treeLay.box(specimen);
-		const shells = shellsOf(treeLay, specimen);
-		expect(shells).toHaveLength(specimen.parameters.crowns);
-		const deep = treeLay.halfDepth(specimen);
-		for (const [i, axis] of treeLay.axes(specimen).entries()) {
-			const { points, triangles } = shells[i];
-			const near = [0, 1, 2].map((k) => extent(points, k).map((value) => Math.round(10 * value) / 10));
-			const box = [
-				[axis - halfWidth, axis + halfWidth],
-				[low, high],
-				[-deep, deep],
-			];
-			box.forEach((range, k) => {
-				expect(Math.abs(near[k][0] - range[0])).toBeLessThan(0.08);
-				expect(Math.abs(near[k][1] - range[1])).toBeLessThan(0.08);
-			});
-			expect(Math.max(...triangles)).toBe(points.length / 3 - 1);
-		}
-	});
-
-	it("is a mesh's own, stretched to the box", () => {
-		const box = tree("box");
-		const shape = TREE.table.entry("shape");
-		const volume = { points: [5, 0, 5, 7, 0, 5, 5, 0, 9, 5, 3, 5], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
-		const mesh = shape?.kind === "choice" ? shape.options.indexOf("mesh") : -1;
-		const specimen = { ...box, volume, parameters: { ...box.parameters, shape: mesh } };
-		const { width, depth, trunk, height } = specimen.parameters;
-		const [{ points }] = shellsOf(treeLay, specimen);
-		expect([0, 1, 2].map((k) => extent(points, k))).toEqual([
-			[-width / 2, width / 2],
-			[trunk, trunk + height],
-			[-depth / 2, depth / 2],
-		]);
 	});
 });
 
