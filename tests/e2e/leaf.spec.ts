@@ -4,7 +4,7 @@ import { StudioPage } from "./studio_page";
 
 /** The middle of a point of the outline, in pixels of the page. */
 async function gripOf(studio: StudioPage, index: number): Promise<{ x: number; y: number }> {
-	const box = await studio.page.locator(`panicle-outline [data-point="${index}"]`).boundingBox();
+	const box = await studio.page.locator(`panicle-outline [data-handle="${index}"]`).boundingBox();
 	if (!box) throw new Error(`Point ${index} is not on the page.`);
 	return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
@@ -30,9 +30,9 @@ test("a leaf's outline is dragged, stepped by keys, undone, and linked", async (
 	await expect(studio.fingerprint).toHaveText(published);
 	await expect(page).toHaveURL(/model=leaf$/);
 
-	await studio.regrown(() => page.locator('panicle-outline [data-point="6"]').press("Shift+ArrowUp"));
-	await expect(page.locator('panicle-outline [data-point="6"]')).toBeFocused();
-	const points = page.locator("panicle-outline [data-point]");
+	await studio.regrown(() => page.locator('panicle-outline [data-handle="6"]').press("Shift+ArrowUp"));
+	await expect(page.locator('panicle-outline [data-handle="6"]')).toBeFocused();
+	const points = page.locator("panicle-outline [data-handle]");
 	const before = await points.count();
 	await studio.regrown(() => page.keyboard.press("Insert"));
 	await expect(points).toHaveCount(before + 2);
@@ -53,7 +53,7 @@ test("Escape calls off a drag, and the lock lets go of the other side", async ({
 	await expect(studio.button("Undo")).toBeDisabled();
 
 	await studio.button("Both sides alike").click();
-	await studio.regrown(() => page.locator('panicle-outline [data-point="4"]').press("Shift+ArrowLeft"));
+	await studio.regrown(() => page.locator('panicle-outline [data-handle="4"]').press("Shift+ArrowLeft"));
 	await expect(page).toHaveURL(/preset=lime&o=[\w-]+$/);
 	await studio.regrown(() => studio.button("Both sides alike").click());
 	await expect(page).toHaveURL(/preset=lime&o=~[\w-]+$/);

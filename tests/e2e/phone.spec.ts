@@ -67,3 +67,31 @@ test("the sheet holds the gallery and every group, with targets for a thumb", as
 	}
 	expect(await studio.overflow()).toBeLessThanOrEqual(0);
 });
+
+test("a thumb moves a leaf's point and a tree's target, and takes particles a step on", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?model=leaf&preset=lime&n=200");
+	const pull = async (view: string, editor: string, handle: string) => {
+		await page.getByRole("radio", { name: view }).check();
+		const grip = await studio.grip(view, handle);
+		await studio.regrown(() => touchDrag(page, grip, -25, 15));
+		for (const target of await page.locator(`${editor} button:visible, .transport > *`).all()) {
+			const { width = 0, height = 0 } = (await target.boundingBox()) ?? {};
+			const name = await target.getAttribute("aria-label");
+			expect(Math.round(Math.min(width, height)), name ?? "").toBeGreaterThanOrEqual(44);
+		}
+		await studio.button("Undo").tap();
+		await expect(studio.button("Undo")).toBeDisabled();
+	};
+	await pull("Outline", "panicle-outline", "4");
+	await page.getByRole("combobox", { name: "Speed" }).selectOption("0.25 ×");
+	await expect(studio.button("Play")).toBeInViewport();
+	await studio.regrown(() => studio.button("Step").tap());
+	await expect(studio.slider("Age")).toHaveValue("0");
+	await studio.regrown(() => studio.button("Step").tap());
+	expect(await studio.overflow()).toBeLessThanOrEqual(0);
+
+	await studio.open("?model=tree&preset=sphere&n=60");
+	await pull("Boundary", "panicle-boundary", "target0");
+	await pull("Plan", "panicle-plan", "front");
+	expect(await studio.overflow()).toBeLessThanOrEqual(0);
+});

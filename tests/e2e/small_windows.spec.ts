@@ -89,6 +89,22 @@ for (const [width, height] of [
 	});
 }
 
+for (const [query, editors] of [
+	["?model=leaf&preset=lime&n=200", { Outline: "panicle-outline" }],
+	["?model=tree&preset=sphere&n=60", { Boundary: "panicle-boundary", Plan: "panicle-plan", Sun: "panicle-sun" }],
+] as const) {
+	test(`every control of the editors is within reach at 320 × 256: ${query}`, async ({ page }) => {
+		await page.setViewportSize({ width: 320, height: 256 });
+		await new StudioPage(page).open(query);
+		for (const [view, editor] of Object.entries(editors)) {
+			await page.getByRole("radio", { name: view }).check();
+			await expectAllAtHand(page, `${editor}:visible button`);
+		}
+		await expectAllAtHand(page, ".life-bar button:visible, .life-bar select, .actions .button:visible");
+		expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+	});
+}
+
 test("the chosen preset stands clear of the strip's edge", async ({ page }) => {
 	await page.setViewportSize({ width: 667, height: 375 });
 	await new StudioPage(page).open("?v=2&preset=merlot");

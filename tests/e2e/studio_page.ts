@@ -46,12 +46,12 @@ export class StudioPage {
 		return this.page.getByRole("button", { name, exact: true });
 	}
 
-	handle(view: "Front" | "Side", handle: string): Locator {
-		return this.page.getByRole("region", { name: `${view} view` }).locator(`[data-handle=${handle}]`);
+	handle(view: string, handle: string): Locator {
+		return this.page.getByRole("region", { name: `${view} view` }).locator(`[data-handle="${handle}"]`);
 	}
 
 	/** Where to take hold of a handle, in pixels of the page, once it stands still. */
-	async grip(view: "Front" | "Side", handle: string): Promise<{ x: number; y: number }> {
+	async grip(view: string, handle: string): Promise<{ x: number; y: number }> {
 		const centre = async () => {
 			const box = await this.handle(view, handle).boundingBox();
 			if (!box) throw new Error(`Handle ${handle} is not on the page.`);

@@ -10,7 +10,7 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	await expect(page).toHaveTitle("Oak 1 · Panicle");
 	const grown = await studio.fingerprint.innerText();
-	const grip = page.getByRole("region", { name: "Boundary view" }).locator("[data-grip=knot2]");
+	const grip = page.getByRole("region", { name: "Boundary view" }).locator("[data-handle=knot2]");
 	const box = await grip.boundingBox();
 	if (!box) throw new Error("There is no grip to drag.");
 	const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -40,12 +40,30 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 	await expect(grip).toHaveAccessibleName(/^Point 3: [\d.]+ m out, [\d.]+ m up$/);
 	await studio.regrown(() => studio.button("Undo").click());
 	await expect(studio.fingerprint).toHaveText(grown);
+
+	const trunk = await studio.grip("Boundary", "target0");
+	await page.mouse.move(trunk.x, trunk.y);
+	await studio.regrown(async () => {
+		await page.mouse.down();
+		await page.mouse.move(trunk.x + 20, trunk.y + 1, { steps: 3 });
+		await page.mouse.up();
+	});
+	await expect(page).toHaveURL(/targets=[\d.]+,0,0/);
+	await studio.regrown(() => studio.button("Add an obstacle").click());
+	const wall = page.locator("panicle-plan [data-handle='wall0 middle']");
+	await wall.focus();
+	await studio.regrown(() => page.keyboard.press("Shift+ArrowUp"));
+	await expect(wall).toHaveAccessibleName(/^Obstacle 1: [\d.]+ m right, [\d.]+ c?m behind$/);
+	expect(page.url().length).toBeLessThan(300);
+	for (let steps = 3; steps > 0; steps--) await studio.regrown(() => studio.button("Undo").click());
+	await expect(studio.fingerprint).toHaveText(grown);
+	await expect(studio.button("Undo")).toBeDisabled();
 });
 
 test("the sun is moved, the age runs back and forth to the same tree", async ({ page }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	const grown = await studio.fingerprint.innerText();
-	await page.getByRole("region", { name: "Sun view" }).locator("[data-grip=sun]").focus();
+	await page.getByRole("region", { name: "Sun view" }).locator("[data-handle=sun]").focus();
 	await studio.regrown(() => page.keyboard.press("Shift+ArrowRight"));
 	await expect(page).toHaveURL(/sun=55/);
 	await studio.regrown(() => studio.button("Undo").click());
@@ -56,6 +74,13 @@ test("the sun is moved, the age runs back and forth to the same tree", async ({ 
 	await expect(studio.fingerprint).toHaveText(grown);
 	await studio.regrown(() => age.press("PageDown"));
 	await expect(studio.fingerprint).toHaveText(young);
+	await studio.regrown(() => studio.button("Step").click());
+	await studio.regrown(() => studio.button("Undo").click());
+	await expect(studio.fingerprint).toHaveText(young);
+	await page.getByRole("combobox", { name: "Speed" }).selectOption("4 ×");
+	await studio.button("Play").click();
+	await studio.button("Pause").click();
+	await expect(studio.button("Play")).toBeVisible();
 });
 
 test("a tree is downloaded as GLB, OBJ and JSON", async ({ page }) => {
@@ -88,7 +113,12 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 	await studio.regrown(() => drop("octahedron.obj", [...octahedron, ...faces].join("\n")));
 	await expect(studio.notices).toContainText("The mesh is the boundary now");
 	await expect(page.locator(".override")).toContainText("A mesh of 8 triangles.");
+	await expect(page.locator("panicle-boundary path.outer")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
 	await expect(studio.notices).not.toContainText("The file was not opened");
+	const inSpace = studio.button("Boundary in 3-D");
+	// What is noted stands over it until it is read.
+	await inSpace.press("Enter");
+	await expect(inSpace).toHaveAttribute("aria-pressed", "true");
 	await drop("broken.obj", "v 0 0 0\nf 1 2 3\n");
 	await expect(studio.notices).toContainText("Line 2 of the OBJ has a corner, “2”");
 });

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { nextStage, stageOf } from "../../../web/src/controls/life";
+import { nextStage, nextStep, stageOf } from "../../../web/src/controls/life";
 import { LIFE } from "../../../web/src/models/bunch/tools/age";
 import type { NumberEntry } from "../../../web/src/specimen/table";
 import { entryOf } from "../bunch";
@@ -37,5 +37,24 @@ describe("stages", () => {
 				expect(stages.filter(({ at }) => at < age && at > back)).toEqual([]);
 			}),
 		);
+	});
+});
+
+describe("one step on", () => {
+	it("comes by every step of a life, then to its end, then to its beginning", () => {
+		const steps = fc.integer({ min: 1, max: 3000 });
+		fc.assert(
+			fc.property(steps, (count) => {
+				const seen: number[] = [];
+				for (let age = 0; age < LIFE.end && seen.length <= count; ) {
+					age = nextStep(LIFE, age, count);
+					// As the core reads it: single precision.
+					seen.push(Math.floor(Math.fround(Math.fround(age) / 100) * count));
+				}
+				expect(seen).toEqual(Array.from({ length: count }, (_, i) => i + 1));
+			}),
+			{ numRuns: 60 },
+		);
+		expect(nextStep(LIFE, LIFE.end, 40)).toBe(stages[0].at);
 	});
 });

@@ -105,6 +105,22 @@ describe("the player of a life", () => {
 		expect(playing()).toBe(false);
 	});
 
+	it("runs as much faster or slower as it is told, mid-way too, and remembers that", () => {
+		const at = (speed: number) => studio.setToolState(PLAYED, { ...studio.toolState(PLAYED), speed });
+		at(4);
+		studio.setToolState(PLAYED, { playing: true, speed: 4 });
+		expect(run(20_000).length * FRAME).toBeLessThan(2600);
+		expect(studio.toolState(PLAYED)).toEqual({ playing: false, speed: 4 });
+		studio.setToolState(PLAYED, { playing: true, speed: 4 });
+		run(500);
+		const fast = age();
+		at(0.25);
+		run(500);
+		expect(fast).toBeGreaterThan(15);
+		expect(age() - fast).toBeGreaterThan(0);
+		expect(age() - fast).toBeLessThan(3);
+	});
+
 	it("lets go for good: where it stood is a step, and nothing runs any more", () => {
 		play(true);
 		run(1000);

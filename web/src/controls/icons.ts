@@ -15,6 +15,7 @@ const DRAWINGS = {
 	again: svg`<rect x="3.5" y="3.5" width="13" height="13" rx="3"/><path d="M7 7v.1M13 7v.1M10 10v.1M7 13v.1M13 13v.1" stroke-width="2"/>`,
 	play: svg`<path d="M6.5 4.2v11.6L16 10z" fill="currentcolor"/>`,
 	pause: svg`<path d="M7 4.5v11M13 4.5v11" stroke-width="2.6"/>`,
+	step: svg`<path d="M5 4.8v10.4L12 10z" fill="currentcolor"/><path d="M15 4.8v10.4" stroke-width="2"/>`,
 	search: svg`<circle cx="8.5" cy="8.5" r="5"/><path d="m12.3 12.3 4.2 4.2"/>`,
 	close: svg`<path d="m5.5 5.5 9 9M14.5 5.5l-9 9"/>`,
 } satisfies Record<string, SVGTemplateResult>;

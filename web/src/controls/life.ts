@@ -1,3 +1,5 @@
+import type { Plant } from "../plant/plant";
+
 /** The life of a plant as one parameter runs through it, with names for its stages. */
 
 export interface Stage {
@@ -23,6 +25,18 @@ export interface Life {
 	readonly play: string;
 	/** For those who hear the slider: what the numbers mean. */
 	readonly help: string;
+	/** In how many even steps a plant's life runs from 0 to 100, where it runs in steps: they can then be taken one by one. */
+	steps?(plant: Plant): number;
+}
+
+/** How fast a life can run. */
+export const SPEEDS = [0.25, 0.5, 1, 2, 4] as const;
+
+/** An age in the middle of the step after that one; from the end on, the beginning. */
+export function nextStep({ end, stages }: Life, age: number, steps: number): number {
+	if (age >= end) return stages[0].at;
+	const next = Math.floor((age / 100) * steps) + 1;
+	return next >= steps ? end : Math.min(end, Math.ceil((10_000 * (next + 0.25)) / steps) / 100);
 }
 
 /** What a plant of that age is called. */

@@ -1,11 +1,11 @@
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
 import { ControlElement } from "./control_element";
 import type { Desk, Stateful } from "./desk";
 import { HeldKey } from "./held_key";
 import { icon } from "./icons";
-import { type Life, nextStage, stageOf } from "./life";
+import { type Life, nextStage, nextStep, SPEEDS, stageOf } from "./life";
 import type { PlayState } from "./life_player";
 import { handBack, handOver, isForField, readTyped } from "./typed";
 
@@ -30,11 +30,14 @@ export class LifeBar extends ControlElement {
 		const stage = stageOf(life, age);
 		const { playing } = desk.toolState(this.play);
 		const name = life.label.toLowerCase();
-		return html`<div class="life-bar" @keydown=${this.#shortcut}>
-			<button
-				class="button icon play" type="button" aria-label=${playing ? "Pause" : "Play"} aria-keyshortcuts="K"
-				title="${playing ? "Pause" : life.play} (K)" @click=${this.#toggle}
-			>${icon(playing ? "pause" : "play")}</button>
+		return html`<div class=${life.steps ? "life-bar watched" : "life-bar"} @keydown=${this.#shortcut}>
+			<div class="transport">
+				<button
+					class="button icon play" type="button" aria-label=${playing ? "Pause" : "Play"} aria-keyshortcuts="K"
+					title="${playing ? "Pause" : life.play} (K)" @click=${this.#toggle}
+				>${icon(playing ? "pause" : "play")}</button>
+				${life.steps ? this.#pace() : nothing}
+			</div>
 			<div class="life">
 				<input
 					type="range" min=${min} max=${max} step=${STEP} .value=${live(String(age))}
@@ -60,6 +63,17 @@ export class LifeBar extends ControlElement {
 		</div>`;
 	}
 
+	/** One step at a time, and how fast they follow each other. */
+	#pace() {
+		const { speed = 1 } = this.desk.toolState(this.play);
+		return html`<button
+				class="button icon" type="button" aria-label="Step" title="One step on" ?disabled=${!this.desk.state.grown} @click=${this.#step}
+			>${icon("step")}</button>
+			<select aria-label="Speed" title="Speed" @change=${this.#hasten}>${SPEEDS.map(
+				(each) => html`<option value=${each} ?selected=${each === speed}>${each} ×</option>`,
+			)}</select>`;
+	}
+
 	protected override updated(): void {
 		const { min, max } = this.#entry;
 		const done = (this.age - min) / (max - min);
@@ -83,8 +97,23 @@ export class LifeBar extends ControlElement {
 	}
 
 	readonly #toggle = (): void => {
-		this.desk.setToolState(this.play, { playing: !this.desk.toolState(this.play).playing });
+		const state = this.desk.toolState(this.play);
+		this.desk.setToolState(this.play, { ...state, playing: !state.playing });
 	};
+
+	/** What runs comes to rest first, where it is. */
+	#step(): void {
+		const { grown } = this.desk.state;
+		const steps = grown && this.life.steps?.(grown);
+		if (!steps) return;
+		this.desk.setToolState(this.play, { ...this.desk.toolState(this.play), playing: false });
+		this.#set(nextStep(this.life, this.age, steps));
+	}
+
+	#hasten(event: Event): void {
+		const speed = Number((event.target as HTMLSelectElement).value);
+		this.desk.setToolState(this.play, { ...this.desk.toolState(this.play), speed });
+	}
 
 	#slide(event: Event): void {
 		this.#edit(Number((event.target as HTMLInputElement).value));

@@ -24,6 +24,8 @@ export interface Clock {
 
 export interface PlayState {
 	readonly playing: boolean;
+	/** Against the life's own pace, which is meant where it is absent. */
+	readonly speed?: number;
 }
 
 export class LifePlayer {
@@ -72,7 +74,8 @@ export class LifePlayer {
 	#stop(): void {
 		if (!this.#running) return;
 		this.#running = false;
-		if (this.#desk.toolState(this.#state).playing) this.#desk.setToolState(this.#state, { playing: false });
+		const state = this.#desk.toolState(this.#state);
+		if (state.playing) this.#desk.setToolState(this.#state, { ...state, playing: false });
 		this.#desk.settle(PLAY);
 	}
 
@@ -97,12 +100,13 @@ export class LifePlayer {
 		const first = Number.isNaN(this.#last);
 		const passed = first ? 0 : now - this.#last;
 		const { end, milliseconds, stages } = this.#life;
+		const { speed = 1 } = this.#desk.toolState(this.#state);
 		if (this.#clock.stepwise()) {
-			if (!first && passed < STAND) return false;
+			if (!first && passed < STAND / speed) return false;
 			if (!first) this.#age = nextStage(this.#life, this.#age, 1).at;
 		} else {
 			const whole = end - stages[0].at;
-			this.#age = Math.min(end, this.#age + (Math.min(passed, LONGEST_FRAME) / milliseconds) * whole);
+			this.#age = Math.min(end, this.#age + ((Math.min(passed, LONGEST_FRAME) * speed) / milliseconds) * whole);
 		}
 		this.#last = now;
 		return true;

@@ -16,14 +16,14 @@ export function lifeTool<S extends Specimen, G extends Plant>(
 		initial: { playing: false },
 		applies,
 		parameters: [life.parameter],
-		press: (desk) => desk.setToolState(tool, { playing: !desk.toolState(tool).playing }),
+		press: (desk) => desk.setToolState(tool, { ...desk.toolState(tool), playing: !desk.toolState(tool).playing }),
 		key: { letter: "k", does: `${life.play}, and pause` },
 		keys: [{ keys: ["Page ↑", "Page ↓"], does: `On the ${life.label.toLowerCase()}: the next stage, the one before` }],
 		bar: {
 			title: life.label,
 			draw: (desk) => html`<panicle-life .desk=${desk} .life=${life} .play=${tool}></panicle-life>`,
 		},
-		rest: (desk) => desk.setToolState(tool, { playing: false }),
+		rest: (desk) => desk.setToolState(tool, { ...desk.toolState(tool), playing: false }),
 		start: (desk) => {
 			const player = new LifePlayer(desk, life, tool);
 			return () => player.dispose();

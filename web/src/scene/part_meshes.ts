@@ -134,9 +134,12 @@ function reachOf({ boundingSphere }: BufferGeometry, transforms: Float32Array): 
 
 function instanced(geometry: BufferGeometry, material: MeshStandardMaterial, transforms: Float32Array): PartObject {
 	const count = transforms.length / TRANSFORM;
-	const object = new InstancedMesh(geometry, material, count);
-	const matrices = object.instanceMatrix.array;
+	const matrices = new Float32Array(16 * count);
 	for (let i = 0; i < count; i++) writeMatrix(transforms, TRANSFORM * i, matrices, 16 * i);
+	// Of none: three would write so many matrices first that turn nothing.
+	const object = new InstancedMesh(geometry, material, 0);
+	object.instanceMatrix = new InstancedBufferAttribute(matrices, 16);
+	object.count = count;
 	object.boundingSphere = sphereAbout(transforms, TRANSFORM, reachOf(geometry, transforms));
 	return object;
 }

@@ -24,5 +24,6 @@ export const LIFE: Life = {
 	end: 100,
 	milliseconds: 8000,
 	play: "Play from scattered particles to the last arrival",
+	steps: ({ counts }) => counts.steps ?? 0,
 	help: "0 particles scattered, 100 all trails stand.",
 };

@@ -3,13 +3,11 @@ import { describe, expect, it } from "vitest";
 import {
 	clampPixels,
 	dragHandle,
-	grabHandle,
 	mirrorFrontBack,
 	mirrorLeftRight,
-	nearestHandle,
 	nudgeHandle,
-	pullHandle,
 	setShapeValue,
+	straightened,
 } from "../../../../../web/src/models/bunch/profile/drag";
 import {
 	type Handle,
@@ -21,7 +19,6 @@ import {
 	type ShapeKey,
 	SIDES,
 } from "../../../../../web/src/models/bunch/profile/handles";
-import { evenly } from "../../../evenly";
 import { anyHandle, anyShape, DEFAULTS, RANGES, SHAPE_KEYS } from "./shape";
 
 const anyPoint = fc.record({ x: fc.double(), y: fc.double() });
@@ -129,37 +126,10 @@ describe("setShapeValue", () => {
 	});
 });
 
-describe("grabbing", () => {
-	it("off the centre makes no jump, and follows the pointer from there", () => {
-		const off = fc.record({ x: evenly(-22, 22), y: evenly(-22, 22) });
-		fc.assert(
-			fc.property(anyShape, anyHandle, off.filter(finitePoint), (shape, handle, { x, y }) => {
-				const at = handlePosition(shape, handle);
-				const pointer = { x: at.x + x, y: at.y + y };
-				const grab = grabHandle(shape, handle, pointer);
-				expect(dragHandle(shape, handle, pullHandle(grab, pointer))).toEqual(shape);
-				const moved = pullHandle(grab, { x: pointer.x + 10, y: pointer.y - 20 });
-				expect(moved.x).toBeCloseTo(at.x + 10, 6);
-				expect(moved.y).toBeCloseTo(at.y - 20, 6);
-			}),
-		);
-	});
-
-	it("straight keeps the handle on the level or the plumb line it started from, whichever is nearer", () => {
-		const grab = grabHandle(DEFAULTS, "p3", { x: 155, y: 148 });
-		expect(pullHandle(grab, { x: 195, y: 158 }, true)).toEqual({ x: 190, y: 150 });
-		expect(pullHandle(grab, { x: 150, y: 90 }, true)).toEqual({ x: 150, y: 92 });
-	});
-
-	it("takes the nearest handle within reach, or none", () => {
-		const places = new Map<Handle, { x: number; y: number }>([
-			["p2", { x: 0, y: 20 }],
-			["p3", { x: 14, y: 10 }],
-		]);
-		expect(nearestHandle(places, { x: 4, y: 18 }, 22)).toBe("p2");
-		expect(nearestHandle(places, { x: 10, y: 14 }, 22)).toBe("p3");
-		expect(nearestHandle(places, { x: 80, y: 80 }, 22)).toBeUndefined();
-		expect(nearestHandle(places, { x: Number.NaN, y: 0 }, 22)).toBeUndefined();
+describe("a drag with Shift", () => {
+	it("keeps the handle on the level or the plumb line it started from, whichever is nearer", () => {
+		expect(straightened({ x: 190, y: 160 }, { x: 150, y: 150 })).toEqual({ x: 190, y: 150 });
+		expect(straightened({ x: 145, y: 92 }, { x: 150, y: 150 })).toEqual({ x: 150, y: 92 });
 	});
 });
 
@@ -209,7 +179,3 @@ describe("mirrors", () => {
 		);
 	});
 });
-
-function finitePoint({ x, y }: { x: number; y: number }): boolean {
-	return Number.isFinite(x) && Number.isFinite(y);
-}

@@ -5,6 +5,7 @@ import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { decodeLink, decodeQuery, encodeLink } from "../../../../../web/src/specimen/link";
 import { restore } from "../../../../../web/src/specimen/restore";
 import { writtenSpecimen } from "../../../../../web/src/specimen/written";
+import { growBounded, particlesCore } from "./particles";
 
 const oak = fromPreset(TREE);
 
@@ -53,6 +54,17 @@ describe("what a boundary has besides numbers", () => {
 	])("notes what it cannot use of %s", (query, note) => {
 		expect(notesOf(query)).toHaveLength(1);
 		expect(notesOf(query)[0]).toContain(note.slice(0, note.length));
+	});
+
+	it("takes as many obstacles and targets as the core grows around, and no more", async () => {
+		const box = (i: number) => `${3 + i},0,-1,${3.5 + i},1,1`;
+		const boxes = Array.from({ length: 17 }, (_, i) => box(i)).join();
+		const places = Array.from({ length: 61 }, (_, i) => `${i / 10},0,0`).join();
+		const { specimen, notes } = read(`n=30&obstacles=${boxes}&targets=${places}`);
+		expect([specimen.obstacles?.length, specimen.targets?.length]).toEqual([6 * 16, 3 * 60]);
+		expect(notes.map(({ key }) => key).sort()).toEqual(["obstacles", "targets"]);
+		const plant = growBounded(await particlesCore(), TREE.table, specimen, { meshes: false });
+		expect(plant.counts.targets).toBe(60);
 	});
 
 	it("takes no more points than it can hold, nor a mesh whose corners are not there", () => {

@@ -7,7 +7,7 @@ import {
 	scaleBar,
 	toScreen,
 } from "../../../../../web/src/models/particles/boundary/editor/frame";
-import { changeBy, nearestGrip } from "../../../../../web/src/models/particles/boundary/editor/grip";
+import { changeBy } from "../../../../../web/src/models/particles/boundary/editor/grip";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
 import { wallsOf, withoutWall, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
@@ -15,17 +15,10 @@ import { rootLay } from "../../../../../web/src/models/particles/root/lay";
 import { ROOT } from "../../../../../web/src/models/particles/root/species";
 import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
 import { TREE } from "../../../../../web/src/models/particles/tree/species";
-import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { apply } from "../../../../../web/src/studio/change";
+import { gripOf, root, tree } from "./particles";
 
-const tree = (preset: string) => fromPreset(TREE, preset);
-const root = (preset: string) => fromPreset(ROOT, preset);
 const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));
-const grip = (pose: ReturnType<typeof poseOf>, id: string) => {
-	const found = pose.grips.find((each) => each.id === id);
-	if (!found) throw new Error(`There is no grip ${id} among ${pose.grips.map((each) => each.id)}.`);
-	return found;
-};
 
 describe("the outline from in front", () => {
 	it("is widest where its form is", () => {
@@ -59,8 +52,8 @@ describe("grips of a boundary", () => {
 	it("stand on the points of the profile, in metres over the ground", () => {
 		const { width, trunk, height } = tree("oak").parameters;
 		const [radius, up] = (tree("oak").profile ?? [])[2];
-		expect(grip(poseOf(), "knot2").at).toEqual({ x: (radius * width) / 2, y: trunk + up * height });
-		expect(grip(poseOf(), "knot2").value).toMatch(/^[\d.]+ m out, [\d.]+ m up$/);
+		expect(gripOf(poseOf(), "knot2").at).toEqual({ x: (radius * width) / 2, y: trunk + up * height });
+		expect(gripOf(poseOf(), "knot2").value).toMatch(/^[\d.]+ m out, [\d.]+ m up$/);
 	});
 
 	it("move the point, between its neighbours and never across the axis", () => {
@@ -105,9 +98,9 @@ describe("grips of a boundary", () => {
 	it("set the inner boundary and the distance of twins", () => {
 		const twin = tree("twin");
 		const pose = poseOf(twin);
-		const inner = grip(pose, "inner");
+		const inner = gripOf(pose, "inner");
 		expect(apply(TREE, twin, pose.pull("inner", inner.at)).parameters.inner).toBeCloseTo(twin.parameters.inner);
-		expect(grip(pose, "axis").at.x).toBeCloseTo(twin.parameters.distance / 2);
+		expect(gripOf(pose, "axis").at.x).toBeCloseTo(twin.parameters.distance / 2);
 		expect(apply(TREE, twin, pose.pull("axis", { x: 4, y: 1 })).parameters.distance).toBe(8);
 		expect(poseOf().grips.map(({ id }) => id)).not.toContain("axis");
 	});
@@ -143,14 +136,7 @@ describe("grips of a boundary", () => {
 		const pose = poseOf();
 		const moved = apply(TREE, specimen, pose.pull("knot5", { x: 2, y: 30 }));
 		expect(moved).not.toEqual(specimen);
-		expect(apply(TREE, moved, pose.change)).toEqual({ ...specimen, obstacles: undefined });
-	});
-
-	it("are taken hold of by the nearest within reach", () => {
-		const pose = poseOf();
-		const { at } = grip(pose, "knot2");
-		expect(nearestGrip(pose, { x: at.x + 0.1, y: at.y }, 0.5)?.id).toBe("knot2");
-		expect(nearestGrip(pose, { x: at.x + 0.6, y: at.y }, 0.5)).toBeUndefined();
+		expect(apply(TREE, moved, pose.change)).toEqual({ ...specimen, obstacles: undefined, targets: undefined });
 	});
 
 	it("take over a form as a profile to be shaped by hand", () => {
@@ -205,7 +191,7 @@ describe("a flat view's frame", () => {
 		const corner = toScreen(frame, { x: 6, y: 10 });
 		expect(corner.x).toBeLessThan(223);
 		expect(corner.y).toBeGreaterThan(0);
-		const back = fromScreen(frame, corner.x, corner.y);
+		const back = fromScreen(frame, corner);
 		expect([back.x, back.y]).toEqual([expect.closeTo(6), expect.closeTo(10)]);
 		// A little larger, it is shown at the same scale.
 		expect(frameAbout({ halfWidth: 6, low: -0.5, high: 10.1 }, 223, 200).scale).toBe(frame.scale);

@@ -82,4 +82,24 @@ describe("the pit about a root", () => {
 		figure.dispose();
 		expect(stage.root.children.filter((child) => "isMesh" in child)).toEqual([]);
 	});
+
+	it("is not dug anew while particles run, and is dug for the whole root when they rest", () => {
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const figure = cutFigure(stage);
+		const at = (age: number) => {
+			const specimen = fromPreset(model, "tap");
+			return { ...specimen, parameters: { ...specimen.parameters, particles: 200, age } };
+		};
+		const pits = [40, 41, 60, 100].map((age) => {
+			figure.show(grow(at(age), { passing: age < 100 }), at(age));
+			return stage.root.children.find(({ name }) => name === "Soil");
+		});
+		expect(pits[0]).toBeDefined();
+		expect(pits[1] === pits[0] && pits[2] === pits[0]).toBe(true);
+		expect(pits[3] === pits[0]).toBe(false);
+		const young = at(40);
+		figure.show(grow(young, { passing: true }), { ...young, look: { ...young.look, soil: "ffffff" } });
+		expect(stage.root.children.find(({ name }) => name === "Soil") === pits[3]).toBe(false);
+		figure.dispose();
+	});
 });

@@ -2,6 +2,7 @@
  * What a drag or an arrow key does to the profile: pure functions from parameters to new parameters, in pixels of the
  * profile (handles.ts), clamped to the table's ranges and rounded to whole pixels.
  */
+import { ARROWS, type Point } from "../../../controls/handles/point";
 import type { CoreEntry } from "../../../specimen/table";
 import { BUNCH_TABLE } from "../table";
 import {
@@ -10,7 +11,6 @@ import {
 	handlePosition,
 	isSide,
 	type Locks,
-	type Point,
 	type Shape,
 	type ShapeKey,
 	SIDE_HANDLES,
@@ -23,14 +23,6 @@ export interface DragOptions {
 	/** Moves the opposite handle this once as if its pair were locked. */
 	mirror?: boolean;
 }
-
-/** The arrow keys, as steps of one pixel. */
-const ARROWS: Readonly<Record<string, Point>> = {
-	ArrowLeft: { x: -1, y: 0 },
-	ArrowRight: { x: 1, y: 0 },
-	ArrowUp: { x: 0, y: -1 },
-	ArrowDown: { x: 0, y: 1 },
-};
 
 /** The nearest whole pixel in the table's range. */
 export function clampPixels(key: ShapeKey, value: number): number {
@@ -89,44 +81,13 @@ export function nudgeHandle<P extends Shape>(
 	if (!arrow || (!isSide(handle) && arrow.y === 0)) return undefined;
 	const { x, y } = handlePosition(parameters, handle);
 	// The other coordinate goes in as "not a number", so that a step to the side leaves a fractional drop alone.
-	const to = { x: arrow.x ? x + arrow.x * pixels : Number.NaN, y: arrow.y ? y + arrow.y * pixels : Number.NaN };
+	const to = { x: arrow.x ? x + arrow.x * pixels : Number.NaN, y: arrow.y ? y - arrow.y * pixels : Number.NaN };
 	return dragHandle(parameters, handle, to, options);
 }
 
-/** A handle in hand: where it was, and how far from it the pointer took hold, so that it does not jump. */
-export interface Grab {
-	handle: Handle;
-	from: Point;
-	offset: Point;
-}
-
-export function grabHandle(shape: Shape, handle: Handle, pointer: Point): Grab {
-	const from = handlePosition(shape, handle);
-	return { handle, from, offset: { x: from.x - pointer.x, y: from.y - pointer.y } };
-}
-
-/** Where the pointer has pulled the handle; `straight` keeps it on the level or the plumb line it started from. */
-export function pullHandle({ from, offset }: Grab, pointer: Point, straight = false): Point {
-	const to = { x: pointer.x + offset.x, y: pointer.y + offset.y };
-	if (!straight) return to;
+/** The same place, kept on the level or on the plumb line of where the handle started from, whichever is nearer. */
+export function straightened(to: Point, from: Point): Point {
 	return Math.abs(to.x - from.x) >= Math.abs(to.y - from.y) ? { x: to.x, y: from.y } : { x: from.x, y: to.y };
-}
-
-/** The handle nearest to the pointer within `reach`; `positions` in the same pixels as the pointer. */
-export function nearestHandle(
-	positions: ReadonlyMap<Handle, Point>,
-	pointer: Point,
-	reach: number,
-): Handle | undefined {
-	let nearest: Handle | undefined;
-	let least = reach;
-	for (const [handle, { x, y }] of positions) {
-		const distance = Math.hypot(x - pointer.x, y - pointer.y);
-		if (!(distance <= least)) continue;
-		least = distance;
-		nearest = handle;
-	}
-	return nearest;
 }
 
 /** Whether two profiles are the same in every number that the handles set. */

@@ -4,6 +4,7 @@
  * of the paper's 600 × 600 view: x away from the axis to the right, y down from p1. The side view is the bunch seen
  * from its left, so p5 stands at the right as p3 does in front.
  */
+import type { Point } from "../../../controls/handles/point";
 import type { NumberKey } from "../parameters.generated";
 
 export type View = "front" | "side";
@@ -13,11 +14,6 @@ export type ShapeKey = Extract<NumberKey, "l" | `${SideHandle}${"w" | "r"}`>;
 
 /** What the handles set; a specimen's parameters are one. */
 export type Shape = Record<ShapeKey, number>;
-
-export interface Point {
-	x: number;
-	y: number;
-}
 
 /** Whether the two sides of a view move as one. */
 export interface Locks {

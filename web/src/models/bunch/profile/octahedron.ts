@@ -3,11 +3,12 @@
  * as in the flat views. In metres, in the bunch's frame: add `object` where the bunch is.
  */
 import { type Camera, type Group, Matrix4, Raycaster, Vector2, Vector3 } from "three";
+import { EscapeKey } from "../../../controls/handles/escape_key";
+import { nearest, type Point } from "../../../controls/handles/point";
 import type { BunchSpecimen as Specimen } from "../specimen";
-import { type DragOptions, nearestHandle } from "./drag";
-import { DragSession } from "./drag_session";
+import { type ProfileDrags, profileDrags } from "./drag_session";
 import { type Freedom, handleVector, type Ray, rayToView, visibleFreedom } from "./handle_ray";
-import { HANDLES, type Handle, type Locks, type Point } from "./handles";
+import { HANDLES, type Handle, type Locks } from "./handles";
 import { type OctahedronColours, OctahedronFigure } from "./octahedron_figure";
 
 type Parameters = Specimen["parameters"];
@@ -23,8 +24,8 @@ export interface OctahedronHost {
 	locks(): Locks;
 	/** Live while a handle is dragged, once a frame at most; also with what was before, when Escape calls it off. */
 	input(parameters: Parameters): void;
-	/** A drag is over: with what it made, or, when it was called off, with what was before. */
-	change(parameters: Parameters): void;
+	/** A drag is over, or called off. */
+	change(): void;
 }
 
 /** How near to a handle, in CSS pixels, a mouse or pen and a finger take hold of it. */
@@ -37,31 +38,23 @@ export class OctahedronHandles {
 	readonly #raycaster = new Raycaster();
 	/** What of its handle's freedom each pointer sees. */
 	readonly #freedoms = new Map<number, Freedom>();
-	readonly #drags: DragSession<Parameters>;
+	readonly #drags: ProfileDrags<Parameters>;
+	readonly #escape = new EscapeKey(() => this.#cancel());
 	#parameters?: Parameters;
 	#hovered?: Handle;
 
 	constructor(host: OctahedronHost) {
 		this.#host = host;
 		this.#figure = new OctahedronFigure(host.canvas);
-		const input = (parameters: Parameters) => {
-			this.update(parameters);
-			host.input(parameters);
-		};
-		const change = (parameters: Parameters) => {
-			this.update(parameters);
-			host.change(parameters);
-		};
-		this.#drags = new DragSession<Parameters>({
+		this.#drags = profileDrags<Parameters>({
 			handles: () => HANDLES,
+			locks: () => host.locks(),
 			get: () => this.#parameters as Parameters,
-			input,
-			change,
-			cancel: (parameters) => {
-				input(parameters);
-				change(parameters);
+			input: (parameters) => {
+				this.update(parameters);
+				host.input(parameters);
 			},
-			schedule: (callback) => requestAnimationFrame(callback),
+			change: () => host.change(),
 		});
 		// In the capturing phase, so that the controls are at rest before they hear of a pointer that took a handle.
 		host.canvas.addEventListener("pointerdown", this.#onPointerDown, { capture: true });
@@ -117,7 +110,7 @@ export class OctahedronHandles {
 		if (!at || !this.#drags.begin(event.pointerId, handle, at)) return;
 		this.#host.setControlsEnabled(false);
 		this.#host.canvas.setPointerCapture(event.pointerId);
-		window.addEventListener("keydown", this.#onEscape, { capture: true });
+		this.#escape.listen(true);
 		this.#hover(handle);
 	};
 
@@ -125,8 +118,7 @@ export class OctahedronHandles {
 		const handle = this.#drags.heldBy(event.pointerId);
 		if (handle) {
 			const at = this.#point(event, handle);
-			const options: DragOptions = { locks: this.#host.locks(), mirror: event.altKey };
-			if (at) this.#drags.move(event.pointerId, at, event.shiftKey, options);
+			if (at) this.#drags.move(event.pointerId, at, event);
 		} else if (event.buttons === 0 && event.pointerType !== "touch") {
 			this.#hover(this.#handleAt(event));
 		}
@@ -143,13 +135,6 @@ export class OctahedronHandles {
 		this.#hover(event.pointerType === "touch" ? undefined : this.#handleAt(event));
 	};
 
-	readonly #onEscape = (event: KeyboardEvent): void => {
-		if (event.key !== "Escape") return;
-		event.preventDefault();
-		event.stopPropagation();
-		this.#cancel();
-	};
-
 	#cancel(): void {
 		if (!this.#drags.active) return;
 		this.#drags.cancel();
@@ -160,7 +145,7 @@ export class OctahedronHandles {
 		if (this.#drags.active) return;
 		this.#freedoms.clear();
 		this.#host.setControlsEnabled(true);
-		window.removeEventListener("keydown", this.#onEscape, { capture: true });
+		this.#escape.listen(false);
 	}
 
 	#hover(handle: Handle | undefined): void {
@@ -184,7 +169,7 @@ export class OctahedronHandles {
 			places.set(handle, { x: ((place.x + 1) / 2) * box.width, y: ((1 - place.y) / 2) * box.height });
 		}
 		const pointer = { x: event.clientX - box.left, y: event.clientY - box.top };
-		return nearestHandle(places, pointer, event.pointerType === "touch" ? TOUCH_REACH : MOUSE_REACH);
+		return nearest(places, pointer, event.pointerType === "touch" ? TOUCH_REACH : MOUSE_REACH);
 	}
 
 	/** What the pointer means in the flat view of its handle. */

@@ -1,12 +1,11 @@
 /** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
 import { html, svg, type TemplateResult } from "lit";
+import type { Point } from "../../../controls/handles/point";
+import { drawScaleBar } from "../../../controls/handles/scale_bar";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";
-import { type Handle, handleLabel, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
+import { type Handle, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
 import { scaleBar, type ViewFrame } from "./view_frame";
-
-/** Radius within which a handle can be taken hold of, in CSS pixels: half of 44, the least for a thumb. */
-export const HANDLE_REACH = 22;
 
 /** Puts content that keeps its size on the screen at a point of the profile. */
 function pin(frame: ViewFrame, x: number, y: number): string {
@@ -27,44 +26,18 @@ export function drawOutline(parameters: Specimen["parameters"], view: View, fram
 		</g>`;
 }
 
-export interface HandleState {
-	held: boolean;
-	disabled: boolean;
-}
-
-/**
- * One handle, over the SVG rather than in it: `touch-action` has no effect on the shapes of an SVG, and a button is
- * one to assistive technology. `data-handle` names it to the event handlers; 44 pixels across, the dot in its middle.
- * Its place is set as a property: a `style` attribute would need a looser content security policy.
- */
-export function drawHandle(
-	shape: Shape,
-	handle: Handle,
-	frame: ViewFrame,
-	{ held, disabled }: HandleState,
-): TemplateResult {
+/** Where a handle is drawn, CSS pixels from the view's corner. */
+export function handlePlace(shape: Shape, handle: Handle, frame: ViewFrame): Point {
 	const { x, y } = handlePosition(shape, handle);
-	const across = (x - frame.left) * frame.scale;
-	const down = (y - frame.top) * frame.scale;
-	// The name moves out where the handle stands close to the axis, clear of p1's and of its opposite's.
-	const aside = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
-	return html`<button
-		type="button"
-		class=${held ? "handle held" : "handle"}
-		data-handle=${handle}
-		?disabled=${disabled}
-		aria-roledescription="handle"
-		aria-label=${handleLabel(shape, handle)}
-		aria-describedby="help"
-		.style=${`transform: translate(${across}px, ${down}px); --aside: ${aside}px`}
-	>
-		<span class="name"><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>
-	</button>`;
+	return { x: (x - frame.left) * frame.scale, y: (y - frame.top) * frame.scale };
 }
 
-/** The handle an event happened on. */
-export function handleOf({ target }: { target: EventTarget | null }): Handle | undefined {
-	return (target as Element).closest<HTMLElement>("[data-handle]")?.dataset.handle as Handle | undefined;
+/** A handle's name beside its dot: out where it stands close to the axis, clear of p1's and of its opposite's. */
+export function drawName(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
+	const { x } = handlePosition(shape, handle);
+	const aside = isSide(handle) ? SIDES[handle].sign * Math.max(5, 19 - Math.abs(x) * frame.scale) : 0;
+	return html`<span class="name" .style=${`--aside: ${aside}px`}
+		><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>`;
 }
 
 /** The numbers of a handle on lines from the axis and from the level of p1. */
@@ -96,10 +69,5 @@ export function drawScale(extent: number, unit: number, frame: ViewFrame): Templ
 	const { length, label } = scaleBar(extent, unit);
 	const pixels = length * frame.scale;
 	const corner = pin(frame, frame.left + 8 / frame.scale, frame.top + frame.height - 8 / frame.scale);
-	return svg`<g class="scale" transform=${corner}>
-		<line x1="0" y1="0" x2=${pixels} y2="0"></line>
-		<line x1="0" y1="-3" x2="0" y2="0"></line>
-		<line x1=${pixels} y1="-3" x2=${pixels} y2="0"></line>
-		<text x=${pixels / 2} y="-6" text-anchor="middle">${label}</text>
-	</g>`;
+	return drawScaleBar(pixels, label, corner);
 }

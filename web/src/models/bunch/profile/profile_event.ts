@@ -1,13 +1,12 @@
 /** What a flat view tells of. */
 import type { BunchSpecimen } from "../specimen";
 
-/** `profile-input`: live, once a frame at most. `profile-change`: a drag ended, a key stepped. `profile-cancel`: Escape. */
+/** `profile-input`: live, once a frame at most. `profile-change`: a drag ended or was called off, a key stepped. */
 export type ProfileEvent = CustomEvent<{ parameters: BunchSpecimen["parameters"] }>;
 
 declare global {
 	interface HTMLElementEventMap {
 		"profile-input": ProfileEvent;
-		"profile-change": ProfileEvent;
-		"profile-cancel": ProfileEvent;
+		"profile-change": CustomEvent;
 	}
 }

@@ -1,4 +1,5 @@
 /** How a view of the profile lies in its element: what it shows, at what scale, with what scale bar. */
+import { roundLength } from "../../../controls/handles/scale_bar";
 import { PROCEDURES } from "../grown";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { type Shape, SIDE_HANDLES, UNITS_PER_PIXEL, VIEW_PIXELS } from "./handles";
@@ -64,12 +65,10 @@ export interface ScaleBar {
 	label: string;
 }
 
-/** The longest round length (1, 2 or 5 times a power of ten) that takes at most a quarter of the view. */
+/** The longest round length that takes at most a quarter of the view. */
 export function scaleBar(extent: number, unit: number): ScaleBar {
 	const millimetres = UNITS_PER_PIXEL * unit;
-	const most = (extent / 4) * millimetres;
-	const decade = 10 ** Math.floor(Math.log10(most));
-	const length = decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);
+	const length = roundLength((extent / 4) * millimetres);
 	const label = length >= 10 ? `${length / 10} cm` : `${length} mm`;
 	return { length: length / millimetres, label };
 }

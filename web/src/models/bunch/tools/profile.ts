@@ -16,7 +16,7 @@ function draw(desk: BunchDesk, view: View): unknown {
 		view=${view} .parameters=${specimen.parameters} .locks=${desk.toolState(sides)} .berries=${grown}
 		.initial=${desk.preset.parameters}
 		@profile-input=${({ detail }: ProfileEvent) => desk.edit(detail)}
-		@profile-change=${() => desk.settle()} @profile-cancel=${() => desk.settle()}
+		@profile-change=${() => desk.settle()}
 	></panicle-profile>`;
 }
 

@@ -3,14 +3,19 @@ import { html, nothing } from "lit";
 import type { Desk } from "../../../controls/desk";
 import type { Tool } from "../../../controls/tool";
 import type { BoundedSpecimen } from "./bounded";
+import { MOST_OBSTACLES } from "./details/places";
 import { asProfile, boundaryPose, withKnot, withoutKnot } from "./editor/boundary_pose";
 import type { BoundaryScene } from "./editor/boundary_view";
+import { feetOf } from "./editor/feet";
 import type { GripEvent } from "./editor/grip";
-import { type Lay, outlineIn } from "./editor/lay";
+import { footprintIn, type Lay, loopsIn } from "./editor/lay";
+import { planPose } from "./editor/plan_pose";
+import type { PlanScene } from "./editor/plan_view";
 import { wallsOf, withoutWall, withWall } from "./editor/walls";
 import { takeDrop } from "./mesh_tool";
 import type { WoodenPlant } from "./wooden_plant";
 import "./editor/boundary_view";
+import "./editor/plan_view";
 
 /** Grip that was last touched: the one that the buttons mean. */
 type Meant = string;
@@ -27,7 +32,12 @@ export function boundaryTool<S extends BoundedSpecimen>(
 		initial: "",
 		editor: { title: "Boundary", draw: (desk) => draw(desk) },
 		panel: { group, place: "below", draw: (desk) => buttons(desk) },
-		keys: [{ keys: ["Insert", "Delete"], does: "On a point of the boundary: one more after it, or one fewer" }],
+		keys: [
+			{
+				keys: ["Insert", "Delete"],
+				does: "On a point of the boundary: one more after it, or one fewer; on a target: one fewer",
+			},
+		],
 	};
 	const draw = (desk: Own) => html`<panicle-boundary
 		.pose=${boundaryPose(lay, desk.state.specimen, desk.preset)} .scene=${sceneOf(lay, desk.state.specimen)}
@@ -48,7 +58,10 @@ export function boundaryTool<S extends BoundedSpecimen>(
 						<button class="button" type="button" ?disabled=${!removed} @click=${() => removed && desk.set(removed)}>Remove the point</button>`
 					: html`<button class="button" type="button" @click=${() => shapeByHand(desk)}>Shape by hand</button>`
 			}
-			<button class="button" type="button" @click=${() => desk.set(wallBeside(lay, specimen))}>Add an obstacle</button>
+			<button
+				class="button" type="button" ?disabled=${wallsOf(specimen).length >= MOST_OBSTACLES}
+				@click=${() => desk.set(wallBeside(lay, specimen))}
+			>Add an obstacle</button>
 			${
 				specimen.obstacles
 					? html`<button class="button" type="button" @click=${() => desk.set(withoutWall(specimen))}>Remove an obstacle</button>`
@@ -77,10 +90,36 @@ export function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): Bo
 	return {
 		box: lay.box(specimen),
 		axes: lay.axes(specimen),
-		outline: outlineIn(lay, specimen),
+		loops: loopsIn(lay, specimen),
 		inner: specimen.parameters.inner,
 		bareAbout: lay.bareAbout(lay.box(specimen)),
 		walls: wallsOf(specimen),
-		targets: specimen.targets ?? [],
+		targets: feetOf(lay, specimen),
+	};
+}
+
+/** The flat view from above: depth of the boundary, obstacles, targets. */
+export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, WoodenPlant> {
+	return {
+		name: "plan",
+		initial: undefined,
+		editor: {
+			title: "Plan",
+			draw: (desk) => html`<panicle-plan
+				.pose=${planPose(lay, desk.state.specimen, desk.preset)} .scene=${planOf(lay, desk.state.specimen)}
+				@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
+			></panicle-plan>`,
+		},
+	};
+}
+
+export function planOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): PlanScene {
+	return {
+		halfWidth: lay.box(specimen).halfWidth,
+		halfDepth: lay.halfDepth(specimen),
+		axes: lay.axes(specimen),
+		loops: footprintIn(lay, specimen),
+		walls: wallsOf(specimen),
+		targets: feetOf(lay, specimen),
 	};
 }

@@ -9,7 +9,7 @@ import { PartMeshes } from "../../../scene/part_meshes";
 import { Wardrobe } from "../../../scene/wardrobe";
 import type { WoodenPlant } from "../boundary/wooden_plant";
 import { rootParts } from "./root_parts";
-import { pit } from "./soil";
+import { type Dug, holds, pit } from "./soil";
 import type { RootSpecimen } from "./specimen";
 
 class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
@@ -18,6 +18,10 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 	readonly #roots: PartFigure<RootSpecimen, WoodenPlant>;
 	readonly #wardrobe: Wardrobe;
 	#soil: PartMeshes | undefined;
+	/** For what the pit was dug, its points and its colour. */
+	#dug: Dug | undefined;
+	#wall: Float32Array = new Float32Array(0);
+	#earth = "";
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
 	constructor(stage: FigureStage) {
@@ -28,21 +32,33 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 
 	show(grown: WoodenPlant, specimen: RootSpecimen): void {
 		this.#roots.show(grown, specimen);
-		this.#clear();
 		const bodies = this.#roots.bounds();
 		const box = boxOf(bodies);
 		if (box.isEmpty()) {
+			this.#clear();
 			this.#bounds = bodies;
 			return;
 		}
+		const roots: Dug = { low: box.min.toArray(), high: box.max.toArray() };
+		// A frame in passing has no time to dig anew for every particle that moves; nor is its sky worked out.
+		const passing = !grown.meshes.some(({ sky }) => sky);
+		const { soil } = specimen.look;
+		if (!(passing && soil === this.#earth && this.#dug && holds(this.#dug, roots))) this.#dig(roots, soil);
+		this.#bounds = { spheres: bodies.spheres, points: joined(bodies.points, this.#wall) };
+	}
+
+	#dig(roots: Dug, soil: string): void {
+		this.#clear();
 		this.#wardrobe.change();
-		const mesh = pit({ low: box.min.toArray(), high: box.max.toArray() }, specimen.look.soil);
-		const shape = { mesh, material: { name: "Soil", colour: linear(specimen.look.soil), roughness: 1 } };
+		const mesh = pit(roots, soil);
+		const shape = { mesh, material: { name: "Soil", colour: linear(soil), roughness: 1 } };
 		this.#soil = new PartMeshes([{ name: "Soil", shape }], this.#wardrobe);
 		// The near wall is not drawn, and so must not throw a shadow; roots' shadows on the far one would pass for roots.
 		for (const object of this.#soil.objects) object.castShadow = object.receiveShadow = false;
 		this.#stage.root.add(...this.#soil.objects);
-		this.#bounds = { spheres: bodies.spheres, points: joined(bodies.points, mesh.positions) };
+		this.#dug = roots;
+		this.#earth = soil;
+		this.#wall = mesh.positions;
 	}
 
 	bounds(): Bodies {
@@ -73,6 +89,7 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 		for (const object of this.#soil?.objects ?? []) if (object instanceof Mesh) object.removeFromParent();
 		this.#soil?.dispose();
 		this.#soil = undefined;
+		this.#dug = undefined;
 	}
 }
 

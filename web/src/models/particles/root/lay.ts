@@ -1,5 +1,5 @@
 import type { Lay } from "../boundary/editor/lay";
-import { roundly } from "../boundary/editor/lay";
+import { roundly, standing } from "../boundary/editor/lay";
 import type { Form } from "../boundary/editor/outline";
 import type { RootSpecimen } from "./specimen";
 import { ROOT_TABLE } from "./table";
@@ -26,10 +26,14 @@ export const rootLay: Lay<RootSpecimen> = {
 	],
 	box: ({ parameters: { width, reach, top } }) => ({ halfWidth: width / 2, low: -top - reach, high: -top }),
 	axes: () => [0],
+	halfDepth: ({ parameters }) => parameters.depth / 2,
+	deepen: (_, halfDepth) => ({ depth: 2 * halfDepth }),
+	targets: ({ parameters: { stems, width } }) => standing(stems, width).flatMap((x) => [x, 0, 0]),
 	fit: (specimen, { halfWidth, low, high }) => {
 		const top = Math.max(0, -high);
 		return { ...roundly(specimen, halfWidth), top, reach: -top - low };
 	},
+	target: "Collar",
 	ends: { high: "Upper end", low: "Deepest" },
 	bareAbout: ({ high }) => high,
 };

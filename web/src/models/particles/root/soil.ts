@@ -33,22 +33,28 @@ export function pit({ low, high }: Dug, soil: string): PartMesh {
 	const normals = new Float32Array(3 * rings * AROUND);
 	const colours = new Float32Array(3 * rings * AROUND);
 	const grain = 9 / Math.max(reach[0], reach[1], depth);
-	for (let ring = 0; ring < rings; ring++) {
-		const inward = Math.max(0, ring - DOWN) / FLOOR;
-		const y = -depth * Math.min(1, ring / DOWN);
-		for (let k = 0; k < AROUND; k++) {
+	const tones = tonesOf(soil);
+	for (let k = 0; k < AROUND; k++) {
+		const [x, z] = around((2 * Math.PI * k) / AROUND, reach);
+		const normal = inwards(x, z, reach);
+		const waver = waverAt(x, z, grain);
+		// The floor is one colour from the wall to its middle, where its triangles meet.
+		const floor = earth(tones, [x, -depth, z], 0.6, waverAt(x, z, 0.6));
+		for (let ring = 0; ring < rings; ring++) {
 			const at = 3 * (ring * AROUND + k);
-			const [x, z] = around((2 * Math.PI * k) / AROUND, reach);
+			const inward = Math.max(0, ring - DOWN) / FLOOR;
+			const y = -depth * Math.min(1, ring / DOWN);
 			const bump = inward > 0 ? 0 : 0.02 * (noise(grain * x, grain * y, grain * z) - 0.5);
 			const out = (1 - inward) * (1 + bump);
 			positions.set([middle[0] + out * x, y, middle[1] + out * z], at);
-			normals.set(inward > 0 ? [0, 1, 0] : inwards(x, z, reach), at);
-			// The floor is one colour from the wall to its middle, where its triangles meet.
-			colours.set(earth(soil, x, y, z, inward > 0 ? 0.6 : grain), at);
+			normals.set(inward > 0 ? UP : normal, at);
+			colours.set(inward > 0 ? floor : earth(tones, [x, y, z], grain, waver), at);
 		}
 	}
 	return { positions, normals, colours, uvs: new Float32Array(2 * rings * AROUND), indices: quads(rings) };
 }
+
+const UP = [0, 1, 0] as const;
 
 /** A point of the pit's outline. */
 function around(angle: number, [rx, rz]: readonly number[]): [x: number, z: number] {
@@ -64,6 +70,15 @@ function inwards(x: number, z: number, [rx, rz]: readonly number[]): [number, nu
 	return [-nx / size, 0, -nz / size];
 }
 
+/** Whether a pit dug for one still holds another, with at most half as much room again to spare. */
+export function holds(dug: Dug, { low, high }: Dug): boolean {
+	return [0, 1, 2].every((k) => {
+		const size = dug.high[k] - dug.low[k];
+		const slack = (ROOM / 3) * size;
+		return low[k] >= dug.low[k] - slack && high[k] <= dug.high[k] + slack && size <= 1.5 * (high[k] - low[k]);
+	});
+}
+
 /** Facing inwards: seen from outside the near wall is not there. */
 function quads(rings: number): Uint32Array {
 	const indices: number[] = [];
@@ -76,13 +91,25 @@ function quads(rings: number): Uint32Array {
 	return Uint32Array.from(indices);
 }
 
-/** Dark humus on top, paler below, in bands that waver, crumbs of both. */
-function earth(soil: string, x: number, y: number, z: number, grain: number): Colour {
+/** Of humus, and of what lies below it. */
+interface Tones {
+	readonly dark: Colour;
+	readonly pale: Colour;
+}
+
+function tonesOf(soil: string): Tones {
 	const base = linear(soil);
-	const waver = HUMUS * (noise(0.3 * grain * x + 7, 0, 0.3 * grain * z) - 0.5);
+	return { dark: mixed(base, [0.008, 0.006, 0.004], 0.72), pale: mixed(base, [0.02, 0.014, 0.009], 0.25) };
+}
+
+/** How much deeper or less deep the humus is there, metres. */
+function waverAt(x: number, z: number, grain: number): number {
+	return HUMUS * (noise(0.3 * grain * x + 7, 0, 0.3 * grain * z) - 0.5);
+}
+
+/** Dark humus on top, paler below, in bands that waver, crumbs of both. */
+function earth({ dark, pale }: Tones, [x, y, z]: readonly number[], grain: number, waver: number): Colour {
 	const below = smoothstep(0.4 * HUMUS, 1.7 * HUMUS, -y + waver);
-	const dark = mixed(base, [0.008, 0.006, 0.004], 0.72);
-	const pale = mixed(base, [0.02, 0.014, 0.009], 0.25);
 	const [red, green, blue] = mixed(dark, pale, below);
 	const crumbs =
 		0.5 * noise(grain * x, grain * y, grain * z) + 0.5 * noise(2.7 * grain * x, 2.7 * grain * y, 2.7 * grain * z);

@@ -1,5 +1,5 @@
 import type { Lay } from "../boundary/editor/lay";
-import { roundly } from "../boundary/editor/lay";
+import { roundly, standing } from "../boundary/editor/lay";
 import type { Form } from "../boundary/editor/outline";
 import type { TreeSpecimen } from "./specimen";
 import { TREE_TABLE } from "./table";
@@ -28,8 +28,7 @@ export const treeLay: Lay<TreeSpecimen> = {
 		const { width, height, trunk } = specimen.parameters;
 		return { halfWidth: width / 2, low: trunk, high: trunk + (isBall(specimen) ? width : height) };
 	},
-	axes: ({ parameters: { crowns, distance } }) =>
-		Array.from({ length: crowns }, (_, i) => (i - (crowns - 1) / 2) * distance),
+	axes: ({ parameters: { crowns, distance } }) => standing(crowns, crowns * distance),
 	fit: (specimen, { halfWidth, low, high }) => {
 		if (!isBall(specimen)) return { ...roundly(specimen, halfWidth), trunk: low, height: high - low };
 		const { width, trunk } = specimen.parameters;
@@ -38,8 +37,16 @@ export const treeLay: Lay<TreeSpecimen> = {
 			Math.abs(2 * halfWidth - width) > 1e-6 ? 2 * halfWidth : Math.abs(low - trunk) > 1e-6 ? width : high - low;
 		return { width: moved, depth: moved, height: moved, trunk: low };
 	},
+	halfDepth: (specimen) => specimen.parameters[isBall(specimen) ? "width" : "depth"] / 2,
+	deepen: (specimen, halfDepth) => {
+		const depth = 2 * halfDepth;
+		return isBall(specimen) ? { width: depth, depth, height: depth } : { depth };
+	},
+	targets: ({ parameters: { crowns, distance, stems, width } }) =>
+		standing(crowns, crowns * distance).flatMap((axis) => standing(stems, width).flatMap((x) => [axis + x, 0, 0])),
 	move: ({ parameters: { crowns } }, axis) =>
 		crowns > 1 ? { distance: (2 * Math.abs(axis)) / (crowns - 1) } : undefined,
+	target: "Trunk",
 	ends: { high: "Top", low: "Lowest branches" },
 	bareAbout: ({ low, high }) => (low + high) / 2,
 };

@@ -8,6 +8,9 @@ import type { Bounded, BoundedSpecimen } from "../bounded";
 /** Metres from the middle of the ground, each way. */
 const FARTHEST = 100;
 
+/** As many as the core takes (wasm-core/src/models/particles/obstacles.hpp). */
+export const MOST_OBSTACLES = 16;
+
 interface Rows {
 	readonly field: "targets" | "obstacles";
 	/** Numbers of one of them. */
@@ -31,7 +34,7 @@ export function obstaclesOf<S extends BoundedSpecimen>(): Detail<S> {
 	return rows({
 		field: "obstacles",
 		width: 6,
-		most: 20,
+		most: MOST_OBSTACLES,
 		setting: "obstacles=X,Y,Z,X,Y,Z,…",
 		one: "boxes like “1,0,-2,1.5,4,2”",
 		fitted: ([ax, ay, az, bx, by, bz]) => [

@@ -1,10 +1,6 @@
-/** How a flat view's units lie in its element, and how long a scale bar suits it. */
-
-export interface Point {
-	readonly x: number;
-	/** Up. */
-	readonly y: number;
-}
+/** How a flat view's units, y up, lie in its element, and how long a scale bar suits it. */
+import type { Point } from "../../../../controls/handles/point";
+import { roundLength } from "../../../../controls/handles/scale_bar";
 
 export interface Frame {
 	/** Of the element, CSS pixels. */
@@ -20,7 +16,7 @@ export function toScreen({ origin, scale }: Frame, { x, y }: Point): Point {
 	return { x: origin.x + scale * x, y: origin.y - scale * y };
 }
 
-export function fromScreen({ origin, scale }: Frame, x: number, y: number): Point {
+export function fromScreen({ origin, scale }: Frame, { x, y }: Point): Point {
 	return { x: (x - origin.x) / scale, y: (origin.y - y) / scale };
 }
 
@@ -44,10 +40,8 @@ export function frameAbout({ halfWidth, low, high }: Extent, width: number, heig
 	return { width, height, scale, origin: { x: width / 2, y: height / 2 + (scale * (low + high)) / 2 } };
 }
 
-/** The longest round length (1, 2 or 5 times a power of ten) that takes at most a quarter of the view, in metres. */
+/** The longest round length that takes at most a quarter of the view, in metres. */
 export function scaleBar({ width, scale }: Pick<Frame, "width" | "scale">): { length: number; label: string } {
-	const most = width / 4 / scale;
-	const decade = 10 ** Math.floor(Math.log10(most));
-	const length = decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);
+	const length = roundLength(width / 4 / scale);
 	return { length, label: length >= 0.995 ? `${Math.round(length)} m` : `${Math.round(100 * length)} cm` };
 }

@@ -1,6 +1,6 @@
 /** What a flat view is given to be drawn and dragged, and what it tells. */
 import type { Change } from "../../../../controls/desk";
-import type { Point } from "./frame";
+import { ARROWS, type Point } from "../../../../controls/handles/point";
 
 /** Something to take hold of. */
 export interface Grip {
@@ -31,29 +31,12 @@ export interface Pose {
 /** `grip-input`: live, once a frame at most. `grip-change`: a drag ended, a key stepped, or Escape called it off. */
 export type GripEvent = CustomEvent<Change>;
 
-const ARROWS: Readonly<Record<string, readonly [right: number, up: number]>> = {
-	ArrowLeft: [-1, 0],
-	ArrowRight: [1, 0],
-	ArrowUp: [0, 1],
-	ArrowDown: [0, -1],
-};
-
 /** What a key on a grip does. */
 export function changeBy(pose: Pose, id: string, { key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">) {
 	const arrow = ARROWS[key];
-	if (arrow) return pose.nudge(id, ...arrow, shiftKey);
+	if (arrow) return pose.nudge(id, arrow.x, arrow.y, shiftKey);
 	if (key === "Delete" || key === "Backspace") return pose.remove?.(id);
 	return key === "Insert" || key === "+" ? pose.add?.(id) : undefined;
-}
-
-/** The grip within reach that is nearest to a point: reaches overlap where grips are close. */
-export function nearestGrip(pose: Pose, point: Point, reach: number): Grip | undefined {
-	let [nearest, least]: [Grip | undefined, number] = [undefined, reach];
-	for (const grip of pose.grips) {
-		const away = Math.hypot(grip.at.x - point.x, grip.at.y - point.y);
-		if (away <= least) [nearest, least] = [grip, away];
-	}
-	return nearest;
 }
 
 declare global {

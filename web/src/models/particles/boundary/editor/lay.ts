@@ -1,6 +1,12 @@
 /** How a model's numbers lay out its boundary, seen from in front. Metres; the ground is at height 0. */
+import type { Point } from "../../../../controls/handles/point";
 import type { BoundedSpecimen, Knot } from "../bounded";
+import { FROM_ABOVE, FROM_FRONT } from "./facing";
+import { contourOf } from "./mesh_outline";
 import { type Form, outlineOf } from "./outline";
+
+/** Corners of what is round, from above. */
+const ROUND = 64;
 
 type Parameters = Readonly<Partial<Record<string, number>>>;
 
@@ -18,10 +24,18 @@ export interface Lay<S extends BoundedSpecimen = BoundedSpecimen> {
 	box(specimen: S): Box;
 	/** Where the axes of its boundaries stand, from left to right. */
 	axes(specimen: S): readonly number[];
+	/** How far the boundary reaches to the front and to the back of its axis. */
+	halfDepth(specimen: S): number;
+	/** Where particles make for unless the specimen says: x, y, z of each. */
+	targets(specimen: S): readonly number[];
+	/** What is needed of the parameters for that depth to be another. */
+	deepen(specimen: S, halfDepth: number): Parameters;
 	/** What is needed of the parameters for the box to be another. */
 	fit(specimen: S, box: Box): Parameters;
 	/** What is needed for the last axis to stand elsewhere; undefined where there is one. */
 	move?(specimen: S, axis: number): Parameters | undefined;
+	/** What a target is, in words: where it stands. */
+	readonly target: string;
 	/** What the box's upper and lower end are called. */
 	readonly ends: { readonly high: string; readonly low: string };
 	/** The height about which the inner boundary is the outer one made smaller. */
@@ -34,7 +48,29 @@ export function roundly({ parameters }: BoundedSpecimen, halfWidth: number): Par
 	return parameters.depth === parameters.width ? { width, depth: width } : { width };
 }
 
+/** So many places evenly across a width, about the middle. */
+export function standing(count: number, width: number): number[] {
+	return Array.from({ length: count }, (_, i) => width * ((i + 0.5) / count - 0.5));
+}
+
 /** The outline of a specimen's boundary, in shares of its box. */
 export function outlineIn<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): readonly Knot[] {
 	return outlineOf(lay.form(specimen), specimen.profile ?? lay.profile, specimen.volume);
+}
+
+/** The boundary from in front as closed loops in shares of its box: across −1 … 1, from below 0 … 1. */
+export function loopsIn<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): readonly (readonly Point[])[] {
+	if (lay.form(specimen) === "mesh" && specimen.volume) return contourOf(specimen.volume, FROM_FRONT.up);
+	const right = outlineIn(lay, specimen).map(([x, y]) => ({ x, y }));
+	return [[...right, ...right.map(({ x, y }) => ({ x: -x, y })).reverse()]];
+}
+
+/** The boundary from above: across and to the back −1 … 1. */
+export function footprintIn<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): readonly (readonly Point[])[] {
+	const form = lay.form(specimen);
+	if (form === "mesh" && specimen.volume) return contourOf(specimen.volume, FROM_ABOVE.up);
+	if (form === "box") return [[[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => ({ x, y }))]; // biome-ignore format: a square
+	const widest = Math.max(...outlineIn(lay, specimen).map(([radius]) => radius));
+	const turn = Array.from({ length: ROUND }, (_, i) => (2 * Math.PI * i) / ROUND);
+	return [turn.map((angle) => ({ x: widest * Math.cos(angle), y: widest * Math.sin(angle) }))];
 }

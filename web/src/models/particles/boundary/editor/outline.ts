@@ -1,5 +1,6 @@
 /** A boundary from in front, in shares of its box: from its axis out, from its lowest point up (wasm-core/src/models/particles/boundary.cpp). */
 import type { ClosedMesh, Knot } from "../bounded";
+import { inBox } from "./mesh_outline";
 
 export type Form = "ellipsoid" | "box" | "cone" | "coneDown" | "bowl" | "spline" | "mesh";
 
@@ -22,7 +23,7 @@ export function outlineOf(form: Form, profile: readonly Knot[], mesh?: ClosedMes
 		case "spline":
 			return [[0, profile[0][1]], ...splineThrough(profile), [0, profile[profile.length - 1][1]]];
 		case "mesh":
-			return mesh && mesh.points.length > 0 ? silhouette(mesh) : outlineOf("ellipsoid", profile);
+			return mesh && mesh.points.length > 0 ? silhouette(inBox(mesh)) : outlineOf("ellipsoid", profile);
 		case "ellipsoid":
 			return arc(-Math.PI / 2, Math.PI / 2).map(([radius, sine]) => [radius, 0.5 + 0.5 * sine]);
 	}
@@ -59,16 +60,11 @@ export function splineThrough(points: readonly Knot[]): Knot[] {
 
 /** The half width of a mesh's box at each of some heights: where its edges cross them, or it has corners. */
 function silhouette({ points, triangles }: ClosedMesh): Knot[] {
-	let [half, height] = [0, 0];
-	for (let i = 0; i < points.length; i += 3) {
-		half = Math.max(half, Math.abs(points[i]));
-		height = Math.max(height, points[i + 1]);
-	}
 	const widths = new Float32Array(LEVELS + 1);
 	for (let i = 0; i < triangles.length; i++) {
 		const [from, to] = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]].map((corner) => [
-			points[3 * corner] / half,
-			(points[3 * corner + 1] / height) * LEVELS,
+			points[3 * corner],
+			points[3 * corner + 1] * LEVELS,
 		]);
 		const [low, high] = from[1] <= to[1] ? [from, to] : [to, from];
 		for (let level = Math.floor(low[1]); level <= Math.ceil(high[1]) && level <= LEVELS; level++) {

@@ -1,6 +1,6 @@
 /** The sun as a grip on the sky, seen from above: the middle is overhead, the rim the horizon, in front is below. */
+import type { Point } from "../../../../controls/handles/point";
 import type { Specimen } from "../../../../specimen/specimen";
-import type { Point } from "./frame";
 import type { Pose } from "./grip";
 
 /** Degrees that an arrow key moves, and with Shift. */

@@ -1,9 +1,10 @@
-/** Boxes in which nothing grows, from in front: each is moved by its middle and sized by its upper right corner. */
+/** Boxes in which nothing grows: in each view one is moved by its middle and sized by its far right corner. */
 import type { Change } from "../../../../controls/desk";
+import type { Point } from "../../../../controls/handles/point";
 import { onStep } from "../../../../specimen/table";
 import type { Bounded } from "../bounded";
 import { lengthInWords } from "../words";
-import type { Point } from "./frame";
+import { type Facing, moved, placeInWords, seen } from "./facing";
 import type { Grip } from "./grip";
 
 const WIDTH = 6;
@@ -14,31 +15,43 @@ export function wallsOf({ obstacles = [] }: Bounded): number[][] {
 	return Array.from({ length: obstacles.length / WIDTH }, (_, i) => obstacles.slice(WIDTH * i, WIDTH * (i + 1)));
 }
 
-export function wallGrips(specimen: Bounded): Grip[] {
-	return wallsOf(specimen).flatMap(([ax, ay, , bx, by], i): Grip[] => [
-		{
-			id: `wall${i} middle`,
-			at: { x: (ax + bx) / 2, y: (ay + by) / 2 },
-			label: `Obstacle ${i + 1}`,
-			value: `${lengthInWords(Math.abs(ax + bx) / 2)} ${ax + bx < 0 ? "left" : "right"}`,
-		},
-		{
-			id: `wall${i} corner`,
-			at: { x: bx, y: by },
-			label: `Obstacle ${i + 1}, size`,
-			value: `${lengthInWords(bx - ax)} thick, ${lengthInWords(by - ay)} high`,
-		},
-	]);
+export function wallGrips(specimen: Bounded, facing: Facing): Grip[] {
+	return wallsOf(specimen).flatMap((wall, i): Grip[] => {
+		const [low, high] = [wall.slice(0, 3), wall.slice(3)];
+		const middle = low.map((value, k) => (value + high[k]) / 2);
+		const [thick, tall] = [high[0] - low[0], high[facing.up] - low[facing.up]].map(lengthInWords);
+		return [
+			{
+				id: `wall${i} middle`,
+				at: seen(middle, facing),
+				label: `Obstacle ${i + 1}`,
+				value: placeInWords(middle, facing),
+			},
+			{
+				id: `wall${i} corner`,
+				at: seen(high, facing),
+				label: `Obstacle ${i + 1}, size`,
+				value: `${thick} thick, ${tall} ${facing.up === 1 ? "high" : "deep"}`,
+			},
+		];
+	});
 }
 
-export function pullWall(specimen: Bounded, id: string, to: Point): Change {
+export function pullWall(specimen: Bounded, id: string, to: Point, facing: Facing): Change {
 	const [name, which] = id.split(" ");
 	const walls = wallsOf(specimen);
 	const index = Number(name.slice("wall".length));
-	const [ax, ay, az, bx, by, bz] = walls[index];
-	const [dx, dy] = which === "middle" ? [to.x - (ax + bx) / 2, to.y - (ay + by) / 2] : [0, 0];
-	const high = which === "middle" ? [bx + dx, by + dy] : [Math.max(to.x, ax + LEAST), Math.max(to.y, ay + LEAST)];
-	walls[index] = [ax + dx, ay + dy, az, ...high, bz];
+	const [low, high] = [walls[index].slice(0, 3), walls[index].slice(3)];
+	if (which === "middle") {
+		const middle = low.map((value, k) => (value + high[k]) / 2);
+		const by = moved(middle, to, facing).map((value, k) => value - middle[k]);
+		walls[index] = [...low, ...high].map((value, k) => value + by[k % 3]);
+	} else {
+		const corner = moved(high, to, facing).map((value, k) =>
+			value === high[k] ? value : Math.max(value, low[k] + LEAST),
+		);
+		walls[index] = [...low, ...corner];
+	}
 	return { details: { obstacles: walls.flat().map((value) => onStep(value)) } };
 }
 

@@ -1,16 +1,15 @@
 import type { OutlinePoint } from "./points";
 
 /**
- * What the editor tells of. `outline-input`: live, once a frame at most. `outline-change`: a drag ended, a key stepped, a point came or
- * went. `outline-cancel`: Escape. `outline-mirror`: the lock was pressed.
+ * What the editor tells of. `outline-input`: live, once a frame at most. `outline-change`: a drag ended or was called off, a key
+ * stepped, a point came or went. `outline-mirror`: the lock was pressed.
  */
 export type OutlineEvent = CustomEvent<{ outline: OutlinePoint[] }>;
 
 declare global {
 	interface HTMLElementEventMap {
 		"outline-input": OutlineEvent;
-		"outline-change": OutlineEvent;
-		"outline-cancel": OutlineEvent;
+		"outline-change": CustomEvent;
 		"outline-mirror": CustomEvent;
 	}
 }

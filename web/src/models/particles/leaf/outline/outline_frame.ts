@@ -1,4 +1,5 @@
 /** How an outline lies in the element that shows it: y up, the whole leaf in view. */
+import { roundLength } from "../../../../controls/handles/scale_bar";
 import type { Place } from "./points";
 
 export interface OutlineFrame {
@@ -66,13 +67,11 @@ export interface ScaleBar {
 }
 
 /**
- * The longest round length (1, 2 or 5 times a power of ten) that takes at most a third of the view.
+ * The longest round length that takes at most a third of the view.
  * @param millimetres of a length of the leaf
  */
 export function scaleBar({ width, scale }: OutlineFrame, millimetres: number): ScaleBar {
-	const most = ((width / 3) * millimetres) / scale;
-	const decade = 10 ** Math.floor(Math.log10(most));
-	const length = decade * (most >= 5 * decade ? 5 : most >= 2 * decade ? 2 : 1);
+	const length = roundLength(((width / 3) * millimetres) / scale);
 	return { length: (length / millimetres) * scale, label: length >= 10 ? `${length / 10} cm` : `${length} mm` };
 }
 

@@ -1,31 +1,32 @@
 /**
  * `<panicle-outline>`: a leaf's outline with its points, over the flat leaf. It draws what it is given and tells what a
- * person does to it; the document stays with the page.
+ * person does to it; the document stays with the page. A handle's name is the point's number.
  */
-import { html, LitElement, nothing, type PropertyValues } from "lit";
-import { classMap } from "lit/directives/class-map.js";
+import { html, nothing, type PropertyValues } from "lit";
+import { HandleView } from "../../../../controls/handles/handle_view";
+import { drawScaleBar } from "../../../../controls/handles/scale_bar";
 import { type FlatVeins, showOutline } from "./outline_canvas";
-import { OutlineDrag } from "./outline_drag";
+import { outlineDrags } from "./outline_drag";
 import { inView, type OutlineFrame, onLeaf, scaleBar, steadyFrame } from "./outline_frame";
 import { ADD, LOCK, REMOVE, TURN } from "./outline_icons";
 import { outlineStyle } from "./outline_style";
 import { HELP, KIND_WORDS, pointInWords } from "./outline_words";
-import type { OutlinePoint, OutlinePoints, Place } from "./points";
+import type { OutlinePoints, Place, Symmetry } from "./points";
 import { curveOf, nearestSpan } from "./spline";
 import { inserted, pressed, removed, type Step, turned } from "./steps";
 
-/** Within so many CSS pixels a point can be taken hold of: half of 44, the least for a thumb. */
-const REACH = 22;
-/** Within so many a double click means the margin. */
+/** Within so many CSS pixels a double click means the margin, or a point's dot. */
 const MARGIN_REACH = 14;
-export class OutlineView extends LitElement {
-	static override styles = outlineStyle;
+const DOT_REACH = 7;
+
+export class OutlineView extends HandleView<string> {
+	static override styles = [...HandleView.styles, outlineStyle];
 	static override properties = {
+		...HandleView.properties,
 		points: { attribute: false },
 		veins: { attribute: false },
 		millimetres: { type: Number },
 		mirror: { type: Boolean },
-		disabled: { type: Boolean, reflect: true },
 	};
 	declare points: OutlinePoints | undefined;
 	/** Of the last growth. */
@@ -34,101 +35,59 @@ export class OutlineView extends LitElement {
 	declare millimetres: number;
 	/** Whether both sides move as one. */
 	declare mirror: boolean;
-	declare disabled: boolean;
 
-	#size = { width: 236, height: 300 };
+	protected readonly heading = "Outline";
+	protected readonly help = HELP;
 	#frame: OutlineFrame | undefined;
 	#chosen = 1;
-	#spoken = "";
-	/** Whether the focus came from a pointer, which needs no ring. */
-	#pointed = false;
-	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
-		const { width, height } = contentRect;
-		if (width === 0) return;
-		this.#size = { width, height };
-		this.requestUpdate();
-	});
-	readonly #drags = new OutlineDrag({
+	protected readonly drags = outlineDrags({
 		get: () => this.points ?? [],
 		symmetry: () => this,
-		input: (points) => this.#tell(points, "outline-input"),
-		change: () => this.#tell([...(this.points ?? [])], "outline-change"),
-		cancel: (points) => this.#tell(points, "outline-input", "outline-cancel"),
-		schedule: (callback) => requestAnimationFrame(callback),
+		input: (points) => this.#input(points),
+		change: () => this.tell("outline-change"),
 	});
 
 	constructor() {
 		super();
 		this.millimetres = 100;
 		this.mirror = true;
-		this.disabled = false;
-	}
-
-	protected override firstUpdated(): void {
-		const view = this.renderRoot.querySelector(".view");
-		if (view) this.#resized.observe(view);
-	}
-
-	override connectedCallback(): void {
-		super.connectedCallback();
-		const view = this.renderRoot?.querySelector(".view");
-		if (view) this.#resized.observe(view);
-	}
-
-	override disconnectedCallback(): void {
-		super.disconnectedCallback();
-		this.#resized.disconnect();
-		this.#cancel();
 	}
 
 	protected override willUpdate(changed: PropertyValues<this>): void {
+		super.willUpdate(changed);
 		const before = changed.get("points");
 		// Others have changed it meanwhile: what is held is another point now.
-		if (this.#drags.active && before && before.length !== this.points?.length) this.#cancel();
-		if (changed.has("disabled") && this.disabled) this.#cancel();
+		if (this.drags.active && before && before.length !== this.points?.length) this.cancel();
 		if (!this.points) return;
 		this.#chosen = Math.min(Math.max(this.#chosen, 1), this.points.length - 1);
-		this.#frame = steadyFrame(this.#frame, curveOf(this.points), this.#size, this.#drags.active);
+		this.#frame = steadyFrame(this.#frame, curveOf(this.points), this.size, this.drags.active);
 	}
 
-	protected override render() {
+	protected inside(): unknown {
 		const { points } = this;
-		if (!points || !this.#frame) return nothing;
-		const frame = this.#frame;
-		const bar = scaleBar(frame, this.millimetres);
-		return html`<div
-				class=${classMap({ view: true, dragging: this.#drags.active, pointed: this.#pointed })}
-				role="group" aria-label="Outline"
-				@pointerdown=${this.#onPointerDown} @pointermove=${this.#onPointerMove}
-				@pointerup=${this.#onPointerEnd} @lostpointercapture=${this.#onPointerEnd}
-				@mousedown=${this.#onOwnGesture} @contextmenu=${this.#onOwnGesture}
-				@dblclick=${this.#onDoubleClick} @click=${this.#onClick} @keydown=${this.#onKeyDown}
-				@focusin=${this.#onFocusIn} @focusout=${this.#onFocusOut}
-			>
-				<canvas aria-hidden="true" @transitionend=${this.#draw}></canvas>
-				<span class="scale" aria-hidden="true" .style=${`width: ${bar.length}px`}>${bar.label}</span>
-				${points.map((_, index) => (index === 0 ? nothing : this.#handle(points, index, frame)))}
-				<p class="spoken" id="help">${HELP}</p>
-				<p class="spoken" aria-live="polite">${this.#spoken}</p>
-			</div>
-			<div class="bar" role="toolbar" aria-label="Points of the outline">
-				${this.#button(LOCK, "Both sides alike", () => this.dispatchEvent(new CustomEvent("outline-mirror")), this.mirror)}
-				${this.#button(TURN, `Kind of point, now ${KIND_WORDS[points[this.#chosen].kind]}`, () => this.#press(turned))}
-				${this.#button(ADD, "Add a point after the chosen one", () => this.#press(inserted))}
-				${this.#button(REMOVE, "Remove the chosen point", () => this.#press(removed))}
-			</div>`;
+		if (!points || !this.#frame) return undefined;
+		const bar = scaleBar(this.#frame, this.millimetres);
+		const corner = `translate(8 ${this.#frame.height - 5})`;
+		return html`<svg class="drawing" aria-hidden="true">${drawScaleBar(bar.length, bar.label, corner)}</svg>
+			${this.places().map(([index, place]) => {
+				const at = Number(index);
+				return this.drawHandle(index, place, {
+					label: pointInWords(points, at),
+					kind: points[at].kind,
+					classes: { chosen: at === this.#chosen },
+					tab: at === this.#chosen,
+				});
+			})}`;
 	}
 
-	/** Over the canvas, as a button: one to assistive technology, and `touch-action` works. */
-	#handle(points: OutlinePoints, index: number, frame: OutlineFrame) {
-		const { x, y } = inView(frame, points[index]);
-		const state = { handle: true, held: this.#drags.holds(index), chosen: index === this.#chosen };
-		return html`<button
-			type="button" class=${classMap(state)} data-point=${index} data-kind=${points[index].kind}
-			tabindex=${index === this.#chosen ? 0 : -1} ?disabled=${this.disabled}
-			aria-roledescription="handle" aria-label=${pointInWords(points, index)} aria-describedby="help"
-			.style=${`transform: translate(${x}px, ${y}px)`}
-		></button>`;
+	protected override below(): unknown {
+		const kind = this.points?.[this.#chosen].kind ?? "smooth";
+		return html`<div class="bar" role="toolbar" aria-label="Points of the outline">
+			${this.#button(LOCK, "Both sides alike", () => this.tell("outline-mirror"), this.mirror)}
+			${this.#button(TURN, `Kind of point, now ${KIND_WORDS[kind]}`, () => this.#press(turned))}
+			${this.#button(ADD, "Add a point after the chosen one", () => this.#press(inserted))}
+			${this.#button(REMOVE, "Remove the chosen point", () => this.#press(removed))}
+		</div>`;
 	}
 
 	#button(drawing: unknown, label: string, click: () => void, pressed?: boolean) {
@@ -137,158 +96,70 @@ export class OutlineView extends LitElement {
 		>${drawing}</button>`;
 	}
 
-	protected override updated(): void {
-		this.#draw();
-	}
-
-	#draw(): void {
-		const canvas = this.renderRoot.querySelector("canvas");
+	protected override ink(canvas: HTMLCanvasElement): void {
 		const { points, veins } = this;
-		if (canvas && points && this.#frame) showOutline(canvas, { curve: curveOf(points), veins, frame: this.#frame });
+		if (points && this.#frame) showOutline(canvas, { curve: curveOf(points), veins, frame: this.#frame });
 	}
 
-	#tell(points: OutlinePoint[], ...events: string[]): void {
-		this.points = points;
-		for (const type of events) {
-			this.dispatchEvent(new CustomEvent(type, { detail: { outline: points }, bubbles: true, composed: true }));
-		}
+	/** The base, point 0, is where the petiole joins: it stays. */
+	protected places(): [string, Place][] {
+		const frame = this.#frame;
+		const all = (this.points ?? []).map((point, i): [string, Place] => [`${i}`, frame ? inView(frame, point) : point]);
+		return all.slice(1);
+	}
+
+	/** Lengths of the leaf. */
+	protected units(at: Place): Place {
+		return this.#frame ? onLeaf(this.#frame, at) : at;
+	}
+
+	protected words(index: string): string {
+		return pointInWords(this.points ?? [], Number(index));
+	}
+
+	protected key(_: string, event: KeyboardEvent): boolean {
+		const step = this.points && !event.altKey && pressed(this.points, this.#chosen, event, this);
+		if (!step) return false;
+		event.stopPropagation();
+		this.#take(step);
+		// The chosen point takes the focus.
+		void this.updateComplete.then(() => this.element(`${this.#chosen}`)?.focus({ preventScroll: true }));
+		return true;
+	}
+
+	/** On a point's dot it changes the kind, on the margin it puts a point in. */
+	protected doubled(index: string | undefined, at: Place): void {
+		if (!this.points || !this.#frame) return;
+		const place = index === undefined ? undefined : inView(this.#frame, this.points[Number(index)]);
+		const margin = nearestSpan(this.points, onLeaf(this.#frame, at));
+		if (place && Math.hypot(place.x - at.x, place.y - at.y) <= DOT_REACH) this.#press(turned);
+		else if (margin.distance * this.#frame.scale <= MARGIN_REACH)
+			this.#take(inserted(this.points, margin.span, this, onLeaf(this.#frame, at)));
+	}
+
+	protected override focused(index: string): void {
+		this.#chosen = Number(index);
+		this.requestUpdate();
+	}
+
+	#input(outline: OutlinePoints): void {
+		this.points = outline;
+		this.tell("outline-input", { outline });
 	}
 
 	/** A step of keys or buttons is told and said. */
 	#take({ points, chosen, said }: Step): void {
-		if (points) this.#tell(points, "outline-input", "outline-change");
-		if (said) this.#say(said);
+		if (points) {
+			this.#input(points);
+			this.tell("outline-change");
+		}
+		if (said) this.say(said);
 		this.#chosen = chosen;
 		this.requestUpdate();
 	}
 
-	#press(step: (points: OutlinePoints, chosen: number, symmetry: { mirror: boolean }) => Step): void {
+	#press(step: (points: OutlinePoints, chosen: number, symmetry: Symmetry) => Step): void {
 		if (this.points) this.#take(step(this.points, this.#chosen, this));
-	}
-
-	/** The chosen point takes the focus. */
-	#focus(): void {
-		void this.updateComplete.then(() => this.#element(this.#chosen)?.focus({ preventScroll: true }));
-	}
-
-	#element(index: number): HTMLElement | null {
-		return this.renderRoot.querySelector<HTMLElement>(`[data-point="${index}"]`);
-	}
-
-	/** A pointer's place in CSS pixels from the view's corner. */
-	#at({ clientX, clientY }: MouseEvent): Place {
-		const box = this.renderRoot.querySelector(".view")?.getBoundingClientRect();
-		return { x: clientX - (box?.left ?? 0), y: clientY - (box?.top ?? 0) };
-	}
-
-	/** The free point within reach of a pointer. Reaches overlap: the nearest is meant, not the top. */
-	#pointAt(event: MouseEvent): number | undefined {
-		const frame = this.#frame;
-		if (!this.points || !frame) return undefined;
-		const at = this.#at(event);
-		const away = this.points.map((point, index) => {
-			const { x, y } = inView(frame, point);
-			return index === 0 || this.#drags.holds(index) ? Number.POSITIVE_INFINITY : Math.hypot(x - at.x, y - at.y);
-		});
-		const best = away.indexOf(Math.min(...away));
-		return away[best] <= REACH ? best : undefined;
-	}
-
-	#onPointerDown(event: PointerEvent): void {
-		const index = this.disabled || event.button !== 0 ? undefined : this.#pointAt(event);
-		if (index === undefined || !this.#frame) return;
-		if (!this.#drags.begin(event.pointerId, index, onLeaf(this.#frame, this.#at(event)))) return;
-		(event.currentTarget as Element).setPointerCapture(event.pointerId);
-		this.#chosen = index;
-		this.#focus();
-		this.#pointed = true;
-		window.addEventListener("keydown", this.#onEscape, { capture: true });
-	}
-
-	#onPointerMove(event: PointerEvent): void {
-		if (this.#frame) this.#drags.move(event.pointerId, onLeaf(this.#frame, this.#at(event)));
-	}
-
-	#onPointerEnd(event: PointerEvent): void {
-		this.#drags.end(event.pointerId);
-		this.#released();
-	}
-
-	#cancel(): void {
-		this.#drags.cancel();
-		this.#released();
-	}
-
-	#released(): void {
-		if (!this.#drags.active) window.removeEventListener("keydown", this.#onEscape, { capture: true });
-		this.requestUpdate();
-	}
-
-	readonly #onEscape = (event: KeyboardEvent): void => {
-		if (event.key !== "Escape") return;
-		event.preventDefault();
-		event.stopPropagation();
-		this.#cancel();
-	};
-
-	/** No menu after a long press, no focus but the one given. */
-	#onOwnGesture(event: Event): void {
-		if (this.#drags.active) event.preventDefault();
-	}
-
-	/** On a point it changes the kind, on the margin it puts a point in. */
-	#onDoubleClick(event: MouseEvent): void {
-		if (this.disabled || !this.points || !this.#frame) return;
-		const at = onLeaf(this.#frame, this.#at(event));
-		const margin = nearestSpan(this.points, at);
-		const index = this.#pointAt(event);
-		const onPoint = index !== undefined && this.#isOn(event, index);
-		if (onPoint) this.#press(turned);
-		else if (margin.distance * this.#frame.scale <= MARGIN_REACH)
-			this.#take(inserted(this.points, margin.span, this, at));
-	}
-
-	/** Whether a pointer is on the dot itself: between points that are close, a double click means the margin. */
-	#isOn(event: MouseEvent, index: number): boolean {
-		if (!this.points || !this.#frame) return false;
-		const [at, point] = [this.#at(event), inView(this.#frame, this.points[index])];
-		return Math.hypot(point.x - at.x, point.y - at.y) <= 7;
-	}
-
-	#onKeyDown(event: KeyboardEvent): void {
-		const { points } = this;
-		if (!points || this.disabled || this.#drags.active || event.ctrlKey || event.metaKey || event.altKey) return;
-		if (!(event.target as Element).closest("[data-point]")) return;
-		const step = pressed(points, this.#chosen, event, this);
-		if (!step) return;
-		event.preventDefault();
-		event.stopPropagation();
-		this.#pointed = false;
-		this.#take(step);
-		this.#focus();
-	}
-
-	/** Enter, the space bar or a screen reader presses a point: where it stands is said. A pointer's click says nothing. */
-	#onClick(event: MouseEvent): void {
-		if (this.points && event.detail === 0) this.#say(pointInWords(this.points, this.#chosen));
-	}
-
-	#onFocusIn(event: FocusEvent): void {
-		const index = Number((event.target as HTMLElement).dataset.point);
-		if (!Number.isInteger(index) || index === this.#chosen) return;
-		this.#chosen = index;
-		this.requestUpdate();
-	}
-
-	#onFocusOut(): void {
-		this.#pointed = false;
-		this.requestUpdate();
-	}
-
-	/** What is said twice is told apart by a space at its end, or the second time would not be heard. */
-	#say(words: string): void {
-		this.#spoken = words === this.#spoken ? `${words}\u00a0` : words;
-		this.requestUpdate();
 	}
 }
 

@@ -3,6 +3,7 @@
  * loop runs counter-clockwise, seen with the tip up, from the base, where the petiole joins: point 0, always at (0, 0). Coordinates
  * are in lengths of the leaf, x to the right, y to the tip, which is at about (0, 1).
  */
+import type { Point } from "../../../../controls/handles/point";
 
 /** What a point is: of the curve, an angle in it, or the tip of a lobe, rounded or pointed, to which a main vein runs. */
 export const KINDS = ["smooth", "corner", "lobe", "pointed"] as const;
@@ -26,10 +27,8 @@ export interface Symmetry {
 	mirror: boolean;
 }
 
-export interface Place {
-	x: number;
-	y: number;
-}
+/** In lengths of the leaf, y to the tip. */
+export type Place = Point;
 
 /** The nearest place where a point may be. */
 export function placed({ x, y }: Place): Place {

@@ -1,4 +1,5 @@
 /** What keys and buttons do to the chosen point: one step each, with what is said of it. Pure functions. */
+import { ARROWS } from "../../../../controls/handles/point";
 import { KIND_WORDS, placeInWords } from "./outline_words";
 import {
 	insertedAt,
@@ -23,12 +24,6 @@ export interface Step {
 
 /** A step of the arrow keys, in lengths of the leaf. */
 const NUDGE = 0.005;
-const ARROWS: Readonly<Record<string, Place>> = {
-	ArrowLeft: { x: -1, y: 0 },
-	ArrowRight: { x: 1, y: 0 },
-	ArrowUp: { x: 0, y: 1 },
-	ArrowDown: { x: 0, y: -1 },
-};
 
 /** What a key does to the chosen point; undefined where it does nothing. */
 export function pressed(

@@ -30,8 +30,7 @@ function draw(desk: LeafDesk): unknown {
 		.points=${specimen.outline} .veins=${grown && veinsOf(grown, (grownFrom ?? specimen).parameters.length)}
 		.millimetres=${specimen.parameters.length} .mirror=${desk.toolState(outline)}
 		@outline-input=${({ detail }: OutlineEvent) => desk.edit({ details: detail }, GESTURE)}
-		@outline-change=${() => desk.settle(GESTURE)} @outline-cancel=${() => desk.settle(GESTURE)}
-		@outline-mirror=${() => toggleMirror(desk)}
+		@outline-change=${() => desk.settle(GESTURE)} @outline-mirror=${() => toggleMirror(desk)}
 		@dragover=${pictureOver} @drop=${(event: DragEvent) => pictureDropped(event, desk)}
 	></panicle-outline>`;
 }

@@ -3,14 +3,21 @@ import { html } from "lit";
 import type { Face } from "../../../../controls/tool";
 import { meshTool } from "../../boundary/mesh_tool";
 import { readout } from "../../boundary/readout";
-import { boundaryTool } from "../../boundary/tools";
+import { shellTool } from "../../boundary/shell_tool";
+import { boundaryTool, planTool } from "../../boundary/tools";
 import type { WoodenPlant } from "../../boundary/wooden_plant";
 import { watching } from "../../watch";
 import { rootLay } from "../lay";
 import type { RootSpecimen } from "../specimen";
 
 export const face: Face<RootSpecimen, WoodenPlant> = {
-	tools: [boundaryTool(rootLay, "volume", "reach"), meshTool("volume", "reach"), watching()],
+	tools: [
+		boundaryTool(rootLay, "volume", "reach"),
+		planTool(rootLay),
+		shellTool(rootLay),
+		meshTool("volume", "reach"),
+		watching(),
+	],
 	readout,
 	about: html`<p>
 			Particles scattered in a volume below ground run together on their way up to the collar; their trails are the roots.

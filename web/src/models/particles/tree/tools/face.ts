@@ -3,7 +3,8 @@ import { html } from "lit";
 import type { Face } from "../../../../controls/tool";
 import { meshTool } from "../../boundary/mesh_tool";
 import { readout } from "../../boundary/readout";
-import { boundaryTool } from "../../boundary/tools";
+import { shellTool } from "../../boundary/shell_tool";
+import { boundaryTool, planTool } from "../../boundary/tools";
 import type { WoodenPlant } from "../../boundary/wooden_plant";
 import { watching } from "../../watch";
 import { treeLay } from "../lay";
@@ -11,7 +12,14 @@ import type { TreeSpecimen } from "../specimen";
 import { sun } from "./sun";
 
 export const face: Face<TreeSpecimen, WoodenPlant> = {
-	tools: [boundaryTool(treeLay, "crown", "height"), sun, meshTool("crown", "height"), watching()],
+	tools: [
+		boundaryTool(treeLay, "crown", "height"),
+		planTool(treeLay),
+		shellTool(treeLay),
+		sun,
+		meshTool("crown", "height"),
+		watching(),
+	],
 	readout,
 	about: html`<p>
 			Particles scattered between an outer and an inner boundary run together on their way to the ground; their trails are

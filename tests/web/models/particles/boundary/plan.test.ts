@@ -1,0 +1,116 @@
+import { describe, expect, it } from "vitest";
+import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
+import { footprintIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
+import { planPose } from "../../../../../web/src/models/particles/boundary/editor/plan_pose";
+import { wallsOf, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
+import { rootLay } from "../../../../../web/src/models/particles/root/lay";
+import { ROOT } from "../../../../../web/src/models/particles/root/species";
+import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
+import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import { decodeQuery, encodeQuery } from "../../../../../web/src/specimen/link";
+import { apply } from "../../../../../web/src/studio/change";
+import { gripOf, growBounded, particlesCore, root, tree } from "./particles";
+
+const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));
+
+describe("a plan", () => {
+	const planOf = (specimen = tree("oak")) => planPose(treeLay, specimen, tree(specimen.preset));
+
+	it("shows what is in front below, and moves and sizes obstacles from front to back", () => {
+		const oak = tree("oak");
+		const one = apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6));
+		expect(gripOf(planOf(one), "wall0 middle").at).toEqual({ x: 4.15, y: 0 });
+		expect(gripOf(planOf(one), "wall0 corner").at).toEqual({ x: 4.3, y: -3 });
+		const back = apply(TREE, one, planOf(one).pull("wall0 middle", { x: 4.15, y: 2 }));
+		expect(wallsOf(back)).toEqual([[4, 0, -5, 4.3, 5, 1]]);
+		expect(gripOf(planOf(back), "wall0 middle").value).toBe("4.2 m right, 2 m behind");
+		const thin = apply(TREE, one, planOf(one).pull("wall0 corner", { x: 5, y: 2.5 }));
+		expect(wallsOf(thin)).toEqual([[4, 0, -3, 5, 5, -2.5]]);
+		const least = apply(TREE, one, planOf(one).pull("wall0 corner", { x: 5, y: 9 }));
+		expect(wallsOf(least)).toEqual([[4, 0, -3, 5, 5, -2.98]]);
+	});
+
+	it("takes the boundary's depth apart from its width, but a ball's", () => {
+		const oak = tree("oak");
+		const { width } = oak.parameters;
+		const deep = apply(TREE, oak, planOf().pull("front", { x: 0, y: -3 }));
+		expect(deep.parameters).toMatchObject({ depth: 6, width });
+		expect(planOf(deep).reset?.("front")).toEqual({ parameters: { depth: oak.parameters.depth } });
+		const ball = tree("sphere");
+		expect(apply(TREE, ball, planOf(ball).pull("front", { x: 0, y: -3 })).parameters).toMatchObject({
+			width: 6,
+			depth: 6,
+		});
+		const heart = root("heart");
+		expect(planPose(rootLay, heart, heart).pull("front", { x: 0, y: -1 })).toEqual({ parameters: { depth: 2 } });
+	});
+
+	it("has a footprint", () => {
+		expect(footprintIn(treeLay, tree("box"))[0]).toHaveLength(4);
+		for (const { x, y } of footprintIn(treeLay, tree("sphere"))[0]) expect(Math.hypot(x, y)).toBeCloseTo(1);
+	});
+});
+
+describe("targets", () => {
+	it("stand where the core puts them while the specimen says nothing", async () => {
+		const core = await particlesCore();
+		const small = (model: string, preset: string, more: object) => {
+			const specimen = model === "tree" ? tree(preset) : root(preset);
+			return { ...specimen, parameters: { ...specimen.parameters, particles: 50, ...more } };
+		};
+		for (const [lay, species, specimen] of [
+			[treeLay, TREE, small("tree", "twin", { stems: 3 })],
+			[rootLay, ROOT, small("root", "tap", { stems: 4 })],
+		] as const) {
+			const { targets } = growBounded(core, species.table, specimen, { meshes: false });
+			const said = (lay as typeof treeLay).targets(specimen as never);
+			expect(said).toHaveLength(targets.length);
+			for (const [i, value] of targets.entries()) expect(said[i]).toBeCloseTo(value, 4);
+		}
+	});
+
+	it("are dragged in front and from above, and stay on the ground unless they are lifted", () => {
+		const twin = tree("twin");
+		const half = twin.parameters.distance / 2;
+		const front = apply(TREE, twin, poseOf(twin).pull("target1", { x: 3.014, y: 0.1 }));
+		expect(front.targets).toEqual([-half, 0, 0, 3.01, 0, 0]);
+		expect(apply(TREE, twin, poseOf(twin).pull("target1", { x: 3, y: 1 })).targets?.[4]).toBe(1);
+		const plan = planPose(treeLay, front, twin);
+		const back = apply(TREE, front, plan.pull("target0", { x: -1, y: 0.5 }));
+		expect(back.targets).toEqual([-1, 0, -0.5, 3.01, 0, 0]);
+		expect(gripOf(poseOf(back), "target0")).toMatchObject({ at: { x: -1, y: 0 }, label: "Trunk 1", value: "1 m left" });
+		expect(planPose(treeLay, back, twin).grips.find(({ id }) => id === "target0")?.value).toBe(
+			"1 m left, 50 cm behind",
+		);
+	});
+
+	it("are stepped, taken out, and brought back", () => {
+		const twin = tree("twin");
+		const pose = poseOf(twin);
+		const up = apply(TREE, twin, pose.nudge("target0", 0, 1, false) ?? {});
+		expect(up.targets?.[1]).toBeGreaterThan(0);
+		const one = apply(TREE, twin, pose.remove?.("target0") ?? {});
+		expect(one.targets).toHaveLength(3);
+		expect(poseOf(one).remove?.("target0")).toBeUndefined();
+		const there = apply(TREE, twin, pose.pull("target0", { x: 0, y: 0 }));
+		expect(apply(TREE, there, poseOf(there).reset?.("target0") ?? {}).targets).toBeUndefined();
+	});
+
+	it("do not lie under the grip of the crowns' distance", () => {
+		const pose = poseOf(tree("twin"));
+		const away = gripOf(pose, "axis").at.y - gripOf(pose, "target1").at.y;
+		expect(away).toBeGreaterThan(1);
+	});
+
+	it("go into a short link, with obstacles placed by hand as well", () => {
+		const oak = tree("oak");
+		let edited = apply(TREE, oak, poseOf(oak).pull("target0", { x: 1.23, y: 0 }));
+		edited = apply(TREE, edited, poseOf(edited).pull("knot2", { x: 3.3, y: 4.4 }));
+		edited = apply(TREE, edited, withWall(edited, { x: 4, y: 5 }, 6));
+		edited = apply(TREE, edited, planPose(treeLay, edited, oak).pull("wall0 middle", { x: 4.5, y: 1.27 }));
+		const query = encodeQuery(TREE, edited);
+		expect(query).toMatch(/targets=1\.23,0,0&obstacles=4\.35,0,-4\.27,4\.65,5,1\.73/);
+		expect(`https://example.org/${query}`.length).toBeLessThan(300);
+		expect(decodeQuery(TREE, query).specimen).toEqual(edited);
+	});
+});

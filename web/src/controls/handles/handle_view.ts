@@ -1,0 +1,277 @@
+/**
+ * A flat view with handles: hands, keys and voice. Subclasses say what is drawn, where the handles stand and what moving
+ * them does; the document stays with the page.
+ */
+import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { classMap } from "lit/directives/class-map.js";
+import type { DragSession } from "./drag_session";
+import { EscapeKey } from "./escape_key";
+import { handleStyle } from "./handle_style";
+import { nearest, type Point } from "./point";
+
+/** Radius within which a handle can be taken hold of, in CSS pixels: half of 44, the least for a thumb. */
+const REACH = 22;
+
+/** A session, of whatever it changes. */
+type Drags<H, K> = Pick<DragSession<H, unknown, K>, "active" | "holds" | "begin" | "move" | "end" | "cancel">;
+
+export interface HandleLook {
+	label: string;
+	/** Of a child of the button: a name, numbers. */
+	content?: unknown;
+	classes?: Readonly<Record<string, boolean>>;
+	kind?: string;
+	/** Whether Tab comes to it. */
+	tab?: boolean;
+}
+
+/** H: the names of handles. K: what a drag is told of the keys held meanwhile. */
+export abstract class HandleView<H extends string, K = undefined> extends LitElement {
+	static override styles = [handleStyle];
+	static override properties = { disabled: { type: Boolean, reflect: true } };
+	declare disabled: boolean;
+
+	/** Of the field that the handles are in, CSS pixels. */
+	protected size = { width: 240, height: 240 };
+	/** The handle the mouse is over or the keyboard is on. */
+	protected shown: H | undefined;
+	/** What a screen reader says after a key step. */
+	#spoken = "";
+	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
+	#pointed = false;
+	#observed: Element | null = null;
+	readonly #escape = new EscapeKey(() => this.cancel());
+	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
+		const { width, height } = contentRect;
+		if (width === 0 || (width === this.size.width && height === this.size.height)) return;
+		this.size = { width, height };
+		this.resized();
+		this.requestUpdate();
+	});
+
+	/** What the view is called. */
+	protected abstract readonly heading: string;
+	/** What keys do, for those who hear the view. */
+	protected abstract readonly help: string;
+	protected abstract readonly drags: Drags<H, K>;
+
+	/** Drawing and handles; undefined while there is nothing to show. */
+	protected abstract inside(): unknown;
+	/** Where the handles stand, in CSS pixels from the field's corner. */
+	protected abstract places(): Iterable<readonly [H, Point]>;
+	/** The view's own units at a place in CSS pixels from the field's corner. */
+	protected abstract units(place: Point): Point;
+	/** Where a handle stands, in words. */
+	protected abstract words(handle: H): string;
+	/** What a key does on a handle; false for nothing. */
+	protected abstract key(handle: H, event: KeyboardEvent): boolean;
+	/** A double click, on a handle where there is one within reach. */
+	protected abstract doubled(handle: H | undefined, at: Point): void;
+	protected keysOf(_event: PointerEvent): K | undefined {
+		return undefined;
+	}
+	/** A handle has the focus. */
+	protected focused(_handle: H): void {}
+	protected resized(): void {}
+	/** What stands below the field. */
+	protected below(): unknown {
+		return nothing;
+	}
+	/** Draws on the canvas that lies below all. */
+	protected ink(_canvas: HTMLCanvasElement): void {}
+
+	constructor() {
+		super();
+		this.disabled = false;
+	}
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		this.#observe();
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#resized.disconnect();
+		this.#observed = null;
+		this.cancel();
+	}
+
+	protected override willUpdate(changed: PropertyValues): void {
+		if (changed.has("disabled") && this.disabled) this.cancel();
+	}
+
+	protected override render() {
+		const inside = this.inside();
+		if (inside === undefined) return nothing;
+		return html`<div
+			class=${classMap({ field: true, dragging: this.drags.active, pointed: this.#pointed })}
+			role="group" aria-label=${this.heading}
+			@pointerdown=${this.#onDown} @pointermove=${this.#onMove}
+			@pointerup=${this.#onUp} @lostpointercapture=${this.#onUp}
+			@pointerover=${this.#onOver} @pointerout=${this.#onOut}
+			@mousedown=${this.#onOwnGesture} @contextmenu=${this.#onOwnGesture}
+			@dblclick=${this.#onDoubleClick} @click=${this.#onClick} @keydown=${this.#onKey}
+			@focusin=${this.#onFocus} @focusout=${this.#onBlur}
+		>
+			<canvas aria-hidden="true" @transitionend=${this.#ink}></canvas>
+			${inside}
+			<p class="spoken" id="help">${this.help}</p>
+			<p class="spoken" aria-live="polite">${this.#spoken}</p>
+		</div>${this.below()}`;
+	}
+
+	protected override updated(): void {
+		this.#observe();
+		this.#ink();
+	}
+
+	/**
+	 * One handle, over the drawing rather than in it: `touch-action` has no effect on the shapes of an SVG, and a button is
+	 * one to assistive technology. 44 pixels across, the dot in its middle. Its place is set as a property: a `style`
+	 * attribute would need a looser content security policy.
+	 */
+	protected drawHandle(handle: H, { x, y }: Point, look: HandleLook): TemplateResult {
+		const { label, content = nothing, classes, kind, tab = true } = look;
+		return html`<button
+			type="button" class=${classMap({ handle: true, held: this.drags.holds(handle), ...classes })}
+			data-handle=${handle} data-kind=${kind ?? nothing} tabindex=${tab ? nothing : -1} ?disabled=${this.disabled}
+			aria-roledescription="handle" aria-label=${label} aria-describedby="help"
+			.style=${`transform: translate(${x}px, ${y}px)`}
+		>${content}</button>`;
+	}
+
+	protected tell(type: string, detail?: unknown): void {
+		this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
+	}
+
+	/** What is said twice is told apart by a space at its end, or the second time would not be heard. */
+	protected say(words: string): void {
+		this.#spoken = words === this.#spoken ? `${words}\u00a0` : words;
+		this.requestUpdate();
+	}
+
+	protected show(handle: H | undefined): void {
+		if (handle === this.shown) return;
+		this.shown = handle;
+		this.requestUpdate();
+	}
+
+	/** Calls off what is in hand. */
+	protected cancel(): void {
+		this.drags.cancel();
+		this.#released();
+	}
+
+	protected element(handle: H): HTMLElement | null {
+		return this.renderRoot.querySelector<HTMLElement>(`[data-handle="${handle}"]`);
+	}
+
+	get #field(): HTMLElement | null {
+		return this.renderRoot?.querySelector<HTMLElement>(".field") ?? null;
+	}
+
+	/** The field comes with the first drawing. */
+	#observe(): void {
+		const field = this.isConnected ? this.#field : null;
+		if (!field || field === this.#observed) return;
+		this.#observed = field;
+		this.#resized.observe(field);
+	}
+
+	#ink(): void {
+		const canvas = this.renderRoot.querySelector("canvas");
+		if (canvas) this.ink(canvas);
+	}
+
+	/** A pointer's place in CSS pixels from the field's corner. */
+	#at({ clientX, clientY }: MouseEvent): Point {
+		const box = this.#field?.getBoundingClientRect();
+		return { x: clientX - (box?.left ?? 0), y: clientY - (box?.top ?? 0) };
+	}
+
+	/** The free handle within reach of a pointer. */
+	#handleAt(event: MouseEvent): H | undefined {
+		const free = [...this.places()].filter(([handle]) => !this.drags.holds(handle));
+		return nearest(free, this.#at(event), REACH);
+	}
+
+	#onDown(event: PointerEvent): void {
+		const handle = this.disabled || event.button !== 0 ? undefined : this.#handleAt(event);
+		if (handle === undefined) return;
+		if (!this.drags.begin(event.pointerId, handle, this.units(this.#at(event)))) return;
+		(event.currentTarget as Element).setPointerCapture(event.pointerId);
+		this.element(handle)?.focus({ preventScroll: true });
+		this.#pointed = true;
+		this.#escape.listen(true);
+		this.requestUpdate();
+	}
+
+	#onMove(event: PointerEvent): void {
+		this.drags.move(event.pointerId, this.units(this.#at(event)), this.keysOf(event));
+	}
+
+	#onUp(event: PointerEvent): void {
+		this.drags.end(event.pointerId);
+		this.#released();
+	}
+
+	#released(): void {
+		if (!this.drags.active) this.#escape.listen(false);
+		this.requestUpdate();
+	}
+
+	/** No menu after a long press, no focus but the one given: the handle held need not be the one whose reach is on top. */
+	#onOwnGesture(event: Event): void {
+		if (this.drags.active) event.preventDefault();
+	}
+
+	#onDoubleClick(event: MouseEvent): void {
+		if (!this.disabled) this.doubled(this.#handleAt(event), this.#at(event));
+	}
+
+	#onKey(event: KeyboardEvent): void {
+		const handle = handleOf<H>(event);
+		if (handle === undefined || this.disabled || this.drags.active || event.ctrlKey || event.metaKey) return;
+		if (!this.key(handle, event)) return;
+		event.preventDefault();
+		this.#pointed = false;
+		this.show(handle);
+	}
+
+	/** Enter, the space bar or a screen reader presses a handle: where it stands is said. A pointer's click says nothing. */
+	#onClick(event: MouseEvent): void {
+		const handle = handleOf<H>(event);
+		if (handle === undefined || event.detail > 0) return;
+		this.say(this.words(handle));
+		this.show(handle);
+	}
+
+	#onOver(event: PointerEvent): void {
+		if (event.pointerType === "mouse" && !this.disabled) this.show(handleOf<H>(event));
+	}
+
+	/** The numbers of a handle that the mouse leaves go; those of the one the keyboard is on stay. */
+	#onOut(): void {
+		const target = this.#pointed ? null : this.renderRoot.querySelector(".handle:focus-visible");
+		this.show(handleOf<H>({ target }));
+	}
+
+	#onFocus(event: FocusEvent): void {
+		const handle = handleOf<H>(event);
+		if (handle === undefined) return;
+		this.focused(handle);
+		if ((event.target as Element).matches(":focus-visible")) this.show(handle);
+	}
+
+	#onBlur(): void {
+		this.#pointed = false;
+		this.show(undefined);
+		this.requestUpdate();
+	}
+}
+
+/** The handle that an event happened on. */
+function handleOf<H extends string>({ target }: { target: EventTarget | null }): H | undefined {
+	return (target as Element | null)?.closest<HTMLElement>("[data-handle]")?.dataset.handle as H | undefined;
+}

@@ -1,0 +1,26 @@
+/** Places in a flat view: in its own units where handles stand, in CSS pixels where pointers are. */
+export interface Point {
+	readonly x: number;
+	readonly y: number;
+}
+
+/** The one within reach that is nearest to a pointer: reaches overlap where handles are close, and the nearest is meant. */
+export function nearest<H>(places: Iterable<readonly [H, Point]>, pointer: Point, reach: number): H | undefined {
+	let found: H | undefined;
+	let least = reach;
+	for (const [handle, { x, y }] of places) {
+		const distance = Math.hypot(x - pointer.x, y - pointer.y);
+		if (!(distance <= least)) continue;
+		least = distance;
+		found = handle;
+	}
+	return found;
+}
+
+/** The arrow keys, as steps: x to the right, y up. */
+export const ARROWS: Readonly<Record<string, Point>> = {
+	ArrowLeft: { x: -1, y: 0 },
+	ArrowRight: { x: 1, y: 0 },
+	ArrowUp: { x: 0, y: 1 },
+	ArrowDown: { x: 0, y: -1 },
+};

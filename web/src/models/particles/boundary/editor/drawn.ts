@@ -1,0 +1,30 @@
+/** What flat views draw under their grips: in CSS pixels, of places in metres. */
+import { svg, type TemplateResult } from "lit";
+import type { Point } from "../../../../controls/handles/point";
+import { drawScaleBar } from "../../../../controls/handles/scale_bar";
+import { type Frame, scaleBar, toScreen } from "./frame";
+
+/** Closed lines, in shares of a box. */
+export type Loops = readonly (readonly Point[])[];
+
+/** The data of a path; `place` takes shares of the box to metres. */
+export function loopPath(frame: Frame, loops: Loops, place: (share: Point) => Point): string {
+	const pairs = (loop: readonly Point[]) =>
+		loop.map((share) => {
+			const { x, y } = toScreen(frame, place(share));
+			return `${x.toFixed(1)} ${y.toFixed(1)}`;
+		});
+	return loops.map((loop) => `M${pairs(loop).join("L")}Z`).join("");
+}
+
+/** An obstacle between two corners, the lower left one first. */
+export function rectangle(frame: Frame, low: Point, high: Point): TemplateResult {
+	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
+	return svg`<rect class="obstacle" x=${from.x} y=${from.y} width=${to.x - from.x} height=${to.y - from.y}></rect>`;
+}
+
+/** A scale bar at the lower left. */
+export function scale(frame: Frame): TemplateResult {
+	const { length, label } = scaleBar(frame);
+	return drawScaleBar(length * frame.scale, label, `translate(8 ${frame.height - 6})`);
+}

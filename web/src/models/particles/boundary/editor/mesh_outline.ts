@@ -1,0 +1,52 @@
+/** A mesh as the core stretches it to its boundary's box, and its outline from in front or from above. */
+import type { Point } from "../../../../controls/handles/point";
+import type { ClosedMesh } from "../bounded";
+
+/** Its points in shares of its box: across and from the middle to the front −1 … 1, from below 0 … 1. */
+export function inBox({ points, triangles }: ClosedMesh): ClosedMesh {
+	const [low, high] = [
+		[Infinity, Infinity, Infinity],
+		[-Infinity, -Infinity, -Infinity],
+	];
+	points.forEach((value, i) => {
+		low[i % 3] = Math.min(low[i % 3], value);
+		high[i % 3] = Math.max(high[i % 3], value);
+	});
+	const share = (value: number, k: number) => (high[k] > low[k] ? (value - low[k]) / (high[k] - low[k]) : 0.5);
+	return { points: points.map((value, i) => (i % 3 === 1 ? share(value, 1) : 2 * share(value, i % 3) - 1)), triangles };
+}
+
+/**
+ * Loops along the edges at which a mesh turns away from the eye: its silhouette, with holes, and folds in front of it.
+ * @param up the coordinate that is up in the picture: 1 from in front, 2 from above, where the front is below
+ */
+export function contourOf(mesh: ClosedMesh, up: 1 | 2): Point[][] {
+	const { points, triangles } = inBox(mesh);
+	const at = (corner: number): Point => ({ x: points[3 * corner], y: (up === 2 ? -1 : 1) * points[3 * corner + up] });
+	/** Edges of triangles that face the eye, by both ends; those that two of them share cancel. */
+	const edges = new Map<string, readonly [number, number]>();
+	for (let i = 0; i < triangles.length; i += 3) {
+		const corners = triangles.slice(i, i + 3);
+		const [a, b, c] = corners.map(at);
+		if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) <= 0) continue;
+		corners.forEach((from, k) => {
+			const to = corners[(k + 1) % 3];
+			if (!edges.delete(`${to} ${from}`)) edges.set(`${from} ${to}`, [from, to]);
+		});
+	}
+	return loopsOf([...edges.values()]).map((loop) => loop.map(at));
+}
+
+/** Edges put one after the other, round and round. */
+function loopsOf(edges: readonly (readonly [number, number])[]): number[][] {
+	const onward = new Map<number, number[]>();
+	for (const [from, to] of edges) onward.set(from, [...(onward.get(from) ?? []), to]);
+	const loops: number[][] = [];
+	for (const [from] of edges) {
+		const loop: number[] = [];
+		for (let at: number | undefined = from; at !== undefined; at = onward.get(at)?.pop()) loop.push(at);
+		if (loop.at(-1) === loop[0]) loop.pop();
+		if (loop.length > 2) loops.push(loop);
+	}
+	return loops;
+}

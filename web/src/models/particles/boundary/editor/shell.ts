@@ -1,0 +1,40 @@
+/** A boundary as a surface in metres, as the core makes it (wasm-core/src/models/particles/boundary.cpp): to be shown, not measured. */
+import type { BoundedSpecimen, ClosedMesh, Knot } from "../bounded";
+import { type Lay, outlineIn } from "./lay";
+import { inBox } from "./mesh_outline";
+
+/** Corners of what is round, seen from above. */
+const SIDES = 48;
+
+/** One surface an axis. */
+export function shellsOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): ClosedMesh[] {
+	const { halfWidth, low, high } = lay.box(specimen);
+	const shell = lay.form(specimen) === "mesh" && specimen.volume ? inBox(specimen.volume) : turned(lay, specimen);
+	const scale = [halfWidth, high - low, lay.halfDepth(specimen)];
+	return lay.axes(specimen).map((axis) => {
+		const from = [axis, low, 0];
+		return { points: shell.points.map((share, i) => from[i % 3] + share * scale[i % 3]), triangles: shell.triangles };
+	});
+}
+
+/** The outline turned about its axis; a box has four sides, as wide as their corners are far. */
+function turned<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): ClosedMesh {
+	const outline = outlineIn(lay, specimen);
+	const square = lay.form(specimen) === "box";
+	const sides = square ? 4 : SIDES;
+	const corner = (i: number): Knot => {
+		const angle = (2 * Math.PI * (i + 0.5)) / sides;
+		const reach = square ? Math.SQRT2 : 1;
+		return [reach * Math.cos(angle), reach * Math.sin(angle)];
+	};
+	const points = outline.flatMap(([radius, height]) =>
+		Array.from({ length: sides }, (_, i) => corner(i)).flatMap(([x, z]) => [radius * x, height, radius * z]),
+	);
+	const triangles = outline.slice(1).flatMap((_, ring) =>
+		Array.from({ length: sides }, (_, i) => {
+			const [a, b] = [ring * sides + i, ring * sides + ((i + 1) % sides)];
+			return [a, a + sides, b, b, a + sides, b + sides];
+		}).flat(),
+	);
+	return { points, triangles };
+}
