@@ -8,6 +8,7 @@ import { GltfDocument, type Json, type Placed } from "./gltf_document";
 import { gltfMaterial, type TextureIndices } from "./gltf_material";
 import { rounded, shortFloat } from "./numbers";
 import { png } from "./png";
+import { tangentsOf } from "./tangents";
 import { brightest, sharesOf } from "./vertex_colours";
 import { written } from "./written";
 
@@ -159,7 +160,8 @@ class PartsWriter {
 		const written = this.#colours.get(mesh);
 		const base = written && this.#bases.get(material);
 		const colours = written && base && sharesOf(written, base);
-		return this.#document.mesh(mesh.name ?? name, mesh, this.#material(material, base), { centre, colours });
+		const tangents = material.textures?.normal && tangentsOf(mesh);
+		return this.#document.mesh(mesh.name ?? name, mesh, this.#material(material, base), { centre, colours, tangents });
 	}
 
 	#material(material: Material, base: Colour | undefined): number {

@@ -7,7 +7,7 @@ import { type AccessorData, BinaryGltf, type ViewLayout } from "./binary_gltf";
 import { GENERATOR } from "./generator";
 import type { GltfMaterial } from "./gltf_material";
 import { shortFloat } from "./numbers";
-import { quantised, quantisedNormals, relative, wholeBounds } from "./quantise";
+import { quantised, quantisedNormals, quantisedTangents, relative, wholeBounds } from "./quantise";
 
 export type Json = Record<string, unknown>;
 
@@ -19,6 +19,8 @@ const VIEWS: Record<string, ViewLayout> = {
 	normals: { target: "vertices", stride: 12 },
 	shortPositions: { target: "vertices", stride: 8 },
 	byteNormals: { target: "vertices", stride: 4 },
+	tangents: { target: "vertices", stride: 16 },
+	byteTangents: { target: "vertices", stride: 4 },
 	uvs: { target: "vertices", stride: 8 },
 	colours: { target: "vertices", stride: 4 },
 	shortIndices: { target: "indices" },
@@ -45,6 +47,8 @@ export interface MeshOptions {
 	centre?: readonly number[];
 	/** 4 × vertices. */
 	colours?: Uint8Array;
+	/** 4 × vertices (tangents.ts). */
+	tangents?: Float32Array;
 }
 
 /** What a node needs to draw a mesh where it was: its origin, and what a unit of its coordinates is. */
@@ -98,12 +102,13 @@ export class GltfDocument {
 	}
 
 	/** Appends a mesh of one material; arrays of texture coordinates and triangles that were there before are shared. */
-	mesh(name: string, mesh: Mesh, material: number, { centre, colours }: MeshOptions = {}): Placed {
+	mesh(name: string, mesh: Mesh, material: number, { centre, colours, tangents }: MeshOptions = {}): Placed {
 		const { attributes, ...place } = this.compact
 			? this.#compactAttributes(mesh, centre)
 			: this.#fullAttributes(mesh, centre);
 		const { uvs, indices } = this.#pattern(mesh);
 		attributes.TEXCOORD_0 = uvs;
+		if (tangents) attributes.TANGENT = this.#tangents(tangents);
 		if (colours) attributes.COLOR_0 = this.#binary.add("colours", colours, "VEC4", { normalized: true });
 		const index = this.#meshes.push({ name, primitives: [{ attributes, indices, material }] }) - 1;
 		return { mesh: index, ...place };
@@ -125,6 +130,11 @@ export class GltfDocument {
 				samplers: this.#textures.length > 0 ? [CLAMPED] : [],
 			}),
 		});
+	}
+
+	#tangents(tangents: Float32Array): number {
+		if (!this.compact) return this.#binary.add("tangents", tangents, "VEC4");
+		return this.#binary.add("byteTangents", quantisedTangents(tangents), "VEC4", { normalized: true });
 	}
 
 	#pattern({ uvs, indices }: Mesh): Pattern {

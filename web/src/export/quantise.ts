@@ -50,6 +50,11 @@ export function quantised(positions: Float32Array, centre: readonly number[]): {
 	return { values, scale };
 }
 
+/** 4 × vertices, all of which count: in steps of 1 / 127. */
+export function quantisedTangents(tangents: Float32Array): Int8Array {
+	return Int8Array.from(tangents, (value) => Math.round(BYTE_MAX * value));
+}
+
 /** 4 × vertices (the fourth is padding): each coordinate in steps of 1 / 127. */
 export function quantisedNormals(normals: Float32Array): Int8Array {
 	const values = new Int8Array((normals.length / 3) * PADDED);

@@ -16,7 +16,7 @@ export interface Textures {
 	/**
 	 * Normals in the surface's frame, 0 … 255 for −1 … 1: red to +u, green to −v, which is up in the picture, as glTF has it
 	 * ("+Y up"). Texture coordinates must not be mirrored: seen from outside, v runs down where u runs right. So
-	 * normal × tangent points to −v whoever makes the tangents, and files need not bring any.
+	 * normal × tangent points to −v, whoever makes the tangents.
 	 */
 	normal?: Picture;
 	/** Of the flesh, as a share of its thickness, in the green channel. Files alone have it. */

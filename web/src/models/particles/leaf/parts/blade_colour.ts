@@ -14,7 +14,7 @@ const DRYING_RIM = 0.12;
 const TURNS = 0.4;
 const FED_TURNS = 0.55;
 /** How long it takes to turn, before and after: what is fed less and less fades outward. */
-const FADING = 0.2;
+const FADING = 0.26;
 /** The same of drying up. */
 const PARCHING = 0.3;
 
@@ -34,7 +34,7 @@ export function bladeColours(
 	const [autumn, uneven, scorch] = [look.autumn as number, look.uneven as number, look.scorch as number];
 	const lateVein = mixed(scaled(late, 0.85), fresh, 0.25);
 	// From before the first place turns to after the last.
-	const season = -0.4 + 1.8 * autumn;
+	const season = -0.45 + 1.95 * autumn;
 	const drought = 1.9 * scorch * Math.max(0, autumn - 0.45);
 	return ({ edge, fed, halo, broad, mottle }, at) => {
 		const light = 1 + uneven * (0.6 * broad[at] + 0.3 * mottle[at]);
