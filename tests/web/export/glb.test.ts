@@ -1,7 +1,7 @@
 import { Matrix4, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
-import { standardMaterial } from "../../../web/src/plant/material";
+import { type Material, standardMaterial } from "../../../web/src/plant/material";
 import type { Part, Shape } from "../../../web/src/plant/part";
 import { bounced } from "../../../web/src/plant/shade";
 import { toyPlant } from "../plant/toy_plant";
@@ -239,5 +239,21 @@ describe("textures", () => {
 		expect(textures).toMatchObject([0, 1, 2].map((source) => ({ source, sampler: 0 })));
 		expect(images?.map(({ mimeType }) => mimeType)).toEqual(["image/png", "image/png", "image/png"]);
 		expect(samplers).toHaveLength(1);
+	});
+
+	it("are multiplied by vertices' colours, dimmed as what they show is dimmed", () => {
+		const mesh = { ...tetrahedron([0, 0, 0], 1), sky: new Uint8Array(12).fill(255) };
+		mesh.sky.fill(0, 0, 3);
+		const colours = new Float32Array(mesh.positions.length).fill(0.5);
+		const material: Material = {
+			name: "Sheet",
+			colour: [0.1, 0.1, 0.1],
+			roughness: 0.5,
+			textures: { colour: picture },
+		};
+		const sky = mesh.sky.subarray(0, mesh.positions.length / 3);
+		const file = exportGlb([{ name: "Sheet", shape: { mesh: { ...mesh, sky, colours }, material } }], ABOUT);
+		const [made] = documentOf(file).materials ?? [];
+		expect(made.pbrMetallicRoughness.baseColorFactor).toEqual([0.5, 0.5, 0.5, 1]);
 	});
 });

@@ -166,6 +166,28 @@ describe("the figure of any plant", () => {
 		expect(skyOf(0)).toBeUndefined();
 	});
 
+	it("lays a material's picture on its mesh, the same texture for the same picture", () => {
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const colour = { width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) };
+		const figure = partFigure<unknown, Plant>((grown) =>
+			[...partsOf(grown)].map(({ shape, ...part }) => ({
+				...part,
+				...(shape ? { shape: { ...shape, material: { ...shape.material, textures: { colour } } } } : {}),
+			})),
+		)(stage);
+		figure.show(plant, {});
+		const [trunk] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+		const material = trunk.material as MeshPhysicalMaterial;
+		expect(material.map?.image).toMatchObject({ width: 1, height: 1 });
+		const uvs = trunk.geometry.getAttribute("uv");
+		expect(uvs.count).toBe(trunk.geometry.getAttribute("position").count);
+		expect([...uvs.array]).toEqual([...plant.meshes[0].uvs.subarray(0, 2 * uvs.count)]);
+		figure.show(structuredClone(plant), {});
+		const [again] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+		expect(again.material).toBe(material);
+		figure.dispose();
+	});
+
 	it("shows colours of vertices in place of the material's", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
 		const figure = partFigure(() => fruits())(stage);

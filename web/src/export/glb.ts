@@ -166,7 +166,7 @@ class PartsWriter {
 		// Compact meshes reach from −1 to 1, each scaled by its own node.
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
 		const textures = this.#textures(material);
-		const index = this.#document.material(gltfMaterial(material, base ?? material.colour, thickness, textures));
+		const index = this.#document.material(gltfMaterial(material, base ?? plainBase(material), thickness, textures));
 		indices.set(material, index);
 		return index;
 	}
@@ -179,10 +179,17 @@ class PartsWriter {
 	}
 }
 
+/** Where vertices have no colours: a texture takes the place of the material's. */
+function plainBase({ colour, textures }: Material): Colour {
+	return textures?.colour ? [1, 1, 1] : colour;
+}
+
 /** Colours of vertices in the shade in which they stand: most programs know no other way to show it. */
 function writtenColours({ mesh, material }: Shape): Float32Array | undefined {
 	const { colours, sky, positions } = mesh;
-	return sky ? shaded(colours ?? everywhere(material.colour, positions.length / 3), sky) : colours;
+	if (!sky) return colours;
+	const under = material.textures?.colour && material.colour;
+	return shaded(colours ?? everywhere(plainBase(material), positions.length / 3), sky, under);
 }
 
 /** What a node says of where it is; what it need not say it leaves out. */

@@ -11,7 +11,7 @@ export interface Picture {
 
 /** What files lay on a mesh that is too light to show it; the view draws the finer mesh in place of them. */
 export interface Textures {
-	/** sRGB: in place of the material's colour. */
+	/** sRGB: in place of the material's colour; the vertices' multiply it. */
 	colour?: Picture;
 	/** Normals in the surface's frame, 0 … 255 for −1 … 1: x to +u, y to +v. */
 	normal?: Picture;

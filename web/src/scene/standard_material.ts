@@ -11,6 +11,7 @@ import {
 } from "three";
 import type { Material } from "../plant/material";
 import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
+import { pictureTexture } from "./picture_texture";
 
 /** How much of both lamps' light reaches a vertex, where a figure knows that better than a shadow map. */
 export interface LampShares {
@@ -39,13 +40,15 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	made.name = material.name;
 	made.side = material.doubleSided ? DoubleSide : FrontSide;
 	if (options.detail) made.defines = { ...made.defines, USE_UV: "" };
-	made.color = options.coloured ? new Color(1, 1, 1) : new Color(...material.colour);
+	const own = options.coloured || material.textures?.colour;
+	made.color = own ? new Color(1, 1, 1) : new Color(...material.colour);
 	made.vertexColors = options.coloured ?? false;
 	made.roughness = material.roughness;
 	made.metalness = 0;
 	const sheet = material.sheet && sheetUniforms();
 	made.userData.sheet = sheet;
 	setSheet(made, material);
+	setPicture(made, material);
 	made.onBeforeCompile = (shader) => lit(shader, sheet, options);
 	const { sky = false, shares, detail = "" } = options;
 	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, detail, sheet !== undefined]);
@@ -64,6 +67,19 @@ export function setSheet({ userData }: MeshStandardMaterial, { sheet }: Material
 	if (!uniforms || !sheet) return;
 	uniforms.sheetThrough.value.fromArray(sheet.through);
 	uniforms.sheetReverse.value.fromArray(sheet.reverse);
+}
+
+/**
+ * Lays the picture of a material on one of three's, in place of the one it has, and nothing where they are the same. Who
+ * draws with it gives its meshes `uv`, and throws the texture away (`map`).
+ */
+export function setPicture(made: MeshStandardMaterial, { textures }: Material): void {
+	const picture = textures?.colour;
+	if (made.userData.picture === picture) return;
+	made.userData.picture = picture;
+	if ((made.map === null) !== (picture === undefined)) made.needsUpdate = true;
+	made.map?.dispose();
+	made.map = picture ? pictureTexture(picture) : null;
 }
 
 function isPlain({ sheen, ior, specular, clearcoat }: Material): boolean {

@@ -1,5 +1,5 @@
 import type { MeshStandardMaterial } from "three";
-import type { Material } from "../plant/material";
+import type { Material, Picture } from "../plant/material";
 import { grainChunk } from "./grain";
 import type { LightUniforms } from "./light_shader";
 import { standardMaterial } from "./standard_material";
@@ -12,6 +12,8 @@ export class Wardrobe {
 	readonly #light: LightUniforms;
 	/** By all that tells two apart; with the plant that last wore them. */
 	readonly #kept = new Map<string, { made: MeshStandardMaterial; worn: number }>();
+	readonly #pictures = new WeakMap<Picture, number>();
+	#seen = 0;
 	#plant = 0;
 
 	constructor(light: LightUniforms) {
@@ -23,6 +25,7 @@ export class Wardrobe {
 		this.#plant++;
 		for (const [key, { made, worn }] of this.#kept) {
 			if (worn >= this.#plant - 2) continue;
+			made.map?.dispose();
 			made.dispose();
 			this.#kept.delete(key);
 		}
@@ -33,7 +36,8 @@ export class Wardrobe {
 	 * @param sky whether vertices or instances know how much of the sky they see
 	 */
 	materialOf(material: Material, coloured: boolean, sky: boolean): MeshStandardMaterial {
-		const key = JSON.stringify([material, coloured, sky]);
+		const { textures, ...plain } = material;
+		const key = JSON.stringify([plain, this.#numberOf(textures?.colour), coloured, sky]);
 		const kept = this.#kept.get(key) ?? { made: this.#make(material, coloured, sky), worn: 0 };
 		kept.worn = this.#plant;
 		this.#kept.set(key, kept);
@@ -41,8 +45,19 @@ export class Wardrobe {
 	}
 
 	dispose(): void {
-		for (const { made } of this.#kept.values()) made.dispose();
+		for (const { made } of this.#kept.values()) {
+			made.map?.dispose();
+			made.dispose();
+		}
 		this.#kept.clear();
+	}
+
+	/** Pictures are told apart as objects: to read them would take longer than to draw with them. */
+	#numberOf(picture: Picture | undefined): number {
+		if (!picture) return 0;
+		const number = this.#pictures.get(picture) ?? ++this.#seen;
+		this.#pictures.set(picture, number);
+		return number;
 	}
 
 	#make(material: Material, coloured: boolean, sky: boolean): MeshStandardMaterial {
