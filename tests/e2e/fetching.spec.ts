@@ -35,6 +35,22 @@ for (const script of ["viewer", "bunch_figure"]) {
 	});
 }
 
+test("leaves are fetched when a bunch has some; where they did not come, a note says so until they do", async ({
+	page,
+}) => {
+	const leaf = await failing(page, /assets\/grapevine-/);
+	const note = page.getByText("The cane has no leaves");
+	await new StudioPage(page).open();
+	await page.waitForLoadState("networkidle");
+	expect(leaf.failed()).toBe(0);
+	await new StudioPage(page).open("?v=2&leaves=2");
+	await expect(note.first()).toBeVisible();
+	expect(leaf.failed()).toBeGreaterThan(0);
+	leaf.allow();
+	await page.getByRole("button", { name: "New variation" }).click();
+	await expect(note).toHaveCount(0);
+});
+
 test("the octahedron comes with the next press, where its script did not", async ({ page }) => {
 	const handles = await failing(page, /assets\/octahedron-/);
 	const studio = await new StudioPage(page).open();

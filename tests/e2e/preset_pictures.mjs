@@ -24,6 +24,7 @@ async function draw({ cores, model: called, name, size, oversampling, quality, t
 	const model = await modelNamed(called);
 	globalThis.core ??= await Core.instantiate(await compileCore(`/@fs${cores}/${model.wasm}`));
 	const specimen = fromPreset(model, name);
+	await model.prepare?.(specimen);
 	const grown = model.read(globalThis.core.grow(model.encode(specimen)));
 	const [width, height] = [size.width * oversampling, size.height * oversampling];
 	// One view for all: building its programs takes longer than drawing.

@@ -7,6 +7,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { beforeAll, expect, it } from "vitest";
 import type { Core } from "../../web/src/core/core";
+import { fetchLeaf } from "../../web/src/models/bunch/leaf";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
 import { freshCore } from "../web/core/wasm";
 import { digest } from "./digest";
@@ -46,6 +47,7 @@ const found: Record<string, Record<string, string>> = {};
 
 beforeAll(async () => {
 	const core: Core = await freshCore();
+	await fetchLeaf();
 	await buildNative();
 	for (const { name, specimen } of subjects) found[name] = digest(core.grow(requestFor(specimen)).columns);
 	if (process.env.UPDATE_GOLDENS) writeFileSync(GOLDENS, `${JSON.stringify(found, null, "\t")}\n`);

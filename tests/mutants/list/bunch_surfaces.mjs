@@ -91,6 +91,18 @@ export default [
 				replace: "normal[axis] *= 1;",
 				breaks: "leaves shine or go dark with their triangles' size",
 			},
+			{
+				id: "leaf-mirrored-inside-out",
+				find: "if (relief.side < 0)",
+				replace: "if (relief.side > 2)",
+				breaks: "every other leaf shows its lower face to the light",
+			},
+			{
+				id: "leaf-triangles-unchecked",
+				find: "return i >= points;",
+				replace: "return i > points;",
+				breaks: "a request's leaf may read beyond its points",
+			},
 		],
 	},
 ];

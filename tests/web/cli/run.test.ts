@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { run } from "../../../web/src/cli/run";
 import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { encodeLink, restore, specimenFromPreset, withParameters } from "../bunch";
+import { documentOf } from "../export/reading";
 import { complaint, grow, memoryWorld } from "./world";
 
 /** The specimen that a document's own brings back. */
@@ -200,6 +201,13 @@ describe("files", () => {
 		expect(printed).toEqual([]);
 		const glb = written.get("a/rubus.glb") as Uint8Array;
 		expect(new TextDecoder().decode(glb.subarray(0, 4))).toBe("glTF");
+	});
+
+	it("have the leaves that were asked for", async () => {
+		const { written, said } = await grow(["rubus", "--set", "leaves=2", "--out", "leafy.glb"]);
+		const names = documentOf(written.get("leafy.glb") as Uint8Array).nodes.map(({ name }) => name);
+		expect(names.filter((name) => name.startsWith("Leaf"))).toEqual(["Leaf 1", "Leaf 2"]);
+		expect(said).toEqual([]);
 	});
 
 	it("are an OBJ with the MTL that it names beside it", async () => {

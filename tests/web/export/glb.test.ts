@@ -1,7 +1,7 @@
 import { Matrix4, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
-import { standardMaterial } from "../../../web/src/plant/material";
+import { type Material, standardMaterial } from "../../../web/src/plant/material";
 import type { Part, Shape } from "../../../web/src/plant/part";
 import { bounced } from "../../../web/src/plant/shade";
 import { toyPlant } from "../plant/toy_plant";
@@ -240,9 +240,9 @@ describe("textures", () => {
 		expect(samplers).toHaveLength(1);
 	});
 
-	it("are in place of vertices' colours, which are left with the shade", async () => {
+	it("leave vertices without colours of their own with the shade", async () => {
 		const shape = parts[0].shape as Shape;
-		const mesh = { ...shape.mesh, colours: new Float32Array(12).fill(0.1), sky: Uint8Array.of(255, 255, 102, 0) };
+		const mesh = { ...shape.mesh, sky: Uint8Array.of(255, 255, 102, 0) };
 		const dressed = exportGlb([{ name: "Sheet", shape: { ...shape, mesh } }], ABOUT);
 		// A picture is nothing that three can read without a canvas; what is asked here is beside it.
 		const { meshes, materials = [], accessors = [], bufferViews = [] } = documentOf(dressed);
@@ -255,5 +255,21 @@ describe("textures", () => {
 		const bare = { ...mesh, sky: undefined };
 		const plainly = documentOf(exportGlb([{ name: "Sheet", shape: { ...shape, mesh: bare } }], ABOUT));
 		expect(plainly.meshes?.[0].primitives[0].attributes).not.toHaveProperty("COLOR_0");
+	});
+
+	it("are multiplied by vertices' colours, dimmed as what they show is dimmed", () => {
+		const mesh = { ...tetrahedron([0, 0, 0], 1), sky: new Uint8Array(12).fill(255) };
+		mesh.sky.fill(0, 0, 3);
+		const colours = new Float32Array(mesh.positions.length).fill(0.5);
+		const material: Material = {
+			name: "Sheet",
+			colour: [0.1, 0.1, 0.1],
+			roughness: 0.5,
+			textures: { colour: picture },
+		};
+		const sky = mesh.sky.subarray(0, mesh.positions.length / 3);
+		const file = exportGlb([{ name: "Sheet", shape: { mesh: { ...mesh, sky, colours }, material } }], ABOUT);
+		const [made] = documentOf(file).materials ?? [];
+		expect(made.pbrMetallicRoughness.baseColorFactor).toEqual([0.5, 0.5, 0.5, 1]);
 	});
 });

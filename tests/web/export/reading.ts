@@ -40,8 +40,8 @@ export function documentOf(glb: Uint8Array): Document {
 }
 
 /**
- * What Khronos' validator has to say, but for what it says of every such file: nothing here is textured (the texture
- * coordinates are for whoever paints the bunch), and it does not look inside EXT_mesh_gpu_instancing, so that what is
+ * What Khronos' validator has to say, but for what it says of every such file: hardly anything is textured (the
+ * texture coordinates are for whoever paints the bunch), and it does not look inside EXT_mesh_gpu_instancing, so that what is
  * used there only seems unused. Errors and warnings are never left out.
  */
 export async function complaints(glb: Uint8Array): Promise<Issue[]> {

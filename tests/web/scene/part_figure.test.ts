@@ -75,8 +75,8 @@ describe("the figure of any plant", () => {
 		const shown = () => worn.map(({ map }) => [...((map as Texture).image as { data: Uint8Array }).data]);
 		expect(shown()).toEqual([10, 20].map((shade) => [shade, shade, shade, 255, shade, shade, shade, 255]));
 		expect(worn.map(({ color, vertexColors }) => [color.r, vertexColors])).toEqual([
-			[1, false],
-			[1, false],
+			[1, true],
+			[1, true],
 		]);
 		expect(worn[0].map?.colorSpace).toBe("srgb");
 		// The first row is v = 0; green points against v, three's up.
@@ -203,6 +203,28 @@ describe("the figure of any plant", () => {
 		expect(leaves.getX(1)).toBeCloseTo(1 / 3, 6);
 		figure.show(plant, {});
 		expect(skyOf(0)).toBeUndefined();
+	});
+
+	it("lays a material's picture on its mesh, the same texture for the same picture", () => {
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const colour = { width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) };
+		const figure = partFigure<unknown, Plant>((grown) =>
+			[...partsOf(grown)].map(({ shape, ...part }) => ({
+				...part,
+				...(shape ? { shape: { ...shape, material: { ...shape.material, textures: { colour } } } } : {}),
+			})),
+		)(stage);
+		figure.show(plant, {});
+		const [trunk] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+		const material = trunk.material as MeshPhysicalMaterial;
+		expect(material.map?.image).toMatchObject({ width: 1, height: 1 });
+		const uvs = trunk.geometry.getAttribute("uv");
+		expect(uvs.count).toBe(trunk.geometry.getAttribute("position").count);
+		expect([...uvs.array]).toEqual([...plant.meshes[0].uvs.subarray(0, 2 * uvs.count)]);
+		figure.show(structuredClone(plant), {});
+		const [again] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);
+		expect(again.material).toBe(material);
+		figure.dispose();
 	});
 
 	it("shows colours of vertices in place of the material's", () => {

@@ -2,7 +2,7 @@ import { DoubleSide, FrontSide, MeshPhysicalMaterial, ShaderLib, type WebGLProgr
 import { describe, expect, it } from "vitest";
 import type { Material } from "../../../web/src/plant/material";
 import { lightUniforms } from "../../../web/src/scene/light_shader";
-import { type StandardOptions, setSheet, standardMaterial } from "../../../web/src/scene/standard_material";
+import { type StandardOptions, setPicture, setSheet, standardMaterial } from "../../../web/src/scene/standard_material";
 
 const rich: Material = {
 	name: "Skin",
@@ -79,6 +79,24 @@ describe("standardMaterial", () => {
 		const made = standardMaterial(sheet, { light });
 		setSheet(made, { ...sheet, sheet: { through: [0, 0, 0], reverse: [1, 1, 1] } });
 		expect(made.userData.sheet.sheetReverse.value.toArray()).toEqual([1, 1, 1]);
+	});
+
+	it("is laid with a material's picture in place of its colour, until it is another", () => {
+		const colour = { width: 2, height: 1, pixels: Uint8Array.of(10, 20, 30, 40, 50, 60) };
+		const made = standardMaterial({ ...rich, textures: { colour } }, { light });
+		expect(made.color.toArray()).toEqual([1, 1, 1]);
+		const first = made.map;
+		expect(first?.image).toMatchObject({ data: Uint8Array.of(10, 20, 30, 255, 40, 50, 60, 255) });
+		expect(first).toMatchObject({ flipY: false, colorSpace: "srgb" });
+		let gone = 0;
+		first?.addEventListener("dispose", () => gone++);
+		setPicture(made, { ...rich, textures: { colour } });
+		expect([made.map, gone]).toEqual([first, 0]);
+		setPicture(made, { ...rich, textures: { colour: { ...colour } } });
+		expect(made.map).not.toBe(first);
+		expect(gone).toBe(1);
+		setPicture(made, rich);
+		expect(made.map).toBeNull();
 	});
 
 	it("shares programs between what is drawn alike, and not between what is not", () => {

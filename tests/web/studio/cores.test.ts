@@ -31,6 +31,25 @@ describe("the cores", () => {
 		);
 	});
 
+	it("wait for what a specimen needs besides, and grow without it where it does not come", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		for (const comes of [true, false]) {
+			let there = false;
+			const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
+			const needy: Model = {
+				...model,
+				prepare: async () => {
+					await Promise.resolve();
+					if (!comes) throw new TypeError("Failed to fetch");
+					there = true;
+				},
+				encode: () => [{ name: "there", data: Uint32Array.of(there ? 1 : 0) }],
+			};
+			await new Cores(address, { grow, warm: vi.fn() }).grow(needy, fromPreset(model));
+			expect(grow.mock.calls[0][0].blocks).toEqual([{ name: "there", data: Uint32Array.of(comes ? 1 : 0) }]);
+		}
+	});
+
 	it("are warmed by their files, where there is one of that name", () => {
 		const warm = vi.fn();
 		const cores = new Cores(address, { grow: vi.fn(), warm });

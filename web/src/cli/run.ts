@@ -43,6 +43,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	// What a file does not say is not worked out for it.
 	const json = out === undefined || out.ending === "json";
 	const [meshes, measures] = [!json, json || out.ending === "glb"];
+	await model.prepare?.(specimen);
 	const text = "grammar" in specimen ? "the link's grammar" : undefined;
 	const grown = growing(call.grammarFile ?? text, () =>
 		model.read(core.grow(model.encode(specimen, { meshes, measures }))),

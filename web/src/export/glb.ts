@@ -59,10 +59,7 @@ class PartsWriter {
 			const colours = shape && writtenColours(shape);
 			if (!colours) continue;
 			this.#colours.set(shape.mesh, colours);
-			const { material } = shape;
-			// Of a picture, vertices can only say how much of it is left in the shade.
-			const base = material.textures?.colour ? material.colour : brightest(colours, this.#bases.get(material));
-			this.#bases.set(material, base);
+			this.#bases.set(shape.material, brightest(colours, this.#bases.get(shape.material)));
 		}
 	}
 
@@ -171,7 +168,7 @@ class PartsWriter {
 		// Compact meshes reach from −1 to 1, each scaled by its own node.
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
 		const textures = this.#textures(material);
-		const index = this.#document.material(gltfMaterial(material, base ?? material.colour, thickness, textures));
+		const index = this.#document.material(gltfMaterial(material, base ?? plainBase(material), thickness, textures));
 		indices.set(material, index);
 		return index;
 	}
@@ -184,11 +181,17 @@ class PartsWriter {
 	}
 }
 
+/** Where vertices have no colours: a texture takes the place of the material's. */
+function plainBase({ colour, textures }: Material): Colour {
+	return textures?.colour ? [1, 1, 1] : colour;
+}
+
 /** Colours of vertices in the shade in which they stand: most programs know no other way to show it. */
 function writtenColours({ mesh, material }: Shape): Float32Array | undefined {
-	const { sky, positions } = mesh;
-	const colours = material.textures?.colour ? undefined : mesh.colours;
-	return sky ? shaded(colours ?? everywhere(material.colour, positions.length / 3), sky) : colours;
+	const { colours, sky, positions } = mesh;
+	if (!sky) return colours;
+	const under = material.textures?.colour && material.colour;
+	return shaded(colours ?? everywhere(plainBase(material), positions.length / 3), sky, under);
 }
 
 /** What a node says of where it is; what it need not say it leaves out. */

@@ -25,7 +25,7 @@ export interface GltfMaterial {
 }
 
 /**
- * @param colour the base, which vertices' colours multiply
+ * @param colour the base, which vertices' colours and the texture multiply
  * @param thickness of the flesh in the unit of the meshes, where there is any
  */
 export function gltfMaterial(
@@ -36,12 +36,11 @@ export function gltfMaterial(
 ): GltfMaterial {
 	const { name, roughness, doubleSided } = material;
 	const extensions = extensionsOf(material, thickness, textures);
-	const textured = textures.colour !== undefined;
 	return {
 		name,
 		pbrMetallicRoughness: {
-			baseColorFactor: textured ? [1, 1, 1, 1] : [...short(colour), 1],
-			...(textured ? { baseColorTexture: { index: textures.colour } } : {}),
+			baseColorFactor: [...short(colour), 1],
+			...(textures.colour !== undefined ? { baseColorTexture: { index: textures.colour } } : {}),
 			metallicFactor: 0,
 			roughnessFactor: one(roughness),
 		},

@@ -54,6 +54,11 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	readonly pictures?: false;
 
 	/**
+	 * Fetches what a specimen's request and plant need besides the core, where there is such: to be awaited before `encode`.
+	 * Where that fails, or nobody waits, the plant is without it, and a note says so; the next call tries again.
+	 */
+	prepare?(specimen: S): Promise<void> | undefined;
+	/**
 	 * A specimen as the core's request: `model`, `seed`, `outputs`, `parameters` and what else the model asks for.
 	 * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts
 	 */

@@ -11,7 +11,7 @@ export interface Picture {
 
 /** What is finer than a mesh: view and files lay the same pictures on it. */
 export interface Textures {
-	/** sRGB: in place of the material's colour and of colours of vertices; the material's is its mean. */
+	/** sRGB: in place of the material's colour, which is its mean; colours of vertices multiply it. */
 	colour?: Picture;
 	/**
 	 * Normals in the surface's frame, 0 … 255 for −1 … 1: red to +u, green to −v, which is up in the picture, as glTF has it

@@ -22,12 +22,15 @@ export function bounced(visible: number, albedo: number): number {
 	return Math.max(visible, ((visible * a + b) * visible + c) * visible);
 }
 
-/** 3 × vertices of colour, as they look in the shade of so much sky a vertex (255: all). */
-export function shaded(colours: Float32Array, sky: Uint8Array): Float32Array {
+/**
+ * 3 × vertices of colour, as they look in the shade of so much sky a vertex (255: all).
+ * @param under what a picture laid on them shows in the mean, which the colours multiply
+ */
+export function shaded(colours: Float32Array, sky: Uint8Array, under: Colour = [1, 1, 1]): Float32Array {
 	const dimmed = new Float32Array(colours.length);
 	for (let i = 0; i < colours.length; i++) {
 		const visible = sky[Math.floor(i / 3)] / 255;
-		dimmed[i] = visible < 1 ? colours[i] * Math.min(1, bounced(visible, colours[i])) : colours[i];
+		dimmed[i] = visible < 1 ? colours[i] * Math.min(1, bounced(visible, colours[i] * under[i % 3])) : colours[i];
 	}
 	return dimmed;
 }

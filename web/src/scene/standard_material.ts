@@ -13,6 +13,7 @@ import {
 } from "three";
 import type { Material } from "../plant/material";
 import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
+import { pictureTexture } from "./picture_texture";
 
 /** How much of both lamps' light reaches a vertex, where a figure knows that better than a shadow map. */
 export interface LampShares {
@@ -44,9 +45,9 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	made.side = material.doubleSided ? DoubleSide : FrontSide;
 	if (options.detail) made.defines = { ...made.defines, USE_UV: "" };
 	const { colour: map, normal: normalMap } = options.maps ?? {};
-	const plain = !map && !options.coloured;
-	made.color = plain ? new Color(...material.colour) : new Color(1, 1, 1);
-	made.vertexColors = !map && (options.coloured ?? false);
+	const own = options.coloured || material.textures?.colour;
+	made.color = own ? new Color(1, 1, 1) : new Color(...material.colour);
+	made.vertexColors = options.coloured ?? false;
 	if (map) made.map = map;
 	if (normalMap) made.normalMap = normalMap;
 	// three's frame is that of u and v, green of our normals points against v.
@@ -56,6 +57,7 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	const sheet = material.sheet && sheetUniforms();
 	made.userData.sheet = sheet;
 	setSheet(made, material);
+	setPicture(made, material);
 	made.onBeforeCompile = (shader) => lit(shader, sheet, options);
 	const { sky = false, shares, detail = "" } = options;
 	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, detail, sheet !== undefined]);
@@ -74,6 +76,19 @@ export function setSheet({ userData }: MeshStandardMaterial, { sheet }: Material
 	if (!uniforms || !sheet) return;
 	uniforms.sheetThrough.value.fromArray(sheet.through);
 	uniforms.sheetReverse.value.fromArray(sheet.reverse);
+}
+
+/**
+ * Lays the picture of a material on one of three's, in place of the one it has, and nothing where they are the same. Who
+ * draws with it gives its meshes `uv`, and throws the texture away (`map`).
+ */
+export function setPicture(made: MeshStandardMaterial, { textures }: Material): void {
+	const picture = textures?.colour;
+	if (made.userData.picture === picture) return;
+	made.userData.picture = picture;
+	if ((made.map === null) !== (picture === undefined)) made.needsUpdate = true;
+	made.map?.dispose();
+	made.map = picture ? pictureTexture(picture, true) : null;
 }
 
 function isPlain({ sheen, ior, specular, clearcoat }: Material): boolean {

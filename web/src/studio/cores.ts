@@ -35,6 +35,8 @@ export class Cores implements Grower {
 		const wasm = this.#addressOf(model.wasm);
 		if (wasm === undefined)
 			throw new UnsupportedError("core", `The core of the ${model.noun} is not part of this page.`);
+		// What cannot be fetched is missing from the plant, and the core says so.
+		await model.prepare?.(specimen)?.catch(() => {});
 		const order = { wasm, blocks: model.encode(specimen, wanted) };
 		return model.read(await this.#client.grow(order, signal ? { signal } : {}));
 	}

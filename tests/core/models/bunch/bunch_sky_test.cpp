@@ -8,12 +8,14 @@
 #include <limits>
 
 #include "models/bunch/bunch.hpp"
+#include "models/bunch/foliage/flat_leaf.hpp"
 #include "models/bunch/fruit/berry.hpp"
 #include "models/bunch/parameters.generated.hpp"
 #include "models/bunch/stems.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;
+using namespace panicle::tests;
 
 namespace {
 
@@ -23,6 +25,7 @@ Grown grown_with(std::initializer_list<std::pair<Parameter, float>> values) {
   for (const auto& [key, value] : values) request.parameters[static_cast<std::size_t>(key)] = value;
   request.measures = false;
   request.sky = true;
+  request.leaf = flat_leaf();
   auto grown = grow(request);
   REQUIRE(grown);
   return std::move(grown.value());

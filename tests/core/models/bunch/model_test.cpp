@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "foundation/fingerprint.hpp"
+#include "models/bunch/foliage/flat_leaf.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;
@@ -23,7 +24,8 @@ bunch::Request read(const ContainerWriter& writer) {
   auto result = read_request(request);
   REQUIRE_MESSAGE(result, (result ? "" : result.error().message));
   bunch::Request read = std::move(result.value());
-  read.grammar = {};  // it viewed the bytes
+  read.grammar = {};  // they viewed the bytes
+  read.leaf = {};
   std::free(bytes);
   return read;
 }
@@ -81,6 +83,35 @@ TEST_CASE("each block of a request is read into what it is named after") {
   CHECK(request.m == 3);
   CHECK(request.n == n);
   CHECK(request.parameters == parameters);
+}
+
+TEST_CASE("a request's leaf is read from its four blocks, and refused where they do not belong together") {
+  const FlatLeaf flat = flat_leaf();
+  for (const bool whole : {true, false}) {
+    ContainerWriter writer;
+    writer.add("model", "bunch");
+    writer.add("leaf.points", flat.points);
+    writer.add("leaf.between", flat.between);
+    writer.add("leaf.uvs", flat.uvs);
+    if (whole)
+      writer.add("leaf.triangles", flat.triangles);
+    else
+      writer.add("leaf.triangles", flat.triangles.subspan(1));
+    std::uint8_t* const bytes = writer.write();
+    const auto blocks = read_container({bytes, container_bytes(bytes)});
+    REQUIRE(blocks);
+    panicle::Request request(blocks.value(), nullptr);
+    const auto result = read_request(request);
+    CHECK(static_cast<bool>(result) == whole);
+    if (whole) {
+      const FlatLeaf& leaf = result.value().leaf;
+      CHECK(std::equal(leaf.points.begin(), leaf.points.end(), flat.points.begin(), flat.points.end()));
+      CHECK(std::equal(leaf.between.begin(), leaf.between.end(), flat.between.begin(), flat.between.end()));
+      CHECK(std::equal(leaf.uvs.begin(), leaf.uvs.end(), flat.uvs.begin(), flat.uvs.end()));
+      CHECK(std::equal(leaf.triangles.begin(), leaf.triangles.end(), flat.triangles.begin(), flat.triangles.end()));
+    }
+    std::free(bytes);
+  }
 }
 
 TEST_CASE("columns say of each internode, berry and missing berry what the growth says") {

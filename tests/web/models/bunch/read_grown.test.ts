@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
 import { type Grown, THINNED_WHY, TRAITS } from "../../../../web/src/models/bunch/grown";
+import { fetchLeaf } from "../../../../web/src/models/bunch/leaf";
 import { readGrown } from "../../../../web/src/models/bunch/read_grown";
 import { encodeRequest } from "../../../../web/src/models/bunch/request";
 import { specimenFromPreset, withParameters } from "../../bunch";
@@ -13,6 +14,7 @@ const same = (a: ArrayBufferView, b: ArrayBufferView) =>
 /** A bunch with all there is, beside the columns it was read from. */
 async function both() {
 	const specimen = withParameters(specimenFromPreset("short-conical"), { age: 60, leaves: 1, wing: 0.4 });
+	await fetchLeaf();
 	const { columns, milliseconds } = (await freshCore()).grow(encodeRequest(specimen));
 	// Read from a copy: what is read must be what came, not what reading made of it.
 	const came = structuredClone(Object.fromEntries(columns.names.map((name) => [name, columns.any(name)])));

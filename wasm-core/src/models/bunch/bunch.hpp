@@ -10,6 +10,7 @@
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
+#include "models/bunch/foliage/leaf.hpp"
 #include "models/bunch/grown.hpp"
 
 namespace panicle::bunch {
@@ -23,6 +24,7 @@ struct Request {
   std::shared_ptr<const lsystem::Program> program;  // that text compiled, with lineages; null: compiled here
   std::optional<std::uint32_t> steps;               // of the derivation, in place of the text's own
   std::vector<std::uint32_t> thinned;               // berries taken off by hand, by id
+  FlatLeaf leaf;                                    // what leaves on the cane are made from
   bool meshes = true;
   bool measures = true;
   bool sky = false;                  // of the meshes' vertices, where they are asked for

@@ -3,6 +3,7 @@
  * down from p1 at the origin; p3 is +X, p4 −X, p5 +Z, p6 −Z. Its columns are listed in
  * wasm-core/src/models/bunch/model.hpp.
  */
+import type { Veins } from "../../plant/leaf";
 import type { Mesh, Plant } from "../../plant/plant";
 
 export type { Mesh };
@@ -148,6 +149,8 @@ export interface Foliage extends Mesh {
 	parts: FoliagePart[];
 	/** How much of the sky each vertex sees, 255 all, 0 none; of a leaf the better of its sides. Absent if not asked for. */
 	sky?: Uint8Array;
+	/** Of every leaf, over its texture coordinates; absent without leaves. */
+	veins?: Veins;
 }
 
 /** A contiguous run of the stem mesh: the rachis (axis −1) or one first-order axis with its pedicels. */

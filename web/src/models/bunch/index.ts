@@ -2,6 +2,7 @@
 import type { Model } from "../model";
 import { BUNCH_FORMATS } from "./formats";
 import type { Grown } from "./grown";
+import { fetchLeaf } from "./leaf";
 import { bunchParts } from "./parts/bunch_parts";
 import { readGrown } from "./read_grown";
 import { bunchRecord } from "./record";
@@ -15,6 +16,7 @@ export const model = {
 	title: "Grape bunch",
 	noun: "bunch",
 	wasm: "bunch.wasm",
+	prepare: ({ parameters }) => (parameters.leaves > 0 ? fetchLeaf() : undefined),
 	encode: encodeRequest,
 	read: readGrown,
 	parts: bunchParts,

@@ -20,6 +20,7 @@ import {
 	type Thinned,
 	TRAITS,
 } from "./grown";
+import { leafOnCane } from "./leaf";
 
 export function readGrown(answer: Answer): Grown {
 	const { columns } = answer;
@@ -117,5 +118,6 @@ function readStem(columns: Columns, { runs, name: _, material: _kind, ...mesh }:
 
 function readFoliage({ runs, name: _, material: _kind, ...mesh }: PlantMesh): Foliage {
 	const parts = runs.map((run) => ({ kind: run.name as FoliagePart["kind"], ...placeOf(run) }));
-	return { ...mesh, parts };
+	const veins = parts.some(({ kind }) => kind === "leaf") ? leafOnCane()?.veins : undefined;
+	return { ...mesh, parts, ...(veins ? { veins } : {}) };
 }

@@ -1,6 +1,7 @@
 // What a natural bunch has besides its berries: flowers, cane and leaves, a second bunch.
 #include <doctest/doctest.h>
 
+#include "models/bunch/foliage/flat_leaf.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;
@@ -13,6 +14,7 @@ Request with_meshes(Parameter key, float value) {
   Request request = natural_request(table3[0].profile());
   set(request, key, value);
   request.meshes = true;
+  request.leaf = flat_leaf();
   return request;
 }
 
@@ -38,6 +40,22 @@ TEST_CASE("a cane comes when asked for, and as many leaves as are") {
   };
   CHECK(parts(with_meshes(Parameter::cane, 1)) == 0);
   CHECK(parts(with_meshes(Parameter::leaves, 3)) == 3);
+}
+
+TEST_CASE("leaves without a leaf to make them from: the cane stands bare, and a note says why") {
+  Request request = with_meshes(Parameter::leaves, 3);
+  CHECK(grown(request).notes.empty());
+  request.leaf = {};
+  const Grown bare = grown(request);
+  for (const FoliagePart& part : bare.foliage->parts) CHECK(part.kind != FoliagePart::Kind::leaf);
+  REQUIRE(bare.notes.size() == 1);
+  CHECK(bare.notes[0].find("no leaves") != std::string::npos);
+  // Nobody misses them where there are no meshes, or none were asked for.
+  request.meshes = false;
+  CHECK(grown(request).notes.empty());
+  Request cane = with_meshes(Parameter::cane, 1);
+  cane.leaf = {};
+  CHECK(grown(cane).notes.empty());
 }
 
 TEST_CASE("a bunch and its wing bear a count between them, in the room of both") {

@@ -7,6 +7,7 @@ import {
 	type MeshStandardMaterial,
 	PerspectiveCamera,
 	type ShaderMaterial,
+	type Texture,
 	Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
@@ -94,6 +95,32 @@ describe("the bunch's figure", () => {
 		};
 		expect(away(0)).toBeLessThan(away(30));
 		expect(away(30)).toBeLessThan(away(59));
+	});
+
+	it("lays the veins on leaves as files do, anew only where they or the season are others", () => {
+		const green = makeNatural(SKETCH);
+		const { foliage } = green;
+		if (!foliage) throw new Error("no foliage");
+		const veins = { side: 2, shares: Uint8Array.of(0, 255, 0, 128) };
+		const veined: Grown = { ...green, foliage: { ...foliage, veins } };
+		const { figure, part } = staged(green);
+		const leaf = () => {
+			const materials = [part("foliage").material].flat() as unknown as MeshStandardMaterial[];
+			return materials.find(({ name }) => name === "Leaf") as MeshStandardMaterial;
+		};
+		expect(leaf().map).toBeNull();
+		figure.show(veined, { look: LOOK });
+		const drawn = leaf().map;
+		const said = [...bunchParts(veined, { look: LOOK })].find(({ name }) => name === "Leaf 1")?.shape?.material;
+		const { data } = (drawn as Texture).image as unknown as { data: Uint8Array };
+		expect([...data.filter((_, at) => at % 4 < 3)]).toEqual([...(said?.textures?.colour?.pixels ?? [])]);
+		figure.show({ ...veined }, { look: LOOK });
+		expect(leaf().map).toBe(drawn);
+		const late = makeNatural(SKETCH, { traits: () => ({ shrivel: 1 }) });
+		figure.show({ ...late, foliage: veined.foliage }, { look: LOOK });
+		expect(leaf().map).not.toBe(drawn);
+		figure.show(green, { look: LOOK });
+		expect(leaf().map).toBeNull();
 	});
 
 	it("draws what files say: the same colours of stems and leaves, the same rules of skins, the same values", () => {

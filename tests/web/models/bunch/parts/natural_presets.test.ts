@@ -8,6 +8,7 @@ import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
+import { fetchLeaf } from "../../../../../web/src/models/bunch/leaf";
 import type { NumberKey } from "../../../../../web/src/models/bunch/parameters.generated";
 import { PRESETS } from "../../../../../web/src/models/bunch/presets/presets";
 import type { RequestOptions } from "../../../../../web/src/models/bunch/request";
@@ -22,6 +23,7 @@ let core: Core;
 
 beforeAll(async () => {
 	core = await loadCoreFromBytes(readFileSync("build/core/bunch.wasm"));
+	await fetchLeaf();
 });
 
 const grow = (specimen: Specimen, options?: RequestOptions) => growBunch(core, specimen, options);

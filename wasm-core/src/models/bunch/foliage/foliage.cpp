@@ -49,7 +49,8 @@ class Shoot {
  public:
   explicit Shoot(const FoliageOptions& options)
       : seed_(options.seed),
-        leaves_(std::min(options.leaves, most_leaves)),
+        flat_(options.leaf),
+        leaves_(flat_.points.empty() ? 0 : std::min(options.leaves, most_leaves)),
         age_(within(options.age, 0, 125)),
         rachis_radius_(within(options.peduncle_radius, 0.0005f, 0.01f)),
         bunch_radius_(within(options.bunch_width, 0, 1) / 2),
@@ -115,7 +116,7 @@ class Shoot {
     const float blade = within(suited * stand.size * (1 + vary(0, 0.08f)), 0.08f, 0.14f) * grown_;
     const float late = smooth_step(95, 125, age_);
 
-    Mesh mesh = make_leaf({hash_combine(seed_, k), 0.25f + 0.75f * smooth_step(0, 30, age_), late});
+    Mesh mesh = make_leaf(flat_, {hash_combine(seed_, k), 0.25f + 0.75f * smooth_step(0, 30, age_), late});
     const glm::vec3 upwards =
         glm::normalize(sided(stand.upwards) + glm::vec3(vary(1, 0.18f), vary(2, 0.15f), vary(3, 0.1f)));
     glm::vec3 tip = sided(stand.tip) + glm::vec3(vary(4, 0.15f), vary(5, 0.18f) - 0.25f * late, vary(6, 0.1f));
@@ -190,6 +191,7 @@ class Shoot {
   }
 
   const std::uint64_t seed_;
+  const FlatLeaf flat_;
   const std::uint32_t leaves_;
   const float age_, rachis_radius_, bunch_radius_;
   const float mirror_;        // which way round the whole stands

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "models/bunch/foliage/leaf.hpp"
 #include "models/bunch/grown.hpp"
 
 namespace panicle::bunch {
@@ -14,6 +15,7 @@ struct FoliageOptions {
   float age = 100;            // the bunch's: leaves open, grow, and turn late
   float peduncle_radius = 0;  // metres, where the bunch begins (p1, the origin); the cane passes above it
   float bunch_width = 0;      // metres; leaves are of a size that suits it
+  FlatLeaf leaf = {};         // what each is made from; there are none without it
 };
 
 // In metres, the bunch hanging down from the origin. Includes the peduncle that joins cane and rachis.

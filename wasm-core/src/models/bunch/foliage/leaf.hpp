@@ -1,29 +1,34 @@
-// The blade of a grapevine leaf.
+// A leaf on the cane: one flat leaf, which the request brings, puckered, waved, folded and bent by each leaf's own
+// seed.
 #pragma once
 
 #include <cstdint>
+#include <span>
 
+#include "foundation/result.hpp"
 #include "geometry/mesh.hpp"
 
 namespace panicle::bunch {
 
+// Lengths in midribs: the petiole joins at the origin, the tip lies near (0, 1). Empty: there is none.
+struct FlatLeaf {
+  std::span<const float> points;             // × 2; the first is the petiole's
+  std::span<const float> between;            // one a point: 0 on one of the larger veins … 1 in the midst between them
+  std::span<const float> uvs;                // × 2, within 0 … 1
+  std::span<const std::uint32_t> triangles;  // × 3, counter-clockwise
+};
+
+// Errors: bad_request, where the numbers are none of a leaf.
+Diagnostic check(const FlatLeaf& leaf);
+
 struct LeafOptions {
-  std::uint64_t seed = 1;  // lobes, teeth and folds differ with it
+  std::uint64_t seed = 1;  // side and breadth, waves and folds differ with it
   float opening = 1;       // 0: folded along the midrib as it leaves the bud … 1: spread out
   float wilting = 0;       // 0 … 1: how far it hangs and curls, as leaves do before they fall
 };
 
-// Where the chart of a leaf has the point at which the petiole joins the blade, and how much of it the midrib takes.
-inline constexpr float leaf_petiole_u = 0.5f, leaf_petiole_v = 0.16f;
-inline constexpr float leaf_chart_scale = 0.48f;
-
-// Angles of the five main veins from the midrib, to either side, in degrees (the ampelographers' α and α + β).
-inline constexpr float leaf_upper_vein = 52, leaf_lower_vein = 108;
-
-// Lengths in midribs: the petiole joins at the origin, the tip lies near (0, 1, 0), the upper face looks to +Z and is
-// counter-clockwise from there. One surface with an edge, 568 vertices. Its uv are the blade spread flat: u =
-// leaf_petiole_u + leaf_chart_scale · x, v = leaf_petiole_v + leaf_chart_scale · y, within 0 … 1, so that the veins run
-// straight from (leaf_petiole_u, leaf_petiole_v) at the angles above, whatever the folds.
-Mesh make_leaf(const LeafOptions& options);
+// In midribs: the petiole joins at the origin, the tip lies near (0, 1, 0), the upper face looks to +Z and is
+// counter-clockwise from there. One surface with an edge, with the flat leaf's vertices in their order.
+Mesh make_leaf(const FlatLeaf& flat, const LeafOptions& options);
 
 }  // namespace panicle::bunch

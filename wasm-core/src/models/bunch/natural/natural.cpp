@@ -89,15 +89,18 @@ BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& fo
 
 // A cane for a bunch to hang from, with leaves as wide as the bunch's upper part.
 std::optional<Foliage> foliage_for(const Request& request, const Values& values, const Envelope& envelope,
-                                   std::span<const Internode> internodes) {
+                                   std::span<const Internode> internodes, std::vector<std::string>& notes) {
   constexpr float thin_rachis = 0.002f;  // metres
   const auto leaves_asked = static_cast<std::uint32_t>(values[leaves]);
   if (leaves_asked == 0 && values[cane] == 0) return std::nullopt;
+  if (leaves_asked > 0 && request.leaf.points.empty())
+    notes.emplace_back("The cane has no leaves: the request brings none to make them from.");
   float width = 0;
   for (std::size_t side = 0; side < 4; ++side)
     width = std::max(width, 2 * envelope.half_width(side, envelope.length() / 3));
   const float girth = internodes.empty() ? thin_rachis : internodes[0].radius;
-  return grow_foliage({request.seed, leaves_asked, true, values[age], girth, width * metres_per_millimetre});
+  return grow_foliage(
+      {request.seed, leaves_asked, true, values[age], girth, width * metres_per_millimetre, request.leaf});
 }
 
 void add_meshes(Grown& grown, const Request& request, const Values& values, const Envelope& envelope,
@@ -105,7 +108,7 @@ void add_meshes(Grown& grown, const Request& request, const Values& values, cons
   grown.surfaces = surfaces_of(bodies, grown.form, request.berry_segments);
   const bool flowers = std::any_of(grown.traits.begin(), grown.traits.end(), [](const Traits& t) { return t.set < 1; });
   if (flowers) grown.flower = make_flower();
-  grown.foliage = foliage_for(request, values, envelope, grown.internodes);
+  grown.foliage = foliage_for(request, values, envelope, grown.internodes, grown.notes);
 }
 
 std::vector<float> measures_of(const Grown& grown, std::span<const Bound> bounds) {

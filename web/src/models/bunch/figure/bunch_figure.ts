@@ -15,7 +15,6 @@ import { BunchSurface, type PartMaterials } from "./bunch_surface";
 import { CAST_RECORD, Casters } from "./casters";
 import { KeptSky } from "./kept_sky";
 import { LAMP_CHUNK } from "./lamp_shader";
-import { LEAF_CHUNK } from "./leaf_shader";
 import { pickBerry } from "./picking";
 import { type Receivers, receiversOf } from "./receivers";
 import { REHEARSAL, REHEARSAL_LOOK } from "./rehearsal";
@@ -76,7 +75,7 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 			flower: standardMaterial(STAMENS, { ...lit, shares: shares(OF_FLOWER) }),
 			foliage: {
 				cane: standardMaterial(cane, lit),
-				leaf: standardMaterial(leaf, { ...lit, detail: LEAF_CHUNK }),
+				leaf: standardMaterial(leaf, lit),
 				petiole: standardMaterial(petiole, lit),
 			},
 		};

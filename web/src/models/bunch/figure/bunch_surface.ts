@@ -9,8 +9,9 @@ import {
 	type ShaderMaterial,
 	Vector3,
 } from "three";
+import type { Veins } from "../../../plant/leaf";
 import { RecordTexture } from "../../../scene/record_texture";
-import { setSheet } from "../../../scene/standard_material";
+import { setPicture, setSheet } from "../../../scene/standard_material";
 import { fillStreams } from "../../../scene/streams";
 import { type BerrySurfaces, FOLIAGE_KINDS, type Foliage, type Grown } from "../grown";
 import type { BerryTint } from "../parts/berry_tint";
@@ -50,6 +51,7 @@ export class BunchSurface {
 	readonly #order = new DepthOrder();
 	#shown: { grown: Grown; look: Look } | undefined;
 	#bare = false;
+	#dressed: { veins: Veins | undefined; autumn: number } | undefined;
 
 	constructor(readonly materials: PartMaterials) {
 		const { berry, stem, flower, foliage } = materials;
@@ -98,6 +100,7 @@ export class BunchSurface {
 		this.#flowers.dispose();
 		const { berry, stem, flower, foliage } = this.materials;
 		for (const material of [berry, stem, flower, ...Object.values(foliage)]) material.dispose();
+		foliage.leaf.map?.dispose();
 		this.#vertices.dispose();
 	}
 
@@ -140,10 +143,19 @@ export class BunchSurface {
 			fillStreams(this.#stems.geometry, stemStreams(grown, stem, look.stem, this.#bare), stem.indices);
 	}
 
+	/** Pictures are drawn anew where they are others, not with every step of a drag. */
+	#dressLeaves(veins: Veins | undefined, autumn: number): void {
+		if (this.#dressed?.veins === veins && this.#dressed?.autumn === autumn) return;
+		this.#dressed = { veins, autumn };
+		const { leaf } = foliageMaterials(autumn, veins);
+		setSheet(this.materials.foliage.leaf, leaf);
+		setPicture(this.materials.foliage.leaf, leaf);
+	}
+
 	#showFoliage(foliage: Foliage, autumn: number): void {
 		const { positions, normals, uvs, indices, parts } = foliage;
 		const { geometry } = this.#foliage;
-		setSheet(this.materials.foliage.leaf, foliageMaterials(autumn).leaf);
+		this.#dressLeaves(foliage.veins, autumn);
 		fillStreams(
 			geometry,
 			[

@@ -1,6 +1,7 @@
 /** A bunch in parts: axes with their pedicels, berries, cane, leaves and petioles, each to be taken by itself. */
 import { linear, meanColour } from "../../../plant/colour";
-import { cut, type Part } from "../../../plant/part";
+import type { Material } from "../../../plant/material";
+import { cut, type Part, type Shape } from "../../../plant/part";
 import type { Foliage, Grown, StemMesh } from "../grown";
 import type { Look, BunchSpecimen as Specimen } from "../specimen";
 import { meanOf } from "../traits";
@@ -38,13 +39,22 @@ function* stemsOf(grown: Grown, stem: StemMesh, { stem: hex }: Look): Generator<
 function* foliageOf({ berries }: Grown, foliage: Foliage): Generator<Part> {
 	const autumn = meanOf(berries, "shrivel", 0);
 	const colours = foliageColours(foliage, autumn);
-	const materials = foliageMaterials(autumn);
+	const materials = foliageMaterials(autumn, foliage.veins);
 	const names = foliageNames(foliage.parts);
 	for (const [index, part] of foliage.parts.entries()) {
 		if (part.indexCount > 0)
 			yield {
 				name: names[index],
-				shape: { mesh: cut({ ...foliage, colours }, part), material: materials[part.kind], variant: "" },
+				shape: {
+					mesh: cut({ ...foliage, colours }, part),
+					material: materials[part.kind],
+					...variantOf(materials[part.kind]),
+				},
 			};
 	}
+}
+
+/** Where a picture shows the colours, those of vertices only darken it. */
+function variantOf({ textures }: Material): Pick<Shape, "variant"> {
+	return textures?.colour ? {} : { variant: "" };
 }

@@ -3,8 +3,14 @@ import { type Colour, linear, mix, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
 import type { Foliage, FoliagePart } from "../grown";
 
-/** A leaf's faces, and what autumn makes of them; where veins run they are paler. */
-export const LEAF = { upper: linear("476a2e"), lower: linear("7f9a63"), late: [0.42, 0.27, 0.045] as Colour } as const;
+/** A leaf's faces and veins, and what autumn makes of them. */
+export const LEAF = {
+	upper: linear("476a2e"),
+	lower: linear("7f9a63"),
+	vein: linear("b6c27e"),
+	late: [0.42, 0.27, 0.045] as Colour,
+	lateVein: [0.75, 0.6, 0.16] as Colour,
+} as const;
 /** A leaf turns between these shares of autumn. */
 export const AUTUMN = [0.55, 0.95] as const;
 export const PETIOLE = linear("8c8f4a");
@@ -21,13 +27,22 @@ const MOTTLE = 260;
 /** A year's bark cracks along: noise cells to one turn of u, to one of v. */
 const CRACKS = [26, 1.6] as const;
 /** About here on its chart a blade stays green longest. */
-const GREENEST = [0.5, 0.35] as const;
+const GREENEST = [0.5, 0.62] as const;
+/** How much of their colours is the brightest of green blades, and of turned ones. */
+const BRIGHTEST = [1.25, 1.2] as const;
+
+/** The brightest that a leaf is anywhere between its veins: what its picture shows, and vertices darken. */
+export function brightestLeaf(autumn: number): Colour {
+	const turned = smoothstep(AUTUMN[0] - 0.25, AUTUMN[0] + 0.1, autumn);
+	return LEAF.upper.map((value, k) => Math.max(BRIGHTEST[0] * value, BRIGHTEST[1] * turned * LEAF.late[k])) as Colour;
+}
 
 /**
- * 3 × vertices, linear light.
+ * 3 × vertices, linear light: of leaves with veins as shares of the brightest.
  * @param autumn 0 … 1: how far leaves have turned
  */
-export function foliageColours({ positions, uvs, parts }: Foliage, autumn: number): Float32Array {
+export function foliageColours({ positions, uvs, parts, veins }: Foliage, autumn: number): Float32Array {
+	const brightest = brightestLeaf(autumn);
 	const colours = new Float32Array(positions.length);
 	for (const { kind, firstVertex, vertexCount } of parts) {
 		for (let vertex = firstVertex; vertex < firstVertex + vertexCount; vertex++) {
@@ -38,7 +53,9 @@ export function foliageColours({ positions, uvs, parts }: Foliage, autumn: numbe
 				u: uvs[2 * vertex],
 				v: uvs[2 * vertex + 1],
 			};
-			colours.set(COLOURS[kind](place, autumn), 3 * vertex);
+			const colour = COLOURS[kind](place, autumn);
+			const shares = kind === "leaf" && veins ? colour.map((value, k) => Math.min(1, value / brightest[k])) : colour;
+			colours.set(shares, 3 * vertex);
 		}
 	}
 	return colours;

@@ -1,10 +1,12 @@
 /** What a bunch is made of. Why each value is so is in docs/export.md. */
-import { type Colour, linear, mix, smoothstep, toLch } from "../../../plant/colour";
+import { type Colour, linear, mix, mixed, smoothstep, toLch } from "../../../plant/colour";
+import type { Veins } from "../../../plant/leaf";
 import type { Material } from "../../../plant/material";
 import type { FoliagePart } from "../grown";
 import type { Look } from "../specimen";
-import { AUTUMN, CANE, LEAF, PETIOLE, STAMEN } from "./foliage_colour";
+import { AUTUMN, brightestLeaf, CANE, LEAF, PETIOLE, STAMEN } from "./foliage_colour";
 import type { FruitSkin } from "./fruit_skin";
+import { leafPicture } from "./leaf_picture";
 
 /** A smooth skin without wax; bloom scatters the highlight up to the second figure. */
 const SKIN_ROUGHNESS: readonly [clean: number, bloomed: number] = [0.34, 0.46];
@@ -79,20 +81,23 @@ export function stemMaterial(colour: Colour): Material {
 /**
  * Of what leaves, petioles and cane are made. Leaves let light through, yellower, and are paler below until they turn.
  * @param autumn 0 … 1: how far leaves have turned
+ * @param veins of the leaves, where they are known
  */
-export function foliageMaterials(autumn: number): Record<FoliagePart["kind"], Material> {
+export function foliageMaterials(autumn: number, veins?: Veins): Record<FoliagePart["kind"], Material> {
 	// The first patches turn long before the mean does.
 	const turned = smoothstep(AUTUMN[0] - 0.25, AUTUMN[1] - 0.15, autumn);
 	const reverse = LEAF.lower.map((value, k) => mix(value / LEAF.upper[k], 1, turned)) as Colour;
+	const vein = mixed(LEAF.vein, LEAF.lateVein, turned);
 	return {
 		cane: { name: "Cane", colour: CANE, roughness: 0.9 },
 		leaf: {
 			name: "Leaf",
-			colour: LEAF.upper,
+			colour: mixed(LEAF.upper, LEAF.late, turned),
 			roughness: 0.6,
 			specular: 0.6,
 			doubleSided: true,
 			sheet: { through: [0.83, 0.9, 0.45], reverse },
+			...(veins ? { textures: { colour: leafPicture(veins, brightestLeaf(autumn), vein) } } : {}),
 		},
 		petiole: { name: "Petiole", colour: PETIOLE, roughness: STEM_ROUGHNESS },
 	};

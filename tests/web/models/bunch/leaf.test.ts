@@ -1,0 +1,110 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import { Columns, writeContainer } from "../../../../web/src/core/container";
+import type { Core } from "../../../../web/src/core/core";
+import { model } from "../../../../web/src/models/bunch/index";
+import { leafOnCane } from "../../../../web/src/models/bunch/leaf";
+import { bunchParts } from "../../../../web/src/models/bunch/parts/bunch_parts";
+import { foliageMaterials } from "../../../../web/src/models/bunch/parts/materials";
+import { encodeRequest } from "../../../../web/src/models/bunch/request";
+import { linear } from "../../../../web/src/plant/colour";
+import type { Picture } from "../../../../web/src/plant/material";
+import { specimenFromPreset, withParameters } from "../../bunch";
+import { freshCore, growBunch } from "../../core/wasm";
+import { documentOf } from "../../export/reading";
+import { bunchGlb } from "./parts/files";
+
+const bare = specimenFromPreset("rubus");
+const leafy = withParameters(bare, { leaves: 2 });
+const asked = (specimen: typeof bare, options = {}) => new Columns(writeContainer(encodeRequest(specimen, options)));
+
+let core: Core;
+beforeAll(async () => {
+	core = await freshCore();
+});
+
+// In order: what is fetched stays.
+describe("the leaf on the cane", () => {
+	it("is not fetched for a bunch without leaves", () => {
+		expect(model.prepare(bare)).toBeUndefined();
+		expect(leafOnCane()).toBeUndefined();
+		expect(asked(leafy).has("leaf.points")).toBe(false);
+	});
+
+	it("where it did not come, the cane stands bare and a note says so", () => {
+		const { foliage, notes } = growBunch(core, leafy);
+		expect(foliage?.parts.map(({ kind }) => kind)).toEqual(["cane", "petiole"]);
+		expect(notes).toEqual([expect.stringMatching(/^The cane has no leaves/)]);
+	});
+
+	it("goes with the request of a bunch that has leaves, and with no other", async () => {
+		await model.prepare(leafy);
+		const leaf = leafOnCane();
+		const request = asked(leafy);
+		expect(request.floats("leaf.points")).toEqual(leaf?.points);
+		expect(request.floats("leaf.between")).toEqual(leaf?.between);
+		expect(request.floats("leaf.uvs")).toEqual(leaf?.uvs);
+		expect(request.words("leaf.triangles")).toEqual(leaf?.indices);
+		expect(asked(bare).has("leaf.points")).toBe(false);
+		expect(asked(leafy, { meshes: false }).has("leaf.points")).toBe(false);
+	});
+
+	it("is every leaf, each bent its own way, and its veins are the blade's", async () => {
+		await model.prepare(leafy);
+		const { foliage, notes } = growBunch(core, leafy);
+		const leaves = foliage?.parts.filter(({ kind }) => kind === "leaf") ?? [];
+		const leaf = leafOnCane();
+		expect(notes).toEqual([]);
+		expect(leaves).toHaveLength(2);
+		for (const { firstVertex, vertexCount, indexCount } of leaves) {
+			expect([vertexCount, indexCount]).toEqual([(leaf?.points.length ?? 0) / 2, leaf?.indices.length]);
+			expect(foliage?.uvs.slice(2 * firstVertex, 2 * (firstVertex + vertexCount))).toEqual(leaf?.uvs);
+		}
+		expect(foliage?.veins).toBe(leaf?.veins);
+		const cane = growBunch(core, withParameters(bare, { cane: 1 }));
+		expect(cane.foliage?.veins).toBeUndefined();
+	});
+});
+
+describe("a leaf's material", () => {
+	const veins = { side: 4, shares: new Uint8Array(16).map((_, at) => (at % 4 === 1 ? 255 : 0)) };
+	const pixel = ({ width, pixels }: Picture, x: number, y: number) => [
+		...pixels.subarray(3 * (y * width + x), 3 * (y * width + x) + 3),
+	];
+
+	it("shows its veins pale between green, and turned once it is autumn", () => {
+		const [green, gold] = [0, 1].map((autumn) => foliageMaterials(autumn, veins).leaf.textures?.colour as Picture);
+		const [blade, vein] = [pixel(green, 3, 0), pixel(green, 1, 0)];
+		expect(blade[1]).toBeGreaterThan(blade[0]);
+		expect(blade[0]).toBeGreaterThan(blade[2]);
+		for (let k = 0; k < 3; k++) expect(vein[k]).toBeGreaterThan(blade[k] + 30);
+		const late = pixel(gold, 3, 0);
+		expect(late[0]).toBeGreaterThan(late[1]);
+	});
+
+	it("is as bright with its picture as without: vertices darken it", async () => {
+		await model.prepare(leafy);
+		const grown = growBunch(core, leafy);
+		const mean = (each: typeof grown) => {
+			const part = [...bunchParts(each, leafy)].find(({ name }) => name === "Leaf 1");
+			const { mesh, material } = part?.shape ?? {};
+			const picture = material?.textures?.colour;
+			const under = picture ? linear(Buffer.from(picture.pixels.subarray(0, 3)).toString("hex")) : [1, 1, 1];
+			const colours = mesh?.colours ?? new Float32Array();
+			expect(Math.max(...colours)).toBeLessThanOrEqual(1);
+			return [0, 1, 2].map(
+				(k) => (under[k] * 3 * colours.filter((_, at) => at % 3 === k).reduce((a, b) => a + b, 0)) / colours.length,
+			);
+		};
+		const { veins: _, ...plain } = grown.foliage ?? {};
+		const [laid, painted] = [mean(grown), mean({ ...grown, foliage: plain as typeof grown.foliage })];
+		for (let k = 0; k < 3; k++) expect(laid[k] / painted[k]).toBeCloseTo(1, 1);
+	});
+
+	it("is in files what it is in view: one material with the picture for all leaves", async () => {
+		await model.prepare(leafy);
+		const document = documentOf(await bunchGlb(growBunch(core, leafy), leafy));
+		const leaf = document.materials?.filter(({ name }) => name === "Leaf");
+		expect(leaf).toMatchObject([{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } }, doubleSided: true }]);
+		expect(document.textures).toHaveLength(1);
+	});
+});

@@ -1,0 +1,92 @@
+import { readFile } from "node:fs/promises";
+import { gzipSync } from "node:zlib";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../../web/src/core/core";
+import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
+import { BAKED_LEAVES, bakeLeaf } from "../../../../../web/src/models/particles/leaf/borne/bake";
+import { type LeafFile, readLeaf } from "../../../../../web/src/plant/leaf";
+
+const text = (preset: string) => readFile(`web/src/plant/leaves/${preset}.json`, "utf8");
+const committed = async (preset: string): Promise<LeafFile> => JSON.parse(await text(preset));
+
+/** Whether two arrays hold the same: quicker than looking for what differs. */
+const same = (a: ArrayBufferView = new Uint8Array(), b: ArrayBufferView = new Uint8Array()) =>
+	Buffer.from(a.buffer, a.byteOffset, a.byteLength).equals(Buffer.from(b.buffer, b.byteOffset, b.byteLength));
+
+let core: Core;
+beforeAll(async () => {
+	core = await loadCoreFromBytes(await readFile("build/core/particles.wasm"));
+});
+
+describe.each(BAKED_LEAVES)("the leaf of %s that other plants bear", (preset) => {
+	it("is what its preset grows and the script bakes", async () => {
+		const [file, anew] = [await committed(preset), bakeLeaf(core, preset)];
+		expect(file.from).toBe(anew.from);
+		const [one, other] = [await readLeaf(file), await readLeaf(anew)];
+		const changed = "the leaf model has changed: run `npm run bake`, look at the leaf, and commit it";
+		for (const key of ["points", "between", "uvs", "indices"] as const)
+			expect(same(one[key], other[key]), `${key}: ${changed}`).toBe(true);
+		expect(one.veins?.side).toBe(other.veins?.side);
+		expect(same(one.veins?.shares, other.veins?.shares), `veins: ${changed}`).toBe(true);
+	});
+
+	it("is at most 25 kB over the wire", async () => {
+		expect(gzipSync(await text(preset)).length).toBeLessThan(25_000);
+	});
+
+	it("lies flat about its petiole, its tip up, each triangle counter-clockwise, in its picture as on the blade", async () => {
+		const { points, between, uvs, indices } = await readLeaf(await committed(preset));
+		const count = points.length / 2;
+		expect([between.length, uvs.length]).toEqual([count, 2 * count]);
+		expect(Math.hypot(points[0], points[1])).toBeLessThan(0.002);
+		const heights = points.filter((_, at) => at % 2 === 1);
+		expect(Math.max(...heights)).toBeCloseTo(1, 1);
+		const area = (values: Float32Array, at: number) => {
+			const [a, b, c] = indices.subarray(at, at + 3);
+			const side = (to: number, k: number) => values[2 * to + k] - values[2 * a + k];
+			return side(b, 0) * side(c, 1) - side(b, 1) * side(c, 0);
+		};
+		for (let at = 0; at < indices.length; at += 3) {
+			expect(Math.max(...indices.subarray(at, at + 3))).toBeLessThan(count);
+			expect(area(points, at)).toBeGreaterThanOrEqual(0);
+			// v runs down.
+			expect(area(uvs, at)).toBeLessThanOrEqual(0);
+		}
+		for (const values of [between, uvs]) {
+			expect(Math.min(...values)).toBeGreaterThanOrEqual(0);
+			expect(Math.max(...values)).toBeLessThanOrEqual(1);
+		}
+	});
+});
+
+describe("the grapevine's leaf", () => {
+	it("is light, has its five main veins in its picture, and is highest between them", async () => {
+		const { points, between, uvs, indices, veins } = await readLeaf(await committed("grapevine"));
+		expect(indices.length / 3).toBeLessThan(800);
+		if (!veins) throw new Error("no veins");
+		const { side, shares } = veins;
+		expect(shares).toHaveLength(side * side);
+		const shown = (vertex: number) =>
+			shares[Math.min(side - 1, Math.floor(uvs[2 * vertex + 1] * side)) * side + Math.floor(uvs[2 * vertex] * side)];
+		expect(shown(0)).toBe(255);
+		// Once round the petiole near to it: what is bright is a main vein, or one that leaves it there.
+		const [px, py] = [uvs[0] * side, uvs[1] * side];
+		const scale = (side * (uvs[2] - uvs[0])) / (points[2] - points[0]);
+		const round = Array.from({ length: 720 }, (_, k) => {
+			const [x, y] = [Math.sin((k * Math.PI) / 360), -Math.cos((k * Math.PI) / 360)];
+			return shares[Math.round(py + scale * 0.2 * y) * side + Math.round(px + scale * 0.2 * x)] > 200;
+		});
+		expect(round[0]).toBe(true);
+		const begun = round.filter((bright, k) => bright && !round.at(k - 1));
+		expect(begun.length).toBeGreaterThanOrEqual(5);
+		expect(begun.length).toBeLessThan(10);
+		expect(between[0]).toBe(0);
+		expect(between.filter((value) => value > 0.8).length).toBeGreaterThan(20);
+	});
+});
+
+it("a leaf that was damaged on its way is not read", async () => {
+	const file = await committed("grapevine");
+	await expect(readLeaf({ ...file, data: file.data.slice(0, 4000) })).rejects.toThrow();
+	await expect(readLeaf({ ...file, data: "?" })).rejects.toThrow();
+});

@@ -1,0 +1,36 @@
+/**
+ * `npm run bake`: grows the leaves that other plants bear, and writes them as web/src/plant/leaves/*.json. Run it when the
+ * leaf model or one of these presets has changed, and commit what it writes.
+ */
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { buildCore } from "./core.mjs";
+import { buildFolder, repository } from "./repository.mjs";
+import { command, setUp } from "./setup.mjs";
+
+await command(async () => {
+	await setUp("core");
+	await buildCore();
+	const { createServer } = await import("vite");
+	const server = await createServer({
+		root: repository,
+		configFile: false,
+		logLevel: "error",
+		server: { middlewareMode: true, ws: false },
+		optimizeDeps: { noDiscovery: true },
+	});
+	try {
+		const at = (path) => server.ssrLoadModule(`/web/src/${path}`);
+		const { loadCoreFromBytes } = await at("core/loader.ts");
+		const { BAKED_LEAVES, bakeLeaf } = await at("models/particles/leaf/borne/bake.ts");
+		const core = await loadCoreFromBytes(readFileSync(join(buildFolder, "core/particles.wasm")));
+		for (const preset of BAKED_LEAVES) {
+			const text = `${JSON.stringify(bakeLeaf(core, preset), null, "\t")}\n`;
+			writeFileSync(join(repository, `web/src/plant/leaves/${preset}.json`), text);
+			console.log(`web/src/plant/leaves/${preset}.json: ${(gzipSync(text).length / 1000).toFixed(1)} kB gzipped`);
+		}
+	} finally {
+		await server.close();
+	}
+});
