@@ -23,8 +23,8 @@ Venation::Venation(const Outline& outline, const Ribs& ribs, float slant, float 
       ahead_(look_ahead * spacing),
       cell_(field_cell * spacing) {}
 
-const Waypoints& Venation::waypoints() const {
-  if (!waypoints_) waypoints_ = std::make_unique<const Waypoints>(*outline_, ribs_->strewn(cell_), cell_);
+Waypoints& Venation::waypoints() const {
+  if (!waypoints_) waypoints_ = std::make_unique<Waypoints>(*outline_, ribs_->strewn(cell_), cell_);
   return *waypoints_;
 }
 

@@ -47,7 +47,7 @@ std::vector<glm::vec3> main_vein(const glm::vec3& base, const glm::vec3& tip, co
   std::vector<glm::vec3> corners{base};
   const glm::vec3 end = base + before_tip * (tip - base);
   if (!straight(base, end, outline)) {
-    const Waypoints ways(outline, {tip}, detour_cell);
+    Waypoints ways(outline, {tip}, detour_cell);
     glm::vec3 at = base;
     for (int k = 0; k < 64 && glm::distance(at, tip) > stride; ++k) {
       const glm::vec3 next = ways.next(at);
