@@ -34,6 +34,7 @@ glm::vec3 Venation::aim(const glm::vec3& p) const {
   for (float below = std::max(slant_ * foot.distance, ahead_); below > least_ahead * ahead_; below *= 0.5f) {
     const glm::vec3 place = ribs_->down(foot, below);
     if (sees(p, place)) return place;
+    if (foot.at == 0) break;  // below it there is nothing else
   }
   return waypoints().next(p);
 }

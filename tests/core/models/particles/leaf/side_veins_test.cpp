@@ -153,6 +153,8 @@ TEST_CASE("brochidodromous side veins keep off the margin and bend up along it t
         for (const glm::vec3& p : lines[other]) next = std::min(next, glm::distance(p, line.back()));
     looped += way.y > 0.9f && next < clear + 0.02f;
     CHECK(way.y > 0.6f);
+    // Not past it.
+    if (k + 1 < lines.size() && lines[k + 1].back().x * line.back().x > 0) CHECK(line.back().y < lines[k + 1].back().y);
   }
   CHECK(looped >= 12);
   // Otherwise they run on to the margin.
