@@ -76,4 +76,148 @@ export default [
 			},
 		],
 	},
+	{
+		file: `${SRC}/outline.cpp`,
+		suites: [`${TESTS}/outline_test.cpp`],
+		faults: [
+			{
+				id: "outline-edges-in-one-cell",
+				find: "see(static_cast<std::size_t>(y * across_ + x));",
+				replace: "return see(static_cast<std::size_t>(y * across_ + x));",
+				breaks: "straight ways go out over edges",
+			},
+			{
+				id: "outline-certain-of-too-much",
+				find: "free = std::max(0.0f, free - to_corner * cell_);",
+				replace: "free = std::max(0.0f, free + to_corner * cell_);",
+				breaks: "what is beside the margin is taken to be free",
+			},
+			{
+				id: "outline-off-the-edge-of-a-cell",
+				find: "right = column_of(p.x + reach)",
+				replace: "right = column_of(p.x)",
+				breaks: "edges on the right are not seen",
+			},
+		],
+	},
+	{
+		file: `${SRC}/waypoints.cpp`,
+		suites: [`${TESTS}/waypoints_test.cpp`],
+		faults: [
+			{
+				id: "waypoints-of-what-was-asked-first",
+				find: "while (!open_.empty() && !asked.closed) spread_next();",
+				replace: "if (!open_.empty() && !asked.closed) spread_next();",
+				breaks: "ways are known only as far as was asked often enough",
+			},
+		],
+	},
+	{
+		file: `${SRC}/polish.cpp`,
+		suites: [`${TESTS}/venation_test.cpp`],
+		faults: [
+			{
+				id: "polish-leaves-bumps",
+				find: "constexpr float back_from = 2;",
+				replace: "constexpr float back_from = 1;",
+				breaks: "side veins step aside on their way",
+			},
+			{
+				id: "polish-through-the-margin",
+				find: "if (free) trails.places[i] = laid;",
+				replace: "trails.places[i] = laid;",
+				breaks: "trails are laid back across what is between",
+			},
+		],
+	},
+	{
+		file: `${SRC}/leaf/side_veins.cpp`,
+		suites: [`${TESTS}/leaf/side_veins_test.cpp`],
+		faults: [
+			{
+				id: "side-veins-two-to-a-tooth",
+				find: "tooth[--i] = static_cast<std::int32_t>(--k);",
+				replace: "tooth[--i] = static_cast<std::int32_t>(k - 1);",
+				breaks: "two side veins may end in one tooth",
+			},
+			{
+				id: "side-veins-miss-teeth",
+				find: "if (plan_.course == Course::teeth) into_teeth",
+				replace: "if (plan_.course == Course::arch) into_teeth",
+				breaks: "craspedodromous veins end anywhere",
+			},
+			{
+				id: "side-veins-on-the-left-upside-down",
+				find: "if (side > 0) std::reverse(all.begin(), all.end());",
+				replace: "",
+				breaks: "teeth of the left side are taken from the tip down",
+			},
+			{
+				id: "side-veins-do-not-arch",
+				find: "angle -= turn;",
+				replace: "angle -= 0;",
+				breaks: "arches end at the margin",
+			},
+			{
+				id: "side-veins-cross-the-next",
+				find: "if (above && within(above->places, next, near)) break;",
+				replace: "",
+				breaks: "arches run through the vein above",
+			},
+			{
+				id: "lobe-veins-along-bays",
+				find: "clear_of_bays[] = {0.022f, 0.011f, 0}",
+				replace: "clear_of_bays[] = {0, 0, 0}",
+				breaks: "the vein to a lobe grazes the bay beside it, and steps aside there",
+			},
+		],
+	},
+	{
+		file: `${SRC}/leaf/margin.cpp`,
+		suites: [`${TESTS}/leaf/side_veins_test.cpp`],
+		faults: [
+			{
+				id: "margin-without-drawn-teeth",
+				find: "margin.teeth.push_back(at);",
+				replace: "",
+				breaks: "corners that stand out are no teeth",
+			},
+		],
+	},
+	{
+		file: `${SRC}/leaf/teeth.cpp`,
+		suites: [`${TESTS}/leaf/margin_test.cpp`],
+		faults: [
+			{
+				id: "teeth-tips-forgotten",
+				find: "if (out == 1) cut.teeth.push_back(cut.points.size());",
+				replace: "if (out == 0) cut.teeth.push_back(cut.points.size());",
+				breaks: "notches are taken for tips",
+			},
+		],
+	},
+	{
+		file: `${SRC}/leaf/dress.cpp`,
+		suites: [`${TESTS}/leaf/leaf_test.cpp`],
+		faults: [
+			{
+				id: "petiole-as-thick-as-the-vein",
+				find: "0.0005f * values[petiole_width]",
+				replace: "0.0005f * values[vein]",
+				breaks: "fine-veined leaves hang by a thread",
+			},
+		],
+	},
+	{
+		file: `${SRC}/leaf/measures/measures.cpp`,
+		suites: [`${TESTS}/leaf/leaf_test.cpp`],
+		faults: [
+			{
+				id: "primaries-of-all-but-one",
+				find: "static_cast<float>(headings.size() - 1)",
+				replace: "static_cast<float>(headings.size())",
+				breaks: "the angle between primaries is too small",
+			},
+		],
+	},
 ];

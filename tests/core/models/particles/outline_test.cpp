@@ -83,3 +83,32 @@ TEST_CASE("an outline of fewer than three points holds nothing") {
     CHECK(outline.area() == 0);
   }
 }
+
+TEST_CASE(
+    "an outline tells of any place and reach whether an edge is within, and of straight ways what all edges would") {
+  const std::vector<glm::vec2> points = star(40, 0.7f, false);
+  const Outline outline(points);
+  std::size_t near = 0, open = 0;
+  for (std::uint64_t k = 0; k < 3000; ++k) {
+    const glm::vec3 p(2.6f * random_unit(k, 1, 0) - 1.3f, 2.6f * random_unit(k, 2, 0) - 1.3f, 0);
+    const float reach = 0.3f * random_unit(k, 3, 0) * random_unit(k, 4, 0);
+    CHECK(outline.keeps_off(p, reach) == (outline.distance(p) >= reach));
+    near += outline.distance(p) < reach;
+    CHECK(outline.clearance(p) <= outline.distance(p) + 1e-6f);
+    const glm::vec3 q =
+        p + 0.3f * (glm::vec3(random_unit(k, 5, 0), random_unit(k, 6, 0), 0) - glm::vec3(0.5f, 0.5f, 0));
+    if (!outline.contains(p) || !outline.contains(q)) continue;
+    bool crossed = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const glm::vec2 a = points[i], way = points[(i + 1) % points.size()] - a, pq(q.x - p.x, q.y - p.y),
+                      ap(p.x - a.x, p.y - a.y);
+      const float turn = way.x * pq.y - way.y * pq.x;
+      const float t = (way.y * ap.x - way.x * ap.y) / turn, u = (pq.y * ap.x - pq.x * ap.y) / turn;
+      crossed = crossed || (t >= 0 && t <= 1 && u >= 0 && u <= 1);
+    }
+    CHECK(outline.holds(p, q) == !crossed);
+    open += !crossed;
+  }
+  CHECK(near > 50);
+  CHECK(open > 500);
+}

@@ -79,7 +79,8 @@ TEST_CASE("what runs along a rib is laid into it, what carries most past where a
   trails.energy = {100, 100, 100, 70, 70, 30, 30};
   trails.born.assign(7, 0);
   trails.particle = {-1, -1, -1, -1, 0, -1, 1};
-  bed(trails, grid, 0.06f);
+  const Straight guide({0, 0, 0});
+  bed(trails, grid, guide, 0.06f);
   CHECK(std::fabs(trails.places[1].x) < 2e-4f);
   // The side rib is as near, but the midrib goes on.
   CHECK(std::fabs(trails.places[2].x) < 2e-4f);
@@ -88,4 +89,32 @@ TEST_CASE("what runs along a rib is laid into it, what carries most past where a
   // Ends stay.
   CHECK(trails.places[4] == glm::vec3(0, 0.8f, 0));
   CHECK(trails.places[6] == glm::vec3(0.3f, 0.75f, 0));
+}
+
+TEST_CASE("what was drawn aside on its way along a rib is laid back into it, where nothing is between") {
+  const Ribs ribs{{{0, 0, 0}, {0, 1, 0}}, {-1, 0}};
+  const RibGrid grid(ribs, {-1, 0, 0}, {1, 1, 0});
+  const auto bumped = [] {
+    Trails trails;
+    trails.places = {{0, 0, 0},    {0, 0.3f, 0},     {0.05f, 0.5f, 0}, {0, 0.7f, 0},
+                     {0, 0.9f, 0}, {0.05f, 0.6f, 0}, {0.1f, 0.7f, 0}};
+    trails.next = {-1, 0, 1, 2, 3, 3, 5};
+    trails.energy = {100, 100, 100, 90, 70, 20, 20};
+    trails.born.assign(7, 0);
+    trails.particle = {-1, -1, -1, -1, 0, -1, 1};
+    return trails;
+  };
+  Trails trails = bumped();
+  bed(trails, grid, Straight({0, 0, 0}), 0.04f);
+  CHECK(std::fabs(trails.places[2].x) < 0.015f);
+  CHECK(trails.places[5].x == 0.05f);  // what comes in from beside is as far off, and stays
+  class Blind final : public Guide {
+   public:
+    Blind() : Guide({0, 0, 0}) {}
+    glm::vec3 aim(const glm::vec3&) const override { return target(); }
+    bool sees(const glm::vec3&, const glm::vec3&) const override { return false; }
+  };
+  Trails hidden = bumped();
+  bed(hidden, grid, Blind(), 0.04f);
+  CHECK(hidden.places[2].x == 0.05f);
 }

@@ -23,7 +23,7 @@ const Outline& horseshoe() {
 TEST_CASE("waypoints lead round corners to the goal, on ways that stay inside and are about the shortest") {
   const Outline& outline = horseshoe();
   const glm::vec3 goal(0.15f, 0.95f, 0);
-  const Waypoints ways(outline, {goal}, 0.02f);
+  Waypoints ways(outline, {goal}, 0.02f);
   for (std::uint64_t k = 0; k < 400; ++k) {
     glm::vec3 p(random_unit(k, 1, 0), random_unit(k, 2, 0), 0);
     if (!outline.contains(p)) continue;
@@ -51,7 +51,7 @@ TEST_CASE("waypoints lead round corners to the goal, on ways that stay inside an
 }
 
 TEST_CASE("of several goals the nearest by way is made for") {
-  const Waypoints ways(horseshoe(), {{0.15f, 0.95f, 0}, {0.85f, 0.95f, 0}}, 0.02f);
+  Waypoints ways(horseshoe(), {{0.15f, 0.95f, 0}, {0.85f, 0.95f, 0}}, 0.02f);
   CHECK(ways.next({0.1f, 0.5f, 0}).x < 0.5f);
   CHECK(ways.next({0.9f, 0.5f, 0}).x > 0.5f);
   // As the crow flies the other arm is nearer; on foot it is not.
@@ -59,11 +59,29 @@ TEST_CASE("of several goals the nearest by way is made for") {
 }
 
 TEST_CASE("outside, and where no cell is inside, there is a way all the same") {
-  const Waypoints ways(horseshoe(), {{0.15f, 0.95f, 0}}, 0.02f);
+  Waypoints ways(horseshoe(), {{0.15f, 0.95f, 0}}, 0.02f);
   const glm::vec3 outside(0.5f, 0.7f, 0), next = ways.next(outside);
   CHECK(horseshoe().contains(next));
   const Outline sliver({{0, 0}, {1, 0}, {1, 1e-4f}, {0, 1e-4f}});
-  const Waypoints none(sliver, {{0, 0, 0}}, 0.1f);
+  Waypoints none(sliver, {{0, 0, 0}}, 0.1f);
   CHECK(std::isfinite(none.way({0.9f, 5e-5f, 0})));
   CHECK(none.next({0.9f, 5e-5f, 0}).x <= 1);
+}
+
+TEST_CASE("ways are the same in whatever order they are asked for") {
+  const glm::vec3 goal(0.15f, 0.95f, 0);
+  Waypoints far_first(horseshoe(), {goal}, 0.02f);
+  const float farthest = far_first.way({0.85f, 0.95f, 0});
+  Waypoints near_first(horseshoe(), {goal}, 0.02f);
+  for (std::uint64_t k = 0; k < 300; ++k) {
+    const glm::vec3 p(random_unit(k, 1, 1), random_unit(k, 2, 1) * static_cast<float>(k) / 300, 0);
+    CHECK(near_first.way(p) == far_first.way(p));
+    CHECK(near_first.next(p) == far_first.next(p));
+  }
+  CHECK(near_first.way({0.85f, 0.95f, 0}) == farthest);
+  // Whoever is the first to ask.
+  for (std::uint64_t k = 0; k < 40; ++k) {
+    const glm::vec3 p(random_unit(k, 1, 2), random_unit(k, 2, 2), 0);
+    CHECK(Waypoints(horseshoe(), {goal}, 0.02f).way(p) == far_first.way(p));
+  }
 }

@@ -85,7 +85,7 @@ void Crowd::look() {
   strides_.resize(count);
   for (std::uint32_t slot = 0; slot < count; ++slot) {
     const glm::vec3& place = places_[slot];
-    const glm::vec3 aim = guide_->aim(place), ahead = towards(place, aim);
+    const glm::vec3 aim = aims_.empty() ? guide_->aim(place) : aims_[slot], ahead = towards(place, aim);
     const std::uint32_t other = alone ? Neighbours::none : neighbours_.nearest(slot, reach, *guide_);
     glm::vec3& stride = strides_[slot];
     stride = rules_.step * ahead;
@@ -101,6 +101,7 @@ void Crowd::look() {
     // What is made for is in sight; what lies a step beyond it need not be.
     if (glm::distance(place, aim) < rules_.step && !guide_->passes(place, place + stride)) stride = aim - place;
   }
+  aims_.clear();
 }
 
 void Crowd::move() {
@@ -139,11 +140,14 @@ void Crowd::meet() {
   }
 }
 
-// Whoever is near an older trail ahead ends in it.
+// Whoever is near an older trail ahead ends in it. Those that are left will look from where they are now: what they aim
+// at is kept until then.
 void Crowd::join() {
+  aims_.resize(places_.size());
   for (std::uint32_t slot = 0; slot < places_.size(); ++slot) {
     if (gone_[slot]) continue;
-    const glm::vec3 place = places_[slot], ahead = guide_->aim(place) - place;
+    aims_[slot] = guide_->aim(places_[slot]);
+    const glm::vec3 place = places_[slot], ahead = aims_[slot] - place;
     const std::uint32_t self = particles_[slot];
     float best = rules_.join * rules_.join;
     std::int32_t found = -1;
@@ -224,6 +228,7 @@ void Crowd::leave() {
     energies_[kept] = energies_[slot];
     particles_[kept] = particles_[slot];
     nodes_at_[kept] = nodes_at_[slot];
+    if (!aims_.empty()) aims_[kept] = aims_[slot];
     slots_[particles_[kept]] = kept;
     ++kept;
   }
@@ -231,6 +236,7 @@ void Crowd::leave() {
   energies_.resize(kept);
   particles_.resize(kept);
   nodes_at_.resize(kept);
+  if (!aims_.empty()) aims_.resize(kept);
   gone_.assign(kept, 0);
 }
 

@@ -86,6 +86,7 @@ class Crowd {
   std::vector<std::uint8_t> gone_;        // arrived, or another's
   std::vector<std::uint8_t> met_;         // in this step
   std::vector<glm::vec3> strides_;        // of this step
+  std::vector<glm::vec3> aims_;           // of where they are, where that is known: after `join`
 
   std::vector<Node> nodes_;           // 0 is the target, 1 + i where particle i started
   std::vector<std::uint32_t> heirs_;  // by particle: whose it is now; its own number while on its way or at the target

@@ -11,8 +11,11 @@ namespace panicle::particles {
 namespace {
 
 constexpr float cells_along = 64;
-// From a cell's middle to its corner, and what the nearest edge found may be too far.
-constexpr float uncertain = 0.75f + 1;
+// In cells: from a cell's middle to its corner; what the nearest edge found may be too far; and how near an edge is to
+// be for all others that are as near to be looked at.
+constexpr float to_corner = 0.75f, too_far = 1;
+constexpr std::int32_t near = 3;
+constexpr float rounding = 1e-3f;  // of a cell: so far beside an edge it is listed too
 
 float cross(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -52,6 +55,9 @@ Outline::Outline(std::vector<glm::vec2> points) : points_(std::move(points)) {
   for (std::uint32_t i = 0; i < points_.size(); ++i)
     for (auto [row, last] = reach(i); row <= last; ++row) members_[free[row]++] = i;
   measure();
+  list_edges();
+  make_certain();
+  find_sides();
 }
 
 std::size_t Outline::row_of(float y) const {
@@ -59,24 +65,66 @@ std::size_t Outline::row_of(float y) const {
   return static_cast<std::size_t>(std::clamp(at, 0.0f, static_cast<float>(points_.size() - 1)));
 }
 
-// Calls `see(from, to)` for every edge that meets the rows between two heights, some more than once.
-template <class See>
-void Outline::edges(float low, float high, const See& see) const {
-  for (std::size_t row = row_of(low), last = row_of(high); row <= last; ++row)
-    for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k)
-      see(points_[members_[k]], points_[(members_[k] + 1) % points_.size()]);
-}
-
 int Outline::winding(float x, float y) const {
   if (!(x >= low_.x && x <= high_.x && y >= low_.y && y <= high_.y)) return 0;
   int turns = 0;
-  edges(y, y, [&](const glm::vec2& from, const glm::vec2& to) {
-    if ((from.y <= y) == (to.y <= y)) return;
+  const std::size_t row = row_of(y);
+  for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
+    const glm::vec2 from = points_[members_[k]], to = points_[(members_[k] + 1) % points_.size()];
+    if ((from.y <= y) == (to.y <= y)) continue;
     const float side = cross(to - from, glm::vec2(x, y) - from);
     if (from.y <= y && side > 0) ++turns;
     if (to.y <= y && side < 0) --turns;
-  });
+  }
   return turns;
+}
+
+bool Outline::contains(const glm::vec3& p) const {
+  if (!(p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y)) return false;
+  // Where no edge comes near, all of a cell is on one side.
+  const auto cell = static_cast<std::size_t>(line_of(p.y) * across_ + column_of(p.x));
+  return clearance_[cell] > 0 ? inside_[cell] != 0 : winding(p.x, p.y) != 0;
+}
+
+// Calls `see(cell)` for every cell that an edge meets; and for others beside it.
+template <class See>
+void Outline::cells_of(std::uint32_t edge, const See& see) const {
+  const glm::vec2 a = points_[edge], b = points_[(edge + 1) % points_.size()];
+  const glm::vec2 from = a.y <= b.y ? a : b, to = a.y <= b.y ? b : a;
+  const float slack = rounding * cell_, rise = to.y - from.y;
+  const std::int32_t top = line_of(to.y + slack);
+  for (std::int32_t y = line_of(from.y - slack); y <= top; ++y) {
+    // What of it is in the line.
+    const float begin = low_.y + static_cast<float>(y) * cell_ - slack, end = begin + cell_ + 2 * slack;
+    const float enters = rise > 0 ? glm::clamp((begin - from.y) / rise, 0.0f, 1.0f) : 0,
+                leaves = rise > 0 ? glm::clamp((end - from.y) / rise, 0.0f, 1.0f) : 1;
+    const float one = from.x + enters * (to.x - from.x), other = from.x + leaves * (to.x - from.x);
+    const std::int32_t right = column_of(std::max(one, other) + slack);
+    for (std::int32_t x = column_of(std::min(one, other) - slack); x <= right; ++x)
+      see(static_cast<std::size_t>(y * across_ + x));
+  }
+}
+
+void Outline::list_edges() {
+  const auto count = static_cast<std::uint32_t>(points_.size());
+  first_in_.assign(nearest_.size() + 1, 0);
+  for (std::uint32_t edge = 0; edge < count; ++edge) cells_of(edge, [&](std::size_t cell) { ++first_in_[cell + 1]; });
+  for (std::size_t cell = 0; cell < nearest_.size(); ++cell) first_in_[cell + 1] += first_in_[cell];
+  edges_in_.resize(first_in_.back());
+  std::vector<std::uint32_t> free(first_in_.begin(), first_in_.end() - 1);
+  for (std::uint32_t edge = 0; edge < count; ++edge)
+    cells_of(edge, [&](std::size_t cell) { edges_in_[free[cell]++] = edge; });
+}
+
+void Outline::find_sides() {
+  inside_.assign(nearest_.size(), 0);
+  for (std::int32_t y = 0; y < up_; ++y)
+    for (std::int32_t x = 0; x < across_; ++x) {
+      const auto cell = static_cast<std::size_t>(y * across_ + x);
+      if (!(clearance_[cell] > 0)) continue;
+      const glm::vec3 middle = low_ + cell_ * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 0);
+      inside_[cell] = winding(middle.x, middle.y) != 0;
+    }
 }
 
 // Goes as far at once as the edge is away at least; only beside it are edges looked at.
@@ -96,11 +144,25 @@ bool Outline::holds(const glm::vec3& a, const glm::vec3& b) const {
 }
 
 bool Outline::crosses(const glm::vec3& a, const glm::vec3& b) const {
-  bool crossed = false;
-  edges(std::min(a.y, b.y), std::max(a.y, b.y), [&](const glm::vec2& from, const glm::vec2& to) {
-    crossed = crossed || meet({a.x, a.y}, {b.x, b.y}, from, to);
-  });
-  return crossed;
+  const glm::vec2 low(std::min(a.x, b.x), std::min(a.y, b.y)), high(std::max(a.x, b.x), std::max(a.y, b.y));
+  const std::int32_t right = column_of(high.x), top = line_of(high.y);
+  for (std::int32_t y = line_of(low.y); y <= top; ++y)
+    for (std::int32_t x = column_of(low.x); x <= right; ++x) {
+      const auto cell = static_cast<std::size_t>(y * across_ + x);
+      for (std::uint32_t k = first_in_[cell]; k < first_in_[cell + 1]; ++k) {
+        const std::uint32_t edge = edges_in_[k];
+        if (meet({a.x, a.y}, {b.x, b.y}, points_[edge], points_[(edge + 1) % points_.size()])) return true;
+      }
+    }
+  return false;
+}
+
+std::int32_t Outline::column_of(float x) const {
+  return static_cast<std::int32_t>(std::clamp((x - low_.x) / cell_, 0.0f, static_cast<float>(across_ - 1)));
+}
+
+std::int32_t Outline::line_of(float y) const {
+  return static_cast<std::int32_t>(std::clamp((y - low_.y) / cell_, 0.0f, static_cast<float>(up_ - 1)));
 }
 
 float Outline::distance_to_edge(const glm::vec3& p, std::uint32_t edge) const {
@@ -115,6 +177,17 @@ float Outline::distance(const glm::vec3& p) const {
   float least = std::numeric_limits<float>::max();
   for (std::uint32_t i = 0; i < points_.size(); ++i) least = std::min(least, distance_to_edge(p, i));
   return least;
+}
+
+bool Outline::keeps_off(const glm::vec3& p, float reach) const {
+  if (clearance(p) >= reach) return true;
+  const std::int32_t left = column_of(p.x - reach), right = column_of(p.x + reach), top = line_of(p.y + reach);
+  for (std::int32_t y = line_of(p.y - reach); y <= top; ++y)
+    for (std::uint32_t k = first_in_[static_cast<std::size_t>(y * across_ + left)],
+                       end = first_in_[static_cast<std::size_t>(y * across_ + right) + 1];
+         k < end; ++k)
+      if (distance_to_edge(p, edges_in_[k]) < reach) return false;
+  return true;
 }
 
 // Cells on the edge know an edge; the others take over what their neighbours know, in two sweeps. What they find is
@@ -163,14 +236,31 @@ void Outline::measure() {
       }
     }
   }
-  for (float& free : clearance_) free = std::max(0.0f, free - uncertain * cell_);
+}
+
+// What is certain of a cell. Beside the edge it matters how far that is: there all edges that may be nearer are looked
+// at.
+void Outline::make_certain() {
+  for (std::int32_t y = 0; y < up_; ++y)
+    for (std::int32_t x = 0; x < across_; ++x) {
+      float& free = clearance_[static_cast<std::size_t>(y * across_ + x)];
+      if (free >= (near - 0.5f) * cell_) {
+        free -= (to_corner + too_far) * cell_;
+        continue;
+      }
+      const glm::vec3 middle = low_ + cell_ * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 0);
+      for (std::int32_t row = std::max(y - near, 0); row <= std::min(y + near, up_ - 1); ++row)
+        for (std::uint32_t
+                 k = first_in_[static_cast<std::size_t>(row * across_ + std::max(x - near, 0))],
+                 end = first_in_[static_cast<std::size_t>(row * across_ + std::min(x + near, across_ - 1)) + 1];
+             k < end; ++k)
+          free = std::min(free, distance_to_edge(middle, edges_in_[k]));
+      free = std::max(0.0f, free - to_corner * cell_);
+    }
 }
 
 float Outline::about_distance(const glm::vec3& p) const {
-  const glm::vec3 at = (p - low_) / cell_;
-  const auto x = static_cast<std::int32_t>(std::clamp(at.x, 0.0f, static_cast<float>(across_ - 1)));
-  const auto y = static_cast<std::int32_t>(std::clamp(at.y, 0.0f, static_cast<float>(up_ - 1)));
-  return distance_to_edge(p, nearest_[static_cast<std::size_t>(y * across_ + x)]);
+  return distance_to_edge(p, nearest_[static_cast<std::size_t>(line_of(p.y) * across_ + column_of(p.x))]);
 }
 
 float Outline::clearance(const glm::vec3& p) const {

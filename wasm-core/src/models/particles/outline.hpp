@@ -19,7 +19,7 @@ class Outline final : public Region {
   std::span<const glm::vec2> points() const { return points_; }
   glm::vec3 low() const override { return low_; }
   glm::vec3 high() const override { return high_; }
-  bool contains(const glm::vec3& p) const override { return winding(p.x, p.y) != 0; }
+  bool contains(const glm::vec3& p) const override;
   // Whether the straight way between two places inside stays inside.
   bool holds(const glm::vec3& a, const glm::vec3& b) const;
   // How far the edge is from a place, inside or outside.
@@ -28,6 +28,8 @@ class Outline final : public Region {
   // Nearly that, at a glance: from the edge nearest to the middle of a cell. What lies outside is of the cell nearest
   // to it.
   float about_distance(const glm::vec3& p) const;
+  // Whether no edge is nearer than that.
+  bool keeps_off(const glm::vec3& p, float reach) const;
   // How far it is at least: what is certain of a cell. 0 outside the outline's box.
   float clearance(const glm::vec3& p) const;
 
@@ -35,10 +37,15 @@ class Outline final : public Region {
   bool crosses(const glm::vec3& a, const glm::vec3& b) const;
   float distance_to_edge(const glm::vec3& p, std::uint32_t edge) const;
   void measure();
+  void list_edges();
+  void make_certain();
+  void find_sides();
+  std::int32_t column_of(float x) const;
+  std::int32_t line_of(float y) const;
+  template <class See>
+  void cells_of(std::uint32_t edge, const See& see) const;
   int winding(float x, float y) const;
   std::size_t row_of(float y) const;
-  template <class See>
-  void edges(float low, float high, const See& see) const;
 
   std::vector<glm::vec2> points_;
   glm::vec3 low_{0}, high_{0};
@@ -46,8 +53,10 @@ class Outline final : public Region {
   std::vector<std::uint32_t> first_, members_;  // of each row of the box: the edges that meet it
   float cell_ = 1;
   std::int32_t across_ = 0, up_ = 0;
-  std::vector<float> clearance_;        // of each cell of the box
-  std::vector<std::uint32_t> nearest_;  // of each: the edge nearest to its middle
+  std::vector<float> clearance_;                    // of each cell of the box
+  std::vector<std::uint32_t> nearest_;              // of each: the edge nearest to its middle
+  std::vector<std::uint8_t> inside_;                // of each that has clearance: whether it is inside
+  std::vector<std::uint32_t> first_in_, edges_in_;  // of each: the edges that meet it
 };
 
 }  // namespace panicle::particles

@@ -14,6 +14,8 @@ namespace {
 constexpr float least_passes = 8, more_passes = 48;
 // The share of all energy with which half of a trail is laid into its rib.
 constexpr double bedded_energy = 0.004;
+// So many times as far a trail is laid back into the line that it goes on along: where others drew it aside.
+constexpr float back_from = 2;
 
 std::size_t next_of(const Trails& trails, std::size_t i) { return static_cast<std::size_t>(trails.next[i]); }
 
@@ -77,7 +79,7 @@ void smooth(Trails& trails, const Guide& guide, float share) {
   }
 }
 
-void bed(Trails& trails, const RibGrid& ribs, float reach) {
+void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
   constexpr std::uint32_t none = ~0u;
   const auto runs = leading_to(trails);
   // Whatever carries most stays on its line where another leaves it, else veins would step aside there.
@@ -90,13 +92,21 @@ void bed(Trails& trails, const RibGrid& ribs, float reach) {
     lines[i] = none;
     if (runs[i].second == 0) continue;
     Ribs::Foot foot = ribs.nearest(trails.places[i]);
-    if (!(foot.distance < reach)) continue;
     const std::size_t next = next_of(trails, i);
-    if (heaviest[next] == i && lines[next] != none && ribs.line_of(foot.at) != lines[next])
+    const bool goes_on = heaviest[next] == i && lines[next] != none, same = ribs.line_of(foot.at) == lines[next];
+    const float within = goes_on && same ? back_from * reach : reach;
+    if (!(foot.distance < within)) continue;
+    if (goes_on && !same)
       if (const Ribs::Foot along = ribs.nearest_on(lines[next], trails.places[i]); along.distance < reach) foot = along;
     lines[i] = ribs.line_of(foot.at);
     const auto carried = static_cast<float>(trails.energy[i] / (trails.energy[i] + bedded_energy * trails.energy[0]));
-    trails.places[i] += carried * smooth_step(reach, 0.5f * reach, foot.distance) * (foot.place - trails.places[i]);
+    const glm::vec3 laid = trails.places[i] + carried * smooth_step(within, 0.5f * within, foot.distance) *
+                                                  (foot.place - trails.places[i]);
+    // So far there may be something between.
+    bool free = within == reach || guide.sees(laid, trails.places[next]);
+    for (std::uint32_t k = runs[i].first; free && within > reach && k < runs[i].first + runs[i].second; ++k)
+      free = guide.sees(trails.places[k], laid);
+    if (free) trails.places[i] = laid;
   }
 }
 

@@ -13,8 +13,8 @@ namespace panicle::particles {
 void smooth(Trails& trails, const Guide& guide, float share = 1);
 
 // Lays what runs along a rib into it: wholly on it, less and less up to `reach` from it, and the more energy passes the
-// more; ends of twigs stay.
-void bed(Trails& trails, const RibGrid& ribs, float reach);
+// more; ends of twigs stay. What goes on along a rib is laid back from twice as far, where nothing is between.
+void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach);
 
 // Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is
 // left. Forks, starts and energies stay.

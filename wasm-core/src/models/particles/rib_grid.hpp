@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -9,7 +10,8 @@
 
 namespace panicle::particles {
 
-// A grid over a box: each cell knows the pieces of which one must be the nearest to whatever is in it.
+// A grid over a box: each cell, once something in it has been asked for, knows the pieces of which one must be the
+// nearest to whatever is in it.
 class RibGrid {
  public:
   // `ribs` must outlive it. The box lies in the plane z = 0.
@@ -25,10 +27,15 @@ class RibGrid {
   Ribs::Foot nearest_on(std::uint32_t line, const glm::vec3& p) const;
 
  private:
+  using Pieces = std::vector<std::uint32_t>;
+  const Pieces& pieces_about(std::int32_t x, std::int32_t y) const;
+  void select(const Pieces& from, const glm::vec2& middle, float radius, Pieces& selected) const;
+
   const Ribs* ribs_;
   glm::vec3 low_, cell_;
-  std::vector<std::uint32_t> first_, pieces_;  // by cell; in ascending order
-  std::vector<std::uint32_t> line_;            // by place
+  Pieces every_;
+  mutable std::vector<Pieces> wide_, fine_;  // of each cell, in ascending order; empty: not asked for yet
+  std::vector<std::uint32_t> line_;          // by place
   std::vector<std::vector<std::uint32_t>> lines_;
 };
 

@@ -1,17 +1,8 @@
 #include "models/particles/ribs.hpp"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace panicle::particles {
-
-Ribs::Foot Ribs::foot_on(std::size_t at, const glm::vec3& p) const {
-  const glm::vec3 from = places[at], way = places[static_cast<std::size_t>(next[at])] - from;
-  const float square = glm::dot(way, way);
-  const float along = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
-  const glm::vec3 place = from + along * way;
-  return {at, along, place, glm::distance(p, place)};
-}
 
 Ribs::Foot Ribs::at_base(const glm::vec3& p) const { return {0, 0, places[0], glm::distance(p, places[0])}; }
 

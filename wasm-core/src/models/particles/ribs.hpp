@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -22,7 +24,13 @@ struct Ribs {
     float distance;  // from who asked
   };
   // The place nearest to `p` on the piece from place `at`, not 0, to the next; and place 0.
-  Foot foot_on(std::size_t at, const glm::vec3& p) const;
+  Foot foot_on(std::size_t at, const glm::vec3& p) const {
+    const glm::vec3 from = places[at], way = places[static_cast<std::size_t>(next[at])] - from;
+    const float square = glm::dot(way, way);
+    const float along = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
+    const glm::vec3 place = from + along * way;
+    return {at, along, place, glm::distance(p, place)};
+  }
   Foot at_base(const glm::vec3& p) const;
   // The place nearest to `p`; of equally near ones that of the earliest piece. Of ribs without a piece, place 0.
   Foot nearest(const glm::vec3& p) const;

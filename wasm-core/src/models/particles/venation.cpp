@@ -23,8 +23,8 @@ Venation::Venation(const Outline& outline, const Ribs& ribs, float slant, float 
       ahead_(look_ahead * spacing),
       cell_(field_cell * spacing) {}
 
-const Waypoints& Venation::waypoints() const {
-  if (!waypoints_) waypoints_ = std::make_unique<const Waypoints>(*outline_, ribs_->strewn(cell_), cell_);
+Waypoints& Venation::waypoints() const {
+  if (!waypoints_) waypoints_ = std::make_unique<Waypoints>(*outline_, ribs_->strewn(cell_), cell_);
   return *waypoints_;
 }
 
@@ -34,6 +34,7 @@ glm::vec3 Venation::aim(const glm::vec3& p) const {
   for (float below = std::max(slant_ * foot.distance, ahead_); below > least_ahead * ahead_; below *= 0.5f) {
     const glm::vec3 place = ribs_->down(foot, below);
     if (sees(p, place)) return place;
+    if (foot.at == 0) break;  // below it there is nothing else
   }
   return waypoints().next(p);
 }

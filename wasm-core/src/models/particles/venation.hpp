@@ -34,10 +34,10 @@ class Venation final : public Guide {
   const Outline* outline_;
   const Ribs* ribs_;
   RibGrid grid_;
-  const Waypoints& waypoints() const;
+  Waypoints& waypoints() const;
 
   float slant_, ahead_, cell_;
-  mutable std::unique_ptr<const Waypoints> waypoints_;  // made when the first particle is hidden from what it aims at
+  mutable std::unique_ptr<Waypoints> waypoints_;  // made when the first particle is hidden from what it aims at
 };
 
 }  // namespace panicle::particles

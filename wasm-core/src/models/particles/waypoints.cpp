@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <queue>
 #include <utility>
 
 namespace panicle::particles {
@@ -23,69 +22,77 @@ Waypoints::Waypoints(const Outline& outline, std::vector<glm::vec3> goals, float
   across_ = static_cast<std::int32_t>(size.x / edge_) + 1;
   up_ = static_cast<std::int32_t>(size.y / edge_) + 1;
   cells_.resize(static_cast<std::size_t>(across_ * up_));
-  spread();
-  fill();
+  begin();
 }
 
 glm::vec3 Waypoints::middle(std::int32_t x, std::int32_t y) const {
   return outline_->low() + edge_ * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 0);
 }
 
-void Waypoints::spread() {
-  using Entry = std::pair<float, std::int32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  std::vector<std::uint8_t> inside(cells_.size()), closed(cells_.size(), 0);
-  const auto offer = [&](std::int32_t cell, const glm::vec3& place, const glm::vec3& corner, float beyond, bool turns) {
-    Cell& known = cells_[static_cast<std::size_t>(cell)];
-    const float way = glm::distance(place, corner) + beyond;
-    if (known.reached() && known.way <= way) return;
-    known = {corner, way, turns};
-    open.push({way, cell});
-  };
-  for (std::int32_t y = 0; y < up_; ++y)
-    for (std::int32_t x = 0; x < across_; ++x)
-      inside[static_cast<std::size_t>(y * across_ + x)] = outline_->contains(middle(x, y));
-  // Each goal is known to the cells about it that see it; one that none sees, to the nearest.
+// `ahead`: a corner, and the way from there.
+bool Waypoints::shorter(std::int32_t cell, const glm::vec3& place, const Cell& ahead) const {
+  const float known = cells_[static_cast<std::size_t>(cell)].way;
+  return known < 0 || glm::distance(place, ahead.corner) + ahead.way < known;
+}
+
+void Waypoints::offer(std::int32_t cell, const glm::vec3& place, const Cell& ahead) {
+  if (!shorter(cell, place, ahead)) return;
+  const float way = glm::distance(place, ahead.corner) + ahead.way;
+  cells_[static_cast<std::size_t>(cell)] = {ahead.corner, way, ahead.turns};
+  open_.push({way, cell});
+}
+
+// Each goal is known to the cells about it that see it; one that none sees, to the nearest.
+void Waypoints::begin() {
   for (const glm::vec3& goal : goals_) {
     const glm::vec3 at = (goal - outline_->low()) / edge_;
     const auto column = static_cast<std::int32_t>(std::floor(at.x)), row = static_cast<std::int32_t>(std::floor(at.y));
     for (std::int32_t y = std::max(row - 1, 0); y <= std::min(row + 1, up_ - 1); ++y)
-      for (std::int32_t x = std::max(column - 1, 0); x <= std::min(column + 1, across_ - 1); ++x) {
-        const auto cell = static_cast<std::size_t>(y * across_ + x);
-        if (inside[cell] && sees(middle(x, y), goal, false)) offer(y * across_ + x, middle(x, y), goal, 0, false);
-      }
+      for (std::int32_t x = std::max(column - 1, 0); x <= std::min(column + 1, across_ - 1); ++x)
+        if (shorter(y * across_ + x, middle(x, y), {goal, 0}) && inside(x, y) && sees(middle(x, y), goal, false))
+          offer(y * across_ + x, middle(x, y), {goal, 0});
   }
-  if (open.empty()) {
-    std::int32_t best = -1;
-    float nearest = 0;
-    for (std::int32_t cell = 0; cell < across_ * up_; ++cell) {
-      const float away = glm::distance(middle(cell % across_, cell / across_), goals_[0]);
-      if (!inside[static_cast<std::size_t>(cell)] || (best >= 0 && away >= nearest)) continue;
-      best = cell;
-      nearest = away;
-    }
-    if (best >= 0) offer(best, middle(best % across_, best / across_), goals_[0], 0, false);
+  if (!open_.empty()) return;
+  std::int32_t best = -1;
+  float nearest = 0;
+  for (std::int32_t cell = 0; cell < across_ * up_; ++cell) {
+    const float away = glm::distance(middle(cell % across_, cell / across_), goals_[0]);
+    if (!inside(cell % across_, cell / across_) || (best >= 0 && away >= nearest)) continue;
+    best = cell;
+    nearest = away;
   }
-  while (!open.empty()) {
-    const auto [way, cell] = open.top();
-    open.pop();
-    if (closed[static_cast<std::size_t>(cell)]) continue;
-    closed[static_cast<std::size_t>(cell)] = 1;
-    const std::int32_t x = cell % across_, y = cell / across_;
-    const glm::vec3 place = middle(x, y);
-    const Cell from = cells_[static_cast<std::size_t>(cell)];
-    const float beyond = from.way - glm::distance(place, from.corner);
-    for (const auto& [dx, dy] : around) {
-      const std::int32_t to_x = x + dx, to_y = y + dy;
-      if (to_x < 0 || to_y < 0 || to_x >= across_ || to_y >= up_) continue;
-      const std::int32_t to = to_y * across_ + to_x;
-      if (!inside[static_cast<std::size_t>(to)] || closed[static_cast<std::size_t>(to)]) continue;
-      const glm::vec3 there = middle(to_x, to_y);
-      if (sees(there, from.corner, from.turns))
-        offer(to, there, from.corner, beyond, from.turns);
-      else if (outline_->holds(there, place))
-        offer(to, there, place, from.way, true);
-    }
+  if (best >= 0) offer(best, middle(best % across_, best / across_), {goals_[0], 0});
+}
+
+// Whether a way leads from a cell: goes on with the nearest until that is known.
+bool Waypoints::reaches(std::int32_t cell) {
+  const Cell& asked = cells_[static_cast<std::size_t>(cell)];
+  if (asked.closed) return true;
+  if (open_.empty() || !inside(cell % across_, cell / across_)) return false;
+  while (!open_.empty() && !asked.closed) spread_next();
+  return asked.closed;
+}
+
+// The nearest cell offers its way to those around.
+void Waypoints::spread_next() {
+  const std::int32_t cell = open_.top().second;
+  open_.pop();
+  Cell& from = cells_[static_cast<std::size_t>(cell)];
+  if (from.closed) return;
+  from.closed = true;
+  const std::int32_t x = cell % across_, y = cell / across_;
+  const glm::vec3 place = middle(x, y);
+  const Cell ahead{from.corner, from.way - glm::distance(place, from.corner), from.turns};
+  for (const auto& [dx, dy] : around) {
+    const std::int32_t to_x = x + dx, to_y = y + dy;
+    if (to_x < 0 || to_y < 0 || to_x >= across_ || to_y >= up_) continue;
+    const std::int32_t to = to_y * across_ + to_x;
+    const glm::vec3 there = middle(to_x, to_y);
+    if (cells_[static_cast<std::size_t>(to)].closed || !shorter(to, there, ahead) || !inside(to_x, to_y)) continue;
+    if (sees(there, ahead.corner, ahead.turns))
+      offer(to, there, ahead);
+    else if (outline_->holds(there, place))
+      offer(to, there, {place, from.way, true});
   }
 }
 
@@ -95,10 +102,11 @@ bool Waypoints::sees(const glm::vec3& from, const glm::vec3& to, bool turns) con
 
 // Cells without a way look to the nearest that has one: outwards from those, ring by ring.
 void Waypoints::fill() {
+  while (!open_.empty()) spread_next();
   nearest_.assign(cells_.size(), -1);
   std::vector<std::int32_t> ring, next;
   for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(cells_.size()); ++cell)
-    if (cells_[static_cast<std::size_t>(cell)].reached()) {
+    if (cells_[static_cast<std::size_t>(cell)].closed) {
       nearest_[static_cast<std::size_t>(cell)] = cell;
       ring.push_back(cell);
     }
@@ -117,7 +125,7 @@ void Waypoints::fill() {
   }
 }
 
-Waypoints::Choice Waypoints::choose(const glm::vec3& p) const {
+Waypoints::Choice Waypoints::choose(const glm::vec3& p) {
   const glm::vec3 from_low = (p - outline_->low()) / edge_;
   const auto within = [](float at, std::int32_t count) {
     return static_cast<std::int32_t>(std::clamp(at, 0.0f, static_cast<float>(count - 1)));
@@ -127,8 +135,9 @@ Waypoints::Choice Waypoints::choose(const glm::vec3& p) const {
   Choice best{p, -1};
   const auto consider = [&](std::int32_t cell_x, std::int32_t cell_y) {
     if (cell_x < 0 || cell_y < 0 || cell_x >= across_ || cell_y >= up_) return;
-    const Cell& cell = at(cell_x, cell_y);
-    if (!cell.reached()) return;
+    const std::int32_t number = cell_y * across_ + cell_x;
+    if (!reaches(number)) return;
+    const Cell& cell = cells_[static_cast<std::size_t>(number)];
     const float beyond = cell.way - glm::distance(middle(cell_x, cell_y), cell.corner);
     const float way = glm::distance(p, cell.corner) + beyond;
     if ((best.way < 0 || way < best.way) && sees(p, cell.corner, cell.turns)) best = {cell.corner, way};
@@ -137,14 +146,15 @@ Waypoints::Choice Waypoints::choose(const glm::vec3& p) const {
   if (best.way >= 0) return best;
   for (const auto& [dx, dy] : around) consider(x + dx, y + dy);
   if (best.way >= 0) return best;
+  if (nearest_.empty()) fill();
   const std::int32_t home = nearest_[static_cast<std::size_t>(y * across_ + x)];
   if (home < 0) return {goals_[0], glm::distance(p, goals_[0])};
   const glm::vec3 place = middle(home % across_, home / across_);
   return {place, glm::distance(p, place) + cells_[static_cast<std::size_t>(home)].way};
 }
 
-glm::vec3 Waypoints::next(const glm::vec3& p) const { return choose(p).corner; }
+glm::vec3 Waypoints::next(const glm::vec3& p) { return choose(p).corner; }
 
-float Waypoints::way(const glm::vec3& p) const { return choose(p).way; }
+float Waypoints::way(const glm::vec3& p) { return choose(p).way; }
 
 }  // namespace panicle::particles

@@ -226,6 +226,21 @@ TEST_CASE("the thickest vein is as wide as asked, and others by the law") {
   }
 }
 
+TEST_CASE("a petiole is as thick as asked, however thick the veins are") {
+  for (const auto& [vein, wide] : {std::pair{0.3f, 2.4f}, {3.0f, 1.2f}}) {
+    const Plant plant = leaf_of(
+        {{{Parameter::particles, 100}, {Parameter::vein, vein}, {Parameter::petiole_width, wide}}, {}, 1, "meshes"});
+    const PlantMesh* stalk = mesh_at(plant, "petiole");
+    REQUIRE(stalk != nullptr);
+    // Where it meets the blade, at the origin: half of the girth there is half its thickness.
+    float widest = 0;
+    for (std::size_t i = 0; i + 2 < stalk->mesh.positions.size(); i += 3)
+      if (std::fabs(stalk->mesh.positions[i + 1]) < 5e-4f)
+        widest = std::max(widest, std::fabs(stalk->mesh.positions[i]));
+    CHECK(widest == doctest::Approx(0.0005f * wide).epsilon(0.05));
+  }
+}
+
 TEST_CASE("a growth is its request's: the same twice, another with another seed") {
   const Wish wish{{{Parameter::particles, 300}}, {}, 5, "meshes mesh_fingerprint"};
   const Plant one = leaf_of(wish), again = leaf_of(wish);
@@ -338,7 +353,7 @@ TEST_CASE("angles and spacings of secondaries are those of a drawn leaf") {
   trails.particle.assign(trails.size(), -1);
   const std::vector<Trails> crowds{trails};
   const std::vector<Vein> veins = veins_of(crowds);
-  const Margin margin{.points = {{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}, .controls = {}, .tips = {}};
+  const Margin margin{.points = {{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}, .controls = {}, .tips = {}, .tip = 0, .teeth = {}};
   const Outline outline(margin.points);
   const std::vector<double> all{100};
   const Girth girth{.thickest = 0.001f};
@@ -351,6 +366,27 @@ TEST_CASE("angles and spacings of secondaries are those of a drawn leaf") {
   CHECK(measure(Measure::density_1) == doctest::Approx(10.0 / 200));
   CHECK(measure(Measure::forks) == 4);
   CHECK(measure(Measure::ends) == 5);
+  CHECK(std::isnan(measure(Measure::primary_angle)));
+}
+
+TEST_CASE("the angle between primaries is the mean of what is between neighbours") {
+  // Three targets' trails, at −50°, 0° and 60° from upwards.
+  std::vector<Trails> crowds;
+  for (const float degrees : {-50.0f, 60.0f, 0.0f}) {
+    const float turned = degrees * 3.14159265f / 180;
+    crowds.push_back({.places = {{0, 0, 0}, {std::sin(turned), std::cos(turned), 0}},
+                      .next = {-1, 0},
+                      .energy = {10, 10},
+                      .born = {0, 0},
+                      .particle = {-1, 0}});
+  }
+  const std::vector<Vein> veins = veins_of(crowds);
+  const Margin margin{
+      .points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, .controls = {}, .tips = {}, .tip = 0, .teeth = {}};
+  const Outline outline(margin.points);
+  const std::vector<double> all{30, 30, 30};
+  const auto measures = measures_of({margin, outline, crowds, veins, all, {.thickest = 0.001f}, 0.1f});
+  CHECK(measures[static_cast<std::size_t>(Measure::primary_angle)] == doctest::Approx(55).epsilon(1e-3));
 }
 
 TEST_CASE("what a leaf cannot use is brought into its range with a note, or refused in words") {

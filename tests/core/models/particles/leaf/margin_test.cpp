@@ -148,6 +148,10 @@ TEST_CASE("teeth are as many, as deep and as the shape has them; the margin's po
       const std::size_t each = shape == ToothShape::double_serrate ? 2 : 1;
       // Between n teeth are n − 1 notches a side; those at the ends are no deeper than their distance lets them be.
       CHECK(notches >= 2 * each * (count - 1));
+      // Their tips are on the margin as it was, in order; of a doubled saw those of the large ones.
+      CHECK(cut.teeth.size() == 2 * count);
+      CHECK(std::is_sorted(cut.teeth.begin(), cut.teeth.end()));
+      for (const std::size_t tip : cut.teeth) CHECK(plain.distance({cut.points[tip].x, cut.points[tip].y, 0}) < 1e-3f);
       if (count > 1) CHECK(notches <= 2 * each * (count + 1));
       if (count == 6) CHECK(deepest == doctest::Approx(0.4 * 1.1 / 6).epsilon(0.25));
     }

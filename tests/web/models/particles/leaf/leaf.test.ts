@@ -89,7 +89,7 @@ describe("a grown leaf", () => {
 
 	it("is told in words", () => {
 		const oak = leafFromPreset("oak");
-		expect(model.words(grow(oak), oak)).toMatch(/^Oak leaf, 4\d cm², 11 cm long, 3\.\d m of veins$/);
+		expect(model.words(grow(oak), oak)).toMatch(/^Oak leaf, 4\d cm², 11 cm long, 4\.\d m of veins$/);
 		const leaflet = leafFromPreset("strawberry");
 		expect(model.words(grow(leaflet), leaflet)).toMatch(/^Strawberry leaflet, /);
 		const young = withValues("oak", { age: 40 });

@@ -47,7 +47,7 @@ void dress(Plant& plant, const Asked& asked, const Veins& veins, std::span<const
       make_blade(veins.margin, veins.outline, pieces_of(flat, veins.all, girth, bending.scale), bending, form);
   if (blade.empty()) plant.notes.push_back("The outline is too narrow somewhere for a blade: veins alone are shown.");
   const std::vector<Segment> stalk =
-      make_petiole(bending, 0.01f * values[petiole] * bending.scale, std::max(girth.thickest, 0.5f * form.thickness));
+      make_petiole(bending, 0.01f * values[petiole] * bending.scale, 0.0005f * values[petiole_width]);
   StemMesh tube;
   if (!stalk.empty()) tube = sweep_stems({.segments = stalk, .jointed = false}, {.sides = petiole_sides}, 1.0f);
   if (asked.sky) {

@@ -13,7 +13,8 @@ constexpr float farthest = 4;        // leaf lengths from where the petiole join
 constexpr double least_area = 1e-3;  // square leaf lengths
 constexpr float piece = 0.015f;      // of the spline, about
 constexpr float fewest_pieces = 2, most_pieces = 32;
-constexpr float lattice = 1048576;  // 2²⁰
+constexpr float lattice = 1048576;      // 2²⁰
+constexpr float flattest_tooth = 0.7f;  // cosine of how much the margin turns at its tip
 
 Diagnostic bad(std::string message) { return {Reason::bad_input, std::move(message)}; }
 
@@ -89,6 +90,20 @@ void find_tips(std::span<const ControlPoint> points, Margin& margin) {
     if (tip_kind(points[i].kind)) margin.tips.push_back(margin.controls[i]);
   }
   margin.tip = margin.controls[tip];
+}
+
+// Corners that stand out sharply, but for the base.
+void find_teeth(std::span<const ControlPoint> points, Margin& margin) {
+  const std::size_t count = margin.points.size();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const std::size_t at = margin.controls[i];
+    const glm::vec2 before = margin.points[at] - margin.points[(at + count - 1) % count],
+                    after = margin.points[(at + 1) % count] - margin.points[at];
+    const bool out = before.x * after.y - before.y * after.x > 0;
+    if (points[i].kind == PointKind::corner && at != margin.tip && out &&
+        glm::dot(before, after) < flattest_tooth * glm::length(before) * glm::length(after))
+      margin.teeth.push_back(at);
+  }
 }
 
 }  // namespace
@@ -184,6 +199,7 @@ Result<Margin> spline(std::span<const ControlPoint> points) {
     return bad("The outline crosses itself, after its point " + std::to_string(control_of[cross.first] + 1) +
                " and after its point " + std::to_string(control_of[cross.second] + 1) + ": move one of them.");
   find_tips(points, margin);
+  find_teeth(points, margin);
   return margin;
 }
 

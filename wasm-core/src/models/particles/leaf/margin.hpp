@@ -36,12 +36,13 @@ struct Margin {
   std::vector<std::size_t> controls;  // of each control point, where among the points it is
   std::vector<std::size_t> tips;      // the lobe tips among the points, the leaf's own included, in their order
   std::size_t tip = 0;                // the leaf's own: the highest lobe tip; without one the highest point
+  std::vector<std::size_t> teeth;     // the tips of teeth among the points, in their order
 };
 
 // The centripetal Catmull-Rom spline (Yuksel et al. 2011, "Parameterization and applications of Catmull-Rom curves")
 // through the points, a cubic from each to the next. At a corner and a pointed tip it breaks: the cubic's control there
 // is halfway to its other one, or a third of the way to the next point where that is sharp too. Errors: bad_input,
-// which names the control points, where it crosses itself.
+// which names the control points, where it crosses itself. Corners that stand out are its teeth.
 Result<Margin> spline(std::span<const ControlPoint> points);
 
 enum class ToothShape : std::uint32_t { dentate, serrate, crenate, double_serrate };

@@ -14,12 +14,14 @@ enum class Parameter : std::uint32_t {
   tooth_depth,
   tooth_shape,
   petiole,
+  petiole_width,
   ribs,
   secondaries,
   angle,
   spacing,
   offset,
   arch,
+  course,
   slant,
   law,
   exponent,
@@ -43,7 +45,7 @@ enum class Parameter : std::uint32_t {
   join,
 };
 
-inline constexpr std::uint32_t parameter_count = 32;
+inline constexpr std::uint32_t parameter_count = 34;
 
 struct ParameterInfo {
   std::string_view key;
@@ -62,12 +64,14 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"tooth_depth", "", "", 5.0f, 100.0f, 0.0f, 35.0f, false},
     {"tooth_shape", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"petiole", "", "", 0.0f, 250.0f, 0.0f, 30.0f, false},
+    {"petiole_width", "", "", 0.1f, 20.0f, 0.0f, 1.6f, false},
     {"ribs", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"secondaries", "", "", 0.0f, 40.0f, 0.0f, 8.0f, true},
     {"angle", "", "", 15.0f, 90.0f, 0.0f, 50.0f, false},
     {"spacing", "", "", 0.3f, 3.0f, 0.0f, 0.8f, false},
     {"offset", "", "", 0.0f, 1.0f, 0.0f, 0.4f, false},
     {"arch", "", "", 0.0f, 1.0f, 0.0f, 0.4f, false},
+    {"course", "", "", 0.0f, 2.0f, 0.0f, 0.0f, true},
     {"slant", "", "", 0.0f, 3.0f, 0.0f, 0.8f, false},
     {"law", "", "", 0.0f, 2.0f, 0.0f, 1.0f, true},
     {"exponent", "", "power", 0.1f, 1.5f, 0.0f, 0.33f, false},

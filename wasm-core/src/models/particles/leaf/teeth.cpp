@@ -101,12 +101,12 @@ struct Cutter {
   const Teeth& teeth;
   float depth;  // over width
   float side;   // length of a side of the margin
-  std::vector<glm::vec2>& cut;
+  Margin& cut;
 
   void lay(float length, float inwards) const {
     glm::vec2 p = rail.place(length);
     if (inwards > 0) p += inwards * rail.inwards(length, 0.5f * longest_edge);
-    cut.push_back({std::floor(p.x * lattice + 0.5f) / lattice, std::floor(p.y * lattice + 0.5f) / lattice});
+    cut.points.push_back({std::floor(p.x * lattice + 0.5f) / lattice, std::floor(p.y * lattice + 0.5f) / lattice});
   }
 
   void stretch(float from, float to, bool to_end) const {
@@ -116,6 +116,7 @@ struct Cutter {
     const float width = length / count;
     const Profile profile = profile_of(teeth.shape);
     const auto lay_at = [&](float along, float out) {  // counted from the end that teeth lean away from
+      if (out == 1) cut.teeth.push_back(cut.points.size());
       const float near_end = std::min(along, length - along);
       const float deep = std::min(depth * width, slope_at_tips * near_end);
       lay(to_end ? from + along : to - along, (1 - out) * deep);
@@ -154,7 +155,7 @@ Margin toothed(const Margin& margin, const Teeth& teeth, std::vector<std::string
       if (one.first == margin.tip) cut.tip = cut.points.size();
       cut.points.push_back(margin.points[one.first]);
       const std::size_t before = cut.points.size();
-      Cutter{rail, teeth, depth, 0.5f * rail.length(), cut.points}.stretch(from, to, one.to_end);
+      Cutter{rail, teeth, depth, 0.5f * rail.length(), cut}.stretch(from, to, one.to_end);
       if (cut.points.size() == before)  // too short for a tooth: as it was
         for (std::size_t i = one.first + 1; i < std::min(one.last, count); ++i) cut.points.push_back(margin.points[i]);
     }

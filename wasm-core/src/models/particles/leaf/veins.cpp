@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "models/particles/crowd.hpp"
@@ -38,7 +39,8 @@ RibPlan plan_of(const Values& values) {
           .angle = values[angle],
           .spacing = values[spacing],
           .offset = values[offset],
-          .arch = values[arch]};
+          .arch = values[arch],
+          .course = static_cast<Course>(values.whole(course))};
 }
 
 Rules rules_of(const Values& values, float apart) {
@@ -51,22 +53,25 @@ Rules rules_of(const Values& values, float apart) {
           .join = values[join] * apart};
 }
 
-using Guides = std::vector<std::unique_ptr<const Venation>>;
-
-// Each start to the ribs nearest to it; of equally near ones the first.
-std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& starts, const Guides& guides) {
-  if (guides.size() == 1) return {starts};
-  std::vector<std::vector<glm::vec3>> shares(guides.size());
-  for (const glm::vec3& start : starts) {
-    std::size_t best = 0;
-    float least = guides[0]->ribs().nearest(start).distance;
-    for (std::size_t k = 1; k < guides.size(); ++k)
-      if (const float distance = guides[k]->ribs().nearest(start).distance; distance < least) {
-        best = k;
-        least = distance;
-      }
-    shares[best].push_back(start);
+// Each start to the ribs nearest to it; of equally near ones to the first.
+std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& starts, std::span<const Ribs> trees,
+                                               const Outline& outline) {
+  if (trees.size() == 1) return {starts};
+  // One grid of all: all trees share their first place.
+  Ribs all{{trees[0].places[0]}, {-1}};
+  std::vector<std::size_t> tree_of{0};
+  for (std::size_t tree = 0; tree < trees.size(); ++tree) {
+    const auto before = static_cast<std::int32_t>(all.places.size()) - 1;
+    for (std::size_t i = 1; i < trees[tree].places.size(); ++i) {
+      const std::int32_t next = trees[tree].next[i];
+      all.places.push_back(trees[tree].places[i]);
+      all.next.push_back(next > 0 ? next + before : 0);
+      tree_of.push_back(tree);
+    }
   }
+  const RibGrid grid(all, outline.low(), outline.high());
+  std::vector<std::vector<glm::vec3>> shares(trees.size());
+  for (const glm::vec3& start : starts) shares[tree_of[grid.nearest(start).at]].push_back(start);
   return shares;
 }
 
@@ -93,10 +98,10 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
       scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
   if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
 
-  Guides guides;
+  std::vector<std::unique_ptr<const Venation>> guides;
   for (const Ribs& ribs_of_target : trees)
     guides.push_back(std::make_unique<const Venation>(veins.outline, ribs_of_target, values[slant], veins.spacing));
-  const auto shares = shared_out(starts, guides);
+  const auto shares = shared_out(starts, trees, veins.outline);
   const double all = static_cast<double>(values[energy]) * static_cast<double>(starts.size());
   for (std::size_t k = 0; k < guides.size(); ++k) {
     const Venation& guide = *guides[k];
@@ -105,9 +110,9 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
     Trails trails = crowd.trails();
     if (values[smoothing] > 0) {
       const float share = values[smoothing];
-      bed(trails, guide.ribs(), share * bedded * veins.spacing);
+      bed(trails, guide.ribs(), guide, share * bedded * veins.spacing);
       smooth(trails, guide, share);
-      bed(trails, guide.ribs(), share * bedded_again * veins.spacing);
+      bed(trails, guide.ribs(), guide, share * bedded_again * veins.spacing);
       smooth(trails, guide, share * smoothed_again);
       trails = simplified(trails, share * simplified_within * veins.spacing);
     }

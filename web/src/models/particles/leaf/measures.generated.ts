@@ -21,6 +21,7 @@ export const MEASURE_KEYS = [
 	"density_1",
 	"density_2",
 	"density_3",
+	"primary_angle",
 	"secondary_angle",
 	"secondary_spacing",
 ] as const;
@@ -207,6 +208,16 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 2,
 		help: "Length of the veins of the third order over the blade's area.",
 		source: "Sack et al. (2012)",
+	},
+	{
+		key: "primary_angle",
+		label: "Angle between primaries",
+		group: "orders",
+		kind: "number",
+		unit: "°",
+		decimals: 0,
+		help: "Mean angle between neighbouring primary veins where they leave the petiole; of one alone there is none.",
+		source: "OIV (2009), 607 to 609",
 	},
 	{
 		key: "secondary_angle",

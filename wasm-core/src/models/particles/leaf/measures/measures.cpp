@@ -16,6 +16,8 @@ constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 // Leaf lengths along a vein between which its heading is taken, clear of the round where it leaves; and how far to both
 // sides of that its bearer's is.
 constexpr float heading_from = 0.02f, heading_to = 0.08f, bearer_reach = 0.05f;
+// The same of a primary, clear of where they run together at the petiole.
+constexpr float primary_from = 0.05f, primary_to = 0.25f;
 
 const glm::vec3& place_of(const Measured& leaf, const Vein& vein, std::size_t k) {
   return leaf.crowds[vein.crowd].places[vein.places[k]];
@@ -39,6 +41,19 @@ glm::vec3 ahead(const Measured& leaf, const Vein& vein, std::size_t k, float rea
     at = to;
   }
   return at;
+}
+
+// Between neighbours of those that come from the petiole, in degrees.
+float primary_angle_of(const Measured& leaf) {
+  std::vector<float> headings;
+  for (const Vein& vein : leaf.veins) {
+    if (vein.order != 1 || vein.bearer >= 0) continue;
+    const glm::vec3 way = ahead(leaf, vein, 0, primary_to, false) - ahead(leaf, vein, 0, primary_from, false);
+    if (glm::length(way) > 0) headings.push_back(arc_tangent(-way.x, way.y) * 180 / pi);  // from upwards, left
+  }
+  if (headings.size() < 2) return nothing;
+  const auto [least, most] = std::minmax_element(headings.begin(), headings.end());
+  return (*most - *least) / static_cast<float>(headings.size() - 1);
 }
 
 struct Leaving {
@@ -152,6 +167,7 @@ std::vector<float> measures_of(const Measured& leaf) {
     values[static_cast<std::size_t>(count_1) + k] = counts[k];
     values[static_cast<std::size_t>(density_1) + k] = 10 * lengths[k] / surface;
   }
+  set(primary_angle, primary_angle_of(leaf));
   const Secondaries secondaries = secondaries_of(leaf);
   set(secondary_angle, secondaries.angle);
   set(secondary_spacing, secondaries.spacing * mm);

@@ -25,10 +25,11 @@ enum class Measure : std::uint32_t {
   density_1,
   density_2,
   density_3,
+  primary_angle,
   secondary_angle,
   secondary_spacing,
 };
 
-inline constexpr std::uint32_t measure_count = 20;
+inline constexpr std::uint32_t measure_count = 21;
 
 }  // namespace panicle::particles::leaf
