@@ -116,6 +116,9 @@ describe("the bunch's figure", () => {
 		expect([...data.filter((_, at) => at % 4 < 3)]).toEqual([...(said?.textures?.colour?.pixels ?? [])]);
 		figure.show({ ...veined }, { look: LOOK });
 		expect(leaf().map).toBe(drawn);
+		const soon = makeNatural(SKETCH, { traits: () => ({ shrivel: 0.001 }) });
+		figure.show({ ...soon, foliage: veined.foliage }, { look: LOOK });
+		expect(leaf().map).toBe(drawn);
 		const late = makeNatural(SKETCH, { traits: () => ({ shrivel: 1 }) });
 		figure.show({ ...late, foliage: veined.foliage }, { look: LOOK });
 		expect(leaf().map).not.toBe(drawn);

@@ -15,10 +15,9 @@ import { setPicture, setSheet } from "../../../scene/standard_material";
 import { fillStreams } from "../../../scene/streams";
 import { type BerrySurfaces, FOLIAGE_KINDS, type Foliage, type Grown } from "../grown";
 import type { BerryTint } from "../parts/berry_tint";
-import { foliageColours } from "../parts/foliage_colour";
+import { autumnOf, foliageColours } from "../parts/foliage_colour";
 import { foliageMaterials } from "../parts/materials";
 import type { Look } from "../specimen";
-import { meanOf } from "../traits";
 import { BerryInstances } from "./berry_instances";
 import { packVertices, skiesOf, surfacesOf, VERTICES_PER_ROW } from "./berry_skins";
 import { DepthOrder } from "./depth_order";
@@ -76,7 +75,7 @@ export class BunchSurface {
 		this.#order.reset(surfaces ? grown.berries.spheres : new Float32Array(0));
 		this.#flowers.show(grown, skies);
 		this.#foliage.visible = grown.foliage !== undefined && grown.foliage.indices.length > 0;
-		if (grown.foliage) this.#showFoliage(grown.foliage, meanOf(grown.berries, "shrivel", 0));
+		if (grown.foliage) this.#showFoliage(grown.foliage, autumnOf(grown.berries));
 		this.#showStems();
 		this.#setVisible();
 	}

@@ -4,9 +4,8 @@ import type { Material } from "../../../plant/material";
 import { cut, type Part, type Shape } from "../../../plant/part";
 import type { Foliage, Grown, StemMesh } from "../grown";
 import type { Look, BunchSpecimen as Specimen } from "../specimen";
-import { meanOf } from "../traits";
 import { naturalBerries, sharedBerries } from "./berries";
-import { foliageColours } from "./foliage_colour";
+import { autumnOf, foliageColours } from "./foliage_colour";
 import { foliageMaterials, stemMaterial } from "./materials";
 import { foliageNames, stemName } from "./names";
 import { stemColours } from "./stem_colour";
@@ -35,9 +34,8 @@ function* stemsOf(grown: Grown, stem: StemMesh, { stem: hex }: Look): Generator<
 	}
 }
 
-/** Leaves turn as berries dry. */
 function* foliageOf({ berries }: Grown, foliage: Foliage): Generator<Part> {
-	const autumn = meanOf(berries, "shrivel", 0);
+	const autumn = autumnOf(berries);
 	const colours = foliageColours(foliage, autumn);
 	const materials = foliageMaterials(autumn, foliage.veins);
 	const names = foliageNames(foliage.parts);

@@ -1,7 +1,8 @@
 /** The colours of leaves, petioles, cane and stamens, vertex by vertex: what view and files show of them. */
 import { type Colour, linear, mix, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
-import type { Foliage, FoliagePart } from "../grown";
+import type { Berries, Foliage, FoliagePart } from "../grown";
+import { meanOf } from "../traits";
 
 /** A leaf's faces and veins, and what autumn makes of them. */
 export const LEAF = {
@@ -30,6 +31,14 @@ const CRACKS = [26, 1.6] as const;
 const GREENEST = [0.5, 0.62] as const;
 /** How much of their colours is the brightest of green blades, and of turned ones. */
 const BRIGHTEST = [1.25, 1.2] as const;
+
+/** So many shades of autumn there are: a leaf's picture is drawn anew for each, not for every moment of a life that plays. */
+const SHADES = 50;
+
+/** How far leaves have turned, 0 … 1: they turn as berries dry. */
+export function autumnOf(berries: Berries): number {
+	return Math.round(SHADES * meanOf(berries, "shrivel", 0)) / SHADES;
+}
 
 /** The brightest that a leaf is anywhere between its veins: what its picture shows, and vertices darken. */
 export function brightestLeaf(autumn: number): Colour {
