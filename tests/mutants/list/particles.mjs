@@ -68,11 +68,29 @@ export default [
 				replace: "? share",
 				breaks: "Leonardo's rule does not hold",
 			},
+		],
+	},
+	{
+		file: `${SRC}/moment.cpp`,
+		suites: [`${TESTS}/moment_test.cpp`],
+		faults: [
 			{
-				id: "trails-young-without-fronts",
-				find: "kept[static_cast<std::size_t>(trails.next[i])] = 1;",
-				replace: "kept[static_cast<std::size_t>(trails.next[i])] |= left[static_cast<std::size_t>(trails.next[i])];",
-				breaks: "while they run, the last piece of each trail hangs on nothing",
+				id: "moment-piece-by-piece",
+				find: "(moment - left) / (there - left)) * way",
+				replace: "0) * way",
+				breaks: "particles stand at a place until they jump to the next",
+			},
+		],
+	},
+	{
+		file: `${SRC}/grown.cpp`,
+		suites: [`${TESTS}/tree_life_test.cpp`],
+		faults: [
+			{
+				id: "grown-by-whole-steps",
+				find: "habit.age * static_cast<float>(last)",
+				replace: "std::floor(habit.age * 0.1f * static_cast<float>(last))",
+				breaks: "the tree runs by jerks and is not whole in the end",
 			},
 		],
 	},

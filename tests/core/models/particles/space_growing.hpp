@@ -105,6 +105,44 @@ inline std::vector<std::size_t> tips_of(const Plant& plant) {
   return tips;
 }
 
+// Every tree has these, whatever was asked.
+inline void check_sound(const Plant& plant, double energy) {
+  const auto energies = column_in<float>(plant, "segments.energy");
+  const auto arrived = column_in<float>(plant, "targets.energy");
+  REQUIRE(energies.size() == plant.segments.size());
+  double sum = 0, at_targets = 0;
+  for (const float each : arrived) sum += static_cast<double>(each);
+  std::vector<double> inflow(plant.segments.size(), 0);
+  for (std::size_t i = 0; i < plant.segments.size(); ++i) {
+    const Segment& segment = plant.segments[i];
+    CHECK(segment.parent < static_cast<std::int32_t>(i));
+    CHECK(segment.radius > 0);
+    if (segment.parent >= 0) {
+      CHECK(plant.segments[static_cast<std::size_t>(segment.parent)].end == segment.start);
+      inflow[static_cast<std::size_t>(segment.parent)] += static_cast<double>(energies[i]);
+    } else {
+      at_targets += static_cast<double>(energies[i]);
+    }
+  }
+  // Whole energies below 2^24 add up exactly.
+  CHECK(at_targets == sum);
+  CHECK(sum == energy * count_of(plant, "particles"));
+  CHECK(count_of(plant, "energy") == static_cast<std::uint32_t>(sum));
+  for (std::size_t i = 0; i < inflow.size(); ++i)
+    if (inflow[i] > 0) CHECK(inflow[i] <= static_cast<double>(energies[i]));
+  // One tree a target, whose ends are the particles.
+  CHECK(tips_of(plant).size() == count_of(plant, "particles"));
+  const auto places = column_in<float>(plant, "targets.places");
+  CHECK(places.size() == 3 * count_of(plant, "targets"));
+  for (const Segment& segment : plant.segments) {
+    if (segment.parent >= 0) continue;
+    bool at_target = false;
+    for (std::size_t k = 0; k < places.size(); k += 3)
+      at_target = at_target || segment.start == glm::vec3(places[k], places[k + 1], places[k + 2]);
+    CHECK(at_target);
+  }
+}
+
 inline bool notes_say(const Plant& plant, std::string_view words) {
   for (const std::string& note : plant.notes)
     if (note.find(words) != std::string::npos) return true;

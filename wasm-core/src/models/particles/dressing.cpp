@@ -18,7 +18,6 @@ namespace {
 constexpr std::uint32_t sides = 12, thin_sides = 4;
 // Axes thinner than this share of the thickest are thin.
 constexpr float thin = 0.12f;
-constexpr float traveller = 1.6f;  // times its trail's radius
 constexpr std::uint32_t sky_cells = 32, sky_directions = 32;
 
 std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); }
@@ -79,26 +78,6 @@ VoxelLight openness(const Plant& plant, std::uint32_t leaf_tag, float leaf_area)
 }
 
 }  // namespace
-
-void add_travellers(Plant& plant, const Trails& trails, std::uint32_t step, double all, const Girth& girth,
-                    float least_radius, std::uint32_t tag) {
-  // What has come to each place by then.
-  std::vector<double> here(trails.size(), 0);
-  std::vector<double> own = trails.energy;
-  for (std::size_t i = 1; i < trails.size(); ++i) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
-  for (std::size_t i = trails.size(); i-- > 1;) {
-    if (trails.particle[i] >= 0) here[i] += own[i];
-    if (trails.born[i] <= step) here[static_cast<std::size_t>(trails.next[i])] += here[i];
-  }
-  for (std::size_t i = 1; i < trails.size(); ++i) {
-    if (trails.born[i] <= step || !(here[i] > 0)) continue;
-    Organ ball;
-    ball.tag = tag;
-    ball.position = trails.places[i];
-    ball.scale = std::max(traveller * radius_of(girth, here[i], all), least_radius);
-    plant.organs.push_back(ball);
-  }
-}
 
 void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky) {
   float thickest = 0;

@@ -50,9 +50,9 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
           std::erase_if(bound[i], [&](const glm::vec3& start) { return !guide.reaches(start); }));
     Crowd crowd(bound[i], motion.energy, guide, rules);
     crowd.run();
-    Trails trails = gathered(crowd.trails(), trunk * spacing);
+    Trails trails = gathered(crowd.trails(), trunk * spacing, rules.step);
     smooth(trails, guide, smoothing);
-    wood.crowds.push_back(simplified(trails, tolerance * spacing));
+    wood.crowds.push_back(simplified(trails, tolerance * spacing, true));
     wood.all.push_back(trails.energy[0]);
     wood.tally.particles += static_cast<std::uint32_t>(bound[i].size());
     wood.tally.merges += crowd.merges();
@@ -60,7 +60,6 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
     wood.tally.energy += crowd.arrived();
     wood.stragglers += crowd.stragglers();
   }
-  wood.last = last_step(wood.crowds);
   return wood;
 }
 

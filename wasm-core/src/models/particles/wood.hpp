@@ -24,7 +24,6 @@ struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
   std::vector<double> all;     // what arrives at each in the end
   Tally tally;
-  std::uint32_t last = 0;         // step in which anyone moved
   std::uint32_t stragglers = 0;   // that had to be led to their target
   std::uint32_t unreachable = 0;  // that have no way past the obstacles, and were left out
 };
