@@ -48,7 +48,7 @@ SpaceHabit space_habit(const Values& values) {
   if (!habit.running) habit.growth = std::max(habit.age, youngest);
   constexpr std::array laws{WidthLaw::linear, WidthLaw::square_root, WidthLaw::power, WidthLaw::power};
   const std::uint32_t law = values.whole(Keys::law);
-  habit.girth = {laws[law], law == 2 ? 1.0f / 3 : values[Keys::exponent], 0.5f * habit.growth * values[Keys::girth],
+  habit.girth = {laws[law], law == 2 ? 1.0f / 3 : values[Keys::exponent], 0.005f * habit.growth * values[Keys::girth],
                  0.0005f * values[Keys::twig]};
   habit.trunk.slant = values[Keys::slant];
   // What bends the way of particles is the other way round than what bends the tips that they come from.

@@ -82,7 +82,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"gravitropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
     {"law", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"exponent", "", "power", 0.1f, 1.5f, 0.0f, 0.45f, false},
-    {"girth", "", "", 0.002f, 5.0f, 0.0f, 0.3f, false},
+    {"girth", "", "", 0.2f, 500.0f, 0.0f, 30.0f, false},
     {"twig", "", "", 0.1f, 50.0f, 0.0f, 4.0f, false},
     {"leaves", "", "", 0.0f, 6.0f, 0.0f, 2.0f, true},
     {"leaf_size", "", "", 0.2f, 60.0f, 0.0f, 14.0f, false},
