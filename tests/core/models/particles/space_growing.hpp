@@ -28,7 +28,7 @@ struct Asked {
   std::vector<std::pair<std::string_view, float>> parameters = {};
   std::uint32_t seed = 1;
   std::string outputs = {};
-  std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {};
+  std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {}, rounds = {};
   std::vector<std::uint32_t> triangles = {};
 };
 
@@ -56,6 +56,7 @@ Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
   add("profile", Element::float32, asked.profile.size(), asked.profile.data());
   add("targets", Element::float32, asked.targets.size(), asked.targets.data());
   add("obstacles", Element::float32, asked.obstacles.size(), asked.obstacles.data());
+  add("obstacles.round", Element::float32, asked.rounds.size(), asked.rounds.data());
   add("volume.points", Element::float32, asked.points.size(), asked.points.data());
   add("volume.triangles", Element::uint32, asked.triangles.size(), asked.triangles.data());
   Request request(blocks, nullptr);
@@ -83,15 +84,19 @@ inline std::uint32_t count_of(const Plant& plant, std::string_view name) {
 }
 
 template <class Value>
-std::vector<Value> column_in(const Plant& plant, std::string_view name) {
-  for (std::size_t i = 0; i < plant.columns.size(); ++i) {
-    const ColumnView view = plant.columns[i];
+std::vector<Value> column_in(const Columns& columns, std::string_view name) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ColumnView view = columns[i];
     if (view.name != name) continue;
     std::vector<Value> values(std::size_t{view.rows} * view.width);
     if (!values.empty()) std::memcpy(values.data(), view.data, values.size() * sizeof(Value));
     return values;
   }
   return {};
+}
+template <class Value>
+std::vector<Value> column_in(const Plant& plant, std::string_view name) {
+  return column_in<Value>(plant.columns, name);
 }
 
 // Where particles started: ends that bear nothing. (All of a grown plant's particles are such ends.)

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "models/particles/crown_light.hpp"
@@ -70,6 +71,49 @@ TEST_CASE("two leaves stand at each origin and face the light") {
   }
   CHECK(facing / static_cast<float>(plant.organs.size()) > 0.9f);
   CHECK(grow_tree({.parameters = {{"particles", 300}, {"leaves", 0}}}).organs.empty());
+}
+
+TEST_CASE("no normal of branches and twigs that is seen opposes its triangle, but for a fold in ten thousand") {
+  for (const float ragged : {0.0f, 0.3f}) {
+    const Plant plant =
+        grow_tree({.parameters = {{"particles", 1500}, {"ragged", ragged}, {"girth", 60}}, .outputs = "meshes"});
+    const Mesh& mesh = plant.meshes[0].mesh;
+    const auto vector = [](const std::vector<float>& values, std::uint32_t i) {
+      return glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+    };
+    std::size_t opposed = 0, triangles = 0;
+    const auto around = column_in<std::uint32_t>(plant.meshes[0].columns, "segment");
+    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+      const std::uint32_t a = mesh.indices[t], b = mesh.indices[t + 1], c = mesh.indices[t + 2];
+      const glm::vec3 face = glm::cross(vector(mesh.positions, b) - vector(mesh.positions, a),
+                                        vector(mesh.positions, c) - vector(mesh.positions, a));
+      const glm::vec3 mean = vector(mesh.normals, a) + vector(mesh.normals, b) + vector(mesh.normals, c);
+      ++triangles;
+      if (glm::dot(face, mean) >= 0) continue;
+      // Where a branch begins it lies within what bears it, and is not seen.
+      const Segment& own = plant.segments[around[a]];
+      const glm::vec3 middle =
+          (vector(mesh.positions, a) + vector(mesh.positions, b) + vector(mesh.positions, c)) / 3.0f;
+      bool hidden = false;
+      for (const Segment& other : plant.segments) {
+        const glm::vec3 way = other.end - other.start;
+        const float at = glm::clamp(glm::dot(middle - other.start, way) / glm::dot(way, way), 0.0f, 1.0f);
+        const float radius = other.radius + at * (other.radius_end - other.radius);
+        if (&other != &own && glm::distance(middle, other.start + at * way) < radius) hidden = true;
+      }
+      opposed += !hidden;
+    }
+    CHECK(10000 * opposed <= triangles);
+  }
+}
+
+TEST_CASE("wood costs about as much as is seen of it: a few triangles a twig") {
+  const Plant plant = grow_tree({.parameters = {{"particles", 2000}}, .outputs = "meshes"});
+  const std::size_t triangles = plant.meshes[0].mesh.indices.size() / 3;
+  CHECK(triangles < 22 * count_of(plant, "particles"));
+  // Twigs end in a point, where their particles started.
+  const auto segments = column_in<std::uint32_t>(plant, "segments.born");
+  CHECK(segments.size() == plant.segments.size());
 }
 
 }  // namespace

@@ -198,5 +198,34 @@ TEST_CASE("where the boundary grows, a young tree is a small tree, whose twigs s
   CHECK(same > tips_of(old).size() / 3);
 }
 
+TEST_CASE("a ragged crown is inside its boundary, with hollows, and has as many particles") {
+  const auto tips = [](float ragged) {
+    const Plant plant =
+        grow_tree({.parameters = {{"particles", 3000}, {"ragged", ragged}, {"inner", 0}, {"pattern", 2}}});
+    std::vector<glm::vec3> found;
+    for (const std::size_t tip : tips_of(plant)) found.push_back(plant.segments[tip].end);
+    return found;
+  };
+  // By direction from the middle, how far the farthest is.
+  const auto reach = [](const std::vector<glm::vec3>& places) {
+    std::vector<float> farthest(12 * 6, 0);
+    for (const glm::vec3& place : places) {
+      const glm::vec3 from = place - glm::vec3(0, 5, 0);
+      const float far = glm::length(from);
+      CHECK(far <= 3.001f);
+      const auto around = static_cast<std::size_t>((std::atan2(from.z, from.x) / 6.2832f + 0.5f) * 11.999f);
+      const auto up = static_cast<std::size_t>((from.y / far + 1) / 2 * 5.999f);
+      farthest[12 * up + around] = std::max(farthest[12 * up + around], far);
+    }
+    float sum = 0, squares = 0;
+    for (const float far : farthest) sum += far, squares += far * far;
+    const float mean = sum / 72;
+    return std::sqrt(squares / 72 - mean * mean);
+  };
+  const auto clipped = tips(0), ragged = tips(0.4f);
+  CHECK(ragged.size() > 0.8 * static_cast<double>(clipped.size()));
+  CHECK(reach(ragged) > 2 * reach(clipped));
+}
+
 }  // namespace
 }  // namespace panicle::particles

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "models/particles/crown_light.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/tree/crown.hpp"
 #include "space_growing.hpp"
@@ -147,6 +148,36 @@ TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
   std::uint32_t crossing = 0;
   for (const Segment& segment : open.segments) crossing += obstacles.between(segment.start, segment.end);
   CHECK(crossing > 20);
+}
+
+TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes it, and it takes light") {
+  // Beside the crown, which reaches to 3 m, and into it.
+  const std::vector<float> neighbour{1.5f, 3, -2.5f, 6.5f, 9, 2.5f};
+  const Asked asked{.parameters = {{"particles", 2500}, {"inner", 0.3f}, {"absorption", 6}}};
+  const Plant open = grow_tree(asked);
+  Asked beside = asked;
+  beside.rounds = neighbour;
+  const Plant plant = grow_tree(beside);
+  check_sound(plant, 1);
+  const std::vector<Box> rounds{{{1.5f, 3, -2.5f}, {6.5f, 9, 2.5f}}};
+  const Obstacles obstacles({}, rounds, 0, 0, 100);
+  for (const Segment& segment : plant.segments) CHECK_FALSE(obstacles.between(segment.start, segment.end));
+  std::uint32_t crossing = 0;
+  for (const Segment& segment : open.segments) crossing += obstacles.between(segment.start, segment.end);
+  CHECK(crossing > 20);
+  // A corner of its box is free.
+  CHECK_FALSE(obstacles.contains({1.6f, 3.1f, -2.4f}));
+  CHECK(obstacles.contains({1.6f, 6, 0}));
+
+  const auto halves = [](const std::vector<Box>& others) {
+    CrownHabit habit;
+    const auto crowns = tree::make_crowns(habit, {}, {});
+    const VoxelLight light = light_in(crowns.outer, others, {.sky = 1, .absorption = 1}, 28);
+    return light.at({1.2f, 5, 0}) / light.at({-1.2f, 5, 0});
+  };
+  CHECK(halves({}) == doctest::Approx(1).epsilon(0.05));
+  CHECK(halves({{{2, 1, -4}, {10, 11, 4}}}) < 0.8f);
+  CHECK(ask_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") != std::string::npos);
 }
 
 TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipsoid") {

@@ -123,7 +123,7 @@ TEST_CASE("trails down one axis become one trunk, with all that arrives") {
   trails.energy = {3, 1, 2, 1, 2, 1, 2};
   trails.born = {9, 7, 8, 5, 6, 1, 1};
   trails.particle = {-1, -1, -1, -1, -1, 0, 1};
-  const Trails one = gathered(trails, 0.1f, 0.5f);
+  const Trails one = gathered(trails, Axis(trails.places[0]), 0.1f, 0.5f);
   REQUIRE(one.size() == 7);
   CHECK(one.energy[0] == 3);
   std::size_t at_target = 0;
@@ -152,7 +152,7 @@ TEST_CASE("an excursion off the axis that nothing goes by any more is left out")
   trails.energy = {1, 1, 1, 1, 1};
   trails.born = {5, 4, 3, 2, 1};
   trails.particle = {-1, -1, -1, -1, 0};
-  const Trails one = gathered(trails, 0.1f, 0.5f);
+  const Trails one = gathered(trails, Axis(trails.places[0]), 0.1f, 0.5f);
   REQUIRE(one.size() == 4);
   for (const glm::vec3& place : one.places) CHECK(place.x != 0.5f);
 }

@@ -56,20 +56,18 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next, float stride
 
 }  // namespace
 
-Trails gathered(const Trails& trails, float reach, float stride) {
-  std::vector<std::uint32_t> axis;
+Trails gathered(const Trails& trails, const Axis& axis, float reach, float stride) {
+  std::vector<std::uint32_t> near;
   std::vector<float> nearness;
-  const glm::vec3 foot = trails.places[0];
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
-    const glm::vec3 from = trails.places[i] - foot;
-    if (trails.particle[i] >= 0 || !(from.x * from.x + from.z * from.z < reach * reach)) continue;
-    axis.push_back(i);
-    nearness.push_back(-std::fabs(from.y));
+    if (trails.particle[i] >= 0 || !(axis.distance(trails.places[i]) < reach)) continue;
+    near.push_back(i);
+    nearness.push_back(-std::fabs(trails.places[i].y - axis.foot().y));
   }
   const std::vector<std::uint32_t> order = order_of(nearness);
   std::vector<std::int32_t> next = trails.next;
   for (std::size_t k = 0; k < order.size(); ++k)
-    next[axis[order[k]]] = k + 1 < order.size() ? static_cast<std::int32_t>(axis[order[k + 1]]) : 0;
+    next[near[order[k]]] = k + 1 < order.size() ? static_cast<std::int32_t>(near[order[k + 1]]) : 0;
   return linked(trails, std::move(next), stride);
 }
 

@@ -2,14 +2,15 @@
 // have several trunks in one.
 #pragma once
 
+#include "models/particles/axis.hpp"
 #include "models/particles/trails.hpp"
 
 namespace panicle::particles {
 
-// Whatever of the trails is closer than `reach` to the upright axis through the target leads on along one line of
+// Whatever of the trails is closer than `reach` to the axis through the target leads on along one line of
 // places, from that which is farthest up or down to the target. Starts stay ends, energies arrive as before, and a
 // place is as old as the first that comes by, at `stride` a step; the target is as old as who comes to the line last.
 // Places that nothing comes by any more are left out.
-Trails gathered(const Trails& trails, float reach, float stride);
+Trails gathered(const Trails& trails, const Axis& axis, float reach, float stride);
 
 }  // namespace panicle::particles

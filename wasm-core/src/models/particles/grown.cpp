@@ -37,12 +37,12 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
   // A step may end that far beyond a corner.
   const float step = habit.motion.rules.step * spacing;
-  const Obstacles obstacles(request.obstacles, margin * spacing, floor + step, ceiling - step);
+  const Obstacles obstacles(request.obstacles, request.rounds, margin * spacing, floor + step, ceiling - step);
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
 
   Grown grown;
-  grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles);
+  grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles, request.seed);
   const Wood& wood = grown.wood;
   if (wood.unreachable > 0)
     plant.notes.push_back(std::to_string(wood.unreachable) +

@@ -51,6 +51,7 @@ SpaceHabit space_habit(const Values& values) {
   habit.girth = {laws[law], law == 2 ? 1.0f / 3 : values[Keys::exponent], 0.005f * habit.growth * values[Keys::girth],
                  0.0005f * values[Keys::twig]};
   habit.trunk.slant = values[Keys::slant];
+  habit.trunk.sway = values[Keys::sway];
   // What bends the way of particles is the other way round than what bends the tips that they come from.
   habit.trunk.bend = {0, values[Keys::gravitropism], 0};
   return habit;

@@ -29,8 +29,8 @@ struct Wood {
 };
 
 // Runs the particles to the nearest target (ties: that of the lowest index), those of each for themselves.
-// `habit.ahead` is set by the spacing.
+// `habit.ahead` is set by the spacing. `seed`: which way each axis sways.
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles);
+         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed);
 
 }  // namespace panicle::particles

@@ -107,6 +107,7 @@ Result<Plant> grow(Request& request, const Limits&) {
   const Hormone held{values[hormone], low.y, hormone_reach * extent.y, 0.5f * leader * (extent.x + extent.z), targets};
   const Soil soil(outer, inner, values.whole(pattern) == 3 ? values[topsoil] : 0, held);
   space.trunk.way = 1;
+  space.trunk.height = -low.y;
   space.trunk.reach = 0.25f * (extent.x + extent.z);
   plant.tags = {"root"};
   plant.organ_tags = {"particle"};
