@@ -30,6 +30,7 @@ struct Asked {
   std::string outputs = {};
   std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {}, rounds = {};
   std::vector<std::uint32_t> triangles = {};
+  Limits limits = {};
 };
 
 template <class Table>
@@ -60,7 +61,7 @@ Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
   add("volume.points", Element::float32, asked.points.size(), asked.points.data());
   add("volume.triangles", Element::uint32, asked.triangles.size(), asked.triangles.data());
   Request request(blocks, nullptr);
-  return model.grow(request, Limits{});
+  return model.grow(request, asked.limits);
 }
 
 inline Result<Plant> ask_tree(const Asked& asked) { return ask(tree::model, tree::parameter_table, asked); }

@@ -203,6 +203,28 @@ TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipso
   CHECK(notes_say(grow_tree({.parameters = {{"shape", 5}, {"particles", 50}}}), "no mesh"));
 }
 
+TEST_CASE("more pieces of trail or leaves than there may be are refused, with what to ask for") {
+  const auto refusal = [](Result<Plant> plant) {
+    REQUIRE_FALSE(plant);
+    CHECK(plant.error().reason == Reason::limit);
+    return plant.error().message;
+  };
+  const auto asked = [](std::uint32_t trails, std::uint32_t leaves) {
+    Asked each{.parameters = {{"particles", 300}}};
+    each.limits.trails = trails;
+    each.limits.leaves = leaves;
+    return each;
+  };
+  const Plant usual = grow_tree(asked(2000, 2000));
+  const auto segments = static_cast<std::uint32_t>(usual.segments.size()), leaves = count_of(usual, "leaves");
+  CHECK(grow_tree(asked(segments, leaves)).fingerprint == usual.fingerprint);
+  CHECK(refusal(ask_tree(asked(segments - 1, leaves))) ==
+        "The plant would have " + std::to_string(segments) + " pieces of trail, more than " +
+            std::to_string(segments - 1) + "; ask for fewer particles.");
+  CHECK(refusal(ask_tree(asked(segments, leaves - 1))).find("particles or leaves a tip") != std::string::npos);
+  CHECK(refusal(ask_root(asked(100, 0))).find("more than 100;") != std::string::npos);
+}
+
 TEST_CASE("what cannot be used is refused in words, what is out of range is brought into it") {
   const auto refusal = [](const Asked& asked) {
     const Result<Plant> plant = ask_tree(asked);

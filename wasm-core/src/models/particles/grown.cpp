@@ -58,4 +58,16 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   return grown;
 }
 
+Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves) {
+  const auto refused = [](std::size_t count, const char* what, std::uint32_t limit, const char* fewer) {
+    return Diagnostic{Reason::limit,
+                      "The plant would have " + std::to_string(count) + " " + what + ", more than " +
+                          std::to_string(limit) + "; ask for fewer " + fewer + ".",
+                      0, 0};
+  };
+  if (segments > limits.trails) return refused(segments, "pieces of trail", limits.trails, "particles");
+  if (leaves > limits.leaves) return refused(leaves, "leaves", limits.leaves, "particles or leaves a tip");
+  return {};
+}
+
 }  // namespace panicle::particles

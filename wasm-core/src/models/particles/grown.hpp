@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
 #include "models/particles/scatter.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/trail_plant.hpp"
@@ -69,5 +71,8 @@ struct Grown {
 Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                 const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                 std::uint32_t traveller);
+
+// What is wrong with a plant that has more pieces of trail or more leaves than there may be; reason none if nothing is.
+Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves);
 
 }  // namespace panicle::particles

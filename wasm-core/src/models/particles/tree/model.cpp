@@ -111,7 +111,7 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
   return measures;
 }
 
-Result<Plant> grow(Request& request, const Limits&) {
+Result<Plant> grow(Request& request, const Limits& limits) {
   const Result<SpaceRequest> read = read_space(request);
   if (!read) return read.error();
   Plant plant;
@@ -148,6 +148,10 @@ Result<Plant> grow(Request& request, const Limits&) {
   leaf_habit.needles = values.choice<LeafShape>(leaf_shape) == LeafShape::needle;
   leaf_habit.light = brightest;
   leaf_habit.seed = read->seed;
+  if (Diagnostic trouble =
+          beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
+      trouble.reason != Reason::none)
+    return trouble;
   const std::size_t particles_under_way = plant.organs.size();
   for (std::size_t c = 0; c < grown.trails.size(); ++c)
     add_leaves(plant, grown.trails[c], grown.numbers[c], leaf_habit, leaf_tag);
