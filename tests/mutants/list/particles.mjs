@@ -89,7 +89,7 @@ export default [
 			{
 				id: "grown-by-whole-steps",
 				find: "habit.age * static_cast<float>(last)",
-				replace: "std::floor(habit.age * 0.1f * static_cast<float>(last))",
+				replace: "static_cast<float>(static_cast<std::uint32_t>(habit.age * static_cast<float>(last)) / 8 * 8)",
 				breaks: "the tree runs by jerks and is not whole in the end",
 			},
 		],

@@ -67,6 +67,18 @@ CrownHabit crown_of(const TreeValues& values, std::uint64_t seed) {
   return habit;
 }
 
+// `light`: where most of it comes from.
+LeafHabit leaves_of(const TreeValues& values, const glm::vec3& light, std::uint64_t seed) {
+  LeafHabit habit;
+  habit.count = values.whole(leaves);
+  habit.size = 0.01f * values[leaf_size];
+  habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
+  habit.needles = values.choice<LeafShape>(leaf_shape) == LeafShape::needle;
+  habit.light = light;
+  habit.seed = seed;
+  return habit;
+}
+
 struct Seen {
   const Grown& grown;
   const Region& crown;
@@ -141,13 +153,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   plant.organ_tags = {"leaf", "particle"};
   const Grown grown =
       grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0, highest, particle_tag);
-  LeafHabit leaf_habit;
-  leaf_habit.count = values.whole(leaves);
-  leaf_habit.size = 0.01f * values[leaf_size];
-  leaf_habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
-  leaf_habit.needles = values.choice<LeafShape>(leaf_shape) == LeafShape::needle;
-  leaf_habit.light = brightest;
-  leaf_habit.seed = read->seed;
+  const LeafHabit leaf_habit = leaves_of(values, brightest, read->seed);
   if (Diagnostic trouble =
           beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
       trouble.reason != Reason::none)
