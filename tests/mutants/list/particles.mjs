@@ -77,7 +77,7 @@ export default [
 			{
 				id: "moment-piece-by-piece",
 				find: "(moment - left) / (there - left)) * way",
-				replace: "0) * way",
+				replace: "0.0f) * way",
 				breaks: "particles stand at a place until they jump to the next",
 			},
 		],
