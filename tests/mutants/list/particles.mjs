@@ -68,11 +68,101 @@ export default [
 				replace: "? share",
 				breaks: "Leonardo's rule does not hold",
 			},
+		],
+	},
+	{
+		file: `${SRC}/moment.cpp`,
+		suites: [`${TESTS}/moment_test.cpp`],
+		faults: [
 			{
-				id: "trails-young-without-fronts",
-				find: "kept[static_cast<std::size_t>(trails.next[i])] = 1;",
-				replace: "kept[static_cast<std::size_t>(trails.next[i])] |= left[static_cast<std::size_t>(trails.next[i])];",
-				breaks: "while they run, the last piece of each trail hangs on nothing",
+				id: "moment-piece-by-piece",
+				find: "(moment - left) / (there - left)) * way",
+				replace: "0.0f) * way",
+				breaks: "particles stand at a place until they jump to the next",
+			},
+		],
+	},
+	{
+		file: `${SRC}/grown.cpp`,
+		suites: [`${TESTS}/tree_life_test.cpp`],
+		faults: [
+			{
+				id: "grown-by-whole-steps",
+				find: "habit.age * static_cast<float>(last)",
+				replace: "static_cast<float>(static_cast<std::uint32_t>(habit.age * static_cast<float>(last)) / 8 * 8)",
+				breaks: "the tree runs by jerks and is not whole in the end",
+			},
+		],
+	},
+	{
+		file: `${SRC}/forks.cpp`,
+		suites: [`${TESTS}/forks_test.cpp`],
+		faults: [
+			{
+				id: "forks-wide",
+				find: "constexpr float cost = 0.95f;",
+				replace: "constexpr float cost = 0.3f;",
+				breaks: "branches stand nearly at right angles to what bears them",
+			},
+			{
+				id: "forks-into-obstacles",
+				find: "if (guide.open(places[i]) && guide.sees(places[i], places[next])) continue;",
+				replace: "continue;",
+				breaks: "a branch is drawn through a wall",
+			},
+		],
+	},
+	{
+		file: `${SRC}/axis.cpp`,
+		suites: [`${TESTS}/axis_test.cpp`],
+		faults: [
+			{
+				id: "axis-cut-short",
+				find: "return straight + at(straight.y) - chord;",
+				replace: "return straight;",
+				breaks: "particles run beside a trunk that sways, and it has several lines of wood",
+			},
+		],
+	},
+	{
+		file: `${SRC}/obstacles.cpp`,
+		suites: [`${TESTS}/tree_test.cpp`],
+		faults: [
+			{
+				id: "round-obstacles-let-through",
+				find: "return glm::dot(nearest, nearest) < 1;",
+				replace: "return false;",
+				breaks: "branches grow through another tree's crown",
+			},
+		],
+	},
+	{
+		file: `${SRC}/crown_light.cpp`,
+		suites: [`${TESTS}/tree_test.cpp`],
+		faults: [
+			{
+				id: "others-take-no-light",
+				find: "return crown.contains(p) ||\n",
+				replace: "return crown.contains(p) || false &&\n",
+				breaks: "another tree's crown casts no shade",
+			},
+		],
+	},
+	{
+		file: `${SRC}/dressing.cpp`,
+		suites: [`${TESTS}/tree_dress_test.cpp`],
+		faults: [
+			{
+				id: "collars-black",
+				find: "  mend_normals(stems.mesh);",
+				replace: "",
+				breaks: "facets where branches begin are black",
+			},
+			{
+				id: "twigs-as-dear-as-limbs",
+				find: "fine_of_all = 0.002f",
+				replace: "fine_of_all = 0",
+				breaks: "files are four times as large as what is seen of the wood",
 			},
 		],
 	},

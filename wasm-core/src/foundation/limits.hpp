@@ -15,6 +15,8 @@ struct Limits {
   std::uint32_t segments = 100'000;        // stems in one result
   std::uint32_t organs = 20'000;           // what may grow on them
   std::uint32_t bodies = 3000;             // of these, what presses against each other
+  std::uint32_t trails = 500'000;          // pieces of particles' trails in one result
+  std::uint32_t leaves = 300'000;          // and what these bear
 };
 
 }  // namespace panicle

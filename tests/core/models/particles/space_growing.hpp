@@ -28,8 +28,9 @@ struct Asked {
   std::vector<std::pair<std::string_view, float>> parameters = {};
   std::uint32_t seed = 1;
   std::string outputs = {};
-  std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {};
+  std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {}, rounds = {};
   std::vector<std::uint32_t> triangles = {};
+  Limits limits = {};
 };
 
 template <class Table>
@@ -56,10 +57,11 @@ Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
   add("profile", Element::float32, asked.profile.size(), asked.profile.data());
   add("targets", Element::float32, asked.targets.size(), asked.targets.data());
   add("obstacles", Element::float32, asked.obstacles.size(), asked.obstacles.data());
+  add("obstacles.round", Element::float32, asked.rounds.size(), asked.rounds.data());
   add("volume.points", Element::float32, asked.points.size(), asked.points.data());
   add("volume.triangles", Element::uint32, asked.triangles.size(), asked.triangles.data());
   Request request(blocks, nullptr);
-  return model.grow(request, Limits{});
+  return model.grow(request, asked.limits);
 }
 
 inline Result<Plant> ask_tree(const Asked& asked) { return ask(tree::model, tree::parameter_table, asked); }
@@ -83,15 +85,19 @@ inline std::uint32_t count_of(const Plant& plant, std::string_view name) {
 }
 
 template <class Value>
-std::vector<Value> column_in(const Plant& plant, std::string_view name) {
-  for (std::size_t i = 0; i < plant.columns.size(); ++i) {
-    const ColumnView view = plant.columns[i];
+std::vector<Value> column_in(const Columns& columns, std::string_view name) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ColumnView view = columns[i];
     if (view.name != name) continue;
     std::vector<Value> values(std::size_t{view.rows} * view.width);
     if (!values.empty()) std::memcpy(values.data(), view.data, values.size() * sizeof(Value));
     return values;
   }
   return {};
+}
+template <class Value>
+std::vector<Value> column_in(const Plant& plant, std::string_view name) {
+  return column_in<Value>(plant.columns, name);
 }
 
 // Where particles started: ends that bear nothing. (All of a grown plant's particles are such ends.)
@@ -103,6 +109,44 @@ inline std::vector<std::size_t> tips_of(const Plant& plant) {
   for (std::size_t i = 0; i < bears.size(); ++i)
     if (!bears[i]) tips.push_back(i);
   return tips;
+}
+
+// Every tree has these, whatever was asked.
+inline void check_sound(const Plant& plant, double energy) {
+  const auto energies = column_in<float>(plant, "segments.energy");
+  const auto arrived = column_in<float>(plant, "targets.energy");
+  REQUIRE(energies.size() == plant.segments.size());
+  double sum = 0, at_targets = 0;
+  for (const float each : arrived) sum += static_cast<double>(each);
+  std::vector<double> inflow(plant.segments.size(), 0);
+  for (std::size_t i = 0; i < plant.segments.size(); ++i) {
+    const Segment& segment = plant.segments[i];
+    CHECK(segment.parent < static_cast<std::int32_t>(i));
+    CHECK(segment.radius > 0);
+    if (segment.parent >= 0) {
+      CHECK(plant.segments[static_cast<std::size_t>(segment.parent)].end == segment.start);
+      inflow[static_cast<std::size_t>(segment.parent)] += static_cast<double>(energies[i]);
+    } else {
+      at_targets += static_cast<double>(energies[i]);
+    }
+  }
+  // Whole energies below 2^24 add up exactly.
+  CHECK(at_targets == sum);
+  CHECK(sum == energy * count_of(plant, "particles"));
+  CHECK(count_of(plant, "energy") == static_cast<std::uint32_t>(sum));
+  for (std::size_t i = 0; i < inflow.size(); ++i)
+    if (inflow[i] > 0) CHECK(inflow[i] <= static_cast<double>(energies[i]));
+  // One tree a target, whose ends are the particles.
+  CHECK(tips_of(plant).size() == count_of(plant, "particles"));
+  const auto places = column_in<float>(plant, "targets.places");
+  CHECK(places.size() == 3 * count_of(plant, "targets"));
+  for (const Segment& segment : plant.segments) {
+    if (segment.parent >= 0) continue;
+    bool at_target = false;
+    for (std::size_t k = 0; k < places.size(); k += 3)
+      at_target = at_target || segment.start == glm::vec3(places[k], places[k + 1], places[k + 2]);
+    CHECK(at_target);
+  }
 }
 
 inline bool notes_say(const Plant& plant, std::string_view words) {

@@ -79,35 +79,5 @@ TEST_CASE("trails become segments, parents first, from the target out") {
   CHECK(plant.counts[1].value == 3);
 }
 
-TEST_CASE("trails as they stood after a step hold what was left by then, and the energy that had passed") {
-  const Trails whole = fork();
-  CHECK(last_step(std::span(&whole, 1)) == 3);
-  const Trails none = until(whole, 0);
-  CHECK(none.size() == 1);
-  CHECK(none.energy[0] == 0);
-
-  // Both are on their way to the fork: nothing leads on from there yet.
-  const Trails first = until(whole, 1);
-  REQUIRE(first.size() == 4);
-  CHECK(first.next == std::vector<std::int32_t>{-1, -1, 1, 1});
-  CHECK(first.energy == std::vector<double>{0, 3, 1, 2});
-
-  const Trails last = until(whole, 3);
-  CHECK(last.next == whole.next);
-  CHECK(last.energy == whole.energy);
-}
-
-TEST_CASE("a later age holds all that an earlier one held") {
-  const Trails whole = fork();
-  for (std::uint32_t step = 0; step < 4; ++step) {
-    const Trails before = until(whole, step), after = until(whole, step + 1);
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      bool found = false;
-      for (std::size_t j = 0; j < after.size() && !found; ++j) found = after.places[j] == before.places[i];
-      CHECK(found);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace panicle::particles

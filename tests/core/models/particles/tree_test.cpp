@@ -2,24 +2,18 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "models/particles/crown_light.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/tree/crown.hpp"
-#include "models/particles/tree/measures/measures.generated.hpp"
 #include "space_growing.hpp"
 
 namespace panicle::particles {
 namespace {
 
 using tree::CrownHabit;
-using tree::Measure;
-
-float measure(const Plant& plant, Measure which) { return plant.measures[static_cast<std::size_t>(which)]; }
 
 const std::vector<float> wasp{0.1f, 0, 1, 0.2f, 0.15f, 0.5f, 0.9f, 0.8f, 0.1f, 1};
 
@@ -55,44 +49,6 @@ std::vector<glm::vec2> profile_points(const std::vector<float>& values) {
   std::vector<glm::vec2> points;
   for (std::size_t i = 0; i + 1 < values.size(); i += 2) points.emplace_back(values[i], values[i + 1]);
   return points;
-}
-
-// Every tree has these, whatever was asked.
-void check_sound(const Plant& plant, double energy) {
-  const auto energies = column_in<float>(plant, "segments.energy");
-  const auto arrived = column_in<float>(plant, "targets.energy");
-  REQUIRE(energies.size() == plant.segments.size());
-  double sum = 0, at_targets = 0;
-  for (const float each : arrived) sum += static_cast<double>(each);
-  std::vector<double> inflow(plant.segments.size(), 0);
-  for (std::size_t i = 0; i < plant.segments.size(); ++i) {
-    const Segment& segment = plant.segments[i];
-    CHECK(segment.parent < static_cast<std::int32_t>(i));
-    CHECK(segment.radius > 0);
-    if (segment.parent >= 0) {
-      CHECK(plant.segments[static_cast<std::size_t>(segment.parent)].end == segment.start);
-      inflow[static_cast<std::size_t>(segment.parent)] += static_cast<double>(energies[i]);
-    } else {
-      at_targets += static_cast<double>(energies[i]);
-    }
-  }
-  // Whole energies below 2^24 add up exactly.
-  CHECK(at_targets == sum);
-  CHECK(sum == energy * count_of(plant, "particles"));
-  CHECK(count_of(plant, "energy") == static_cast<std::uint32_t>(sum));
-  for (std::size_t i = 0; i < inflow.size(); ++i)
-    if (inflow[i] > 0) CHECK(inflow[i] <= static_cast<double>(energies[i]));
-  // One tree a target, whose ends are the particles.
-  CHECK(tips_of(plant).size() == count_of(plant, "particles"));
-  const auto places = column_in<float>(plant, "targets.places");
-  CHECK(places.size() == 3 * count_of(plant, "targets"));
-  for (const Segment& segment : plant.segments) {
-    if (segment.parent >= 0) continue;
-    bool at_target = false;
-    for (std::size_t k = 0; k < places.size(); k += 3)
-      at_target = at_target || segment.start == glm::vec3(places[k], places[k + 1], places[k + 2]);
-    CHECK(at_target);
-  }
 }
 
 TEST_CASE("for every shape and seed it ends, with all energy at the targets and one tree to each") {
@@ -162,158 +118,6 @@ TEST_CASE("the uniform pattern has as many particles as were asked for, the othe
   }
 }
 
-TEST_CASE("under a sky, the lower facing halves of twins hold at most 0.8 of the outer ones' particles") {
-  for (const std::uint32_t seed : {1u, 2u, 3u}) {
-    const auto halves = [seed](float heed) {
-      const Plant plant = grow_tree(
-          {.parameters =
-               {{"crowns", 2}, {"distance", 6}, {"sky", 1}, {"absorption", 5}, {"by_light", heed}, {"particles", 4000}},
-           .seed = seed});
-      std::uint32_t facing = 0, outer = 0;
-      for (const std::size_t tip : tips_of(plant)) {
-        const glm::vec3 p = plant.segments[tip].end;
-        if (p.y > 5) continue;  // crowns reach from 2 to 8 m
-        ++(std::fabs(p.x) < 3 ? facing : outer);
-      }
-      return static_cast<float>(facing) / static_cast<float>(outer);
-    };
-    CHECK(halves(1) <= 0.8f);
-    CHECK(halves(0) > 0.93f);
-  }
-}
-
-TEST_CASE("particles gather on the side of the sun") {
-  const auto share = [](float bearing) {
-    const Plant plant =
-        grow_tree({.parameters = {{"sun", bearing}, {"sun_height", 20}, {"sky", 0.2f}, {"particles", 2000}}});
-    float sum = 0;
-    for (const std::size_t tip : tips_of(plant)) sum += plant.segments[tip].end.x;
-    return sum / static_cast<float>(tips_of(plant).size());
-  };
-  CHECK(share(90) > 0.3f);
-  CHECK(share(270) < -0.3f);
-  CHECK(std::fabs(share(0)) < 0.15f);
-}
-
-// The mean direction that twigs have at their ends.
-glm::vec3 twigs_of(const Plant& plant) {
-  glm::vec3 sum(0);
-  for (const std::size_t tip : tips_of(plant)) {
-    // From where the branch is that carries it, a metre from there.
-    std::size_t at = tip;
-    const glm::vec3 end = plant.segments[tip].end;
-    while (glm::distance(plant.segments[at].start, end) < 1 && plant.segments[at].parent >= 0)
-      at = static_cast<std::size_t>(plant.segments[at].parent);
-    sum += glm::normalize(end - plant.segments[at].start);
-  }
-  return sum / static_cast<float>(tips_of(plant).size());
-}
-
-TEST_CASE("tips bend down or up by gravitropism, towards or away from the light by phototropism") {
-  const auto twigs = [](std::string_view which, float much) {
-    return twigs_of(grow_tree(
-        {.parameters = {
-             {which, much}, {"particles", 1500}, {"sun", 90}, {"sun_height", 10}, {"sky", 0}, {"pattern", 2}}}));
-  };
-  const glm::vec3 plain = twigs("gravitropism", 0);
-  CHECK(twigs("gravitropism", 0.8f).y < plain.y - 0.1f);
-  CHECK(twigs("gravitropism", -0.8f).y > plain.y + 0.1f);
-  CHECK(twigs("phototropism", 0.8f).x > plain.x + 0.1f);
-  CHECK(twigs("phototropism", -0.8f).x < plain.x - 0.1f);
-}
-
-TEST_CASE("short days end the growth of shoots and make leaves fall") {
-  const auto grown = [](float day) {
-    return grow_tree({.parameters = {{"day", day}, {"particles", 1000}}, .outputs = "measures"});
-  };
-  const Plant summer = grown(16), autumn = grown(11), winter = grown(8);
-  CHECK(measure(grown(14), Measure::height) == measure(summer, Measure::height));
-  CHECK(measure(autumn, Measure::height) < measure(summer, Measure::height) - 0.2f);
-  CHECK(measure(winter, Measure::height) < measure(autumn, Measure::height));
-  CHECK(count_of(summer, "leaves") == 2 * count_of(summer, "particles"));
-  CHECK(count_of(autumn, "leaves") < 0.9f * static_cast<float>(2 * count_of(autumn, "particles")));
-  CHECK(count_of(autumn, "leaves") > 0.4f * static_cast<float>(2 * count_of(autumn, "particles")));
-  CHECK(count_of(winter, "leaves") == 0);
-  CHECK(measure(winter, Measure::leaf_area) == 0);
-}
-
-TEST_CASE("apical dominance keeps side branches below the top from growing, and not the leader") {
-  const auto top = [](float hormone) {
-    const Plant plant =
-        grow_tree({.parameters = {{"hormone", hormone}, {"particles", 4000}, {"pattern", 2}, {"inner", 0}}});
-    std::uint32_t high = 0, low = 0, leader = 0;
-    for (const std::size_t tip : tips_of(plant)) {
-      const glm::vec3 p = plant.segments[tip].end;
-      const bool aside = p.x * p.x + p.z * p.z > 0.4f * 0.4f;
-      if (aside) ++(p.y > 6 ? high : low);
-      if (!aside && p.y > 6) ++leader;
-    }
-    return std::pair(static_cast<float>(high) / static_cast<float>(low), leader);
-  };
-  const auto [free, free_leader] = top(0);
-  const auto [held, held_leader] = top(1);
-  CHECK(held < 0.6f * free);
-  CHECK(held_leader > 0);
-}
-
-TEST_CASE("age: what has grown stays, thickens, and ends as the whole tree") {
-  const auto at = [](float age) { return grow_tree({.parameters = {{"age", age}, {"particles", 800}}}); };
-  const auto key = [](const Segment& s) {
-    return std::array{s.start.x, s.start.y, s.start.z, s.end.x, s.end.y, s.end.z};
-  };
-  std::map<std::array<float, 6>, float> before;
-  for (const float age : {0.0f, 10.0f, 35.0f, 60.0f, 90.0f, 100.0f}) {
-    const Plant plant = at(age);
-    CAPTURE(age);
-    std::map<std::array<float, 6>, float> now;
-    for (const Segment& segment : plant.segments) now[key(segment)] = segment.radius;
-    for (const auto& [place, radius] : before) {
-      const auto found = now.find(place);
-      REQUIRE(found != now.end());
-      CHECK(found->second >= radius);
-    }
-    CHECK((age == 0 ? now.empty() : now.size() > before.size()));
-    std::uint32_t on_their_way = 0;
-    for (const Organ& organ : plant.organs) on_their_way += organ.tag == 1;
-    const auto arrived = column_in<float>(plant, "targets.energy");
-    if (age == 0) CHECK(on_their_way == count_of(plant, "particles"));
-    if (age == 100) CHECK(on_their_way == 0);
-    if (age == 35) CHECK(on_their_way > 1);
-    CHECK((arrived[0] == static_cast<float>(count_of(plant, "particles"))) == (age == 100));
-    before = std::move(now);
-  }
-}
-
-TEST_CASE("where the boundary grows, a young tree is a small tree, whose twigs start where they will") {
-  const auto at = [](float age) {
-    return grow_tree({.parameters = {{"life", 1}, {"age", age}, {"particles", 3000}, {"pattern", 2}, {"inner", 0}},
-                      .outputs = "measures"});
-  };
-  const Plant young = at(40), grown = at(100);
-  CHECK(measure(young, Measure::height) == doctest::Approx(0.4f * measure(grown, Measure::height)).epsilon(0.03));
-  CHECK(measure(young, Measure::crown_volume) ==
-        doctest::Approx(0.064f * measure(grown, Measure::crown_volume)).epsilon(0.02));
-  const float share =
-      static_cast<float>(count_of(young, "particles")) / static_cast<float>(count_of(grown, "particles"));
-  CHECK(share == doctest::Approx(0.064f).epsilon(0.25));
-  CHECK(measure(young, Measure::trunk_width) == doctest::Approx(0.4f * measure(grown, Measure::trunk_width)));
-  check_sound(young, 1);
-  check_sound(at(0), 1);
-  // A little more age, and most of the starts are where they were.
-  const Plant old = at(80), older = at(81);
-  const std::vector<std::size_t> others = tips_of(older);
-  std::size_t same = 0;
-  for (const std::size_t tip : tips_of(old)) {
-    const glm::vec3 p = old.segments[tip].end;
-    for (const std::size_t other : others)
-      if (glm::distance(older.segments[other].end, p) < 0.01f) {
-        ++same;
-        break;
-      }
-  }
-  CHECK(same > tips_of(old).size() / 3);
-}
-
 TEST_CASE("each particle goes to the nearest target") {
   const Plant plant = grow_tree({.parameters = {{"particles", 600}}, .targets = {-1, 0, 0, 1, 0, 0, 0, 0, 1.5f}});
   check_sound(plant, 1);
@@ -346,6 +150,36 @@ TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
   CHECK(crossing > 20);
 }
 
+TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes it, and it takes light") {
+  // Beside the crown, which reaches to 3 m, and into it.
+  const std::vector<float> neighbour{1.5f, 3, -2.5f, 6.5f, 9, 2.5f};
+  const Asked asked{.parameters = {{"particles", 2500}, {"inner", 0.3f}, {"absorption", 6}}};
+  const Plant open = grow_tree(asked);
+  Asked beside = asked;
+  beside.rounds = neighbour;
+  const Plant plant = grow_tree(beside);
+  check_sound(plant, 1);
+  const std::vector<Box> rounds{{{1.5f, 3, -2.5f}, {6.5f, 9, 2.5f}}};
+  const Obstacles obstacles({}, rounds, 0, 0, 100);
+  for (const Segment& segment : plant.segments) CHECK_FALSE(obstacles.between(segment.start, segment.end));
+  std::uint32_t crossing = 0;
+  for (const Segment& segment : open.segments) crossing += obstacles.between(segment.start, segment.end);
+  CHECK(crossing > 20);
+  // A corner of its box is free.
+  CHECK_FALSE(obstacles.contains({1.6f, 3.1f, -2.4f}));
+  CHECK(obstacles.contains({1.6f, 6, 0}));
+
+  const auto halves = [](const std::vector<Box>& others) {
+    CrownHabit habit;
+    const auto crowns = tree::make_crowns(habit, {}, {});
+    const VoxelLight light = light_in(crowns.outer, others, {.sky = 1, .absorption = 1}, 28);
+    return light.at({1.2f, 5, 0}) / light.at({-1.2f, 5, 0});
+  };
+  CHECK(halves({}) == doctest::Approx(1).epsilon(0.05));
+  CHECK(halves({{{2, 1, -4}, {10, 11, 4}}}) < 0.8f);
+  CHECK(ask_tree({.rounds = {0, 0, 0, 1, 1}}).error().message.find("Round obstacles must have 6") != std::string::npos);
+}
+
 TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipsoid") {
   const Surface cube = box({5, 5, 5}, {7, 9, 7});
   Asked asked{
@@ -369,6 +203,28 @@ TEST_CASE("a dropped mesh is the crown; an open one is noted, none is an ellipso
   CHECK(notes_say(grow_tree({.parameters = {{"shape", 5}, {"particles", 50}}}), "no mesh"));
 }
 
+TEST_CASE("more pieces of trail or leaves than there may be are refused, with what to ask for") {
+  const auto refusal = [](Result<Plant> plant) {
+    REQUIRE_FALSE(plant);
+    CHECK(plant.error().reason == Reason::limit);
+    return plant.error().message;
+  };
+  const auto asked = [](std::uint32_t trails, std::uint32_t leaves) {
+    Asked each{.parameters = {{"particles", 300}}};
+    each.limits.trails = trails;
+    each.limits.leaves = leaves;
+    return each;
+  };
+  const Plant usual = grow_tree(asked(2000, 2000));
+  const auto segments = static_cast<std::uint32_t>(usual.segments.size()), leaves = count_of(usual, "leaves");
+  CHECK(grow_tree(asked(segments, leaves)).fingerprint == usual.fingerprint);
+  CHECK(refusal(ask_tree(asked(segments - 1, leaves))) ==
+        "The plant would have " + std::to_string(segments) + " pieces of trail, more than " +
+            std::to_string(segments - 1) + "; ask for fewer particles.");
+  CHECK(refusal(ask_tree(asked(segments, leaves - 1))).find("particles or leaves a tip") != std::string::npos);
+  CHECK(refusal(ask_root(asked(100, 0))).find("more than 100;") != std::string::npos);
+}
+
 TEST_CASE("what cannot be used is refused in words, what is out of range is brought into it") {
   const auto refusal = [](const Asked& asked) {
     const Result<Plant> plant = ask_tree(asked);
@@ -390,68 +246,6 @@ TEST_CASE("what cannot be used is refused in words, what is out of range is brou
   const Plant nowhere = grow_tree({.parameters = {{"particles", 100}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
   CHECK(notes_say(nowhere, "No particle found room"));
   CHECK(nowhere.segments.empty());
-}
-
-TEST_CASE("meshes: tubes of bark along the branches, leaves and balls as organs that share a mesh each") {
-  const Plant plant = grow_tree({.parameters = {{"particles", 400}, {"age", 50}}, .outputs = "meshes sky"});
-  REQUIRE(plant.meshes.size() == 3);
-  CHECK(plant.meshes[0].material == "bark");
-  CHECK(plant.meshes[1].material == "blade");
-  const Mesh& stems = plant.meshes[0].mesh;
-  for (const std::uint32_t index : stems.indices) CHECK(index < stems.positions.size() / 3);
-  for (const float value : stems.positions) CHECK(std::isfinite(value));
-  for (std::size_t v = 0; v + 2 < stems.normals.size(); v += 3)
-    CHECK(std::hypot(stems.normals[v], stems.normals[v + 1], stems.normals[v + 2]) == doctest::Approx(1).epsilon(1e-3));
-  CHECK(column_in<std::uint8_t>(plant, "organs.sky").size() == plant.organs.size());
-  for (const Organ& organ : plant.organs)
-    CHECK(plant.meshes[static_cast<std::size_t>(organ.mesh)].name == (organ.tag == 0 ? "leaves" : "balls"));
-  CHECK(grow_tree({.parameters = {{"particles", 400}}}).meshes.empty());
-}
-
-TEST_CASE("meshes are there for what is borne, and for nothing else") {
-  const auto names = [](std::initializer_list<std::pair<std::string_view, float>> more) {
-    std::vector<std::pair<std::string_view, float>> parameters{{"particles", 200}};
-    parameters.insert(parameters.end(), more);
-    std::vector<std::string> found;
-    for (const PlantMesh& each : grow_tree({.parameters = parameters, .outputs = "meshes"}).meshes)
-      found.push_back(each.name);
-    return found;
-  };
-  CHECK(names({}) == std::vector<std::string>{"stems", "leaves"});
-  CHECK(names({{"leaves", 0}}) == std::vector<std::string>{"stems"});
-  CHECK(names({{"leaves", 0}, {"age", 50}}) == std::vector<std::string>{"stems", "balls"});
-  CHECK(names({{"age", 50}}) == std::vector<std::string>{"stems", "leaves", "balls"});
-}
-
-TEST_CASE("the sky is darker inside a crown than on it") {
-  const Plant plant =
-      grow_tree({.parameters = {{"particles", 3000}, {"inner", 0}, {"leaf_size", 30}}, .outputs = "meshes sky"});
-  const auto sky = column_in<std::uint8_t>(plant, "organs.sky");
-  double inside = 0, outside = 0, insiders = 0, outsiders = 0;
-  for (std::size_t i = 0; i < sky.size(); ++i) {
-    const float from = glm::distance(plant.organs[i].position, {0, 5, 0});
-    if (from < 1) inside += sky[i], ++insiders;
-    if (from > 2.8f) outside += sky[i], ++outsiders;
-  }
-  CHECK(inside / insiders < 0.6 * outside / outsiders);
-}
-
-TEST_CASE("two leaves stand at each origin and face the light") {
-  const Plant plant = grow_tree({.parameters = {{"particles", 300}, {"sun", 90}, {"sun_height", 45}, {"sky", 0}}});
-  CHECK(plant.organs.size() == 2 * count_of(plant, "particles"));
-  const glm::vec3 light = towards_sun(90, 45);
-  CHECK(light.x == doctest::Approx(std::sqrt(0.5f)));
-  float facing = 0;
-  for (const Organ& leaf : plant.organs) {
-    const glm::vec4 q = leaf.rotation;
-    CHECK(glm::length(q) == doctest::Approx(1).epsilon(1e-4));
-    const glm::vec3 front(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y));
-    CHECK(glm::dot(front, light) > 0.8f);
-    facing += glm::dot(front, light);
-    CHECK(leaf.position == plant.segments[static_cast<std::size_t>(leaf.segment)].end);
-  }
-  CHECK(facing / static_cast<float>(plant.organs.size()) > 0.9f);
-  CHECK(grow_tree({.parameters = {{"particles", 300}, {"leaves", 0}}}).organs.empty());
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST_CASE("trails down one axis become one trunk, with all that arrives") {
   trails.energy = {3, 1, 2, 1, 2, 1, 2};
   trails.born = {9, 7, 8, 5, 6, 1, 1};
   trails.particle = {-1, -1, -1, -1, -1, 0, 1};
-  const Trails one = gathered(trails, Straight({0, 0, 0}), 0.1f);
+  const Trails one = gathered(trails, Axis(trails.places[0]), Straight({0, 0, 0}), 0.1f, 0.5f);
   REQUIRE(one.size() == 7);
   CHECK(one.energy[0] == 3);
   std::size_t at_target = 0;
@@ -138,7 +138,10 @@ TEST_CASE("trails down one axis become one trunk, with all that arrives") {
       CHECK(one.energy[i] == 3);
       CHECK(one.born[i] == 5);
     }
+    // Left by the one that came by before its own.
+    if (one.places[i].y == 1.5f) CHECK(one.born[i] == 6);
   }
+  CHECK(one.born[0] == 8);
   CHECK(at_target == 1);
 }
 
@@ -149,7 +152,7 @@ TEST_CASE("an excursion off the axis that nothing goes by any more is left out")
   trails.energy = {1, 1, 1, 1, 1};
   trails.born = {5, 4, 3, 2, 1};
   trails.particle = {-1, -1, -1, -1, 0};
-  const Trails one = gathered(trails, Straight({0, 0, 0}), 0.1f);
+  const Trails one = gathered(trails, Axis(trails.places[0]), Straight({0, 0, 0}), 0.1f, 0.5f);
   REQUIRE(one.size() == 4);
   for (const glm::vec3& place : one.places) CHECK(place.x != 0.5f);
 }
@@ -166,7 +169,7 @@ TEST_CASE("where something stands on the axis, what is beyond is one line that g
   trails.energy = {2, 1, 1, 1, 1, 1, 1, 1, 1};
   trails.born = {9, 7, 7, 5, 5, 3, 3, 1, 1};
   trails.particle = {-1, -1, -1, -1, -1, -1, -1, 0, 1};
-  const Trails one = gathered(trails, guide, 0.1f);
+  const Trails one = gathered(trails, Axis(trails.places[0]), guide, 0.1f, 0.5f);
   REQUIRE(one.size() == 8);
   for (std::size_t i = 1; i < one.size(); ++i) {
     const auto next = static_cast<std::size_t>(one.next[i]);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "environment/voxel_light.hpp"
+#include "models/particles/obstacles.hpp"
 #include "models/particles/region.hpp"
 
 namespace panicle::particles {
@@ -21,8 +23,9 @@ std::vector<Lamp> lamps_of(const LightHabit& habit);
 // A bearing as in the tables (0 in front, +z; 90 at the right, +x) and a height above the horizon, in degrees.
 glm::vec3 towards_sun(float bearing, float height);
 
-// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `cells`
-// along its longest edge.
-VoxelLight light_in(const Region& crown, const LightHabit& habit, std::uint32_t cells);
+// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `others`:
+// ellipsoids that fill these boxes, the crowns of other trees, as dense as this one. `cells` along the box's longest
+// edge.
+VoxelLight light_in(const Region& crown, std::span<const Box> others, const LightHabit& habit, std::uint32_t cells);
 
 }  // namespace panicle::particles

@@ -11,14 +11,15 @@
 #include "environment/voxel_light.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/tubes.hpp"
+#include "models/particles/twigs.hpp"
 
 namespace panicle::particles {
 namespace {
 
-constexpr std::uint32_t sides = 12, thin_sides = 4;
-// Axes thinner than this share of the thickest are thin.
-constexpr float thin = 0.12f;
-constexpr float traveller = 1.6f;  // times its trail's radius
+constexpr std::uint32_t sides = 10, thin_sides = 6;
+// Axes thinner than this share of the thickest are thin; segments thinner than that share of the whole plant are twigs:
+// where all of it is seen, they are a pixel or two wide.
+constexpr float thin = 0.3f, fine_of_all = 0.002f;
 constexpr std::uint32_t sky_cells = 32, sky_directions = 32;
 
 std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); }
@@ -78,33 +79,74 @@ VoxelLight openness(const Plant& plant, std::uint32_t leaf_tag, float leaf_area)
   return {low, edge, words(count.x), words(count.y), words(count.z), matter, all_round(sky_directions)};
 }
 
-}  // namespace
-
-void add_travellers(Plant& plant, const Trails& trails, std::uint32_t step, double all, const Girth& girth,
-                    float least_radius, std::uint32_t tag) {
-  // What has come to each place by then.
-  std::vector<double> here(trails.size(), 0);
-  std::vector<double> own = trails.energy;
-  for (std::size_t i = 1; i < trails.size(); ++i) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
-  for (std::size_t i = trails.size(); i-- > 1;) {
-    if (trails.particle[i] >= 0) here[i] += own[i];
-    if (trails.born[i] <= step) here[static_cast<std::size_t>(trails.next[i])] += here[i];
+// Where a branch leaves at a narrow angle, its first rings fold over each other and over what bears it, and normals
+// told by the shape of the tube look into the wood: black facets. Such a place has those of its triangles.
+void mend_normals(Mesh& mesh) {
+  const auto at = [](const std::vector<float>& values, std::uint32_t i) {
+    return glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+  };
+  const auto face_of = [&](std::size_t t) {
+    const glm::vec3 a = at(mesh.positions, mesh.indices[t]);
+    return glm::cross(at(mesh.positions, mesh.indices[t + 1]) - a, at(mesh.positions, mesh.indices[t + 2]) - a);
+  };
+  std::vector<std::uint8_t> opposed(mesh.positions.size() / 3, 0);
+  bool any = false;
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    const glm::vec3 face = face_of(t);
+    for (std::size_t k = t; k < t + 3; ++k) {
+      if (!(glm::dot(face, at(mesh.normals, mesh.indices[k])) < 0)) continue;
+      opposed[mesh.indices[k]] = 1;
+      any = true;
+    }
   }
-  for (std::size_t i = 1; i < trails.size(); ++i) {
-    if (trails.born[i] <= step || !(here[i] > 0)) continue;
-    Organ ball;
-    ball.tag = tag;
-    ball.position = trails.places[i];
-    ball.scale = std::max(traveller * radius_of(girth, here[i], all), least_radius);
-    plant.organs.push_back(ball);
+  if (!any) return;
+  std::vector<glm::vec3> sums(opposed.size(), glm::vec3(0));
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    const glm::vec3 face = face_of(t);
+    for (std::size_t k = t; k < t + 3; ++k) sums[mesh.indices[k]] += face;
+  }
+  for (std::size_t v = 0; v < opposed.size(); ++v) {
+    const float length = glm::length(sums[v]);
+    if (!opposed[v] || !(length > 0)) continue;
+    for (int k = 0; k < 3; ++k) mesh.normals[3 * v + static_cast<std::size_t>(k)] = sums[v][k] / length;
   }
 }
 
-void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky) {
+// Branches as smooth tubes, twigs as hardly more than lines.
+StemMesh tubes_of(std::span<const Segment> segments, std::span<const std::int32_t> axes) {
   float thickest = 0;
-  for (const Segment& segment : plant.segments) thickest = std::max(thickest, segment.radius);
+  glm::vec3 low(0), high(0);
+  for (const Segment& segment : segments) {
+    thickest = std::max(thickest, segment.radius);
+    low = glm::min(low, segment.end);
+    high = glm::max(high, segment.end);
+  }
+  const glm::vec3 size = high - low;
+  const float fine = fine_of_all * std::max({size.x, size.y, size.z});
+  // Thinner from fork to fork: whatever bears a branch is one.
+  std::vector<Segment> branches;
+  std::vector<std::int32_t> groups, numbers(segments.size(), -1);
+  std::vector<std::uint32_t> whole;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (segments[i].radius < fine) continue;
+    numbers[i] = static_cast<std::int32_t>(branches.size());
+    branches.push_back(segments[i]);
+    if (segments[i].parent >= 0) branches.back().parent = numbers[static_cast<std::size_t>(segments[i].parent)];
+    groups.push_back(axes[i]);
+    whole.push_back(static_cast<std::uint32_t>(i));
+  }
   const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
-  StemMesh stems = sweep_stems({plant.segments, axes_of(grown, plant.segments.size())}, options, 1.0f);
+  StemMesh stems = sweep_stems({branches, groups}, options, 1.0f);
+  for (std::uint32_t& segment : stems.segment) segment = whole[segment];
+  mend_normals(stems.mesh);
+  add_twigs(stems, segments, axes, fine);
+  return stems;
+}
+
+}  // namespace
+
+void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky) {
+  StemMesh stems = tubes_of(plant.segments, axes_of(grown, plant.segments.size()));
   Columns columns;
   if (sky) {
     const VoxelLight open = openness(plant, leaf, leaf_area);

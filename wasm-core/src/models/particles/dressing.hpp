@@ -1,5 +1,4 @@
-// What is seen of a tree or a root: tubes along its trails, balls for particles on their way, and how open the sky is
-// in it.
+// What is seen of a tree or a root: tubes along its trails, and how open the sky is in it.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +12,6 @@
 #include "plant/plant.hpp"
 
 namespace panicle::particles {
-
-// Appends an organ (tag `tag`, no mesh yet) for each particle that is on its way after so many steps. `trails`: all, as
-// they are in the end.
-void add_travellers(Plant& plant, const Trails& trails, std::uint32_t step, double all, const Girth& girth,
-                    float least_radius, std::uint32_t tag);
 
 // Appends the mesh `stems` of a material: tubes along the axes, at each fork on into the heaviest, thin ones with fewer
 // sides. Columns: `segment`, and with `sky` a byte a vertex, `sky`, and one an organ, the plant's `organs.sky`:

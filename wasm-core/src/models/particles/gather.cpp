@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "foundation/order.hpp"
@@ -10,7 +11,7 @@ namespace panicle::particles {
 namespace {
 
 // The trails with other links, in the order of the tree, without what carries nothing.
-Trails linked(const Trails& trails, std::vector<std::int32_t> next) {
+Trails linked(const Trails& trails, std::vector<std::int32_t> next, float stride) {
   const std::size_t count = trails.size();
   std::vector<std::uint32_t> first(count + 1, 0), members(count);
   for (std::size_t i = 1; i < count; ++i) ++first[static_cast<std::size_t>(next[i]) + 1];
@@ -22,7 +23,7 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next) {
 
   // What each has of its own, and then what comes by; from the ends on.
   std::vector<double> energy = trails.energy;
-  std::vector<std::uint32_t> born = trails.born;
+  std::vector<float> left(trails.born.begin(), trails.born.end());
   for (std::size_t i = 1; i < count; ++i) energy[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
   for (std::size_t i = 0; i < count; ++i)
     if (trails.particle[i] < 0) energy[i] = 0;
@@ -33,7 +34,8 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next) {
     if (trails.particle[i] < 0 && !passed[i]) continue;
     passed[to] = 1;
     energy[to] += energy[i];
-    if (to > 0 && next[i] != trails.next[i]) born[to] = std::min(born[to], born[i] + 1);
+    if (to > 0 && next[i] != trails.next[i])
+      left[to] = std::min(left[to], left[i] + glm::distance(trails.places[i], trails.places[to]) / stride);
   }
   Trails made;
   std::vector<std::int32_t> number(count, -1);
@@ -43,26 +45,27 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next) {
     made.places.push_back(trails.places[i]);
     made.next.push_back(i == 0 ? -1 : number[static_cast<std::size_t>(next[i])]);
     made.energy.push_back(energy[i]);
-    made.born.push_back(born[i]);
+    made.born.push_back(static_cast<std::uint32_t>(left[i]));
     made.particle.push_back(trails.particle[i]);
   }
+  // Whoever comes to the axis last is the last that is seen to run.
+  made.born[0] = 0;
+  if (made.size() > 1) made.born[0] = 1 + *std::max_element(made.born.begin() + 1, made.born.end());
   return made;
 }
 
 }  // namespace
 
-Trails gathered(const Trails& trails, const Guide& guide, float reach) {
-  std::vector<std::uint32_t> axis;
+Trails gathered(const Trails& trails, const Axis& axis, const Guide& guide, float reach, float stride) {
+  std::vector<std::uint32_t> near;
   std::vector<float> nearness;
-  const glm::vec3 foot = trails.places[0];
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
-    const glm::vec3 from = trails.places[i] - foot;
-    if (trails.particle[i] >= 0 || !(from.x * from.x + from.z * from.z < reach * reach)) continue;
-    axis.push_back(i);
-    nearness.push_back(-std::fabs(from.y));
+    if (trails.particle[i] >= 0 || !(axis.distance(trails.places[i]) < reach)) continue;
+    near.push_back(i);
+    nearness.push_back(-std::fabs(trails.places[i].y - axis.foot().y));
   }
   std::vector<std::uint32_t> line;
-  for (const std::uint32_t at : order_of(nearness)) line.push_back(axis[at]);
+  for (const std::uint32_t at : order_of(nearness)) line.push_back(near[at]);
   line.push_back(0);
   std::vector<std::int32_t> next = trails.next;
   for (std::size_t first = 0, end; first < line.size(); first = end) {
@@ -73,7 +76,7 @@ Trails gathered(const Trails& trails, const Guide& guide, float reach) {
                                        line.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t k = first; line[k] != *exit; ++k) next[line[k]] = static_cast<std::int32_t>(line[k + 1]);
   }
-  return linked(trails, std::move(next));
+  return linked(trails, std::move(next), stride);
 }
 
 }  // namespace panicle::particles

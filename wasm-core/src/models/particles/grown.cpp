@@ -1,14 +1,29 @@
 #include "models/particles/grown.hpp"
 
+#include <algorithm>
 #include <string>
 
-#include "models/particles/dressing.hpp"
+#include "models/particles/moment.hpp"
 
 namespace panicle::particles {
 namespace {
 
 constexpr float margin = 0.1f;       // by which ways keep clear of obstacles, in spacings
 constexpr float least_ball = 0.06f;  // radius of a particle, in spacings
+constexpr float ball_widens = 1.6f;  // times its trail's radius
+
+// Appends an organ, no mesh yet, for each particle on its way: what has a trail behind it or none, and no next.
+void add_travellers(Plant& plant, const Trails& trails, double all, const Girth& girth, float least_radius,
+                    std::uint32_t tag) {
+  for (std::size_t i = 1; i < trails.size(); ++i) {
+    if (trails.next[i] >= 0) continue;
+    Organ ball;
+    ball.tag = tag;
+    ball.position = trails.places[i];
+    ball.scale = std::max(ball_widens * radius_of(girth, trails.energy[i], all), least_radius);
+    plant.organs.push_back(ball);
+  }
+}
 
 }  // namespace
 
@@ -22,23 +37,37 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
   // A step may end that far beyond a corner.
   const float step = habit.motion.rules.step * spacing;
-  const Obstacles obstacles(request.obstacles, margin * spacing, floor + step, ceiling - step);
+  const Obstacles obstacles(request.obstacles, request.rounds, margin * spacing, floor + step, ceiling - step);
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
 
   Grown grown;
-  grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles);
+  grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles, request.seed);
   const Wood& wood = grown.wood;
   if (wood.unreachable > 0)
     plant.notes.push_back(std::to_string(wood.unreachable) +
                           " particles have no way past the obstacles and were left out.");
   const bool running = habit.running && habit.age < 1;
-  const auto now = running ? static_cast<std::uint32_t>(habit.age * static_cast<float>(wood.last)) : wood.last;
-  for (const Trails& trails : wood.crowds) grown.trails.push_back(running ? until(trails, now) : trails);
+  std::uint32_t last = 0;
+  for (const Trails& trails : wood.crowds) last = std::max(last, trails.born[0]);
+  const float moment = habit.age * static_cast<float>(last);
+  for (const Trails& trails : wood.crowds) grown.trails.push_back(running ? at_moment(trails, moment, step) : trails);
   grown.numbers = add_trails(plant, grown.trails, wood.all, habit.girth, {}, wood.tally, 0);
   for (std::size_t c = 0; running && c < targets.size(); ++c)
-    add_travellers(plant, wood.crowds[c], now, wood.all[c], habit.girth, least_ball * spacing, traveller);
+    add_travellers(plant, grown.trails[c], wood.all[c], habit.girth, least_ball * spacing, traveller);
   return grown;
+}
+
+Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves) {
+  const auto refused = [](std::size_t count, const char* what, std::uint32_t limit, const char* fewer) {
+    return Diagnostic{Reason::limit,
+                      "The plant would have " + std::to_string(count) + " " + what + ", more than " +
+                          std::to_string(limit) + "; ask for fewer " + fewer + ".",
+                      0, 0};
+  };
+  if (segments > limits.trails) return refused(segments, "pieces of trail", limits.trails, "particles");
+  if (leaves > limits.leaves) return refused(leaves, "leaves", limits.leaves, "particles or leaves a tip");
+  return {};
 }
 
 }  // namespace panicle::particles

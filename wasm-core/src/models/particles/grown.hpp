@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
 #include "models/particles/scatter.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/trail_plant.hpp"
@@ -48,9 +50,10 @@ SpaceHabit space_habit(const Values& values) {
   if (!habit.running) habit.growth = std::max(habit.age, youngest);
   constexpr std::array laws{WidthLaw::linear, WidthLaw::square_root, WidthLaw::power, WidthLaw::power};
   const std::uint32_t law = values.whole(Keys::law);
-  habit.girth = {laws[law], law == 2 ? 1.0f / 3 : values[Keys::exponent], 0.5f * habit.growth * values[Keys::girth],
+  habit.girth = {laws[law], law == 2 ? 1.0f / 3 : values[Keys::exponent], 0.005f * habit.growth * values[Keys::girth],
                  0.0005f * values[Keys::twig]};
   habit.trunk.slant = values[Keys::slant];
+  habit.trunk.sway = values[Keys::sway];
   // What bends the way of particles is the other way round than what bends the tips that they come from.
   habit.trunk.bend = {0, values[Keys::gravitropism], 0};
   return habit;
@@ -68,5 +71,8 @@ struct Grown {
 Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                 const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                 std::uint32_t traveller);
+
+// What is wrong with a plant that has more pieces of trail or more leaves than there may be; reason none if nothing is.
+Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves);
 
 }  // namespace panicle::particles

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace panicle::particles {
 namespace {
 
+// How far from an ellipsoid ways turn, of its size: those between neighbouring places, up to 35° apart, keep clear of
+// it.
+constexpr float about_round = 1.1f;
 constexpr int pieces = 4;  // of an edge, with a place to turn at between two
 
 bool inside(const Box& box, const glm::vec3& p) {
@@ -30,10 +34,35 @@ bool meets(const Box& box, const glm::vec3& a, const glm::vec3& b) {
   return first < last;
 }
 
+// Where a place is, in half-axes from the ellipsoid's middle; what has no extent holds nothing.
+glm::vec3 in_round(const Box& box, const glm::vec3& p) {
+  const glm::vec3 half = glm::max(0.5f * (box.high - box.low), glm::vec3(1e-6f));
+  return (p - 0.5f * (box.low + box.high)) / half;
+}
+
+// Of all places between a and b that which is nearest to the middle, in half-axes.
+bool meets_round(const Box& box, const glm::vec3& a, const glm::vec3& b) {
+  const glm::vec3 from = in_round(box, a), way = in_round(box, b) - from;
+  const float square = glm::dot(way, way);
+  const float at = square > 0 ? glm::clamp(-glm::dot(from, way) / square, 0.0f, 1.0f) : 0;
+  const glm::vec3 nearest = from + at * way;
+  return glm::dot(nearest, nearest) < 1;
+}
+
 }  // namespace
 
-Obstacles::Obstacles(std::span<const Box> boxes, float margin, float floor, float ceiling) {
+bool within_round(const Box& box, const glm::vec3& p) {
+  const glm::vec3 from = in_round(box, p);
+  return glm::dot(from, from) < 1;
+}
+
+Obstacles::Obstacles(std::span<const Box> boxes, std::span<const Box> rounds, float margin, float floor,
+                     float ceiling) {
   for (const Box& box : boxes) boxes_.push_back({box.low - margin, box.high + margin});
+  for (const Box& box : rounds) rounds_.push_back({box.low - margin, box.high + margin});
+  const auto turn_at = [&](const glm::vec3& p) {
+    if (p.y >= floor && p.y <= ceiling && !contains(p)) corners_.push_back(p);
+  };
   for (const Box& box : boxes_) {
     // A little off the faces, which do not count as inside.
     const glm::vec3 low = box.low - 0.1f * margin, size = box.high + 0.1f * margin - low;
@@ -41,19 +70,27 @@ Obstacles::Obstacles(std::span<const Box> boxes, float margin, float floor, floa
       for (int y = 0; y <= pieces; ++y)
         for (int x = 0; x <= pieces; ++x) {
           const int ends = (x % pieces == 0) + (y % pieces == 0) + (z % pieces == 0);
-          if (ends < 2) continue;
-          const glm::vec3 p = low + size * glm::vec3(x, y, z) / static_cast<float>(pieces);
-          if (p.y >= floor && p.y <= ceiling && !contains(p)) corners_.push_back(p);
+          if (ends >= 2) turn_at(low + size * glm::vec3(x, y, z) / static_cast<float>(pieces));
         }
+  }
+  for (const Box& box : rounds_) {
+    const glm::vec3 middle = 0.5f * (box.low + box.high), half = 0.5f * (box.high - box.low);
+    for (int z = -2; z <= 2; ++z)
+      for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x)
+          if (std::max({x * x, y * y, z * z}) == 4)
+            turn_at(middle + about_round * half * glm::normalize(glm::vec3(x, y, z)));
   }
 }
 
 bool Obstacles::contains(const glm::vec3& p) const {
-  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return inside(box, p); });
+  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return inside(box, p); }) ||
+         std::any_of(rounds_.begin(), rounds_.end(), [&](const Box& box) { return within_round(box, p); });
 }
 
 bool Obstacles::between(const glm::vec3& a, const glm::vec3& b) const {
-  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return meets(box, a, b); });
+  return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return meets(box, a, b); }) ||
+         std::any_of(rounds_.begin(), rounds_.end(), [&](const Box& box) { return meets_round(box, a, b); });
 }
 
 }  // namespace panicle::particles

@@ -1,5 +1,5 @@
-// What stands in the way of branches and roots: boxes, a wall, a stone, another tree's crown. Nothing starts in them
-// and no way passes them; what they hide is come to round their edges.
+// What stands in the way of branches and roots: boxes, as a wall or a stone, and ellipsoids, as another tree's crown.
+// Nothing starts in them and no way passes them; what they hide is come to round their edges.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,9 @@ struct Box {
   glm::vec3 low{0}, high{0};
 };
 
+// Whether a place is within the ellipsoid that fills a box.
+bool within_round(const Box& box, const glm::vec3& p);
+
 class Obstacles {
  public:
   static constexpr std::uint32_t most = 16;
@@ -20,9 +23,12 @@ class Obstacles {
   Obstacles() = default;
   // `margin`: how much wider than they are they count, so that what is drawn of a way keeps clear of them. `floor`,
   // `ceiling`: heights between which ways lead.
-  Obstacles(std::span<const Box> boxes, float margin, float floor, float ceiling);
+  // `rounds`: the boxes that ellipsoids fill.
+  Obstacles(std::span<const Box> boxes, std::span<const Box> rounds, float margin, float floor, float ceiling);
+  Obstacles(std::span<const Box> boxes, float margin, float floor, float ceiling)
+      : Obstacles(boxes, {}, margin, floor, ceiling) {}
 
-  bool empty() const { return boxes_.empty(); }
+  bool empty() const { return boxes_.empty() && rounds_.empty(); }
   bool contains(const glm::vec3& p) const;
   // Whether one of them meets the straight way from a to b.
   bool between(const glm::vec3& a, const glm::vec3& b) const;
@@ -30,7 +36,7 @@ class Obstacles {
   std::span<const glm::vec3> corners() const { return corners_; }
 
  private:
-  std::vector<Box> boxes_;
+  std::vector<Box> boxes_, rounds_;
   std::vector<glm::vec3> corners_;
 };
 

@@ -110,20 +110,21 @@ void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach) {
   }
 }
 
-Trails simplified(const Trails& trails, float tolerance) {
+Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
   const auto runs = leading_to(trails);
   std::vector<std::uint8_t> kept(trails.size(), 0);
   std::vector<std::uint32_t> chain;
   std::vector<std::pair<std::size_t, std::size_t>> spans;
   for (std::uint32_t end = 0; end < trails.size(); ++end) {
-    if (end > 0 && runs[end].second == 1 && trails.particle[end] < 0) continue;
+    const bool arrival = arrivals && trails.next[end] == 0;
+    if (end > 0 && runs[end].second == 1 && trails.particle[end] < 0 && !arrival) continue;
     kept[end] = 1;
     if (end == 0) continue;
     // From here to the next fork, start or target.
     chain = {end};
     for (std::size_t i = next_of(trails, end);; i = next_of(trails, i)) {
       chain.push_back(static_cast<std::uint32_t>(i));
-      if (i == 0 || runs[i].second != 1 || trails.particle[i] >= 0) break;
+      if (kept[i] || runs[i].second != 1 || trails.particle[i] >= 0) break;
     }
     spans = {{0, chain.size() - 1}};
     while (!spans.empty()) {

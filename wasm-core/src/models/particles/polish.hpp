@@ -17,7 +17,7 @@ void smooth(Trails& trails, const Guide& guide, float share = 1);
 void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach);
 
 // Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is
-// left. Forks, starts and energies stay.
-Trails simplified(const Trails& trails, float tolerance);
+// left. Forks, starts and energies stay; with `arrivals` those next to the target too, and so when each came there.
+Trails simplified(const Trails& trails, float tolerance, bool arrivals = false);
 
 }  // namespace panicle::particles

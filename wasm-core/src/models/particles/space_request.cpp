@@ -32,6 +32,15 @@ std::vector<glm::vec3> triples(std::span<const float> values) {
   return points;
 }
 
+// Of two opposite corners each.
+std::vector<Box> boxes_of(std::span<const float> values) {
+  const std::vector<glm::vec3> corners = triples(values);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i + 1 < corners.size(); i += 2)
+    boxes.push_back({glm::min(corners[i], corners[i + 1]), glm::max(corners[i], corners[i + 1])});
+  return boxes;
+}
+
 }  // namespace
 
 Result<SpaceRequest> read_space(Request& request) {
@@ -45,12 +54,14 @@ Result<SpaceRequest> read_space(Request& request) {
   read.parameters = request.floats("parameters");
   const auto profile = request.floats("profile"), points = request.floats("volume.points");
   const auto triangles = request.words("volume.triangles");
-  const auto targets = request.floats("targets"), obstacles = request.floats("obstacles");
+  const auto targets = request.floats("targets"), obstacles = request.floats("obstacles"),
+             rounds = request.floats("obstacles.round");
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
 
   Diagnostic trouble;
   if (!sound(profile, 2, "Points of the profile", trouble) || !sound(points, 3, "Points of the mesh", trouble) ||
-      !sound(targets, 3, "Targets", trouble) || !sound(obstacles, 6, "Obstacles", trouble))
+      !sound(targets, 3, "Targets", trouble) || !sound(obstacles, 6, "Obstacles", trouble) ||
+      !sound(rounds, 6, "Round obstacles", trouble))
     return trouble;
   if (triangles.size() % 3 != 0) return refused("Triangles of the mesh must have 3 corners each.");
   for (const std::uint32_t corner : triangles)
@@ -59,16 +70,15 @@ Result<SpaceRequest> read_space(Request& request) {
                      std::to_string(points.size() / 3) + " points.");
   if (targets.size() / 3 > SpaceRequest::most_targets)
     return refused("There may be no more than " + std::to_string(SpaceRequest::most_targets) + " targets.");
-  if (obstacles.size() / 6 > Obstacles::most)
+  if ((obstacles.size() + rounds.size()) / 6 > Obstacles::most)
     return refused("There may be no more than " + std::to_string(Obstacles::most) + " obstacles.");
 
   for (std::size_t i = 0; i + 1 < profile.size(); i += 2)
     read.profile.emplace_back(std::fmax(profile[i], 0.0f), profile[i + 1]);
   read.volume = {triples(points), {triangles.begin(), triangles.end()}};
   read.targets = triples(targets);
-  const std::vector<glm::vec3> corners = triples(obstacles);
-  for (std::size_t i = 0; i + 1 < corners.size(); i += 2)
-    read.obstacles.push_back({glm::min(corners[i], corners[i + 1]), glm::max(corners[i], corners[i + 1])});
+  read.obstacles = boxes_of(obstacles);
+  read.rounds = boxes_of(rounds);
   return read;
 }
 

@@ -15,8 +15,8 @@ namespace panicle::particles {
 
 // Blocks: `profile` (float32, pairs of radius and height: 1 is half the width and the whole height of the boundary),
 // `volume.points` (float32, triples) and `volume.triangles` (uint32, triples) of a dropped mesh, `targets` (float32,
-// triples in metres), `obstacles` (float32, six each in metres: the low and the high corner of a box); and what every
-// request has.
+// triples in metres), `obstacles` and `obstacles.round` (float32, six each in metres: the low and the high corner of a
+// box, and of one that an ellipsoid fills: another tree's crown, which shades as one); and what every request has.
 struct SpaceRequest {
   static constexpr std::size_t most_targets = 256;
 
@@ -26,7 +26,7 @@ struct SpaceRequest {
   std::vector<glm::vec2> profile;
   Surface volume;
   std::vector<glm::vec3> targets;
-  std::vector<Box> obstacles;
+  std::vector<Box> obstacles, rounds;
 };
 
 // Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, corners

@@ -9,14 +9,6 @@
 namespace panicle::particles {
 namespace {
 
-// What each place has of its own, not passed on from others.
-std::vector<double> own_energies(const Trails& trails) {
-  std::vector<double> own = trails.energy;
-  for (std::size_t i = 0; i < trails.size(); ++i)
-    if (trails.next[i] >= 0) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
-  return own;
-}
-
 // Of what leads to each place, the greatest energy.
 std::vector<double> heaviest_inflow(const Trails& trails) {
   std::vector<double> heaviest(trails.size(), 0);
@@ -36,41 +28,6 @@ float radius_of(const Girth& girth, double energy, double all) {
                      : girth.law == WidthLaw::square_root ? std::sqrt(share)
                                                           : power(share, girth.exponent);
   return std::max(girth.thickest * part, girth.thinnest);
-}
-
-Trails until(const Trails& trails, std::uint32_t step) {
-  const std::size_t count = trails.size();
-  std::vector<std::uint8_t> left(count, 0), kept(count, 0);
-  for (std::size_t i = 0; i < count; ++i)
-    if (trails.next[i] >= 0 && trails.born[i] <= step) {
-      left[i] = kept[i] = 1;
-      kept[static_cast<std::size_t>(trails.next[i])] = 1;
-    }
-  if (count > 0) kept[0] = 1;
-
-  Trails young;
-  std::vector<std::int32_t> number(count, -1);
-  std::vector<double> own = own_energies(trails);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!kept[i]) continue;
-    number[i] = static_cast<std::int32_t>(young.size());
-    young.places.push_back(trails.places[i]);
-    young.next.push_back(left[i] ? number[static_cast<std::size_t>(trails.next[i])] : -1);
-    young.energy.push_back(trails.particle[i] >= 0 || left[i] ? own[i] : 0);
-    young.born.push_back(trails.born[i]);
-    young.particle.push_back(trails.particle[i]);
-  }
-  for (std::size_t i = young.size(); i-- > 0;)
-    if (young.next[i] >= 0) young.energy[static_cast<std::size_t>(young.next[i])] += young.energy[i];
-  return young;
-}
-
-std::uint32_t last_step(std::span<const Trails> crowds) {
-  std::uint32_t last = 0;
-  for (const Trails& trails : crowds)
-    for (std::size_t i = 0; i < trails.size(); ++i)
-      if (trails.next[i] >= 0) last = std::max(last, trails.born[i]);
-  return last;
 }
 
 std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,

@@ -26,13 +26,6 @@ struct Girth {
 // The radius where so much of `all` passes.
 float radius_of(const Girth& girth, double energy, double all);
 
-// The trails as they stood after so many steps: those left by then, with the energy that had passed. Places that
-// nothing leads on from yet have `next` −1, the target among them: there particles are on their way.
-Trails until(const Trails& trails, std::uint32_t step);
-
-// The last step in which anyone moved.
-std::uint32_t last_step(std::span<const Trails> crowds);
-
 // What of a place in the plane or in space is a place of the plant: metres.
 struct Frame {
   glm::vec3 origin{0};

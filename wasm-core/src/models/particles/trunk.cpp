@@ -7,14 +7,20 @@ namespace panicle::particles {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::max();
-// A longer one could turn a way round.
 constexpr float on_axis = 0.1f;  // nearer than this share of how far it looks, a particle is on the axis
+// Whoever looked far ahead would cut the bends of an axis that sways, and run beside it.
+constexpr float nearer = 0.25f;
+// A longer one could turn a way round.
 constexpr float longest_bend = 0.9f;
 
 }  // namespace
 
-Trunk::Trunk(const glm::vec3& foot, const TrunkHabit& habit, const Region* outer, const Obstacles* obstacles)
-    : Guide(foot), habit_(habit), outer_(outer), obstacles_(obstacles && !obstacles->empty() ? obstacles : nullptr) {
+Trunk::Trunk(const Axis& axis, const TrunkHabit& habit, const Region* outer, const Obstacles* obstacles)
+    : Guide(axis.foot()),
+      axis_(axis),
+      habit_(habit),
+      outer_(outer),
+      obstacles_(obstacles && !obstacles->empty() ? obstacles : nullptr) {
   const float bend = glm::length(habit.bend);
   if (bend > longest_bend) habit_.bend *= longest_bend / bend;
   if (obstacles_) survey();
@@ -22,11 +28,11 @@ Trunk::Trunk(const glm::vec3& foot, const TrunkHabit& habit, const Region* outer
 
 glm::vec3 Trunk::to_axis(const glm::vec3& p) const {
   const glm::vec3 foot = target();
-  const float from_axis = glm::length(glm::vec3(p.x - foot.x, 0, p.z - foot.z));
+  const float from_axis = axis_.distance(p);
   const float left = (p.y - foot.y) * -habit_.way;
   float drop = glm::max(habit_.slant * from_axis, habit_.ahead);
   if (from_axis > on_axis * habit_.ahead && left > habit_.bole) drop = glm::min(drop, left - habit_.bole);
-  return !(left > drop) ? foot : glm::vec3(foot.x, p.y + habit_.way * drop, foot.z);
+  return !(left > drop) ? foot : axis_.at(p.y + habit_.way * drop);
 }
 
 float Trunk::straight_way(const glm::vec3& p) const {
@@ -40,13 +46,13 @@ glm::vec3 Trunk::aim(const glm::vec3& p) const {
     const Corner* corner = turning(p);
     return corner ? corner->place : straight;
   }
-  if (habit_.bend == glm::vec3(0)) return straight;
-  const glm::vec3 to = straight - p, from_axis(p.x - target().x, 0, p.z - target().z);
+  const float near = nearer * habit_.ahead;
+  const glm::vec3 to = straight - p;
   const float length = glm::length(to);
-  if (!(length > habit_.ahead)) return straight;
-  const glm::vec3 way = to / length + glm::min(glm::length(from_axis) / habit_.reach, 1.0f) * habit_.bend;
+  if (habit_.bend == glm::vec3(0) || !(length > habit_.ahead)) return axis_.along(p, straight, near);
+  const glm::vec3 way = to / length + glm::min(axis_.distance(p) / habit_.reach, 1.0f) * habit_.bend;
   const glm::vec3 bent = p + way * (habit_.ahead / glm::length(way));
-  return passes(p, bent) ? bent : straight;
+  return axis_.along(p, passes(p, bent) ? bent : straight, near);
 }
 
 float Trunk::way(const glm::vec3& p) const {

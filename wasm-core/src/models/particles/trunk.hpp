@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/particles/axis.hpp"
 #include "models/particles/guide.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/region.hpp"
@@ -19,6 +20,8 @@ struct TrunkHabit {
   glm::vec3 bend{
       0};  // added to the direction of what is `reach` away from the axis or farther, less and less towards it
   float reach = 1;
+  float height = 0;  // of all that stands on the axis
+  float sway = 0;    // how far the axis strays from upright, of that height
 };
 
 // Each makes for the axis above the target, as much lower than itself as is told: a single point would fork low and
@@ -27,8 +30,10 @@ struct TrunkHabit {
 class Trunk final : public Guide {
  public:
   // `outer` and `obstacles` must outlive it; either may be null.
+  Trunk(const Axis& axis, const TrunkHabit& habit, const Region* outer = nullptr, const Obstacles* obstacles = nullptr);
   Trunk(const glm::vec3& foot, const TrunkHabit& habit, const Region* outer = nullptr,
-        const Obstacles* obstacles = nullptr);
+        const Obstacles* obstacles = nullptr)
+      : Trunk(Axis(foot), habit, outer, obstacles) {}
 
   glm::vec3 aim(const glm::vec3& p) const override;
   float way(const glm::vec3& p) const override;
@@ -52,6 +57,7 @@ class Trunk final : public Guide {
   const Corner* turning(const glm::vec3& p) const;
   void survey();
 
+  Axis axis_;
   TrunkHabit habit_;
   const Region* outer_;
   const Obstacles* obstacles_;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "foundation/random.hpp"
 #include "models/particles/crowd.hpp"
+#include "models/particles/forks.hpp"
 #include "models/particles/gather.hpp"
 #include "models/particles/polish.hpp"
 
@@ -16,6 +18,8 @@ constexpr float tolerance = 0.08f;
 constexpr float smoothing = 1.5f;
 // Closer than this to the axis, trails are one, in spacings.
 constexpr float trunk = 0.35f;
+// As near to each other come forks, and so far they go to stand narrower, in spacings.
+constexpr float apart = 0.05f, shift = 0.45f;
 // How far particles look along the axis, in spacings.
 constexpr float ahead = 2;
 
@@ -34,7 +38,7 @@ std::size_t nearest(std::span<const glm::vec3> targets, const glm::vec3& p) {
 }  // namespace
 
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles) {
+         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed) {
   std::vector<std::vector<glm::vec3>> bound(targets.size());
   for (const glm::vec3& start : starts) bound[nearest(targets, start)].push_back(start);
   Rules rules = motion.rules;
@@ -44,23 +48,25 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
   habit.ahead = ahead * spacing;
   Wood wood;
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    const Trunk guide(targets[i], habit, &outer, &obstacles);
+    const Axis axis(targets[i], habit.height, habit.sway * habit.height, hash_combine(seed, i));
+    const Trunk guide(axis, habit, &outer, &obstacles);
     if (!obstacles.empty())
       wood.unreachable += static_cast<std::uint32_t>(
           std::erase_if(bound[i], [&](const glm::vec3& start) { return !guide.reaches(start); }));
     Crowd crowd(bound[i], motion.energy, guide, rules);
     crowd.run();
-    Trails trails = gathered(crowd.trails(), guide, trunk * spacing);
+    Trails trails = gathered(crowd.trails(), axis, guide, trunk * spacing, rules.step);
     smooth(trails, guide, smoothing);
-    wood.crowds.push_back(simplified(trails, tolerance * spacing));
-    wood.all.push_back(trails.energy[0]);
+    trails = simplified(trails, tolerance * spacing, true);
+    narrow_forks(trails, guide, apart * spacing, shift * spacing);
+    wood.crowds.push_back(std::move(trails));
+    wood.all.push_back(wood.crowds.back().energy[0]);
     wood.tally.particles += static_cast<std::uint32_t>(bound[i].size());
     wood.tally.merges += crowd.merges();
     wood.tally.steps = std::max(wood.tally.steps, crowd.steps());
     wood.tally.energy += crowd.arrived();
     wood.stragglers += crowd.stragglers();
   }
-  wood.last = last_step(wood.crowds);
   return wood;
 }
 

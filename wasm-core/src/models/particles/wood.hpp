@@ -24,14 +24,13 @@ struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
   std::vector<double> all;     // what arrives at each in the end
   Tally tally;
-  std::uint32_t last = 0;         // step in which anyone moved
   std::uint32_t stragglers = 0;   // that had to be led to their target
   std::uint32_t unreachable = 0;  // that have no way past the obstacles, and were left out
 };
 
 // Runs the particles to the nearest target (ties: that of the lowest index), those of each for themselves.
-// `habit.ahead` is set by the spacing.
+// `habit.ahead` is set by the spacing. `seed`: which way each axis sways.
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles);
+         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed);
 
 }  // namespace panicle::particles

@@ -25,11 +25,20 @@ describe("a root's presets", () => {
 			const plant = grow(specimen, { meshes: false });
 			expect(plant.notes).toEqual([]);
 			const heights = plant.segments.ends.filter((_, i) => i % 3 === 1);
-			expect(heights.reduce((most, y) => Math.max(most, y))).toBeLessThan(0.02 * specimen.parameters.reach);
-			expect(heights.reduce((least, y) => Math.min(least, y))).toBeGreaterThan(-1.02 * specimen.parameters.reach);
+			expect(heights.reduce((most, y) => Math.max(most, y))).toBeLessThan(1e-3);
+			expect(heights.reduce((least, y) => Math.min(least, y))).toBeGreaterThan(-1.001 * specimen.parameters.reach);
 			expect(model.words(plant)).toMatch(/^[\d.]+ c?m deep, [\d,]+ root tips$/);
 		},
 	);
+});
+
+it("comes through its link to a millimetre of thickness, however fine", async () => {
+	const specimen = fromPreset(model, "fibrous");
+	specimen.parameters.girth = 0.7;
+	const { specimen: back } = await decodeLink(model, await encodeLink(model, specimen));
+	expect(back.parameters.girth).toBe(0.7);
+	const { radii } = grow(back, { meshes: false }).segments;
+	expect(2 * Math.max(...radii)).toBeCloseTo(0.007, 6);
 });
 
 describe("the pit about a root", () => {

@@ -160,6 +160,28 @@ describe("a tree", () => {
 		expect(woodColours(passing, passing.meshes[0], { ...bark, old: [1, 1, 1], young: [0, 0, 0] })).toBeUndefined();
 	});
 
+	it("has dark marks on a white trunk, in files as in the view, and none on an oak's", () => {
+		const darkest = (name: string) => {
+			const specimen = small(fromPreset(model, name), { leaves: 0 });
+			const plant = grow(specimen);
+			const [{ shape }] = [...model.parts(plant, specimen)];
+			const { colours = new Float32Array(), material } = { ...shape?.mesh, material: shape?.material };
+			// Of what goes around the trunk.
+			const thick = Array.from(plant.bearing ?? [], (segment, i) => ({
+				i,
+				radius: plant.segments.radii[2 * segment + 1],
+			}))
+				.filter(({ radius }) => radius > 0.06)
+				.map(({ i }) => colours[3 * i] / (material?.colour[0] ?? 1));
+			return [Math.min(...thick), Math.max(...thick)];
+		};
+		const [mark, paper] = darkest("birch");
+		expect(mark).toBeLessThan(0.3);
+		expect(paper).toBeGreaterThan(0.95);
+		const [furrow] = darkest("oak");
+		expect(furrow).toBeGreaterThan(0.9);
+	});
+
 	it("is exported as GLB to which Khronos' validator has nothing to say, and as JSON as the issue wants it", async () => {
 		const specimen = small(oak, { particles: 40 });
 		const plant = grow(specimen);

@@ -83,7 +83,7 @@ std::vector<float> measures_of(const Plant& plant, const Region& soil) {
   return measures;
 }
 
-Result<Plant> grow(Request& request, const Limits&) {
+Result<Plant> grow(Request& request, const Limits& limits) {
   const Result<SpaceRequest> read = read_space(request);
   if (!read) return read.error();
   Plant plant;
@@ -107,10 +107,12 @@ Result<Plant> grow(Request& request, const Limits&) {
   const Hormone held{values[hormone], low.y, hormone_reach * extent.y, 0.5f * leader * (extent.x + extent.z), targets};
   const Soil soil(outer, inner, values.whole(pattern) == 3 ? values[topsoil] : 0, held);
   space.trunk.way = 1;
+  space.trunk.height = -low.y;
   space.trunk.reach = 0.25f * (extent.x + extent.z);
   plant.tags = {"root"};
   plant.organ_tags = {"particle"};
   const Grown grown = grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag);
+  if (Diagnostic trouble = beyond(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
   if (read->measures) plant.measures = measures_of(plant, soil);
   if (read->meshes) {
     dress(plant, grown, "root", no_leaf, 0, read->sky);

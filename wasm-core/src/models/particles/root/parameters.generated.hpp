@@ -18,6 +18,7 @@ enum class Parameter : std::uint32_t {
   stems,
   slant,
   gravitropism,
+  sway,
   law,
   exponent,
   girth,
@@ -36,7 +37,7 @@ enum class Parameter : std::uint32_t {
   hormone,
 };
 
-inline constexpr std::uint32_t parameter_count = 25;
+inline constexpr std::uint32_t parameter_count = 26;
 
 struct ParameterInfo {
   std::string_view key;
@@ -59,9 +60,10 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"stems", "", "", 1.0f, 60.0f, 0.0f, 1.0f, true},
     {"slant", "", "", 0.0f, 8.0f, 0.0f, 1.0f, false},
     {"gravitropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
+    {"sway", "", "", 0.0f, 0.5f, 0.0f, 0.06f, false},
     {"law", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"exponent", "", "power", 0.1f, 1.5f, 0.0f, 0.45f, false},
-    {"girth", "", "", 0.002f, 5.0f, 0.0f, 0.08f, false},
+    {"girth", "", "", 0.2f, 500.0f, 0.0f, 8.0f, false},
     {"twig", "", "", 0.1f, 50.0f, 0.0f, 0.6f, false},
     {"particles", "", "", 10.0f, 100000.0f, 0.0f, 3000.0f, true},
     {"pattern", "", "", 0.0f, 3.0f, 0.0f, 2.0f, true},

@@ -20,8 +20,10 @@ struct CrownHabit {
   std::uint32_t crowns = 1;
   float distance = 6;  // from crown to crown
   std::uint32_t stems = 1;
-  float growth = 1;  // size of each, trunk and all, over what it will be
-  float shoots = 1;  // how much of what lies between the boundaries is grown: shoots that ended early
+  float growth = 1;        // size of each, trunk and all, over what it will be
+  float ragged = 0;        // how unevenly the outer boundary is filled, of its size
+  std::uint64_t seed = 1;  // by which it is
+  float shoots = 1;        // how much of what lies between the boundaries is grown: shoots that ended early
 };
 
 struct Crowns {
@@ -30,6 +32,9 @@ struct Crowns {
   float height = 0;             // of a crown
   float top = 0;                // its highest point
   float across = 0;             // cube root of its box
+  std::vector<glm::vec3> middles;
+  float ragged = 0;
+  std::uint64_t seed = 1;
 };
 
 // Crowns stand side by side along x about the origin; `profile` and `mesh` as in `form_between`.
@@ -43,13 +48,19 @@ class Foliage final : public Region {
 
   glm::vec3 low() const override { return crowns_->outer.low(); }
   glm::vec3 high() const override { return crowns_->outer.high(); }
-  bool contains(const glm::vec3& p) const override { return crowns_->outer.contains(p) && !crowns_->inner.contains(p); }
+  bool contains(const glm::vec3& p) const override {
+    return crowns_->outer.contains(p) && !crowns_->inner.contains(p) && leafy(p);
+  }
   Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
-    return share_between(crowns_->outer.share_of(from, to), crowns_->inner.share_of(from, to));
+    const Share outer = crowns_->outer.share_of(from, to);
+    return share_between(crowns_->ragged > 0 && outer == Share::all ? Share::some : outer,
+                         crowns_->inner.share_of(from, to));
   }
   float density(const glm::vec3& p) const override;
 
  private:
+  bool leafy(const glm::vec3& p) const;
+
   const Crowns* crowns_;
   const VoxelLight* light_;
   const Hormone* hormone_;

@@ -50,7 +50,7 @@ Form form_of(std::uint32_t shape) {
   return forms[shape];
 }
 
-CrownHabit crown_of(const TreeValues& values) {
+CrownHabit crown_of(const TreeValues& values, std::uint64_t seed) {
   CrownHabit habit;
   habit.form = form_of(values.whole(shape));
   habit.size =
@@ -61,7 +61,21 @@ CrownHabit crown_of(const TreeValues& values) {
   habit.distance = values[distance];
   habit.stems = values.whole(stems);
   if (values.whole(life) == 1) habit.growth = std::max(values[age] / 100, youngest);
+  habit.ragged = values[ragged];
+  habit.seed = seed;
   habit.shoots = shortest_shoots + (1 - shortest_shoots) * smooth_step(shoots_end, shoots_grow, values[day]);
+  return habit;
+}
+
+// `light`: where most of it comes from.
+LeafHabit leaves_of(const TreeValues& values, const glm::vec3& light, std::uint64_t seed) {
+  LeafHabit habit;
+  habit.count = values.whole(leaves);
+  habit.size = 0.01f * values[leaf_size];
+  habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
+  habit.needles = values.choice<LeafShape>(leaf_shape) == LeafShape::needle;
+  habit.light = light;
+  habit.seed = seed;
   return habit;
 }
 
@@ -109,12 +123,12 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
   return measures;
 }
 
-Result<Plant> grow(Request& request, const Limits&) {
+Result<Plant> grow(Request& request, const Limits& limits) {
   const Result<SpaceRequest> read = read_space(request);
   if (!read) return read.error();
   Plant plant;
   const TreeValues values(read->parameters, plant.notes);
-  CrownHabit habit = crown_of(values);
+  CrownHabit habit = crown_of(values, read->seed);
   if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
   Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume);
   if (!read->targets.empty()) crowns_made.feet = read->targets;
@@ -123,7 +137,8 @@ Result<Plant> grow(Request& request, const Limits&) {
                                values[absorption] / crowns_made.across};
   const bool by_light_too = values.whole(pattern) == 3 && values[by_light] > 0;
   std::optional<VoxelLight> light;
-  if (by_light_too || read->measures) light.emplace(light_in(crowns_made.outer, light_habit, light_cells));
+  if (by_light_too || read->measures)
+    light.emplace(light_in(crowns_made.outer, read->rounds, light_habit, light_cells));
   const Hormone held{values[hormone], crowns_made.top, hormone_reach * crowns_made.height, leader * crowns_made.across,
                      crowns_made.feet};
   const Foliage foliage(crowns_made, by_light_too ? &*light : nullptr, values[by_light], held);
@@ -132,18 +147,17 @@ Result<Plant> grow(Request& request, const Limits&) {
   SpaceHabit space = space_habit<Parameter>(values);
   space.trunk.bend -= values[phototropism] * brightest;
   space.trunk.bole = bole * habit.growth * habit.trunk;
+  space.trunk.height = crowns_made.top;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};
   const Grown grown =
       grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0, highest, particle_tag);
-  LeafHabit leaf_habit;
-  leaf_habit.count = values.whole(leaves);
-  leaf_habit.size = 0.01f * values[leaf_size];
-  leaf_habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
-  leaf_habit.needles = values.choice<LeafShape>(leaf_shape) == LeafShape::needle;
-  leaf_habit.light = brightest;
-  leaf_habit.seed = read->seed;
+  const LeafHabit leaf_habit = leaves_of(values, brightest, read->seed);
+  if (Diagnostic trouble =
+          beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
+      trouble.reason != Reason::none)
+    return trouble;
   const std::size_t particles_under_way = plant.organs.size();
   for (std::size_t c = 0; c < grown.trails.size(); ++c)
     add_leaves(plant, grown.trails[c], grown.numbers[c], leaf_habit, leaf_tag);

@@ -14,6 +14,7 @@ enum class Parameter : std::uint32_t {
   height,
   depth,
   inner,
+  ragged,
   trunk,
   crowns,
   distance,
@@ -26,6 +27,7 @@ enum class Parameter : std::uint32_t {
   slant,
   phototropism,
   gravitropism,
+  sway,
   law,
   exponent,
   girth,
@@ -49,7 +51,7 @@ enum class Parameter : std::uint32_t {
   hormone,
 };
 
-inline constexpr std::uint32_t parameter_count = 38;
+inline constexpr std::uint32_t parameter_count = 40;
 
 struct ParameterInfo {
   std::string_view key;
@@ -68,6 +70,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"height", "", "", 0.1f, 60.0f, 0.0f, 6.0f, false},
     {"depth", "", "", 0.1f, 60.0f, 0.0f, 6.0f, false},
     {"inner", "", "", 0.0f, 0.95f, 0.0f, 0.75f, false},
+    {"ragged", "", "", 0.0f, 0.6f, 0.0f, 0.0f, false},
     {"trunk", "", "", 0.0f, 30.0f, 0.0f, 2.0f, false},
     {"crowns", "", "", 1.0f, 12.0f, 0.0f, 1.0f, true},
     {"distance", "", "", 0.0f, 60.0f, 0.0f, 6.0f, false},
@@ -80,9 +83,10 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"slant", "", "", 0.0f, 4.0f, 0.0f, 1.0f, false},
     {"phototropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
     {"gravitropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
+    {"sway", "", "", 0.0f, 0.5f, 0.0f, 0.04f, false},
     {"law", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"exponent", "", "power", 0.1f, 1.5f, 0.0f, 0.45f, false},
-    {"girth", "", "", 0.002f, 5.0f, 0.0f, 0.3f, false},
+    {"girth", "", "", 0.2f, 500.0f, 0.0f, 30.0f, false},
     {"twig", "", "", 0.1f, 50.0f, 0.0f, 4.0f, false},
     {"leaves", "", "", 0.0f, 6.0f, 0.0f, 2.0f, true},
     {"leaf_size", "", "", 0.2f, 60.0f, 0.0f, 14.0f, false},

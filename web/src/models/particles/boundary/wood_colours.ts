@@ -1,5 +1,6 @@
 /** Thin branches have another bark than thick ones: smoother, younger. */
 import { type Colour, smoothstep } from "../../../plant/colour";
+import { noise } from "../../../plant/noise";
 import type { PlantMesh } from "../../../plant/plant";
 import type { WoodenPlant } from "./wooden_plant";
 
@@ -9,6 +10,8 @@ export interface Bark {
 	/** Radii in metres between which the one becomes the other. */
 	readonly from: number;
 	readonly to: number;
+	/** Dark marks on old bark, as a birch's. */
+	readonly marks?: Colour;
 }
 
 /** Of so many radii colours are worked out; those between take the next below. */
@@ -33,6 +36,16 @@ export function woodColours({ segments, bearing }: WoodenPlant, mesh: PlantMesh,
 		colours[at] = palette[place];
 		colours[at + 1] = palette[place + 1];
 		colours[at + 2] = palette[place + 2];
+		if (bark.marks) mark(colours, at, mesh.positions, bark.marks, place / (3 * (CLASSES - 1)));
 	}
 	return colours;
+}
+
+/** Wider than they are high, and more of them towards the ground, where bark splits. */
+function mark(colours: Float32Array, at: number, positions: Float32Array, dark: Colour, old: number): void {
+	if (old < 0.25) return;
+	const [x, y, z] = positions.subarray(at, at + 3);
+	const foot = smoothstep(0.9, 0, y) * 0.3;
+	const share = smoothstep(0.58, 0.72, noise(5 * x, 11 * y, 5 * z) + foot) * smoothstep(0.25, 0.6, old);
+	for (let k = 0; k < 3; k++) colours[at + k] += share * (dark[k] - colours[at + k]);
 }

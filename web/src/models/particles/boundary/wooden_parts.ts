@@ -90,11 +90,12 @@ function picked(sky: Uint8Array, organs: Uint32Array): Uint8Array {
 	return into;
 }
 
+/** To a tenth of a millimetre and less: files that write them as text are a third smaller. */
 function taken(transforms: Float32Array, organs: Uint32Array): Float32Array {
 	const into = new Float32Array(TRANSFORM * organs.length);
 	for (let i = 0; i < organs.length; i++) {
 		const from = TRANSFORM * organs[i];
-		for (let k = 0; k < TRANSFORM; k++) into[TRANSFORM * i + k] = transforms[from + k];
+		for (let k = 0; k < TRANSFORM; k++) into[TRANSFORM * i + k] = Math.round(1e4 * transforms[from + k]) / 1e4;
 	}
 	return into;
 }

@@ -1,0 +1,64 @@
+#include "models/particles/forks.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "models/particles/tree/measures/measures.generated.hpp"
+#include "models/particles/trunk.hpp"
+#include "space_growing.hpp"
+
+namespace panicle::particles {
+namespace {
+
+// Two that met face to face, a way above the target.
+Trails face_to_face() {
+  return {.places = {{0, 0, 0}, {0, 1, 0}, {0, 4, 0}, {-1, 4, 0}, {1, 4, 0}},
+          .next = {-1, 0, 1, 2, 2},
+          .energy = {2, 2, 2, 1, 1},
+          .born = {9, 8, 5, 0, 0},
+          .particle = {-1, -1, -1, 0, 1}};
+}
+
+float angle_at(const Trails& trails, std::size_t fork) {
+  const glm::vec3 one = glm::normalize(trails.places[3] - trails.places[fork]),
+                  other = glm::normalize(trails.places[4] - trails.places[fork]);
+  return std::acos(glm::dot(one, other)) * 57.29578f;
+}
+
+TEST_CASE("who met face to face stands in a fork, no farther from where that was than is told") {
+  Trails trails = face_to_face();
+  const Straight guide({0, 0, 0});
+  narrow_forks(trails, guide, 0.05f, 2);
+  CHECK(angle_at(trails, 2) < 65);
+  CHECK(angle_at(trails, 2) > 25);
+  CHECK(trails.places[0] == glm::vec3(0));
+  CHECK(trails.places[1] == glm::vec3(0, 1, 0));
+  CHECK(trails.places[3] == glm::vec3(-1, 4, 0));
+  Trails held = face_to_face();
+  narrow_forks(held, guide, 0.05f, 0.3f);
+  CHECK(glm::distance(held.places[2], {0, 4, 0}) == doctest::Approx(0.3f));
+}
+
+TEST_CASE("forks do not slide to where an obstacle hides their twigs") {
+  // The twigs run along the top of a box, beside which the fork would come to stand.
+  const std::vector<Box> boxes{{{-0.9f, 2, -1}, {-0.1f, 3.9f, 1}}};
+  const Obstacles obstacles(boxes, 0.01f, 0, 10);
+  const Trunk guide(glm::vec3(0), {.ahead = 0.1f}, nullptr, &obstacles);
+  Trails trails = face_to_face();
+  narrow_forks(trails, guide, 0.05f, 2);
+  for (std::size_t i = 1; i < trails.size(); ++i)
+    CHECK_FALSE(obstacles.between(trails.places[i], trails.places[static_cast<std::size_t>(trails.next[i])]));
+  CHECK(trails.places[2].y > 3.7f);
+}
+
+TEST_CASE("a tree's forks are those of wood: 40 to 75° on average") {
+  const Plant plant = grow_tree({.parameters = {{"particles", 3000}, {"pull", 0.8f}}, .outputs = "measures"});
+  const float angle = plant.measures[static_cast<std::size_t>(tree::Measure::fork_angle)];
+  CHECK(angle > 40);
+  CHECK(angle < 75);
+}
+
+}  // namespace
+}  // namespace panicle::particles

@@ -1,0 +1,53 @@
+#include "models/particles/axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+
+namespace panicle::particles {
+namespace {
+
+constexpr std::uint64_t stream_sway = 0x5ba7;
+// Turns of the bend on the whole way, and how much of the stray it is beside the lean.
+constexpr float turns = 1.4f, bends = 0.6f;
+
+}  // namespace
+
+Axis::Axis(const glm::vec3& foot, float height, float stray, std::uint64_t seed) : foot_(foot) {
+  if (!(stray > 0) || !(height > 0)) return;
+  piece_ = height / pieces;
+  const auto chance = [seed](std::uint64_t address) { return 360 * random_unit(seed, stream_sway, address); };
+  const auto way = [](float degrees) {
+    const auto [sine, cosine] = sincos_degrees(degrees);
+    return glm::vec3(cosine, 0, sine);
+  };
+  const glm::vec3 lean = stray * way(chance(0)), bend = bends * stray * way(chance(1));
+  const float phase = chance(2), first = sincos_degrees(phase).sine;
+  for (std::uint32_t i = 0; i <= pieces; ++i) {
+    const float share = static_cast<float>(i) / pieces;
+    aside_[i] = share * lean + (sincos_degrees(phase + 360 * turns * share).sine - first) * bend;
+  }
+}
+
+glm::vec3 Axis::at(float y) const {
+  if (!(piece_ > 0)) return {foot_.x, y, foot_.z};
+  const float along = std::min(std::fabs(y - foot_.y) / piece_, static_cast<float>(pieces));
+  const auto below = std::min(static_cast<std::uint32_t>(along), pieces - 1);
+  const glm::vec3 aside = aside_[below] + (along - static_cast<float>(below)) * (aside_[below + 1] - aside_[below]);
+  return {foot_.x + aside.x, y, foot_.z + aside.z};
+}
+
+glm::vec3 Axis::along(const glm::vec3& from, const glm::vec3& to, float far) const {
+  const float length = glm::distance(from, to);
+  if (!(piece_ > 0) || !(length > far)) return to;
+  const float share = far / length;
+  const glm::vec3 straight = from + share * (to - from), chord = at(from.y) + share * (at(to.y) - at(from.y));
+  return straight + at(straight.y) - chord;
+}
+
+float Axis::distance(const glm::vec3& p) const { return glm::distance(p, at(p.y)); }
+
+}  // namespace panicle::particles

@@ -1,0 +1,33 @@
+// The line that a trunk or a main root follows: upright from its foot, or swaying about that.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace panicle::particles {
+
+class Axis {
+ public:
+  // Upright.
+  explicit Axis(const glm::vec3& foot) : foot_(foot) {}
+  // Leans and bends by about `stray` on the way to `height` above or below the foot; which way, the seed says.
+  Axis(const glm::vec3& foot, float height, float stray, std::uint64_t seed);
+
+  const glm::vec3& foot() const { return foot_; }
+  // Where it passes the height y.
+  glm::vec3 at(float y) const;
+  // A place on the way from one to another, so far at the most, where that way sways as the axis does.
+  glm::vec3 along(const glm::vec3& from, const glm::vec3& to, float far) const;
+  // How far from it a place of the same height is.
+  float distance(const glm::vec3& p) const;
+
+ private:
+  static constexpr std::uint32_t pieces = 24;
+
+  glm::vec3 foot_;
+  float piece_ = 0;  // of the height; 0: upright
+  std::array<glm::vec3, pieces + 1> aside_{};
+};
+
+}  // namespace panicle::particles

@@ -1,0 +1,17 @@
+// Forks as narrow as wood has them: where two particles meet face to face, their trails would stand at right angles to
+// the way that goes on.
+#pragma once
+
+#include "models/particles/guide.hpp"
+#include "models/particles/trails.hpp"
+
+namespace panicle::particles {
+
+// Draws each place along the forces of its branches, as strong as a power of the energy that passes: where they
+// balance, wood costs least (Murray 1926), and of the power depends how wide forks stand. Places come no nearer to each
+// other than `nearest`, and go no farther than `farthest`: else limbs would all leave the trunk at its foot. The
+// target, what leads straight to it and the ends of twigs stay, and no place goes where it is not open or out of its
+// neighbours' sight.
+void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farthest);
+
+}  // namespace panicle::particles
