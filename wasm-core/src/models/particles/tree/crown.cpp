@@ -2,30 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 #include "foundation/mathematics.hpp"
-#include "foundation/random.hpp"
 
 namespace panicle::particles::tree {
 namespace {
 
 constexpr int probes = 24;
-constexpr std::uint64_t stream_ragged = 0x4a99;
 // Of the billows that a crown's surface is made of, in sizes of the crown, and of the sprays on them.
 constexpr float billow = 0.24f, spray = 0.09f;
-
-// Between random values at whole places: 0 … 1.
-float noise(const glm::vec3& p, std::uint64_t seed) {
-  const glm::vec3 base = glm::floor(p), share = p - base, ease = share * share * (3.0f - 2.0f * share);
-  const auto corner = [&](float x, float y, float z) {
-    const auto word = [](float value) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(value)); };
-    return random_unit(seed, stream_ragged,
-                       hash_combine(hash_combine(word(base.x + x), word(base.y + y)), word(base.z + z)));
-  };
-  const auto along = [&](float y, float z) { return glm::mix(corner(0, y, z), corner(1, y, z), ease.x); };
-  return glm::mix(glm::mix(along(0, 0), along(1, 0), ease.y), glm::mix(along(0, 1), along(1, 1), ease.y), ease.z);
-}
 
 }  // namespace
 
@@ -35,7 +20,7 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
   const float lowest = habit.growth * habit.trunk;
   const float shoots = habit.inner + (1 - habit.inner) * habit.shoots;
   Surface outer, inner;
-  Crowns made{Solid({}), Solid({}), {}, 2 * half.y, lowest + (1 + shoots) * half.y, 0, {}, habit.ragged, habit.seed};
+  Crowns made{Solid({}), Solid({}), {}, 2 * half.y, lowest + (1 + shoots) * half.y, 0, {}, habit.ragged, {}, {}};
   made.across = cube_root(8 * half.x * half.y * half.z);
   for (float i = 0; i < crowns; ++i) {
     const float x = (i - 0.5f * (crowns - 1)) * habit.distance;
@@ -48,7 +33,17 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
   }
   made.outer = Solid(std::move(outer));
   made.inner = Solid(std::move(inner));
+  if (habit.ragged > 0) {
+    made.lumps = Billows(made.outer.low(), made.outer.high(), billow * made.across, habit.seed);
+    made.tufts = Billows(made.outer.low(), made.outer.high(), spray * made.across, habit.seed + 1);
+  }
   return made;
+}
+
+glm::vec3 Crowns::middle_of(const glm::vec3& p) const {
+  return *std::min_element(middles.begin(), middles.end(), [&](const glm::vec3& one, const glm::vec3& other) {
+    return std::fabs(p.x - one.x) < std::fabs(p.x - other.x);
+  });
 }
 
 Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float heed, const Hormone& hormone)
@@ -66,14 +61,21 @@ Foliage::Foliage(const Crowns& crowns, const VoxelLight* light, float heed, cons
 bool Foliage::leafy(const glm::vec3& p) const {
   const Crowns& crowns = *crowns_;
   if (!(crowns.ragged > 0)) return true;
-  const auto nearest = std::min_element(crowns.middles.begin(), crowns.middles.end(), [&](auto& one, auto& other) {
-    return std::fabs(p.x - one.x) < std::fabs(p.x - other.x);
-  });
-  const auto out = [&](float by) { return crowns.outer.contains(*nearest + (p - *nearest) / (1 - by)); };
+  const glm::vec3 middle = crowns.middle_of(p);
+  const auto out = [&](float by) { return crowns.outer.contains(middle + (p - middle) / (1 - by)); };
   if (out(crowns.ragged)) return true;
-  const float lump = noise(p / (billow * crowns.across), crowns.seed);
-  const float tuft = noise(p / (spray * crowns.across), crowns.seed + 1);
-  return out(crowns.ragged * std::min(0.7f * lump + 0.3f * tuft, 1.0f));
+  return out(crowns.ragged * std::min(0.7f * crowns.lumps.at(p) + 0.3f * crowns.tufts.at(p), 1.0f));
+}
+
+Share Foliage::share_of(const glm::vec3& from, const glm::vec3& to) const {
+  const Crowns& crowns = *crowns_;
+  Share outer = crowns.outer.share_of(from, to);
+  if (crowns.ragged > 0 && outer == Share::all) {
+    const glm::vec3 middle = crowns.middle_of(from);
+    const auto out = [&](const glm::vec3& p) { return middle + (p - middle) / (1 - crowns.ragged); };
+    if (crowns.middle_of(to) != middle || crowns.outer.share_of(out(from), out(to)) != Share::all) outer = Share::some;
+  }
+  return share_between(outer, crowns.inner.share_of(from, to));
 }
 
 float Foliage::density(const glm::vec3& p) const {

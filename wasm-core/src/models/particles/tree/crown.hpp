@@ -9,6 +9,7 @@
 #include "models/particles/boundary.hpp"
 #include "models/particles/hormone.hpp"
 #include "models/particles/solid.hpp"
+#include "models/particles/tree/billows.hpp"
 
 namespace panicle::particles::tree {
 
@@ -34,7 +35,10 @@ struct Crowns {
   float across = 0;             // cube root of its box
   std::vector<glm::vec3> middles;
   float ragged = 0;
-  std::uint64_t seed = 1;
+  Billows lumps, tufts;  // where it is ragged
+
+  // Of the crown that a place belongs to.
+  glm::vec3 middle_of(const glm::vec3& p) const;
 };
 
 // Crowns stand side by side along x about the origin; `profile` and `mesh` as in `form_between`.
@@ -51,11 +55,7 @@ class Foliage final : public Region {
   bool contains(const glm::vec3& p) const override {
     return crowns_->outer.contains(p) && !crowns_->inner.contains(p) && leafy(p);
   }
-  Share share_of(const glm::vec3& from, const glm::vec3& to) const override {
-    const Share outer = crowns_->outer.share_of(from, to);
-    return share_between(crowns_->ragged > 0 && outer == Share::all ? Share::some : outer,
-                         crowns_->inner.share_of(from, to));
-  }
+  Share share_of(const glm::vec3& from, const glm::vec3& to) const override;
   float density(const glm::vec3& p) const override;
 
  private:
