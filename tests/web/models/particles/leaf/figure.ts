@@ -32,7 +32,7 @@ export function figureOf(subjects: readonly Subject[]): string {
 		return leafOf(subject, shift);
 	});
 	const size = `width="${Math.ceil(x)}mm" height="${Math.ceil(height)}mm" viewBox="0 0 ${Math.ceil(10 * x)} ${Math.ceil(10 * height)}"`;
-	return `<svg xmlns="http://www.w3.org/2000/svg" ${size}><rect width="100%" height="100%" fill="#fff"/>\n<title>Four leaves: beech, oak, grapevine and willow</title>\n${leaves.join("\n")}\n</svg>\n`;
+	return `<svg xmlns="http://www.w3.org/2000/svg" ${size}><title>Four leaves: beech, oak, grapevine and willow</title>\n<rect width="100%" height="100%" fill="#fff"/>\n${leaves.join("\n")}\n</svg>\n`;
 }
 
 function leafOf({ name, leaf: { chart, margin, segments }, millimetres }: Subject, [right, down]: number[]): string {
