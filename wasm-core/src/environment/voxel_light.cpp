@@ -69,17 +69,19 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
     at[along] = v;
     return index(at[0], at[1], at[2]);
   };
-  // What lies beside the box is empty.
-  const auto sample = [&](const std::vector<float>& values, float u, float v) {
-    const float low_u = std::floor(u), low_v = std::floor(v);
-    const auto first_u = static_cast<std::int32_t>(low_u), first_v = static_cast<std::int32_t>(low_v);
+  // Towards the lamp lie four places of the layer before, the same ones for each cell; what lies beside the box is
+  // empty.
+  const float low_across = std::floor(shift_across), low_along = std::floor(shift_along);
+  const auto by_u = static_cast<std::int32_t>(low_across), by_v = static_cast<std::int32_t>(low_along);
+  const float share_u = shift_across - low_across, share_v = shift_along - low_along, way = 0.5f * step * edge_;
+  const auto behind = [&](std::int32_t u, std::int32_t v) {
     float sum = 0;
     for (std::int32_t j = 0; j < 2; ++j)
       for (std::int32_t i = 0; i < 2; ++i) {
-        const std::int32_t at_u = first_u + i, at_v = first_v + j;
+        const std::int32_t at_u = u + by_u + i, at_v = v + by_v + j;
         if (at_u < 0 || at_v < 0 || at_u >= count_[across] || at_v >= count_[along]) continue;
-        const float weight = (i ? u - low_u : 1 - u + low_u) * (j ? v - low_v : 1 - v + low_v);
-        sum += weight * values[static_cast<std::size_t>(at_v * count_[across] + at_u)];
+        const auto at = static_cast<std::size_t>(at_v * count_[across] + at_u);
+        sum += (i ? share_u : 1 - share_u) * (j ? share_v : 1 - share_v) * (before[at] + way * matter_before[at]);
       }
     return sum;
   };
@@ -90,9 +92,7 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
         const auto at = static_cast<std::size_t>(v * count_[across] + u);
         const float here = matter[cell(layer, u, v)];
         matter_here[at] = here;
-        const float from_u = static_cast<float>(u) + shift_across, from_v = static_cast<float>(v) + shift_along;
-        depth[at] =
-            sample(before, from_u, from_v) + 0.5f * step * edge_ * (here + sample(matter_before, from_u, from_v));
+        depth[at] = behind(u, v) + way * here;
         light_[cell(layer, u, v)] += lamp.share * exponential(-depth[at]);
       }
     std::swap(before, depth);

@@ -50,7 +50,7 @@ void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farth
       places[i] = first[i] + off * std::min(1.0f, farthest / std::max(glm::length(off), farthest));
     }
     // Where they were before, all saw each other.
-    for (bool hidden = true; hidden;) {
+    for (bool hidden = !guide.sees_all(); hidden;) {
       hidden = false;
       for (std::size_t i = 1; i < count; ++i) {
         const std::size_t next = next_of(i);

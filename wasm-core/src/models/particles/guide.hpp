@@ -25,6 +25,8 @@ class Guide {
   virtual bool passes(const glm::vec3& from, const glm::vec3& to) const { return open(to) || !open(from); }
   // How far from there, at least, there is nothing that stands in the way; 0 where that is not known.
   virtual float room(const glm::vec3&) const { return 0; }
+  // Whether nothing stands anywhere: all places are open and see each other.
+  virtual bool sees_all() const { return false; }
   // Whether nothing stands between two places.
   virtual bool sees(const glm::vec3&, const glm::vec3&) const { return true; }
 

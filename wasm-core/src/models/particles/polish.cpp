@@ -37,6 +37,23 @@ float distance_to(const glm::vec3& p, const glm::vec3& from, const glm::vec3& to
   return glm::distance(p, from + at * way);
 }
 
+// Whether place i, with a run of places that lead to it, may go there.
+bool is_free(const Guide& guide, const Trails& trails, std::uint32_t i,
+             const std::pair<std::uint32_t, std::uint32_t>& run, const glm::vec3& to) {
+  const std::vector<glm::vec3>& places = trails.places;
+  if (guide.sees_all()) return guide.passes(places[i], to);
+  const auto [first, count] = run;
+  const glm::vec3& next = places[next_of(trails, i)];
+  if (const float room = guide.room(to); room > 0) {
+    float longest = std::max(glm::distance(to, places[i]), glm::distance(to, next));
+    for (std::uint32_t k = first; k < first + count; ++k) longest = std::max(longest, glm::distance(to, places[k]));
+    if (longest < room) return true;
+  }
+  bool free = guide.open(to) && guide.passes(places[i], to) && guide.sees(to, next);
+  for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], to);
+  return free;
+}
+
 }  // namespace
 
 void smooth(Trails& trails, const Guide& guide, float share) {
@@ -66,15 +83,7 @@ void smooth(Trails& trails, const Guide& guide, float share) {
       }
       const glm::vec3& next = places[next_of(trails, i)];
       const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (next + mean / weights);
-      float longest = std::max(glm::distance(drawn, places[i]), glm::distance(drawn, next));
-      for (std::uint32_t k = first; k < first + count; ++k)
-        longest = std::max(longest, glm::distance(drawn, places[k]));
-      bool free = longest < guide.room(drawn);
-      if (!free) {
-        free = guide.open(drawn) && guide.passes(places[i], drawn) && guide.sees(drawn, next);
-        for (std::uint32_t k = first; free && k < first + count; ++k) free = guide.sees(places[k], drawn);
-      }
-      if (free) places[i] = drawn;
+      if (is_free(guide, trails, i, runs[i], drawn)) places[i] = drawn;
     }
   }
 }

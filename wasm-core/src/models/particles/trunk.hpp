@@ -41,6 +41,7 @@ class Trunk final : public Guide {
   bool sees(const glm::vec3& a, const glm::vec3& b) const override {
     return obstacles_ == nullptr || !obstacles_->between(a, b);
   }
+  bool sees_all() const override { return obstacles_ == nullptr || obstacles_->empty(); }
   bool passes(const glm::vec3& from, const glm::vec3& to) const override;
   // Whether a particle at `p` can come to the target at all.
   bool reaches(const glm::vec3& p) const;
