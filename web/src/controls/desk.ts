@@ -40,6 +40,8 @@ export interface Stateful<T> {
 
 /** How a notice behaves. */
 export interface NoticeOptions {
+	/** What it is about: what was said of that before is taken back. */
+	topic?: string;
 	/** Text to copy by hand. */
 	copy?: string;
 	/** Goes by itself after a while: confirmations, never warnings. */

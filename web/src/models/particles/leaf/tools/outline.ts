@@ -5,7 +5,6 @@ import type { OutlineEvent } from "../outline/outline_event";
 import { madeSymmetric, type OutlinePoint } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 import type { LeafDesk, LeafTool } from "./desk";
-import { pictureDropped, pictureOver } from "./trace";
 import "../outline/outline_view";
 
 /** The flat view of the outline with its points. The state: whether both sides move as one. */
@@ -31,7 +30,6 @@ function draw(desk: LeafDesk): unknown {
 		.millimetres=${specimen.parameters.length} .mirror=${desk.toolState(outline)}
 		@outline-input=${({ detail }: OutlineEvent) => desk.edit({ details: detail }, GESTURE)}
 		@outline-change=${() => desk.settle(GESTURE)} @outline-mirror=${() => toggleMirror(desk)}
-		@dragover=${pictureOver} @drop=${(event: DragEvent) => pictureDropped(event, desk)}
 	></panicle-outline>`;
 }
 
