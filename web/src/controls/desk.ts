@@ -44,7 +44,7 @@ export interface NoticeOptions {
 	topic?: string;
 	/** Text to copy by hand. */
 	copy?: string;
-	/** Goes by itself after a while: confirmations, never warnings. */
+	/** Goes by itself after a while: confirmations, and what a hand has just run into; never warnings. */
 	brief?: boolean;
 	/** Offers to try again. */
 	again?: () => void;
