@@ -8,7 +8,7 @@ const SMALL = "&n=300";
 
 test("a boundary's point is dragged, stepped by keys and undone; Escape calls a drag off", async ({ page }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
-	await expect(page).toHaveTitle("Oak 1 · Panicle");
+	await expect(page).toHaveTitle("Oak, altered 1 · Panicle");
 	const grown = await studio.fingerprint.innerText();
 	const grip = page.getByRole("region", { name: "Boundary view" }).locator("[data-handle=knot2]");
 	const box = await grip.boundingBox();
@@ -125,7 +125,7 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 
 test("roots stand below ground, and another model's preset brings its views", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=root&n=300");
-	await expect(page).toHaveTitle("Tap root 1 · Panicle");
+	await expect(page).toHaveTitle("Tap root, altered 1 · Panicle");
 	await expect(page.getByRole("application", { name: /^Root: [\d.]+ m deep, [\d,]+ root tips/ })).toBeVisible();
 	await expect(page.getByRole("region", { name: "Sun view" })).toHaveCount(0);
 	await studio.regrown(() => page.getByRole("button", { name: "Cypress", exact: true }).click());

@@ -62,6 +62,19 @@ describe("Turntable", () => {
 		expect(camera.far).toBeLessThan(20 * table.distance);
 	});
 
+	it("fits a tree that goes on growing while the view is on its way", () => {
+		table.reducedMotion = false;
+		for (let i = 1; i <= 12; i++) {
+			table.follow(spindle(90, 0.16 * 1.2 ** i), false);
+			table.advance(100 * i);
+		}
+		table.advance(2000);
+		table.advance(4000);
+		const { distance } = table;
+		table.fit();
+		expect(distance / table.distance).toBeCloseTo(1, 1);
+	});
+
 	it("glides, and stops gliding when motion becomes unwelcome", () => {
 		table.reducedMotion = false;
 		const before = table.distance;

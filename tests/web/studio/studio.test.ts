@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Model } from "../../../web/src/models/model";
 import type { Plant } from "../../../web/src/plant/plant";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Studio } from "../../../web/src/studio/studio";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
@@ -173,6 +174,16 @@ describe("the studio", () => {
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Four", "Three"]);
 		studio.dismiss(studio.state.notices[1].id);
 		expect(studio.state.notices.map(({ title }) => title)).toEqual(["Two", "Three"]);
+	});
+
+	it("takes back what was said of a thing when something else is said of it, or it holds no more", () => {
+		const titles = () => studio.state.notices.map(({ title }) => title);
+		studio.notify("Mind the gap");
+		studio.notify("The file was not opened", [], { topic: "file" });
+		studio.notify("The mesh is the boundary now", [], { topic: "file" });
+		expect(titles()).toEqual(["Mind the gap", "The mesh is the boundary now"]);
+		studio.take(toyModel, { specimen: fromPreset(toyModel), notes: [] }, "file");
+		expect(titles()).toEqual(["Mind the gap"]);
 	});
 
 	it("forgets a failure as soon as something grows", () => {

@@ -40,9 +40,11 @@ export interface Stateful<T> {
 
 /** How a notice behaves. */
 export interface NoticeOptions {
+	/** What it is about: what was said of that before is taken back. */
+	topic?: string;
 	/** Text to copy by hand. */
 	copy?: string;
-	/** Goes by itself after a while: confirmations, never warnings. */
+	/** Goes by itself after a while: confirmations, and what a hand has just run into; never warnings. */
 	brief?: boolean;
 	/** Offers to try again. */
 	again?: () => void;

@@ -1,6 +1,7 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
+import { coarseStep } from "./coarse_step";
 import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
@@ -35,7 +36,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 				@change=${this.#type} @keydown=${this.#fieldKey} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
 			>
 			<span class="unit" aria-hidden="true">${unit}</span>
-			<span class="unseen" id=${help}>${entry.help} ${range(entry)} Enter types a number.</span>
+			<span class="unseen" id=${help}>${entry.help} ${range(entry)} Shift goes ten steps. Enter types a number.</span>
 			</div>
 			${this.#message?.text && this.#message.value === value ? html`<p class="clamped" role="status">${this.#message.text}</p>` : nothing}`;
 	}
@@ -64,7 +65,18 @@ export class NumberControl extends EntryElement<NumberEntry> {
 	#keyDown(event: KeyboardEvent): void {
 		if (event.key === "Delete" || event.key === "Backspace") this.reset();
 		else if (isForField(event)) handOver(event, this.querySelector("input.typed"));
-		else this.#held.down(event);
+		else {
+			this.#held.down(event);
+			this.#stepFar(event);
+		}
+	}
+
+	#stepFar(event: KeyboardEvent): void {
+		const by = coarseStep(this.entry.step, event);
+		if (by === undefined) return;
+		event.preventDefault();
+		this.#message = undefined;
+		this.desk.edit(this.change(Number(this.value) + by));
 	}
 
 	#fieldKey(event: KeyboardEvent): void {

@@ -75,6 +75,7 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	readonly key?: ToolKey;
 	readonly panel?: ToolPanel<S, G>;
 	readonly bar?: ToolPlace<S, G>;
+	readonly drop?: ToolDrop<S, G>;
 	readonly editor?: ToolPlace<S, G>;
 	/** Further keys that its faces know, for the help. */
 	readonly keys?: readonly { readonly keys: readonly string[]; readonly does: string }[];
@@ -90,6 +91,19 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	/** Works while the model is on the desk; returns what ends it. */
 	start?(desk: Desk<S, G>): () => void;
 }
+
+/** Files that a tool can use, wherever on the page they are dropped. */
+export interface ToolDrop<S extends Specimen = Specimen, G extends Plant = Plant> {
+	/** What becomes of them, said while one hovers: "a picture of a leaf is traced". */
+	readonly words: string;
+	/** Whether it can say something of a file by its name and type, be it why the file is none for it. */
+	takes(file: File): boolean;
+	/** Where no plant is in the file. */
+	take(desk: Desk<S, G>, file: File): void;
+}
+
+/** What notices about files brought to the page are of: one stands at a time. */
+export const FILE_TOPIC = "file";
 
 /** A line of the read-out that is not measured by the core. */
 export interface ReadoutRow {

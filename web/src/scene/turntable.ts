@@ -178,7 +178,9 @@ export class Turntable {
 	}
 
 	#glideTo(fit: Fit): void {
-		const zoom = this.#fit ? this.distance / this.#fit.distance : 1;
+		// Of a view on its way it counts where it is going.
+		const aimed = this.#glide?.toDistance ?? this.distance;
+		const zoom = this.#fit ? aimed / this.#fit.distance : 1;
 		this.#fit = fit;
 		this.#fitted = this.#spindle;
 		this.controls.minDistance = 0;

@@ -92,6 +92,7 @@ export function hasPacked<S extends Specimen>(species: Species<S>, hash: string)
 
 function restored<S extends Specimen>(species: Species<S>, values: Record<string, string>, notes: Notes): Restored<S> {
 	const { specimen, notes: more } = restore(species, values);
+	for (const { unlinked } of species.details) unlinked?.missing(specimen, notes);
 	return { specimen, notes: [...notes.all(), ...more] };
 }
 

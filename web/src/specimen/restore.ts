@@ -121,7 +121,8 @@ function readPart<S extends Specimen>(
 	if (key === "seed") specimen.seed = readWithin(SEED, key, value, specimen.seed, notes) ?? specimen.seed;
 	else if (detail) detail.read?.(specimen, key, value, notes);
 	else if (entry) readEntry(specimen, entry, key, value, notes);
-	else if (linked.length > 0) readPoint(specimen, linked, key, value, notes);
+	else if (linked.length === 1) readEntry(specimen, linked[0], key, value, notes);
+	else if (linked.length > 1) readPoint(specimen, linked, key, value, notes);
 	else notes.add(key, "not known here", "ignored");
 }
 

@@ -25,10 +25,20 @@ export interface Detail<S extends Specimen = Specimen> {
 	agree?(specimen: S, notes: Notes): void;
 	/** What a link's query says of it, in order; nothing where it is as in the preset. */
 	query?(specimen: S, preset: S): readonly (readonly [key: string, value: string])[];
+	/** Where no link holds it. */
+	readonly unlinked?: Unlinked<S>;
 	/** A text that a link carries packed in its fragment. */
 	readonly packed?: Packed<S>;
 	/** What a change that a control made to some parameters does to others. `parameters` may be written to. */
 	push?(parameters: S["parameters"], changed: Readonly<Partial<Record<string, number>>>): void;
+}
+
+/** Something too long for links. */
+export interface Unlinked<S extends Specimen = Specimen> {
+	/** How to keep what the specimen has of it: a sentence for who copies the link; undefined where it has none. */
+	keep(specimen: S): string | undefined;
+	/** Notes of a specimen out of a link that it would have some. */
+	missing(specimen: S, notes: Notes): void;
 }
 
 /** A text in a link's fragment (compressed_text.ts). */

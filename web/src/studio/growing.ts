@@ -11,6 +11,9 @@ const PATIENCE = 200;
 /** The measure from asking for a plant to having its buffers: the last one stands, an observer hears of all (`npm run bench`). */
 const REGROW = "regrow";
 
+/** What its notices are about: the next plant takes them back. */
+const GROWTH = "growth";
+
 /** Keeps the studio's plant in step with its specimen: asks the core, hands over what grew, says what went wrong. */
 export class Growing {
 	readonly #grower: Grower;
@@ -40,6 +43,7 @@ export class Growing {
 			this.#shown = turn;
 			this.#answered(turn);
 			this.#studio().grew(grown, specimen);
+			this.#studio().retract(GROWTH);
 			if (turn === this.#newest) this.#studio().caughtUp();
 		} catch (error) {
 			if (turn !== this.#newest) return;
@@ -75,8 +79,9 @@ export class Growing {
 		// Where the place is at fault, no change of the specimen helps, so a notice beside the last plant would not do.
 		if (!shown || !failure.remedies.includes("other")) studio.fail(failure);
 		else if (error instanceof CoreError)
-			studio.notify(`${failure.title}; the last ${shown.model.noun} stays`, failure.details);
-		else studio.notify(failure.title, [`The last ${shown.model.noun} stays; any change grows again.`]);
+			studio.notify(`${failure.title}; the last ${shown.model.noun} stays`, failure.details, { topic: GROWTH });
+		else
+			studio.notify(failure.title, [`The last ${shown.model.noun} stays; any change grows again.`], { topic: GROWTH });
 	}
 }
 

@@ -12,6 +12,7 @@ import { listenForSkips } from "./skips";
 import { loadFigure, loadScene } from "./solid_view";
 import { Studio } from "./studio";
 import { applyTheme, isSystemDark, onSystemTheme } from "./theme";
+import { titleOf } from "./title";
 import { loadUi, pageOf, STORAGE_KEY, saveUi } from "./ui_state";
 import "./parts/stage";
 import "./parts/bars";
@@ -88,8 +89,10 @@ function draw(studio: Studio): void {
 	document.addEventListener("panicle-help", () => help?.open());
 	listenForShortcuts(studio, () => help?.open());
 	onSystemTheme((dark) => studio.setSystemDark(dark));
+	// Tabs and bookmarks are told apart by what they hold.
 	const nameTab = () => {
-		document.title = titleOf(studio);
+		const { model, specimen, face } = studio.state;
+		document.title = `${titleOf(specimen, model, face?.tools)} ${specimen.seed} · Panicle`;
 	};
 	nameTab();
 	studio.subscribe(nameTab);
@@ -101,12 +104,6 @@ function followOtherTabs(studio: Studio): void {
 		if (key !== null && key !== STORAGE_KEY) return;
 		studio.setUi(pageOf(loadUi(localStorageOr())));
 	});
-}
-
-/** Tabs and bookmarks are told apart by what they hold. */
-function titleOf({ state: { model, specimen } }: Studio): string {
-	const { preset, seed } = specimen;
-	return `${model.presets.named(preset)?.title ?? model.title} ${seed} · Panicle`;
 }
 
 /** Once the first plant is drawn, or is known not to come, the gallery gets every model's presets. */

@@ -9,6 +9,7 @@ import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import { apply, otherSeed } from "./change";
 import { BARE, Faces } from "./faces";
+import { withNotice, withoutTopic } from "./notice_list";
 import { inStep, type Opening, opened, type StudioState } from "./studio_state";
 import type { Surroundings } from "./surroundings";
 import { stateOf, withState, withTools } from "./tool_states";
@@ -17,7 +18,6 @@ import type { UiState } from "./ui_state";
 
 /** Confirmations stay this long, in milliseconds. */
 const BRIEF = 4000;
-const MOST_NOTICES = 3;
 const DRAG = "drag";
 
 /**
@@ -97,6 +97,7 @@ export class Studio implements Desk {
 	take(model: Model, restored: Restored, from: string): void {
 		this.#models.set(model.name, model);
 		this.replace(restored.specimen);
+		this.retract(from);
 		this.#report(restored, from);
 	}
 
@@ -171,14 +172,18 @@ export class Studio implements Desk {
 
 	notify(title: string, details: readonly string[] = [], options: NoticeOptions = {}): void {
 		const id = ++this.#noticeId;
-		// The same words are not stacked.
-		const others = this.#state.notices.filter((notice) => notice.title !== title);
-		this.#update({ notices: [...others, { id, title, details, ...options }].slice(-MOST_NOTICES) });
+		this.#update({ notices: withNotice(this.#state.notices, { id, title, details, ...options }) });
 		if (options.brief) setTimeout(() => this.dismiss(id), BRIEF);
 	}
 
 	dismiss(id: number): void {
 		this.#update({ notices: this.#state.notices.filter((notice) => notice.id !== id) });
+	}
+
+	/** Takes back what was said of something: it holds no more. */
+	retract(topic: string): void {
+		const notices = withoutTopic(this.#state.notices, topic);
+		if (notices !== this.#state.notices) this.#update({ notices });
 	}
 
 	setUi(patch: Partial<UiState>): void {
@@ -229,6 +234,7 @@ export class Studio implements Desk {
 		this.notify(
 			`Not everything in the ${from} could be used`,
 			notes.map((note) => note.text),
+			{ topic: from },
 		);
 	}
 

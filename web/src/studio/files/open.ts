@@ -1,25 +1,37 @@
+import { FILE_TOPIC, type ToolDrop } from "../../controls/tool";
 import { modelNamed } from "../../models/index";
 import { modelIn, restore } from "../../specimen/restore";
+import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { TRY_AGAIN } from "../types";
 
-/** Brings back the specimen of a GLB or JSON, of whatever model; whatever is wrong with the file is said, and the plant stays. */
+/**
+ * Brings back the specimen of a GLB or JSON, of whatever model; a file without one goes to the tool that takes it. Whatever
+ * is wrong with the file is said, and the plant stays.
+ */
 export async function openFile(studio: Studio, file: File): Promise<void> {
+	const refuse = (details: readonly string[], again?: () => void) =>
+		studio.notify("The file was not opened", details, { topic: FILE_TOPIC, ...(again ? { again } : {}) });
 	const reader = await import("../../export/restore").catch(() => undefined);
 	if (!reader) {
-		const again = () => void openFile(studio, file);
-		studio.notify("The file was not opened", ["Part of the page could not be fetched.", TRY_AGAIN], { again });
+		refuse(["Part of the page could not be fetched.", TRY_AGAIN], () => void openFile(studio, file));
 		return;
 	}
 	try {
 		const record = await reader.recordInFile(file.name, file);
 		const model = await modelNamed(modelIn(record));
-		studio.take(model, restore(model, record), "file");
+		studio.take(model, restore(model, record), FILE_TOPIC);
 	} catch (error) {
-		const reason =
-			error instanceof reader.FileError ? error.message : `${file.name} could not be read; try to drop it again.`;
-		studio.notify("The file was not opened", [reason]);
+		const known = error instanceof reader.FileError;
+		const drop = known ? dropsOf(studio).find(({ takes }) => takes(file)) : undefined;
+		if (drop) drop.take(studio, file);
+		else refuse([known ? error.message : `${file.name} could not be read; try to drop it again.`]);
 	}
+}
+
+/** What tools of the model take of files, those that mean nothing to the specimen left out. */
+export function dropsOf({ state: { face, specimen } }: Studio): ToolDrop[] {
+	return applying(face?.tools, specimen).flatMap(({ drop }) => drop ?? []);
 }
 
 /** The files that the picker offers. */

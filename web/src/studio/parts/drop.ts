@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { openFile } from "../files/open";
+import { dropsOf, openFile } from "../files/open";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
@@ -7,8 +7,10 @@ import { StudioPart } from "./studio_part";
 export class Drop extends StudioPart {
 	#hovering = false;
 
-	protected override draw(_studio: Studio): unknown {
-		return this.#hovering ? html`<div class="drop">Drop a GLB or JSON and its plant comes back</div>` : nothing;
+	protected override draw(studio: Studio): unknown {
+		if (!this.#hovering) return nothing;
+		const words = ["Drop a GLB or JSON and its plant comes back", ...dropsOf(studio).map(({ words }) => words)];
+		return html`<div class="drop">${words.join("; ")}</div>`;
 	}
 
 	override connectedCallback(): void {

@@ -40,15 +40,16 @@ export class ShareBar extends StudioPart {
 	}
 }
 
-/** Copies, and says so; where the clipboard is denied, the link is shown for copying by hand. */
+/** Copies, and says so, and what the link does not hold; where the clipboard is denied, the link is shown for copying by hand. */
 async function copyLink(studio: Studio): Promise<void> {
 	const { model, specimen } = studio.state;
 	const link = await linkOf(model, specimen);
+	const lost = model.details.flatMap(({ unlinked }) => unlinked?.keep(specimen) ?? []);
 	try {
 		await navigator.clipboard.writeText(link);
-		studio.notify("Link copied", [], { brief: true });
+		studio.notify("Link copied", lost, { topic: "link", brief: lost.length === 0 });
 	} catch {
-		studio.notify("The browser did not let the page copy; here is the link:", [], { copy: link });
+		studio.notify("The browser did not let the page copy; here is the link:", lost, { topic: "link", copy: link });
 	}
 }
 

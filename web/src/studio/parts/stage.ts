@@ -1,12 +1,12 @@
 import { html, nothing } from "lit";
 import { type IconName, icon } from "../../controls/icons";
 import { rove, stopAt } from "../../controls/roving";
-import { withParameters } from "../../specimen/edit";
 import { fromPreset } from "../../specimen/from_preset";
-import { growsAlike, sameSpecimen } from "../../specimen/same";
+import { sameSpecimen } from "../../specimen/same";
 import { applying } from "../panel_groups";
 import { SolidView } from "../solid_view";
 import type { Studio } from "../studio";
+import { titleOf } from "../title";
 import { type Failure, TRY_AGAIN } from "../types";
 import { StudioPart } from "./studio_part";
 
@@ -142,19 +142,9 @@ function caption(studio: Studio): unknown {
 	const { model, from } = shown;
 	const words = grown && face?.caption ? face.caption(grown, studio) : model.words(shown.grown, from);
 	return html`<div class="caption">
-		<h2>${model.presets.named(from.preset)?.title}${isAltered(studio) ? ", altered" : nothing}</h2>
+		<h2>${titleOf(from, model, face && grown ? face.tools : [])}</h2>
 		<p>${words}</p>
 	</div>`;
-}
-
-/** Whether what is shown is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
-function isAltered({ state: { shown, model, face } }: Studio): boolean {
-	if (!shown) return false;
-	const preset = fromPreset(shown.model, shown.from.preset);
-	const tools = shown.model === model ? (face?.tools ?? []) : [];
-	const running = tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
-	const values = Object.fromEntries(running.map((key) => [key, preset.parameters[key]]));
-	return !growsAlike(withParameters(shown.model, { ...shown.from, seed: preset.seed }, values), preset);
 }
 
 function message(title: string, details: readonly string[], actions: unknown = nothing): unknown {

@@ -38,6 +38,21 @@ describe("what a boundary has besides numbers", () => {
 		expect(await encodeLink(TREE, specimen)).toBe("?v=2&model=tree&obstacles=0,0,0,1,1,1");
 	});
 
+	it("says of a mesh that a link is too short for it: who copies one how to keep it, who opens one that it is missing", () => {
+		const entry = TREE.table.entry("shape");
+		const shape = entry?.kind === "choice" ? entry.options.indexOf("mesh") : -1;
+		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		const meshed = { ...oak, volume, parameters: { ...oak.parameters, shape } };
+		const said = (specimen: typeof meshed) => TREE.details.flatMap(({ unlinked }) => unlinked?.keep(specimen) ?? []);
+		expect(said(meshed)).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
+		expect(said({ ...oak, volume })).toEqual([]);
+		expect(notesOf("shape=mesh")).toEqual([
+			expect.stringMatching(/^mesh: none came along; links are too short for one/),
+		]);
+		expect(notesOf("shape=box")).toEqual([]);
+		expect(restore(TREE, JSON.parse(JSON.stringify(writtenSpecimen(TREE, meshed)))).notes).toEqual([]);
+	});
+
 	it("brings corners of an obstacle into order, and empty lists to nothing", () => {
 		expect(read("obstacles=3,2,1,0,0,0").specimen.obstacles).toEqual([0, 0, 0, 3, 2, 1]);
 		expect(read("targets=").specimen).not.toHaveProperty("targets");

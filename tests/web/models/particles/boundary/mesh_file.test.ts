@@ -101,8 +101,20 @@ describe("a closed mesh from a file", () => {
 		expect(() => closedMesh(readObj(text))).toThrow(message);
 	});
 
+	it("is refused when it is open, with how many edges are and what to do, but hairline cracks are closed", () => {
+		const { points, triangles } = ball(8);
+		const opened = { points, triangles: triangles.toSpliced(120, 3) };
+		expect(() => closedMesh(opened)).toThrow(
+			"The mesh is not closed: 3 of its edges have a triangle at one side only. Fill",
+		);
+		const cracked = { points: points.map((value, i) => value + 2e-5 * Math.sin(i)), triangles };
+		expect(volumeOf(closedMesh(cracked))).toBeCloseTo(volumeOf(closedMesh({ points, triangles })), 3);
+	});
+
 	it("is refused when the file is of another kind, or damaged", async () => {
-		await expect(readMeshFile(new File(["x"], "box.stl"))).rejects.toThrow("box.stl is neither an OBJ nor a GLB.");
+		await expect(readMeshFile(new File(["x"], "box.stl"))).rejects.toThrow(
+			"box.stl is neither an OBJ nor a GLB: save the mesh as one of them.",
+		);
 		expect(() => readGlb(new ArrayBuffer(4))).toThrow(MeshFileError);
 		const bytes = new Uint8Array(64).fill(1).buffer;
 		new DataView(bytes).setUint32(0, 0x46546c67, true);

@@ -10,7 +10,8 @@ import { png } from "../../../../../web/src/export/png";
 import type { GrowthOptions } from "../../../../../web/src/models/model";
 import type { Leaf } from "../../../../../web/src/models/particles/leaf/grown";
 import { model } from "../../../../../web/src/models/particles/leaf/index";
-import { curveOf } from "../../../../../web/src/models/particles/leaf/outline/spline";
+import { movePoint } from "../../../../../web/src/models/particles/leaf/outline/points";
+import { curveOf, enclosesBlade } from "../../../../../web/src/models/particles/leaf/outline/spline";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
 import type { LeafSpecimen } from "../../../../../web/src/models/particles/leaf/specimen";
 import { leafSvg } from "../../../../../web/src/models/particles/leaf/svg";
@@ -57,7 +58,7 @@ describe("a grown leaf", () => {
 	it.each(names)("%s has the margin that the editor draws, where there are no teeth", (name) => {
 		const specimen = withValues(name, { teeth: 0 });
 		const { margin } = grow(specimen, { meshes: false });
-		const drawn = Float32Array.from(curveOf(specimen.outline, 24).flatMap(({ x, y }) => [x, y]));
+		const drawn = Float32Array.from(curveOf(specimen.outline, 100).flatMap(({ x, y }) => [x, y]));
 		expect(polygonArea(margin)).toBeCloseTo(polygonArea(drawn), 2);
 		let worst = 0;
 		for (let at = 0; at < margin.length; at += 2) {
@@ -67,8 +68,32 @@ describe("a grown leaf", () => {
 			}
 			worst = Math.max(worst, near);
 		}
-		expect(worst).toBeLessThan(0.01);
+		expect(worst).toBeLessThan(0.002);
 	});
+
+	it.each(["maple", "ivy"])(
+		"%s crosses itself on the page where it does in the core, whichever point goes where",
+		(name) => {
+			const leaf = withValues(name, { particles: 200 });
+			const verdicts = Array.from({ length: 60 }, (_, k) => {
+				const at = 1 + ((7 * k) % Math.floor(leaf.outline.length / 2 - 1));
+				const [{ x, y }, by] = [leaf.outline[at], 0.05 + 0.025 * ((13 * k) % 10)];
+				const to = { x: x + by * Math.cos(2.4 * k), y: y + by * Math.sin(2.4 * k) };
+				const outline = movePoint(leaf.outline, at, to, { mirror: true });
+				const page = enclosesBlade(outline);
+				let grown = true;
+				try {
+					grow({ ...leaf, outline }, { meshes: false, measures: false });
+				} catch (error) {
+					expect(String(error)).toContain("crosses itself");
+					grown = false;
+				}
+				return { page, grown };
+			});
+			expect(verdicts.map(({ page }) => page)).toEqual(verdicts.map(({ grown }) => grown));
+			expect(new Set(verdicts.map(({ page }) => page)).size).toBe(2);
+		},
+	);
 
 	it("is a draft in passing: fewer triangles, no measures", () => {
 		const [whole, draft] = [grow(leafFromPreset("oak")), grow(leafFromPreset("oak"), { passing: true })];

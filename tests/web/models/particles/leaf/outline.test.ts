@@ -47,7 +47,7 @@ describe("the outline in the document", () => {
 
 	it.each([
 		["AAA", "o: “AAA” is not an outline; the preset's is used."],
-		["AAAA", "o: 1 points enclose nothing; the preset's is used."],
+		["AAAA", "o: 1 point encloses nothing; the preset's is used."],
 	])("keeps the preset's and says so: %s", (text, note) => {
 		const read = restore(LEAF, { v: "2", model: "leaf", o: text });
 		expect(texts(read)).toEqual([note]);

@@ -1,10 +1,13 @@
-/** A closed mesh of one's own as the boundary: chosen in the panel or dropped there or on the boundary's view. */
+/** A closed mesh of one's own as the boundary: chosen in the panel or dropped on the page. */
 import { html, nothing } from "lit";
 import type { Change, Desk } from "../../../controls/desk";
-import type { Tool } from "../../../controls/tool";
+import { FILE_TOPIC, type Tool } from "../../../controls/tool";
 import type { BoundedSpecimen, ClosedMesh } from "./bounded";
 import { ACCEPT } from "./mesh_file/accept";
 import type { WoodenPlant } from "./wooden_plant";
+
+/** Files of meshes by their names: those that are not read are told which are. */
+const MESHES = /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i;
 
 /** @param height the parameter that is the boundary's height */
 export function meshTool<S extends BoundedSpecimen>(group: string, height: string): Tool<S, WoodenPlant> {
@@ -13,6 +16,11 @@ export function meshTool<S extends BoundedSpecimen>(group: string, height: strin
 		initial: undefined,
 		applies: () => true,
 		panel: { group, place: "below", draw: (desk) => draw(desk, height) },
+		drop: {
+			words: "a closed mesh (OBJ, GLB) becomes the boundary",
+			takes: ({ name }) => MESHES.test(name),
+			take: (desk, file) => void takeMesh(desk, file, height),
+		},
 	};
 }
 
@@ -22,8 +30,8 @@ function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: str
 	const { volume } = specimen;
 	const words = volume
 		? `A mesh of ${(volume.triangles.length / 3).toLocaleString("en")} triangles. Files (JSON, GLB) carry it; it is too long for a link, which shows an ellipsoid in its place.`
-		: "No mesh yet: choose a closed one, or drop it here. Until then an ellipsoid is grown.";
-	return html`<div class="override" @dragover=${allow} @drop=${(event: DragEvent) => takeDrop(event, desk, height)}>
+		: "No mesh yet: choose a closed one, or drop it on the page. Until then an ellipsoid is grown.";
+	return html`<div class="override">
 		<p>${words}</p>
 		<label class="button">${volume ? "Another mesh (OBJ, GLB)…" : "Choose a mesh (OBJ, GLB)…"}
 			<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, desk, height)}>
@@ -31,26 +39,12 @@ function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: str
 	</div>`;
 }
 
-const allow = (event: DragEvent): void => event.preventDefault();
-
 function choose<S extends BoundedSpecimen>(event: Event, desk: Desk<S, WoodenPlant>, height: string): void {
 	const input = event.target as HTMLInputElement;
 	const file = input.files?.[0];
 	if (file) void takeMesh(desk, file, height);
 	// The same file may be chosen again.
 	input.value = "";
-}
-
-/** Takes a dropped OBJ, or a GLB that no plant is in; leaves other files to the page. */
-export function takeDrop<S extends BoundedSpecimen>(
-	event: DragEvent,
-	desk: Desk<S, WoodenPlant>,
-	height: string,
-): void {
-	const file = event.dataTransfer?.files[0];
-	if (!file || !/\.(obj|glb)$/i.test(file.name)) return;
-	event.preventDefault();
-	void takeMesh(desk, file, height);
 }
 
 /** Makes a file's mesh the boundary, as one step; whatever is wrong with it is said. */
@@ -61,18 +55,24 @@ export async function takeMesh<S extends BoundedSpecimen>(
 ): Promise<void> {
 	const reader = await import("./mesh_file/read").catch(() => undefined);
 	if (!reader) {
-		desk.notify("The mesh was not read", [
-			"Part of the page could not be fetched; check the connection and try again.",
-		]);
+		desk.notify(
+			"The mesh was not read",
+			["Part of the page could not be fetched; check the connection and try again."],
+			{ topic: FILE_TOPIC },
+		);
 		return;
 	}
 	try {
 		desk.set(asBoundary(desk, await reader.readMeshFile(file), height));
-		desk.notify("The mesh is the boundary now", [
-			"Links are too short for it: download JSON or GLB to keep this plant, and drop the file to bring it back.",
-		]);
+		desk.notify(
+			"The mesh is the boundary now",
+			["Links are too short for it: download JSON or GLB to keep this plant, and drop the file to bring it back."],
+			{ topic: FILE_TOPIC },
+		);
 	} catch (error) {
-		desk.notify("The mesh was not read", [error instanceof Error ? error.message : String(error)]);
+		desk.notify("The mesh was not read", [error instanceof Error ? error.message : String(error)], {
+			topic: FILE_TOPIC,
+		});
 	}
 }
 

@@ -12,7 +12,6 @@ import { footprintIn, type Lay, loopsIn } from "./editor/lay";
 import { planPose } from "./editor/plan_pose";
 import type { PlanScene } from "./editor/plan_view";
 import { wallsOf, withoutWall, withWall } from "./editor/walls";
-import { takeDrop } from "./mesh_tool";
 import type { WoodenPlant } from "./wooden_plant";
 import "./editor/boundary_view";
 import "./editor/plan_view";
@@ -21,11 +20,7 @@ import "./editor/plan_view";
 type Meant = string;
 
 /** The flat view of outer and inner boundary. */
-export function boundaryTool<S extends BoundedSpecimen>(
-	lay: Lay<S>,
-	group: string,
-	height: string,
-): Tool<S, WoodenPlant, Meant> {
+export function boundaryTool<S extends BoundedSpecimen>(lay: Lay<S>, group: string): Tool<S, WoodenPlant, Meant> {
 	type Own = Desk<S, WoodenPlant>;
 	const tool: Tool<S, WoodenPlant, Meant> = {
 		name: "boundary",
@@ -42,7 +37,6 @@ export function boundaryTool<S extends BoundedSpecimen>(
 	const draw = (desk: Own) => html`<panicle-boundary
 		.pose=${boundaryPose(lay, desk.state.specimen, desk.preset)} .scene=${sceneOf(lay, desk.state.specimen)}
 		.grown=${desk.state.grown}
-		@dragover=${(event: DragEvent) => event.preventDefault()} @drop=${(event: DragEvent) => takeDrop(event, desk, height)}
 		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(tool, detail)}
 	></panicle-boundary>`;

@@ -1,18 +1,27 @@
 /** The leaf in a few plain words: for the caption, the picture's description and the screen reader. */
 
 import type { Leaf } from "./grown";
-import { LEAF } from "./species";
+import { packOutline } from "./outline/packed";
+import { LEAF, leafFromPreset } from "./species";
 import type { LeafSpecimen } from "./specimen";
 
-/** "Oak leaf, 42 cm², 11 cm long, 2.3 m of veins"; while particles run, how many do. */
-export function leafInWords({ chart, margin, counts }: Leaf, { preset, parameters }: LeafSpecimen): string {
-	const { length, age } = parameters;
-	const title = LEAF.presets.named(preset)?.title ?? "";
-	const name = title.toLowerCase().includes("leaf") ? title : `${title} leaf`;
+/**
+ * "Oak leaf, 42 cm², 11 cm long, 2.3 m of veins"; while particles run, how many do. With another outline than its preset's it is
+ * a "Leaf of an outline of its own": traced from a picture it may be of any kind.
+ */
+export function leafInWords({ chart, margin, counts }: Leaf, specimen: LeafSpecimen): string {
+	const { length, age } = specimen.parameters;
+	const name = nameOf(specimen);
 	const area = `${rounded(polygonArea(margin) * (length / 10) ** 2)} cm²`;
 	const veins = `${rounded((lengthOf(chart) * length) / 1000)} m of veins`;
 	const running = age < 100 ? `${counts.particles} particles, ` : "";
 	return `${name}, ${running}${area}, ${rounded((heightOf(margin) * length) / 10)} cm long, ${veins}`;
+}
+
+function nameOf({ preset, outline }: LeafSpecimen): string {
+	if (packOutline(outline) !== packOutline(leafFromPreset(preset).outline)) return "Leaf of an outline of its own";
+	const title = LEAF.presets.named(preset)?.title ?? "";
+	return title.toLowerCase().includes("leaf") ? title : `${title} leaf`;
 }
 
 /** Two figures, or all before the point. */

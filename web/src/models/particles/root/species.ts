@@ -12,5 +12,5 @@ export const ROOT: Species<RootSpecimen> = {
 	name: "root",
 	table: ROOT_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [profileOf(), targetsOf(), obstaclesOf(), volumeOf()],
+	details: [profileOf(), targetsOf(), obstaclesOf(), volumeOf(ROOT_TABLE)],
 };

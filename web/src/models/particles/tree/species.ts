@@ -12,5 +12,5 @@ export const TREE: Species<TreeSpecimen> = {
 	name: "tree",
 	table: TREE_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [profileOf(), targetsOf(), obstaclesOf(), volumeOf()],
+	details: [profileOf(), targetsOf(), obstaclesOf(), volumeOf(TREE_TABLE)],
 };

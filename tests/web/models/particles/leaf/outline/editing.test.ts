@@ -35,6 +35,7 @@ function dragOver(points: OutlinePoints) {
 			state.points = next;
 		},
 		change: () => told.push("change"),
+		refused: () => told.push("refused"),
 		schedule: (callback) => state.waiting.push(callback),
 	});
 	const frame = () => {
@@ -60,12 +61,21 @@ describe("a drag", () => {
 		expect(drag.active).toBe(false);
 	});
 
-	it("stops where the outline would cross itself", () => {
+	it("stops where the outline would cross itself, and says so once each time it comes to that", () => {
 		const { drag, state, frame } = dragOver(oak);
 		drag.begin(1, "10", oak[10]);
 		drag.move(1, { x: -0.5, y: 0.3 });
 		frame();
+		drag.move(1, { x: -0.5, y: 0.31 });
+		frame();
 		expect(state.points).toEqual(oak);
+		expect(state.told).toEqual(["refused"]);
+		drag.move(1, { x: oak[10].x, y: oak[10].y + 0.01 });
+		frame();
+		drag.move(1, { x: -0.5, y: 0.3 });
+		frame();
+		expect(state.told).toEqual(["refused", "input", "refused"]);
+		expect(state.points[10].y).toBeCloseTo(oak[10].y + 0.01, 3);
 	});
 
 	it("puts everything back when it is called off", () => {

@@ -2,18 +2,31 @@
 import { type Notes, quote } from "../../../../specimen/notes";
 import { isRecord, readNumbers } from "../../../../specimen/read_values";
 import type { Detail } from "../../../../specimen/species";
+import type { Table } from "../../../../specimen/table";
 import type { BoundedSpecimen, ClosedMesh } from "../bounded";
 
 /** More than simplify.ts leaves. */
 export const MOST_TRIANGLES = 4000;
 
-export function volumeOf<S extends BoundedSpecimen>(): Detail<S> {
+const KEEP =
+	"It is too short for the mesh, in whose place it brings an ellipsoid: download JSON or GLB to keep the mesh, and drop the file to bring it back.";
+const MISSING = "links are too short for one, so an ellipsoid stands in its place until a file with it is dropped";
+
+/** @param table where the shape is chosen */
+export function volumeOf<S extends BoundedSpecimen>(table: Table): Detail<S> {
+	const shows = (specimen: S) => table.option(specimen, "shape") === "mesh";
 	return {
 		keys: ["volume"],
 		where: { shape: "mesh" },
 		read: (specimen, key, value, notes) => {
 			const read = readVolume(key, value, notes);
 			if (read) specimen.volume = read;
+		},
+		unlinked: {
+			keep: (specimen) => (shows(specimen) && specimen.volume ? KEEP : undefined),
+			missing: (specimen, notes) => {
+				if (shows(specimen) && !specimen.volume) notes.add("mesh", "none came along", MISSING);
+			},
 		},
 	};
 }

@@ -3,20 +3,43 @@ import type { ClosedMesh } from "../bounded";
 import { MOST_TRIANGLES } from "../details/volume";
 import { MeshFileError, type Soup } from "./soup";
 
-/** Points nearer than this share of the mesh's size are one. */
-const WELD = 1e-5;
+/** Points nearer than this share of the mesh's size are one: the first of these with which no edge is open. */
+const WELDS = [1e-5, 1e-4, 1e-3];
 /** Cells along the longest side at which simplifying begins; each attempt has a quarter fewer. */
 const FINEST = 64;
 /** Of its height, to which places are kept. */
 const DECIMALS = 1e4;
 
-/** Gaps stay; the core says what they mean. @throws MeshFileError where it has no inside */
+/** @throws MeshFileError where it has no inside: it is empty, flat or open */
 export function closedMesh(soup: Soup): ClosedMesh {
 	if (soup.triangles.length === 0) throw new MeshFileError("The file holds no triangles.");
 	const size = sizeOf(soup);
 	if (!(size > 0)) throw new MeshFileError("The mesh has no size.");
-	const welded = merged(soup, WELD * size);
-	return framed(outwards(simplified(welded, size)));
+	heightOf(soup);
+	return framed(outwards(simplified(weldedShut(soup, size), size)));
+}
+
+function weldedShut(soup: Soup, size: number): Soup {
+	for (const share of WELDS) {
+		const welded = merged(soup, share * size);
+		if (openEdges(welded) === 0) return welded;
+	}
+	const open = openEdges(merged(soup, WELDS[0] * size));
+	const edges = open === 1 ? "1 of its edges has" : `${open.toLocaleString("en")} of its edges have`;
+	throw new MeshFileError(
+		`The mesh is not closed: ${edges} a triangle at one side only. Fill its holes where it was made, and bring it again.`,
+	);
+}
+
+/** Edges at which an odd number of triangles meet: without any, inside and outside are told apart everywhere. */
+function openEdges({ triangles }: Soup): number {
+	const odd = new Set<string>();
+	triangles.forEach((a, i) => {
+		const b = triangles[i % 3 === 2 ? i - 2 : i + 1];
+		const edge = a < b ? `${a} ${b}` : `${b} ${a}`;
+		if (!odd.delete(edge)) odd.add(edge);
+	});
+	return odd.size;
 }
 
 function boxOf({ points }: Soup): { low: number[]; high: number[] } {
@@ -83,10 +106,15 @@ function outwards(mesh: Soup): Soup {
 	return { points, triangles: triangles.map((_, i) => triangles[i % 3 === 1 ? i + 1 : i % 3 === 2 ? i - 1 : i]) };
 }
 
+function heightOf(soup: Soup): number {
+	const { low, high } = boxOf(soup);
+	if (high[1] > low[1]) return high[1] - low[1];
+	throw new MeshFileError("The mesh is flat: it has no inside.");
+}
+
 function framed({ points, triangles }: Soup): ClosedMesh {
 	const { low, high } = boxOf({ points, triangles });
-	const height = high[1] - low[1];
-	if (!(height > 0)) throw new MeshFileError("The mesh is flat: it has no inside.");
+	const height = heightOf({ points, triangles });
 	const from = [(low[0] + high[0]) / 2, low[1], (low[2] + high[2]) / 2];
 	const place = (value: number, k: number) => Math.round(((value - from[k]) / height) * DECIMALS) / DECIMALS + 0;
 	return { points: points.map((value, i) => place(value, i % 3)), triangles };

@@ -12,6 +12,7 @@ const LARGEST = 64 * 1024 * 1024;
 export async function readMeshFile(file: File): Promise<ClosedMesh> {
 	if (file.size > LARGEST) throw new MeshFileError(`${file.name} is larger than 64 MB: simplify it first.`);
 	const glb = /\.glb$/i.test(file.name);
-	if (!glb && !/\.obj$/i.test(file.name)) throw new MeshFileError(`${file.name} is neither an OBJ nor a GLB.`);
+	if (!glb && !/\.obj$/i.test(file.name))
+		throw new MeshFileError(`${file.name} is neither an OBJ nor a GLB: save the mesh as one of them.`);
 	return closedMesh(glb ? readGlb(await file.arrayBuffer()) : readObj(await file.text()));
 }

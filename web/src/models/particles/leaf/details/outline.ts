@@ -47,7 +47,8 @@ function point(value: unknown): OutlinePoint | undefined {
 /** The outline made of what was given, in reach and the right way round; undefined where it encloses nothing. */
 function fitted(key: string, given: readonly OutlinePoint[], notes: Notes): OutlinePoint[] | undefined {
 	if (given.length < FEWEST_POINTS) {
-		notes.add(key, `${given.length} points enclose nothing`, BEFORE);
+		const points = given.length === 1 ? "1 point encloses" : `${given.length} points enclose`;
+		notes.add(key, `${points} nothing`, BEFORE);
 		return undefined;
 	}
 	if (given.length > MOST_POINTS) {

@@ -8,17 +8,23 @@ export interface OutlineHost {
 	symmetry(): Symmetry;
 	input(points: OutlinePoints): void;
 	change(): void;
+	/** A point would go where the outline crosses itself: it stays. Told when it comes to that, not all along. */
+	refused(): void;
 	schedule?(callback: () => void): void;
 }
 
 export function outlineDrags(host: OutlineHost): DragSession<string, OutlinePoints> {
+	let refused = false;
 	return new DragSession<string, OutlinePoints>({
 		get: () => host.get(),
 		place: (index) => host.get()[Number(index)],
 		pull: (points, index, to) => {
 			if (Number(index) >= points.length) return points;
 			const moved = movePoint(points, Number(index), to, host.symmetry());
-			return enclosesBlade(moved) ? moved : points;
+			const crosses = !enclosesBlade(moved);
+			if (crosses && !refused) host.refused();
+			refused = crosses;
+			return crosses ? points : moved;
 		},
 		same: (one, other) => one === other,
 		input: (points) => host.input(points),

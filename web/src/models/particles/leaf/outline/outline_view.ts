@@ -10,7 +10,7 @@ import { outlineDrags } from "./outline_drag";
 import { inView, type OutlineFrame, onLeaf, scaleBar, steadyFrame } from "./outline_frame";
 import { ADD, LOCK, REMOVE, TURN } from "./outline_icons";
 import { outlineStyle } from "./outline_style";
-import { HELP, KIND_WORDS, pointInWords } from "./outline_words";
+import { CROSSES, HELP, KIND_WORDS, pointInWords } from "./outline_words";
 import type { OutlinePoints, Place, Symmetry } from "./points";
 import { curveOf, nearestSpan } from "./spline";
 import { inserted, pressed, removed, type Step, turned } from "./steps";
@@ -45,6 +45,7 @@ export class OutlineView extends HandleView<string> {
 		symmetry: () => this,
 		input: (points) => this.#input(points),
 		change: () => this.tell("outline-change"),
+		refused: () => this.#refuse(),
 	});
 
 	constructor() {
@@ -147,13 +148,19 @@ export class OutlineView extends HandleView<string> {
 		this.tell("outline-input", { outline });
 	}
 
+	#refuse(): void {
+		this.say(CROSSES);
+		this.tell("outline-refused");
+	}
+
 	/** A step of keys or buttons is told and said. */
 	#take({ points, chosen, said }: Step): void {
 		if (points) {
 			this.#input(points);
 			this.tell("outline-change");
 		}
-		if (said) this.say(said);
+		if (said === CROSSES) this.#refuse();
+		else if (said) this.say(said);
 		this.#chosen = chosen;
 		this.requestUpdate();
 	}

@@ -21,5 +21,8 @@ export function pointInWords(points: readonly OutlinePoint[], index: number): st
 	return `Point ${index} of ${points.length - 1}, ${KIND_WORDS[point.kind]}: ${placeInWords(point)}`;
 }
 
+/** Where a step or a drag would leave no blade. */
+export const CROSSES = "The outline would cross itself";
+
 export const HELP =
 	"Drag, or use the arrow keys: half a hundredth of the leaf a step, ten times that with Shift. Page keys go to the next point and the one before, Insert puts one in, Delete takes it out, T changes its kind. Escape calls off a drag.";

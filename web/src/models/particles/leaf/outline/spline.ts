@@ -1,7 +1,7 @@
 /**
  * The curve that an outline's points mean, as the core has it (wasm-core/src/models/particles/leaf/margin.hpp): a closed
- * centripetal Catmull–Rom spline (Yuksel, Schaefer and Keyser 2011), which at corners and pointed tips goes on as if its other
- * neighbour were mirrored in them.
+ * centripetal Catmull–Rom spline (Yuksel, Schaefer and Keyser 2011), which breaks at corners and pointed tips: the control there is
+ * halfway to the other one, or a third of the way to the next point where that is sharp too.
  */
 import { doubleArea, type OutlinePoint, type OutlinePoints, type Place } from "./points";
 
@@ -21,9 +21,15 @@ export function spansOf(points: OutlinePoints): Span[] {
 	return points.map((from, index) => {
 		const at = (offset: number) => points[(index + offset + length) % length];
 		const to = at(1);
-		const first = isSharp(from) ? between(from, to, 1 / 3) : handle(at(-1), from, to);
-		const second = isSharp(to) ? between(to, from, 1 / 3) : handle(at(2), to, from);
-		return { from, first, second, to };
+		const [start, end] = [isSharp(from), isSharp(to)];
+		if (start && end) return { from, first: between(from, to, 1 / 3), second: between(to, from, 1 / 3), to };
+		const [ahead, back] = [handle(at(-1), from, to), handle(at(2), to, from)];
+		return {
+			from,
+			first: start ? between(from, back, 1 / 2) : ahead,
+			second: end ? between(to, ahead, 1 / 2) : back,
+			to,
+		};
 	});
 }
 
@@ -64,12 +70,25 @@ function handle(before: Place, at: Place, to: Place): Place {
 	return { x: along("x"), y: along("y") };
 }
 
+/** Of a piece of the core's margin, about, in lengths of the leaf, and how many pieces a span has. */
+const PIECE = 0.015;
+const PIECES = { fewest: 2, most: 32 } as const;
+
+/** The curve as the very polygon that the core grows, so that the same outlines cross themselves here and there. */
+function marginOf(points: OutlinePoints): Place[] {
+	return spansOf(points).flatMap((span) => {
+		const wanted = Math.ceil(Math.hypot(span.to.x - span.from.x, span.to.y - span.from.y) / PIECE);
+		const pieces = Math.min(PIECES.most, Math.max(PIECES.fewest, wanted));
+		return Array.from({ length: pieces }, (_, piece) => placeOn(span, piece / pieces));
+	});
+}
+
 /** Twice the area of the least blade, in lengths of the leaf squared. */
 const LEAST_AREA = 0.004;
 
 /** Whether points enclose a blade: counter-clockwise, of some area, without crossing each other's way. */
 export function enclosesBlade(points: OutlinePoints): boolean {
-	const curve = curveOf(points);
+	const curve = marginOf(points);
 	return doubleArea(curve) > LEAST_AREA && !crossesItself(curve);
 }
 

@@ -1,6 +1,6 @@
 /** What keys and buttons do to the chosen point: one step each, with what is said of it. Pure functions. */
 import { ARROWS } from "../../../../controls/handles/point";
-import { KIND_WORDS, placeInWords } from "./outline_words";
+import { CROSSES, KIND_WORDS, placeInWords } from "./outline_words";
 import {
 	insertedAt,
 	insertPoint,
@@ -69,5 +69,5 @@ export function removed(points: OutlinePoints, chosen: number, symmetry: Symmetr
 /** A step after which there is no blade is none. */
 function sound(step: Step): Step {
 	if (!step.points || enclosesBlade(step.points)) return step;
-	return { chosen: step.chosen, said: "The outline would cross itself" };
+	return { chosen: step.chosen, said: CROSSES };
 }

@@ -2,10 +2,10 @@ import { html } from "lit";
 import { flatVeins, type Leaf } from "../grown";
 import type { FlatVeins } from "../outline/outline_canvas";
 import type { OutlineEvent } from "../outline/outline_event";
+import { CROSSES } from "../outline/outline_words";
 import { madeSymmetric, type OutlinePoint } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 import type { LeafDesk, LeafTool } from "./desk";
-import { pictureDropped, pictureOver } from "./trace";
 import "../outline/outline_view";
 
 /** The flat view of the outline with its points. The state: whether both sides move as one. */
@@ -31,7 +31,7 @@ function draw(desk: LeafDesk): unknown {
 		.millimetres=${specimen.parameters.length} .mirror=${desk.toolState(outline)}
 		@outline-input=${({ detail }: OutlineEvent) => desk.edit({ details: detail }, GESTURE)}
 		@outline-change=${() => desk.settle(GESTURE)} @outline-mirror=${() => toggleMirror(desk)}
-		@dragover=${pictureOver} @drop=${(event: DragEvent) => pictureDropped(event, desk)}
+		@outline-refused=${() => desk.notify(`${CROSSES} there`, ["It stays where it last did not."], { brief: true, topic: GESTURE })}
 	></panicle-outline>`;
 }
 

@@ -1,14 +1,22 @@
 import { html } from "lit";
+import { FILE_TOPIC } from "../../../../controls/tool";
 import type { LeafDesk, LeafTool } from "./desk";
 
-/** An outline from a picture: chosen in the panel, or dropped on the flat view. */
+/** An outline from a picture: chosen in the panel, or dropped on the page. */
 export const trace: LeafTool = {
 	name: "trace",
 	initial: undefined,
 	panel: { group: "shape", place: "below", draw },
+	drop: {
+		words: "a picture of a leaf is traced",
+		takes: ({ name, type }) => type.startsWith("image/") || NAMES.test(name),
+		take: (desk, file) => void traceFile(desk, file),
+	},
 };
 
 const PICTURES = "image/png,image/jpeg,image/webp";
+/** Where the system does not know the type. */
+const NAMES = /\.(png|jpe?g|webp)$/i;
 
 function draw(desk: LeafDesk): unknown {
 	const altered = desk.state.specimen.outline !== desk.preset.outline;
@@ -29,22 +37,6 @@ function draw(desk: LeafDesk): unknown {
 	</div>`;
 }
 
-/** Over the flat view a picture may be dropped; the page takes other files. */
-export function pictureOver(event: DragEvent): void {
-	if (hasPicture(event)) event.preventDefault();
-}
-
-export function pictureDropped(event: DragEvent, desk: LeafDesk): void {
-	const file = event.dataTransfer?.files[0];
-	if (!file?.type.startsWith("image/")) return;
-	event.preventDefault();
-	void traceFile(desk, file);
-}
-
-function hasPicture({ dataTransfer }: DragEvent): boolean {
-	return [...(dataTransfer?.items ?? [])].some(({ kind, type }) => kind === "file" && type.startsWith("image/"));
-}
-
 /** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
 export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 	const again = () => void traceFile(desk, file);
@@ -54,15 +46,15 @@ export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 		import("../trace/picture"),
 	]).catch(() => []);
 	if (!reader || !tracer || !words) {
-		desk.notify("The picture was not traced", ["Part of the page could not be fetched."], { again });
+		desk.notify("The picture was not traced", ["Part of the page could not be fetched."], { topic: FILE_TOPIC, again });
 		return;
 	}
 	try {
 		const outline = tracer.traceOutline(await reader.readPicture(file));
 		desk.set({ details: { outline } });
-		desk.notify(`An outline of ${outline.length} points was traced`, [], { brief: true });
+		desk.notify(`An outline of ${outline.length} points was traced`, [], { topic: FILE_TOPIC, brief: true });
 	} catch (error) {
 		if (!(error instanceof words.TraceError)) throw error;
-		desk.notify("The picture was not traced", [error.message]);
+		desk.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
 	}
 }

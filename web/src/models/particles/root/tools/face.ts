@@ -12,7 +12,7 @@ import type { RootSpecimen } from "../specimen";
 
 export const face: Face<RootSpecimen, WoodenPlant> = {
 	tools: [
-		boundaryTool(rootLay, "volume", "reach"),
+		boundaryTool(rootLay, "volume"),
 		planTool(rootLay),
 		shellTool(rootLay),
 		meshTool("volume", "reach"),

@@ -13,7 +13,7 @@ import { sun } from "./sun";
 
 export const face: Face<TreeSpecimen, WoodenPlant> = {
 	tools: [
-		boundaryTool(treeLay, "crown", "height"),
+		boundaryTool(treeLay, "crown"),
 		planTool(treeLay),
 		shellTool(treeLay),
 		sun,

@@ -1,0 +1,69 @@
+import { beforeAll, describe, expect, it, vi } from "vitest";
+import type { Model } from "../../../web/src/models/model";
+import { model as leaf } from "../../../web/src/models/particles/leaf/index";
+import { model as tree } from "../../../web/src/models/particles/tree/index";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { writtenSpecimen } from "../../../web/src/specimen/written";
+import { dropsOf, openFile } from "../../../web/src/studio/files/open";
+import { studioWith } from "./desk";
+
+const [leafModel, treeModel] = [leaf, tree] as unknown as Model[];
+const BALL = ["1 0 0", "-1 0 0", "0 1 0", "0 -1 0", "0 0 1", "0 0 -1"].map((point) => `v ${point}`);
+const FACES = ["1 3 5", "3 2 5", "2 4 5", "4 1 5", "3 1 6", "2 3 6", "4 2 6", "1 4 6"].map((face) => `f ${face}`);
+
+/** A studio with a model's standard preset, and what it says once a file has been brought to it. */
+async function brought(model: Model) {
+	const { studio } = await studioWith(fromPreset(model), model);
+	const said = () => studio.state.notices.map(({ title, details }) => [title, ...details].join(" "));
+	const bring = async (file: File) => {
+		await openFile(studio, file);
+		// Tools fetch what reads the file.
+		await vi.waitFor(() => expect(said().join()).not.toBe(""));
+		await new Promise((resolve) => setTimeout(resolve, 50));
+		return said();
+	};
+	return { studio, said, bring };
+}
+
+describe("a file brought to the page", () => {
+	beforeAll(() => {
+		const bitmap = () => Promise.reject(new Error("no picture"));
+		vi.stubGlobal("createImageBitmap", bitmap);
+	});
+
+	it("goes to the tool that takes it, where no plant is in it: a picture is traced on a leaf", async () => {
+		const { bring, studio } = await brought(leafModel);
+		expect(dropsOf(studio).map(({ words }) => words)).toEqual(["a picture of a leaf is traced"]);
+		const notices = await bring(new File([Uint8Array.of(0xff, 0xd8, 0xff)], "oak.jpg", { type: "image/jpeg" }));
+		expect(notices).toEqual([expect.stringMatching(/^The picture was not traced The file is no picture/)]);
+	});
+
+	it("is refused in the page's words where no tool takes it", async () => {
+		const { bring } = await brought(treeModel);
+		const notices = await bring(new File([Uint8Array.of(0xff, 0xd8, 0xff)], "oak.jpg", { type: "image/jpeg" }));
+		expect(notices).toEqual([expect.stringContaining("oak.jpg is neither a GLB nor readable JSON")]);
+	});
+
+	it("becomes a tree's boundary where it is a mesh; other kinds of mesh are told which ones do", async () => {
+		const { bring, studio } = await brought(treeModel);
+		expect(await bring(new File(["solid"], "ball.stl"))).toEqual([
+			expect.stringContaining("ball.stl is neither an OBJ nor a GLB: save the mesh as one of them."),
+		]);
+		expect(await bring(new File([[...BALL, ...FACES].join("\n")], "ball.obj"))).toEqual([
+			expect.stringMatching(/^The mesh is the boundary now/),
+		]);
+		expect(studio.state.specimen).toMatchObject({ volume: { triangles: { length: 24 } } });
+		expect(await bring(new File([[...BALL, ...FACES.slice(1)].join("\n")], "open.obj"))).toEqual([
+			expect.stringMatching(/^The mesh was not read The mesh is not closed: 3 of its edges/),
+		]);
+	});
+
+	it("takes back what was said of the one before when it is opened", async () => {
+		const { bring, studio, said } = await brought(leafModel);
+		expect(await bring(new File(["?"], "notes.txt"))).toHaveLength(1);
+		const specimen = writtenSpecimen(treeModel, { ...fromPreset(treeModel), seed: 5 });
+		await openFile(studio, new File([JSON.stringify({ specimen })], "tree.json"));
+		expect(studio.state.specimen).toMatchObject({ model: "tree", seed: 5 });
+		expect(said()).toEqual([]);
+	});
+});

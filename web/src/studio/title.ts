@@ -1,0 +1,21 @@
+/** What a plant is called, on the page and in the tab. */
+import type { Tool } from "../controls/tool";
+import type { Model } from "../models/model";
+import { withParameters } from "../specimen/edit";
+import { fromPreset } from "../specimen/from_preset";
+import { growsAlike } from "../specimen/same";
+import type { Specimen } from "../specimen/specimen";
+
+/** "Maple", or "Maple, altered". @param tools the model's */
+export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[] = []): string {
+	const title = model.presets.named(specimen.preset)?.title ?? model.title;
+	return isAltered(specimen, model, tools) ? `${title}, altered` : title;
+}
+
+/** Whether it is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
+function isAltered(specimen: Specimen, model: Model, tools: readonly Tool[]): boolean {
+	const preset = fromPreset(model, specimen.preset);
+	const running = tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
+	const values = Object.fromEntries(running.map((key) => [key, preset.parameters[key]]));
+	return !growsAlike(withParameters(model, { ...specimen, seed: preset.seed }, values), preset);
+}
