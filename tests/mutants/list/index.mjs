@@ -9,6 +9,7 @@ import bunchRipening from "./bunch_ripening.mjs";
 import bunchSurfaces from "./bunch_surfaces.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
+import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
 import light from "./light.mjs";
 import lsystem from "./lsystem.mjs";
@@ -25,6 +26,7 @@ export const groups = [
 	...rooms,
 	...lsystem,
 	...particles,
+	...leaf,
 	...leafPictures,
 	...bunchCore,
 	...bunchNatural,

@@ -221,92 +221,38 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/leaf/side_veins.cpp`,
-		suites: [`${TESTS}/leaf/side_veins_test.cpp`],
+		file: `${SRC}/gather.cpp`,
+		suites: [`${TESTS}/trunk_test.cpp`, `${TESTS}/obstacles_test.cpp`],
 		faults: [
 			{
-				id: "side-veins-two-to-a-tooth",
-				find: "tooth[--i] = static_cast<std::int32_t>(--k);",
-				replace: "tooth[--i] = static_cast<std::int32_t>(k - 1);",
-				breaks: "two side veins may end in one tooth",
-			},
-			{
-				id: "side-veins-miss-teeth",
-				find: "if (plan_.course == Course::teeth) into_teeth",
-				replace: "if (plan_.course == Course::arch) into_teeth",
-				breaks: "craspedodromous veins end anywhere",
-			},
-			{
-				id: "side-veins-on-the-left-upside-down",
-				find: "if (side > 0) std::reverse(all.begin(), all.end());",
+				id: "gather-through-obstacles",
+				find: " && guide.sees(trails.places[line[end - 1]], trails.places[line[end]])",
 				replace: "",
-				breaks: "teeth of the left side are taken from the tip down",
+				breaks: "a trunk runs straight through what stands on its axis",
 			},
+		],
+	},
+	{
+		file: `${SRC}/neighbours.cpp`,
+		suites: [`${TESTS}/crowd_test.cpp`],
+		faults: [
 			{
-				id: "side-veins-do-not-arch",
-				find: "angle -= turn;",
-				replace: "angle -= 0;",
-				breaks: "arches end at the margin",
+				id: "neighbours-lost-by-rounding",
+				find: "1.001f * glm::distance(low, high)",
+				replace: "glm::distance(low, high)",
+				breaks: "the last two particles of a crowd do not see each other",
 			},
+		],
+	},
+	{
+		file: `${SRC}/scatter.cpp`,
+		suites: [`${TESTS}/scatter_test.cpp`],
+		faults: [
 			{
-				id: "side-veins-cross-the-next",
-				find: "if (above && within(above->places, next, near)) break;",
+				id: "scatter-looks-at-air",
+				find: "if (lattice.share_of(cell, length, region) == Share::none) continue;",
 				replace: "",
-				breaks: "arches run through the vein above",
-			},
-			{
-				id: "lobe-veins-along-bays",
-				find: "clear_of_bays[] = {0.022f, 0.011f, 0}",
-				replace: "clear_of_bays[] = {0, 0, 0}",
-				breaks: "the vein to a lobe grazes the bay beside it, and steps aside there",
-			},
-		],
-	},
-	{
-		file: `${SRC}/leaf/margin.cpp`,
-		suites: [`${TESTS}/leaf/side_veins_test.cpp`],
-		faults: [
-			{
-				id: "margin-without-drawn-teeth",
-				find: "margin.teeth.push_back(at);",
-				replace: "",
-				breaks: "corners that stand out are no teeth",
-			},
-		],
-	},
-	{
-		file: `${SRC}/leaf/teeth.cpp`,
-		suites: [`${TESTS}/leaf/margin_test.cpp`],
-		faults: [
-			{
-				id: "teeth-tips-forgotten",
-				find: "if (out == 1) cut.teeth.push_back(cut.points.size());",
-				replace: "if (out == 0) cut.teeth.push_back(cut.points.size());",
-				breaks: "notches are taken for tips",
-			},
-		],
-	},
-	{
-		file: `${SRC}/leaf/dress.cpp`,
-		suites: [`${TESTS}/leaf/leaf_test.cpp`],
-		faults: [
-			{
-				id: "petiole-as-thick-as-the-vein",
-				find: "0.0005f * values[petiole_width]",
-				replace: "0.0005f * values[vein]",
-				breaks: "fine-veined leaves hang by a thread",
-			},
-		],
-	},
-	{
-		file: `${SRC}/leaf/measures/measures.cpp`,
-		suites: [`${TESTS}/leaf/leaf_test.cpp`],
-		faults: [
-			{
-				id: "primaries-of-all-but-one",
-				find: "static_cast<float>(headings.size() - 1)",
-				replace: "static_cast<float>(headings.size())",
-				breaks: "the angle between primaries is too small",
+				breaks: "crowns far apart take minutes",
 			},
 		],
 	},

@@ -74,7 +74,8 @@ function inwards(x: number, z: number, [rx, rz]: readonly number[]): [number, nu
 export function holds(dug: Dug, { low, high }: Dug): boolean {
 	return [0, 1, 2].every((k) => {
 		const size = dug.high[k] - dug.low[k];
-		const slack = (ROOM / 3) * size;
+		// A little less than the room there is.
+		const slack = 0.45 * ROOM * size;
 		return low[k] >= dug.low[k] - slack && high[k] <= dug.high[k] + slack && size <= 1.5 * (high[k] - low[k]);
 	});
 }
