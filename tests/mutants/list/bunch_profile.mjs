@@ -34,30 +34,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/drag_session.ts`,
-		suites: [`${TESTS}/drag_session.test.ts`],
-		faults: [
-			{
-				id: "session-before-of-the-second-finger",
-				find: "this.#before ??= parameters;",
-				replace: "this.#before = parameters;",
-				breaks: "Escape brings back what was when the second finger came",
-			},
-			{
-				id: "session-told-at-every-event",
-				find: "if (this.#scheduled) return;",
-				replace: "",
-				breaks: "a fast mouse grows a bunch for each of its thousand events",
-			},
-			{
-				id: "session-drag-to-nowhere-is-a-step",
-				find: "if (!sameShape(before, now, this.#host.handles()))",
-				replace: "if (before !== undefined)",
-				breaks: "a click on a handle is an undo step",
-			},
-		],
-	},
-	{
 		file: `${SRC}/drag.ts`,
 		suites: [`${TESTS}/drag.test.ts`],
 		faults: [
@@ -68,22 +44,10 @@ export default [
 				breaks: "a handle dragged across the axis grows on",
 			},
 			{
-				id: "drag-jumps-to-the-pointer",
-				find: "offset: { x: from.x - pointer.x, y: from.y - pointer.y }",
-				replace: "offset: { x: 0, y: 0 }",
-				breaks: "a handle taken at its rim jumps",
-			},
-			{
 				id: "drag-locks-unheeded",
 				find: "if (!locks?.[lock]) continue;",
 				replace: "continue;",
 				breaks: "locked sides go apart",
-			},
-			{
-				id: "drag-farthest-handle-meant",
-				find: "if (!(distance <= least)) continue;",
-				replace: "if (!(distance <= reach)) continue;",
-				breaks: "of two handles close together the wrong one is taken",
 			},
 		],
 	},
@@ -186,12 +150,6 @@ export default [
 				find: "x: ((place.x + 1) / 2) * box.width,",
 				replace: "x: ((1 - place.x) / 2) * box.width,",
 				breaks: "handles are taken hold of at the wrong side",
-			},
-			{
-				id: "octahedron-deaf-to-escape",
-				find: 'window.addEventListener("keydown", this.#onEscape, { capture: true });',
-				replace: "",
-				breaks: "Escape calls off no drag in 3-D",
 			},
 			{
 				id: "octahedron-hidden-handles-held",

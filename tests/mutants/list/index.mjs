@@ -9,6 +9,7 @@ import bunchRipening from "./bunch_ripening.mjs";
 import bunchSurfaces from "./bunch_surfaces.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
+import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
 import light from "./light.mjs";
@@ -36,6 +37,7 @@ export const groups = [
 	...bunchMeasures,
 	...webCore,
 	...specimen,
+	...handles,
 	...bunchProfile,
 	...bunchExport,
 	...exporting,

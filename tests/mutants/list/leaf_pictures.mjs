@@ -63,9 +63,9 @@ export default [
 		faults: [
 			{
 				id: "glb-picture-coloured-twice",
-				find: "material.textures?.colour ? undefined : mesh.colours",
-				replace: "mesh.colours",
-				breaks: "pictures are dyed once more by the vertices' colours",
+				find: "return textures?.colour ? [1, 1, 1] : colour;",
+				replace: "return colour;",
+				breaks: "pictures are dyed once more by the material's colour",
 			},
 		],
 	},

@@ -40,8 +40,8 @@ export default [
 			},
 			{
 				id: "crowd-out-of-the-shape",
-				find: "if (!guide_->passes(place, place + strides_[slot])) strides_[slot] = rules_.step * ahead;",
-				replace: "",
+				find: "if (guide_->passes(place, place + rules_.step * sum)) {",
+				replace: "if (true) {",
 				breaks: "trails leave the outline",
 			},
 			{

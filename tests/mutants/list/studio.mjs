@@ -14,18 +14,6 @@ export default [
 				breaks: "“Link copied” stays for ever",
 			},
 			{
-				id: "studio-same-words-stack",
-				find: "this.#state.notices.filter((notice) => notice.title !== title);",
-				replace: "this.#state.notices;",
-				breaks: "the same notice stands there three times",
-			},
-			{
-				id: "studio-notices-without-end",
-				find: ".slice(-MOST_NOTICES) });",
-				replace: " });",
-				breaks: "notices cover the page",
-			},
-			{
 				id: "studio-failure-stays",
 				find: "this.#update({ shown: { model, grown, from }, measures, failure: undefined });",
 				replace: "this.#update({ shown: { model, grown, from }, measures });",
@@ -276,6 +264,24 @@ export default [
 				find: 'json || out.ending === "glb"]',
 				replace: "false]",
 				breaks: "files of the command hold no measures",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/notice_list.ts",
+		suites: ["tests/web/studio/studio.test.ts"],
+		faults: [
+			{
+				id: "studio-same-words-stack",
+				find: ".filter(({ title }) => title !== notice.title);",
+				replace: ";",
+				breaks: "the same notice stands there three times",
+			},
+			{
+				id: "studio-notices-without-end",
+				find: ".slice(-MOST_NOTICES)",
+				replace: "",
+				breaks: "notices cover the page",
 			},
 		],
 	},
