@@ -50,7 +50,7 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 	});
 	await expect(page).toHaveURL(/targets=[\d.]+,0,0/);
 	await studio.regrown(() => studio.button("Add an obstacle").click());
-	const wall = page.locator("panicle-plan [data-handle='wall0 middle']");
+	const wall = page.locator("panicle-plan [data-handle='obstacles0 middle']");
 	await wall.focus();
 	await studio.regrown(() => page.keyboard.press("Shift+ArrowUp"));
 	await expect(wall).toHaveAccessibleName(/^Obstacle 1: [\d.]+ m right, [\d.]+ c?m behind$/);

@@ -142,9 +142,16 @@ export default [
 		faults: [
 			{
 				id: "others-take-no-light",
-				find: "return crown.contains(p) ||\n",
-				replace: "return crown.contains(p) || false &&\n",
+				find: "const auto within = [&](const Box& other) { return within_round(other, p); };",
+				replace: "const auto within = [&](const Box&) { return false; };",
 				breaks: "another tree's crown casts no shade",
+			},
+			{
+				id: "walls-take-no-light",
+				find: "return opaque / edge;",
+				replace: "return 0.0f;",
+				suites: [`${TESTS}/obstacles_test.cpp`],
+				breaks: "a wall casts no shade",
 			},
 		],
 	},

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "models/particles/tree/measures/measures.generated.hpp"
 #include "space_growing.hpp"
 
 namespace panicle::particles {
@@ -29,6 +30,8 @@ void check_round(const Plant& plant, const std::vector<float>& rows) {
   CHECK(arrived == static_cast<float>(count_of(plant, "particles")));
 }
 
+float measure_of(const Plant& plant) { return plant.measures[static_cast<std::size_t>(tree::Measure::light)]; }
+
 }  // namespace
 
 TEST_CASE("what stands on a trunk's axis is gone round") {
@@ -38,6 +41,17 @@ TEST_CASE("what stands on a trunk's axis is gone round") {
     CAPTURE(rows[1]);
     check_round(grow_tree({.parameters = {{"particles", 1500}}, .obstacles = rows}), rows);
   }
+}
+
+TEST_CASE("behind a wall a crown is thinner") {
+  // The sun stands low at the right; a thin wall between it and the crown.
+  const std::vector<std::pair<std::string_view, float>> parameters{
+      {"particles", 1500}, {"pattern", 3}, {"sky", 0}, {"sun", 90}, {"sun_height", 10}, {"by_light", 1}};
+  const std::vector<float> wall{3.6f, 0, -10, 3.7f, 30, 10};
+  const auto light = [&](const std::vector<float>& obstacles) {
+    return measure_of(grow_tree({.parameters = parameters, .outputs = "measures", .obstacles = obstacles}));
+  };
+  CHECK(light(wall) < 0.5f * light({}));
 }
 
 TEST_CASE("a tap root goes round the stone below it, and is one again beyond") {

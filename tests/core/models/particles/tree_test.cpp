@@ -172,7 +172,7 @@ TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes 
   const auto halves = [](const std::vector<Box>& others) {
     CrownHabit habit;
     const auto crowns = tree::make_crowns(habit, {}, {});
-    const VoxelLight light = light_in(crowns.outer, others, {.sky = 1, .absorption = 1}, 28);
+    const VoxelLight light = light_in(crowns.outer, {others, {}}, {.sky = 1, .absorption = 1}, 28);
     return light.at({1.2f, 5, 0}) / light.at({-1.2f, 5, 0});
   };
   CHECK(halves({}) == doctest::Approx(1).epsilon(0.05));

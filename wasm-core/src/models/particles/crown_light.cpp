@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "foundation/mathematics.hpp"
 
@@ -10,6 +11,8 @@ namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t directions = 24;
+// Of a cell with a wall in it: of what falls on it e to the power of minus this passes.
+constexpr float opaque = 6;
 
 }  // namespace
 
@@ -27,18 +30,26 @@ glm::vec3 towards_sun(float bearing, float height) {
   return {along * sine, up, along * cosine};
 }
 
-VoxelLight light_in(const Region& crown, std::span<const Box> others, const LightHabit& habit, std::uint32_t cells) {
+VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, std::uint32_t cells) {
   glm::vec3 first = crown.low(), last = crown.high();
-  for (const Box& other : others) {
-    first = glm::min(first, other.low);
-    last = glm::max(last, other.high);
-  }
+  // Of what reaches far away, what stands about the crown counts.
+  const glm::vec3 from = 2.0f * first - last, to = 2.0f * last - first;
+  for (const std::span<const Box> some : {shades.crowns, shades.walls})
+    for (const Box& box : some) {
+      first = glm::min(first, glm::clamp(box.low, from, to));
+      last = glm::max(last, glm::clamp(box.high, from, to));
+    }
   const glm::vec3 size = last - first;
-  const auto leafy = [&](const glm::vec3& p) {
-    return crown.contains(p) ||
-           std::any_of(others.begin(), others.end(), [&](const Box& other) { return within_round(other, p); });
-  };
   const float edge = std::max({size.x, size.y, size.z, 1e-6f}) / static_cast<float>(cells);
+  const auto matter_at = [&](const glm::vec3& p) {
+    const auto walled = [&](const Box& wall) {
+      return glm::all(glm::lessThan(glm::max(wall.low - p, p - wall.high), glm::vec3(0.5f * edge)));
+    };
+    if (std::any_of(shades.walls.begin(), shades.walls.end(), walled)) return opaque / edge;
+    const auto within = [&](const Box& other) { return within_round(other, p); };
+    const bool leafy = crown.contains(p) || std::any_of(shades.crowns.begin(), shades.crowns.end(), within);
+    return leafy ? habit.absorption : 0;
+  };
   const auto count = [&](float length) { return static_cast<std::uint32_t>(std::ceil(length / edge)) + 1; };
   const std::uint32_t x = count(size.x), y = count(size.y), z = count(size.z);
   const glm::vec3 low = first - 0.5f * edge;
@@ -46,8 +57,7 @@ VoxelLight light_in(const Region& crown, std::span<const Box> others, const Ligh
   matter.reserve(std::size_t{x} * y * z);
   for (std::uint32_t k = 0; k < z; ++k)
     for (std::uint32_t j = 0; j < y; ++j)
-      for (std::uint32_t i = 0; i < x; ++i)
-        matter.push_back(leafy(low + edge * (glm::vec3(i, j, k) + 0.5f)) ? habit.absorption : 0);
+      for (std::uint32_t i = 0; i < x; ++i) matter.push_back(matter_at(low + edge * (glm::vec3(i, j, k) + 0.5f)));
   return {low, edge, x, y, z, matter, lamps_of(habit)};
 }
 

@@ -23,9 +23,14 @@ std::vector<Lamp> lamps_of(const LightHabit& habit);
 // A bearing as in the tables (0 in front, +z; 90 at the right, +x) and a height above the horizon, in degrees.
 glm::vec3 towards_sun(float bearing, float height);
 
-// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `others`:
-// ellipsoids that fill these boxes, the crowns of other trees, as dense as this one. `cells` along the box's longest
-// edge.
-VoxelLight light_in(const Region& crown, std::span<const Box> others, const LightHabit& habit, std::uint32_t cells);
+// What stands about a crown and takes its light.
+struct Shades {
+  std::span<const Box> crowns;  // ellipsoids that fill these boxes: other trees, as dense as this one
+  std::span<const Box> walls;   // nothing passes
+};
+
+// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `cells`
+// along the longest edge of the box, which holds what shades as far as the crown is wide.
+VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, std::uint32_t cells);
 
 }  // namespace panicle::particles

@@ -19,10 +19,11 @@ describe("what a boundary has besides numbers", () => {
 			profile: [...(oak.profile ?? [])].map(([radius, height], i) => [i === 2 ? 0.87 : radius, height] as const),
 			targets: [0, 0, 0, 1.5, 0, -2.25],
 			obstacles: [2, 0, -1, 2.5, 4, 1],
+			rounds: [3, 2, -3, 9, 8, 3],
 		};
 		const link = await encodeLink(TREE, specimen);
 		expect(link.length).toBeLessThan(300);
-		expect(link).toContain("targets=0,0,0,1.5,0,-2.25&obstacles=2,0,-1,2.5,4,1");
+		expect(link).toContain("targets=0,0,0,1.5,0,-2.25&obstacles=2,0,-1,2.5,4,1&rounds=3,2,-3,9,8,3");
 		expect(await decodeLink(TREE, link)).toEqual({ specimen, notes: [] });
 	});
 
@@ -80,6 +81,21 @@ describe("what a boundary has besides numbers", () => {
 		expect(notes.map(({ key }) => key).sort()).toEqual(["obstacles", "targets"]);
 		const plant = growBounded(await particlesCore(), TREE.table, specimen, { meshes: false });
 		expect(plant.counts.targets).toBe(60);
+	});
+
+	it("lets nothing grow in a round obstacle, and no energy be lost", async () => {
+		const { specimen } = read("n=300&rounds=1,2,-3,7,8,3");
+		const core = await particlesCore();
+		const [plant, free] = [specimen, { ...specimen, rounds: undefined }].map((each) =>
+			growBounded(core, TREE.table, each, { meshes: false }),
+		);
+		const within = ({ segments: { count, ends } }: typeof plant) =>
+			Array.from({ length: count }, (_, i) => ends.subarray(6 * i + 3, 6 * i + 6)).filter(
+				([x, y, z]) => ((x - 4) / 3) ** 2 + ((y - 5) / 3) ** 2 + (z / 3) ** 2 < 1,
+			).length;
+		expect(within(plant)).toBe(0);
+		expect(within(free)).toBeGreaterThan(20);
+		expect(plant.counts.energy).toBe(plant.counts.particles);
 	});
 
 	it("takes no more points than it can hold, nor a mesh whose corners are not there", () => {

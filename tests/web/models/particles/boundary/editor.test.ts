@@ -10,7 +10,13 @@ import {
 import { changeBy } from "../../../../../web/src/models/particles/boundary/editor/grip";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
-import { wallsOf, withoutWall, withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
+import {
+	countOfWalls,
+	wallsOf,
+	withoutWall,
+	withRound,
+	withWall,
+} from "../../../../../web/src/models/particles/boundary/editor/walls";
 import { rootLay } from "../../../../../web/src/models/particles/root/lay";
 import { ROOT } from "../../../../../web/src/models/particles/root/species";
 import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
@@ -154,10 +160,17 @@ describe("obstacles", () => {
 		const one = apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6));
 		expect(wallsOf(one)).toEqual([[4, 0, -3, 4.3, 5, 3]]);
 		const pose = poseOf(one);
-		const moved = apply(TREE, one, pose.pull("wall0 middle", { x: 5.15, y: 3.5 }));
+		const moved = apply(TREE, one, pose.pull("obstacles0 middle", { x: 5.15, y: 3.5 }));
 		expect(wallsOf(moved)).toEqual([[5, 1, -3, 5.3, 6, 3]]);
-		expect(wallsOf(apply(TREE, one, pose.pull("wall0 corner", { x: 0, y: 9 })))).toEqual([[4, 0, -3, 4.02, 9, 3]]);
+		expect(wallsOf(apply(TREE, one, pose.pull("obstacles0 corner", { x: 0, y: 9 })))).toEqual([[4, 0, -3, 4.02, 9, 3]]);
 		expect(apply(TREE, one, withoutWall(one)).obstacles).toBeUndefined();
+		const both = apply(TREE, one, withRound(one, 3, { low: 2, high: 8 }, 6));
+		expect([wallsOf(both), wallsOf(both, "rounds")]).toEqual([[[4, 0, -3, 4.3, 5, 3]], [[3, 2, -3, 9, 8, 3]]]);
+		expect(countOfWalls(both)).toBe(2);
+		const round = poseOf(both);
+		expect(round.grips.find(({ id }) => id === "rounds0 corner")?.label).toBe("Round obstacle 1, size");
+		expect(apply(TREE, both, round.pull("rounds0 middle", { x: 7, y: 5 })).rounds).toEqual([4, 2, -3, 10, 8, 3]);
+		expect(apply(TREE, both, withoutWall(both))).toEqual({ ...one, rounds: undefined });
 	});
 });
 

@@ -19,14 +19,14 @@ describe("a plan", () => {
 	it("shows what is in front below, and moves and sizes obstacles from front to back", () => {
 		const oak = tree("oak");
 		const one = apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6));
-		expect(gripOf(planOf(one), "wall0 middle").at).toEqual({ x: 4.15, y: 0 });
-		expect(gripOf(planOf(one), "wall0 corner").at).toEqual({ x: 4.3, y: -3 });
-		const back = apply(TREE, one, planOf(one).pull("wall0 middle", { x: 4.15, y: 2 }));
+		expect(gripOf(planOf(one), "obstacles0 middle").at).toEqual({ x: 4.15, y: 0 });
+		expect(gripOf(planOf(one), "obstacles0 corner").at).toEqual({ x: 4.3, y: -3 });
+		const back = apply(TREE, one, planOf(one).pull("obstacles0 middle", { x: 4.15, y: 2 }));
 		expect(wallsOf(back)).toEqual([[4, 0, -5, 4.3, 5, 1]]);
-		expect(gripOf(planOf(back), "wall0 middle").value).toBe("4.2 m right, 2 m behind");
-		const thin = apply(TREE, one, planOf(one).pull("wall0 corner", { x: 5, y: 2.5 }));
+		expect(gripOf(planOf(back), "obstacles0 middle").value).toBe("4.2 m right, 2 m behind");
+		const thin = apply(TREE, one, planOf(one).pull("obstacles0 corner", { x: 5, y: 2.5 }));
 		expect(wallsOf(thin)).toEqual([[4, 0, -3, 5, 5, -2.5]]);
-		const least = apply(TREE, one, planOf(one).pull("wall0 corner", { x: 5, y: 9 }));
+		const least = apply(TREE, one, planOf(one).pull("obstacles0 corner", { x: 5, y: 9 }));
 		expect(wallsOf(least)).toEqual([[4, 0, -3, 5, 5, -2.98]]);
 	});
 
@@ -107,7 +107,7 @@ describe("targets", () => {
 		let edited = apply(TREE, oak, poseOf(oak).pull("target0", { x: 1.23, y: 0 }));
 		edited = apply(TREE, edited, poseOf(edited).pull("knot2", { x: 3.3, y: 4.4 }));
 		edited = apply(TREE, edited, withWall(edited, { x: 4, y: 5 }, 6));
-		edited = apply(TREE, edited, planPose(treeLay, edited, oak).pull("wall0 middle", { x: 4.5, y: 1.27 }));
+		edited = apply(TREE, edited, planPose(treeLay, edited, oak).pull("obstacles0 middle", { x: 4.5, y: 1.27 }));
 		const query = encodeQuery(TREE, edited);
 		expect(query).toMatch(/targets=1\.23,0,0&obstacles=4\.35,0,-4\.27,4\.65,5,1\.73/);
 		expect(`https://example.org/${query}`.length).toBeLessThan(300);

@@ -9,6 +9,7 @@ import { model } from "../../../../../web/src/models/particles/tree/index";
 import { leafColour, leafTints } from "../../../../../web/src/models/particles/tree/leaf_colours";
 import type { TreeSpecimen } from "../../../../../web/src/models/particles/tree/specimen";
 import { toLch } from "../../../../../web/src/plant/colour";
+import type { PartMesh } from "../../../../../web/src/plant/part";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../../web/src/specimen/link";
 import { restore } from "../../../../../web/src/specimen/restore";
@@ -26,6 +27,19 @@ const small = (specimen = oak, parameters = {}) => ({
 	...specimen,
 	parameters: { ...specimen.parameters, particles: 120, ...parameters },
 });
+
+/** Every triangle has an area, and looks where its corners' normals do. */
+function facesOutwards({ positions, normals, indices }: PartMesh): void {
+	for (let i = 0; i < indices.length; i += 3) {
+		const [a, b, c] = [0, 1, 2].map((k) => positions.slice(3 * indices[i + k], 3 * indices[i + k] + 3));
+		const [u, v] = [b, c].map((p) => [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+		const cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+		for (let corner = 0; corner < 3; corner++) {
+			const facing = cross.reduce((sum, value, k) => sum + value * normals[3 * indices[i + corner] + k], 0);
+			expect(facing).toBeGreaterThan(0);
+		}
+	}
+}
 
 describe("a tree's presets", () => {
 	it.each(model.presets.list.map(({ name }) => name))(
@@ -109,21 +123,15 @@ describe("a tree", () => {
 	});
 
 	it("stands beside its obstacles, whose faces look outwards", () => {
-		const specimen = { ...small(), obstacles: [2, 0, -1, 3, 4, 1, -5, 0, 0, -4, 1, 1] };
-		const walls = [...model.parts(grow(specimen), specimen)].filter(({ name }) => name.startsWith("Obstacle"));
-		expect(walls.map(({ name }) => name)).toEqual(["Obstacle 1", "Obstacle 2"]);
+		const specimen = { ...small(), obstacles: [2, 0, -1, 3, 4, 1, -5, 0, 0, -4, 1, 1], rounds: [3, 2, -3, 9, 8, 2] };
+		const walls = [...model.parts(grow(specimen), specimen)].filter(({ name }) => /obstacle/i.test(name));
+		expect(walls.map(({ name }) => name)).toEqual(["Obstacle 1", "Obstacle 2", "Round obstacle 1"]);
 		const { positions, normals, indices } = walls[0].shape?.mesh ?? { positions: [], normals: [], indices: [] };
 		expect(indices).toHaveLength(36);
 		for (let i = 0; i < positions.length; i++) {
 			if (normals[i] !== 0) expect(positions[i]).toBe([2, 0, -1, 3, 4, 1][(i % 3) + (normals[i] > 0 ? 3 : 0)]);
 		}
-		for (let i = 0; i < indices.length; i += 3) {
-			const [a, b, c] = [0, 1, 2].map((k) => positions.slice(3 * indices[i + k], 3 * indices[i + k] + 3));
-			const [u, v] = [b, c].map((p) => [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
-			const cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-			const facing = cross.reduce((sum, value, k) => sum + value * normals[3 * indices[i] + k], 0);
-			expect(facing).toBeGreaterThan(0);
-		}
+		for (const { shape } of walls) facesOutwards(shape?.mesh as PartMesh);
 	});
 
 	it("keeps each leaf's tint while particles run, and shows those as balls", () => {

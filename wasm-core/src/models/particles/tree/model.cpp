@@ -138,7 +138,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const bool by_light_too = values.whole(pattern) == 3 && values[by_light] > 0;
   std::optional<VoxelLight> light;
   if (by_light_too || read->measures)
-    light.emplace(light_in(crowns_made.outer, read->rounds, light_habit, light_cells));
+    light.emplace(light_in(crowns_made.outer, {read->rounds, read->obstacles}, light_habit, light_cells));
   const Hormone held{values[hormone], crowns_made.top, hormone_reach * crowns_made.height, leader * crowns_made.across,
                      crowns_made.feet};
   const Foliage foliage(crowns_made, by_light_too ? &*light : nullptr, values[by_light], held);

@@ -19,6 +19,8 @@ export interface Bounded {
 	targets?: number[];
 	/** Boxes in which nothing grows, metres: low x, y, z, high x, y, z. */
 	obstacles?: number[];
+	/** Round ones, such as another tree's crown, behind which it is dark: the boxes that these ellipsoids fill, as above. */
+	rounds?: number[];
 	/** Of the shape `mesh`. No link carries it. */
 	volume?: ClosedMesh;
 }

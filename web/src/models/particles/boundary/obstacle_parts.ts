@@ -1,4 +1,4 @@
-/** Boxes in which nothing grows, as parts: what a plant has grown around belongs to its picture. */
+/** Boxes and ellipsoids in which nothing grows, as parts: what a plant has grown around belongs to its picture. */
 import { linear } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import type { Part, PartMesh } from "../../../plant/part";
@@ -6,11 +6,52 @@ import type { Bounded } from "./bounded";
 import { wallsOf } from "./editor/walls";
 
 const STONE: Material = { name: "Obstacle", colour: linear("b9b2a6"), roughness: 0.95 };
+/** Sides and rings of an ellipsoid. */
+const [ROUND, RINGS] = [32, 16];
 
 export function* obstacleParts(specimen: Bounded): Generator<Part> {
 	for (const [i, wall] of wallsOf(specimen).entries()) {
 		yield { name: `Obstacle ${i + 1}`, shape: { mesh: boxMesh(wall), material: STONE } };
 	}
+	for (const [i, round] of wallsOf(specimen, "rounds").entries()) {
+		yield { name: `Round obstacle ${i + 1}`, shape: { mesh: ovalMesh(round), material: STONE } };
+	}
+}
+
+/** An ellipsoid in a box: rings from its foot to its top. */
+function ovalMesh(corners: readonly number[]): PartMesh {
+	const middle = [0, 1, 2].map((k) => (corners[k] + corners[k + 3]) / 2);
+	const half = [0, 1, 2].map((k) => Math.max((corners[k + 3] - corners[k]) / 2, 1e-6));
+	const across = ROUND + 1;
+	const count = (RINGS + 1) * across;
+	const [positions, normals] = [new Float32Array(3 * count), new Float32Array(3 * count)];
+	const uvs = new Float32Array(2 * count);
+	const indices: number[] = [];
+	for (let ring = 0; ring <= RINGS; ring++) {
+		const up = -Math.cos((Math.PI * ring) / RINGS);
+		const out = Math.sin((Math.PI * ring) / RINGS);
+		for (let k = 0; k < across; k++) {
+			const vertex = ring * across + k;
+			const angle = (2 * Math.PI * k) / ROUND;
+			const unit = [out * Math.cos(angle), up, -out * Math.sin(angle)];
+			const normal = unit.map((value, axis) => value / half[axis]);
+			const length = Math.hypot(...normal);
+			positions.set(
+				unit.map((value, axis) => middle[axis] + half[axis] * value),
+				3 * vertex,
+			);
+			normals.set(
+				normal.map((value) => value / length),
+				3 * vertex,
+			);
+			uvs.set([k / ROUND, 1 - ring / RINGS], 2 * vertex);
+			if (ring === RINGS || k === ROUND) continue;
+			// At foot and top one of the two has no area.
+			if (ring > 0) indices.push(vertex, vertex + 1, vertex + across + 1);
+			if (ring < RINGS - 1) indices.push(vertex, vertex + across + 1, vertex + across);
+		}
+	}
+	return { positions, normals, uvs, indices: Uint32Array.from(indices) };
 }
 
 /** Six faces of four corners each: low x, y, z, high x, y, z. */

@@ -17,7 +17,7 @@ export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: 
 	const { meshes = true, passing = false, meshFingerprint = false } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const outputs = [meshes && "meshes", measures && "measures", sky && "sky", meshFingerprint && "mesh_fingerprint"];
-	const { model, seed, parameters, profile, targets, obstacles, volume } = specimen;
+	const { model, seed, parameters, profile, targets, obstacles, rounds, volume } = specimen;
 	const shape = table.option(specimen, "shape");
 	const blocks: Block[] = [
 		{ name: "model", data: model },
@@ -32,6 +32,7 @@ export function encodeBounded(table: Table, specimen: BoundedSpecimen, options: 
 	}
 	if (targets) blocks.push({ name: "targets", data: Float32Array.from(targets) });
 	if (obstacles) blocks.push({ name: "obstacles", data: Float32Array.from(obstacles) });
+	if (rounds) blocks.push({ name: "obstacles.round", data: Float32Array.from(rounds) });
 	return blocks;
 }
 

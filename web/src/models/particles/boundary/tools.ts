@@ -11,7 +11,7 @@ import type { GripEvent } from "./editor/grip";
 import { footprintIn, type Lay, loopsIn } from "./editor/lay";
 import { planPose } from "./editor/plan_pose";
 import type { PlanScene } from "./editor/plan_view";
-import { wallsOf, withoutWall, withWall } from "./editor/walls";
+import { countOfWalls, wallsOf, withoutWall, withRound, withWall } from "./editor/walls";
 import type { WoodenPlant } from "./wooden_plant";
 import "./editor/boundary_view";
 import "./editor/plan_view";
@@ -53,11 +53,15 @@ export function boundaryTool<S extends BoundedSpecimen>(lay: Lay<S>, group: stri
 					: html`<button class="button" type="button" @click=${() => shapeByHand(desk)}>Shape by hand</button>`
 			}
 			<button
-				class="button" type="button" ?disabled=${wallsOf(specimen).length >= MOST_OBSTACLES}
+				class="button" type="button" ?disabled=${countOfWalls(specimen) >= MOST_OBSTACLES}
 				@click=${() => desk.set(wallBeside(lay, specimen))}
 			>Add an obstacle</button>
+			<button
+				class="button" type="button" ?disabled=${countOfWalls(specimen) >= MOST_OBSTACLES}
+				@click=${() => desk.set(roundBeside(lay, specimen))}
+			>Add a round one</button>
 			${
-				specimen.obstacles
+				specimen.obstacles || specimen.rounds
 					? html`<button class="button" type="button" @click=${() => desk.set(withoutWall(specimen))}>Remove an obstacle</button>`
 					: nothing
 			}
@@ -80,6 +84,14 @@ function wallBeside<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S) {
 	return withWall(specimen, { x: axis + halfWidth * (0.4 + 0.2 * walls), y: reach }, 2 * halfWidth);
 }
 
+/** Such as a neighbour's crown: as large as the own boundary, and a little into it. */
+function roundBeside<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S) {
+	const box = lay.box(specimen);
+	const axis = lay.axes(specimen).at(-1) ?? 0;
+	const rounds = wallsOf(specimen, "rounds").length;
+	return withRound(specimen, axis + box.halfWidth * (0.6 + 2 * rounds), box, 2 * box.halfWidth);
+}
+
 export function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): BoundaryScene {
 	return {
 		box: lay.box(specimen),
@@ -88,6 +100,7 @@ export function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): Bo
 		inner: specimen.parameters.inner,
 		bareAbout: lay.bareAbout(lay.box(specimen)),
 		walls: wallsOf(specimen),
+		rounds: wallsOf(specimen, "rounds"),
 		targets: feetOf(lay, specimen),
 	};
 }
@@ -114,6 +127,7 @@ export function planOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): Pla
 		axes: lay.axes(specimen),
 		loops: footprintIn(lay, specimen),
 		walls: wallsOf(specimen),
+		rounds: wallsOf(specimen, "rounds"),
 		targets: feetOf(lay, specimen),
 	};
 }

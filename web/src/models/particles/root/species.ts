@@ -1,7 +1,7 @@
 /** The root's side of the document: its table, its presets, and what a specimen of it holds besides. */
 import { Presets } from "../../../specimen/presets";
 import type { Species } from "../../../specimen/species";
-import { obstaclesOf, targetsOf } from "../boundary/details/places";
+import { obstaclesOf, roundsOf, targetsOf } from "../boundary/details/places";
 import { profileOf } from "../boundary/details/profile";
 import { volumeOf } from "../boundary/details/volume";
 import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
@@ -12,5 +12,5 @@ export const ROOT: Species<RootSpecimen> = {
 	name: "root",
 	table: ROOT_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [profileOf(), targetsOf(), obstaclesOf(), volumeOf(ROOT_TABLE)],
+	details: [profileOf(), targetsOf(), obstaclesOf(), roundsOf(), volumeOf(ROOT_TABLE)],
 };

@@ -12,7 +12,7 @@ const FARTHEST = 100;
 export const MOST_OBSTACLES = 16;
 
 interface Rows {
-	readonly field: "targets" | "obstacles";
+	readonly field: "targets" | "obstacles" | "rounds";
 	/** Numbers of one of them. */
 	readonly width: number;
 	readonly most: number;
@@ -31,18 +31,23 @@ export function targetsOf<S extends BoundedSpecimen>(): Detail<S> {
 
 /** `obstacles=x,y,z,x,y,z,…`: two opposite corners of each box. */
 export function obstaclesOf<S extends BoundedSpecimen>(): Detail<S> {
-	return rows({
-		field: "obstacles",
-		width: 6,
-		most: MOST_OBSTACLES,
-		setting: "obstacles=X,Y,Z,X,Y,Z,…",
-		one: "boxes like “1,0,-2,1.5,4,2”",
-		fitted: ([ax, ay, az, bx, by, bz]) => [
-			...[Math.min(ax, bx), Math.min(ay, by), Math.min(az, bz)],
-			...[Math.max(ax, bx), Math.max(ay, by), Math.max(az, bz)],
-		],
-	});
+	return rows({ ...BOXES, field: "obstacles", setting: "obstacles=X,Y,Z,X,Y,Z,…" });
 }
+
+/** `rounds=x,y,z,x,y,z,…`: two opposite corners of the box that each ellipsoid fills. */
+export function roundsOf<S extends BoundedSpecimen>(): Detail<S> {
+	return rows({ ...BOXES, field: "rounds", setting: "rounds=X,Y,Z,X,Y,Z,…" });
+}
+
+const BOXES = {
+	width: 6,
+	most: MOST_OBSTACLES,
+	one: "boxes like “1,0,-2,1.5,4,2”",
+	fitted: ([ax, ay, az, bx, by, bz]: number[]) => [
+		...[Math.min(ax, bx), Math.min(ay, by), Math.min(az, bz)],
+		...[Math.max(ax, bx), Math.max(ay, by), Math.max(az, bz)],
+	],
+};
 
 function rows<S extends BoundedSpecimen>(kind: Rows): Detail<S> {
 	const { field, setting } = kind;

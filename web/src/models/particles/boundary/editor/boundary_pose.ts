@@ -10,7 +10,7 @@ import { footGrips, footIn, pullFoot, resetFoot, withoutFoot } from "./feet";
 import type { Grip, Pose } from "./grip";
 import { type Lay, outlineIn } from "./lay";
 import { radiusAt } from "./outline";
-import { pullWall, wallGrips } from "./walls";
+import { isWall, pullWall, wallGrips } from "./walls";
 
 /** The least height and width that a drag leaves, metres. */
 export const LEAST = 0.02;
@@ -20,7 +20,7 @@ const NUDGE = 0.01;
 const GROUND = 0.05;
 
 export function boundaryPose<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Pose {
-	const { parameters, profile, obstacles, targets } = specimen;
+	const { parameters, profile, obstacles, rounds, targets } = specimen;
 	const grips = [
 		...ownGrips(lay, specimen),
 		...wallGrips(specimen, FROM_FRONT),
@@ -29,11 +29,11 @@ export function boundaryPose<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S
 	const pull = (id: string, to: Point): Change => {
 		const foot = footIn(id);
 		if (foot !== undefined) return pullFoot(lay, specimen, foot, to, FROM_FRONT);
-		return id.startsWith("wall") ? pullWall(specimen, id, to, FROM_FRONT) : pulled(lay, specimen, id, to);
+		return isWall(id) ? pullWall(specimen, id, to, FROM_FRONT) : pulled(lay, specimen, id, to);
 	};
 	return {
 		grips,
-		change: { parameters, details: { profile, obstacles, targets } },
+		change: { parameters, details: { profile, obstacles, rounds, targets } },
 		pull: (id, to) => pull(id, footIn(id) === undefined ? to : grounded(lay, specimen, to)),
 		nudge: (id, right, up, large) => {
 			const grip = grips.find((each) => each.id === id);

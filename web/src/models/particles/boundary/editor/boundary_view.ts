@@ -3,7 +3,7 @@ import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../controls/handles/point";
 import type { TrailPlant } from "../../trails";
 import { BranchDrawing } from "./branches";
-import { type Loops, loopPath, rectangle, scale } from "./drawn";
+import { type Loops, loopPath, oval, rectangle, scale } from "./drawn";
 import { type Extent, type Frame, frameAbout, toScreen } from "./frame";
 import { GripView } from "./grip_view";
 import type { Box } from "./lay";
@@ -20,6 +20,8 @@ export interface BoundaryScene {
 	readonly bareAbout: number;
 	/** Numbers, six a wall. */
 	readonly walls: readonly (readonly number[])[];
+	/** As walls, the boxes that they fill. */
+	readonly rounds: readonly (readonly number[])[];
 	/** x, y, z of each. */
 	readonly targets: readonly (readonly number[])[];
 }
@@ -44,7 +46,7 @@ export class BoundaryView extends GripView {
 	protected drawing(frame: Frame): TemplateResult {
 		const { scene } = this;
 		if (!scene) return svg``;
-		const { box, axes, loops, inner, bareAbout, walls } = scene;
+		const { box, axes, loops, inner, bareAbout, walls, rounds } = scene;
 		const ground = toScreen(frame, { x: 0, y: 0 }).y;
 		return svg`${axes.map(
 			(axis) => svg`
@@ -53,6 +55,7 @@ export class BoundaryView extends GripView {
 				${axisLine(frame, box, axis)}`,
 		)}
 			${walls.map(([ax, ay, , bx, by]) => rectangle(frame, { x: ax, y: ay }, { x: bx, y: by }))}
+			${rounds.map(([ax, ay, , bx, by]) => oval(frame, { x: ax, y: ay }, { x: bx, y: by }))}
 			<line class="ground" x1="0" y1=${ground} x2=${frame.width} y2=${ground}></line>
 			${scale(frame)}`;
 	}
@@ -64,10 +67,15 @@ export class BoundaryView extends GripView {
 
 function extentOf(scene: BoundaryScene | undefined): Extent {
 	if (!scene) return { halfWidth: 1, low: 0, high: 1 };
-	const { box, axes, loops, walls, targets } = scene;
+	const { box, axes, loops, walls, rounds, targets } = scene;
 	const reach = box.halfWidth * Math.max(1, ...loops.flat().map(({ x }) => Math.abs(x)));
-	const xs = [...walls.flatMap(([ax, , , bx]) => [ax, bx]), ...targets.map(([x]) => x)];
-	const ys = [box.low, box.high, ...walls.flatMap(([, ay, , , by]) => [ay, by]), ...targets.map(([, y]) => y)];
+	const xs = [...[...walls, ...rounds].flatMap(([ax, , , bx]) => [ax, bx]), ...targets.map(([x]) => x)];
+	const ys = [
+		box.low,
+		box.high,
+		...[...walls, ...rounds].flatMap(([, ay, , , by]) => [ay, by]),
+		...targets.map(([, y]) => y),
+	];
 	const sides = [Math.max(...axes.map(Math.abs)) + reach, ...xs.map(Math.abs)];
 	const [low, high] = [Math.min(0, ...ys), Math.max(0, ...ys)];
 	const room = ROOM * (high - low);

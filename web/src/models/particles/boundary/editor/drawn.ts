@@ -23,6 +23,13 @@ export function rectangle(frame: Frame, low: Point, high: Point): TemplateResult
 	return svg`<rect class="obstacle" x=${from.x} y=${from.y} width=${to.x - from.x} height=${to.y - from.y}></rect>`;
 }
 
+/** Another crown between two corners of its box. */
+export function oval(frame: Frame, low: Point, high: Point): TemplateResult {
+	const [from, to] = [toScreen(frame, { x: low.x, y: high.y }), toScreen(frame, { x: high.x, y: low.y })];
+	const [rx, ry] = [(to.x - from.x) / 2, (to.y - from.y) / 2];
+	return svg`<ellipse class="obstacle" cx=${from.x + rx} cy=${from.y + ry} rx=${rx} ry=${ry}></ellipse>`;
+}
+
 /** A scale bar at the lower left. */
 export function scale(frame: Frame): TemplateResult {
 	const { length, label } = scaleBar(frame);

@@ -8,20 +8,20 @@ import { FROM_ABOVE } from "./facing";
 import { footGrips, footIn, pullFoot, resetFoot, withoutFoot } from "./feet";
 import type { Grip, Pose } from "./grip";
 import type { Lay } from "./lay";
-import { pullWall, wallGrips } from "./walls";
+import { isWall, pullWall, wallGrips } from "./walls";
 
 export function planPose<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Pose {
-	const { parameters, obstacles, targets } = specimen;
+	const { parameters, obstacles, rounds, targets } = specimen;
 	const own = sizeGrips(lay, specimen);
 	const grips = [...own, ...wallGrips(specimen, FROM_ABOVE), ...footGrips(lay, specimen, FROM_ABOVE)];
 	const pull = (id: string, to: Point): Change => {
 		const foot = footIn(id);
 		if (foot !== undefined) return pullFoot(lay, specimen, foot, to, FROM_ABOVE);
-		return id.startsWith("wall") ? pullWall(specimen, id, to, FROM_ABOVE) : sized(lay, specimen, id, to);
+		return isWall(id) ? pullWall(specimen, id, to, FROM_ABOVE) : sized(lay, specimen, id, to);
 	};
 	return {
 		grips,
-		change: { parameters, details: { obstacles, targets } },
+		change: { parameters, details: { obstacles, rounds, targets } },
 		pull,
 		nudge: (id, right, up, large) => {
 			const grip = grips.find((each) => each.id === id);

@@ -1,7 +1,7 @@
 /** `<panicle-plan>`: the boundary from above, with its obstacles and where particles make for; what is in front is below. */
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../controls/handles/point";
-import { type Loops, loopPath, rectangle, scale } from "./drawn";
+import { type Loops, loopPath, oval, rectangle, scale } from "./drawn";
 import { type Frame, frameAbout, toScreen } from "./frame";
 import { GripView } from "./grip_view";
 
@@ -14,6 +14,8 @@ export interface PlanScene {
 	readonly loops: Loops;
 	/** Numbers, six a wall. */
 	readonly walls: readonly (readonly number[])[];
+	/** As walls, the boxes that they fill. */
+	readonly rounds: readonly (readonly number[])[];
 	/** x, y, z of each. */
 	readonly targets: readonly (readonly number[])[];
 }
@@ -37,12 +39,13 @@ export class PlanView extends GripView {
 	protected drawing(frame: Frame): TemplateResult {
 		const { scene } = this;
 		if (!scene) return svg``;
-		const { halfWidth, halfDepth, axes, loops, walls } = scene;
+		const { halfWidth, halfDepth, axes, loops, walls, rounds } = scene;
 		const about = (axis: number) => (share: Point) => ({ x: axis + halfWidth * share.x, y: halfDepth * share.y });
 		const edge = toScreen(frame, { x: 0, y: 0 });
 		return svg`${axes.map((axis) => svg`<path class="outer" d=${loopPath(frame, loops, about(axis))}></path>`)}
 			<line class="axis" x1="0" y1=${edge.y} x2=${frame.width} y2=${edge.y}></line>
 			${walls.map(([ax, , az, bx, , bz]) => rectangle(frame, { x: ax, y: -bz }, { x: bx, y: -az }))}
+			${rounds.map(([ax, , az, bx, , bz]) => oval(frame, { x: ax, y: -bz }, { x: bx, y: -az }))}
 			<text x=${frame.width - 6} y=${frame.height - 8} text-anchor="end">front</text>
 			${scale(frame)}`;
 	}
@@ -50,10 +53,10 @@ export class PlanView extends GripView {
 
 function reachOf(scene: PlanScene | undefined): { halfWidth: number; deep: number } {
 	if (!scene) return { halfWidth: 1, deep: 1 };
-	const { halfWidth, halfDepth, axes, loops, walls, targets } = scene;
+	const { halfWidth, halfDepth, axes, loops, walls, rounds, targets } = scene;
 	const share = (of: (point: Point) => number) => Math.max(1, ...loops.flat().map((point) => Math.abs(of(point))));
-	const xs = [...walls.flatMap(([ax, , , bx]) => [ax, bx]), ...targets.map(([x]) => x)];
-	const zs = [...walls.flatMap(([, , az, , , bz]) => [az, bz]), ...targets.map(([, , z]) => z)];
+	const xs = [...[...walls, ...rounds].flatMap(([ax, , , bx]) => [ax, bx]), ...targets.map(([x]) => x)];
+	const zs = [...[...walls, ...rounds].flatMap(([, , az, , , bz]) => [az, bz]), ...targets.map(([, , z]) => z)];
 	const across = Math.max(Math.max(...axes.map(Math.abs)) + halfWidth * share(({ x }) => x), ...xs.map(Math.abs));
 	const deep = Math.max(halfDepth * share(({ y }) => y), ...zs.map(Math.abs));
 	return { halfWidth: (1 + ROOM) * across, deep: (1 + ROOM) * deep };
