@@ -89,7 +89,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"step", "", "", 0.05f, 2.0f, 0.0f, 0.35f, false},
     {"merge", "", "", 0.0f, 3.0f, 0.0f, 0.7f, false},
     {"neighbourhood", "", "", 0.0f, 50.0f, 0.0f, 0.0f, false},
-    {"energy", "", "", 0.01f, 1000.0f, 0.0f, 1.0f, false},
+    {"energy", "", "", 0.01f, 100.0f, 0.0f, 1.0f, false},
     {"pull", "", "", 0.0f, 4.0f, 0.0f, 0.75f, false},
     {"rule", "", "", 0.0f, 1.0f, 0.0f, 0.0f, true},
     {"join", "", "", 0.0f, 2.0f, 0.0f, 0.25f, false},

@@ -71,7 +71,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"step", "", "", 0.05f, 2.0f, 0.0f, 0.35f, false},
     {"merge", "", "", 0.1f, 4.0f, 0.0f, 0.7f, false},
     {"neighbourhood", "", "", 0.0f, 100.0f, 0.0f, 0.0f, false},
-    {"energy", "", "", 0.01f, 1000.0f, 0.0f, 1.0f, false},
+    {"energy", "", "", 0.01f, 100.0f, 0.0f, 1.0f, false},
     {"pull", "", "", 0.0f, 4.0f, 0.0f, 1.0f, false},
     {"rule", "", "", 0.0f, 1.0f, 0.0f, 0.0f, true},
     {"age", "", "", 0.0f, 100.0f, 0.0f, 100.0f, false},

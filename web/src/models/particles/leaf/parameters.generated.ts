@@ -524,7 +524,7 @@ export const PARAMETERS: readonly Entry[] = [
 		kind: "number",
 		unit: "",
 		min: 0.01,
-		max: 1000,
+		max: 100,
 		default: 1,
 		step: 0.01,
 		help: "Of each particle at its start.",

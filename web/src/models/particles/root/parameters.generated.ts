@@ -354,7 +354,7 @@ export const PARAMETERS: readonly Entry[] = [
 		kind: "number",
 		unit: "",
 		min: 0.01,
-		max: 1000,
+		max: 100,
 		default: 1,
 		step: 1,
 		help: "Energy of each particle at the start; whole ones add up exactly.",
