@@ -33,9 +33,9 @@ const dist = fileURLToPath(new URL("../../dist", import.meta.url));
 
 for (const { model, core, code } of [
 	{ model: "bunch", core: 145_000, code: 400_000 },
-	{ model: "leaf", core: 150_000, code: 400_000 },
-	{ model: "tree", core: 150_000, code: 400_000 },
-	{ model: "root", core: 150_000, code: 400_000 },
+	{ model: "leaf", core: 170_000, code: 400_000 },
+	{ model: "tree", core: 170_000, code: 400_000 },
+	{ model: "root", core: 170_000, code: 400_000 },
 ]) {
 	test(`the first load of a ${model} stays in its limits, and of other models only what the gallery says`, async ({
 		page,
@@ -60,7 +60,7 @@ for (const { model, core, code } of [
 		expect(sizes.fonts).toBeLessThan(30_000);
 		expect(sizes.pictures).toBeLessThan(60_000);
 		// The others' presets, once this one stands; their tools and cores when they are chosen.
-		expect(byKind(firstLoad(dist, of(true))).code).toBeLessThan(45_000);
+		expect(byKind(firstLoad(dist, of(true))).code).toBeLessThan(50_000);
 	});
 }
 

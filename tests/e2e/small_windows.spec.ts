@@ -21,7 +21,8 @@ async function expectAllAtHand(page: Page, controls: string): Promise<void> {
 		const name = await control.evaluate(
 			(element) => element.getAttribute("aria-label") ?? element.id ?? element.textContent,
 		);
-		expect(await isAtHand(control), `${controls} ${name}`).toBe(true);
+		// A view that has just come to the fore is laid out with the next frame.
+		await expect.poll(() => isAtHand(control), `${controls} ${name}`).toBe(true);
 	}
 }
 
