@@ -1,65 +1,31 @@
 /** The grips of a boundary, and what moving them does: pure functions from a specimen to a change of it. */
 import type { Change } from "../../../../controls/desk";
 import type { Point } from "../../../../controls/handles/point";
-import { onStep } from "../../../../specimen/table";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FEWEST_KNOTS, knotAt, MOST_KNOTS } from "../details/profile";
 import { lengthInWords } from "../words";
 import { FROM_FRONT } from "./facing";
-import { footGrips, footIn, pullFoot, resetFoot, withoutFoot } from "./feet";
+import { flatPose, sizeOf } from "./flat_pose";
 import type { Grip, Pose } from "./grip";
 import { type Lay, outlineIn } from "./lay";
 import { radiusAt } from "./outline";
-import { isWall, pullWall, wallGrips } from "./walls";
 
 /** The least height and width that a drag leaves, metres. */
 export const LEAST = 0.02;
-/** What an arrow key moves, as a share of the boundary's size; with Shift ten times that. */
-const NUDGE = 0.01;
 /** Nearer to the ground than this share of its size, a dragged target stands on it. */
 const GROUND = 0.05;
 
 export function boundaryPose<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Pose {
 	const { parameters, profile, obstacles, rounds, targets } = specimen;
-	const grips = [
-		...ownGrips(lay, specimen),
-		...wallGrips(specimen, FROM_FRONT),
-		...footGrips(lay, specimen, FROM_FRONT),
-	];
-	const pull = (id: string, to: Point): Change => {
-		const foot = footIn(id);
-		if (foot !== undefined) return pullFoot(lay, specimen, foot, to, FROM_FRONT);
-		return isWall(id) ? pullWall(specimen, id, to, FROM_FRONT) : pulled(lay, specimen, id, to);
-	};
-	return {
-		grips,
+	return flatPose(FROM_FRONT, lay, specimen, preset, {
+		grips: ownGrips(lay, specimen),
 		change: { parameters, details: { profile, obstacles, rounds, targets } },
-		pull: (id, to) => pull(id, footIn(id) === undefined ? to : grounded(lay, specimen, to)),
-		nudge: (id, right, up, large) => {
-			const grip = grips.find((each) => each.id === id);
-			const step = stepOf(lay, specimen, large);
-			return grip && pull(id, { x: grip.at.x + right * step, y: grip.at.y + up * step });
-		},
-		reset: (id) => {
-			const foot = footIn(id);
-			return foot === undefined ? resetTo(lay, specimen, preset, id) : resetFoot(lay, specimen, preset, foot);
-		},
-		remove: (id) => {
-			const foot = footIn(id);
-			return foot === undefined ? withoutKnot(lay, specimen, id) : withoutFoot(lay, specimen, foot);
-		},
+		pull: (id, to) => pulled(lay, specimen, id, to),
+		grounded: (to) => grounded(lay, specimen, to),
+		reset: (id) => resetTo(lay, specimen, preset, id),
+		remove: (id) => withoutKnot(lay, specimen, id),
 		add: (id) => withKnot(lay, specimen, id),
-	};
-}
-
-/** A press of an arrow key, metres. */
-export function stepOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, large: boolean): number {
-	return Math.max(0.01, onStep(NUDGE * sizeOf(lay, specimen) * (large ? 10 : 1)));
-}
-
-function sizeOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): number {
-	const { halfWidth, low, high } = lay.box(specimen);
-	return Math.max(halfWidth, high - low);
+	});
 }
 
 /** A hand that drags a target along the ground does not lift it off by a little. */

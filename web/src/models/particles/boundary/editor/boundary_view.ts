@@ -3,31 +3,19 @@ import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../controls/handles/point";
 import type { TrailPlant } from "../../trails";
 import { BranchDrawing } from "./branches";
-import { type Loops, loopPath, oval, rectangle, scale } from "./drawn";
+import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./drawn";
 import { type Extent, type Frame, frameAbout, toScreen } from "./frame";
 import { GripView } from "./grip_view";
 import type { Box } from "./lay";
 
-/** What is drawn of a specimen's boundary. */
-export interface BoundaryScene {
+/** What is drawn of a specimen's boundary: loops in shares of the box, across −1 … 1, from below 0 … 1. */
+export interface BoundaryScene extends FlatScene {
 	readonly box: Box;
-	readonly axes: readonly number[];
-	/** Closed, in shares of the box: across −1 … 1, from below 0 … 1. */
-	readonly loops: Loops;
 	/** Of the inner boundary, over the outer. */
 	readonly inner: number;
 	/** The height about which that is smaller. */
 	readonly bareAbout: number;
-	/** Numbers, six a wall. */
-	readonly walls: readonly (readonly number[])[];
-	/** As walls, the boxes that they fill. */
-	readonly rounds: readonly (readonly number[])[];
-	/** x, y, z of each. */
-	readonly targets: readonly (readonly number[])[];
 }
-
-/** Room that branches and grips take beyond what is drawn, as a share. */
-const ROOM = 0.06;
 
 export class BoundaryView extends GripView {
 	static override properties = { ...GripView.properties, scene: { attribute: false }, grown: { attribute: false } };

@@ -7,6 +7,23 @@ import { type Frame, scaleBar, toScreen } from "./frame";
 /** Closed lines, in shares of a box. */
 export type Loops = readonly (readonly Point[])[];
 
+/** What every flat view draws of a specimen, in metres. */
+export interface FlatScene {
+	/** Where along x boundaries stand. */
+	readonly axes: readonly number[];
+	/** One boundary's outline, closed: in shares of its box, as the view has it. */
+	readonly loops: Loops;
+	/** Numbers, six a wall. */
+	readonly walls: readonly (readonly number[])[];
+	/** As walls, the boxes that they fill. */
+	readonly rounds: readonly (readonly number[])[];
+	/** x, y, z of each. */
+	readonly targets: readonly (readonly number[])[];
+}
+
+/** Room that branches and grips take beyond what is drawn, as a share. */
+export const ROOM = 0.06;
+
 /** The data of a path; `place` takes shares of the box to metres. */
 export function loopPath(frame: Frame, loops: Loops, place: (share: Point) => Point): string {
 	const pairs = (loop: readonly Point[]) =>

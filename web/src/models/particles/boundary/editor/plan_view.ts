@@ -1,27 +1,15 @@
 /** `<panicle-plan>`: the boundary from above, with its obstacles and where particles make for; what is in front is below. */
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../controls/handles/point";
-import { type Loops, loopPath, oval, rectangle, scale } from "./drawn";
+import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./drawn";
 import { type Frame, frameAbout, toScreen } from "./frame";
 import { GripView } from "./grip_view";
 
-/** What is drawn of a specimen from above. */
-export interface PlanScene {
+/** What is drawn of a specimen from above: loops in shares of the half width and the half depth, y to the back. */
+export interface PlanScene extends FlatScene {
 	readonly halfWidth: number;
 	readonly halfDepth: number;
-	readonly axes: readonly number[];
-	/** Closed, in shares of the half width and the half depth; y to the back. */
-	readonly loops: Loops;
-	/** Numbers, six a wall. */
-	readonly walls: readonly (readonly number[])[];
-	/** As walls, the boxes that they fill. */
-	readonly rounds: readonly (readonly number[])[];
-	/** x, y, z of each. */
-	readonly targets: readonly (readonly number[])[];
 }
-
-/** Room that grips take beyond what is drawn, as a share. */
-const ROOM = 0.06;
 
 export class PlanView extends GripView {
 	static override properties = { ...GripView.properties, scene: { attribute: false } };
