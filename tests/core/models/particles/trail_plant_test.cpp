@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace panicle::particles {
@@ -77,6 +78,16 @@ TEST_CASE("trails become segments, parents first, from the target out") {
   CHECK(column<float>(plant, "targets.energy") == std::vector<float>{3});
   CHECK(plant.counts[1].name == "energy");
   CHECK(plant.counts[1].value == 3);
+  CHECK(plant.notes.empty());
+}
+
+TEST_CASE("particles that had to be led are told of") {
+  Plant plant;
+  const Trails trails[] = {fork()};
+  const double all[] = {3};
+  add_trails(plant, trails, all, {}, {}, {.particles = 2, .stragglers = 2}, 0);
+  CHECK(plant.notes ==
+        std::vector<std::string>{"2 particles did not come to their target by themselves and were led there."});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "foundation/mathematics.hpp"
@@ -61,6 +62,9 @@ std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const 
   plant.counts.push_back({"steps", tally.steps});
   plant.counts.push_back({"segments", static_cast<std::uint32_t>(plant.segments.size())});
   plant.counts.push_back({"targets", static_cast<std::uint32_t>(target_energy.size())});
+  if (tally.stragglers > 0)
+    plant.notes.push_back(std::to_string(tally.stragglers) +
+                          " particles did not come to their target by themselves and were led there.");
   plant.columns.add("segments.energy", std::move(energy));
   plant.columns.add("segments.born", std::move(born));
   plant.columns.add("targets.places", std::move(target_places), 3);

@@ -33,18 +33,19 @@ struct Frame {
   glm::vec3 operator()(const glm::vec3& p) const { return origin + p * scale; }
 };
 
-// What the growing came to, for the counts.
+// What the growing came to, for counts and notes.
 struct Tally {
   std::uint32_t particles = 0, merges = 0, steps = 0;
-  double energy = 0;  // that the particles had together
+  double energy = 0;             // that the particles had together
+  std::uint32_t stragglers = 0;  // that did not come to their target by themselves
 };
 
 // Appends the trails of all targets, one tree after the other: segments (parents first; `parent` −1 at a target or
 // where a particle is on its way; `start` is the end nearer the target; tag `tag`), and columns: `segments.energy`
 // (float32), `segments.born` (uint32: the step that left it), `targets.places` (float32 × 3, metres), `targets.energy`
 // (float32: what has arrived). Counts: particles, energy, merges, steps, segments, targets. `all`: for each target what
-// arrives there in the end, which thickness counts by. Gives for each place of each crowd the segment that begins to
-// lead on from it, −1 for none.
+// arrives there in the end, which thickness counts by. Stragglers are noted. Gives for each place of each crowd the
+// segment that begins to lead on from it, −1 for none.
 std::vector<std::vector<std::int32_t>> add_trails(Plant& plant, std::span<const Trails> crowds,
                                                   std::span<const double> all, const Girth& girth, const Frame& frame,
                                                   const Tally& tally, std::uint32_t tag);

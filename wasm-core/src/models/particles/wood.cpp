@@ -1,7 +1,10 @@
 #include "models/particles/wood.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
 
 #include "foundation/random.hpp"
 #include "models/particles/crowd.hpp"
@@ -23,12 +26,15 @@ constexpr float apart = 0.05f, shift = 0.45f;
 // How far particles look along the axis, in spacings.
 constexpr float ahead = 2;
 
-std::size_t nearest(std::span<const glm::vec3> targets, const glm::vec3& p) {
-  std::size_t found = 0;
-  float best = glm::dot(p - targets[0], p - targets[0]);
-  for (std::size_t i = 1; i < targets.size(); ++i) {
-    const float square = glm::dot(p - targets[i], p - targets[i]);
-    if (!(square < best)) continue;
+// The nearest target that a particle can come to from `p` (ties: that of the lowest index); none where it can come to
+// no one.
+std::optional<std::size_t> nearest(const std::deque<Trunk>& guides, const glm::vec3& p) {
+  std::optional<std::size_t> found;
+  float best = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    const glm::vec3 way = p - guides[i].target();
+    const float square = glm::dot(way, way);
+    if (!(square < best) || !guides[i].reaches(p)) continue;
     best = square;
     found = i;
   }
@@ -39,23 +45,29 @@ std::size_t nearest(std::span<const glm::vec3> targets, const glm::vec3& p) {
 
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
          TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed) {
-  std::vector<std::vector<glm::vec3>> bound(targets.size());
-  for (const glm::vec3& start : starts) bound[nearest(targets, start)].push_back(start);
   Rules rules = motion.rules;
   rules.step *= spacing;
   rules.merge *= spacing;
   rules.neighbourhood *= spacing;
   habit.ahead = ahead * spacing;
-  Wood wood;
+  std::vector<Axis> axes;
+  std::deque<Trunk> guides;  // which stay where they are
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    const Axis axis(targets[i], habit.height, habit.sway * habit.height, hash_combine(seed, i));
-    const Trunk guide(axis, habit, &outer, &obstacles);
-    if (!obstacles.empty())
-      wood.unreachable += static_cast<std::uint32_t>(
-          std::erase_if(bound[i], [&](const glm::vec3& start) { return !guide.reaches(start); }));
+    axes.emplace_back(targets[i], habit.height, habit.sway * habit.height, hash_combine(seed, i));
+    guides.emplace_back(axes[i], habit, &outer, &obstacles);
+  }
+  Wood wood;
+  std::vector<std::vector<glm::vec3>> bound(targets.size());
+  for (const glm::vec3& start : starts)
+    if (const auto target = nearest(guides, start))
+      bound[*target].push_back(start);
+    else
+      ++wood.unreachable;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Trunk& guide = guides[i];
     Crowd crowd(bound[i], motion.energy, guide, rules);
     crowd.run();
-    Trails trails = gathered(crowd.trails(), axis, guide, trunk * spacing, rules.step);
+    Trails trails = gathered(crowd.trails(), axes[i], guide, trunk * spacing, rules.step);
     smooth(trails, guide, smoothing);
     trails = simplified(trails, tolerance * spacing, true);
     narrow_forks(trails, guide, apart * spacing, shift * spacing);
@@ -65,7 +77,7 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
     wood.tally.merges += crowd.merges();
     wood.tally.steps = std::max(wood.tally.steps, crowd.steps());
     wood.tally.energy += crowd.arrived();
-    wood.stragglers += crowd.stragglers();
+    wood.tally.stragglers += crowd.stragglers();
   }
   return wood;
 }

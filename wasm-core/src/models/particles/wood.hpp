@@ -1,4 +1,5 @@
-// Trails of a whole stand: particles that go to the nearest of several targets, and what becomes of their trails.
+// Trails of a whole stand: particles that go to the nearest of several targets that they can come to, and what becomes
+// of their trails.
 #pragma once
 
 #include <cstdint>
@@ -24,11 +25,11 @@ struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
   std::vector<double> all;     // what arrives at each in the end
   Tally tally;
-  std::uint32_t stragglers = 0;   // that had to be led to their target
-  std::uint32_t unreachable = 0;  // that have no way past the obstacles, and were left out
+  std::uint32_t unreachable = 0;  // particles that no target can be come to from, and that were left out
 };
 
-// Runs the particles to the nearest target (ties: that of the lowest index), those of each for themselves.
+// Runs the particles to the nearest target, as the crow flies, of those that a way past the obstacles leads to (ties:
+// that of the lowest index), those of each for themselves.
 // `habit.ahead` is set by the spacing. `seed`: which way each axis sways.
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
          TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed);

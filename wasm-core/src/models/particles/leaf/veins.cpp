@@ -120,6 +120,7 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
     veins.tally.merges += crowd.merges();
     veins.tally.steps = std::max(veins.tally.steps, crowd.steps());
     veins.tally.energy += crowd.arrived();
+    veins.tally.stragglers += crowd.stragglers();
     veins.crowds.push_back(std::move(trails));
     veins.all.push_back(all);
   }
