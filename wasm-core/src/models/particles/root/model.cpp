@@ -11,7 +11,6 @@
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
 #include "models/particles/boundary.hpp"
-#include "models/particles/branching.hpp"
 #include "models/particles/dressing.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/hormone.hpp"
@@ -19,6 +18,7 @@
 #include "models/particles/root/parameters.generated.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/values.hpp"
+#include "models/particles/wood_measures.hpp"
 #include "plant/plain.hpp"
 
 namespace panicle::particles::root {
@@ -59,28 +59,15 @@ class Soil final : public Region {
 
 std::vector<float> measures_of(const Plant& plant, const Region& soil) {
   const Branching branching = branching_of(plant.segments);
-  std::vector<float> measures(measure_count);
-  const auto set = [&](Measure measure, double value) {
-    measures[static_cast<std::size_t>(measure)] = static_cast<float>(value);
-  };
+  WoodMeasures<Measure> measures(branching, measure_count);
   const double rooted = static_cast<double>(volume_of(soil));
-  set(Measure::deepest, std::max(-branching.low, 0.0f));
-  set(Measure::spread, 0.5f * (branching.width_x + branching.width_z));
-  set(Measure::root_volume, rooted);
-  set(Measure::wood_length, branching.length);
-  set(Measure::wood_volume, 1000 * branching.volume);
-  set(Measure::collar_width, 100 * branching.thickest);
-  set(Measure::surface, branching.surface);
-  set(Measure::density, rooted > 0 ? 0.001 * branching.length / rooted : std::numeric_limits<double>::quiet_NaN());
-  set(Measure::tips, branching.tips);
-  set(Measure::forks, branching.forks);
-  set(Measure::order, branching.order);
-  set(Measure::order1, branching.of_order[0]);
-  set(Measure::order2, branching.of_order[1]);
-  set(Measure::order3, branching.of_order[2]);
-  set(Measure::bifurcation, branching.bifurcation);
-  set(Measure::fork_angle, branching.fork_angle);
-  return measures;
+  measures.set(Measure::deepest, std::max(-branching.low, 0.0f));
+  measures.set(Measure::root_volume, rooted);
+  measures.set(Measure::collar_width, 100 * branching.thickest);
+  measures.set(Measure::surface, branching.surface);
+  measures.set(Measure::density,
+               rooted > 0 ? 0.001 * branching.length / rooted : std::numeric_limits<double>::quiet_NaN());
+  return measures.values();
 }
 
 Result<Plant> grow(Request& request, const Limits& limits) {

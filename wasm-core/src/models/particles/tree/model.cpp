@@ -12,7 +12,6 @@
 #include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
-#include "models/particles/branching.hpp"
 #include "models/particles/crown_light.hpp"
 #include "models/particles/dressing.hpp"
 #include "models/particles/grown.hpp"
@@ -23,6 +22,7 @@
 #include "models/particles/tree/measures/measures.generated.hpp"
 #include "models/particles/tree/parameters.generated.hpp"
 #include "models/particles/values.hpp"
+#include "models/particles/wood_measures.hpp"
 #include "plant/plain.hpp"
 
 namespace panicle::particles::tree {
@@ -89,10 +89,7 @@ struct Seen {
 
 std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
   const Branching branching = branching_of(plant.segments);
-  std::vector<float> measures(measure_count);
-  const auto set = [&](Measure measure, double value) {
-    measures[static_cast<std::size_t>(measure)] = static_cast<float>(value);
-  };
+  WoodMeasures<Measure> measures(branching, measure_count);
   double lit = 0, starts = 0;
   for (const Trails& trails : seen.grown.trails)
     for (std::size_t i = 0; i < trails.size(); ++i) {
@@ -102,25 +99,14 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
     }
   const glm::vec3 size = seen.crown.high() - seen.crown.low();
   const double shaded = 0.25 * static_cast<double>(pi * size.x * size.z);
-  set(Measure::height, std::max(branching.high, 0.0f));
-  set(Measure::spread, 0.5f * (branching.width_x + branching.width_z));
-  set(Measure::crown_volume, volume_of(seen.crown));
-  set(Measure::wood_length, branching.length);
-  set(Measure::wood_volume, 1000 * branching.volume);
-  set(Measure::trunk_width, 100 * branching.thickest);
-  set(Measure::leaf_count, seen.leaf_count);
-  set(Measure::leaf_area, seen.leaf_area);
-  set(Measure::leaf_index, shaded > 0 ? seen.leaf_area / shaded : nothing);
-  set(Measure::light, starts > 0 ? lit / starts : nothing);
-  set(Measure::tips, branching.tips);
-  set(Measure::forks, branching.forks);
-  set(Measure::order, branching.order);
-  set(Measure::order1, branching.of_order[0]);
-  set(Measure::order2, branching.of_order[1]);
-  set(Measure::order3, branching.of_order[2]);
-  set(Measure::bifurcation, branching.bifurcation);
-  set(Measure::fork_angle, branching.fork_angle);
-  return measures;
+  measures.set(Measure::height, std::max(branching.high, 0.0f));
+  measures.set(Measure::crown_volume, volume_of(seen.crown));
+  measures.set(Measure::trunk_width, 100 * branching.thickest);
+  measures.set(Measure::leaf_count, seen.leaf_count);
+  measures.set(Measure::leaf_area, seen.leaf_area);
+  measures.set(Measure::leaf_index, shaded > 0 ? seen.leaf_area / shaded : nothing);
+  measures.set(Measure::light, starts > 0 ? lit / starts : nothing);
+  return measures.values();
 }
 
 Result<Plant> grow(Request& request, const Limits& limits) {
