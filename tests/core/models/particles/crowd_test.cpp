@@ -7,6 +7,7 @@
 
 #include "foundation/random.hpp"
 #include "models/particles/scatter.hpp"
+#include "near.hpp"
 #include "shapes.hpp"
 
 using namespace panicle;
@@ -151,9 +152,41 @@ TEST_CASE("the heavier goes on from the mean by energy, and energies add") {
   REQUIRE(crowd.places().size() == 2);
   CHECK(crowd.energies()[0] == 1);
   CHECK(crowd.energies()[1] == 2);
-  CHECK(crowd.places()[1].x == doctest::Approx(0.33f).epsilon(0.001));
+  CHECK(crowd.places()[1].x == near(0.33f, 0.001));
   while (crowd.places().size() == 2) crowd.step();
   CHECK(crowd.energies()[0] == 3);
+}
+
+TEST_CASE("where their mean is outside, the heavier goes on from where it is") {
+  // A gap beside the middle, which is seen across.
+  class Gap final : public Guide {
+   public:
+    using Guide::Guide;
+    glm::vec3 aim(const glm::vec3&) const override { return target(); }
+    bool open(const glm::vec3& p) const override { return std::fabs(p.x) > 0.05f; }
+  } guide({0, -10, 0});
+  // The two at one place meet first.
+  for (const std::vector<glm::vec3>& starts : {std::vector<glm::vec3>{{0.1f, 0, 0}, {-0.1f, 0, 0}, {-0.1f, 0, 0}},
+                                               {{-0.1f, 0, 0}, {-0.1f, 0, 0}, {0.1f, 0, 0}}}) {
+    Crowd crowd(starts, 1, guide, {.step = 1e-4f, .merge = 0.3f});
+    while (crowd.places().size() > 1) crowd.step();
+    CHECK(crowd.energies()[0] == 3);
+    CHECK(crowd.places()[0].x == near(-0.1f, 0.01));
+  }
+}
+
+TEST_CASE("a step that would leave the shape is taken towards the aim alone") {
+  class Sides final : public Guide {
+   public:
+    using Guide::Guide;
+    glm::vec3 aim(const glm::vec3& p) const override { return {p.x, -10, 0}; }
+    bool open(const glm::vec3& p) const override { return p.x < 0.01f || p.x > 0.9f; }
+  } guide({0, -10, 0});
+  const std::vector<glm::vec3> starts = {{0, 0, 0}, {1, 0, 0}};
+  Crowd crowd(starts, 1, guide, {.step = 0.3f, .merge = 0.01f});
+  crowd.step();
+  CHECK(crowd.places()[0] == glm::vec3(0, -0.3f, 0));
+  CHECK(crowd.places()[1] == glm::vec3(1, -0.3f, 0));
 }
 
 TEST_CASE("crowds see nobody through a wall, walk round it, and start no trail through it") {
@@ -187,7 +220,29 @@ TEST_CASE("crowds see nobody through a wall, walk round it, and start no trail t
     }
 }
 
-TEST_CASE("two that bends hold in a circle are let go after four ways") {
+TEST_CASE("two whose ways lead apart draw each other back, until they are let go after four ways") {
+  // A ledge over the target, each half of which is left by its own end.
+  class Ledge final : public Guide {
+   public:
+    using Guide::Guide;
+    glm::vec3 aim(const glm::vec3& p) const override {
+      return p.y > -0.05f && std::fabs(p.x) < 2 ? glm::vec3(p.x < 0 ? -2.2f : 2.2f, 0, 0) : target();
+    }
+    float way(const glm::vec3& p) const override { return glm::distance(p, aim(p)) + glm::distance(aim(p), target()); }
+  } guide({0, -5, 0});
+  const std::vector<glm::vec3> starts = {{-1, 0, 0}, {1, 0, 0}};
+  const float longest = guide.way(starts[0]);
+  Crowd crowd(starts, 1, guide, {.step = 0.1f, .merge = 0.1f, .pull = 1});
+  for (int step = 0; step < static_cast<int>(4 * longest / 0.1f); ++step) crowd.step();
+  CHECK(crowd.places()[0] == starts[0]);
+  CHECK(crowd.places()[1] == starts[1]);
+  crowd.run();
+  CHECK(crowd.stragglers() == 0);
+  CHECK(crowd.steps() < 6 * longest / 0.1f);
+  check_tree(crowd, crowd.trails(), 2, 1);
+}
+
+TEST_CASE("whoever never comes to the target is led there after four ways more") {
   // An aim that always lies to the left of the target's direction: straight ways never arrive while neighbours pull.
   class Swirl final : public Guide {
    public:

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "near.hpp"
 #include "shapes.hpp"
 
 using namespace panicle;
@@ -42,10 +43,10 @@ float widest_gap(const Region& region, const std::vector<glm::vec3>& points, flo
 }  // namespace
 
 TEST_CASE("the spacing of points is the root of what each of them has of the region") {
-  CHECK(spacing_of(Round(true), 1000) == doctest::Approx(std::sqrt(3.14159f / 1000)).epsilon(0.01));
-  CHECK(spacing_of(Round(false), 1000) == doctest::Approx(std::cbrt(4.18879f / 1000)).epsilon(0.01));
-  CHECK(spacing_of(Round(false, 1, 0.8f), 1000) == doctest::Approx(std::cbrt(4.18879f * 0.488f / 1000)).epsilon(0.02));
-  CHECK(spacing_of(Shaded(), 1000) == doctest::Approx(std::sqrt(2.5f / 1000)).epsilon(0.01));
+  CHECK(spacing_of(Round(true), 1000) == near(std::sqrt(3.14159f / 1000), 0.01));
+  CHECK(spacing_of(Round(false), 1000) == near(std::cbrt(4.18879f / 1000), 0.01));
+  CHECK(spacing_of(Round(false, 1, 0.8f), 1000) == near(std::cbrt(4.18879f * 0.488f / 1000), 0.02));
+  CHECK(spacing_of(Shaded(), 1000) == near(std::sqrt(2.5f / 1000), 0.01));
   CHECK(spacing_of(Round(true), 0) == 0);
 }
 
@@ -92,7 +93,7 @@ TEST_CASE("where a region says a quarter, a quarter as many start") {
     const auto bright =
         static_cast<float>(std::count_if(points.begin(), points.end(), [](auto& p) { return p.x < 0; }));
     const auto dark = static_cast<float>(points.size()) - bright;
-    CHECK(dark / bright == doctest::Approx(0.25).epsilon(0.12));
+    CHECK(dark / bright == near(0.25, 0.12));
     CHECK(static_cast<float>(points.size()) == doctest::Approx(4000).epsilon(0.06));
   }
 }

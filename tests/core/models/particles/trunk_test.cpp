@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/particles/crowd.hpp"
 #include "models/particles/gather.hpp"
+#include "models/particles/scatter.hpp"
 #include "models/particles/solid.hpp"
 
 namespace panicle::particles {
@@ -68,6 +70,23 @@ TEST_CASE("a way leads out of the crown downwards alone") {
   const Trunk root({0, 5, 0}, {.ahead = 0.1f, .way = 1}, &crown);
   CHECK(root.passes({0, 3.9f, 0}, {0, 4.1f, 0}));
   CHECK_FALSE(root.passes({0, 2.1f, 0}, {0, 1.9f, 0}));
+}
+
+TEST_CASE("particles leave the crown downwards alone, however strongly their ways bend up") {
+  const Solid crown(box({-1, 2.5f, -1}, {1, 3.5f, 1}));
+  const float spacing = spacing_of(crown, 400);
+  const std::vector<glm::vec3> starts = scatter(crown, Pattern::blue, 400, spacing, 3);
+  const TrunkHabit habit{.slant = 0.2f, .ahead = 2 * spacing, .bend = {0, 0.9f, 0}, .reach = 0.3f};
+  const auto above = [&](const Region* outer) {
+    const Trunk guide({0, 0, 0}, habit, outer);
+    Crowd crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .pull = 1});
+    crowd.run();
+    const Trails trails = crowd.trails();
+    return std::count_if(trails.places.begin(), trails.places.end(),
+                         [&](const glm::vec3& place) { return place.y > crown.high().y; });
+  };
+  CHECK(above(&crown) == 0);
+  CHECK(above(nullptr) > 20);
 }
 
 TEST_CASE("obstacles hide what is behind them, and are gone round") {

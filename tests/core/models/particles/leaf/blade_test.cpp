@@ -11,6 +11,7 @@
 #include "foundation/mathematics.hpp"
 #include "models/particles/leaf/outlines.hpp"
 #include "models/particles/leaf/petiole.hpp"
+#include "near.hpp"
 
 using namespace panicle;
 using namespace panicle::particles;
@@ -92,11 +93,11 @@ TEST_CASE("flat, the upper face looks up, fills the outline and shows its chart"
     CHECK(twice > 0);
     area += static_cast<double>(twice) / 2;
   }
-  CHECK(area == doctest::Approx(static_cast<double>(outline.area()) * 0.01).epsilon(0.002));
+  CHECK(area == near(static_cast<double>(outline.area()) * 0.01, 0.002));
   for (std::size_t i = 0; i < upper.positions.size() / 3; ++i) {
     const glm::vec3 p = vector_at(upper.positions, i);
-    CHECK(p.x == doctest::Approx(0.1f * (square.low.x + square.size * upper.uvs[2 * i])).epsilon(1e-3));
-    CHECK(p.y == doctest::Approx(0.1f * (square.low.y + square.size * upper.uvs[2 * i + 1])).epsilon(1e-3));
+    CHECK(p.x == doctest::Approx(0.1f * (square.low.x + square.size * upper.uvs[2 * i])));
+    CHECK(p.y == doctest::Approx(0.1f * (square.low.y + square.size * upper.uvs[2 * i + 1])));
     CHECK(p.z <= 0.0002f + 1e-7f);
     CHECK(p.z >= 0.0001f - 1e-7f);
     CHECK(vector_at(upper.normals, i).z > 0.9f);
@@ -129,7 +130,7 @@ TEST_CASE("veins are ridges below, grooves above, and known to their vertices; w
     }
     if (!on_margin) {
       CHECK(vector_at(plain[0].mesh.positions, i).z == doctest::Approx(0.0005f));
-      CHECK(edge[i] == doctest::Approx(outline.distance({above.x * 10, above.y * 10, 0})).epsilon(0.35));
+      CHECK(edge[i] == near(outline.distance({above.x * 10, above.y * 10, 0}), 0.35));
     }
     deepest = std::max(deepest, 0.0005f - above.z);
     lowest = std::min(lowest, below.z);
@@ -137,7 +138,7 @@ TEST_CASE("veins are ridges below, grooves above, and known to their vertices; w
   }
   CHECK(most > 0.98f);
   // The ridge is half the vein's width high: its radius, a millimetre.
-  CHECK(lowest == doctest::Approx(-0.0015f).epsilon(0.03));
+  CHECK(lowest == near(-0.0015f, 0.03));
   CHECK(deepest > 0.0003f);
 }
 
@@ -150,7 +151,7 @@ TEST_CASE("bending folds, waves and curls, and flat is flat") {
   CHECK(flat.normal({0.1f, 0.1f}).z == doctest::Approx(1));
   const Bending folded{.scale = 1, .half_width = 0.5f, .fold = 30};
   CHECK(folded({0.4f, 0.5f}).z == doctest::Approx(folded({-0.4f, 0.5f}).z));
-  CHECK(folded({0.4f, 0.5f}).z == doctest::Approx(0.5 * 0.4).epsilon(0.15));
+  CHECK(folded({0.4f, 0.5f}).z == near(0.5 * 0.4, 0.15));
   CHECK(folded({0, 0.5f}).z == 0);
   // Curled by 90° the tip looks straight away from the base's upper side, at an arc's radius ahead and below.
   const Bending curled{.scale = 1, .half_width = 0.5f, .curl = 90};
@@ -193,7 +194,7 @@ TEST_CASE("the petiole comes out from under the blade, is as long as asked and w
     if (i > 0) CHECK(segments[i].start == segments[i - 1].end);
     if (i > 0) length += glm::distance(segments[i].start, segments[i].end);
   }
-  CHECK(length == doctest::Approx(0.05).epsilon(0.01));
+  CHECK(length == near(0.05, 0.01));
   CHECK(segments[0].end == bending({0, 0}));
   CHECK(segments[0].start.y > 0);
   CHECK(segments.back().end.y < -0.03f);

@@ -10,6 +10,7 @@
 #include "foundation/random.hpp"
 #include "models/particles/leaf/outlines.hpp"
 #include "models/particles/outline.hpp"
+#include "near.hpp"
 
 using namespace panicle;
 using namespace panicle::particles;
@@ -153,7 +154,7 @@ TEST_CASE("teeth are as many, as deep and as the shape has them; the margin's po
       CHECK(std::is_sorted(cut.teeth.begin(), cut.teeth.end()));
       for (const std::size_t tip : cut.teeth) CHECK(plain.distance({cut.points[tip].x, cut.points[tip].y, 0}) < 1e-3f);
       if (count > 1) CHECK(notches <= 2 * each * (count + 1));
-      if (count == 6) CHECK(deepest == doctest::Approx(0.4 * 1.1 / 6).epsilon(0.25));
+      if (count == 6) CHECK(deepest == near(0.4 * 1.1 / 6, 0.25));
     }
   CHECK(notes.empty());
 }
