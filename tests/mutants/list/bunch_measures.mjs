@@ -5,7 +5,7 @@ const TESTS = "tests/core/models/bunch/measures";
 export default [
 	{
 		file: `${SRC}/measures.cpp`,
-		suites: [`${TESTS}/measures_test.cpp`],
+		suites: [`${TESTS}/measures_test.cpp`, `${TESTS}/measures_fit_test.cpp`],
 		faults: [
 			{
 				id: "measures-stems-three-times",
@@ -35,7 +35,7 @@ export default [
 	},
 	{
 		file: `${SRC}/measures_compactness.cpp`,
-		suites: [`${TESTS}/measures_test.cpp`],
+		suites: [`${TESTS}/measures_compactness_test.cpp`],
 		faults: [
 			{
 				id: "compactness-far-ones-touch",
@@ -53,7 +53,7 @@ export default [
 	},
 	{
 		file: `${SRC}/measures_form.cpp`,
-		suites: [`${TESTS}/measures_test.cpp`],
+		suites: [`${TESTS}/measures_form_test.cpp`],
 		faults: [
 			{
 				id: "form-uniform-reversed",
@@ -77,7 +77,7 @@ export default [
 	},
 	{
 		file: `${SRC}/measures_visibility.cpp`,
-		suites: [`${TESTS}/measures_test.cpp`],
+		suites: [`${TESTS}/measures_visibility_test.cpp`],
 		faults: [
 			{
 				id: "visibility-from-the-right",
@@ -95,7 +95,7 @@ export default [
 	},
 	{
 		file: `${SRC}/measures_fit.cpp`,
-		suites: [`${TESTS}/measures_test.cpp`],
+		suites: [`${TESTS}/measures_fit_test.cpp`],
 		faults: [
 			{
 				id: "fit-lean-reversed",

@@ -5,7 +5,12 @@ const TESTS = "tests/core/models/bunch/natural";
 export default [
 	{
 		file: `${SRC}/natural.cpp`,
-		suites: [`${TESTS}/natural_outputs_test.cpp`, `${TESTS}/natural_test.cpp`],
+		suites: [
+			`${TESTS}/natural_outputs_test.cpp`,
+			`${TESTS}/natural_counts_test.cpp`,
+			`${TESTS}/natural_berries_test.cpp`,
+			`${TESTS}/natural_outline_test.cpp`,
+		],
 		faults: [
 			{
 				id: "natural-flower-strength-unused",

@@ -52,7 +52,7 @@ export default [
 			{
 				id: "margin-without-drawn-teeth",
 				find: "margin.teeth.push_back(at);",
-				replace: "",
+				replace: ";",
 				breaks: "corners that stand out are no teeth",
 			},
 		],
@@ -71,7 +71,7 @@ export default [
 	},
 	{
 		file: `${SRC}/leaf/dress.cpp`,
-		suites: [`${TESTS}/leaf/leaf_test.cpp`],
+		suites: [`${TESTS}/leaf/leaf_dress_test.cpp`],
 		faults: [
 			{
 				id: "petiole-as-thick-as-the-vein",
@@ -83,7 +83,7 @@ export default [
 	},
 	{
 		file: `${SRC}/leaf/measures/measures.cpp`,
-		suites: [`${TESTS}/leaf/leaf_test.cpp`],
+		suites: [`${TESTS}/leaf/leaf_measures_test.cpp`],
 		faults: [
 			{
 				id: "primaries-of-all-but-one",
