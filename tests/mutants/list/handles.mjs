@@ -53,7 +53,7 @@ export default [
 			{
 				id: "octahedron-deaf-to-escape",
 				find: 'if (on) window.addEventListener("keydown", this.#heard, { capture: true });',
-				replace: "",
+				replace: "if (on) return;",
 				breaks: "Escape calls off no drag in 3-D",
 			},
 		],
