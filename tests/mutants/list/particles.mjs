@@ -53,6 +53,36 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/wood.cpp`,
+		suites: [`${TESTS}/wood_test.cpp`],
+		faults: [
+			{
+				id: "wood-to-targets-out-of-reach",
+				find: " || !guides[i].reaches(p)) continue;",
+				replace: ") continue;",
+				breaks: "particles beside a walled trunk run through its walls",
+			},
+			{
+				id: "wood-led-ones-untold",
+				find: "wood.tally.stragglers += crowd.stragglers();",
+				replace: "",
+				breaks: "nothing says that particles had to be led to their target",
+			},
+		],
+	},
+	{
+		file: `${SRC}/trunk.cpp`,
+		suites: [`${TESTS}/trunk_test.cpp`, `${TESTS}/tree_test.cpp`],
+		faults: [
+			{
+				id: "trunk-through-the-top",
+				find: "|| outer_->contains(to)",
+				replace: "|| true",
+				breaks: "trails of weeping branches run over the top of the crown",
+			},
+		],
+	},
+	{
 		file: `${SRC}/trail_plant.cpp`,
 		suites: [`${TESTS}/trail_plant_test.cpp`],
 		faults: [
