@@ -165,7 +165,7 @@ describe("the curve", () => {
 	});
 
 	it("encloses a blade however upright or level its edges are", () => {
-		const corners = (...places: [number, number][]) => places.map(([x, y]) => ({ x, y, smooth: false }));
+		const corners = (...places: [number, number][]) => places.map(([x, y]) => ({ x, y, kind: "corner" as const }));
 		const right: [number, number][] = [
 			[0.3, 0],
 			[0.3, 1],
