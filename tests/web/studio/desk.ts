@@ -13,9 +13,12 @@ export const bunchModel = bunch as unknown as Model;
 export async function studioWith(specimen: Specimen, model: Model = bunchModel, ui = FIRST_VISIT) {
 	const surroundings = { grow: vi.fn(), cancel: vi.fn(), settled: vi.fn(), remember: vi.fn() };
 	const studio = new Studio({ model, specimen, ui, systemDark: false }, surroundings);
-	await vi.waitFor(() => {
-		if (!studio.state.face) throw new Error("The tools have not come yet.");
-	});
+	await vi.waitFor(
+		() => {
+			if (!studio.state.face) throw new Error("The tools have not come yet.");
+		},
+		{ timeout: 10_000 },
+	);
 	return { studio, surroundings };
 }
 

@@ -24,6 +24,7 @@ const format: Format = {
 
 it("names files after what grew", () => {
 	expect(fileName({ ...specimenFromPreset("grape-15a"), seed: 7 })).toBe("grape-15a-7");
+	expect(fileName({ ...specimenFromPreset("grape-15a"), seed: 7 }, true)).toBe("grape-15a-altered-7");
 });
 
 describe("what can be downloaded", () => {

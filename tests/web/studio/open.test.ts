@@ -44,6 +44,19 @@ describe("a file brought to the page", () => {
 		expect(notices).toEqual([expect.stringContaining("oak.jpg is neither a GLB nor readable JSON")]);
 	});
 
+	it("is told of the models whose tools would take it", async () => {
+		const picture = await (await brought(treeModel)).bring(
+			new File([Uint8Array.of(0xff)], "oak.jpg", { type: "image/jpeg" }),
+		);
+		expect(picture[0]).toMatch(/ Leaf: a picture of a leaf is traced\.$/);
+		const mesh = await (await brought(leafModel)).bring(new File(["v 0 0 0"], "cube.obj"));
+		expect(mesh[0]).toContain(
+			" Root: a closed mesh (OBJ, GLB) becomes the boundary. Tree: a closed mesh (OBJ, GLB) becomes the boundary.",
+		);
+		const notes = await (await brought(leafModel)).bring(new File(["?"], "notes.txt"));
+		expect(notes[0]).toMatch(/exported by Panicle\.$/);
+	});
+
 	it("becomes a tree's boundary where it is a mesh; other kinds of mesh are told which ones do", async () => {
 		const { bring, studio } = await brought(treeModel);
 		expect(await bring(new File(["solid"], "ball.stl"))).toEqual([

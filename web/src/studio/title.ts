@@ -13,7 +13,7 @@ export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[]
 }
 
 /** Whether it is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
-function isAltered(specimen: Specimen, model: Model, tools: readonly Tool[]): boolean {
+export function isAltered(specimen: Specimen, model: Model, tools: readonly Tool[] = []): boolean {
 	const preset = fromPreset(model, specimen.preset);
 	const running = tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
 	const values = Object.fromEntries(running.map((key) => [key, preset.parameters[key]]));

@@ -67,9 +67,9 @@ function hasInstances({ model, grown }: Shown): boolean {
 	return model.instanced?.(grown) ?? grown.organs.mesh.some((mesh) => mesh >= 0);
 }
 
-/** "long-conical-7": what a file of this plant is called. */
-export function fileName({ preset, seed }: Specimen): string {
-	return `${preset}-${seed}`;
+/** "long-conical-7", or "long-conical-altered-7": what a file of this plant is called. */
+export function fileName({ preset, seed }: Specimen, altered = false): string {
+	return altered ? `${preset}-altered-${seed}` : `${preset}-${seed}`;
 }
 
 /** Hands a file to the browser's downloads. */

@@ -1,6 +1,8 @@
 import { FILE_TOPIC, type ToolDrop } from "../../controls/tool";
-import { modelNamed } from "../../models/index";
+import { modelNamed, modelNames } from "../../models/index";
+import { fromPreset } from "../../specimen/from_preset";
 import { modelIn, restore } from "../../specimen/restore";
+import { BARE } from "../faces";
 import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { TRY_AGAIN } from "../types";
@@ -25,8 +27,22 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 		const known = error instanceof reader.FileError;
 		const drop = known ? dropsOf(studio).find(({ takes }) => takes(file)) : undefined;
 		if (drop) drop.take(studio, file);
-		else refuse([known ? error.message : `${file.name} could not be read; try to drop it again.`]);
+		else if (known) refuse([error.message, ...(await elsewhere(studio, file))]);
+		else refuse([`${file.name} could not be read; try to drop it again.`]);
 	}
+}
+
+/** What tools of other models would do with the file: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */
+async function elsewhere(studio: Studio, file: File): Promise<string[]> {
+	const others = modelNames().filter((name) => name !== studio.state.model.name);
+	const taken = others.map(async (name) => {
+		const model = await modelNamed(name);
+		const { tools } = (await model.studio?.()) ?? BARE;
+		const drop = applying(tools, fromPreset(model)).find((tool) => tool.drop?.takes(file))?.drop;
+		return drop && `${model.title}: ${drop.words}.`;
+	});
+	const words = await Promise.all(taken.map((one) => one.catch(() => undefined)));
+	return words.filter((one) => one !== undefined);
 }
 
 /** What tools of the model take of files, those that mean nothing to the specimen left out. */

@@ -5,6 +5,7 @@ import { linkOf } from "../address";
 import { type Download, fileName, formatsOf, save } from "../files/formats";
 import { plantToSave } from "../files/plant_to_save";
 import type { Studio } from "../studio";
+import { isAltered } from "../title";
 import { TRY_AGAIN } from "../types";
 import { StudioPart } from "./studio_part";
 
@@ -99,7 +100,7 @@ export class DownloadMenu extends StudioPart {
 		const { signal } = making.cancel;
 		try {
 			const plant = await plantToSave(this.desk, signal);
-			const name = fileName(plant.from);
+			const name = fileName(plant.from, isAltered(plant.from, plant.model, this.desk.state.face?.tools));
 			const blob = await format.make(plant, await linkOf(plant.model, plant.from), name, signal);
 			signal.throwIfAborted();
 			save(blob, `${name}${format.suffix}`);

@@ -164,6 +164,20 @@ describe("the curve", () => {
 		expect(enclosesBlade(movePoint(oak, 10, { x: -0.4, y: 0.4 }, ALONE))).toBe(false);
 	});
 
+	it("encloses a blade however upright or level its edges are", () => {
+		const corners = (...places: [number, number][]) => places.map(([x, y]) => ({ x, y, kind: "corner" as const }));
+		const right: [number, number][] = [
+			[0.3, 0],
+			[0.3, 1],
+			[-0.3, 1],
+			[-0.3, 0],
+		];
+		expect(enclosesBlade(corners([0, 0], ...right))).toBe(true);
+		expect(enclosesBlade(corners([0, 0], [0.5, 0.5], [0, 1]))).toBe(true);
+		// Down the way that it came up by.
+		expect(enclosesBlade(corners([0, 0], [0.3, 0], [0.3, 1], [0.3, 0.5], [-0.3, 0.5]))).toBe(false);
+	});
+
 	it("tells which span a place is nearest to", () => {
 		const spans = spansOf(oak);
 		spans.forEach(({ from, to }, index) => {

@@ -97,15 +97,21 @@ function crossesItself(polygon: readonly Place[]): boolean {
 	const { length } = polygon;
 	for (let i = 0; i < length; i++) {
 		const [a, b] = [polygon[i], polygon[(i + 1) % length]];
-		const [left, right] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
 		// The last edge is the first one's neighbour.
 		for (let j = i + 2; j < (i === 0 ? length - 1 : length); j++) {
 			const [c, d] = [polygon[j], polygon[(j + 1) % length]];
-			if ((c.x < left && d.x < left) || (c.x > right && d.x > right)) continue;
+			if (apart(a, b, c, d, "x") || apart(a, b, c, d, "y")) continue;
 			if (side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0) return true;
 		}
 	}
 	return false;
+}
+
+/** Whether one edge lies wholly before or behind another along an axis: where they are of one line, nothing else tells. */
+function apart(a: Place, b: Place, c: Place, d: Place, axis: "x" | "y"): boolean {
+	return (
+		Math.max(a[axis], b[axis]) < Math.min(c[axis], d[axis]) || Math.max(c[axis], d[axis]) < Math.min(a[axis], b[axis])
+	);
 }
 
 /** On which side of the way from one place to another a third one lies. */
