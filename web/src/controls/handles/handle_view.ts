@@ -13,7 +13,7 @@ import { nearest, type Point } from "./point";
 const REACH = 22;
 
 /** A session, of whatever it changes. */
-type Drags<H, K> = Pick<DragSession<H, unknown, K>, "active" | "holds" | "begin" | "move" | "end" | "cancel">;
+type Drags<H, K> = Pick<DragSession<H, unknown, K>, "active" | "holds" | "begin" | "move" | "end" | "cancel" | "drop">;
 
 export interface HandleLook {
 	label: string;
@@ -23,6 +23,8 @@ export interface HandleLook {
 	kind?: string;
 	/** Whether Tab comes to it. */
 	tab?: boolean;
+	/** Ids of what is said of its keys. */
+	help?: string;
 }
 
 /** H: the names of handles. K: what a drag is told of the keys held meanwhile. */
@@ -132,11 +134,11 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	 * attribute would need a looser content security policy.
 	 */
 	protected drawHandle(handle: H, { x, y }: Point, look: HandleLook): TemplateResult {
-		const { label, content = nothing, classes, kind, tab = true } = look;
+		const { label, content = nothing, classes, kind, tab = true, help = "help" } = look;
 		return html`<button
 			type="button" class=${classMap({ handle: true, held: this.drags.holds(handle), ...classes })}
 			data-handle=${handle} data-kind=${kind ?? nothing} tabindex=${tab ? nothing : -1} ?disabled=${this.disabled}
-			aria-roledescription="handle" aria-label=${label} aria-describedby="help"
+			aria-roledescription="handle" aria-label=${label} aria-describedby=${help}
 			.style=${`transform: translate(${x}px, ${y}px)`}
 		>${content}</button>`;
 	}
@@ -160,6 +162,12 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** Calls off what is in hand. */
 	protected cancel(): void {
 		this.drags.cancel();
+		this.#released();
+	}
+
+	/** Lets go of what is in hand: it is there no more. */
+	protected drop(): void {
+		this.drags.drop();
 		this.#released();
 	}
 

@@ -58,7 +58,7 @@ export class OutlineView extends HandleView<string> {
 		super.willUpdate(changed);
 		const before = changed.get("points");
 		// Others have changed it meanwhile: what is held is another point now.
-		if (this.drags.active && before && before.length !== this.points?.length) this.cancel();
+		if (this.drags.active && before && before.length !== this.points?.length) this.drop();
 		if (!this.points) return;
 		this.#chosen = Math.min(Math.max(this.#chosen, 1), this.points.length - 1);
 		this.#frame = steadyFrame(this.#frame, curveOf(this.points), this.size, this.drags.active);
