@@ -117,5 +117,6 @@ describe("what a boundary has besides numbers", () => {
 		const { specimen, notes } = restore(TREE, { model: "tree", volume: { points: [0, 0, 0], triangles: [0, 1, 2] } });
 		expect(specimen.volume).toBeUndefined();
 		expect(notes[0].text).toContain("is not a mesh of at most 4000 triangles");
+		expect(restore(TREE, { model: "tree", volume: { points: [], triangles: [] } }).specimen.volume).toBeUndefined();
 	});
 });
