@@ -9,6 +9,7 @@ import {
 } from "../../../../../web/src/models/particles/boundary/editor/frame";
 import { pressed } from "../../../../../web/src/models/particles/boundary/editor/grip";
 import { asProfile } from "../../../../../web/src/models/particles/boundary/editor/knot_grips";
+import { footprintIn, loopsIn, outlineIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
 import {
@@ -51,6 +52,19 @@ describe("the outline from in front", () => {
 		const triangles = [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1, 1, 3, 2, 1, 4, 3];
 		const outline = outlineOf("mesh", [], { points, triangles });
 		for (const height of [0.2, 0.5, 1]) expect(radiusAt(outline, height)).toBeCloseTo(height, 1);
+	});
+
+	it("of a mesh is worked out once, however often it is drawn", () => {
+		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		const { options = [] } = TREE.table.entry("shape") as { options?: readonly string[] };
+		const drawn = () => {
+			const oak = { ...tree("oak"), volume };
+			const specimen = { ...oak, parameters: { ...oak.parameters, shape: options.indexOf("mesh") } };
+			return [outlineIn(treeLay, specimen), loopsIn(treeLay, specimen), footprintIn(treeLay, specimen)];
+		};
+		const [first, second] = [drawn(), drawn()];
+		for (const [i, lines] of first.entries()) expect(second[i]).toBe(lines);
+		expect(first[1]).not.toEqual(first[2]);
 	});
 });
 
