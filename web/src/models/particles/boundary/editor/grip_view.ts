@@ -13,7 +13,7 @@ import { gripStyle } from "./grip_style";
 
 export abstract class GripView extends HandleView<string> {
 	static override styles = [...HandleView.styles, gripStyle];
-	static override properties = { ...HandleView.properties, pose: { attribute: false } };
+	static override properties = { pose: { attribute: false } };
 	declare pose: Pose | undefined;
 
 	protected frame: Frame = { width: 1, height: 1, scale: 1, origin: { x: 0, y: 0 } };
@@ -30,7 +30,6 @@ export abstract class GripView extends HandleView<string> {
 
 	/** What is in hand must not move by itself. */
 	protected override willUpdate(changed: PropertyValues): void {
-		super.willUpdate(changed);
 		const before = changed.get("pose") as Pose | undefined;
 		// Others have taken away what is held.
 		if (before?.grips.some(({ id }) => this.drags.holds(id) && !gripIn(this.pose, id))) this.drop();
