@@ -14,7 +14,7 @@ const FORMS: Readonly<Record<string, Form>> = {
 	mesh: "mesh",
 };
 
-const [TOP, REACH] = ["top", "reach"].map((key) => ROOT_TABLE.entry(key) as NumberEntry);
+const TOP = ROOT_TABLE.entry("top") as NumberEntry;
 
 /** How a root's volume lies: below ground. */
 export const rootLay: Lay<RootSpecimen> = {
@@ -33,7 +33,7 @@ export const rootLay: Lay<RootSpecimen> = {
 	deepen: (_, halfDepth) => ({ depth: 2 * halfDepth }),
 	targets: ({ parameters: { stems, width } }) => standing(stems, width).flatMap((x) => [x, 0, 0]),
 	fit: (specimen, { halfWidth, low, high }) => {
-		const top = nearestWithin(TOP, Math.min(-high, -low - REACH.min));
+		const top = nearestWithin(TOP, -high);
 		return { ...roundly(specimen, halfWidth), top, reach: -top - low };
 	},
 	target: "Collar",

@@ -46,7 +46,7 @@ export function pressed(
 	const { label } = grip;
 	if (key === "Delete" || key === "Backspace")
 		return grip.remove && { change: grip.remove(), said: `${label} taken out` };
-	if (key === "Insert" || key === "+") return grip.add && { change: grip.add(), said: `Added after ${label}` };
+	if (key === "Insert" || key === "+") return grip.add && { change: grip.add(), said: "Point added" };
 	return undefined;
 }
 
