@@ -37,6 +37,8 @@ test("an age is one step, in the address and in the history, by stage, key and n
 	await expect(age).toHaveAttribute("aria-valuetext", "Colouring, 60 percent");
 	await studio.regrown(() => page.keyboard.press("PageDown"));
 	await expect(studio.fingerprint).toHaveText(set);
+	await studio.regrown(() => page.keyboard.press("Shift+ArrowRight"));
+	await expect(age).toHaveValue("35"); // Ten steps, as on every slider.
 	const field = page.getByRole("textbox", { name: "Age in percent" });
 	await field.fill("200");
 	await field.press("Enter");
@@ -45,7 +47,7 @@ test("an age is one step, in the address and in the history, by stage, key and n
 	await age.focus();
 	await studio.regrown(() => page.keyboard.press("Delete"));
 	await expect(studio.fingerprint).toHaveText(first);
-	for (const value of ["125", "30", "60", "30", "100"]) {
+	for (const value of ["125", "35", "30", "60", "30", "100"]) {
 		await studio.button("Undo").click();
 		await expect(age).toHaveValue(value);
 	}

@@ -60,6 +60,43 @@ test("a boundary's point is dragged, stepped by keys and undone; Escape calls a 
 	await expect(studio.button("Undo")).toBeDisabled();
 });
 
+test("trunks and obstacles are taken out by key and by finger, and the focus and the voice follow", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open(`?model=tree&preset=twin${SMALL}`);
+	const handle = (id: string) => page.locator(`panicle-boundary [data-handle="${id}"]`);
+	const spoken = page.locator("panicle-boundary [aria-live]");
+	await handle("target1").focus();
+	await studio.regrown(() => page.keyboard.press("Delete"));
+	await expect(handle("target1")).toHaveCount(0);
+	await expect(spoken).toHaveText(/^Trunk 2 taken out/);
+	await expect(handle("target0")).toBeFocused();
+	await expect(handle("target0")).toHaveAccessibleDescription(/^((?!Delete).)*$/);
+	await studio.regrown(() => studio.button("Trunks by number again").click());
+	await expect(handle("target1")).toHaveAccessibleDescription(/Delete takes it out/);
+	await expect(studio.button("Trunks by number again")).toHaveCount(0);
+
+	await studio.regrown(() => studio.button("Add an obstacle").click());
+	await handle("obstacles0 middle").focus();
+	await studio.regrown(() => studio.button("Remove obstacle 1").click());
+	await expect(handle("obstacles0 middle")).toHaveCount(0);
+	await expect(studio.button("Remove what is chosen")).toBeDisabled();
+	await studio.regrown(() => studio.button("Undo").click());
+
+	// Undone while it is in hand: it is let go, and comes back by nothing but Redo.
+	const { x, y } = await studio.grip("Boundary", "obstacles0 middle");
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	await page.mouse.move(x + 8, y);
+	await studio.regrown(() => page.keyboard.press("Control+z"));
+	await studio.regrown(() => page.keyboard.press("Control+z"));
+	await expect(handle("obstacles0 middle")).toHaveCount(0);
+	await page.mouse.move(x + 20, y, { steps: 3 });
+	await page.mouse.up();
+	await expect(handle("obstacles0 middle")).toHaveCount(0);
+	await expect(page).not.toHaveURL(/obstacles=/);
+});
+
 test("the sun is moved, the age runs back and forth to the same tree", async ({ page }) => {
 	const studio = await new StudioPage(page).open(`?model=tree&preset=oak${SMALL}`);
 	const grown = await studio.fingerprint.innerText();

@@ -1,4 +1,5 @@
 /** All faults, in the order of the house. @type {import("../mutants.mjs").Group[]} */
+import boundary from "./boundary.mjs";
 import bunchCore from "./bunch_core.mjs";
 import bunchExport from "./bunch_export.mjs";
 import bunchFigure from "./bunch_figure.mjs";
@@ -29,6 +30,7 @@ export const groups = [
 	...particles,
 	...leaf,
 	...leafPictures,
+	...boundary,
 	...bunchCore,
 	...bunchNatural,
 	...swelling,

@@ -1,5 +1,6 @@
 import { describe, expect, it, vi } from "vitest";
 import { Columns, writeContainer } from "../../../web/src/core/container";
+import { Superseded } from "../../../web/src/core/errors";
 import type { Model } from "../../../web/src/models/model";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { Cores } from "../../../web/src/studio/cores";
@@ -48,6 +49,20 @@ describe("the cores", () => {
 			await new Cores(address, { grow, warm: vi.fn() }).grow(needy, fromPreset(model));
 			expect(grow.mock.calls[0][0].blocks).toEqual([{ name: "there", data: Uint32Array.of(comes ? 1 : 0) }]);
 		}
+	});
+
+	it("do not begin an older growth after a newer one that had less to wait for", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
+		const cores = new Cores(address, { grow, warm: vi.fn() });
+		let come = () => {};
+		const slow: Model = { ...model, prepare: () => new Promise((resolve) => (come = resolve)) };
+		const older = cores.grow(slow, { ...fromPreset(model), seed: 1 });
+		await cores.grow(model, { ...fromPreset(model), seed: 2 });
+		come();
+		await expect(older).rejects.toThrow(Superseded);
+		expect(grow).toHaveBeenCalledOnce();
+		expect(grow.mock.calls[0][0].blocks).toContainEqual({ name: "seed", data: Uint32Array.of(2) });
 	});
 
 	it("are warmed by their files, where there is one of that name", () => {

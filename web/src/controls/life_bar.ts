@@ -1,6 +1,7 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
+import { coarseStep } from "./coarse_step";
 import { ControlElement } from "./control_element";
 import type { Desk, Stateful } from "./desk";
 import { HeldKey } from "./held_key";
@@ -124,6 +125,11 @@ export class LifeBar extends ControlElement {
 		if (key === "Delete" || key === "Backspace") this.#reset();
 		else if (isForField(event)) handOver(event, this.querySelector("input.typed"));
 		else this.#held.down(event);
+		const far = coarseStep(STEP, event);
+		if (far !== undefined) {
+			event.preventDefault();
+			this.#edit(nearestWithin(this.#entry, this.age + far));
+		}
 		if (key !== "PageUp" && key !== "PageDown") return;
 		event.preventDefault();
 		this.#edit(nextStage(this.life, this.age, key === "PageUp" ? 1 : -1).at);

@@ -1,6 +1,6 @@
 /** Growing whatever model: the one place where the studio meets the core's client. */
 import { Client } from "../core/client";
-import { UnsupportedError } from "../core/errors";
+import { Superseded, UnsupportedError } from "../core/errors";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
@@ -18,6 +18,7 @@ export interface Grower {
 export class Cores implements Grower {
 	readonly #addressOf: (file: string) => string | undefined;
 	readonly #client: Pick<Client, "warm" | "grow">;
+	#calls = 0;
 
 	/** @param addressOf where a core's file lies; undefined where there is none of that name */
 	constructor(addressOf: (file: string) => string | undefined, client: Pick<Client, "warm" | "grow"> = pageClient()) {
@@ -35,8 +36,11 @@ export class Cores implements Grower {
 		const wasm = this.#addressOf(model.wasm);
 		if (wasm === undefined)
 			throw new UnsupportedError("core", `The core of the ${model.noun} is not part of this page.`);
+		const call = ++this.#calls;
 		// What cannot be fetched is missing from the plant, and the core says so.
 		await model.prepare?.(specimen)?.catch(() => {});
+		// One that had less to wait for is under way: this would begin after it, and take its place.
+		if (call !== this.#calls) throw new Superseded();
 		const order = { wasm, blocks: model.encode(specimen, wanted) };
 		return model.read(await this.#client.grow(order, signal ? { signal } : {}));
 	}

@@ -73,6 +73,17 @@ describe("a drag", () => {
 		expect(drags.begin(2, "b", START.b)).toBe(true);
 	});
 
+	it("is dropped where it is, and told to be over", () => {
+		const { view, drags } = session(START);
+		drags.begin(1, "a", START.a);
+		drags.move(1, { x: 2, y: 3 });
+		view.frames.shift()?.();
+		drags.drop();
+		drags.drop();
+		expect(view).toMatchObject({ places: { a: { x: 2, y: 3 } }, told: ["input", "change"] });
+		expect(drags.active).toBe(false);
+	});
+
 	it("that moved nothing is called off without a word", () => {
 		const { view, drags } = session(START);
 		drags.begin(1, "a", START.a);

@@ -103,6 +103,13 @@ export class DragSession<H, S, K = undefined> {
 		this.#over();
 	}
 
+	/** Lets go of every handle; what they have changed stays. */
+	drop(): void {
+		if (!this.#before) return;
+		this.#held.clear();
+		this.#over();
+	}
+
 	#over(): void {
 		const told = this.#told;
 		this.#before = undefined;

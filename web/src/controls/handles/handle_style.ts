@@ -108,11 +108,6 @@ export const handleStyle = css`
 	.dragging .handle {
 		cursor: grabbing;
 	}
-	.handle:disabled {
-		opacity: 0.4;
-		cursor: default;
-		touch-action: auto;
-	}
 	.spoken {
 		position: absolute;
 		width: 1px;

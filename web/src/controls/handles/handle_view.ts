@@ -2,7 +2,7 @@
  * A flat view with handles: hands, keys and voice. Subclasses say what is drawn, where the handles stand and what moving
  * them does; the document stays with the page.
  */
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { classMap } from "lit/directives/class-map.js";
 import type { DragSession } from "./drag_session";
 import { EscapeKey } from "./escape_key";
@@ -13,7 +13,7 @@ import { nearest, type Point } from "./point";
 const REACH = 22;
 
 /** A session, of whatever it changes. */
-type Drags<H, K> = Pick<DragSession<H, unknown, K>, "active" | "holds" | "begin" | "move" | "end" | "cancel">;
+type Drags<H, K> = Pick<DragSession<H, unknown, K>, "active" | "holds" | "begin" | "move" | "end" | "cancel" | "drop">;
 
 export interface HandleLook {
 	label: string;
@@ -23,13 +23,13 @@ export interface HandleLook {
 	kind?: string;
 	/** Whether Tab comes to it. */
 	tab?: boolean;
+	/** Ids of what is said of its keys. */
+	help?: string;
 }
 
 /** H: the names of handles. K: what a drag is told of the keys held meanwhile. */
 export abstract class HandleView<H extends string, K = undefined> extends LitElement {
 	static override styles = [handleStyle];
-	static override properties = { disabled: { type: Boolean, reflect: true } };
-	declare disabled: boolean;
 
 	/** Of the field that the handles are in, CSS pixels. */
 	protected size = { width: 240, height: 240 };
@@ -80,11 +80,6 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** Draws on the canvas that lies below all. */
 	protected ink(_canvas: HTMLCanvasElement): void {}
 
-	constructor() {
-		super();
-		this.disabled = false;
-	}
-
 	override connectedCallback(): void {
 		super.connectedCallback();
 		this.#observe();
@@ -95,10 +90,6 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		this.#resized.disconnect();
 		this.#observed = null;
 		this.cancel();
-	}
-
-	protected override willUpdate(changed: PropertyValues): void {
-		if (changed.has("disabled") && this.disabled) this.cancel();
 	}
 
 	protected override render() {
@@ -132,11 +123,11 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	 * attribute would need a looser content security policy.
 	 */
 	protected drawHandle(handle: H, { x, y }: Point, look: HandleLook): TemplateResult {
-		const { label, content = nothing, classes, kind, tab = true } = look;
+		const { label, content = nothing, classes, kind, tab = true, help = "help" } = look;
 		return html`<button
 			type="button" class=${classMap({ handle: true, held: this.drags.holds(handle), ...classes })}
-			data-handle=${handle} data-kind=${kind ?? nothing} tabindex=${tab ? nothing : -1} ?disabled=${this.disabled}
-			aria-roledescription="handle" aria-label=${label} aria-describedby="help"
+			data-handle=${handle} data-kind=${kind ?? nothing} tabindex=${tab ? nothing : -1}
+			aria-roledescription="handle" aria-label=${label} aria-describedby=${help}
 			.style=${`transform: translate(${x}px, ${y}px)`}
 		>${content}</button>`;
 	}
@@ -160,6 +151,12 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** Calls off what is in hand. */
 	protected cancel(): void {
 		this.drags.cancel();
+		this.#released();
+	}
+
+	/** Lets go of what is in hand: it is there no more. */
+	protected drop(): void {
+		this.drags.drop();
 		this.#released();
 	}
 
@@ -197,7 +194,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 
 	#onDown(event: PointerEvent): void {
-		const handle = this.disabled || event.button !== 0 ? undefined : this.#handleAt(event);
+		const handle = event.button !== 0 ? undefined : this.#handleAt(event);
 		if (handle === undefined) return;
 		if (!this.drags.begin(event.pointerId, handle, this.units(this.#at(event)))) return;
 		(event.currentTarget as Element).setPointerCapture(event.pointerId);
@@ -227,12 +224,12 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 
 	#onDoubleClick(event: MouseEvent): void {
-		if (!this.disabled) this.doubled(this.#handleAt(event), this.#at(event));
+		this.doubled(this.#handleAt(event), this.#at(event));
 	}
 
 	#onKey(event: KeyboardEvent): void {
 		const handle = handleOf<H>(event);
-		if (handle === undefined || this.disabled || this.drags.active || event.ctrlKey || event.metaKey) return;
+		if (handle === undefined || this.drags.active || event.ctrlKey || event.metaKey) return;
 		if (!this.key(handle, event)) return;
 		event.preventDefault();
 		this.#pointed = false;
@@ -248,7 +245,7 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	}
 
 	#onOver(event: PointerEvent): void {
-		if (event.pointerType === "mouse" && !this.disabled) this.show(handleOf<H>(event));
+		if (event.pointerType === "mouse") this.show(handleOf<H>(event));
 	}
 
 	/** The numbers of a handle that the mouse leaves go; those of the one the keyboard is on stay. */

@@ -83,6 +83,18 @@ describe("what a boundary has besides numbers", () => {
 		expect(plant.counts.targets).toBe(60);
 	});
 
+	it("takes boxes and round ones together as many as the core grows around", async () => {
+		const list = (count: number) => Array.from({ length: count }, (_, i) => `${3 + i},0,-1,${3.5 + i},1,1`).join();
+		const { specimen, notes } = read(`n=30&rounds=${list(3)}&obstacles=${list(15)}`);
+		expect([specimen.obstacles?.length, specimen.rounds?.length]).toEqual([6 * 15, 6]);
+		expect(notes.map(({ text }) => text)).toEqual([
+			"rounds: with the boxes of “obstacles” more than 16; the first 16 are used.",
+		]);
+		expect(growBounded(await particlesCore(), TREE.table, specimen, { meshes: false }).counts.targets).toBe(1);
+		expect(read(`obstacles=${list(16)}&rounds=${list(1)}`).specimen).not.toHaveProperty("rounds");
+		expect(notesOf(`obstacles=${list(15)}&rounds=${list(1)}`)).toEqual([]);
+	});
+
 	it("lets nothing grow in a round obstacle, and no energy be lost", async () => {
 		const { specimen } = read("n=300&rounds=1,2,-3,7,8,3");
 		const core = await particlesCore();
@@ -105,5 +117,6 @@ describe("what a boundary has besides numbers", () => {
 		const { specimen, notes } = restore(TREE, { model: "tree", volume: { points: [0, 0, 0], triangles: [0, 1, 2] } });
 		expect(specimen.volume).toBeUndefined();
 		expect(notes[0].text).toContain("is not a mesh of at most 4000 triangles");
+		expect(restore(TREE, { model: "tree", volume: { points: [], triangles: [] } }).specimen.volume).toBeUndefined();
 	});
 });

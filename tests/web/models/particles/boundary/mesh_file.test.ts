@@ -93,6 +93,12 @@ describe("a closed mesh from a file", () => {
 
 	it.each([
 		["flat", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", "The mesh is flat: it has no inside."],
+		[
+			"without two sides",
+			"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n",
+			"The mesh encloses nothing: it has no inside.",
+		],
+		["all lines", "v 0 0 0\nv 0 1 0\nf 1 1 2\n", "The mesh encloses nothing: it has no inside."],
 		["without triangles", "v 0 0 0\n", "The file holds no triangles."],
 		["with a corner too many", "v 0 0 0\nf 1 2 3\n", "Line 2 of the OBJ has a corner, “2”"],
 		["with words for numbers", "v 0 a 0\n", "Line 1 of the OBJ has “a”, which is no number."],
@@ -119,5 +125,50 @@ describe("a closed mesh from a file", () => {
 		const bytes = new Uint8Array(64).fill(1).buffer;
 		new DataView(bytes).setUint32(0, 0x46546c67, true);
 		expect(() => readGlb(bytes)).toThrow("The GLB does not begin with its JSON.");
+	});
+
+	/** A GLB whose nodes are as given, with one mesh: a tetrahedron. */
+	function glbOf(nodes: readonly object[], more: object = {}): ArrayBuffer {
+		const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+		const corners = Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
+		const gltf = {
+			nodes,
+			meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+			accessors: [
+				{ bufferView: 0, componentType: 5126, count: 4, type: "VEC3" },
+				{ bufferView: 1, componentType: 5125, count: 12, type: "SCALAR" },
+			],
+			bufferViews: [
+				{ buffer: 0, byteOffset: 0, byteLength: 48 },
+				{ buffer: 0, byteOffset: 48, byteLength: 48 },
+			],
+			...more,
+		};
+		const text = new TextEncoder().encode(JSON.stringify(gltf));
+		const bytes = new Uint8Array(28 + text.length + 96);
+		const view = new DataView(bytes.buffer);
+		for (const [i, word] of [0x46546c67, 2, bytes.length, text.length, 0x4e4f534a].entries())
+			view.setUint32(4 * i, word, true);
+		bytes.set(text, 20);
+		view.setUint32(20 + text.length, 96, true);
+		view.setUint32(24 + text.length, 0x004e4942, true);
+		bytes.set(new Uint8Array(positions.buffer), 28 + text.length);
+		bytes.set(new Uint8Array(corners.buffer), 76 + text.length);
+		return bytes.buffer;
+	}
+
+	it("has a GLB's every node once: one without scenes begins with nodes that are nobody's child", () => {
+		const nodes = [{ mesh: 0, translation: [5, 0, 0] }, { children: [0] }];
+		for (const more of [{}, { scenes: [{ nodes: [1] }] }]) {
+			expect(readGlb(glbOf(nodes, more)).triangles).toHaveLength(12);
+		}
+	});
+
+	it("is refused at once where a GLB's nodes meet again", () => {
+		// Two ways at each of forty nodes: a million million visits.
+		const ladder = Array.from({ length: 40 }, (_, i) => (i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 }));
+		expect(() => readGlb(glbOf(ladder))).toThrow("The GLB's nodes do not form a tree.");
+		const ring = [{ children: [1] }, { children: [0] }];
+		expect(() => readGlb(glbOf(ring, { scenes: [{ nodes: [0] }] }))).toThrow("The GLB's nodes do not form a tree.");
 	});
 });

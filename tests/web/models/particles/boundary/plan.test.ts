@@ -21,28 +21,30 @@ describe("a plan", () => {
 		const one = apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6));
 		expect(gripOf(planOf(one), "obstacles0 middle").at).toEqual({ x: 4.15, y: 0 });
 		expect(gripOf(planOf(one), "obstacles0 corner").at).toEqual({ x: 4.3, y: -3 });
-		const back = apply(TREE, one, planOf(one).pull("obstacles0 middle", { x: 4.15, y: 2 }));
+		const back = apply(TREE, one, gripOf(planOf(one), "obstacles0 middle").pull({ x: 4.15, y: 2 }));
 		expect(wallsOf(back)).toEqual([[4, 0, -5, 4.3, 5, 1]]);
 		expect(gripOf(planOf(back), "obstacles0 middle").value).toBe("4.2 m right, 2 m behind");
-		const thin = apply(TREE, one, planOf(one).pull("obstacles0 corner", { x: 5, y: 2.5 }));
+		const thin = apply(TREE, one, gripOf(planOf(one), "obstacles0 corner").pull({ x: 5, y: 2.5 }));
 		expect(wallsOf(thin)).toEqual([[4, 0, -3, 5, 5, -2.5]]);
-		const least = apply(TREE, one, planOf(one).pull("obstacles0 corner", { x: 5, y: 9 }));
+		const least = apply(TREE, one, gripOf(planOf(one), "obstacles0 corner").pull({ x: 5, y: 9 }));
 		expect(wallsOf(least)).toEqual([[4, 0, -3, 5, 5, -2.98]]);
 	});
 
 	it("takes the boundary's depth apart from its width, but a ball's", () => {
 		const oak = tree("oak");
 		const { width } = oak.parameters;
-		const deep = apply(TREE, oak, planOf().pull("front", { x: 0, y: -3 }));
+		const deep = apply(TREE, oak, gripOf(planOf(), "front").pull({ x: 0, y: -3 }));
 		expect(deep.parameters).toMatchObject({ depth: 6, width });
-		expect(planOf(deep).reset?.("front")).toEqual({ parameters: { depth: oak.parameters.depth } });
+		expect(gripOf(planOf(deep), "front").reset?.()).toEqual({ parameters: { depth: oak.parameters.depth } });
 		const ball = tree("sphere");
-		expect(apply(TREE, ball, planOf(ball).pull("front", { x: 0, y: -3 })).parameters).toMatchObject({
+		expect(apply(TREE, ball, gripOf(planOf(ball), "front").pull({ x: 0, y: -3 })).parameters).toMatchObject({
 			width: 6,
 			depth: 6,
 		});
 		const heart = root("heart");
-		expect(planPose(rootLay, heart, heart).pull("front", { x: 0, y: -1 })).toEqual({ parameters: { depth: 2 } });
+		expect(gripOf(planPose(rootLay, heart, heart), "front").pull({ x: 0, y: -1 })).toEqual({
+			parameters: { depth: 2 },
+		});
 	});
 
 	it("has a footprint", () => {
@@ -74,11 +76,11 @@ describe("targets", () => {
 	it("are dragged in front and from above, and stay on the ground unless they are lifted", () => {
 		const twin = tree("twin");
 		const half = twin.parameters.distance / 2;
-		const front = apply(TREE, twin, poseOf(twin).pull("target1", { x: 3.014, y: 0.1 }));
+		const front = apply(TREE, twin, gripOf(poseOf(twin), "target1").pull({ x: 3.014, y: 0.1 }));
 		expect(front.targets).toEqual([-half, 0, 0, 3.01, 0, 0]);
-		expect(apply(TREE, twin, poseOf(twin).pull("target1", { x: 3, y: 1 })).targets?.[4]).toBe(1);
+		expect(apply(TREE, twin, gripOf(poseOf(twin), "target1").pull({ x: 3, y: 1 })).targets?.[4]).toBe(1);
 		const plan = planPose(treeLay, front, twin);
-		const back = apply(TREE, front, plan.pull("target0", { x: -1, y: 0.5 }));
+		const back = apply(TREE, front, gripOf(plan, "target0").pull({ x: -1, y: 0.5 }));
 		expect(back.targets).toEqual([-1, 0, -0.5, 3.01, 0, 0]);
 		expect(gripOf(poseOf(back), "target0")).toMatchObject({ at: { x: -1, y: 0 }, label: "Trunk 1", value: "1 m left" });
 		expect(planPose(treeLay, back, twin).grips.find(({ id }) => id === "target0")?.value).toBe(
@@ -89,13 +91,13 @@ describe("targets", () => {
 	it("are stepped, taken out, and brought back", () => {
 		const twin = tree("twin");
 		const pose = poseOf(twin);
-		const up = apply(TREE, twin, pose.nudge("target0", 0, 1, false) ?? {});
+		const up = apply(TREE, twin, gripOf(pose, "target0").nudge(0, 1, false) ?? {});
 		expect(up.targets?.[1]).toBeGreaterThan(0);
-		const one = apply(TREE, twin, pose.remove?.("target0") ?? {});
+		const one = apply(TREE, twin, gripOf(pose, "target0").remove?.() ?? {});
 		expect(one.targets).toHaveLength(3);
-		expect(poseOf(one).remove?.("target0")).toBeUndefined();
-		const there = apply(TREE, twin, pose.pull("target0", { x: 0, y: 0 }));
-		expect(apply(TREE, there, poseOf(there).reset?.("target0") ?? {}).targets).toBeUndefined();
+		expect(gripOf(poseOf(one), "target0").remove?.()).toBeUndefined();
+		const there = apply(TREE, twin, gripOf(pose, "target0").pull({ x: 0, y: 0 }));
+		expect(apply(TREE, there, gripOf(poseOf(there), "target0").reset?.() ?? {}).targets).toBeUndefined();
 	});
 
 	it("do not lie under the grip of the crowns' distance", () => {
@@ -106,10 +108,10 @@ describe("targets", () => {
 
 	it("go into a short link, with obstacles placed by hand as well", () => {
 		const oak = tree("oak");
-		let edited = apply(TREE, oak, poseOf(oak).pull("target0", { x: 1.23, y: 0 }));
-		edited = apply(TREE, edited, poseOf(edited).pull("knot2", { x: 3.3, y: 4.4 }));
+		let edited = apply(TREE, oak, gripOf(poseOf(oak), "target0").pull({ x: 1.23, y: 0 }));
+		edited = apply(TREE, edited, gripOf(poseOf(edited), "knot2").pull({ x: 3.3, y: 4.4 }));
 		edited = apply(TREE, edited, withWall(edited, { x: 4, y: 5 }, 6));
-		edited = apply(TREE, edited, planPose(treeLay, edited, oak).pull("obstacles0 middle", { x: 4.5, y: 1.27 }));
+		edited = apply(TREE, edited, gripOf(planPose(treeLay, edited, oak), "obstacles0 middle").pull({ x: 4.5, y: 1.27 }));
 		const query = encodeQuery(TREE, edited);
 		expect(query).toMatch(/targets=1\.23,0,0&obstacles=4\.35,0,-4\.27,4\.65,5,1\.73/);
 		expect(`https://example.org/${query}`.length).toBeLessThan(300);

@@ -11,10 +11,17 @@ const MOST_VEIN = 0.85;
  * @param vein on a vein's axis, linear
  */
 export function leafPicture({ side, shares }: Veins, blade: Colour, vein: Colour): Picture {
-	const shades = Array.from({ length: 256 }, (_, share) =>
-		encoded(mixed(blade, vein, (MOST_VEIN * share) / 255)).map((value) => Math.round(255 * Math.min(1, value))),
-	);
+	const shades = new Uint8Array(3 * 256);
+	for (let share = 0; share < 256; share++) {
+		const shade = encoded(mixed(blade, vein, (MOST_VEIN * share) / 255));
+		for (let k = 0; k < 3; k++) shades[3 * share + k] = Math.round(255 * Math.min(1, shade[k]));
+	}
 	const pixels = new Uint8Array(3 * side * side);
-	for (let at = 0; at < shares.length; at++) pixels.set(shades[shares[at]], 3 * at);
+	for (let from = 0, to = 0; from < shares.length; from++, to += 3) {
+		const shade = 3 * shares[from];
+		pixels[to] = shades[shade];
+		pixels[to + 1] = shades[shade + 1];
+		pixels[to + 2] = shades[shade + 2];
+	}
 	return { width: side, height: side, pixels };
 }

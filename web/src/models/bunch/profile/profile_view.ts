@@ -21,7 +21,6 @@ type Parameters = BunchSpecimen["parameters"];
 export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	static override styles = [...HandleView.styles, profileStyle];
 	static override properties = {
-		...HandleView.properties,
 		view: { reflect: true },
 		parameters: { attribute: false },
 		locks: { attribute: false },
@@ -72,7 +71,6 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	}
 
 	protected override willUpdate(changed: PropertyValues): void {
-		super.willUpdate(changed);
 		if (!this.parameters) return;
 		const wanted = this.extent ?? viewExtent(this.parameters, this.size.width, this.size.height);
 		const motion = this.drags.active ? "held" : changed.has("parameters") ? "moved" : "still";

@@ -1,6 +1,7 @@
 /** A closed mesh of one's own as the boundary: chosen in the panel or dropped on the page. */
 import { html, nothing } from "lit";
 import type { Change, Desk } from "../../../controls/desk";
+import { sameDocument } from "../../../controls/same_document";
 import { FILE_TOPIC, type Tool } from "../../../controls/tool";
 import type { BoundedSpecimen, ClosedMesh } from "./bounded";
 import { ACCEPT } from "./mesh_file/accept";
@@ -53,6 +54,7 @@ export async function takeMesh<S extends BoundedSpecimen>(
 	file: File,
 	height: string,
 ): Promise<void> {
+	const isStill = sameDocument(desk);
 	const reader = await import("./mesh_file/read").catch(() => undefined);
 	if (!reader) {
 		desk.notify(
@@ -63,7 +65,12 @@ export async function takeMesh<S extends BoundedSpecimen>(
 		return;
 	}
 	try {
-		desk.set(asBoundary(desk, await reader.readMeshFile(file), height));
+		const volume = await reader.readMeshFile(file);
+		if (!isStill()) {
+			desk.notify("The mesh was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
+			return;
+		}
+		desk.set(asBoundary(desk, volume, height));
 		desk.notify(
 			"The mesh is the boundary now",
 			["Links are too short for it: download JSON or GLB to keep this plant, and drop the file to bring it back."],

@@ -2,7 +2,7 @@ import type { Answer } from "../../../core/core";
 import { readTrailPlant } from "../trails";
 import type { Leaf } from "./grown";
 
-/** Columns of an answer → leaf (wasm-core/src/models/particles/leaf/model.hpp). */
+/** Columns of an answer → leaf (wasm-core/src/models/particles/leaf/model.cpp). */
 export function readLeaf(answer: Answer): Leaf {
 	const { columns } = answer;
 	const plant = readTrailPlant(answer);

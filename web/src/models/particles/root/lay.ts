@@ -1,3 +1,4 @@
+import { type NumberEntry, nearestWithin } from "../../../specimen/table";
 import type { Lay } from "../boundary/editor/lay";
 import { roundly, standing } from "../boundary/editor/lay";
 import type { Form } from "../boundary/editor/outline";
@@ -12,6 +13,8 @@ const FORMS: Readonly<Record<string, Form>> = {
 	spline: "spline",
 	mesh: "mesh",
 };
+
+const TOP = ROOT_TABLE.entry("top") as NumberEntry;
 
 /** How a root's volume lies: below ground. */
 export const rootLay: Lay<RootSpecimen> = {
@@ -30,7 +33,7 @@ export const rootLay: Lay<RootSpecimen> = {
 	deepen: (_, halfDepth) => ({ depth: 2 * halfDepth }),
 	targets: ({ parameters: { stems, width } }) => standing(stems, width).flatMap((x) => [x, 0, 0]),
 	fit: (specimen, { halfWidth, low, high }) => {
-		const top = Math.max(0, -high);
+		const top = nearestWithin(TOP, -high);
 		return { ...roundly(specimen, halfWidth), top, reach: -top - low };
 	},
 	target: "Collar",

@@ -1,3 +1,4 @@
+import { type NumberEntry, nearestWithin } from "../../../specimen/table";
 import type { Lay } from "../boundary/editor/lay";
 import { roundly, standing } from "../boundary/editor/lay";
 import type { Form } from "../boundary/editor/outline";
@@ -12,6 +13,8 @@ const FORMS: Readonly<Record<string, Form>> = {
 	spline: "spline",
 	mesh: "mesh",
 };
+
+const [TRUNK, HEIGHT] = ["trunk", "height"].map((key) => TREE_TABLE.entry(key) as NumberEntry);
 
 /** How a tree's crowns lie: side by side, above their trunks. */
 export const treeLay: Lay<TreeSpecimen> = {
@@ -30,12 +33,14 @@ export const treeLay: Lay<TreeSpecimen> = {
 	},
 	axes: ({ parameters: { crowns, distance } }) => standing(crowns, crowns * distance),
 	fit: (specimen, { halfWidth, low, high }) => {
-		if (!isBall(specimen)) return { ...roundly(specimen, halfWidth), trunk: low, height: high - low };
+		// No crown reaches below ground: what is left of the height is what counts, or the top would rise.
+		const foot = nearestWithin(TRUNK, Math.min(low, high - HEIGHT.min));
+		if (!isBall(specimen)) return { ...roundly(specimen, halfWidth), trunk: foot, height: high - foot };
 		const { width, trunk } = specimen.parameters;
 		// Of a ball the side that was moved counts.
 		const moved =
-			Math.abs(2 * halfWidth - width) > 1e-6 ? 2 * halfWidth : Math.abs(low - trunk) > 1e-6 ? width : high - low;
-		return { width: moved, depth: moved, height: moved, trunk: low };
+			Math.abs(2 * halfWidth - width) > 1e-6 ? 2 * halfWidth : Math.abs(foot - trunk) > 1e-6 ? width : high - foot;
+		return { width: moved, depth: moved, height: moved, trunk: foot };
 	},
 	halfDepth: (specimen) => specimen.parameters[isBall(specimen) ? "width" : "depth"] / 2,
 	deepen: (specimen, halfDepth) => {

@@ -13,10 +13,14 @@ import {
 	scaleBar,
 	steadyFrame,
 } from "../../../../../../web/src/models/particles/leaf/outline/outline_frame";
-import { pointInWords } from "../../../../../../web/src/models/particles/leaf/outline/outline_words";
-import { movePoint, type OutlinePoints } from "../../../../../../web/src/models/particles/leaf/outline/points";
+import { CROSSES, pointInWords } from "../../../../../../web/src/models/particles/leaf/outline/outline_words";
+import {
+	MOST_POINTS,
+	movePoint,
+	type OutlinePoints,
+} from "../../../../../../web/src/models/particles/leaf/outline/points";
 import { curveOf } from "../../../../../../web/src/models/particles/leaf/outline/spline";
-import { pressed } from "../../../../../../web/src/models/particles/leaf/outline/steps";
+import { inserted, pressed } from "../../../../../../web/src/models/particles/leaf/outline/steps";
 import { leafFromPreset } from "../../../../../../web/src/models/particles/leaf/species";
 
 const { outline: oak } = leafFromPreset("oak");
@@ -101,12 +105,18 @@ describe("a key", () => {
 		expect(pressed(oak, 6, key("ArrowUp", true), SAME)?.points?.[6].y).toBeCloseTo(oak[6].y + 0.05, 3);
 	});
 
+	it("that is refused leaves the choice where it is", () => {
+		expect(inserted(oak, 6, SAME, { x: -0.5, y: 0.3 })).toEqual({ said: CROSSES });
+		const full = Array.from({ length: MOST_POINTS }, (_, i) => oak[i % oak.length]);
+		expect(inserted(full, 6, SAME)).toEqual({ said: "There is no room for more points" });
+	});
+
 	it("goes round the points, adds, removes, and turns them", () => {
 		expect(pressed(oak, 1, key("PageUp"), SAME)?.chosen).toBe(oak.length - 1);
 		expect(pressed(oak, oak.length - 1, key("PageDown"), SAME)?.chosen).toBe(1);
 		const added = pressed(oak, 40, key("Insert"), SAME);
 		expect(added?.points).toHaveLength(oak.length + 2);
-		expect(added?.points?.[added.chosen].x).toBeLessThan(0);
+		expect(added?.points?.[added.chosen ?? 0].x).toBeLessThan(0);
 		expect(pressed(oak, 6, key("Delete"), SAME)?.points).toHaveLength(oak.length - 2);
 		expect(pressed(oak, 5, key("t"), SAME)).toMatchObject({ said: "corner", chosen: 5 });
 		expect(pressed(oak, 5, key("x"), SAME)).toBeUndefined();
@@ -115,7 +125,7 @@ describe("a key", () => {
 	it("does nothing after which there would be no blade", () => {
 		const narrow = movePoint(oak, 3, { x: 0.006, y: 0.07 }, SAME);
 		const step = pressed(narrow, 3, key("ArrowLeft", true), SAME);
-		expect(step).toEqual({ chosen: 3, said: "The outline would cross itself" });
+		expect(step).toEqual({ said: "The outline would cross itself" });
 	});
 
 	it("has words for a point", () => {

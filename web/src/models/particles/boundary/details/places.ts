@@ -6,56 +6,80 @@ import { onStep } from "../../../../specimen/table";
 import type { Bounded, BoundedSpecimen } from "../bounded";
 
 /** Metres from the middle of the ground, each way. */
-const FARTHEST = 100;
+export const FARTHEST = 100;
 
-/** As many as the core takes (wasm-core/src/models/particles/obstacles.hpp). */
+/** More would make a link too long to be passed on. */
+export const MOST_TARGETS = 60;
+/** As many as the core takes, boxes and round ones together (wasm-core/src/models/particles/obstacles.hpp). */
 export const MOST_OBSTACLES = 16;
 
-interface Rows {
-	readonly field: "targets" | "obstacles" | "rounds";
+type Field = "targets" | "obstacles" | "rounds";
+
+interface Kind {
 	/** Numbers of one of them. */
 	readonly width: number;
 	readonly most: number;
-	/** As the command line's help writes it. */
-	readonly setting: string;
 	/** One, in words. */
 	readonly one: string;
-	/** Puts what was read into one form. */
-	readonly fitted?: (row: number[]) => number[];
+	/** Puts the numbers of one into one form. */
+	readonly ordered: (row: readonly number[]) => readonly number[];
 }
 
-/** `targets=x,y,z,…`. */
-export function targetsOf<S extends BoundedSpecimen>(): Detail<S> {
-	return rows({ field: "targets", width: 3, most: 60, setting: "targets=X,Y,Z,…", one: "places like “0,0,0”" });
-}
-
-/** `obstacles=x,y,z,x,y,z,…`: two opposite corners of each box. */
-export function obstaclesOf<S extends BoundedSpecimen>(): Detail<S> {
-	return rows({ ...BOXES, field: "obstacles", setting: "obstacles=X,Y,Z,X,Y,Z,…" });
-}
-
-/** `rounds=x,y,z,x,y,z,…`: two opposite corners of the box that each ellipsoid fills. */
-export function roundsOf<S extends BoundedSpecimen>(): Detail<S> {
-	return rows({ ...BOXES, field: "rounds", setting: "rounds=X,Y,Z,X,Y,Z,…" });
-}
-
-const BOXES = {
+const BOXES: Kind = {
 	width: 6,
 	most: MOST_OBSTACLES,
 	one: "boxes like “1,0,-2,1.5,4,2”",
-	fitted: ([ax, ay, az, bx, by, bz]: number[]) => [
+	ordered: ([ax, ay, az, bx, by, bz]) => [
 		...[Math.min(ax, bx), Math.min(ay, by), Math.min(az, bz)],
 		...[Math.max(ax, bx), Math.max(ay, by), Math.max(az, bz)],
 	],
 };
 
-function rows<S extends BoundedSpecimen>(kind: Rows): Detail<S> {
-	const { field, setting } = kind;
+const KINDS: Readonly<Record<Field, Kind>> = {
+	targets: { width: 3, most: MOST_TARGETS, one: "places like “0,0,0”", ordered: (row) => row },
+	obstacles: BOXES,
+	rounds: BOXES,
+};
+
+/** Rows as a link can hold them: no more than it takes, within reach, on its steps. */
+export function fitted(field: Field, rows: readonly (readonly number[])[]): number[] {
+	const { most, ordered } = KINDS[field];
+	const near = (value: number) => onStep(Math.min(Math.max(value, -FARTHEST), FARTHEST));
+	return rows.slice(0, most).flatMap((row) => ordered(row.map(near)));
+}
+
+/** `targets=x,y,z,…`. */
+export function targetsOf<S extends BoundedSpecimen>(): Detail<S> {
+	return list("targets", "targets=X,Y,Z,…");
+}
+
+/** `obstacles=x,y,z,x,y,z,…`: two opposite corners of each box. */
+export function obstaclesOf<S extends BoundedSpecimen>(): Detail<S> {
+	return list("obstacles", "obstacles=X,Y,Z,X,Y,Z,…");
+}
+
+/** `rounds=x,y,z,x,y,z,…`: two opposite corners of the box that each ellipsoid fills. */
+export function roundsOf<S extends BoundedSpecimen>(): Detail<S> {
+	return { ...list<S>("rounds", "rounds=X,Y,Z,X,Y,Z,…"), agree: withObstacles };
+}
+
+/** Boxes come first where there are too many together. */
+function withObstacles(specimen: Bounded, notes: Notes): void {
+	const { obstacles = [], rounds = [] } = specimen;
+	const room = BOXES.width * MOST_OBSTACLES - obstacles.length;
+	if (rounds.length <= room) return;
+	const most = `the first ${MOST_OBSTACLES} are used`;
+	notes.add("rounds", `with the boxes of “obstacles” more than ${MOST_OBSTACLES}`, most);
+	if (room > 0) specimen.rounds = rounds.slice(0, room);
+	else delete specimen.rounds;
+}
+
+function list<S extends BoundedSpecimen>(field: Field, setting: string): Detail<S> {
 	return {
 		keys: [field],
 		settings: [setting],
 		read: (specimen, key, value, notes) => {
-			const read = readRows(kind, key, value, notes);
+			const read = readRows(field, key, value, notes);
 			if (read?.length) (specimen as Bounded)[field] = read;
 			else if (read) delete specimen[field];
 		},
@@ -67,8 +91,8 @@ function rows<S extends BoundedSpecimen>(kind: Rows): Detail<S> {
 }
 
 /** None where there are none; undefined where they cannot be read. */
-function readRows(kind: Rows, key: string, value: unknown, notes: Notes): number[] | undefined {
-	const { width, most, one, fitted = (row) => row } = kind;
+function readRows(field: Field, key: string, value: unknown, notes: Notes): number[] | undefined {
+	const { width, most, one } = KINDS[field];
 	if (value === "" || (Array.isArray(value) && value.length === 0)) return [];
 	const numbers = readNumbers(Array.isArray(value) ? readList(value).flat() : value);
 	if (!numbers || numbers.length % width > 0) {
@@ -80,7 +104,8 @@ function readRows(kind: Rows, key: string, value: unknown, notes: Notes): number
 	if (numbers.some((number) => Math.abs(number) > FARTHEST)) {
 		notes.add(key, `farther than ${FARTHEST} m from the middle`, "they are brought in");
 	}
-	return Array.from({ length: Math.min(count, most) }, (_, i) => numbers.slice(width * i, width * (i + 1))).flatMap(
-		(row) => fitted(row.map((number) => onStep(Math.min(Math.max(number, -FARTHEST), FARTHEST)))),
+	return fitted(
+		field,
+		Array.from({ length: count }, (_, i) => numbers.slice(width * i, width * (i + 1))),
 	);
 }

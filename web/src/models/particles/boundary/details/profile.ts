@@ -8,7 +8,7 @@ import type { BoundedSpecimen, Knot } from "../bounded";
 export const FEWEST_KNOTS = 3;
 export const MOST_KNOTS = 24;
 /** Of half the width: dragged further out, a point makes the boundary wider than its number says. */
-export const WIDEST = 3;
+const WIDEST = 3;
 
 /** A knot where a link can hold it, within its bounds. */
 export function knotAt(radius: number, height: number): Knot {

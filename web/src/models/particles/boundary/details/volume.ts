@@ -5,7 +5,7 @@ import type { Detail } from "../../../../specimen/species";
 import type { Table } from "../../../../specimen/table";
 import type { BoundedSpecimen, ClosedMesh } from "../bounded";
 
-/** More than simplify.ts leaves. */
+/** What mesh_file/closed.ts leaves at the most. */
 export const MOST_TRIANGLES = 4000;
 
 const KEEP =
@@ -38,6 +38,7 @@ function readVolume(key: string, value: unknown, notes: Notes): ClosedMesh | und
 		points?.every(Number.isFinite) &&
 		points.length % 3 === 0 &&
 		triangles?.every((index) => Number.isInteger(index) && index >= 0 && index < corners) &&
+		triangles.length > 0 &&
 		triangles.length % 3 === 0 &&
 		triangles.length <= 3 * MOST_TRIANGLES;
 	if (sound && points && triangles) return { points, triangles };

@@ -24,7 +24,7 @@ export class BoundaryView extends GripView {
 
 	protected readonly heading = "Boundary, from in front";
 	protected readonly help =
-		"Drag, or use the arrow keys; Shift moves ten times as far. Enter says where it stands. Insert adds a point after this one, Delete takes it out. Escape calls off a drag.";
+		"Drag, or use the arrow keys; Shift moves ten times as far. Enter says where it stands. Escape calls off a drag.";
 	readonly #branches = new BranchDrawing();
 
 	protected fit(): Frame {

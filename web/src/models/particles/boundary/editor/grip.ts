@@ -2,41 +2,52 @@
 import type { Change } from "../../../../controls/desk";
 import { ARROWS, type Point } from "../../../../controls/handles/point";
 
-/** Something to take hold of. */
+/** Something to take hold of, and what hands do to it: changes of the specimen that the pose was made of. */
 export interface Grip {
 	readonly id: string;
 	/** In the view's units. */
 	readonly at: Point;
 	/** What it is: "Point 3". */
 	readonly label: string;
+	/** What of that, where there are several grips to one: "size". */
+	readonly part?: string;
 	/** Where it stands, in words: "2.1 m out, 3 m up". */
 	readonly value: string;
+	/** Taken to a place by a pointer. */
+	pull(to: Point): Change;
+	/** One press of an arrow key. */
+	nudge(right: number, up: number, large: boolean): Change;
+	/** What a double click does: the preset's own numbers are back. */
+	reset?(): Change | undefined;
+	/** What Delete and Insert do; absent where they do nothing. */
+	remove?(): Change;
+	add?(): Change;
 }
 
-/** What the grips stand for, and what moving them makes of it. */
 export interface Pose {
 	readonly grips: readonly Grip[];
-	/** What they stand at, as a change that brings it back. */
+	/** All that grips can change, as it is. */
 	readonly change: Change;
-	/** A grip moved to a point. */
-	pull(id: string, to: Point): Change;
-	/** One press of an arrow key; undefined where the grip cannot move so. */
-	nudge(id: string, right: number, up: number, large: boolean): Change | undefined;
-	/** What a double click, Delete and Insert on a grip do; undefined for nothing. */
-	reset?(id: string): Change | undefined;
-	remove?(id: string): Change | undefined;
-	add?(id: string): Change | undefined;
 }
 
 /** `grip-input`: live, once a frame at most. `grip-change`: a drag ended, a key stepped, or Escape called it off. */
 export type GripEvent = CustomEvent<Change>;
 
-/** What a key on a grip does. */
-export function changeBy(pose: Pose, id: string, { key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">) {
+export const gripIn = (pose: Pose | undefined, id: string): Grip | undefined =>
+	pose?.grips.find((grip) => grip.id === id);
+
+/** What a key on a grip does, and what is said of it besides where the grip stands then. */
+export function pressed(
+	grip: Grip,
+	{ key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">,
+): { change: Change; said?: string } | undefined {
 	const arrow = ARROWS[key];
-	if (arrow) return pose.nudge(id, arrow.x, arrow.y, shiftKey);
-	if (key === "Delete" || key === "Backspace") return pose.remove?.(id);
-	return key === "Insert" || key === "+" ? pose.add?.(id) : undefined;
+	if (arrow) return { change: grip.nudge(arrow.x, arrow.y, shiftKey) };
+	const { label } = grip;
+	if (key === "Delete" || key === "Backspace")
+		return grip.remove && { change: grip.remove(), said: `${label} taken out` };
+	if (key === "Insert" || key === "+") return grip.add && { change: grip.add(), said: "Point added" };
+	return undefined;
 }
 
 declare global {

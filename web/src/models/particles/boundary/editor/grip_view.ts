@@ -4,26 +4,21 @@
  */
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Change } from "../../../../controls/desk";
-import { DragSession } from "../../../../controls/handles/drag_session";
 import { HandleView } from "../../../../controls/handles/handle_view";
 import type { Point } from "../../../../controls/handles/point";
 import { type Frame, fromScreen, toScreen } from "./frame";
-import { changeBy, type Grip, type Pose } from "./grip";
+import { type Grip, gripIn, type Pose, pressed } from "./grip";
+import { gripDrags } from "./grip_drags";
 import { gripStyle } from "./grip_style";
 
 export abstract class GripView extends HandleView<string> {
 	static override styles = [...HandleView.styles, gripStyle];
-	static override properties = { ...HandleView.properties, pose: { attribute: false } };
+	static override properties = { pose: { attribute: false } };
 	declare pose: Pose | undefined;
 
 	protected frame: Frame = { width: 1, height: 1, scale: 1, origin: { x: 0, y: 0 } };
-	protected readonly drags = new DragSession<string, Change>({
-		get: () => this.pose?.change ?? {},
-		place: (id) => this.#grip(id)?.at ?? { x: 0, y: 0 },
-		pull: (change, id, to) => this.pose?.pull(id, to) ?? change,
-		same: (one, other) => one === other,
-		// What one grip makes of the pose, another's drag does not know of.
-		alone: true,
+	protected readonly drags = gripDrags({
+		pose: () => this.pose,
 		input: (change) => this.tell("grip-input", change),
 		change: () => this.tell("grip-change"),
 	});
@@ -35,7 +30,9 @@ export abstract class GripView extends HandleView<string> {
 
 	/** What is in hand must not move by itself. */
 	protected override willUpdate(changed: PropertyValues): void {
-		super.willUpdate(changed);
+		const before = changed.get("pose") as Pose | undefined;
+		// Others have taken away what is held.
+		if (before?.grips.some(({ id }) => this.drags.holds(id) && !gripIn(this.pose, id))) this.drop();
 		if (!this.drags.active) this.frame = this.fit();
 	}
 
@@ -43,19 +40,19 @@ export abstract class GripView extends HandleView<string> {
 		const { pose, frame } = this;
 		if (!pose) return undefined;
 		return html`<svg class="drawing" viewBox="0 0 ${frame.width} ${frame.height}" aria-hidden="true">${this.drawing(frame)}</svg>
-			${pose.grips.map((grip) => this.#drawGrip(grip))}`;
+			${pose.grips.map((grip) => this.#drawGrip(grip))}
+			<p class="spoken" id="adds">Insert adds one after it.</p>
+			<p class="spoken" id="removes">Delete takes it out.</p>`;
 	}
 
-	#drawGrip({ id, at, label, value }: Grip): TemplateResult {
+	#drawGrip(grip: Grip): TemplateResult {
+		const { id, at, label, part, value } = grip;
 		const place = toScreen(this.frame, at);
 		const aside = place.x > this.frame.width / 2 ? "value left" : "value";
 		const told = id === this.shown || this.drags.holds(id);
 		const content = told ? html`<span class=${aside}>${value}</span>` : nothing;
-		return this.drawHandle(id, place, { label: `${label}: ${value}`, content });
-	}
-
-	#grip(id: string): Grip | undefined {
-		return this.pose?.grips.find((grip) => grip.id === id);
+		const help = ["help", grip.add ? "adds" : "", grip.remove ? "removes" : ""].filter(Boolean).join(" ");
+		return this.drawHandle(id, place, { label: `${part ? `${label}, ${part}` : label}: ${value}`, content, help });
 	}
 
 	protected places(): [string, Point][] {
@@ -67,20 +64,30 @@ export abstract class GripView extends HandleView<string> {
 	}
 
 	protected words(id: string): string {
-		return this.#grip(id)?.value ?? "";
+		return gripIn(this.pose, id)?.value ?? "";
 	}
 
 	protected key(id: string, event: KeyboardEvent): boolean {
-		const change = this.pose && !event.altKey && changeBy(this.pose, id, event);
-		if (!change) return false;
-		this.#step(change);
+		const { grips } = this.pose ?? { grips: [] };
+		const place = grips.findIndex((grip) => grip.id === id);
+		const step = place >= 0 && !event.altKey && pressed(grips[place], event);
+		if (!step) return false;
+		this.#step(step.change);
+		const nearest = grips.slice(0, place + 1).reverse();
 		// The new pose comes with the page's next drawing.
-		requestAnimationFrame(() => this.say(this.words(id)));
+		requestAnimationFrame(() => void this.updateComplete.then(() => this.#stepped(nearest, step.said)));
 		return true;
 	}
 
+	/** The focus stays where it is, or goes to the nearest before what is there no more. */
+	#stepped(nearest: readonly Grip[], said?: string): void {
+		const next = nearest.find(({ id }) => gripIn(this.pose, id));
+		if (next) this.element(next.id)?.focus({ preventScroll: true });
+		this.say(said ?? this.words(nearest[0].id));
+	}
+
 	protected doubled(id: string | undefined): void {
-		const change = id !== undefined && this.pose?.reset?.(id);
+		const change = id !== undefined && gripIn(this.pose, id)?.reset?.();
 		if (change) this.#step(change);
 	}
 

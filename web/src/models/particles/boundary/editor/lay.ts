@@ -8,6 +8,9 @@ import { type Form, outlineOf } from "./outline";
 /** Corners of what is round, from above. */
 const ROUND = 64;
 
+/** The least height and width that a drag leaves, metres. */
+export const LEAST = 0.02;
+
 type Parameters = Readonly<Partial<Record<string, number>>>;
 
 /** The box that a boundary fills. */
@@ -40,6 +43,16 @@ export interface Lay<S extends BoundedSpecimen = BoundedSpecimen> {
 	readonly ends: { readonly high: string; readonly low: string };
 	/** The height about which the inner boundary is the outer one made smaller. */
 	bareAbout(box: Box): number;
+}
+
+/** How large a box is, metres. */
+export function sizeOf({ halfWidth, low, high }: Box): number {
+	return Math.max(halfWidth, high - low);
+}
+
+/** The axis that grips stand at: the last one, where there are several. */
+export function axisOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): number {
+	return lay.axes(specimen).at(-1) ?? 0;
 }
 
 /** Of width that reaches out to one side, and of depth that was the same: round stays round. */

@@ -2,8 +2,18 @@
 import type { Point } from "../../../../controls/handles/point";
 import type { ClosedMesh } from "../bounded";
 
+/** What is worked out of a mesh, once: views ask at every drawing, and a mesh is replaced, never changed. */
+export function once<T>(of: (mesh: ClosedMesh) => T): (mesh: ClosedMesh) => T {
+	const known = new WeakMap<ClosedMesh, { readonly value: T }>();
+	return (mesh) => {
+		const found = known.get(mesh) ?? { value: of(mesh) };
+		known.set(mesh, found);
+		return found.value;
+	};
+}
+
 /** Its points in shares of its box: across and from the middle to the front −1 … 1, from below 0 … 1. */
-export function inBox({ points, triangles }: ClosedMesh): ClosedMesh {
+export const inBox = once(({ points, triangles }: ClosedMesh): ClosedMesh => {
 	const [low, high] = [
 		[Infinity, Infinity, Infinity],
 		[-Infinity, -Infinity, -Infinity],
@@ -14,13 +24,17 @@ export function inBox({ points, triangles }: ClosedMesh): ClosedMesh {
 	});
 	const share = (value: number, k: number) => (high[k] > low[k] ? (value - low[k]) / (high[k] - low[k]) : 0.5);
 	return { points: points.map((value, i) => (i % 3 === 1 ? share(value, 1) : 2 * share(value, i % 3) - 1)), triangles };
-}
+});
+
+const CONTOURS = { 1: once((mesh) => contour(mesh, 1)), 2: once((mesh) => contour(mesh, 2)) } as const;
 
 /**
  * Loops along the edges at which a mesh turns away from the eye: its silhouette, with holes, and folds in front of it.
  * @param up the coordinate that is up in the picture: 1 from in front, 2 from above, where the front is below
  */
-export function contourOf(mesh: ClosedMesh, up: 1 | 2): Point[][] {
+export const contourOf = (mesh: ClosedMesh, up: 1 | 2): readonly (readonly Point[])[] => CONTOURS[up](mesh);
+
+function contour(mesh: ClosedMesh, up: 1 | 2): Point[][] {
 	const { points, triangles } = inBox(mesh);
 	const at = (corner: number): Point => ({ x: points[3 * corner], y: (up === 2 ? -1 : 1) * points[3 * corner + up] });
 	/** Edges of triangles that face the eye, by both ends; those that two of them share cancel. */

@@ -1,6 +1,6 @@
 /** A boundary from in front, in shares of its box: from its axis out, from its lowest point up (wasm-core/src/models/particles/boundary.cpp). */
 import type { ClosedMesh, Knot } from "../bounded";
-import { inBox } from "./mesh_outline";
+import { inBox, once } from "./mesh_outline";
 
 export type Form = "ellipsoid" | "box" | "cone" | "coneDown" | "bowl" | "spline" | "mesh";
 
@@ -23,7 +23,7 @@ export function outlineOf(form: Form, profile: readonly Knot[], mesh?: ClosedMes
 		case "spline":
 			return [[0, profile[0][1]], ...splineThrough(profile), [0, profile[profile.length - 1][1]]];
 		case "mesh":
-			return mesh && mesh.points.length > 0 ? silhouette(inBox(mesh)) : outlineOf("ellipsoid", profile);
+			return mesh && mesh.points.length > 0 ? silhouette(mesh) : outlineOf("ellipsoid", profile);
 		case "ellipsoid":
 			return arc(-Math.PI / 2, Math.PI / 2).map(([radius, sine]) => [radius, 0.5 + 0.5 * sine]);
 	}
@@ -59,7 +59,8 @@ export function splineThrough(points: readonly Knot[]): Knot[] {
 }
 
 /** The half width of a mesh's box at each of some heights: where its edges cross them, or it has corners. */
-function silhouette({ points, triangles }: ClosedMesh): Knot[] {
+const silhouette = once((mesh: ClosedMesh): readonly Knot[] => {
+	const { points, triangles } = inBox(mesh);
 	const widths = new Float32Array(LEVELS + 1);
 	for (let i = 0; i < triangles.length; i++) {
 		const [from, to] = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]].map((corner) => [
@@ -73,7 +74,7 @@ function silhouette({ points, triangles }: ClosedMesh): Knot[] {
 		}
 	}
 	return [[0, 0], ...Array.from(widths, (width, level): Knot => [width, level / LEVELS]), [0, 1]];
-}
+});
 
 /** How far out an outline is at a height. */
 export function radiusAt(outline: readonly Knot[], height: number): number {

@@ -1,38 +1,33 @@
-/** The grips of a plan: the boundary, its obstacles and its targets from above. Pure functions from a specimen to a change of it. */
-import type { Change } from "../../../../controls/desk";
-import type { Point } from "../../../../controls/handles/point";
+/** The grips of a plan: the boundary, its obstacles and its targets from above. */
 import type { BoundedSpecimen } from "../bounded";
 import { lengthInWords } from "../words";
-import { LEAST } from "./boundary_pose";
 import { FROM_ABOVE } from "./facing";
-import { flatPose } from "./flat_pose";
-import type { Grip, Pose } from "./grip";
-import type { Lay } from "./lay";
+import { footGrips } from "./feet";
+import type { Pose } from "./grip";
+import { axisOf, type Lay, LEAST } from "./lay";
+import { sideGrip } from "./size_grips";
+import { standing, stepped, type Unstepped } from "./stepped";
+import { wallGrips } from "./walls";
 
 export function planPose<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Pose {
-	const { parameters, obstacles, rounds, targets } = specimen;
-	return flatPose(FROM_ABOVE, lay, specimen, preset, {
-		grips: sizeGrips(lay, specimen),
-		change: { parameters, details: { obstacles, rounds, targets } },
-		pull: (id, to) => sized(lay, specimen, id, to),
-		reset: (id) => {
-			const before = sizeGrips(lay, preset).find((grip) => grip.id === id);
-			return before && sized(lay, specimen, id, before.at);
-		},
-	});
-}
-
-function sizeGrips<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): Grip[] {
-	const axis = lay.axes(specimen).at(-1) ?? 0;
-	const [wide, deep] = [lay.box(specimen).halfWidth, lay.halfDepth(specimen)];
-	return [
-		{ id: "side", at: { x: axis + wide, y: 0 }, label: "Width", value: `${lengthInWords(2 * wide)} wide` },
-		{ id: "front", at: { x: axis, y: -deep }, label: "Depth", value: `${lengthInWords(2 * deep)} front to back` },
+	const side = sideGrip(lay, specimen, preset);
+	const grips = [
+		{ ...side, at: { x: side.at.x, y: 0 } },
+		frontGrip(lay, specimen, preset),
+		...wallGrips(specimen, FROM_ABOVE),
+		...footGrips(lay, specimen, preset, FROM_ABOVE),
 	];
+	return { grips: stepped(lay, specimen, grips), change: standing(specimen) };
 }
 
-function sized<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, id: string, to: Point): Change {
-	if (id === "front") return { parameters: lay.deepen(specimen, Math.max(LEAST / 2, -to.y)) };
-	const halfWidth = Math.max(LEAST / 2, to.x - (lay.axes(specimen).at(-1) ?? 0));
-	return { parameters: lay.fit(specimen, { ...lay.box(specimen), halfWidth }) };
+function frontGrip<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Unstepped {
+	const deep = lay.halfDepth(specimen);
+	return {
+		id: "front",
+		at: { x: axisOf(lay, specimen), y: -deep },
+		label: "Depth",
+		value: `${lengthInWords(2 * deep)} front to back`,
+		pull: ({ y }) => ({ parameters: lay.deepen(specimen, Math.max(LEAST / 2, -y)) }),
+		reset: () => ({ parameters: lay.deepen(specimen, lay.halfDepth(preset)) }),
+	};
 }

@@ -17,7 +17,7 @@ export class PlanView extends GripView {
 
 	protected readonly heading = "Plan, from above";
 	protected readonly help =
-		"Drag, or use the arrow keys: up is to the back. Shift moves ten times as far. Enter says where it stands. Delete takes a target out. Escape calls off a drag.";
+		"Drag, or use the arrow keys: up is to the back. Shift moves ten times as far. Enter says where it stands. Escape calls off a drag.";
 
 	protected fit(): Frame {
 		const { halfWidth, deep } = reachOf(this.scene);

@@ -32,16 +32,16 @@ export function sunPose({ parameters }: Specimen, preset: Specimen): Pose {
 				at: sunPlace(sun, sun_height),
 				label: "Sun",
 				value: `${sun_height}° high, ${QUARTERS[Math.round(sun / 45) % 8]}`,
+				pull: (to) => ({ parameters: sunAt(to) }),
+				nudge: (right, up, large) => ({
+					parameters: {
+						sun: (sun + right * step(large) + 360) % 360,
+						sun_height: Math.min(90, Math.max(0, sun_height + up * step(large))),
+					},
+				}),
+				reset: () => ({ parameters: { sun: preset.parameters.sun, sun_height: preset.parameters.sun_height } }),
 			},
 		],
 		change: { parameters: { sun, sun_height } },
-		pull: (_, to) => ({ parameters: sunAt(to) }),
-		nudge: (_, right, up, large) => ({
-			parameters: {
-				sun: (sun + right * step(large) + 360) % 360,
-				sun_height: Math.min(90, Math.max(0, sun_height + up * step(large))),
-			},
-		}),
-		reset: () => ({ parameters: { sun: preset.parameters.sun, sun_height: preset.parameters.sun_height } }),
 	};
 }

@@ -1,11 +1,11 @@
 /** Boxes and ellipsoids in which nothing grows: in each view one is moved by its middle and sized by its far right corner. */
 import type { Change } from "../../../../controls/desk";
 import type { Point } from "../../../../controls/handles/point";
-import { onStep } from "../../../../specimen/table";
 import type { Bounded } from "../bounded";
+import { FARTHEST, fitted } from "../details/places";
 import { lengthInWords } from "../words";
 import { type Facing, moved, placeInWords, seen } from "./facing";
-import type { Grip } from "./grip";
+import type { Unstepped } from "./stepped";
 
 const WIDTH = 6;
 /** The least that a wall is thick or high, metres. */
@@ -26,45 +26,53 @@ export function countOfWalls(specimen: Bounded): number {
 	return KINDS.reduce((sum, kind) => sum + wallsOf(specimen, kind).length, 0);
 }
 
-/** Whether a grip is one of an obstacle's. */
-export const isWall = (id: string): boolean => /^(obstacles|rounds)\d/.test(id);
-
-export function wallGrips(specimen: Bounded, facing: Facing): Grip[] {
-	return KINDS.flatMap((kind) =>
-		wallsOf(specimen, kind).flatMap((wall, i): Grip[] => {
+export function wallGrips(specimen: Bounded, facing: Facing): Unstepped[] {
+	return KINDS.flatMap((kind) => {
+		const walls = wallsOf(specimen, kind);
+		return walls.flatMap((wall, i): Unstepped[] => {
 			const [low, high] = [wall.slice(0, 3), wall.slice(3)];
 			const middle = low.map((value, k) => (value + high[k]) / 2);
 			const [thick, tall] = [high[0] - low[0], high[facing.up] - low[facing.up]].map(lengthInWords);
-			const label = `${NAMES[kind]} ${i + 1}`;
+			const shared = { label: `${NAMES[kind]} ${i + 1}`, remove: () => walled(kind, walls.toSpliced(i, 1)) };
+			const changed = (to: number[]) => walled(kind, walls.toSpliced(i, 1, to));
 			return [
-				{ id: `${kind}${i} middle`, at: seen(middle, facing), label, value: placeInWords(middle, facing) },
 				{
+					...shared,
+					id: `${kind}${i} middle`,
+					at: seen(middle, facing),
+					value: placeInWords(middle, facing),
+					pull: (to) => {
+						const place = moved(middle, to, facing);
+						return changed(shifted(wall, [0, 1, 2].map((k) => place[k] - middle[k]))); // biome-ignore format: a move
+					},
+				},
+				{
+					...shared,
 					id: `${kind}${i} corner`,
 					at: seen(high, facing),
-					label: `${label}, size`,
+					part: "size",
 					value: `${thick} thick, ${tall} ${facing.up === 1 ? "high" : "deep"}`,
+					pull: (to) => {
+						const corner = moved(high, to, facing);
+						return changed([
+							...low,
+							...corner.map((value, k) => (value === high[k] ? value : Math.max(value, low[k] + LEAST))),
+						]);
+					},
 				},
 			];
-		}),
-	);
+		});
+	});
 }
 
-export function pullWall(specimen: Bounded, id: string, to: Point, facing: Facing): Change {
-	const [, kind, number, which] = /^([a-z]+)(\d+) (\w+)$/.exec(id) as unknown as [string, WallKind, string, string];
-	const walls = wallsOf(specimen, kind);
-	const index = Number(number);
-	const [low, high] = [walls[index].slice(0, 3), walls[index].slice(3)];
-	if (which === "middle") {
-		const middle = low.map((value, k) => (value + high[k]) / 2);
-		const by = moved(middle, to, facing).map((value, k) => value - middle[k]);
-		walls[index] = [...low, ...high].map((value, k) => value + by[k % 3]);
-	} else {
-		const corner = moved(high, to, facing).map((value, k) =>
-			value === high[k] ? value : Math.max(value, low[k] + LEAST),
-		);
-		walls[index] = [...low, ...corner];
-	}
-	return { details: { [kind]: walls.flat().map((value) => onStep(value)) } };
+function walled(kind: WallKind, walls: readonly (readonly number[])[]): Change {
+	return { details: { [kind]: walls.length > 0 ? fitted(kind, walls) : undefined } };
+}
+
+/** As far as it stays within reach, as large as it is. */
+function shifted(wall: readonly number[], by: readonly number[]): number[] {
+	const way = by.map((far, k) => Math.min(Math.max(far, -FARTHEST - wall[k]), FARTHEST - wall[k + 3]));
+	return wall.map((value, i) => value + way[i % 3]);
 }
 
 /** With one wall more: from the ground to the height of a point, to the right of it. */
@@ -83,13 +91,6 @@ export function withRound(
 	return withOne(specimen, "rounds", [x, low, -width / 2, x + width, high, width / 2]);
 }
 
-function withOne(specimen: Bounded, kind: WallKind, wall: number[]): Change {
-	return { details: { [kind]: [...(specimen[kind] ?? []), ...wall.map((value) => onStep(value))] } };
-}
-
-/** Without the last: of the round ones, if there are any. */
-export function withoutWall(specimen: Bounded): Change {
-	const kind = specimen.rounds ? "rounds" : "obstacles";
-	const numbers = specimen[kind] ?? [];
-	return { details: { [kind]: numbers.length > WIDTH ? numbers.slice(0, -WIDTH) : undefined } };
+function withOne(specimen: Bounded, kind: WallKind, wall: readonly number[]): Change {
+	return walled(kind, [...wallsOf(specimen, kind), shifted(wall, [0, 0, 0])]);
 }

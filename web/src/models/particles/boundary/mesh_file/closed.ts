@@ -9,14 +9,19 @@ const WELDS = [1e-5, 1e-4, 1e-3];
 const FINEST = 64;
 /** Of its height, to which places are kept. */
 const DECIMALS = 1e4;
+/** Of its height's cube: less than a needle that is as thin as its places are kept. */
+const LEAST_VOLUME = 1e-9;
 
-/** @throws MeshFileError where it has no inside: it is empty, flat or open */
+/** @throws MeshFileError where it has no inside: it is empty, flat, open or encloses nothing */
 export function closedMesh(soup: Soup): ClosedMesh {
 	if (soup.triangles.length === 0) throw new MeshFileError("The file holds no triangles.");
 	const size = sizeOf(soup);
 	if (!(size > 0)) throw new MeshFileError("The mesh has no size.");
 	heightOf(soup);
-	return framed(outwards(simplified(weldedShut(soup, size), size)));
+	const mesh = framed(simplified(weldedShut(soup, size), size));
+	const volume = volumeOf(mesh);
+	if (Math.abs(volume) < LEAST_VOLUME) throw new MeshFileError("The mesh encloses nothing: it has no inside.");
+	return volume > 0 ? mesh : turned(mesh);
 }
 
 function weldedShut(soup: Soup, size: number): Soup {
@@ -93,16 +98,19 @@ function simplified(mesh: Soup, size: number): Soup {
 	return simple;
 }
 
-/** The same, turned about where its triangles face inwards. */
-function outwards(mesh: Soup): Soup {
-	const { points, triangles } = mesh;
+/** Below 0 where the triangles face inwards. */
+function volumeOf({ points, triangles }: Soup): number {
 	let volume = 0;
 	for (let i = 0; i < triangles.length; i += 3) {
 		const [a, b, c] = [0, 1, 2].map((k) => points.slice(3 * triangles[i + k], 3 * triangles[i + k] + 3));
 		volume +=
 			a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 	}
-	if (volume >= 0) return mesh;
+	return volume / 6;
+}
+
+/** The same with its triangles turned about. */
+function turned({ points, triangles }: Soup): Soup {
 	return { points, triangles: triangles.map((_, i) => triangles[i % 3 === 1 ? i + 1 : i % 3 === 2 ? i - 1 : i]) };
 }
 

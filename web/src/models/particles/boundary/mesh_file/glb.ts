@@ -50,8 +50,9 @@ export function readGlb(bytes: ArrayBuffer): Soup {
 			throw new MeshFileError(`The GLB is packed by ${packed.join(", ")}: export it again without compression.`);
 		}
 		const soup: Soup = { points: [], triangles: [] };
-		const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? gltf.nodes?.keys() ?? [];
-		for (const root of roots) gather(gltf, binary, root, Matrix.identity, soup, 0);
+		const roots = gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? nobodysChildren(gltf);
+		const seen = new Set<number>();
+		for (const root of roots) gather(gltf, binary, root, Matrix.identity, soup, seen);
 		return soup;
 	} catch (error) {
 		if (error instanceof MeshFileError) throw error;
@@ -73,16 +74,22 @@ function chunksOf(bytes: ArrayBuffer): { gltf: Gltf; binary: DataView } {
 	return { gltf, binary };
 }
 
-const DEEPEST = 64;
+/** The roots, where no scene names them. */
+function nobodysChildren({ nodes = [] }: Gltf): number[] {
+	const children = new Set(nodes.flatMap((node) => node.children ?? []));
+	return [...nodes.keys()].filter((index) => !children.has(index));
+}
 
-function gather(gltf: Gltf, binary: DataView, index: number, above: Mat4, soup: Soup, depth: number): void {
+/** @param seen nodes that were met before: the same one twice may be met without end */
+function gather(gltf: Gltf, binary: DataView, index: number, above: Mat4, soup: Soup, seen: Set<number>): void {
 	const node = gltf.nodes?.[index];
-	if (!node || depth > DEEPEST) throw new MeshFileError("The GLB's nodes do not form a tree.");
+	if (!node || seen.has(index)) throw new MeshFileError("The GLB's nodes do not form a tree.");
+	seen.add(index);
 	const place = Matrix.times(above, node.matrix ?? Matrix.of(node));
 	for (const primitive of node.mesh === undefined ? [] : (gltf.meshes?.[node.mesh].primitives ?? [])) {
 		if ((primitive.mode ?? TRIANGLES) === TRIANGLES) add(gltf, binary, primitive, place, soup);
 	}
-	for (const child of node.children ?? []) gather(gltf, binary, child, place, soup, depth + 1);
+	for (const child of node.children ?? []) gather(gltf, binary, child, place, soup, seen);
 }
 
 function add(gltf: Gltf, binary: DataView, { attributes, indices }: Primitive, place: Mat4, soup: Soup): void {

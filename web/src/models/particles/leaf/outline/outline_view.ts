@@ -22,7 +22,6 @@ const DOT_REACH = 7;
 export class OutlineView extends HandleView<string> {
 	static override styles = [...HandleView.styles, outlineStyle];
 	static override properties = {
-		...HandleView.properties,
 		points: { attribute: false },
 		veins: { attribute: false },
 		millimetres: { type: Number },
@@ -55,10 +54,9 @@ export class OutlineView extends HandleView<string> {
 	}
 
 	protected override willUpdate(changed: PropertyValues<this>): void {
-		super.willUpdate(changed);
 		const before = changed.get("points");
 		// Others have changed it meanwhile: what is held is another point now.
-		if (this.drags.active && before && before.length !== this.points?.length) this.cancel();
+		if (this.drags.active && before && before.length !== this.points?.length) this.drop();
 		if (!this.points) return;
 		this.#chosen = Math.min(Math.max(this.#chosen, 1), this.points.length - 1);
 		this.#frame = steadyFrame(this.#frame, curveOf(this.points), this.size, this.drags.active);
@@ -93,7 +91,7 @@ export class OutlineView extends HandleView<string> {
 
 	#button(drawing: unknown, label: string, click: () => void, pressed?: boolean) {
 		return html`<button
-			type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} ?disabled=${this.disabled} @click=${click}
+			type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 		>${drawing}</button>`;
 	}
 
@@ -161,7 +159,7 @@ export class OutlineView extends HandleView<string> {
 		}
 		if (said === CROSSES) this.#refuse();
 		else if (said) this.say(said);
-		this.#chosen = chosen;
+		if (chosen !== undefined) this.#chosen = chosen;
 		this.requestUpdate();
 	}
 

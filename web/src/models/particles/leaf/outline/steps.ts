@@ -17,8 +17,8 @@ import { enclosesBlade, placeOn, spansOf } from "./spline";
 export interface Step {
 	/** The outline after it; absent where it stays as it was. */
 	points?: OutlinePoint[];
-	/** The point that is chosen then. */
-	chosen: number;
+	/** The point that is chosen then; absent where the choice stays. */
+	chosen?: number;
 	said: string;
 }
 
@@ -56,18 +56,18 @@ export function turned(points: OutlinePoints, chosen: number, symmetry: Symmetry
 /** A point halfway to the next, or where the curve is nearest to a place. */
 export function inserted(points: OutlinePoints, after: number, symmetry: Symmetry, at?: Place): Step {
 	const next = insertPoint(points, after, at ?? placeOn(spansOf(points)[after], 0.5), symmetry);
-	if (next.length === points.length) return { chosen: after, said: "There is no room for more points" };
+	if (next.length === points.length) return { said: "There is no room for more points" };
 	return sound({ points: next, chosen: insertedAt(points.length, after, symmetry), said: "Point added" });
 }
 
 export function removed(points: OutlinePoints, chosen: number, symmetry: Symmetry): Step {
 	const next = removePoint(points, chosen, symmetry);
-	if (next.length === points.length) return { chosen, said: "The last points stay" };
+	if (next.length === points.length) return { said: "The last points stay" };
 	return sound({ points: next, chosen: Math.min(chosen, next.length - 1), said: "Point removed" });
 }
 
 /** A step after which there is no blade is none. */
 function sound(step: Step): Step {
 	if (!step.points || enclosesBlade(step.points)) return step;
-	return { chosen: step.chosen, said: CROSSES };
+	return { said: CROSSES };
 }

@@ -1,4 +1,5 @@
 import { html } from "lit";
+import { sameDocument } from "../../../../controls/same_document";
 import { FILE_TOPIC } from "../../../../controls/tool";
 import type { LeafDesk, LeafTool } from "./desk";
 
@@ -39,6 +40,7 @@ function draw(desk: LeafDesk): unknown {
 
 /** Takes the outline of the leaf in a picture, as one step; what is wrong with the picture is said. */
 export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
+	const isStill = sameDocument(desk);
 	const again = () => void traceFile(desk, file);
 	const [reader, tracer, words] = await Promise.all([
 		import("../trace/read_picture"),
@@ -51,6 +53,10 @@ export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 	}
 	try {
 		const outline = tracer.traceOutline(await reader.readPicture(file));
+		if (!isStill()) {
+			desk.notify("The outline was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
+			return;
+		}
 		desk.set({ details: { outline } });
 		desk.notify(`An outline of ${outline.length} points was traced`, [], { topic: FILE_TOPIC, brief: true });
 	} catch (error) {

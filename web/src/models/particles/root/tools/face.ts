@@ -1,10 +1,11 @@
 /** The page's side of the root: loaded with the first root, in a page alone. */
 import { html } from "lit";
 import type { Face } from "../../../../controls/tool";
+import { boundaryTool } from "../../boundary/boundary_tool";
 import { meshTool } from "../../boundary/mesh_tool";
+import { planTool } from "../../boundary/plan_tool";
 import { readout } from "../../boundary/readout";
 import { shellTool } from "../../boundary/shell_tool";
-import { boundaryTool, planTool } from "../../boundary/tools";
 import type { WoodenPlant } from "../../boundary/wooden_plant";
 import { watching } from "../../watch";
 import { rootLay } from "../lay";

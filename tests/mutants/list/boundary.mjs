@@ -1,0 +1,108 @@
+/** Boundaries of trees and roots under hands, and the files that become one. */
+const SRC = "web/src/models/particles";
+const TESTS = "tests/web/models/particles/boundary";
+
+export default [
+	{
+		file: `${SRC}/tree/lay.ts`,
+		suites: [`${TESTS}/grips.test.ts`],
+		faults: [
+			{
+				id: "crown-below-ground-grows",
+				find: "nearestWithin(TRUNK, Math.min(low, high - HEIGHT.min))",
+				replace: "low",
+				breaks: "a crown whose lower end is held below ground grows at every event",
+			},
+		],
+	},
+	{
+		file: `${SRC}/boundary/editor/knot_grips.ts`,
+		suites: [`${TESTS}/grips.test.ts`],
+		faults: [
+			{
+				id: "end-knot-shrinks-the-box",
+				find: "const y = share > 0 ? other + (to.y - other) / share : box[end];",
+				replace: "const y = to.y;",
+				breaks: "a profile that ends below its box's end shrinks at every touch",
+			},
+			{
+				id: "reset-to-another-knot",
+				find: "knots.length === before.length ?",
+				replace: "before[index] ?",
+				breaks: "a double click brings another point's place once points have been added",
+			},
+		],
+	},
+	{
+		file: `${SRC}/boundary/editor/size_grips.ts`,
+		suites: [`${TESTS}/grips.test.ts`],
+		faults: [
+			{
+				id: "reset-to-the-presets-place",
+				find: "end === near ? before[near] : box[near] + before[end] - before[near]",
+				replace: "before[end]",
+				breaks: "a double click on the top changes the height where the trunk is another",
+			},
+		],
+	},
+	{
+		file: `${SRC}/boundary/editor/grip_drags.ts`,
+		suites: [`${TESTS}/grip_drags.test.ts`],
+		faults: [
+			{
+				id: "escape-brings-back-all",
+				find: "restored: (_, before) => only(before, told),",
+				replace: "",
+				breaks: "Escape takes back what others changed during a drag",
+			},
+		],
+	},
+	{
+		file: `${SRC}/boundary/editor/walls.ts`,
+		suites: [`${TESTS}/grips.test.ts`],
+		faults: [
+			{
+				id: "walls-out-of-reach",
+				find: "Math.min(Math.max(far, -FARTHEST - wall[k]), FARTHEST - wall[k + 3])",
+				replace: "far",
+				breaks: "an obstacle is squeezed at the rim of what links hold",
+			},
+		],
+	},
+	{
+		file: `${SRC}/boundary/details/places.ts`,
+		suites: [`${TESTS}/details.test.ts`],
+		faults: [
+			{
+				id: "boxes-and-rounds-apart",
+				find: ", agree: withObstacles",
+				replace: "",
+				breaks: "sixteen boxes and a round one come through a link, and the core refuses them",
+			},
+		],
+	},
+	{
+		file: `${SRC}/boundary/mesh_file/glb.ts`,
+		suites: [`${TESTS}/mesh_file.test.ts`],
+		faults: [
+			{
+				id: "children-are-roots",
+				find: "nobodysChildren(gltf)",
+				replace: "(gltf.nodes?.keys() ?? [])",
+				breaks: "a GLB without scenes has its children twice",
+			},
+		],
+	},
+	{
+		file: "web/src/controls/same_document.ts",
+		suites: ["tests/web/models/particles/late_files.test.ts"],
+		faults: [
+			{
+				id: "late-file-changes-another-plant",
+				find: "desk.state.model === model && ",
+				replace: "",
+				breaks: "a mesh read late becomes a leaf's",
+			},
+		],
+	},
+];

@@ -1,0 +1,54 @@
+import { describe, expect, it } from "vitest";
+import type { Change } from "../../../../../web/src/controls/desk";
+import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
+import { gripDrags } from "../../../../../web/src/models/particles/boundary/editor/grip_drags";
+import { withWall } from "../../../../../web/src/models/particles/boundary/editor/walls";
+import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
+import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import { apply } from "../../../../../web/src/studio/change";
+import { gripOf, tree } from "./particles";
+
+/** Drags over a specimen that others may change as well. */
+function handsOn(specimen: ReturnType<typeof tree>) {
+	const page = { specimen, told: 0 };
+	const pose = () => boundaryPose(treeLay, page.specimen, tree("oak"));
+	const drags = gripDrags({
+		pose,
+		input: (change: Change) => {
+			page.specimen = apply(TREE, page.specimen, change);
+			page.told++;
+		},
+		change: () => undefined,
+		schedule: (callback) => callback(),
+	});
+	return { page, pose, drags };
+}
+
+describe("a drag of a grip", () => {
+	it("called off brings back what the grip has set, and nothing that others have", () => {
+		const oak = tree("oak");
+		const { page, pose, drags } = handsOn(oak);
+		const { at } = gripOf(pose(), "knot5");
+		drags.begin(1, "knot5", at);
+		drags.move(1, { x: at.x, y: at.y + 2 });
+		expect(page.specimen.parameters.height).toBeCloseTo(oak.parameters.height + 2);
+		const others = { parameters: { age: 60, inner: 0.2 }, details: { targets: [1, 0, 0] } };
+		page.specimen = apply(TREE, page.specimen, others);
+		drags.cancel();
+		expect(page.specimen).toEqual(apply(TREE, oak, others));
+	});
+
+	it("does nothing once others have taken away what it holds", () => {
+		const oak = tree("oak");
+		const { page, pose, drags } = handsOn(apply(TREE, oak, withWall(oak, { x: 4, y: 5 }, 6)));
+		const { at } = gripOf(pose(), "obstacles0 middle");
+		drags.begin(1, "obstacles0 middle", at);
+		drags.move(1, { x: at.x + 1, y: at.y });
+		expect(page.told).toBe(1);
+		page.specimen = oak;
+		drags.move(1, { x: at.x + 2, y: at.y });
+		drags.drop();
+		expect(page).toEqual({ specimen: oak, told: 1 });
+		expect(drags.active).toBe(false);
+	});
+});

@@ -1,0 +1,7 @@
+import type { Desk } from "./desk";
+
+/** Whether the document that is on the desk now still is when asked: what was begun for it must change no other. */
+export function sameDocument(desk: Pick<Desk, "state">): () => boolean {
+	const { model, specimen } = desk.state;
+	return () => desk.state.model === model && desk.state.specimen.preset === specimen.preset;
+}

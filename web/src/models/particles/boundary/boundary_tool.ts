@@ -1,0 +1,50 @@
+/** The flat view of outer and inner boundary from in front. */
+import { html } from "lit";
+import type { Desk } from "../../../controls/desk";
+import type { Tool } from "../../../controls/tool";
+import { boundaryButtons } from "./boundary_buttons";
+import type { BoundedSpecimen } from "./bounded";
+import { boundaryPose } from "./editor/boundary_pose";
+import type { BoundaryScene } from "./editor/boundary_view";
+import { feetOf } from "./editor/feet";
+import type { GripEvent } from "./editor/grip";
+import { type Lay, loopsIn } from "./editor/lay";
+import { wallsOf } from "./editor/walls";
+import { MEANT } from "./meant";
+import type { WoodenPlant } from "./wooden_plant";
+import "./editor/boundary_view";
+
+export function boundaryTool<S extends BoundedSpecimen>(lay: Lay<S>, group: string): Tool<S, WoodenPlant> {
+	return {
+		name: "boundary",
+		initial: undefined,
+		editor: { title: "Boundary", draw: (desk) => draw(desk, lay) },
+		panel: { group, place: "below", draw: (desk) => boundaryButtons(desk, lay) },
+		keys: [
+			{ keys: ["Insert"], does: "On a point of the boundary: one more after it" },
+			{ keys: ["Delete"], does: "On a point of the boundary, a target or an obstacle: takes it out" },
+		],
+	};
+}
+
+function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
+	const { specimen, grown } = desk.state;
+	return html`<panicle-boundary
+		.pose=${boundaryPose(lay, specimen, desk.preset)} .scene=${sceneOf(lay, specimen)} .grown=${grown}
+		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
+		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
+	></panicle-boundary>`;
+}
+
+function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): BoundaryScene {
+	return {
+		box: lay.box(specimen),
+		axes: lay.axes(specimen),
+		loops: loopsIn(lay, specimen),
+		inner: specimen.parameters.inner,
+		bareAbout: lay.bareAbout(lay.box(specimen)),
+		walls: wallsOf(specimen),
+		rounds: wallsOf(specimen, "rounds"),
+		targets: feetOf(lay, specimen),
+	};
+}

@@ -1,0 +1,85 @@
+/** The points of a profile as grips. */
+import type { Change } from "../../../../controls/desk";
+import type { Point } from "../../../../controls/handles/point";
+import type { BoundedSpecimen, Knot } from "../bounded";
+import { FEWEST_KNOTS, knotAt, MOST_KNOTS } from "../details/profile";
+import { lengthInWords } from "../words";
+import { axisOf, type Lay, outlineIn } from "./lay";
+import { radiusAt } from "./outline";
+import { heightInWords, withEnd, withPresetsEnd } from "./size_grips";
+import type { Unstepped } from "./stepped";
+
+export function knotGrips<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S): Unstepped[] {
+	const { halfWidth, low, high } = lay.box(specimen);
+	const axis = axisOf(lay, specimen);
+	const knots = knotsOf(lay, specimen);
+	return knots.map(([radius, height], i) => {
+		const at = { x: axis + radius * halfWidth, y: low + height * (high - low) };
+		const inner = i > 0 && i < knots.length - 1;
+		return {
+			id: `knot${i}`,
+			at,
+			label: `Point ${i + 1}`,
+			value: `${lengthInWords(radius * halfWidth)} out, ${heightInWords(at.y)}`,
+			pull: (to) => pulled(lay, specimen, i, to),
+			reset: () => reset(lay, specimen, preset, i),
+			...(inner && knots.length > FEWEST_KNOTS ? { remove: () => profiled(knots.toSpliced(i, 1)) } : {}),
+			...(knots.length < MOST_KNOTS ? { add: () => added(lay, specimen, Math.min(i, knots.length - 2)) } : {}),
+		};
+	});
+}
+
+function knotsOf<S extends BoundedSpecimen>(lay: Lay<S>, { profile }: S): readonly Knot[] {
+	return profile ?? lay.profile;
+}
+
+const profiled = (profile: Knot[]): Change => ({ details: { profile } });
+
+/** The end of the box that a point carries with it. */
+function endOf(knots: readonly Knot[], index: number): "low" | "high" | undefined {
+	return index === 0 ? "low" : index === knots.length - 1 ? "high" : undefined;
+}
+
+/** A point between its neighbours' heights. */
+function between(knots: readonly Knot[], index: number, radius: number, height: number): Knot[] {
+	const [below, above] = [knots[index - 1]?.[1] ?? 0, knots[index + 1]?.[1] ?? 1];
+	return knots.toSpliced(index, 1, knotAt(radius, Math.min(Math.max(height, below), above)));
+}
+
+function pulled<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, index: number, to: Point): Change {
+	const box = lay.box(specimen);
+	const knots = knotsOf(lay, specimen);
+	const radius = Math.max(0, to.x - axisOf(lay, specimen)) / box.halfWidth;
+	const end = endOf(knots, index);
+	if (!end) return profiled(between(knots, index, radius, (to.y - box.low) / (box.high - box.low)));
+	// It keeps its share of the height: the box's end goes as far as brings the point to the place.
+	const [other, share] = end === "high" ? [box.low, knots[index][1]] : [box.high, 1 - knots[index][1]];
+	const y = share > 0 ? other + (to.y - other) / share : box[end];
+	return { ...profiled(between(knots, index, radius, knots[index][1])), ...withEnd(lay, specimen, end, y) };
+}
+
+/** None where the preset has no such point: it has another shape, or other points have come or gone. */
+function reset<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, preset: S, index: number): Change | undefined {
+	if (lay.form(preset) !== "spline") return undefined;
+	const [knots, before] = [knotsOf(lay, specimen), knotsOf(lay, preset)];
+	const end = endOf(knots, index);
+	if (!end) return knots.length === before.length ? profiled(between(knots, index, ...before[index])) : undefined;
+	const was = end === "low" ? before[0] : before[before.length - 1];
+	return { ...profiled(between(knots, index, ...was)), ...withPresetsEnd(lay, specimen, preset, end) };
+}
+
+/** A point more after one of them, on the line. */
+function added<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S, index: number): Change {
+	const knots = knotsOf(lay, specimen);
+	const height = (knots[index][1] + knots[index + 1][1]) / 2;
+	return profiled(knots.toSpliced(index + 1, 0, knotAt(radiusAt(outlineIn(lay, specimen), height), height)));
+}
+
+/** Heights of the points by which another form is taken over. */
+const TAKEN = [0.02, 0.15, 0.4, 0.65, 0.88, 1];
+
+/** The present boundary as a profile to be shaped by hand. */
+export function asProfile<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): Knot[] {
+	const outline = outlineIn(lay, specimen);
+	return TAKEN.map((height, i) => knotAt(radiusAt(outline, height), i === 0 ? 0 : height));
+}

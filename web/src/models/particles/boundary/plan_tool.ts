@@ -1,0 +1,39 @@
+/** The flat view from above: depth of the boundary, obstacles, targets. */
+import { html } from "lit";
+import type { Desk } from "../../../controls/desk";
+import type { Tool } from "../../../controls/tool";
+import type { BoundedSpecimen } from "./bounded";
+import { feetOf } from "./editor/feet";
+import type { GripEvent } from "./editor/grip";
+import { footprintIn, type Lay } from "./editor/lay";
+import { planPose } from "./editor/plan_pose";
+import type { PlanScene } from "./editor/plan_view";
+import { wallsOf } from "./editor/walls";
+import { MEANT } from "./meant";
+import type { WoodenPlant } from "./wooden_plant";
+import "./editor/plan_view";
+
+export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, WoodenPlant> {
+	return { name: "plan", initial: undefined, editor: { title: "Plan", draw: (desk) => draw(desk, lay) } };
+}
+
+function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
+	const { specimen } = desk.state;
+	return html`<panicle-plan
+		.pose=${planPose(lay, specimen, desk.preset)} .scene=${sceneOf(lay, specimen)}
+		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
+		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
+	></panicle-plan>`;
+}
+
+function sceneOf<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): PlanScene {
+	return {
+		halfWidth: lay.box(specimen).halfWidth,
+		halfDepth: lay.halfDepth(specimen),
+		axes: lay.axes(specimen),
+		loops: footprintIn(lay, specimen),
+		walls: wallsOf(specimen),
+		rounds: wallsOf(specimen, "rounds"),
+		targets: feetOf(lay, specimen),
+	};
+}
