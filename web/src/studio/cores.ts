@@ -38,7 +38,7 @@ export class Cores implements Grower {
 		// What cannot be fetched is missing from the plant, and the core says so.
 		await model.prepare?.(specimen)?.catch(() => {});
 		const order = { wasm, blocks: model.encode(specimen, wanted) };
-		return model.read(await this.#client.grow(order, signal ? { signal } : {}));
+		return model.read(await this.#client.grow(order, signal ? { signal } : {}), specimen);
 	}
 }
 
