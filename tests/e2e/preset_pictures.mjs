@@ -25,7 +25,7 @@ async function draw({ cores, model: called, name, size, oversampling, quality, t
 	globalThis.core ??= await Core.instantiate(await compileCore(`/@fs${cores}/${model.wasm}`));
 	const specimen = fromPreset(model, name);
 	await model.prepare?.(specimen);
-	const grown = model.read(globalThis.core.grow(model.encode(specimen)));
+	const grown = model.read(globalThis.core.grow(model.encode(specimen)), specimen);
 	const [width, height] = [size.width * oversampling, size.height * oversampling];
 	// One view for all: building its programs takes longer than drawing.
 	if (!globalThis.view) {

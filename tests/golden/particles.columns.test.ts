@@ -19,18 +19,21 @@ const GOLDENS = new URL("./particles.columns.json", import.meta.url);
 const MODULE = new URL("../../build/core/particles.wasm", import.meta.url);
 const PARTICLES = 400;
 
-function requestOf(model: Model, preset: string, age: number): Block[] {
+async function requestOf(model: Model, preset: string, age: number): Promise<Block[]> {
 	const specimen = fromPreset(model, preset);
+	await model.prepare?.(specimen);
 	const parameters = { ...specimen.parameters, particles: PARTICLES, age };
 	return model.encode({ ...specimen, parameters });
 }
 
-const subjects = ([leaf, tree, root] as unknown as Model[]).flatMap((model) =>
-	model.presets.list.flatMap(({ name }, index) =>
-		(index === 0 ? [100, 45] : [100]).map((age) => ({
-			name: `${model.name} ${name} at ${age}`,
-			request: requestOf(model, name, age),
-		})),
+const subjects = await Promise.all(
+	([leaf, tree, root] as unknown as Model[]).flatMap((model) =>
+		model.presets.list.flatMap(({ name }, index) =>
+			(index === 0 ? [100, 45] : [100]).map(async (age) => ({
+				name: `${model.name} ${name} at ${age}`,
+				request: await requestOf(model, name, age),
+			})),
+		),
 	),
 );
 

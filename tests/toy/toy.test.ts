@@ -24,7 +24,7 @@ beforeAll(async () => {
 }, 300_000);
 
 const upright: ToySpecimen = fromPreset(model);
-const grow = (specimen: ToySpecimen) => model.read(core.grow(model.encode(specimen)));
+const grow = (specimen: ToySpecimen) => model.read(core.grow(model.encode(specimen)), specimen);
 
 /** Runs the command where both cores are. */
 async function command(...words: string[]) {

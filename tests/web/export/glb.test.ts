@@ -48,6 +48,25 @@ describe.each(FORMS)("the GLB of a plant of no model (%o)", (form) => {
 	});
 });
 
+describe.each(FORMS)("one mesh in two materials (%o)", (form) => {
+	it("is drawn in both", async () => {
+		const mesh = tetrahedron([0, 0, 0], 1);
+		const worn = (name: string, x: number): Part => ({
+			name,
+			shape: {
+				mesh,
+				material: { ...HAIR, name: `${name} hair` },
+				instances: {
+					transforms: Float32Array.of(x, 0, 0, 0, 0, 0, 1, 1),
+					each: () => ({ name: `${name} 1` }),
+				},
+			},
+		});
+		const { meshes = [], materials = [] } = documentOf(exportGlb([worn("Left", -1), worn("Right", 1)], ABOUT, form));
+		expect(meshes.map(({ primitives }) => materials[primitives[0].material].name)).toEqual(["Left hair", "Right hair"]);
+	});
+});
+
 describe.each(FORMS)("the shade in which vertices stand (%o)", (form) => {
 	const sky = Uint8Array.from([255, 255, 102, 0]);
 	const albedo = [0.6, 0.3, 0.2];

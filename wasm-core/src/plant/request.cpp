@@ -58,6 +58,11 @@ std::int32_t Request::integer(std::string_view name, std::int32_t otherwise) {
   return first(integers(name), otherwise);
 }
 
+FlatLeaf Request::flat_leaf() {
+  return {floats("leaf.points"), floats("leaf.between"), floats("leaf.uvs"), words("leaf.triangles"),
+          floats("leaf.petiole")};
+}
+
 bool Request::has(std::string_view name) const {
   for (const ColumnView& block : blocks_)
     if (block.name == name) return true;

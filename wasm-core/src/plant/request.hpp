@@ -13,6 +13,7 @@
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
+#include "plant/flat_leaf.hpp"
 #include "plant/programs.hpp"
 
 namespace panicle {
@@ -35,6 +36,9 @@ class Request {
   std::uint32_t word(std::string_view name, std::uint32_t otherwise = 0);
   std::int32_t integer(std::string_view name, std::int32_t otherwise = 0);
   bool has(std::string_view name) const;
+  // Blocks: `leaf.points`, `leaf.between`, `leaf.uvs`, `leaf.petiole` (float32), `leaf.triangles` (uint32); not
+  // checked.
+  FlatLeaf flat_leaf();
 
   // Whether `outputs` names this one.
   bool wants(std::string_view output);

@@ -46,7 +46,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	await model.prepare?.(specimen);
 	const text = "grammar" in specimen ? "the link's grammar" : undefined;
 	const grown = growing(call.grammarFile ?? text, () =>
-		model.read(core.grow(model.encode(specimen, { meshes, measures }))),
+		model.read(core.grow(model.encode(specimen, { meshes, measures })), specimen),
 	);
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (!out) {

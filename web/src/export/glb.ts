@@ -48,7 +48,8 @@ class PartsWriter {
 	readonly #bases = new Map<Material, Colour>();
 	/** Indices by material, of those with colours of vertices and of those without. */
 	readonly #materials = { coloured: new Map<Material, number>(), plain: new Map<Material, number>() };
-	readonly #shared = new Map<PartMesh, Placed>();
+	/** What many draw, by mesh and material: one mesh may be worn in several. */
+	readonly #shared = new Map<PartMesh, Map<Material, Placed>>();
 	/** Colours as they are written, of meshes that have any. */
 	readonly #colours = new Map<PartMesh, Float32Array>();
 
@@ -145,11 +146,13 @@ class PartsWriter {
 	}
 
 	#sharedMesh(shape: Shape, name: string): Placed {
-		const known = this.#shared.get(shape.mesh);
+		const worn = this.#shared.get(shape.mesh) ?? new Map<Material, Placed>();
+		this.#shared.set(shape.mesh, worn);
+		const known = worn.get(shape.material);
 		if (known) return known;
 		// Only where the mesh has a unit of its own does it need an origin.
 		const made = this.#mesh(this.#document.compact ? { ...shape, centre: [0, 0, 0] } : shape, name);
-		this.#shared.set(shape.mesh, made);
+		worn.set(shape.material, made);
 		return made;
 	}
 

@@ -63,8 +63,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	 * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts
 	 */
 	encode(specimen: S, options?: GrowthOptions): Block[];
-	/** What came back, typed: plain data, for it is cloned into the worker that makes files. */
-	read(answer: Answer): G;
+	/** What came back for a specimen, typed: plain data, for it is cloned into the worker that makes files. */
+	read(answer: Answer, specimen: S): G;
 	/** What the plant is made of, for the scene and the exporters, which run in a worker: meshes or instances with their materials. */
 	parts(grown: G, specimen: S): Iterable<Part>;
 	/** Whether some parts are one mesh many times; where absent, whether organs are drawn with meshes says so. */

@@ -2,7 +2,7 @@
  * A leaf that another plant bears: baked from a grown one, committed beside this file and read as data, so that no model
  * asks another for it (docs/foliage.md). `npm run bake` writes them.
  */
-import { Columns } from "../core/container";
+import { type Block, Columns } from "../core/container";
 
 /** Veins as a picture over the square that texture coordinates span, its first row at v = 0. */
 export interface Veins {
@@ -22,6 +22,8 @@ export interface BorneLeaf {
 	uvs: Float32Array;
 	/** 3 × triangles, counter-clockwise. */
 	indices: Uint32Array;
+	/** Length and width; absent where whoever bears the leaf has petioles of its own. */
+	petiole?: Float32Array;
 	/** Absent of leaves that are too small for them. */
 	veins?: Veins;
 }
@@ -36,7 +38,7 @@ export interface LeafFile {
 /**
  * The columns of that container: `uvs` (int32 × 2, in STEPS to the square), `between` (uint8, in STEEPS), `indices`
  * (uint32 × 3), `square` (float32: left, bottom and size of the square that the uvs span, in lengths of the midrib),
- * and `veins` (uint8, rows of pixels).
+ * `petiole` (float32: length, width), and `veins` (uint8, rows of pixels).
  */
 export const [STEPS, STEEPS] = [1024, 32];
 
@@ -52,7 +54,19 @@ export async function readLeaf({ data }: LeafFile): Promise<BorneLeaf> {
 		between: Float32Array.from(columns.octets("between"), (value) => value / STEEPS),
 		uvs,
 		indices: columns.words("indices"),
+		...(columns.has("petiole") ? { petiole: columns.floats("petiole") } : {}),
 	};
 	if (!columns.has("veins")) return leaf;
 	return { ...leaf, veins: { side: columns.width("veins"), shares: columns.octets("veins") } };
+}
+
+/** As a request has it (wasm-core/src/plant/flat_leaf.hpp). */
+export function leafBlocks({ points, between, uvs, indices, petiole }: BorneLeaf): Block[] {
+	return [
+		{ name: "leaf.points", data: points, width: 2 },
+		{ name: "leaf.between", data: between },
+		{ name: "leaf.uvs", data: uvs, width: 2 },
+		{ name: "leaf.triangles", data: indices, width: 3 },
+		...(petiole ? [{ name: "leaf.petiole", data: petiole }] : []),
+	];
 }

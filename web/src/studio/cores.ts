@@ -42,7 +42,7 @@ export class Cores implements Grower {
 		// One that had less to wait for is under way: this would begin after it, and take its place.
 		if (call !== this.#calls) throw new Superseded();
 		const order = { wasm, blocks: model.encode(specimen, wanted) };
-		return model.read(await this.#client.grow(order, signal ? { signal } : {}));
+		return model.read(await this.#client.grow(order, signal ? { signal } : {}), specimen);
 	}
 }
 

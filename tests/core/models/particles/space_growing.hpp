@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <glm/vec3.hpp>
@@ -14,6 +15,7 @@
 
 #include "models/particles/root/parameters.generated.hpp"
 #include "models/particles/tree/parameters.generated.hpp"
+#include "plant/flat_leaf.hpp"
 #include "plant/model.hpp"
 
 namespace panicle::particles {
@@ -31,7 +33,16 @@ struct Asked {
   std::vector<float> profile = {}, targets = {}, obstacles = {}, points = {}, rounds = {};
   std::vector<std::uint32_t> triangles = {};
   Limits limits = {};
+  bool leaf = true;  // whether a tree's request brings one
 };
+
+// What trees bear in tests: a lozenge with a petiole.
+inline constexpr std::array<float, 8> leaf_points{0, 0, 0.3f, 0.5f, 0, 1, -0.3f, 0.5f};
+inline constexpr std::array<float, 4> leaf_between{0, 1, 0, 1};
+inline constexpr std::array<float, 8> leaf_uvs{0.5f, 1, 0.8f, 0.5f, 0.5f, 0, 0.2f, 0.5f};
+inline constexpr std::array<float, 2> leaf_petiole{0.4f, 0.02f};
+inline constexpr std::array<std::uint32_t, 6> leaf_triangles{0, 1, 2, 0, 2, 3};
+inline FlatLeaf flat_leaf() { return {leaf_points, leaf_between, leaf_uvs, leaf_triangles, leaf_petiole}; }
 
 template <class Table>
 Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
@@ -60,6 +71,14 @@ Result<Plant> ask(const Model& model, const Table& table, const Asked& asked) {
   add("obstacles.round", Element::float32, asked.rounds.size(), asked.rounds.data());
   add("volume.points", Element::float32, asked.points.size(), asked.points.data());
   add("volume.triangles", Element::uint32, asked.triangles.size(), asked.triangles.data());
+  if (asked.leaf && model.name == "tree") {
+    const FlatLeaf leaf = flat_leaf();
+    add("leaf.points", Element::float32, leaf.points.size(), leaf.points.data());
+    add("leaf.between", Element::float32, leaf.between.size(), leaf.between.data());
+    add("leaf.uvs", Element::float32, leaf.uvs.size(), leaf.uvs.data());
+    add("leaf.triangles", Element::uint32, leaf.triangles.size(), leaf.triangles.data());
+    add("leaf.petiole", Element::float32, leaf.petiole.size(), leaf.petiole.data());
+  }
   Request request(blocks, nullptr);
   return model.grow(request, asked.limits);
 }

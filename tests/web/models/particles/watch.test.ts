@@ -25,7 +25,8 @@ it.each([
 	const specimen = fromPreset(model);
 	const at = (age: number) => {
 		const parameters = { ...specimen.parameters, particles: 120, age };
-		return model.read(core.grow(model.encode({ ...specimen, parameters }, { meshes: false })));
+		const asked = { ...specimen, parameters };
+		return model.read(core.grow(model.encode(asked, { meshes: false })), asked);
 	};
 	const whole = at(100);
 	const steps = LIFE.steps?.(whole) ?? 0;

@@ -147,8 +147,7 @@ Result<Request> read_request(panicle::Request& blocks) {
   request.n.assign(n.begin(), n.end());
   const auto thinned = blocks.words("thinned");
   request.thinned.assign(thinned.begin(), thinned.end());
-  request.leaf = {blocks.floats("leaf.points"), blocks.floats("leaf.between"), blocks.floats("leaf.uvs"),
-                  blocks.words("leaf.triangles")};
+  request.leaf = blocks.flat_leaf();
   request.stem_sides = blocks.word("stem_sides");
   request.berry_segments = blocks.word("berry_segments");
   if (Diagnostic trouble = blocks.trouble(); trouble.reason != Reason::none) return trouble;

@@ -5,7 +5,7 @@
 //   steps           uint32: of the derivation, in place of the text's own
 //   m, n            int32: segments in place of the profile's; n is n₁ … n₍m−1₎ as the paper counts
 //   thinned         uint32: ids of berries taken off by hand
-//   leaf.points     float32 × 2: a flat leaf, what leaves on the cane are made from (foliage/leaf.hpp), with
+//   leaf.points     float32 × 2: a flat leaf, what leaves on the cane are made from (plant/flat_leaf.hpp), with
 //   leaf.between    float32, leaf.uvs: float32 × 2, leaf.triangles: uint32 × 3; where they are absent, the cane has no
 //                   leaves, with a note
 //   stem_sides, berry_segments   uint32: of the meshes; 0: default

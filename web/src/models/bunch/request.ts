@@ -6,7 +6,7 @@ import type { CoreEntry } from "../../specimen/table";
 import { INPUT_N_LENGTH } from "./details/inputs";
 import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "./grammars.generated";
 import type { Procedure } from "./grown";
-import { leafBlocks } from "./leaf";
+import { caneLeafBlocks } from "./leaf";
 import type { NumberKey } from "./parameters.generated";
 import { procedureOf } from "./species";
 import type { BunchSpecimen as Specimen } from "./specimen";
@@ -58,7 +58,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		{ name: "stem_sides", data: words("stemSides", [stemSides]) },
 		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },
 	];
-	if (meshes && parameters.leaves > 0) blocks.push(...leafBlocks());
+	if (meshes && parameters.leaves > 0) blocks.push(...caneLeafBlocks());
 	if (inputs?.m !== undefined) blocks.push({ name: "m", data: Int32Array.of(whole("m", inputs.m)) });
 	if (inputs?.n) blocks.push({ name: "n", data: Int32Array.from(inputs.n, (value) => whole("n", value)) });
 	return blocks;

@@ -6,15 +6,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "models/bunch/foliage/leaf.hpp"
+#include "plant/flat_leaf.hpp"
 
 namespace panicle::tests {
 
 struct LeafNumbers {
   std::vector<float> points, between, uvs;
   std::vector<std::uint32_t> triangles;
+  std::vector<float> petiole = {};
 
-  bunch::FlatLeaf view() const { return {points, between, uvs, triangles}; }
+  FlatLeaf view() const { return {points, between, uvs, triangles, petiole}; }
 };
 
 inline constexpr std::uint32_t flat_leaf_rings = 9, flat_leaf_parts = 60;
@@ -46,7 +47,7 @@ inline LeafNumbers make_flat_leaf() {
   return leaf;
 }
 
-inline bunch::FlatLeaf flat_leaf() {
+inline FlatLeaf flat_leaf() {
   static const LeafNumbers leaf = make_flat_leaf();
   return leaf.view();
 }

@@ -140,6 +140,8 @@ TEST_CASE("numbers that are none of a leaf are refused, in words") {
   CHECK(spoiled([](LeafNumbers& leaf) { leaf.between.pop_back(); }).find("lengths") != std::string::npos);
   CHECK(spoiled([](LeafNumbers& leaf) { leaf.uvs.clear(); }).find("lengths") != std::string::npos);
   CHECK(spoiled([](LeafNumbers& leaf) { leaf.triangles.pop_back(); }).find("lengths") != std::string::npos);
+  CHECK(spoiled([](LeafNumbers& leaf) { leaf.petiole = {0.3f}; }).find("lengths") != std::string::npos);
+  CHECK(spoiled([](LeafNumbers& leaf) { leaf.petiole = {0.3f, -1}; }).find("points") != std::string::npos);
   CHECK(spoiled([&](LeafNumbers& leaf) { leaf.points[4] = nan; }).find("points") != std::string::npos);
   CHECK(spoiled([](LeafNumbers& leaf) { leaf.points[4] = 1e9f; }).find("points") != std::string::npos);
   CHECK(spoiled([](LeafNumbers& leaf) { leaf.between[4] = 2; }).find("points") != std::string::npos);

@@ -4,6 +4,10 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
 import { BAKED_LEAVES, bakeLeaf } from "../../../../../web/src/models/particles/leaf/borne/bake";
+import { readLeaf as readGrownLeaf } from "../../../../../web/src/models/particles/leaf/read_leaf";
+import { encodeLeaf } from "../../../../../web/src/models/particles/leaf/request";
+import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
+import { TREE_TABLE } from "../../../../../web/src/models/particles/tree/table";
 import { type LeafFile, readLeaf } from "../../../../../web/src/plant/leaf";
 
 const text = (preset: string) => readFile(`web/src/plant/leaves/${preset}.json`, "utf8");
@@ -57,6 +61,57 @@ describe.each(BAKED_LEAVES)("the leaf of %s that other plants bear", (preset) =>
 			expect(Math.max(...values)).toBeLessThanOrEqual(1);
 		}
 	});
+});
+
+const onTrees = BAKED_LEAVES.filter((name) => name !== "grapevine");
+
+describe("the leaves that trees bear", () => {
+	it("are those of every kind that a tree can have, but needles", () => {
+		const kinds = TREE_TABLE.entry("leaf_kind");
+		expect(kinds?.kind === "choice" && kinds.options.toSorted()).toEqual(["needle", ...onTrees].toSorted());
+	});
+
+	it("are at most 15 kB over the wire, all of them together", async () => {
+		const sizes = await Promise.all(onTrees.map(async (preset) => gzipSync(await text(preset)).length));
+		expect(sizes.reduce((sum, size) => sum + size)).toBeLessThan(15_000);
+	});
+
+	it.each(onTrees)(
+		"are few triangles of %s's own outline, in two halves that fold along the midrib",
+		async (preset) => {
+			const { points, indices, petiole, veins } = await readLeaf(await committed(preset));
+			const { parameters } = leafFromPreset(preset);
+			expect(indices.length / 3).toBeLessThan(26);
+			expect(veins?.side).toBe(64);
+			expect(petiole?.[0]).toBeCloseTo(parameters.petiole / 100, 5);
+			expect(petiole?.[1]).toBeCloseTo(parameters.petiole_width / parameters.length, 5);
+			// No triangle lies on both sides of the midrib, and each half has its own places on it.
+			const side = (vertex: number) => Math.sign(Math.round(1000 * points[2 * vertex]));
+			const sides = Array.from({ length: indices.length / 3 }, (_, at) => {
+				const found = new Set([...indices.subarray(3 * at, 3 * at + 3)].map(side).filter((each) => each !== 0));
+				expect(found.size).toBe(1);
+				return [...found][0];
+			});
+			const used = (which: number) =>
+				new Set(sides.flatMap((each, at) => (each === which ? [...indices.subarray(3 * at, 3 * at + 3)] : [])));
+			const [right, left] = [used(1), used(-1)];
+			expect([...right].filter((vertex) => left.has(vertex))).toEqual([]);
+			expect(right.size + left.size).toBe(points.length / 2);
+			// About as much of a leaf as there is.
+			const { margin } = readGrownLeaf(core.grow(encodeLeaf(leafFromPreset(preset), { meshes: false })));
+			let own = 0;
+			for (let i = 0, j = margin.length - 2; i < margin.length; j = i, i += 2) {
+				own += (margin[j] * margin[i + 1] - margin[i] * margin[j + 1]) / 2;
+			}
+			let area = 0;
+			for (let at = 0; at < indices.length; at += 3) {
+				const [a, b, c] = [...indices.subarray(at, at + 3)].map((k) => [points[2 * k], points[2 * k + 1]]);
+				area += ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
+			}
+			expect(area / own).toBeGreaterThan(0.85);
+			expect(area / own).toBeLessThan(1.15);
+		},
+	);
 });
 
 describe("the grapevine's leaf", () => {

@@ -13,8 +13,6 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float farthest = 4;  // a flat leaf reaches no farther, in midribs
-
 // How one leaf differs from the flat one; lengths in midribs.
 struct Relief {
   float side, breadth;  // −1: the flat leaf's mirror image; its breadth against that
@@ -44,14 +42,6 @@ Relief relief_of(const LeafOptions& options) {
   return relief;
 }
 
-// Bends the line along `at` into an arc, downwards: what stood on it still does.
-void bend(float& along, float& height, float radians) {
-  const float angle = along * radians;
-  const float radius = 1 / radians + height;
-  along = radius * sine(angle);
-  height = radius * cosine(angle) - 1 / radians;
-}
-
 glm::vec3 raise(const Relief& relief, const glm::vec2& flat, float between) {
   const float away = std::min(glm::length(flat), 1.5f);
   glm::vec3 point(relief.side * relief.breadth * flat.x, flat.y, 0);
@@ -66,63 +56,15 @@ glm::vec3 raise(const Relief& relief, const glm::vec2& flat, float between) {
   return point;
 }
 
-glm::vec3 position(const Mesh& mesh, std::uint32_t i) {
-  return {mesh.positions[3 * i], mesh.positions[3 * i + 1], mesh.positions[3 * i + 2]};
-}
-
-// Normals: the mean of the triangles' by area.
-void shade(Mesh& mesh) {
-  mesh.normals.assign(mesh.positions.size(), 0);
-  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
-    const std::uint32_t* corner = &mesh.indices[t];
-    const glm::vec3 a = position(mesh, corner[0]);
-    const glm::vec3 face = glm::cross(position(mesh, corner[1]) - a, position(mesh, corner[2]) - a);
-    for (int k = 0; k < 3; ++k) {
-      for (int axis = 0; axis < 3; ++axis) mesh.normals[3 * corner[k] + axis] += face[axis];
-    }
-  }
-  for (std::size_t i = 0; i < mesh.normals.size(); i += 3) {
-    float* normal = &mesh.normals[i];
-    const float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    if (length > 0)
-      for (int axis = 0; axis < 3; ++axis) normal[axis] /= length;
-    else
-      normal[2] = 1;  // of no triangle with an area
-  }
-}
-
 }  // namespace
-
-Diagnostic check(const FlatLeaf& leaf) {
-  const auto refused = [](const char* why) { return Diagnostic{Reason::bad_request, why, 0, 0}; };
-  const std::size_t points = leaf.points.size() / 2;
-  if (leaf.points.size() % 2 != 0 || leaf.between.size() != points || leaf.uvs.size() != 2 * points ||
-      leaf.triangles.size() % 3 != 0)
-    return refused("The request's leaf has blocks of different lengths.");
-  const auto within = [](std::span<const float> values, float low, float high) {
-    return std::all_of(values.begin(), values.end(), [&](float value) { return value >= low && value <= high; });
-  };
-  if (!within(leaf.points, -farthest, farthest) || !within(leaf.between, 0, 1) || !within(leaf.uvs, 0, 1))
-    return refused("The request's leaf has points that no leaf has.");
-  if (std::any_of(leaf.triangles.begin(), leaf.triangles.end(), [&](std::uint32_t i) { return i >= points; }))
-    return refused("The request's leaf has triangles of points that it has not.");
-  return {};
-}
 
 Mesh make_leaf(const FlatLeaf& flat, const LeafOptions& options) {
   const Relief relief = relief_of(options);
-  Mesh mesh;
-  mesh.positions.reserve(3 * flat.between.size());
-  for (std::size_t i = 0; i < flat.between.size(); ++i) {
-    const glm::vec3 point = raise(relief, {flat.points[2 * i], flat.points[2 * i + 1]}, flat.between[i]);
-    for (int axis = 0; axis < 3; ++axis) mesh.positions.push_back(point[axis]);
-  }
-  mesh.uvs.assign(flat.uvs.begin(), flat.uvs.end());
-  mesh.indices.assign(flat.triangles.begin(), flat.triangles.end());
-  if (relief.side < 0)
-    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) std::swap(mesh.indices[t + 1], mesh.indices[t + 2]);
-  shade(mesh);
-  return mesh;
+  std::vector<glm::vec3> places;
+  places.reserve(flat.between.size());
+  for (std::size_t i = 0; i < flat.between.size(); ++i)
+    places.push_back(raise(relief, {flat.points[2 * i], flat.points[2 * i + 1]}, flat.between[i]));
+  return raised(flat, places, relief.side < 0);
 }
 
 }  // namespace panicle::bunch

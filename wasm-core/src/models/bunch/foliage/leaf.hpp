@@ -3,23 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
-#include "foundation/result.hpp"
 #include "geometry/mesh.hpp"
+#include "plant/flat_leaf.hpp"
 
 namespace panicle::bunch {
-
-// Lengths in midribs: the petiole joins at the origin, the tip lies near (0, 1). Empty: there is none.
-struct FlatLeaf {
-  std::span<const float> points;             // × 2; the first is the petiole's
-  std::span<const float> between;            // one a point: 0 on one of the larger veins … 1 in the midst between them
-  std::span<const float> uvs;                // × 2, within 0 … 1
-  std::span<const std::uint32_t> triangles;  // × 3, counter-clockwise
-};
-
-// Errors: bad_request, where the numbers are none of a leaf.
-Diagnostic check(const FlatLeaf& leaf);
 
 struct LeafOptions {
   std::uint64_t seed = 1;  // side and breadth, waves and folds differ with it

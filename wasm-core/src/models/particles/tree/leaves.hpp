@@ -1,26 +1,14 @@
-// Leaves of a tree: one plain blade as a mesh, and where it stands at the places that particles started from.
+// Where the leaves of a tree stand: at the places that particles started from.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "geometry/mesh.hpp"
 #include "models/particles/trails.hpp"
 #include "plant/plant.hpp"
 
 namespace panicle::particles::tree {
-
-enum class LeafShape : std::uint32_t { pointed, round, needle };
-
-struct Blade {
-  Mesh mesh;       // of length 1: the petiole joins at the origin, the tip near +Y, the upper face looks to +Z
-  float area = 0;  // of one side
-};
-
-// `width`: over the length. `fold`: degrees by which each half is folded up along the midrib. Of needles there are
-// five.
-Blade make_blade(LeafShape shape, float width, float fold);
 
 struct LeafHabit {
   std::uint32_t count = 2;  // at each place

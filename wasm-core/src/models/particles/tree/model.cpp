@@ -1,6 +1,7 @@
 // The tree (Rodkaew et al. 2003, section 4; docs/models/tree/tree.md): particles in a crown, dense where it is light,
-// whose trails to the ground are its branches. Blocks: those of space_request.hpp. Columns: those of trail_plant.hpp,
-// and `organs.sky`. Organs: `leaf`, `particle`. Meshes: `stems`, `leaves`, `balls`.
+// whose trails to the ground are its branches. Blocks: those of space_request.hpp, and of plant/flat_leaf.hpp the leaf
+// that it bears, but needles. Columns: those of trail_plant.hpp, and `organs.sky`. Organs: `leaf`, `particle`. Meshes:
+// `stems`, `leaves`, `balls`.
 #include "plant/model.hpp"
 
 #include <array>
@@ -17,6 +18,7 @@
 #include "models/particles/grown.hpp"
 #include "models/particles/hormone.hpp"
 #include "models/particles/space_request.hpp"
+#include "models/particles/tree/blade.hpp"
 #include "models/particles/tree/crown.hpp"
 #include "models/particles/tree/leaves.hpp"
 #include "models/particles/tree/measures/measures.generated.hpp"
@@ -33,6 +35,7 @@ using enum Parameter;
 
 constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+constexpr std::uint32_t needle = 0;  // of the kinds of leaves: all others come with the request
 constexpr std::uint32_t light_cells = 28;
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;  // that a way past an obstacle may lead
@@ -73,7 +76,7 @@ LeafHabit leaves_of(const TreeValues& values, const glm::vec3& light, std::uint6
   habit.count = values.whole(leaves);
   habit.size = 0.01f * values[leaf_size];
   habit.kept = smooth_step(leaves_fall, leaves_stay, values[day]);
-  habit.needles = values.choice<LeafShape>(leaf_shape) == LeafShape::needle;
+  habit.needles = values.whole(leaf_kind) == needle;
   habit.light = light;
   habit.seed = seed;
   return habit;
@@ -109,9 +112,21 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
   return measures.values();
 }
 
+// Only of what is borne: a mesh that no organ is drawn with would stand by itself. Before the leaves stand particles.
+void add_meshes(Plant& plant, const Grown& grown, const Blade& blade, std::size_t first_leaf, bool sky) {
+  dress(plant, grown, "bark", leaf_tag, blade.area, sky);
+  const bool leafy = plant.organs.size() > first_leaf && !blade.mesh.indices.empty();
+  const std::int32_t leaf_mesh = leafy ? 1 : -1, ball_mesh = leafy ? 2 : 1;
+  for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag ? leaf_mesh : ball_mesh;
+  if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
+  if (first_leaf > 0) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+}
+
 Result<Plant> grow(Request& request, const Limits& limits) {
+  const FlatLeaf leaf = request.flat_leaf();
   const Result<SpaceRequest> read = read_space(request);
   if (!read) return read.error();
+  if (Diagnostic trouble = check(leaf); trouble.reason != Reason::none) return trouble;
   Plant plant;
   const TreeValues values(read->parameters, plant.notes);
   CrownHabit habit = crown_of(values, read->seed);
@@ -144,27 +159,24 @@ Result<Plant> grow(Request& request, const Limits& limits) {
           beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
       trouble.reason != Reason::none)
     return trouble;
-  const std::size_t particles_under_way = plant.organs.size();
+  const std::size_t first_leaf = plant.organs.size();
   for (std::size_t c = 0; c < grown.trails.size(); ++c)
     add_leaves(plant, grown.trails[c], grown.numbers[c], leaf_habit, leaf_tag);
-  plant.counts.push_back({"leaves", static_cast<std::uint32_t>(plant.organs.size() - particles_under_way)});
+  plant.counts.push_back({"leaves", static_cast<std::uint32_t>(plant.organs.size() - first_leaf)});
 
-  const Blade blade = make_blade(values.choice<LeafShape>(leaf_shape), values[leaf_width], values[leaf_fold]);
+  const Blade blade = leaf_habit.needles ? make_needles(values[leaf_breadth])
+                                         : make_blade(leaf, values[leaf_breadth], values[leaf_fold]);
+  const bool shapeless = blade.mesh.indices.empty() && plant.organs.size() > first_leaf;
+  if (shapeless && (read->measures || read->meshes))
+    plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
   if (read->measures) {
-    float area = 0;
-    for (const Organ& organ : plant.organs)
-      if (organ.tag == leaf_tag) area += blade.area * organ.scale * organ.scale;
-    const auto leaf_count = static_cast<std::uint32_t>(plant.organs.size() - particles_under_way);
+    float area = shapeless ? nothing : 0;
+    for (std::size_t i = first_leaf; i < plant.organs.size(); ++i)
+      area += blade.area * plant.organs[i].scale * plant.organs[i].scale;
+    const auto leaf_count = static_cast<std::uint32_t>(plant.organs.size() - first_leaf);
     plant.measures = measures_of(plant, {grown, foliage, *light, area, leaf_count});
   }
-  if (read->meshes) {
-    dress(plant, grown, "bark", leaf_tag, blade.area, read->sky);
-    // Only what is borne: a mesh that no organ is drawn with would stand by itself.
-    const bool leafy = plant.organs.size() > particles_under_way;
-    for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag || !leafy ? 1 : 2;
-    if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
-    if (particles_under_way > 0) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
-  }
+  if (read->meshes) add_meshes(plant, grown, blade, first_leaf, read->sky);
   plant.fingerprint = fingerprint_of(plant);
   if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

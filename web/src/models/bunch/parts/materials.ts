@@ -1,12 +1,12 @@
 /** What a bunch is made of. Why each value is so is in docs/export.md. */
 import { type Colour, linear, mix, mixed, smoothstep, toLch } from "../../../plant/colour";
 import type { Veins } from "../../../plant/leaf";
+import { leafPicture } from "../../../plant/leaf_picture";
 import type { Material } from "../../../plant/material";
 import type { FoliagePart } from "../grown";
 import type { Look } from "../specimen";
 import { AUTUMN, brightestLeaf, CANE, LEAF, PETIOLE, STAMEN } from "./foliage_colour";
 import type { FruitSkin } from "./fruit_skin";
-import { leafPicture } from "./leaf_picture";
 
 /** A smooth skin without wax; bloom scatters the highlight up to the second figure. */
 const SKIN_ROUGHNESS: readonly [clean: number, bloomed: number] = [0.34, 0.46];

@@ -1,11 +1,13 @@
 /** The tree of particles' trails (Rodkaew et al. 2003, section 4): docs/models/tree/tree.md. */
+
+import { leafBlocks } from "../../../plant/leaf";
 import type { Model } from "../../model";
 import { encodeBounded } from "../boundary/request";
-import { readWoodenPlant, type WoodenPlant } from "../boundary/wooden_plant";
 import { trailRecord } from "../record";
 import { TREE } from "./species";
 import type { TreeSpecimen } from "./specimen";
 import { treeParts } from "./tree_parts";
+import { fetchLeafOf, leafOf, readTree, type TreePlant } from "./tree_plant";
 import { treeInWords } from "./words";
 
 export const model = {
@@ -13,10 +15,14 @@ export const model = {
 	title: "Tree",
 	noun: "tree",
 	wasm: "particles.wasm",
-	encode: (specimen, options) => encodeBounded(TREE.table, specimen, options),
-	read: readWoodenPlant,
+	prepare: fetchLeafOf,
+	encode: (specimen, options) => {
+		const leaf = leafOf(specimen);
+		return [...encodeBounded(TREE.table, specimen, options), ...(leaf ? leafBlocks(leaf) : [])];
+	},
+	read: readTree,
 	parts: treeParts,
 	words: treeInWords,
 	record: trailRecord,
 	studio: async () => (await import("./tools/face")).face,
-} satisfies Model<TreeSpecimen, WoodenPlant>;
+} satisfies Model<TreeSpecimen, TreePlant>;

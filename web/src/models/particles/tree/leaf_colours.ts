@@ -1,5 +1,7 @@
 /** The colours of leaves through the year: no two turn on the same day. */
 import { type Colour, clamp, fromLch, linear, mixed, toLch } from "../../../plant/colour";
+import type { Veins } from "../../../plant/leaf";
+import { leafPicture } from "../../../plant/leaf_picture";
 import type { Material } from "../../../plant/material";
 
 /** As many sorts of leaves as differ to the eye. */
@@ -9,7 +11,7 @@ const SUMMER = 0.4;
 /** How far apart the first and the last leaf turn, as a share of the year. */
 const SPREAD = 0.3;
 /** How much lighter or darker single leaves are. */
-const UNEVEN = 0.07;
+const UNEVEN = 0.1;
 
 export interface LeafLook {
 	/** Six hexadecimal digits. */
@@ -36,24 +38,35 @@ export function leafColour({ leaf, autumn, season }: LeafLook, ahead = 0): Colou
 	return mixed(summer, linear(autumn), turned * turned * (3 - 2 * turned));
 }
 
-/** One material a tint, by how far ahead its leaves are. */
-export function leafTints(look: LeafLook): Material[] {
+/**
+ * One material a tint, by how far ahead its leaves are.
+ * @param veins of all leaves; without them they are plain
+ */
+export function leafTints(look: LeafLook, veins?: Veins): Material[] {
 	return Array.from({ length: TINTS }, (_, tint) => {
 		const share = tint / (TINTS - 1) - 0.5;
 		const turning = look.season > SUMMER ? Math.min(1, (look.season - SUMMER) / 0.2) : 0;
 		const { lightness, chroma, hue } = toLch(leafColour(look, SPREAD * share * turning));
+		const colour = fromLch({
+			lightness: lightness * (1 + UNEVEN * ORDER[tint]),
+			chroma,
+			hue: hue + 0.05 * ORDER[TINTS - 1 - tint],
+		});
 		return {
 			name: `Leaf ${tint + 1}`,
-			colour: fromLch({
-				lightness: lightness * (1 + UNEVEN * ORDER[tint]),
-				chroma,
-				hue: hue + 0.05 * ORDER[TINTS - 1 - tint],
-			}),
-			roughness: 0.55,
+			colour,
+			roughness: 0.48,
 			doubleSided: true,
-			sheet: { through: [0.8, 0.9, 0.45], reverse: [1.25, 1.2, 1.35] },
+			sheet: { through: [0.8, 0.85, 0.5], reverse: [1.25, 1.2, 1.35] },
+			...(veins ? { textures: { colour: leafPicture(veins, colour, veinColour(colour)) } } : {}),
 		};
 	});
+}
+
+/** Veins are paler than what is between them. */
+function veinColour(blade: Colour): Colour {
+	const { lightness, chroma, hue } = toLch(blade);
+	return fromLch({ lightness: Math.min(0.95, lightness + 0.16), chroma: 0.9 * chroma, hue: hue - 0.08 });
 }
 
 /** Which tints are light and which dark, −1 … 1: not in the order in which they turn. */

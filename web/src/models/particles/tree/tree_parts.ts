@@ -4,9 +4,9 @@ import type { Part } from "../../../plant/part";
 import { obstacleParts } from "../boundary/obstacle_parts";
 import { particleMaterial } from "../boundary/particle_material";
 import { woodenParts } from "../boundary/wooden_parts";
-import type { WoodenPlant } from "../boundary/wooden_plant";
 import { leafTints } from "./leaf_colours";
 import type { TreeSpecimen } from "./specimen";
+import type { TreePlant } from "./tree_plant";
 
 /** What twigs of any tree come near to. */
 const TWIG = linear("4d3f33");
@@ -14,14 +14,14 @@ const TWIG = linear("4d3f33");
 const PALE = 0.8;
 const MARK = linear("2a2623");
 
-export function* treeParts(plant: WoodenPlant, specimen: TreeSpecimen): Generator<Part> {
+export function* treeParts(plant: TreePlant, specimen: TreeSpecimen): Generator<Part> {
 	const { look } = specimen;
 	const old = linear(look.bark);
 	const pale = toLch(old).lightness > PALE;
 	yield* woodenParts(plant, {
 		wood: { name: "Bark", colour: old, roughness: pale ? 0.75 : 0.92, grain: pale ? 0.12 : 0.5 },
 		bark: { old, young: mixed(old, TWIG, 0.8), from: 0.008, to: 0.05, ...(pale ? { marks: MARK } : {}) },
-		tints: { blade: leafTints(look), skin: [particleMaterial] },
+		tints: { blade: leafTints(look, plant.veins), skin: [particleMaterial] },
 	});
 	yield* obstacleParts(specimen);
 }

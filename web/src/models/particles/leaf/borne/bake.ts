@@ -4,16 +4,28 @@ import type { LeafFile } from "../../../../plant/leaf";
 import { readLeaf } from "../read_leaf";
 import { encodeLeaf } from "../request";
 import { leafFromPreset } from "../species";
+import type { LeafSpecimen } from "../specimen";
 import { type BorneOptions, borneLeaf } from "./borne_leaf";
 
 interface Baked extends BorneOptions {
 	/** Triangles of the blade before it is made light, against the core's own choice. */
 	detail: number;
+	/** In place of the preset's own. */
+	parameters?: LeafSpecimen["parameters"];
 }
+
+/** As trees bear it: teeth are finer than its few triangles. */
+const onTree = (corners: number): Baked => ({ detail: 0.25, corners, pixels: 64, parameters: { teeth: 0 } });
 
 /** By preset. */
 const BAKED: Readonly<Record<string, Baked>> = {
 	grapevine: { detail: 0.25, cells: 20, pixels: 512 },
+	beech: onTree(5),
+	birch: onTree(6),
+	lime: onTree(7),
+	maple: onTree(11),
+	oak: onTree(10),
+	willow: onTree(4),
 };
 
 /** The presets that are baked. */
@@ -21,8 +33,9 @@ export const BAKED_LEAVES = Object.keys(BAKED);
 
 /** Grows a preset and bakes it: the same core gives the same file. */
 export function bakeLeaf(core: Core, preset: string): LeafFile {
-	const { detail, ...options } = BAKED[preset];
-	const specimen = leafFromPreset(preset);
+	const { detail, parameters, ...options } = BAKED[preset];
+	const own = leafFromPreset(preset);
+	const specimen = { ...own, parameters: { ...own.parameters, ...parameters } };
 	const leaf = readLeaf(core.grow(encodeLeaf(specimen, { detail, sky: false, measures: false })));
-	return borneLeaf(leaf, specimen.parameters.length, `leaf/${preset}`, options);
+	return borneLeaf(leaf, specimen, `leaf/${preset}`, options);
 }

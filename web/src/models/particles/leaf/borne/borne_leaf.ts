@@ -6,10 +6,14 @@ import { lightMesh } from "../bake/light_mesh";
 import type { Leaf } from "../grown";
 import { chartOf } from "../parts/chart";
 import { veinRaster } from "../parts/vein_raster";
+import type { LeafSpecimen } from "../specimen";
+import { sparseBlade } from "./sparse_blade";
 
 export interface BorneOptions {
-	/** Cells to a side of the blade's square, each with a vertex at most. */
-	cells: number;
+	/** How fine its mesh is: cells to a side of the blade's square, each with a vertex at most … */
+	cells?: number;
+	/** … or, where thousands are borne, corners of each half's margin; these bring their petiole. */
+	corners?: number;
 	/** Pixels to a side of the picture of its veins; none where absent. */
 	pixels?: number;
 }
@@ -22,31 +26,50 @@ const [PUCKERING, MIDST] = [0.16, 0.1];
 const SEEN = 0.06;
 
 /**
- * @param millimetres of a length of the leaf
  * @param from the preset that it grew from
  * @throws Error where the leaf was grown without meshes
  */
-export function borneLeaf(leaf: Leaf, millimetres: number, from: string, { cells, pixels }: BorneOptions): LeafFile {
-	const upper = leaf.meshes.find(({ name }) => name === "upper");
-	if (!upper) throw new Error("This leaf has no blade: grow it with meshes.");
+export function borneLeaf(leaf: Leaf, { parameters }: LeafSpecimen, from: string, options: BorneOptions): LeafFile {
 	const { left, bottom, size } = chartOf(leaf.margin);
-	const { uvs, indices } = fromPetiole(lightMesh(upper, leaf.faces.upper.edge, cells), [-left / size, -bottom / size]);
+	const { corners, pixels } = options;
+	const { uvs, indices } = corners ? sparse(leaf, corners) : fine(leaf, options.cells ?? 0);
 	const points = uvs.map((value, at) => (at % 2 === 0 ? left : bottom) + size * value);
+	const petiole = Float32Array.of(parameters.petiole / 100, parameters.petiole_width / parameters.length);
 	const container = writeContainer([
 		{ name: "square", data: Float32Array.of(left, bottom, size) },
 		{ name: "uvs", data: Int32Array.from(uvs, (value, at) => inSteps(at % 2 === 0 ? value : 1 - value)), width: 2 },
 		{ name: "between", data: betweenVeins(leaf, points) },
 		{ name: "indices", data: indices, width: 3 },
-		...(pixels ? [{ name: "veins", data: picture(seenVeins(leaf), millimetres, pixels), width: pixels }] : []),
+		...(corners ? [{ name: "petiole", data: petiole }] : []),
+		...(pixels ? [{ name: "veins", data: picture(seenVeins(leaf), parameters.length, pixels), width: pixels }] : []),
 	]);
 	const packed = deflateSync(container, { level: 9, mem: 12 });
 	return { from, data: btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join("")) };
 }
 
+/** A flat mesh over the leaf's chart: 2 × vertices, 0 … 1; the first is the petiole's. */
+interface Flat {
+	uvs: Float32Array;
+	indices: Uint32Array;
+}
+
+function fine(leaf: Leaf, cells: number): Flat {
+	const upper = leaf.meshes.find(({ name }) => name === "upper");
+	if (!upper) throw new Error("This leaf has no blade: grow it with meshes.");
+	const { left, bottom, size } = chartOf(leaf.margin);
+	return fromPetiole(lightMesh(upper, leaf.faces.upper.edge, cells), [-left / size, -bottom / size]);
+}
+
+function sparse({ margin }: Leaf, corners: number): Flat {
+	const { left, bottom, size } = chartOf(margin);
+	const { points, indices } = sparseBlade(margin, corners);
+	return { uvs: points.map((value, at) => (value - (at % 2 === 0 ? left : bottom)) / size), indices };
+}
+
 const inSteps = (value: number) => Math.round(value * STEPS);
 
 /** The mesh with the vertex nearest to the petiole as its first, and moved there. */
-function fromPetiole({ uvs, indices }: { uvs: Float32Array; indices: Uint32Array }, petiole: readonly number[]) {
+function fromPetiole({ uvs, indices }: Flat, petiole: readonly number[]): Flat {
 	const away = (vertex: number) => Math.hypot(uvs[2 * vertex] - petiole[0], uvs[2 * vertex + 1] - petiole[1]);
 	let nearest = 0;
 	for (let vertex = 1; 2 * vertex < uvs.length; vertex++) if (away(vertex) < away(nearest)) nearest = vertex;

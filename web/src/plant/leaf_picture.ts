@@ -1,7 +1,7 @@
 /** What a leaf is laid with: its veins in colour. Vertices' colours multiply it. */
-import { type Colour, encoded, mixed } from "../../../plant/colour";
-import type { Veins } from "../../../plant/leaf";
-import type { Picture } from "../../../plant/material";
+import { type Colour, encoded, mixed } from "./colour";
+import type { Veins } from "./leaf";
+import type { Picture } from "./material";
 
 /** Of the veins' colour so much shows at the most. */
 const MOST_VEIN = 0.85;

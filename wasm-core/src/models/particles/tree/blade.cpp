@@ -1,0 +1,90 @@
+#include "models/particles/tree/blade.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle::particles::tree {
+namespace {
+
+constexpr float arch = 0.6f;      // radians a length, petiole and all
+constexpr float pucker = 0.035f;  // of the blade between its veins
+constexpr int needles = 5;
+constexpr float needle_width = 0.06f;
+
+// The arch is level in the blade's middle: as a whole it looks to +Z.
+glm::vec3 arched(glm::vec3 p) {
+  p.y -= 0.5f;
+  bend(p.y, p.z, arch);
+  return p;
+}
+
+void put_vertex(Mesh& mesh, const glm::vec3& p, const glm::vec3& normal, float u, float v) {
+  mesh.positions.insert(mesh.positions.end(), {p.x, p.y, p.z});
+  mesh.normals.insert(mesh.normals.end(), {normal.x, normal.y, normal.z});
+  mesh.uvs.insert(mesh.uvs.end(), {u, v});
+}
+
+// One triangle from the foot, widest there, to beneath the midrib, of its colour: thousands are drawn.
+void add_petiole(Mesh& mesh, const FlatLeaf& leaf, const glm::vec3& foot) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+  const float half = 0.75f * leaf.petiole[1], u = leaf.uvs[0], v = leaf.uvs[1];
+  const glm::vec3 top = arched({0, 0.04f, -0.004f}) - foot, side(half, 0, 0),
+                  normal = glm::normalize(glm::cross(side, top));
+  for (const glm::vec3& p : {-side, side, top}) put_vertex(mesh, p, normal, u, v);
+  mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2});
+}
+
+float area_of(const Mesh& mesh) {
+  float area = 0;
+  const auto point = [&](std::uint32_t i) {
+    return glm::vec3(mesh.positions[3 * i], mesh.positions[3 * i + 1], mesh.positions[3 * i + 2]);
+  };
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    const glm::vec3 a = point(mesh.indices[t]);
+    area += 0.5f * glm::length(glm::cross(point(mesh.indices[t + 1]) - a, point(mesh.indices[t + 2]) - a));
+  }
+  return area;
+}
+
+}  // namespace
+
+Blade make_blade(const FlatLeaf& leaf, float breadth, float fold) {
+  if (leaf.points.empty()) return {};
+  const auto [sine, cosine] = sincos_degrees(fold);
+  const bool stalked = !leaf.petiole.empty() && leaf.petiole[0] > 0;
+  const glm::vec3 foot = arched({0, stalked ? -leaf.petiole[0] : 0, 0});
+  std::vector<glm::vec3> places;
+  places.reserve(leaf.between.size());
+  for (std::size_t i = 0; i < leaf.between.size(); ++i) {
+    const float x = breadth * leaf.points[2 * i], between = leaf.between[i];
+    places.push_back(
+        arched({x * cosine, leaf.points[2 * i + 1], std::fabs(x) * sine + pucker * between * (2 - between)}) - foot);
+  }
+  Blade blade;
+  blade.mesh = raised(leaf, places);
+  blade.area = area_of(blade.mesh);
+  if (stalked) add_petiole(blade.mesh, leaf, foot);
+  return blade;
+}
+
+Blade make_needles(float breadth) {
+  Blade blade;
+  for (int k = 0; k < needles; ++k) {
+    const auto turn = sincos_degrees(360.0f * static_cast<float>(k) / needles + 15);
+    const glm::vec3 way = glm::normalize(glm::vec3(0.45f * turn.cosine, 1, 0.45f * turn.sine));
+    const glm::vec3 side = glm::normalize(glm::cross(way, glm::vec3(turn.cosine, 0, turn.sine)));
+    const glm::vec3 normal = glm::cross(side, way), half = 0.5f * needle_width * breadth * side;
+    const auto first = static_cast<std::uint32_t>(blade.mesh.positions.size() / 3);
+    put_vertex(blade.mesh, -half, normal, 0, 0);
+    put_vertex(blade.mesh, half, normal, 1, 0);
+    put_vertex(blade.mesh, way, normal, 0.5f, 1);
+    blade.mesh.indices.insert(blade.mesh.indices.end(), {first, first + 1, first + 2});
+  }
+  blade.area = area_of(blade.mesh);
+  return blade;
+}
+
+}  // namespace panicle::particles::tree

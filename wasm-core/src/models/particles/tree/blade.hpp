@@ -1,0 +1,22 @@
+// What one leaf of a tree looks like: a mesh that all of them share.
+#pragma once
+
+#include "geometry/mesh.hpp"
+#include "plant/flat_leaf.hpp"
+
+namespace panicle::particles::tree {
+
+struct Blade {
+  // The blade is of length 1; the foot of the petiole is at the origin, the tip near +Y, the upper face looks to +Z.
+  Mesh mesh;
+  float area = 0;  // of one side, without the petiole
+};
+
+// A flat leaf folded along its midrib, puckered between its veins, and arched. `breadth`: against its own. `fold`:
+// degrees by which each half stands up. Empty where there is no leaf.
+Blade make_blade(const FlatLeaf& leaf, float breadth, float fold);
+
+// Five flat needles that spread from one place.
+Blade make_needles(float breadth);
+
+}  // namespace panicle::particles::tree

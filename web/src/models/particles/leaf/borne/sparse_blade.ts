@@ -1,0 +1,50 @@
+/** A blade of as few triangles as a crown of thousands can bear: its margin's most telling corners, and the midrib. */
+import { ShapeUtils, Vector2 } from "three";
+
+/** Where the midrib has corners, in lengths of the leaf: between them a leaf bends. */
+const RIB = [0, 0.5, 1];
+
+export interface SparseBlade {
+	/** 2 × vertices, in lengths of the leaf, the base first; each half has its own of the midrib, so that the fold between them is sharp. */
+	points: Float32Array;
+	/** 3 × triangles, counter-clockwise. */
+	indices: Uint32Array;
+}
+
+/**
+ * @param margin 2 × points, counter-clockwise from the base
+ * @param corners of each half's margin, besides base and tip
+ */
+export function sparseBlade(margin: Float32Array, corners: number): SparseBlade {
+	const round = Array.from({ length: margin.length / 2 }, (_, i) => new Vector2(margin[2 * i], margin[2 * i + 1]));
+	const tip = round.reduce((best, { y }, at) => (y > round[best].y ? at : best), 0);
+	const halves = [round.slice(1, tip), round.slice(tip + 1).reverse()];
+	const blade: { points: number[]; indices: number[] } = { points: [], indices: [] };
+	for (const [side, half] of [1, -1].map((sign, at) => [sign, halves[at]] as const)) {
+		const rib = RIB.map((height) => new Vector2(0, height));
+		const ends = [rib[0], ...half.map(({ x, y }) => new Vector2(side * Math.max(0, side * x), y)), rib[rib.length - 1]];
+		const outer = mostTelling(ends, corners).slice(1, -1);
+		// From the base, counter-clockwise: up the margin and back along the midrib, or the other way round.
+		const polygon = side > 0 ? [rib[0], ...outer, ...rib.slice(1).toReversed()] : [...rib, ...outer.toReversed()];
+		const first = blade.points.length / 2;
+		blade.points.push(...polygon.flatMap(({ x, y }) => [x, y]));
+		blade.indices.push(
+			...ShapeUtils.triangulateShape(polygon, [])
+				.flat()
+				.map((corner) => first + corner),
+		);
+	}
+	return { points: Float32Array.from(blade.points), indices: Uint32Array.from(blade.indices) };
+}
+
+/** So many points of a line besides its ends: time and again the one goes that spans the least area with its neighbours (Visvalingam & Whyatt 1993). */
+function mostTelling(line: readonly Vector2[], count: number): Vector2[] {
+	const left = [...line];
+	const area = (at: number) => Math.abs(ShapeUtils.area([left[at - 1], left[at], left[at + 1]]));
+	while (left.length > count + 2) {
+		let least = 1;
+		for (let at = 2; at < left.length - 1; at++) if (area(at) < area(least)) least = at;
+		left.splice(least, 1);
+	}
+	return left;
+}
