@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle {
@@ -10,6 +11,8 @@ namespace {
 
 // Turns that no two of many points on a spiral share.
 constexpr float golden_angle = 137.50776f;
+
+constexpr std::size_t lanes = 4;
 
 }  // namespace
 
@@ -56,47 +59,36 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
   int main = 0;
   for (int k = 1; k < 3; ++k)
     if (std::fabs(lamp.towards[k]) > std::fabs(lamp.towards[main])) main = k;
-  const int across = (main + 1) % 3, along = (main + 2) % 3;
+  const int across = main == 0 ? 1 : 0, along = 3 - main - across;
+  const std::size_t strides[3] = {1, index(0, 1, 0), index(0, 0, 1)};
+  const auto width = static_cast<std::size_t>(count_[across]), height = static_cast<std::size_t>(count_[along]),
+             layers = static_cast<std::size_t>(count_[main]), stride = strides[across];
+  // Towards the lamp lie four places of the layer before, the same ones for each cell. What lies beside the box is
+  // empty: a border of the planes, which have room for the last cells of a row as lanes.
+  const std::size_t pitch = width + 1 + lanes;
+  std::vector<float> before(pitch * (height + 2), 0.0f), here(before);
   const float step = 1 / std::fabs(lamp.towards[main]);  // from layer to layer, in cells
-  const float shift_across = lamp.towards[across] * step, shift_along = lamp.towards[along] * step;
-  const std::int32_t layers = count_[main];
-  const auto plane = static_cast<std::size_t>(count_[across]) * static_cast<std::size_t>(count_[along]);
-  std::vector<float> before(plane, 0.0f), depth(plane, 0.0f), matter_before(plane, 0.0f), matter_here(plane);
-  const auto cell = [&](std::int32_t layer, std::int32_t u, std::int32_t v) {
-    std::int32_t at[3];
-    at[main] = layer;
-    at[across] = u;
-    at[along] = v;
-    return index(at[0], at[1], at[2]);
-  };
-  // Towards the lamp lie four places of the layer before, the same ones for each cell; what lies beside the box is
-  // empty.
-  const float low_across = std::floor(shift_across), low_along = std::floor(shift_along);
-  const auto by_u = static_cast<std::int32_t>(low_across), by_v = static_cast<std::int32_t>(low_along);
-  const float share_u = shift_across - low_across, share_v = shift_along - low_along, way = 0.5f * step * edge_;
-  const auto behind = [&](std::int32_t u, std::int32_t v) {
-    float sum = 0;
-    for (std::int32_t j = 0; j < 2; ++j)
-      for (std::int32_t i = 0; i < 2; ++i) {
-        const std::int32_t at_u = u + by_u + i, at_v = v + by_v + j;
-        if (at_u < 0 || at_v < 0 || at_u >= count_[across] || at_v >= count_[along]) continue;
-        const auto at = static_cast<std::size_t>(at_v * count_[across] + at_u);
-        sum += (i ? share_u : 1 - share_u) * (j ? share_v : 1 - share_v) * (before[at] + way * matter_before[at]);
+  const float aside = lamp.towards[across] * step, up = lamp.towards[along] * step, way = 0.5f * step * edge_;
+  const std::size_t nearest = (up < 0 ? 0 : pitch) + (aside < 0 ? 0 : 1);
+  const float u = aside < 0 ? aside + 1 : aside, v = up < 0 ? up + 1 : up;
+  for (std::size_t k = 0; k < layers; ++k) {
+    const std::size_t layer = (lamp.towards[main] > 0 ? layers - 1 - k : k) * strides[main];
+    for (std::size_t row = 0; row < height; ++row) {
+      const float *near = &before[row * pitch + nearest], *far = near + pitch;
+      float* left = &here[(row + 1) * pitch + 1];
+      for (std::size_t x = 0; x < width; x += lanes) {
+        const std::size_t first = layer + row * strides[along] + x * stride, count = std::min(lanes, width - x);
+        float some[lanes] = {};
+        for (std::size_t lane = 0; lane < count; ++lane) some[lane] = way * matter[first + lane * stride];
+        const Four depth = (1 - v) * ((1 - u) * load(near + x) + u * load(near + x + 1)) +
+                           v * ((1 - u) * load(far + x) + u * load(far + x + 1)) + load(some);
+        store(left + x, depth + load(some));
+        const Four light = lamp.share * exponential(-depth);
+        for (std::size_t lane = 0; lane < count; ++lane) light_[first + lane * stride] += light[lane];
       }
-    return sum;
-  };
-  for (std::int32_t k = 0; k < layers; ++k) {
-    const std::int32_t layer = lamp.towards[main] > 0 ? layers - 1 - k : k;
-    for (std::int32_t v = 0; v < count_[along]; ++v)
-      for (std::int32_t u = 0; u < count_[across]; ++u) {
-        const auto at = static_cast<std::size_t>(v * count_[across] + u);
-        const float here = matter[cell(layer, u, v)];
-        matter_here[at] = here;
-        depth[at] = behind(u, v) + way * here;
-        light_[cell(layer, u, v)] += lamp.share * exponential(-depth[at]);
-      }
-    std::swap(before, depth);
-    std::swap(matter_before, matter_here);
+      left[width] = 0;
+    }
+    std::swap(before, here);
   }
 }
 

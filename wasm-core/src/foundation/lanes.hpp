@@ -42,6 +42,19 @@ inline Four square_root(const Four& v) {
 #endif
 }
 
+// e to the power of what is 0 at the most, within 2 ulp (the polynomial of Moshier's Cephes); below −87 as there.
+inline Four exponential(Four x) {
+  constexpr float least = -87, per_doubling = 1.44269504f, doubling = 0.693359375f, rest = 2.12194440e-4f;
+  constexpr float rounder = 12582912;  // 1.5 · 2²³: the low bits of what is added to it are a whole number
+  x = x < least ? Four{least, least, least, least} : x;
+  const Four shifted = x * per_doubling + rounder, whole = shifted - rounder;
+  const Four r = (x - whole * doubling) + whole * rest;
+  const Four series =
+      ((((1.9875691e-4f * r + 1.3981999e-3f) * r + 8.3334519e-3f) * r + 4.1665796e-2f) * r + 1.6666665e-1f) * r + 0.5f;
+  const Four power = series * (r * r) + r + 1.0f;
+  return (Four)((FourWords)power + ((FourWords)shifted << 23));
+}
+
 // Are all lanes of a comparison true (−1, not 0)?
 template <class Comparison>
 bool all(const Comparison& four) {

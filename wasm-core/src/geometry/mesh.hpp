@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace panicle {
@@ -12,5 +14,10 @@ struct Mesh {
   std::vector<float> uvs;              // 2 × vertices
   std::vector<std::uint32_t> indices;  // 3 × triangles
 };
+
+// Append their coordinates, or a triangle: a few numbers are pushed back several times as fast in wasm as inserted.
+void put(std::vector<float>& values, const glm::vec3& v);
+void put(std::vector<float>& values, const glm::vec2& v);
+void put(std::vector<std::uint32_t>& indices, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
 }  // namespace panicle

@@ -97,9 +97,26 @@ TEST_CASE("smoothing draws a place halfway to the mean of its neighbours, by the
                 .born = {0, 0, 0, 0},
                 .particle = {-1, -1, 0, 1}};
   smooth(trails, petiole);
-  // 56 passes end where it stays: y = (0 + 2) / 2, x = (0 + 0.5) / 2.
+  // Where it stays: y = (0 + 2) / 2, x = (0 + 0.5) / 2.
   CHECK(trails.places[1].y == doctest::Approx(1));
   CHECK(trails.places[1].x == doctest::Approx(0.25));
+}
+
+TEST_CASE("a share of a pass draws a place that share of the way, and what carries more is drawn more") {
+  const auto bent = [](double energy) {
+    return Trails{.places = {{0, 0, 0}, {0, 1, 0}, {1, 2, 0}, {0, 3, 0}, {5, 0, 0}},
+                  .next = {-1, 0, 1, 2, 0},
+                  .energy = {4, energy, energy, energy, 4 - energy},
+                  .born = {0, 0, 0, 0, 0},
+                  .particle = {-1, -1, -1, 0, 1}};
+  };
+  // 17.5 passes with all the energy, 10 with a quarter of it.
+  Trails some = bent(4), less = bent(1);
+  smooth(some, petiole, 0.5f / 17.5f);
+  smooth(less, petiole, 0.5f / 17.5f);
+  CHECK(some.places[1].x == doctest::Approx(0.25));
+  CHECK(some.places[2].x == doctest::Approx(1 - 0.5 * (1 - 0.125)));
+  CHECK(less.places[1].x == doctest::Approx(0.25 * 10 / 17.5));
 }
 
 TEST_CASE("no place is drawn out of what is open to it") {

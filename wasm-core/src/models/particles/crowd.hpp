@@ -25,8 +25,8 @@ namespace panicle::particles {
 // the one
 //   with the lower index) from the mean of both places by energy, or from its own where that mean is outside.
 // - With `join`, a particle ends in an older trail that lies ahead and is not its own; its energy runs on there.
-// - After four times the steps that the longest way takes, none heeds its neighbours any more: bends can hold two in a
-//   circle for ever. Whoever has not arrived after as many again is led there from aim to aim.
+// - After four times the steps that the longest of a hundred ways takes, none heeds its neighbours any more: bends can
+//   hold two in a circle for ever. Whoever has not arrived after as many again is led there from aim to aim.
 class Crowd {
  public:
   // `guide` must outlive the crowd. `rules.merge` below the least that ends is taken as that.

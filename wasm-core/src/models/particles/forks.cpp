@@ -12,8 +12,8 @@ namespace {
 
 // Of the energy: 1/2 would let even forks stand at 90°, 1 at none; this at 42°.
 constexpr float cost = 0.95f;
-constexpr int passes = 40;
-// How far a place goes in a pass, of the way to the nearest that it is led to or from.
+constexpr int passes = 16;
+// How far a place goes in a pass at the most, of the way to the nearest that it is led to or from: less than half.
 constexpr float most = 0.4f;
 
 }  // namespace
@@ -46,7 +46,9 @@ void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farth
     before = places;
     for (std::size_t i = 1; i < count; ++i) {
       if (!moves[i] || !(closest[i] > nearest)) continue;
-      const glm::vec3 off = places[i] + (most * (closest[i] - nearest) / (2 * pull[i])) * force[i] - first[i];
+      const glm::vec3 drawn = force[i] / (2 * pull[i]);
+      const float share = most / std::max(glm::length(drawn), most);
+      const glm::vec3 off = places[i] + share * (closest[i] - nearest) * drawn - first[i];
       places[i] = first[i] + off * std::min(1.0f, farthest / std::max(glm::length(off), farthest));
     }
     // Where they were before, all saw each other.

@@ -15,6 +15,7 @@ constexpr float cells_along = 64;
 // be for all others that are as near to be looked at.
 constexpr float to_corner = 0.75f, too_far = 1;
 constexpr std::int32_t near = 3;
+constexpr float cells_beside = 4;  // so far at once a way is followed beside the edge
 constexpr float rounding = 1e-3f;  // of a cell: so far beside an edge it is listed too
 
 float cross(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -33,6 +34,7 @@ bool meet(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c, const glm:
 
 Outline::Outline(std::vector<glm::vec2> points) : points_(std::move(points)) {
   if (points_.empty()) points_.push_back({0, 0});
+  points_.push_back(points_[0]);
   glm::vec2 low = points_[0], high = low;
   for (const glm::vec2& p : points_) {
     low = glm::min(low, p);
@@ -40,19 +42,19 @@ Outline::Outline(std::vector<glm::vec2> points) : points_(std::move(points)) {
   }
   low_ = {low.x, low.y, 0};
   high_ = {high.x, high.y, 0};
-  const std::size_t rows = points_.size();
+  const std::size_t rows = count();
   row_height_ = std::max((high.y - low.y) / static_cast<float>(rows), std::numeric_limits<float>::min());
   const auto reach = [this](std::size_t i) {
-    const float from = points_[i].y, to = points_[(i + 1) % points_.size()].y;
+    const float from = points_[i].y, to = points_[i + 1].y;
     return std::pair(row_of(std::min(from, to)), row_of(std::max(from, to)));
   };
   first_.assign(rows + 1, 0);
-  for (std::size_t i = 0; i < points_.size(); ++i)
+  for (std::size_t i = 0; i < count(); ++i)
     for (auto [row, last] = reach(i); row <= last; ++row) ++first_[row + 1];
   for (std::size_t row = 0; row < rows; ++row) first_[row + 1] += first_[row];
   members_.resize(first_[rows]);
   std::vector<std::uint32_t> free(first_.begin(), first_.end() - 1);
-  for (std::uint32_t i = 0; i < points_.size(); ++i)
+  for (std::uint32_t i = 0; i < count(); ++i)
     for (auto [row, last] = reach(i); row <= last; ++row) members_[free[row]++] = i;
   measure();
   list_edges();
@@ -62,7 +64,7 @@ Outline::Outline(std::vector<glm::vec2> points) : points_(std::move(points)) {
 
 std::size_t Outline::row_of(float y) const {
   const float at = (y - low_.y) / row_height_;
-  return static_cast<std::size_t>(std::clamp(at, 0.0f, static_cast<float>(points_.size() - 1)));
+  return static_cast<std::size_t>(std::clamp(at, 0.0f, static_cast<float>(count() - 1)));
 }
 
 int Outline::winding(float x, float y) const {
@@ -70,7 +72,7 @@ int Outline::winding(float x, float y) const {
   int turns = 0;
   const std::size_t row = row_of(y);
   for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
-    const glm::vec2 from = points_[members_[k]], to = points_[(members_[k] + 1) % points_.size()];
+    const glm::vec2 from = points_[members_[k]], to = points_[members_[k] + 1];
     if ((from.y <= y) == (to.y <= y)) continue;
     const float side = cross(to - from, glm::vec2(x, y) - from);
     if (from.y <= y && side > 0) ++turns;
@@ -86,10 +88,9 @@ bool Outline::contains(const glm::vec3& p) const {
   return clearance_[cell] > 0 ? inside_[cell] != 0 : winding(p.x, p.y) != 0;
 }
 
-// Calls `see(cell)` for every cell that an edge meets; and for others beside it.
+// Calls `see(cell)` for every cell that a straight way meets; and for others beside it.
 template <class See>
-void Outline::cells_of(std::uint32_t edge, const See& see) const {
-  const glm::vec2 a = points_[edge], b = points_[(edge + 1) % points_.size()];
+void Outline::cells_between(const glm::vec2& a, const glm::vec2& b, const See& see) const {
   const glm::vec2 from = a.y <= b.y ? a : b, to = a.y <= b.y ? b : a;
   const float slack = rounding * cell_, rise = to.y - from.y;
   const std::int32_t top = line_of(to.y + slack);
@@ -106,14 +107,14 @@ void Outline::cells_of(std::uint32_t edge, const See& see) const {
 }
 
 void Outline::list_edges() {
-  const auto count = static_cast<std::uint32_t>(points_.size());
   first_in_.assign(nearest_.size() + 1, 0);
-  for (std::uint32_t edge = 0; edge < count; ++edge) cells_of(edge, [&](std::size_t cell) { ++first_in_[cell + 1]; });
+  for (std::uint32_t edge = 0; edge < count(); ++edge)
+    cells_between(points_[edge], points_[edge + 1], [&](std::size_t cell) { ++first_in_[cell + 1]; });
   for (std::size_t cell = 0; cell < nearest_.size(); ++cell) first_in_[cell + 1] += first_in_[cell];
   edges_in_.resize(first_in_.back());
   std::vector<std::uint32_t> free(first_in_.begin(), first_in_.end() - 1);
-  for (std::uint32_t edge = 0; edge < count; ++edge)
-    cells_of(edge, [&](std::size_t cell) { edges_in_[free[cell]++] = edge; });
+  for (std::uint32_t edge = 0; edge < count(); ++edge)
+    cells_between(points_[edge], points_[edge + 1], [&](std::size_t cell) { edges_in_[free[cell]++] = edge; });
 }
 
 void Outline::find_sides() {
@@ -129,32 +130,27 @@ void Outline::find_sides() {
 
 // Goes as far at once as the edge is away at least; only beside it are edges looked at.
 bool Outline::holds(const glm::vec3& a, const glm::vec3& b) const {
-  const float length = glm::distance(a, b);
+  const float length = glm::distance(a, b), beside = cells_beside * cell_;
   glm::vec3 at = a;
   for (float gone = 0;;) {
-    // As far as the edge cannot be; near it a cell at a time, against the edges there.
-    const float free = clearance(at), hop = std::max(free, cell_);
+    // As far as the edge cannot be; near it some cells at a time, against the edges there.
+    const float free = clearance(at), hop = free < cell_ ? beside : free;
     const bool ends = gone + hop >= length;
     const glm::vec3 next = ends ? b : a + ((gone + hop) / length) * (b - a);
-    if (free < cell_ && crosses(at, next)) return false;
+    if (free < cell_ && crosses({at.x, at.y}, {next.x, next.y})) return false;
     if (ends) return true;
     gone += hop;
     at = next;
   }
 }
 
-bool Outline::crosses(const glm::vec3& a, const glm::vec3& b) const {
-  const glm::vec2 low(std::min(a.x, b.x), std::min(a.y, b.y)), high(std::max(a.x, b.x), std::max(a.y, b.y));
-  const std::int32_t right = column_of(high.x), top = line_of(high.y);
-  for (std::int32_t y = line_of(low.y); y <= top; ++y)
-    for (std::int32_t x = column_of(low.x); x <= right; ++x) {
-      const auto cell = static_cast<std::size_t>(y * across_ + x);
-      for (std::uint32_t k = first_in_[cell]; k < first_in_[cell + 1]; ++k) {
-        const std::uint32_t edge = edges_in_[k];
-        if (meet({a.x, a.y}, {b.x, b.y}, points_[edge], points_[(edge + 1) % points_.size()])) return true;
-      }
-    }
-  return false;
+bool Outline::crosses(const glm::vec2& a, const glm::vec2& b) const {
+  bool crossed = false;
+  cells_between(a, b, [&](std::size_t cell) {
+    for (std::uint32_t k = first_in_[cell]; k < first_in_[cell + 1] && !crossed; ++k)
+      crossed = meet(a, b, points_[edges_in_[k]], points_[edges_in_[k] + 1]);
+  });
+  return crossed;
 }
 
 std::int32_t Outline::column_of(float x) const {
@@ -166,8 +162,7 @@ std::int32_t Outline::line_of(float y) const {
 }
 
 float Outline::distance_to_edge(const glm::vec3& p, std::uint32_t edge) const {
-  const glm::vec2 from = points_[edge], way = points_[(edge + 1) % points_.size()] - from,
-                  place = glm::vec2(p.x, p.y) - from;
+  const glm::vec2 from = points_[edge], way = points_[edge + 1] - from, place = glm::vec2(p.x, p.y) - from;
   const float square = glm::dot(way, way);
   const float at = square > 0 ? glm::clamp(glm::dot(place, way) / square, 0.0f, 1.0f) : 0;
   return glm::distance(place, at * way);
@@ -175,7 +170,7 @@ float Outline::distance_to_edge(const glm::vec3& p, std::uint32_t edge) const {
 
 float Outline::distance(const glm::vec3& p) const {
   float least = std::numeric_limits<float>::max();
-  for (std::uint32_t i = 0; i < points_.size(); ++i) least = std::min(least, distance_to_edge(p, i));
+  for (std::uint32_t i = 0; i < count(); ++i) least = std::min(least, distance_to_edge(p, i));
   return least;
 }
 
@@ -210,8 +205,8 @@ void Outline::measure() {
     clearance_[cell] = away;
     nearest_[cell] = edge;
   };
-  for (std::uint32_t edge = 0; edge < points_.size(); ++edge) {
-    const glm::vec2 from = points_[edge], way = points_[(edge + 1) % points_.size()] - from;
+  for (std::uint32_t edge = 0; edge < count(); ++edge) {
+    const glm::vec2 from = points_[edge], way = points_[edge + 1] - from;
     const auto steps = static_cast<std::int32_t>(2 * glm::length(way) / cell_) + 1;
     for (std::int32_t k = 0; k <= steps; ++k) {
       const glm::vec2 at = (from + way * (static_cast<float>(k) / static_cast<float>(steps)) - glm::vec2(low_)) / cell_;
@@ -272,7 +267,7 @@ float Outline::clearance(const glm::vec3& p) const {
 
 float Outline::area() const {
   float twice = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) twice += cross(points_[i], points_[(i + 1) % points_.size()]);
+  for (std::size_t i = 0; i < count(); ++i) twice += cross(points_[i], points_[i + 1]);
   return 0.5f * std::fabs(twice);
 }
 

@@ -16,7 +16,7 @@ class Outline final : public Region {
  public:
   explicit Outline(std::vector<glm::vec2> points);
 
-  std::span<const glm::vec2> points() const { return points_; }
+  std::span<const glm::vec2> points() const { return {points_.data(), count()}; }
   glm::vec3 low() const override { return low_; }
   glm::vec3 high() const override { return high_; }
   bool contains(const glm::vec3& p) const override;
@@ -34,7 +34,8 @@ class Outline final : public Region {
   float clearance(const glm::vec3& p) const;
 
  private:
-  bool crosses(const glm::vec3& a, const glm::vec3& b) const;
+  std::size_t count() const { return points_.size() - 1; }
+  bool crosses(const glm::vec2& a, const glm::vec2& b) const;
   float distance_to_edge(const glm::vec3& p, std::uint32_t edge) const;
   void measure();
   void list_edges();
@@ -43,11 +44,11 @@ class Outline final : public Region {
   std::int32_t column_of(float x) const;
   std::int32_t line_of(float y) const;
   template <class See>
-  void cells_of(std::uint32_t edge, const See& see) const;
+  void cells_between(const glm::vec2& a, const glm::vec2& b, const See& see) const;
   int winding(float x, float y) const;
   std::size_t row_of(float y) const;
 
-  std::vector<glm::vec2> points_;
+  std::vector<glm::vec2> points_;  // and the first again
   glm::vec3 low_{0}, high_{0};
   float row_height_ = 1;
   std::vector<std::uint32_t> first_, members_;  // of each row of the box: the edges that meet it

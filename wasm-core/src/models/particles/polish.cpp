@@ -6,16 +6,21 @@
 #include <utility>
 
 #include "foundation/easing.hpp"
-#include "foundation/order.hpp"
 
 namespace panicle::particles {
 namespace {
 
-constexpr float least_passes = 8, more_passes = 48;
+constexpr float least_passes = 2.5f, more_passes = 15;
 // The share of all energy with which half of a trail is laid into its rib.
 constexpr double bedded_energy = 0.004;
 // So many times as far a trail is laid back into the line that it goes on along: where others drew it aside.
 constexpr float back_from = 2;
+
+// A place that is drawn, the run of those that lead to it, and how often it still is.
+struct Drawn {
+  std::uint32_t place, first, count;
+  float passes;
+};
 
 std::size_t next_of(const Trails& trails, std::size_t i) { return static_cast<std::size_t>(trails.next[i]); }
 
@@ -58,33 +63,30 @@ bool is_free(const Guide& guide, const Trails& trails, std::uint32_t i,
 
 void smooth(Trails& trails, const Guide& guide, float share) {
   const auto runs = leading_to(trails);
-  std::vector<std::uint32_t> moving;
-  std::vector<float> passes;
+  std::vector<Drawn> moving;
+  std::vector<float> weights(trails.size(), 1);  // of each among those that lead to the same place
   for (std::uint32_t i = 1; i < trails.size(); ++i) {
-    if (runs[i].second == 0 || trails.particle[i] >= 0) continue;
-    moving.push_back(i);
-    const float weight = static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]));
-    passes.push_back(-share * (least_passes + more_passes * weight));
+    const auto [first, count] = runs[i];
+    if (count == 0 || trails.particle[i] >= 0) continue;
+    const auto carried = static_cast<float>(std::sqrt(trails.energy[i] / trails.energy[0]));
+    moving.push_back({i, first, count, share * (least_passes + more_passes * carried)});
+    double sum = 0;
+    for (std::uint32_t k = first; k < first + count; ++k) sum += trails.energy[k];
+    for (std::uint32_t k = first; k < first + count; ++k) weights[k] = static_cast<float>(trails.energy[k] / sum);
   }
-  const std::vector<std::uint32_t> order = order_of(passes);
   std::vector<glm::vec3>& places = trails.places;
   // Each in its turn, so that what a place sees is still there when the next is drawn.
-  for (float pass = 0; pass < share * (least_passes + more_passes); ++pass) {
-    for (const std::uint32_t at : order) {
-      if (-passes[at] <= pass) break;
-      const std::uint32_t i = moving[at];
-      const auto [first, count] = runs[i];
+  for (bool outwards = true; !moving.empty(); outwards = !outwards) {
+    for (std::size_t m = 0; m < moving.size(); ++m) {
+      Drawn& at = moving[outwards ? m : moving.size() - 1 - m];
       glm::vec3 mean(0);
-      float weights = 0;
-      for (std::uint32_t k = first; k < first + count; ++k) {
-        const auto weight = static_cast<float>(trails.energy[k]);
-        mean += weight * places[k];
-        weights += weight;
-      }
-      const glm::vec3& next = places[next_of(trails, i)];
-      const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (next + mean / weights);
-      if (is_free(guide, trails, i, runs[i], drawn)) places[i] = drawn;
+      for (std::uint32_t k = at.first; k < at.first + at.count; ++k) mean += weights[k] * places[k];
+      const glm::vec3 middle = 0.5f * (places[next_of(trails, at.place)] + mean);
+      const glm::vec3 drawn = places[at.place] + std::min(at.passes, 1.0f) * (middle - places[at.place]);
+      if (is_free(guide, trails, at.place, runs[at.place], drawn)) places[at.place] = drawn;
+      at.passes -= 1;
     }
+    std::erase_if(moving, [](const Drawn& at) { return !(at.passes > 0); });
   }
 }
 

@@ -1,6 +1,7 @@
 #include "models/particles/rib_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -8,8 +9,9 @@
 namespace panicle::particles {
 namespace {
 
-constexpr std::int32_t wide = 8, within = 5;  // cells of the first division along an edge, and cells of each of those
-constexpr std::int32_t along = wide * within;
+constexpr std::int32_t widest = 5,
+                       divisions = 3;  // cells of the first grid along an edge, and how often they are halved
+constexpr std::int32_t along = widest << divisions;
 constexpr float rounding = 1e-5f;
 
 }  // namespace
@@ -29,45 +31,39 @@ RibGrid::RibGrid(const Ribs& ribs, const glm::vec3& low, const glm::vec3& high)
     lines_[line_.back()].push_back(i);
     continued[next] = 1;
   }
-  wide_.resize(static_cast<std::size_t>(wide * wide));
-  fine_.resize(static_cast<std::size_t>(along * along));
+  for (std::int32_t level = 0; level <= divisions; ++level)
+    grids_.emplace_back(static_cast<std::size_t>((widest << level) * (widest << level)));
 }
 
-// Of `from`, those that come as near to some place about the middle as the nearest does.
-void RibGrid::select(const Pieces& from, const glm::vec2& middle, float radius, Pieces& selected) const {
-  const glm::vec3 place = low_ + cell_ * glm::vec3(middle, 0);
+// Of `from`, those that come as near to some place within `radius` of the middle as the nearest does.
+RibGrid::Pieces RibGrid::selected(const Pieces& from, const glm::vec3& middle, float radius) const {
   std::vector<float> distances;
+  distances.reserve(from.size());
   float least = std::numeric_limits<float>::max();
   for (const std::uint32_t i : from) {
-    distances.push_back(ribs_->foot_on(i, place).distance);
+    distances.push_back(std::sqrt(ribs_->square_to(i, middle)));
     least = std::min(least, distances.back());
   }
   const float reach = (least + 2 * radius) * (1 + rounding) + rounding;
+  Pieces near;
   for (std::size_t k = 0; k < from.size(); ++k)
-    if (distances[k] <= reach) selected.push_back(from[k]);
+    if (distances[k] <= reach) near.push_back(from[k]);
+  return near;
 }
 
-const RibGrid::Pieces& RibGrid::pieces_about(std::int32_t x, std::int32_t y) const {
-  Pieces& fine = fine_[static_cast<std::size_t>(y * along + x)];
-  if (!fine.empty() || every_.empty()) return fine;
-  const std::int32_t column = x / within, row = y / within;
-  const float radius = 0.5f * glm::length(cell_), half = 0.5f * static_cast<float>(within);
-  Pieces& about = wide_[static_cast<std::size_t>(row * wide + column)];
-  if (about.empty()) {
-    const glm::vec2 middle(static_cast<float>(column * within) + half, static_cast<float>(row * within) + half);
-    select(every_, middle, radius * static_cast<float>(within), about);
-  }
-  select(about, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}, radius, fine);
-  return fine;
+const RibGrid::Pieces& RibGrid::pieces_about(std::int32_t x, std::int32_t y, std::int32_t level) const {
+  Pieces& pieces = grids_[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * (widest << level) + x)];
+  if (!pieces.empty() || every_.empty()) return pieces;
+  const glm::vec3 cell = static_cast<float>(1 << (divisions - level)) * cell_;
+  const glm::vec3 middle = low_ + cell * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 0);
+  pieces = selected(level > 0 ? pieces_about(x / 2, y / 2, level - 1) : every_, middle, 0.5f * glm::length(cell));
+  return pieces;
 }
 
 Ribs::Foot RibGrid::nearest(const glm::vec3& p) const {
   const float x = (p.x - low_.x) / cell_.x, y = (p.y - low_.y) / cell_.y;
   if (!(x >= 0 && y >= 0 && x < static_cast<float>(along) && y < static_cast<float>(along))) return ribs_->nearest(p);
-  Ribs::Foot best = ribs_->at_base(p);
-  for (const std::uint32_t i : pieces_about(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)))
-    if (const Ribs::Foot foot = ribs_->foot_on(i, p); foot.distance < best.distance) best = foot;
-  return best;
+  return ribs_->nearest(p, pieces_about(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), divisions));
 }
 
 Ribs::Foot RibGrid::nearest_on(std::uint32_t line, const glm::vec3& p) const {

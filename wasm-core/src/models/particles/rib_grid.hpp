@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -11,7 +10,7 @@
 namespace panicle::particles {
 
 // A grid over a box: each cell, once something in it has been asked for, knows the pieces of which one must be the
-// nearest to whatever is in it.
+// nearest to whatever is in it, found among those of the wider cell about it.
 class RibGrid {
  public:
   // `ribs` must outlive it. The box lies in the plane z = 0.
@@ -28,14 +27,15 @@ class RibGrid {
 
  private:
   using Pieces = std::vector<std::uint32_t>;
-  const Pieces& pieces_about(std::int32_t x, std::int32_t y) const;
-  void select(const Pieces& from, const glm::vec2& middle, float radius, Pieces& selected) const;
+  const Pieces& pieces_about(std::int32_t x, std::int32_t y, std::int32_t level) const;
+  Pieces selected(const Pieces& from, const glm::vec3& middle, float radius) const;
 
   const Ribs* ribs_;
   glm::vec3 low_, cell_;
   Pieces every_;
-  mutable std::vector<Pieces> wide_, fine_;  // of each cell, in ascending order; empty: not asked for yet
-  std::vector<std::uint32_t> line_;          // by place
+  // Grid by grid, each twice as fine as the one before: of each cell, in ascending order; empty: not asked for yet.
+  mutable std::vector<std::vector<Pieces>> grids_;
+  std::vector<std::uint32_t> line_;  // by place
   std::vector<std::vector<std::uint32_t>> lines_;
 };
 

@@ -7,10 +7,26 @@ namespace panicle::particles {
 Ribs::Foot Ribs::at_base(const glm::vec3& p) const { return {0, 0, places[0], glm::distance(p, places[0])}; }
 
 Ribs::Foot Ribs::nearest(const glm::vec3& p) const {
-  Foot best = at_base(p);
-  for (std::size_t i = 1; i < places.size(); ++i)
-    if (const Foot foot = foot_on(i, p); foot.distance < best.distance) best = foot;
-  return best;
+  return nearest_of(places.size() - 1, [](std::size_t k) { return k + 1; }, p);
+}
+
+Ribs::Foot Ribs::nearest(const glm::vec3& p, std::span<const std::uint32_t> pieces) const {
+  return nearest_of(pieces.size(), [&](std::size_t k) { return std::size_t{pieces[k]}; }, p);
+}
+
+// Of so many pieces, the k-th of which begins at `piece(k)`.
+template <class Piece>
+Ribs::Foot Ribs::nearest_of(std::size_t count, const Piece& piece, const glm::vec3& p) const {
+  const glm::vec3 base = p - places[0];
+  std::size_t found = 0;
+  float best = glm::dot(base, base);
+  for (std::size_t k = 0; k < count; ++k) {
+    const float square = square_to(piece(k), p);
+    if (!(square < best)) continue;
+    best = square;
+    found = piece(k);
+  }
+  return found > 0 ? foot_on(found, p) : at_base(p);
 }
 
 glm::vec3 Ribs::down(const Foot& from, float length) const {

@@ -26,20 +26,35 @@ struct Ribs {
   // The place nearest to `p` on the piece from place `at`, not 0, to the next; and place 0.
   Foot foot_on(std::size_t at, const glm::vec3& p) const {
     const glm::vec3 from = places[at], way = places[static_cast<std::size_t>(next[at])] - from;
-    const float square = glm::dot(way, way);
-    const float along = square > 0 ? glm::clamp(glm::dot(p - from, way) / square, 0.0f, 1.0f) : 0;
+    const float along = share_along(way, p - from);
     const glm::vec3 place = from + along * way;
     return {at, along, place, glm::distance(p, place)};
+  }
+  // The square of its distance: enough to tell which is nearest.
+  float square_to(std::size_t at, const glm::vec3& p) const {
+    const glm::vec3 from = places[at], way = places[static_cast<std::size_t>(next[at])] - from;
+    const glm::vec3 off = p - from - share_along(way, p - from) * way;
+    return glm::dot(off, off);
   }
   Foot at_base(const glm::vec3& p) const;
   // The place nearest to `p`; of equally near ones that of the earliest piece. Of ribs without a piece, place 0.
   Foot nearest(const glm::vec3& p) const;
+  // That on some pieces alone, in ascending order, or place 0.
+  Foot nearest(const glm::vec3& p, std::span<const std::uint32_t> pieces) const;
   // Where one comes to from there by following them so far down; place 0 at the end.
   glm::vec3 down(const Foot& from, float length) const;
   // Places all along them, no farther apart than `spacing`; place 0 first.
   std::vector<glm::vec3> strewn(float spacing) const;
   // How far it is down to place 0.
   float length_below(const Foot& from) const;
+
+ private:
+  template <class Piece>
+  Foot nearest_of(std::size_t count, const Piece& piece, const glm::vec3& p) const;
+  static float share_along(const glm::vec3& way, const glm::vec3& p) {
+    const float square = glm::dot(way, way);
+    return square > 0 ? glm::clamp(glm::dot(p, way) / square, 0.0f, 1.0f) : 0;
+  }
 };
 
 }  // namespace panicle::particles

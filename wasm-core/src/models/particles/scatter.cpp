@@ -184,10 +184,10 @@ std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t see
     for (const std::uint64_t i : open) {
       const glm::ivec3 cell = lattice.cell(i);
       const glm::vec3 p = lattice.point(cell, 1, seed, round);
-      if (!whole[i] && !region.contains(p)) {
-        if (round <= edge_rounds) still_open.push_back(i);  // its cell may lie across the edge
-      } else if (const glm::vec3* other = in_the_way(i, p)) {
+      if (const glm::vec3* other = in_the_way(i, p)) {
         if (!lattice.covered(cell, *other, apart)) still_open.push_back(i);
+      } else if (!whole[i] && !region.contains(p)) {
+        if (round <= edge_rounds) still_open.push_back(i);  // its cell may lie across the edge
       } else {
         taken[i] = 1;
         by_cell[i] = p;

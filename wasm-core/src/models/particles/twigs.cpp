@@ -35,9 +35,9 @@ class Writer {
 
   std::uint32_t vertex(const glm::vec3& place, const glm::vec3& normal, const glm::vec2& uv, std::size_t segment) {
     Mesh& mesh = stem_.mesh;
-    mesh.positions.insert(mesh.positions.end(), {place.x, place.y, place.z});
-    mesh.normals.insert(mesh.normals.end(), {normal.x, normal.y, normal.z});
-    mesh.uvs.insert(mesh.uvs.end(), {uv.x, uv.y});
+    put(mesh.positions, place);
+    put(mesh.normals, normal);
+    put(mesh.uvs, uv);
     stem_.segment.push_back(static_cast<std::uint32_t>(segment));
     return static_cast<std::uint32_t>(stem_.segment.size()) - 1;
   }
@@ -51,9 +51,7 @@ class Writer {
     }
     return first;
   }
-  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    stem_.mesh.indices.insert(stem_.mesh.indices.end(), {a, b, c});
-  }
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { put(stem_.mesh.indices, a, b, c); }
 
  private:
   StemMesh& stem_;

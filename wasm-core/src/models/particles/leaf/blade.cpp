@@ -14,8 +14,6 @@ namespace {
 constexpr float groove = 0.4f;       // depth above, of the ridge's height below
 constexpr float thin_margin = 0.5f;  // of the blade's thickness
 
-void put_at(std::vector<float>& values, const glm::vec3& v) { values.insert(values.end(), {v.x, v.y, v.z}); }
-
 glm::vec3 vector_at(const std::vector<float>& values, std::size_t row) {
   return {values[3 * row], values[3 * row + 1], values[3 * row + 2]};
 }
@@ -31,14 +29,15 @@ void add_rim(Mesh& lower, const Mesh& upper, std::size_t ring) {
     const glm::vec3 outward = glm::cross(along, top - bottom);
     const float length = glm::length(outward);
     for (const glm::vec3& place : {top, bottom}) {
-      put_at(lower.positions, place);
-      put_at(lower.normals, length > 0 ? outward / length : glm::vec3(0, 0, 1));
-      lower.uvs.insert(lower.uvs.end(), {upper.uvs[2 * i], upper.uvs[2 * i + 1]});
+      put(lower.positions, place);
+      put(lower.normals, length > 0 ? outward / length : glm::vec3(0, 0, 1));
+      put(lower.uvs, {upper.uvs[2 * i], upper.uvs[2 * i + 1]});
     }
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t top = first + 2 * i, next = first + 2 * ((i + 1) % count);
-    lower.indices.insert(lower.indices.end(), {top, top + 1, next, next, top + 1, next + 1});
+    put(lower.indices, top, top + 1, next);
+    put(lower.indices, next, top + 1, next + 1);
   }
 }
 
@@ -77,19 +76,19 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     const glm::vec3 middle = bending(p), normal = bending.normal(p);
     const float half = 0.5f * form.thickness * (k < laid.ring ? thin_margin : 1.0f);
     const float ridge = k < laid.ring ? 0 : form.relief * bending.scale * laid.rise[i];
-    put_at(upper.positions, middle + (half - std::min(groove * ridge, half)) * normal);
-    put_at(lower.positions, middle - (half + ridge) * normal);
-    put_at(upper.normals, normal);
-    put_at(lower.normals, -normal);
-    upper.uvs.insert(upper.uvs.end(), {(p.x - square.low.x) / square.size, (p.y - square.low.y) / square.size});
+    put(upper.positions, middle + (half - std::min(groove * ridge, half)) * normal);
+    put(lower.positions, middle - (half + ridge) * normal);
+    put(upper.normals, normal);
+    put(lower.normals, -normal);
+    put(upper.uvs, (p - square.low) / square.size);
     vein.push_back(laid.vein[i]);
     edge.push_back(k < laid.ring ? 0 : outline.about_distance({p.x, p.y, 0}));
   }
   lower.uvs = upper.uvs;
   for (std::size_t k = 0; k < triangles.size(); k += 3) {
     const auto corner = [&](std::size_t at) { return static_cast<std::uint32_t>(number[triangles[k + at]]); };
-    upper.indices.insert(upper.indices.end(), {corner(0), corner(1), corner(2)});
-    lower.indices.insert(lower.indices.end(), {corner(0), corner(2), corner(1)});
+    put(upper.indices, corner(0), corner(1), corner(2));
+    put(lower.indices, corner(0), corner(2), corner(1));
   }
   add_rim(lower, upper, laid.ring);
   std::vector<float> vein_below = vein, edge_below = edge;

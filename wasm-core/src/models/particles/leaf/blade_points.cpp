@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "foundation/easing.hpp"
+#include "foundation/order.hpp"
 #include "geometry/triangulation.hpp"
 
 namespace panicle::particles::leaf {
@@ -82,14 +83,16 @@ class Crowding {
 
 // The widest veins, as many as there are points for.
 std::vector<VeinPiece> widest(std::span<const VeinPiece> veins, float length) {
-  std::vector<VeinPiece> sorted(veins.begin(), veins.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const VeinPiece& one, const VeinPiece& other) { return one.radius_from > other.radius_from; });
-  std::size_t kept = 0;
-  for (float sum = 0; kept < sorted.size() && sum < length; ++kept)
-    sum += glm::distance(sorted[kept].from, sorted[kept].to);
-  sorted.resize(kept);
-  return sorted;
+  std::vector<float> narrowness;
+  for (const VeinPiece& vein : veins) narrowness.push_back(-vein.radius_from);
+  std::vector<VeinPiece> kept;
+  float sum = 0;
+  for (const std::uint32_t i : order_of(narrowness)) {
+    if (!(sum < length)) break;
+    kept.push_back(veins[i]);
+    sum += glm::distance(veins[i].from, veins[i].to);
+  }
+  return kept;
 }
 
 }  // namespace
