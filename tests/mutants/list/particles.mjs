@@ -140,6 +140,12 @@ export default [
 				replace: "continue;",
 				breaks: "a branch is drawn through a wall",
 			},
+			{
+				id: "forks-past-each-other",
+				find: "const float share = most / std::max(glm::length(drawn), most);",
+				replace: "const float share = 1;",
+				breaks: "two places that draw towards each other change sides",
+			},
 		],
 	},
 	{
@@ -241,8 +247,14 @@ export default [
 	},
 	{
 		file: `${SRC}/polish.cpp`,
-		suites: [`${TESTS}/venation_test.cpp`],
+		suites: [`${TESTS}/venation_test.cpp`, `${TESTS}/polish_test.cpp`],
 		faults: [
+			{
+				id: "polish-by-whole-passes",
+				find: "std::min(at.passes, 1.0f) * (middle - places[at.place])",
+				replace: "1.0f * (middle - places[at.place])",
+				breaks: "a little smoothing is as much as a whole pass, and grows by jerks",
+			},
 			{
 				id: "polish-leaves-bumps",
 				find: "constexpr float back_from = 2;",

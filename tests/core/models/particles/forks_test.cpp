@@ -41,15 +41,15 @@ TEST_CASE("who met face to face stands in a fork, no farther from where that was
   CHECK(glm::distance(held.places[2], {0, 4, 0}) == doctest::Approx(0.3f));
 }
 
-TEST_CASE("of two forks that are drawn towards each other none gets past the other, however strong they are drawn") {
-  // Twigs from above hold the lower one, twigs from below the upper one; what is between carries next to nothing.
-  Trails trails{.places = {{0, 0, 0}, {0, 0.1f, 0}, {0, 1, 0}, {0, 1.3f, 0}, {0, 9, 0.1f}, {0, 0.2f, 0.1f}},
-                .next = {-1, 0, 1, 2, 2, 3},
-                .energy = {200, 200, 200, 100, 100, 100},
+TEST_CASE("of two places that all draw towards each other none gets past the other") {
+  // The trail comes up from below to the second, down to the first, and goes up to the target.
+  Trails trails{.places = {{0, 9, 0}, {0, 8, 0}, {0, 1, 0}, {0, 2, 0}, {0.1f, -9, 0}, {-0.1f, -9, 0}},
+                .next = {-1, 0, 1, 2, 3, 3},
+                .energy = {2, 2, 2, 2, 1, 1},
                 .born = {9, 8, 7, 6, 0, 0},
                 .particle = {-1, -1, -1, -1, 0, 1}};
-  narrow_forks(trails, Straight({0, 0, 0}), 0.05f, 9);
-  CHECK(trails.places[3].y > trails.places[2].y);
+  narrow_forks(trails, Straight({0, 9, 0}), 0.05f, 9);
+  CHECK(trails.places[3].y - trails.places[2].y == doctest::Approx(0.05f).epsilon(0.01));
 }
 
 TEST_CASE("forks do not slide to where an obstacle hides their twigs") {
