@@ -9,13 +9,15 @@ import { gltfMaterial, type TextureIndices } from "./gltf_material";
 import { rounded, shortFloat } from "./numbers";
 import { png } from "./png";
 import { tangentsOf } from "./tangents";
+import { together } from "./together";
 import { brightest, sharesOf } from "./vertex_colours";
 import { written } from "./written";
 
 export interface GlbOptions {
 	/**
-	 * Instances drawn by one node with EXT_mesh_gpu_instancing in place of a node each: smaller and faster, for readers
-	 * that know the extension; others refuse the file. What is drawn once stays as it is.
+	 * Instances drawn by one node with EXT_mesh_gpu_instancing in place of a node each, or of meshes of all those that are
+	 * no parts by themselves: smaller and faster, for readers that know the extension; others refuse the file. What is drawn
+	 * once stays as it is.
 	 */
 	instancing?: boolean;
 	/** Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about two thirds the size; readers must know it. */
@@ -28,7 +30,7 @@ const TURN_DECIMALS = 7;
 
 /** The file; `parts` are only read. The same parts give the same bytes. */
 export function exportGlb(parts: Iterable<Part>, about: About, options: GlbOptions = {}): Uint8Array<ArrayBuffer> {
-	const all = [...parts];
+	const all = options.instancing ? [...parts] : [...parts].map(together);
 	const writer = new PartsWriter(new GltfDocument(options.compact ?? false), all, options.instancing ?? false);
 	return writer.write(all, about);
 }
@@ -101,7 +103,8 @@ class PartsWriter {
 		const { mesh, unit } = this.#sharedMesh(shape, name);
 		const { transforms, each } = instances;
 		if (each && !this.#instancing) return this.#apart(instances, each, mesh, unit, parent);
-		const drawn = each
+		const many = each !== undefined || transforms.length > TRANSFORM;
+		const drawn = many
 			? { mesh, ...this.#together(transforms, unit) }
 			: { mesh, ...transformed(transforms, 0, unit, parent) };
 		if (apart) return [this.#document.node({ name: shape.mesh.name ?? name, ...drawn })];

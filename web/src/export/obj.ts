@@ -3,18 +3,17 @@
  * nodes, with underscores for spaces. What is in the files is in docs/export.md.
  */
 import type { Picture } from "../plant/material";
-import { placeVectors, rows } from "../plant/orientation";
-import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+import { everyPart, type Part, type Shape, TRANSFORM } from "../plant/part";
 import type { About } from "./about";
 import { GENERATOR } from "./generator";
 import { type NamedMaterial, writeMtl } from "./mtl";
 import { ObjMaterials } from "./obj_materials";
 import { ObjWriter } from "./obj_writer";
 import { png } from "./png";
+import { placed, together } from "./together";
 
 /** What a vertex is likely to take with its share of the faces, in bytes; only a guess to begin with. */
 const BYTES_PER_VERTEX = 160;
-const ORIGIN = [0, 0, 0];
 
 /** A picture that the MTL asks for. */
 export interface ObjPicture {
@@ -29,7 +28,7 @@ export function exportObj(
 	about: About,
 	name: string,
 ): { obj: string; mtl: string; pictures: ObjPicture[] } {
-	const all = [...everyPart(parts)];
+	const all = [...everyPart([...parts].map(together))];
 	const writer = new ObjWriter(BYTES_PER_VERTEX * verticesOf(all));
 	writer.line(`# ${GENERATOR}: ${about.name}, metres, +Y up`);
 	writer.line(`# ${about.link}`);
@@ -73,16 +72,7 @@ function writeShape(writer: ObjWriter, name: string, { mesh, instances }: Shape,
 	const { transforms, each } = instances;
 	for (let i = 0; i < transforms.length / TRANSFORM; i++) {
 		const transform = transforms.subarray(TRANSFORM * i, TRANSFORM * (i + 1));
-		writer.object(each ? each(i).name : name, baked(mesh, transform), material);
+		const { uvs, indices } = mesh;
+		writer.object(each ? each(i).name : name, { ...placed(mesh, transform), uvs, indices }, material);
 	}
-}
-
-/** A mesh where one of its instances stands; texture coordinates and triangles are its own. */
-function baked(mesh: PartMesh, [x, y, z, qx, qy, qz, qw, scale]: Float32Array) {
-	const turn = rows({ x: qx, y: qy, z: qz, w: qw });
-	const positions = new Float64Array(mesh.positions.length);
-	const normals = new Float64Array(mesh.normals.length);
-	placeVectors(mesh.positions, turn, scale, [x, y, z], positions);
-	placeVectors(mesh.normals, turn, 1, ORIGIN, normals);
-	return { positions, normals, uvs: mesh.uvs, indices: mesh.indices };
 }

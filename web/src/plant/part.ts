@@ -21,7 +21,7 @@ export interface Instances {
 	transforms: Float32Array;
 	/** How much of the sky each sees in the mean, where its mesh does not say: 255 all, 0 none; all where absent. */
 	sky?: Uint8Array;
-	/** What each is called, where each is a part by itself; without it there is one, and it is the part. */
+	/** What each is called, where each is a part by itself; without it they are the part together. */
 	each?: (index: number) => { name: string; extras?: Extras };
 }
 

@@ -108,8 +108,8 @@ describe("a tree", () => {
 		}
 	});
 
-	it("is made of bark and of leaves in their tints, each leaf once and by a name of its own", () => {
-		const specimen = small();
+	it("is made of bark and of leaves in their tints, each leaf once and, where they are few, by a name of its own", () => {
+		const specimen = small(oak, { n: 150, leaves: 1 });
 		const plant = grow(specimen);
 		const parts = [...model.parts(plant, specimen)];
 		expect(parts[0].shape?.material.name).toBe("Bark");
@@ -157,6 +157,27 @@ describe("a tree", () => {
 			}
 		}
 		expect(outlines.size).toBeGreaterThan(4);
+	});
+
+	it("has a few meshes of all its many leaves in files, as large as they are", async () => {
+		const specimen = small();
+		const plant = grow(specimen);
+		const count = plant.counts.leaves;
+		expect(count).toBeGreaterThan(300);
+		const {
+			nodes,
+			meshes = [],
+			accessors = [],
+		} = documentOf(exportGlb(model.parts(plant, specimen), await aboutPlant(model, plant, specimen)));
+		const leaves = nodes.filter(({ name, mesh }) => /^Leaf /.test(name) && mesh !== undefined);
+		expect(leaves.length).toBeLessThan(13);
+		const vertices = leaves.reduce((sum, { mesh = 0 }) => {
+			const { POSITION, COLOR_0 } = meshes[mesh].primitives[0].attributes;
+			expect(accessors[COLOR_0].count).toBe(accessors[POSITION].count);
+			return sum + accessors[POSITION].count;
+		}, 0);
+		const blade = plant.meshes[plant.organs.mesh[0]].positions.length / 3;
+		expect(vertices).toBe(count * blade);
 	});
 
 	it("has leaves of every tint in its files, too", async () => {

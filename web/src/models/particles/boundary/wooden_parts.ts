@@ -19,6 +19,9 @@ export interface Dress {
 	readonly tints: Readonly<Record<string, Tints>>;
 }
 
+/** More of a kind than these nobody picks one by one: none has a name of its own, and files hold them in a few meshes. */
+const MOST_NAMED = 300;
+
 export function* woodenParts(plant: WoodenPlant, { wood, bark, tints }: Dress): Generator<Part> {
 	const { meshes, organs } = plant;
 	const borne = borneIn(organs);
@@ -55,6 +58,7 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 		const kind = organs.tags[organs.tag[own[0]]] ?? mesh.name;
 		const title = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}`;
 		const sky = organs.sky;
+		const each = (i: number) => ({ name: `${title} ${own[i] + 1}`, extras: { segment: organs.segment[own[i]] } });
 		yield {
 			name: members.length > 1 ? `${title} tint ${tint + 1}` : title,
 			shape: {
@@ -62,7 +66,7 @@ function* instancesOf(organs: Plant["organs"], index: number, mesh: PlantMesh, t
 				material,
 				instances: {
 					transforms: taken(organs.transforms, own),
-					each: (i) => ({ name: `${title} ${own[i] + 1}`, extras: { segment: organs.segment[own[i]] } }),
+					...(organs.count > MOST_NAMED ? {} : { each }),
 					...(sky ? { sky: own.length === organs.count ? sky : picked(sky, own) } : {}),
 				},
 			},

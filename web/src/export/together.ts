@@ -1,0 +1,74 @@
+/**
+ * Instances that are no parts by themselves, as meshes: thousands of leaves. A node each takes readers minutes to open, and
+ * one node for all takes an extension.
+ */
+import { placeVectors, rows } from "../plant/orientation";
+import { type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+
+/** Vertices of a mesh at the most: triangles count them in 16 bits. */
+const MOST_VERTICES = 65_535;
+const ORIGIN = [0, 0, 0] as const;
+
+/** The same part, and all it holds, with a mesh in place of such instances, or a child for each of several. */
+export function together(part: Part): Part {
+	const children = part.children?.map(together);
+	const held = children ? { ...part, children } : part;
+	const { name, shape } = part;
+	if (!shape?.instances || shape.instances.each || countOf(shape.instances) < 2) return held;
+	const shapes = [...shapesOf(shape, shape.instances)];
+	if (shapes.length === 1) return { ...held, shape: shapes[0] };
+	const own = shapes.map((each, index) => ({ name: `${name} ${index + 1}`, shape: each }));
+	const { shape: _, ...rest } = held;
+	return { ...rest, children: [...own, ...(children ?? [])] };
+}
+
+function* shapesOf({ instances: _, ...shape }: Shape, instances: Instances): Generator<Shape> {
+	const { mesh } = shape;
+	const atOnce = Math.max(1, Math.floor((MOST_VERTICES * 3) / mesh.positions.length));
+	const count = countOf(instances);
+	// Even meshes, not full ones and a rest.
+	const each = Math.ceil(count / Math.ceil(count / atOnce));
+	for (let from = 0; from < count; from += each) {
+		yield { ...shape, mesh: meshOf(mesh, instances, from, Math.min(count, from + each)) };
+	}
+}
+
+function meshOf(mesh: PartMesh, { transforms, sky }: Instances, from: number, to: number): PartMesh {
+	const vertices = mesh.positions.length / 3;
+	const merged = {
+		positions: new Float32Array(3 * vertices * (to - from)),
+		normals: new Float32Array(3 * vertices * (to - from)),
+		uvs: repeated(mesh.uvs, to - from),
+		indices: new Uint32Array(mesh.indices.length * (to - from)),
+		...(mesh.colours ? { colours: repeated(mesh.colours, to - from) } : {}),
+		...(sky ? { sky: new Uint8Array(vertices * (to - from)) } : {}),
+	};
+	for (let i = from; i < to; i++) {
+		const vertex = vertices * (i - from);
+		const { positions, normals } = placed(mesh, transforms.subarray(TRANSFORM * i, TRANSFORM * (i + 1)));
+		merged.positions.set(positions, 3 * vertex);
+		merged.normals.set(normals, 3 * vertex);
+		const at = mesh.indices.length * (i - from);
+		for (let k = 0; k < mesh.indices.length; k++) merged.indices[at + k] = mesh.indices[k] + vertex;
+		if (sky) merged.sky?.fill(sky[i], vertex, vertex + vertices);
+	}
+	return merged;
+}
+
+/** A mesh's vertices where one of its instances stands. */
+export function placed(mesh: PartMesh, [x, y, z, qx, qy, qz, qw, scale]: Float32Array) {
+	const turn = rows({ x: qx, y: qy, z: qz, w: qw });
+	const positions = new Float64Array(mesh.positions.length);
+	const normals = new Float64Array(mesh.normals.length);
+	placeVectors(mesh.positions, turn, scale, [x, y, z], positions);
+	placeVectors(mesh.normals, turn, 1, ORIGIN, normals);
+	return { positions, normals };
+}
+
+function repeated(values: Float32Array, times: number): Float32Array {
+	const all = new Float32Array(values.length * times);
+	for (let i = 0; i < times; i++) all.set(values, values.length * i);
+	return all;
+}
+
+const countOf = ({ transforms }: Instances) => transforms.length / TRANSFORM;
