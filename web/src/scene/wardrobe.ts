@@ -7,7 +7,7 @@ import { standardMaterial } from "./standard_material";
 
 /** The textures that are drawn, and what of a material of three's shows each. */
 const DRAWN = { colour: "map", normal: "normalMap" } as const;
-type Drawn = keyof typeof DRAWN;
+export type Drawn = keyof typeof DRAWN;
 const KINDS = Object.keys(DRAWN) as Drawn[];
 
 interface Kept {
@@ -60,6 +60,11 @@ export class Wardrobe {
 		this.#kept.set(key, kept);
 		for (const kind of laid ?? []) lay(kept, kind, textures?.[kind] as Picture);
 		return kept.made;
+	}
+
+	/** Another picture on a material that wears one already. */
+	lay(made: MeshStandardMaterial, kind: Drawn, picture: Picture): void {
+		for (const kept of this.#kept.values()) if (kept.made === made && kept.shows[kind]) lay(kept, kind, picture);
 	}
 
 	dispose(): void {
