@@ -35,8 +35,9 @@ struct Frame {
 
 // What the growing came to, for the counts.
 struct Tally {
-  std::uint32_t particles = 0, merges = 0, steps = 0;
-  double energy = 0;  // that the particles had together
+  std::uint32_t particles = 0, merges = 0;
+  std::uint32_t steps = 0;  // in which someone is seen to move (moment.hpp)
+  double energy = 0;        // that the particles had together
 };
 
 // Appends the trails of all targets, one tree after the other: segments (parents first; `parent` −1 at a target or

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "models/particles/moment.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/region.hpp"
 #include "models/particles/rules.hpp"
@@ -24,6 +25,7 @@ struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
   std::vector<double> all;     // what arrives at each in the end
   Tally tally;
+  Timeline timeline;
   std::uint32_t stragglers = 0;   // that had to be led to their target
   std::uint32_t unreachable = 0;  // that have no way past the obstacles, and were left out
 };

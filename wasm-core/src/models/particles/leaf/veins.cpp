@@ -118,11 +118,12 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
     }
     veins.tally.particles += static_cast<std::uint32_t>(shares[k].size());
     veins.tally.merges += crowd.merges();
-    veins.tally.steps = std::max(veins.tally.steps, crowd.steps());
     veins.tally.energy += crowd.arrived();
     veins.crowds.push_back(std::move(trails));
     veins.all.push_back(all);
   }
+  veins.timeline = Timeline(veins.crowds, veins.stride);
+  veins.tally.steps = veins.timeline.steps();
   return veins;
 }
 
