@@ -180,6 +180,7 @@ TEST_CASE("every step of the run is seen, and the last one is the end") {
       std::vector<glm::vec3> now;
       const Plant plant = at(age);
       for (const Segment& segment : plant.segments) now.push_back(segment.start);
+      for (const Organ& organ : plant.organs) now.push_back(organ.scale * glm::vec3(1));
       CAPTURE(step);
       CHECK(now != before);
       before = std::move(now);

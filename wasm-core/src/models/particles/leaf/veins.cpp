@@ -86,7 +86,12 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
       spanned.value(),
       {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))}, notes);
   Outline outline(margin.points);
-  Veins veins{.margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}};
+  Veins veins{.margin = std::move(margin),
+              .outline = std::move(outline),
+              .crowds = {},
+              .all = {},
+              .tally = {},
+              .timeline = {}};
   std::uint32_t count = values.whole(particles);
   if (asked.draft) count = std::min(count, draft_particles);
   veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));

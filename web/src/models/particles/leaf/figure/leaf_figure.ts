@@ -8,15 +8,12 @@ import type { Bodies } from "../../../../scene/camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "../../../../scene/figure";
 import { PartFigure } from "../../../../scene/part_figure";
 import type { Leaf } from "../grown";
-import { type Face, FacePictures } from "../parts/face_pictures";
+import { type Face, FacePictures, PASSING_SIDE } from "../parts/face_pictures";
 import { leafParts } from "../parts/leaf_parts";
 import { FACES, type Side } from "../parts/materials";
 import type { LeafSpecimen } from "../specimen";
 import { Commission } from "./commission";
 import type { Faces } from "./paint";
-
-/** Pixels to a side of what is shown in passing. */
-const COARSE = 256;
 
 /** Something to lay on a face. */
 interface Sheet {
@@ -104,7 +101,7 @@ export class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 
 /** Painted here and now: quickly, that is, with fewer pixels and flat. */
 function coarse(leaf: Leaf, specimen: LeafSpecimen): (side: Side) => Face {
-	const pictures = new FacePictures(leaf, specimen.parameters.length, COARSE, true);
+	const pictures = new FacePictures(leaf, specimen.parameters.length, PASSING_SIDE, true);
 	const faces = new Map<Side, Face>();
 	return (side) => {
 		const face = faces.get(side) ?? pictures.face(specimen, side);
