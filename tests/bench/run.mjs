@@ -1,7 +1,7 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
  * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench
- * -- browser` all but the page; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before.
+ * -- browser` all but the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before.
  */
 import { join } from "node:path";
 import { runnerImport } from "vite";
@@ -13,6 +13,7 @@ import { benchNatural } from "./natural.mjs";
 import { benchParticles } from "./particles.mjs";
 import { peerModules } from "./peer.mjs";
 import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
+import { benchWatching } from "./watching.mjs";
 
 /** Huang et al. 2013, Table 2: internodes, berries, milliseconds on a Core i5-3470. */
 const TABLE_2 = [
@@ -46,11 +47,12 @@ const encodeRequest = (specimen, options) => writeContainer(blocksOf(specimen, o
 const reader = { grow: (request) => readGrown(instance.growBytes(request)) };
 const ratios = [];
 
-const [, , only, folder] = process.argv;
+const [, , only, ...named] = process.argv;
 if (only === undefined || only === "core") benchCore();
 if (only === undefined || only === "particles") await benchParticles({ core, source });
 if (only === undefined || only === "browser") await benchBrowser();
-if (only === undefined || only === "frame") await benchFrame(folder);
+if (only === undefined || only === "frame") await benchFrame(named[0]);
+if (only === undefined || only === "watching") await benchWatching(named);
 
 function benchCore() {
 	ratios.push(...benchNatural({ core, reader, encodeRequest, presets: PRESETS, specimenFromPreset }));

@@ -120,6 +120,25 @@ test("the sun is moved, the age runs back and forth to the same tree", async ({ 
 	await expect(studio.button("Play")).toBeVisible();
 });
 
+test("every press of Step is seen, from the scattered particles to the grown tree", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?model=tree&preset=sphere&n=20&leaves=0");
+	const grown = await studio.fingerprint.innerText();
+	const age = studio.slider("Age");
+	await studio.regrown(() => studio.button("Step").click());
+	await expect(age).toHaveValue("0");
+	let before = await studio.fingerprint.innerText();
+	let pressed = 0;
+	for (; (await age.inputValue()) !== "100" && pressed < 200; pressed++) {
+		await studio.regrown(() => studio.button("Step").click());
+		const now = await studio.fingerprint.innerText();
+		expect(now).not.toBe(before);
+		before = now;
+	}
+	expect(before).toBe(grown);
+	expect(pressed).toBeGreaterThan(5);
+	expect(pressed).toBeLessThan(200);
+});
+
 test("a tree is downloaded as GLB, OBJ and JSON", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=tree&preset=sphere&n=60");
 	const glb = await studio.download("glb");

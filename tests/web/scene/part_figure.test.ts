@@ -42,7 +42,7 @@ describe("the figure of any plant", () => {
 		expect(stage.shadow.hard.children).toHaveLength(2);
 	});
 
-	it("keeps what it wears from plant to plant, so that no program is built anew, and throws away what two have not worn", () => {
+	it("keeps what it wears from plant to plant, so that no program is built anew, and throws away what many have not worn", () => {
 		const { figure, meshes } = staged();
 		figure.show(plant, {});
 		const worn = meshes().map(({ material }) => material as MeshPhysicalMaterial);
@@ -52,10 +52,13 @@ describe("the figure of any plant", () => {
 		expect(meshes().map(({ material }) => material)).toEqual(worn);
 		expect(gone).toEqual([]);
 		const bare = { ...plant, meshes: [] };
-		figure.show(bare, {});
-		figure.show(bare, {});
+		for (let i = 0; i < 5; i++) figure.show(bare, {});
+		figure.show(plant, {});
+		expect(meshes().map(({ material }) => material)).toEqual(worn);
+		const other = (i: number) => ({ ...plant, meshes: [{ ...plant.meshes[0], material: `bark ${i}`, runs: [] }] });
+		for (let i = 0; i < 20; i++) figure.show(other(i), {});
 		expect(gone).toEqual([]);
-		figure.show(bare, {});
+		for (let i = 20; i < 30; i++) figure.show(other(i), {});
 		expect(new Set(gone)).toEqual(new Set(worn.map(({ name }) => name)));
 	});
 

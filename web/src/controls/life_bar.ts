@@ -36,7 +36,7 @@ export class LifeBar extends ControlElement {
 				<button
 					class="button icon play" type="button" aria-label=${playing ? "Pause" : "Play"} aria-keyshortcuts="K"
 					title="${playing ? "Pause" : life.play} (K)" @click=${this.#toggle}
-				>${icon(playing ? "pause" : "play")}</button>
+				>${icon(playing ? "pause" : "play")}${life.steps ? html`<span class="word">${playing ? "Pause" : "Play"}</span>` : nothing}</button>
 				${life.steps ? this.#pace() : nothing}
 			</div>
 			<div class="life">

@@ -5,7 +5,7 @@ import { type Colour, linear } from "./colour";
 export interface Picture {
 	width: number;
 	height: number;
-	/** 3 × width × height: red, green, blue. */
+	/** 3 × width × height: red, green, blue; 4 × where it is only to be drawn (plant/picture.ts). */
 	pixels: Uint8Array;
 }
 

@@ -21,6 +21,8 @@ export interface FigureStage {
 	readonly light: StageLight;
 	/** Where it puts what casts its shadow on the paper. */
 	readonly shadow: PaperShadow;
+	/** To be called where the figure changes by itself, so that it is drawn again; absent where nobody looks on. */
+	readonly changed?: () => void;
 }
 
 /**
@@ -45,6 +47,8 @@ export interface Figure<S, G> {
 	readonly modes: readonly string[];
 	/** One of `modes`; a plant shown later keeps to it. */
 	setMode(mode: string): void;
+	/** Settles when nothing of what is shown is still being made; absent where `show` makes all of it. */
+	whenFinished?(): Promise<void>;
 	/** Takes its objects off the stage and frees what they hold of the GPU. */
 	dispose(): void;
 }

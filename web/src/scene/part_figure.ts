@@ -1,4 +1,5 @@
 import { Color, InstancedMesh, Mesh, type PerspectiveCamera, Raycaster, Vector3 } from "three";
+import type { Picture } from "../plant/material";
 import type { Part } from "../plant/part";
 import type { Bodies } from "./camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "./figure";
@@ -6,7 +7,7 @@ import { MeshShadow } from "./mesh_shadow";
 import { ballOf, boundsOf } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
-import { Wardrobe } from "./wardrobe";
+import { type Drawn, Wardrobe } from "./wardrobe";
 
 /** The light that marks a part. */
 const MARK = new Color(0.22, 0.18, 0.12);
@@ -86,6 +87,12 @@ export class PartFigure<S, G> implements Figure<S, G> {
 			this.#mark.matrix.decompose(this.#mark.position, this.#mark.quaternion, this.#mark.scale);
 		}
 		this.#stage.root.add(this.#mark);
+	}
+
+	/** Lays another picture on a part that is drawn with one. */
+	lay(name: string, kind: Drawn, picture: Picture): void {
+		const found = this.#shown.objects.find((object) => object.name === name);
+		if (found) this.#wardrobe.lay(found.material, kind, picture);
 	}
 
 	setMode(): void {}

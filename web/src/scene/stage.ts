@@ -19,7 +19,11 @@ export class Stage<S, G> implements Drawable {
 	#marked: number | undefined;
 	#filled = false;
 
-	constructor() {
+	readonly #changed: () => void;
+
+	/** @param changed called when the figure has changed by itself */
+	constructor(changed: () => void = () => {}) {
+		this.#changed = changed;
 		this.scene.add(this.#backdrop.mesh);
 	}
 
@@ -29,7 +33,7 @@ export class Stage<S, G> implements Drawable {
 		this.#root.removeFromParent();
 		this.#root = new Group();
 		this.scene.add(this.#root);
-		this.#figure = make({ root: this.#root, light: this.#light, shadow: this.#shadow });
+		this.#figure = make({ root: this.#root, light: this.#light, shadow: this.#shadow, changed: this.#changed });
 		this.#mode = this.#figure.modes[0];
 		this.#empty();
 	}
@@ -98,6 +102,11 @@ export class Stage<S, G> implements Drawable {
 		if (this.#filled) this.#figure?.prepare(camera);
 		this.#shadow.draw(renderer, camera, paper);
 		renderer.render(this.scene, camera);
+	}
+
+	/** Settles when the figure has nothing left to make. */
+	async whenFinished(): Promise<void> {
+		await this.#figure?.whenFinished?.();
 	}
 
 	dispose(): void {

@@ -42,7 +42,7 @@ export class Viewer<S, G> {
 	readonly #renderer: Renderer;
 	/** Of a canvas that what was drawn is copied to, by a renderer that serves others, too. */
 	readonly #copied: CanvasRenderingContext2D | undefined;
-	readonly #stage = new Stage<S, G>();
+	readonly #stage = new Stage<S, G>(() => this.#loop.request());
 	readonly #turntable: Turntable;
 	readonly #loop: FrameLoop;
 	#spindle: Spindle | undefined;
@@ -189,14 +189,15 @@ export class Viewer<S, G> {
 
 	/** Settles when nothing is left to draw and the GPU has finished. */
 	async whenIdle(): Promise<void> {
+		await this.#stage.whenFinished();
 		await this.#loop.whenIdle();
 		await this.#renderer.done();
 	}
 
 	/** The present view as a PNG of the given size in pixels. */
-	snapshot(width: number, height: number): Promise<Blob> {
-		if (this.#renderer.lost)
-			return Promise.reject(new Error("The GPU has been lost; try again when the picture is back."));
+	async snapshot(width: number, height: number): Promise<Blob> {
+		await this.#stage.whenFinished();
+		if (this.#renderer.lost) throw new Error("The GPU has been lost; try again when the picture is back.");
 		const { width: shownWidth, height: shownHeight } = this.#size;
 		this.#setSize(width, height);
 		this.#draw(1);

@@ -7,8 +7,11 @@ import { standardMaterial } from "./standard_material";
 
 /** The textures that are drawn, and what of a material of three's shows each. */
 const DRAWN = { colour: "map", normal: "normalMap" } as const;
-type Drawn = keyof typeof DRAWN;
+export type Drawn = keyof typeof DRAWN;
 const KINDS = Object.keys(DRAWN) as Drawn[];
+
+/** A life runs from plants with leaves to some without, from some with particles on their way to some without: and back. */
+const MOST_UNWORN = 24;
 
 interface Kept {
 	made: MeshStandardMaterial;
@@ -33,12 +36,13 @@ export class Wardrobe {
 		this.#light = light;
 	}
 
-	/** Another plant is to be dressed, the last one is off the stage: what the last two have not worn goes. */
+	/** Another plant is to be dressed, the last one is off the stage: of what the last two have not worn only so much stays. */
 	change(): void {
 		this.#plant++;
 		this.#textured.clear();
-		for (const [key, kept] of this.#kept) {
-			if (kept.worn >= this.#plant - 2) continue;
+		const unworn = [...this.#kept].filter(([, { worn }]) => worn < this.#plant - 2);
+		unworn.sort(([, one], [, other]) => other.worn - one.worn);
+		for (const [key, kept] of unworn.slice(MOST_UNWORN)) {
 			thrownAway(kept);
 			this.#kept.delete(key);
 		}
@@ -60,6 +64,11 @@ export class Wardrobe {
 		this.#kept.set(key, kept);
 		for (const kind of laid ?? []) lay(kept, kind, textures?.[kind] as Picture);
 		return kept.made;
+	}
+
+	/** Another picture on a material that wears one already. */
+	lay(made: MeshStandardMaterial, kind: Drawn, picture: Picture): void {
+		for (const kept of this.#kept.values()) if (kept.made === made && kept.shows[kind]) lay(kept, kind, picture);
 	}
 
 	dispose(): void {

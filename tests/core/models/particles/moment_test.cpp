@@ -89,3 +89,18 @@ TEST_CASE("particles run evenly between places, whichever moment was seen before
   REQUIRE(one.size() == 1);
   CHECK(one[0].y == doctest::Approx(1.5f));
 }
+
+TEST_CASE("a timeline counts the steps in which someone is seen to move") {
+  // One goes home in 2 steps and another, that stood still in between, in steps 5 and 6; the crowd ran on until 9.
+  const Trails whole{.places = {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}},
+                     .next = {-1, 0, 1, 0, 3, 4},
+                     .energy = {2, 1, 1, 1, 1, 1},
+                     .born = {9, 1, 0, 6, 5, 2},
+                     .particle = {-1, -1, 0, -1, -1, 1}};
+  const Timeline timeline({&whole, 1}, 1);
+  CHECK(timeline.steps() == 4);
+  CHECK(timeline.moment(0) == 0);
+  CHECK(timeline.moment(0.375f) == 1.5f);
+  CHECK(timeline.moment(0.5f) == 5);
+  CHECK(timeline.moment(0.875f) == 6.5f);
+}

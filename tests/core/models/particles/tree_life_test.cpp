@@ -114,7 +114,9 @@ TEST_CASE("apical dominance keeps side branches below the top from growing, and 
 }
 
 TEST_CASE("age: what has grown stays, thickens, runs on evenly, and ends as the whole tree") {
-  const auto at = [](float age) { return grow_tree({.parameters = {{"age", age}, {"particles", 800}}}); };
+  const auto at = [](float age) {
+    return grow_tree({.parameters = {{"age", age}, {"particles", 800}, {"leaves", 0}}});
+  };
   const auto place = [](const glm::vec3& p) { return std::array{p.x, p.y, p.z}; };
   std::map<std::array<float, 3>, Segment> before;  // by the upper end, of which a place has but one
   std::map<std::array<float, 3>, bool> fronts;
@@ -157,6 +159,70 @@ TEST_CASE("age: what has grown stays, thickens, runs on evenly, and ends as the 
     before = std::move(now);
     length = sum;
   }
+}
+
+TEST_CASE("every step of the run is seen, and the last one is the end") {
+  const std::vector<Asked> trees{{.parameters = {{"particles", 20}}},
+                                 {.parameters = {{"particles", 150}, {"leaves", 0}, {"slant", 2}}},
+                                 {.parameters = {{"particles", 90}, {"crowns", 2}, {"distance", 6}}},
+                                 {.parameters = {{"particles", 60}, {"stems", 3}, {"pull", 0}}, .seed = 5}};
+  for (const Asked& tree : trees) {
+    const auto at = [&](float age) {
+      Asked asked = tree;
+      asked.parameters.push_back({"age", age});
+      return grow_tree(asked);
+    };
+    const Plant whole = at(100);
+    const std::uint32_t steps = count_of(whole, "steps");
+    CAPTURE(steps);
+    CHECK(steps > 5);
+    std::vector<glm::vec3> before;
+    for (std::uint32_t step = 0; step <= steps; ++step) {
+      const float age = step == steps ? 100 : 100 * (static_cast<float>(step) + 0.25f) / static_cast<float>(steps);
+      std::vector<glm::vec3> now;
+      const Plant plant = at(age);
+      for (const Segment& segment : plant.segments) now.push_back(segment.start);
+      for (const Organ& organ : plant.organs) now.push_back(organ.scale * glm::vec3(1));
+      CAPTURE(step);
+      CHECK(now != before);
+      before = std::move(now);
+    }
+  }
+}
+
+TEST_CASE("leaves unfold once all particles have arrived, from below, each from nothing to its size") {
+  const auto at = [](float age) {
+    return grow_tree({.parameters = {{"age", age}, {"particles", 400}, {"leaves", 1}}});
+  };
+  const auto size_at = [](const Plant& plant) {
+    std::map<std::array<float, 3>, float> sizes;
+    for (const Organ& organ : plant.organs)
+      if (organ.tag == 0) sizes[{organ.position.x, organ.position.y, organ.position.z}] = organ.scale;
+    return sizes;
+  };
+  const auto whole = size_at(at(100));
+  CHECK(whole.size() == count_of(at(100), "leaves"));
+  std::map<std::array<float, 3>, float> before;
+  for (const float age : {0.0f, 40.0f, 80.0f, 87.0f, 92.0f, 97.0f, 100.0f}) {
+    CAPTURE(age);
+    const Plant plant = at(age);
+    const auto now = size_at(plant);
+    const bool on_their_way = std::ranges::any_of(plant.organs, [](const Organ& organ) { return organ.tag == 1; });
+    CHECK(on_their_way == (age <= 80));
+    CHECK(now.empty() == on_their_way);
+    float lowest_share = 0, highest_share = 0;
+    const auto height = [](const auto& one, const auto& other) { return one.first[1] < other.first[1]; };
+    if (!now.empty()) {
+      const auto [low, high] = std::ranges::minmax_element(whole, height);
+      lowest_share = now.contains(low->first) ? now.at(low->first) / low->second : 0;
+      highest_share = now.contains(high->first) ? now.at(high->first) / high->second : 0;
+    }
+    if (age == 92) CHECK(lowest_share > highest_share + 0.2f);
+    for (const auto& [where, size] : before) CHECK(now.at(where) >= size);
+    for (const auto& [where, size] : now) CHECK(size <= whole.at(where));
+    before = now;
+  }
+  CHECK(before == whole);
 }
 
 TEST_CASE("whatever age was seen before, an age has one picture") {

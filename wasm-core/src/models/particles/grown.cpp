@@ -8,9 +8,10 @@
 namespace panicle::particles {
 namespace {
 
-constexpr float margin = 0.1f;       // by which ways keep clear of obstacles, in spacings
-constexpr float least_ball = 0.06f;  // radius of a particle, in spacings
-constexpr float ball_widens = 1.6f;  // times its trail's radius
+constexpr float margin = 0.1f;          // by which ways keep clear of obstacles, in spacings
+constexpr float least_ball = 0.06f;     // radius of a particle, in spacings
+constexpr float ball_widens = 1.6f;     // times its trail's radius
+constexpr std::uint32_t unfolding = 5;  // steps of the run to each in which leaves unfold
 
 // Appends an organ, no mesh yet, for each particle on its way: what has a trail behind it or none, and no next.
 void add_travellers(Plant& plant, const Trails& trails, double all, const Girth& girth, float least_radius,
@@ -47,10 +48,15 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   if (wood.unreachable > 0)
     plant.notes.push_back(std::to_string(wood.unreachable) +
                           " particles have no way past the obstacles and were left out.");
-  const bool running = habit.running && habit.age < 1;
-  std::uint32_t last = 0;
-  for (const Trails& trails : wood.crowds) last = std::max(last, trails.born[0]);
-  const float moment = habit.age * static_cast<float>(last);
+  // First particles run, then what is borne unfolds, in steps as long.
+  const std::uint32_t steps = wood.timeline.steps(), further = habit.leafy ? steps / unfolding + 1 : 0;
+  grown.wood.tally.steps = steps + further;
+  const float at =
+      habit.running ? habit.age * static_cast<float>(steps + further) : static_cast<float>(steps + further);
+  const bool running = at < static_cast<float>(steps);
+  if (further > 0)
+    grown.unfolded = std::clamp((at - static_cast<float>(steps)) / static_cast<float>(further), 0.0f, 1.0f);
+  const float moment = running ? wood.timeline.moment(at / static_cast<float>(steps)) : 0;
   for (const Trails& trails : wood.crowds) grown.trails.push_back(running ? at_moment(trails, moment, step) : trails);
   grown.numbers = add_trails(plant, grown.trails, wood.all, habit.girth, {}, wood.tally, 0);
   for (std::size_t c = 0; running && c < targets.size(); ++c)

@@ -26,6 +26,7 @@ struct SpaceHabit {
   TrunkHabit trunk;
   float age = 1;        // 0 … 1
   bool running = true;  // what age does: whether particles run, or the volume grows
+  bool leafy = false;   // whether there is something to unfold once particles have arrived
   float growth = 1;     // size of the volume over what it will be
 };
 
@@ -63,6 +64,7 @@ struct Grown {
   Wood wood;
   std::vector<Trails> trails;                      // of each target, as they are now
   std::vector<std::vector<std::int32_t>> numbers;  // of each place the segment, −1 for none
+  float unfolded = 1;                              // how far what is borne has unfolded
 };
 
 // Scatters, runs, and adds to the plant its segments, columns and counts, and what there is to note; particles on their

@@ -4,6 +4,21 @@
 #include <glm/geometric.hpp>
 
 namespace panicle::particles {
+namespace {
+
+// So much of a step someone must move to be seen in it: who stands a quarter into each step sees it then.
+constexpr float seen = 0.5f;
+
+// When what left a place came to the next: that was there, and the particle could be, for others may have been there
+// before it.
+float arrival(const Trails& trails, std::size_t i, float stride) {
+  const auto next = static_cast<std::size_t>(trails.next[i]);
+  const auto left = static_cast<float>(trails.born[i]);
+  const float earliest = left + glm::distance(trails.places[i], trails.places[next]) / stride;
+  return std::max(next == 0 ? left + 1 : static_cast<float>(trails.born[next]), earliest);
+}
+
+}  // namespace
 
 Trails at_moment(const Trails& trails, float moment, float stride) {
   const std::size_t count = trails.size();
@@ -30,10 +45,7 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
     if (left > moment && !start) continue;
     const auto next = static_cast<std::size_t>(trails.next[i]);
     const glm::vec3 way = trails.places[next] - trails.places[i];
-    // When the place was there, and the particle could be: others may have been there before it.
-    const float earliest = left + glm::length(way) / stride;
-    const float there =
-        next == 0 ? std::max(left + 1, earliest) : std::max(static_cast<float>(trails.born[next]), earliest);
+    const float there = arrival(trails, i, stride);
     std::int32_t to = -1;
     if (left < moment && there <= moment)
       to = number[next];
@@ -44,6 +56,34 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
   for (std::size_t i = young.size(); i-- > 1;)
     if (young.next[i] >= 0) young.energy[static_cast<std::size_t>(young.next[i])] += young.energy[i];
   return young;
+}
+
+Timeline::Timeline(std::span<const Trails> crowds, float stride) {
+  // By step, how many begin to be seen less those who cease to be.
+  std::vector<std::int32_t> change;
+  for (const Trails& trails : crowds)
+    for (std::size_t i = 1; i < trails.size(); ++i) {
+      if (trails.places[i] == trails.places[static_cast<std::size_t>(trails.next[i])]) continue;
+      const std::size_t first = trails.born[i];
+      const float until = arrival(trails, i, stride) - seen;
+      if (!(until > static_cast<float>(first))) continue;
+      const auto last = static_cast<std::size_t>(until);
+      if (last + 2 > change.size()) change.resize(last + 2, 0);
+      ++change[first];
+      --change[last + 1];
+    }
+  std::int32_t moving = 0;
+  for (std::size_t step = 0; step < change.size(); ++step) {
+    moving += change[step];
+    if (moving > 0) lively_.push_back(static_cast<std::uint32_t>(step));
+  }
+}
+
+float Timeline::moment(float share) const {
+  if (lively_.empty()) return 0;
+  const float at = std::clamp(share, 0.0f, 1.0f) * static_cast<float>(lively_.size());
+  const std::size_t step = std::min(static_cast<std::size_t>(at), lively_.size() - 1);
+  return static_cast<float>(lively_[step]) + (at - static_cast<float>(step));
 }
 
 }  // namespace panicle::particles

@@ -35,7 +35,8 @@ struct Frame {
 
 // What the growing came to, for counts and notes.
 struct Tally {
-  std::uint32_t particles = 0, merges = 0, steps = 0;
+  std::uint32_t particles = 0, merges = 0;
+  std::uint32_t steps = 0;       // in which someone is seen to move (moment.hpp)
   double energy = 0;             // that the particles had together
   std::uint32_t stragglers = 0;  // that did not come to their target by themselves
 };

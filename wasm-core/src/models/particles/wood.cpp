@@ -75,10 +75,11 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
     wood.all.push_back(wood.crowds.back().energy[0]);
     wood.tally.particles += static_cast<std::uint32_t>(bound[i].size());
     wood.tally.merges += crowd.merges();
-    wood.tally.steps = std::max(wood.tally.steps, crowd.steps());
     wood.tally.energy += crowd.arrived();
     wood.tally.stragglers += crowd.stragglers();
   }
+  wood.timeline = Timeline(wood.crowds, rules.step);
+  wood.tally.steps = wood.timeline.steps();
   return wood;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "models/particles/moment.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/region.hpp"
 #include "models/particles/rules.hpp"
@@ -25,6 +26,7 @@ struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
   std::vector<double> all;     // what arrives at each in the end
   Tally tally;
+  Timeline timeline;
   std::uint32_t unreachable = 0;  // particles that no target can be come to from, and that were left out
 };
 

@@ -46,7 +46,7 @@ Bending bending_of(const Values& values, const Outline& outline) {
 
 std::vector<Trails> standing(const Veins& veins, float age) {
   if (!(age < 100)) return veins.crowds;
-  const float moment = 0.01f * age * static_cast<float>(veins.tally.steps);
+  const float moment = veins.timeline.moment(0.01f * age);
   std::vector<Trails> young;
   for (const Trails& trails : veins.crowds) young.push_back(at_moment(trails, moment, veins.stride));
   return young;

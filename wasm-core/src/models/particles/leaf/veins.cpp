@@ -86,7 +86,12 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
       spanned.value(),
       {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))}, notes);
   Outline outline(margin.points);
-  Veins veins{.margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}};
+  Veins veins{.margin = std::move(margin),
+              .outline = std::move(outline),
+              .crowds = {},
+              .all = {},
+              .tally = {},
+              .timeline = {}};
   std::uint32_t count = values.whole(particles);
   if (asked.draft) count = std::min(count, draft_particles);
   veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));
@@ -118,12 +123,13 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
     }
     veins.tally.particles += static_cast<std::uint32_t>(shares[k].size());
     veins.tally.merges += crowd.merges();
-    veins.tally.steps = std::max(veins.tally.steps, crowd.steps());
     veins.tally.energy += crowd.arrived();
     veins.tally.stragglers += crowd.stragglers();
     veins.crowds.push_back(std::move(trails));
     veins.all.push_back(all);
   }
+  veins.timeline = Timeline(veins.crowds, veins.stride);
+  veins.tally.steps = veins.timeline.steps();
   return veins;
 }
 

@@ -6,6 +6,7 @@
 
 #include "foundation/result.hpp"
 #include "models/particles/leaf/request.hpp"
+#include "models/particles/moment.hpp"
 #include "models/particles/outline.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trails.hpp"
@@ -18,6 +19,7 @@ struct Veins {
   std::vector<Trails> crowds;  // one for each target, polished, once all have arrived; leaf lengths
   std::vector<double> all;     // for each: the energy that thickness counts by, that of the whole leaf
   Tally tally;
+  Timeline timeline;
   float spacing = 0;  // of the particles
   float stride = 0;   // of a particle
 };

@@ -1,9 +1,12 @@
 #include "models/particles/tree/leaves.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "foundation/bits.hpp"
+#include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 
@@ -17,6 +20,7 @@ constexpr float outwards = 0.45f;   // how much they look where their twig point
 constexpr float tilt = 0.5f;        // how far leaves look elsewhere, as luck has it
 constexpr float droop = 0.25f;      // of their tips
 constexpr float least_size = 0.7f;  // of the largest
+constexpr float rising = 0.6f;      // how long it takes until the highest leaves begin to unfold, of the time that all take
 
 // A vector at right angles to a unit vector.
 glm::vec3 beside(const glm::vec3& way) {
@@ -49,8 +53,17 @@ std::uint64_t luck_of(const glm::vec3& p) {
 
 void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t> numbers, const LeafHabit& habit,
                 std::uint32_t tag) {
+  float low = std::numeric_limits<float>::max(), high = -low;
+  for (std::size_t i = 0; i < trails.size(); ++i)
+    if (trails.particle[i] >= 0) {
+      low = std::min(low, trails.places[i].y);
+      high = std::max(high, trails.places[i].y);
+    }
   for (std::size_t i = 0; i < trails.size(); ++i) {
     if (trails.particle[i] < 0 || numbers[i] < 0) continue;
+    const float begins = high > low ? rising * (trails.places[i].y - low) / (high - low) : 0;
+    const float share = smooth_step(begins, begins + 1 - rising, habit.unfolded);
+    if (!(share > 0)) continue;
     const Segment& twig = plant.segments[static_cast<std::size_t>(numbers[i])];
     const glm::vec3 along = twig.end - twig.start;
     const float length = glm::length(along);
@@ -78,7 +91,7 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
       leaf.segment = numbers[i];
       leaf.position = twig.end;
       leaf.rotation = turn_to(up, glm::length(front) > 1e-3f ? glm::normalize(front) : beside(up));
-      leaf.scale = habit.size * (least_size + (1 - least_size) * random_unit(habit.seed, stream_size, address));
+      leaf.scale = share * habit.size * (least_size + (1 - least_size) * random_unit(habit.seed, stream_size, address));
       plant.organs.push_back(leaf);
     }
   }

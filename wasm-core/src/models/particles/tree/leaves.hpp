@@ -16,6 +16,7 @@ struct LeafHabit {
   float kept = 1;           // the share that has not fallen
   bool needles = false;     // which point away from their twig; others face the light
   glm::vec3 light{0, 1, 0};
+  float unfolded = 1;  // how far they have, all together: the lowest are first
   std::uint64_t seed = 1;
 };
 

@@ -150,11 +150,13 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   space.trunk.bole = bole * habit.growth * habit.trunk;
   space.trunk.height = crowns_made.top;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
+  LeafHabit leaf_habit = leaves_of(values, brightest, read->seed);
+  space.leafy = leaf_habit.count > 0 && leaf_habit.kept > 0;
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};
   const Grown grown =
       grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0, highest, particle_tag);
-  const LeafHabit leaf_habit = leaves_of(values, brightest, read->seed);
+  leaf_habit.unfolded = grown.unfolded;
   if (Diagnostic trouble =
           beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
       trouble.reason != Reason::none)

@@ -21,5 +21,6 @@ export const model = {
 	words: leafInWords,
 	record: trailRecord,
 	formats: LEAF_FORMATS,
+	figure: async () => (await import("./figure/leaf_figure")).leafFigure,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<LeafSpecimen, Leaf>;

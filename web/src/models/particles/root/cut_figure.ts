@@ -43,7 +43,8 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 		// A frame in passing has no time to dig anew for every particle that moves; nor is its sky worked out.
 		const passing = !grown.meshes.some(({ sky }) => sky);
 		const { soil } = specimen.look;
-		if (!(passing && soil === this.#earth && this.#dug && holds(this.#dug, roots))) this.#dig(roots, soil);
+		const fits = this.#dug && (passing ? holds(this.#dug, roots) : alike(this.#dug, roots));
+		if (!fits || soil !== this.#earth) this.#dig(roots, soil);
 		this.#bounds = { spheres: bodies.spheres, points: joined(bodies.points, this.#wall) };
 	}
 
@@ -91,6 +92,10 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 		this.#soil = undefined;
 		this.#dug = undefined;
 	}
+}
+
+function alike(one: Dug, other: Dug): boolean {
+	return [0, 1, 2].every((k) => one.low[k] === other.low[k] && one.high[k] === other.high[k]);
 }
 
 function joined(a: Float32Array, b: Float32Array): Float32Array {

@@ -70,13 +70,13 @@ function inwards(x: number, z: number, [rx, rz]: readonly number[]): [number, nu
 	return [-nx / size, 0, -nz / size];
 }
 
-/** Whether a pit dug for one still holds another, with at most half as much room again to spare. */
+/** Whether a pit dug for one still holds another. */
 export function holds(dug: Dug, { low, high }: Dug): boolean {
 	return [0, 1, 2].every((k) => {
 		const size = dug.high[k] - dug.low[k];
 		// A little less than the room there is.
 		const slack = 0.45 * ROOM * size;
-		return low[k] >= dug.low[k] - slack && high[k] <= dug.high[k] + slack && size <= 1.5 * (high[k] - low[k]);
+		return low[k] >= dug.low[k] - slack && high[k] <= dug.high[k] + slack;
 	});
 }
 

@@ -19,21 +19,25 @@ const STRENGTH_POWER = 0.3;
 /** The same for the paler blade close by, which is as wide along all of them. */
 const HALO_REACH = 0.018;
 
-/** By cell, rows from the bottom. */
-export interface BladeFields {
+/** By cell, rows from the bottom: what the margin and chance decide, while veins come and go. */
+interface Ground {
 	/** Cells to a side of the square. */
 	side: number;
 	/** Where any of the leaf is in sight: 1 inside of the margin and in the cells about it. */
 	near: Uint8Array;
 	/** How far the margin is, in lengths of the leaf; 0 outside. */
 	edge: Float32Array;
+	/** Chance of broad patches and of mottling, each −0.5 … 0.5. */
+	broad: Float32Array;
+	mottle: Float32Array;
+}
+
+/** The same, and what the veins decide. */
+export interface BladeFields extends Ground {
 	/** How much the veins about it feed a place: 1 on the widest … 0 far from all; the wider a vein, the farther. */
 	fed: Float32Array;
 	/** 1 on a vein that one sees from afar … 0 a little beside. */
 	halo: Float32Array;
-	/** Chance of broad patches and of mottling, each −0.5 … 0.5. */
-	broad: Float32Array;
-	mottle: Float32Array;
 }
 
 /**
@@ -41,15 +45,29 @@ export interface BladeFields {
  * @param seed another one has other patches
  */
 export function bladeFields(
-	leaf: Pick<Leaf, "chart" | "margin" | "segments">,
+	leaf: Pick<Leaf, "chart" | "margin"> & { segments: Pick<Leaf["segments"], "radii"> },
 	millimetres: number,
 	seed: number,
 	side: number,
 ): BladeFields {
-	const chart = chartOf(leaf.margin);
-	const edge = edgeOf(leaf.margin, chart, side);
+	return { ...groundOf(leaf.margin, millimetres, seed, side), ...feedingOf(leaf, chartOf(leaf.margin), side) };
+}
+
+/** The last one: of a leaf whose particles run, each moment has the same. */
+let known: { margin: Float32Array; rest: string; ground: Ground } | undefined;
+
+function groundOf(margin: Float32Array, millimetres: number, seed: number, side: number): Ground {
+	const rest = JSON.stringify([millimetres, seed, side]);
+	const same = known?.rest === rest && known.margin.length === margin.length;
+	if (known && same && known.margin.every((value, at) => value === margin[at])) return known.ground;
+	known = { margin, rest, ground: lie(margin, millimetres, seed, side) };
+	return known.ground;
+}
+
+function lie(margin: Float32Array, millimetres: number, seed: number, side: number): Ground {
+	const chart = chartOf(margin);
+	const edge = edgeOf(margin, chart, side);
 	const near = nearLeaf(edge, side);
-	const { fed, halo } = feedingOf(leaf, chart, side);
 	const broad = new Float32Array(side * side);
 	const mottle = new Float32Array(side * side);
 	const metres = (chart.size * millimetres) / 1000 / side;
@@ -60,7 +78,7 @@ export function bladeFields(
 		broad[at] = noise(BROAD * x, BROAD * y, depth) - 0.5;
 		mottle[at] = noise(MOTTLE * x, MOTTLE * y, depth) - 0.5;
 	}
-	return { side, near, edge, fed, halo, broad, mottle };
+	return { side, near, edge, broad, mottle };
 }
 
 function edgeOf(margin: Float32Array, chart: Chart, side: number): Float32Array {
@@ -85,7 +103,7 @@ function nearLeaf(edge: Float32Array, side: number): Uint8Array {
 
 /** Fields of the veins: from cell to cell is handed on which of them feeds best. */
 function feedingOf(
-	{ chart: ends, segments: { radii } }: Pick<Leaf, "chart" | "segments">,
+	{ chart: ends, segments: { radii } }: Pick<Leaf, "chart"> & { segments: Pick<Leaf["segments"], "radii"> },
 	chart: Chart,
 	side: number,
 ): Pick<BladeFields, "fed" | "halo"> {

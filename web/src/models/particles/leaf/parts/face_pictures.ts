@@ -11,6 +11,11 @@ import { type BladeFields, bladeFields } from "./blade_fields";
 import { faceColour, type Side } from "./materials";
 import { type VeinRaster, veinRaster } from "./vein_raster";
 
+/** Pixels to a side of what is shown and written of a leaf that stays. */
+export const SIDE = 1024;
+/** The same of one in passing. */
+export const PASSING_SIDE = 256;
+
 /** Pixels to a cell of what blades' colours go by. */
 const PIXELS_PER_CELL = 6;
 /** Veins are grooves above, so deep against the ridges below, and no deeper than this share of the blade. */
@@ -20,11 +25,27 @@ const DEEPEST = 0.5;
 const INK = 0.85;
 const FLAT = [128, 128, 255] as const;
 
+/** What of a leaf is painted. */
+export type FlatLeaf = Pick<Leaf, "chart" | "margin"> & { segments: Pick<Leaf["segments"], "count" | "radii"> };
+
+/** What one face is laid with. */
+export interface Face {
+	/** sRGB. */
+	colour: Picture;
+	normal: Picture;
+	/** Of the blade, in linear light. */
+	mean: Colour;
+}
+
+/** Normals of a face that is quite flat. */
+export const FLAT_PICTURE: Picture = { width: 1, height: 1, pixels: Uint8Array.from(FLAT) };
+
 /** Pictures of one leaf, each made when it is first asked for. */
 export class FacePictures {
-	readonly #leaf: Leaf;
+	readonly #leaf: FlatLeaf;
 	readonly #millimetres: number;
 	readonly #side: number;
+	readonly #flat: boolean;
 	#raster: VeinRaster | undefined;
 	#fields: { seed: number; made: BladeFields } | undefined;
 	readonly #normals = new Map<string, Picture>();
@@ -32,11 +53,18 @@ export class FacePictures {
 	/**
 	 * @param millimetres of a length of the leaf
 	 * @param side pixels to a side
+	 * @param flat whether veins do not stand out, which takes less time
 	 */
-	constructor(leaf: Leaf, millimetres: number, side: number) {
+	constructor(leaf: FlatLeaf, millimetres: number, side: number, flat = false) {
 		this.#leaf = leaf;
+		this.#flat = flat;
 		this.#millimetres = millimetres;
 		this.#side = side;
+	}
+
+	face(specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): Face {
+		const { picture, mean } = this.colour(specimen, side);
+		return { colour: picture, normal: this.#flat ? FLAT_PICTURE : this.normal(specimen.parameters, side), mean };
 	}
 
 	/** sRGB, and the mean of the blade in linear light. */
@@ -73,7 +101,7 @@ export class FacePictures {
 	}
 
 	get raster(): VeinRaster {
-		this.#raster ??= veinRaster(this.#leaf, this.#millimetres, this.#side);
+		this.#raster ??= veinRaster(this.#leaf, this.#millimetres, this.#side, !this.#flat);
 		return this.#raster;
 	}
 
@@ -130,25 +158,37 @@ function laid({ side, cover }: VeinRaster, fields: BladeFields, { cells, mean }:
 	const pixels = filled(side, mean.map(shown) as Colour);
 	const scale = fields.side / side;
 	const line = new Float32Array(6 * fields.side);
-	const sign = face === "upper" ? 1 : -1;
+	const step = face === "upper" ? 3 : -3;
+	const lefts = new Uint16Array(side);
+	const parts = new Float32Array(side);
+	for (let column = 0; column < side; column++) {
+		const across = Math.min(fields.side - 1.001, Math.max(0, (column + 0.5) * scale - 0.5));
+		lefts[column] = 6 * Math.floor(across);
+		parts[column] = across - Math.floor(across);
+	}
 	for (let row = 0; row < side; row++) {
 		const place = (row + 0.5) * scale - 0.5;
 		const [from, to] = extent(fields, place);
 		if (from > to) continue;
 		blend(cells, fields.side, place, line);
 		const last = Math.min(side - 1, Math.ceil((to + 1.5) / scale));
-		const start = 3 * ((side - 1 - row) * side + (face === "upper" ? 0 : side - 1));
-		for (let column = Math.max(0, Math.floor((from - 0.5) / scale)); column <= last; column++) {
-			const across = Math.min(fields.side - 1.001, Math.max(0, (column + 0.5) * scale - 0.5));
-			const cell = Math.floor(across);
-			const part = across - cell;
+		const first = Math.max(0, Math.floor((from - 0.5) / scale));
+		let at = 3 * ((side - 1 - row) * side + (face === "upper" ? 0 : side - 1)) + step * first;
+		for (let column = first; column <= last; column++, at += step) {
+			const left = lefts[column];
+			const part = parts[column];
 			const ink = INK * cover[row * side + column];
-			const at = start + 3 * sign * column;
-			for (let left = 6 * cell, k = 0; k < 3; k++, left++) {
-				let value = line[left] + part * (line[left + 6] - line[left]);
-				if (ink > 0) value += ink * (line[left + 3] + part * (line[left + 9] - line[left + 3]) - value);
-				pixels[at + k] = value + 0.5;
+			let red = line[left] + part * (line[left + 6] - line[left]);
+			let green = line[left + 1] + part * (line[left + 7] - line[left + 1]);
+			let blue = line[left + 2] + part * (line[left + 8] - line[left + 2]);
+			if (ink > 0) {
+				red += ink * (line[left + 3] + part * (line[left + 9] - line[left + 3]) - red);
+				green += ink * (line[left + 4] + part * (line[left + 10] - line[left + 4]) - green);
+				blue += ink * (line[left + 5] + part * (line[left + 11] - line[left + 5]) - blue);
 			}
+			pixels[at] = red + 0.5;
+			pixels[at + 1] = green + 0.5;
+			pixels[at + 2] = blue + 0.5;
 		}
 	}
 	return { width: side, height: side, pixels };

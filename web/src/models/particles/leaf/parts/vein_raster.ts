@@ -16,19 +16,32 @@ export interface VeinRaster {
 	cell: number;
 	/** Share of the cell that is vein or its sheath, 0 … 1. */
 	cover: Float32Array;
-	/** How high a vein stands there, as high on its axis as half its width: millimetres. */
+	/** How high a vein stands there, as high on its axis as half its width: millimetres; nothing where it was not asked for. */
 	height: Float32Array;
 }
 
-/** @param millimetres of a length of the leaf */
+/**
+ * @param millimetres of a length of the leaf
+ * @param raised whether heights are wanted
+ */
 export function veinRaster(
-	{ chart: ends, margin, segments }: Pick<Leaf, "chart" | "margin" | "segments">,
+	{
+		chart: ends,
+		margin,
+		segments,
+	}: Pick<Leaf, "chart" | "margin"> & { segments: Pick<Leaf["segments"], "count" | "radii"> },
 	millimetres: number,
 	side: number,
+	raised = true,
 ): VeinRaster {
 	const chart = chartOf(margin);
 	const cell = (chart.size * millimetres) / side;
-	const raster = { side, cell, cover: new Float32Array(side * side), height: new Float32Array(side * side) };
+	const raster = {
+		side,
+		cell,
+		cover: new Float32Array(side * side),
+		height: new Float32Array(raised ? side * side : 0),
+	};
 	const places = inCells(ends, chart, side);
 	for (let piece = 0; piece < segments.count; piece++) {
 		draw(raster, places, 4 * piece, (segments.radii[2 * piece + 1] * 1000) / cell);
@@ -38,33 +51,41 @@ export function veinRaster(
 
 /** One straight piece of a vein, its radius in cells. */
 function draw({ side, cell, cover, height }: VeinRaster, places: Float32Array, from: number, radius: number): void {
-	const [x1, y1, x2, y2] = [places[from], places[from + 1], places[from + 2], places[from + 3]];
+	const x1 = places[from];
+	const y1 = places[from + 1];
+	const dx = places[from + 2] - x1;
+	const dy = places[from + 3] - y1;
 	const pale = radius + SHEATH / cell;
 	const covering = Math.max(pale, 0.5) + 0.5;
 	const thin = Math.min(1, 2 * pale);
 	const foot = Math.max(FOOT * radius, LEAST_FOOT);
 	const top = (cell * radius * FOOT * radius) / foot;
 	const reach = Math.max(covering, foot);
-	const [dx, dy] = [x2 - x1, y2 - y1];
 	const squared = dx * dx + dy * dy;
-	const within = (value: number) => Math.min(side - 1, Math.max(0, Math.floor(value)));
-	const [left, right] = [within(Math.min(x1, x2) - reach), within(Math.max(x1, x2) + reach)];
-	const upTo = within(Math.max(y1, y2) + reach);
-	for (let row = within(Math.min(y1, y2) - reach); row <= upTo; row++) {
+	const left = within(x1 + Math.min(0, dx) - reach, side);
+	const right = within(x1 + Math.max(0, dx) + reach, side);
+	const upTo = within(y1 + Math.max(0, dy) + reach, side);
+	for (let row = within(y1 + Math.min(0, dy) - reach, side); row <= upTo; row++) {
 		for (let column = left; column <= right; column++) {
 			const px = column + 0.5 - x1;
 			const py = row + 0.5 - y1;
 			const t = squared > 0 ? Math.min(1, Math.max(0, (px * dx + py * dy) / squared)) : 0;
-			const [ox, oy] = [px - t * dx, py - t * dy];
+			const ox = px - t * dx;
+			const oy = py - t * dy;
 			const away = ox * ox + oy * oy;
 			if (away >= reach * reach) continue;
 			const at = row * side + column;
 			// What is finer than a cell covers less of it.
 			const share = Math.min(1, covering - Math.sqrt(away)) * thin;
 			if (share > cover[at]) cover[at] = share;
+			if (height.length === 0) continue;
 			const slope = Math.max(0, 1 - away / (foot * foot));
 			const high = top * slope * slope;
 			if (high > height[at]) height[at] = high;
 		}
 	}
+}
+
+function within(value: number, side: number): number {
+	return Math.min(side - 1, Math.max(0, Math.floor(value)));
 }

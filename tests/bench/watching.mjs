@@ -1,0 +1,118 @@
+/**
+ * `npm run bench -- watching [model/preset …]`: what the page's own thread does while particles run, from the first frame of a
+ * play to the plant at rest. Drawing is switched off in the page (WebGL's draws do nothing, all that leads to them stays), for
+ * software would draw most of the time. Counted is the thread's own time on a processor, so that waiting does not count, task
+ * by task; of several plays the least, for others on the machine and the collector of rubbish only add.
+ */
+import { join } from "node:path";
+import { build, preview } from "vite";
+import { repository } from "../../wasm-core/tools/repository.mjs";
+import { launch } from "../e2e/browser.mjs";
+import { printTable } from "./statistics.mjs";
+import { heaviestIn, tasksOf } from "./trace.mjs";
+
+const PLANTS = ["leaf/grapevine", "tree/oak", "root/tap"];
+const PLAYS = 4;
+/** A frame of a screen of 60 Hz. */
+const AIM = 16;
+/** How long after the end of a play what belongs to it may still come, in milliseconds. */
+const AFTER = 2500;
+const PAUSED = "the life has come to its end";
+const folder = join(repository, "build/bench/watching");
+const configFile = join(repository, "vite.config.ts");
+
+/** @param {string[]} plants as `tree/oak` */
+export async function benchWatching(plants) {
+	process.env.NODE_ENV = "production";
+	// As it is published, but that functions keep their names.
+	const own = { outDir: folder, minify: false };
+	await build({ root: join(repository, "web"), configFile, build: own, logLevel: "error" });
+	const server = await preview({
+		configFile,
+		preview: { port: 0, host: "localhost" },
+		build: { outDir: folder },
+		logLevel: "error",
+	});
+	const browser = await launch();
+	const rows = [
+		["", "tasks", `over ${AIM} ms`, "worst, ms", "99th percentile", "first play", "what the worst one did"],
+	];
+	try {
+		for (const plant of plants.length > 0 ? plants : PLANTS) {
+			rows.push(await benchPlant(browser, server.resolvedUrls.local[0], plant));
+		}
+	} finally {
+		await browser.close();
+		await server.close();
+	}
+	printTable(
+		`Watching particles run: tasks of the page's thread, the least of ${PLAYS} plays (aim: none over ${AIM} ms)`,
+		rows,
+	);
+}
+
+/** A page with a plant at rest. */
+export async function openPlant(browser, address, plant) {
+	const [model, preset] = plant.split("/");
+	const page = await browser.newPage({ viewport: { width: 1024, height: 640 } });
+	await page.addInitScript(withoutDrawing);
+	await page.addInitScript(sayPaused, PAUSED);
+	await page.goto(`${address}?v=2&model=${model}&preset=${preset}`);
+	await page.waitForFunction(() => document.querySelector(".play") && document.querySelector("[data-fingerprint]"));
+	await page.waitForTimeout(AFTER);
+	return page;
+}
+
+async function benchPlant(browser, address, plant) {
+	const page = await openPlant(browser, address, plant);
+	const plays = [];
+	for (let i = 0; i < PLAYS; i++) plays.push(tasksOf(await traced(browser, page)));
+	const [named] = tasksOf(await traced(browser, page, ["disabled-by-default-v8.cpu_profiler"]));
+	await page.close();
+	const worst = plays.map(([task]) => task.milliseconds);
+	const best = plays[worst.indexOf(Math.min(...worst))];
+	return [
+		plant,
+		best.length,
+		Math.min(...plays.map((tasks) => tasks.filter(({ milliseconds }) => milliseconds > AIM).length)),
+		Math.min(...worst).toFixed(1),
+		Math.min(...plays.map(percentile)).toFixed(1),
+		worst[0].toFixed(1),
+		heaviestIn(named),
+	];
+}
+
+/** Of tasks worth the name, a millisecond or longer; the longest is first. */
+function percentile(tasks) {
+	const worth = tasks.filter(({ milliseconds }) => milliseconds >= 1);
+	return worth[Math.floor(0.01 * worth.length)]?.milliseconds ?? 0;
+}
+
+/** Plays a life from its beginning, and gives what was traced meanwhile. */
+export async function traced(browser, page, more = []) {
+	await browser.startTracing(page, { categories: ["toplevel", "devtools.timeline", "v8", ...more] });
+	const ended = page.waitForEvent("console", { predicate: (said) => said.text() === PAUSED, timeout: 300_000 });
+	await page.keyboard.press("k");
+	await ended;
+	await page.waitForTimeout(AFTER);
+	return JSON.parse((await browser.stopTracing()).toString()).traceEvents;
+}
+
+/** In the page: says when a life has come to its end. To ask again and again would be work for the page. */
+function sayPaused(words) {
+	let button = null;
+	new MutationObserver((_, watch) => {
+		button = document.querySelector(".play");
+		if (!button) return;
+		watch.disconnect();
+		const says = () => button.ariaLabel === "Play" && console.log(words);
+		new MutationObserver(says).observe(button, { attributeFilter: ["aria-label"] });
+	}).observe(document, { childList: true, subtree: true });
+}
+
+/** In the page: nothing is drawn, copied or cleared; buffers, textures and programs are sent as ever. */
+function withoutDrawing() {
+	const drawing = ["drawElements", "drawArrays", "drawElementsInstanced", "drawArraysInstanced", "drawRangeElements"];
+	const pixels = ["clear", "blitFramebuffer", "copyTexSubImage2D", "generateMipmap"];
+	for (const name of [...drawing, ...pixels]) WebGL2RenderingContext.prototype[name] = () => {};
+}

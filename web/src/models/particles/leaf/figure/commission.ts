@@ -1,0 +1,107 @@
+/** Has leaves painted by a worker, for a page that must not wait. */
+import { startWorker } from "../../../../core/spawn";
+import type { FlatLeaf } from "../parts/face_pictures";
+import { type Faces, type Painted, Painter, type PaintOrder } from "./paint";
+import address from "./paint_worker.ts?worker&url";
+
+/** What it needs of a worker. */
+export type PaintWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
+
+/** One order at a time is under way; what is ordered meanwhile waits, and of those that wait only the newest. */
+export class Commission {
+	readonly #deliver: (faces: Faces) => void;
+	readonly #start: () => PaintWorker;
+	#worker: PaintWorker | undefined;
+	/** Paints here, once workers cannot be had. */
+	#alone: Painter | undefined;
+	/** The leaf that the worker knows. */
+	#given: FlatLeaf | undefined;
+	#underWay: { order: PaintOrder; leaf: FlatLeaf } | undefined;
+	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"] } | undefined;
+	#orders = 0;
+	#wanted = 0;
+	readonly #waiting: (() => void)[] = [];
+
+	/** @param deliver is given what is still wanted when it comes */
+	constructor(deliver: (faces: Faces) => void, start: () => PaintWorker = startPainter) {
+		this.#deliver = deliver;
+		this.#start = start;
+	}
+
+	/** Takes the place of whatever was ordered before and has not come. */
+	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"]): void {
+		this.#wanted = ++this.#orders;
+		this.#next = { leaf, specimen: { look, parameters, seed } };
+		if (!this.#underWay) this.#begin();
+	}
+
+	/** Takes back what was ordered. */
+	cancel(): void {
+		this.#wanted = 0;
+		this.#next = undefined;
+		this.#wake();
+	}
+
+	/** Settles when nothing is wanted any more. */
+	whenDone(): Promise<void> {
+		if (this.#wanted === 0) return Promise.resolve();
+		return new Promise((resolve) => this.#waiting.push(resolve));
+	}
+
+	dispose(): void {
+		this.cancel();
+		this.#worker?.terminate();
+	}
+
+	#begin(): void {
+		if (!this.#next) return;
+		const { leaf, specimen } = this.#next;
+		this.#next = undefined;
+		const { chart, margin, segments } = leaf;
+		const flat = { chart, margin, segments: { count: segments.count, radii: segments.radii } };
+		const order = { id: this.#orders, specimen, ...(leaf === this.#given ? {} : { leaf: flat }) };
+		this.#underWay = { order, leaf };
+		this.#given = leaf;
+		if (this.#alone) this.#paint(this.#alone);
+		else this.#employ().postMessage(order);
+	}
+
+	#employ(): PaintWorker {
+		if (this.#worker) return this.#worker;
+		const worker = this.#start();
+		worker.onmessage = ({ data }: MessageEvent<Painted>) => this.#take(data);
+		worker.onerror = (event) => {
+			event.preventDefault(); // It is dealt with here; the console need not hear of it.
+			worker.terminate();
+			this.#alone = new Painter();
+			this.#paint(this.#alone);
+		};
+		this.#worker = worker;
+		return worker;
+	}
+
+	/** The order under way, here. */
+	#paint(painter: Painter): void {
+		if (!this.#underWay) return;
+		const { order, leaf } = this.#underWay;
+		this.#take({ ...painter.paint({ ...order, leaf }), id: order.id });
+	}
+
+	#take({ id, ...faces }: Painted): void {
+		this.#underWay = undefined;
+		if (id === this.#wanted) {
+			this.#wanted = 0;
+			this.#deliver(faces);
+			this.#wake();
+		}
+		this.#begin();
+	}
+
+	#wake(): void {
+		for (const resolve of this.#waiting.splice(0)) resolve();
+	}
+}
+
+function startPainter(): PaintWorker {
+	return startWorker(new URL(address, import.meta.url));
+}

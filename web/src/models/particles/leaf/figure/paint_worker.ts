@@ -1,0 +1,15 @@
+/** The worker that paints leaves. */
+import { moved, type Painted, Painter, type PaintOrder } from "./paint";
+
+/** What this file needs of a worker's global scope, which the page's types do not describe. */
+interface Scope {
+	postMessage(message: Painted, transfer: Transferable[]): void;
+	onmessage: ((event: MessageEvent<PaintOrder>) => void) | null;
+}
+
+const scope = globalThis as unknown as Scope;
+const painter = new Painter();
+scope.onmessage = ({ data }) => {
+	const faces = painter.paint(data);
+	scope.postMessage({ ...faces, id: data.id }, moved(faces));
+};
