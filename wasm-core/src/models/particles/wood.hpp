@@ -11,6 +11,7 @@
 #include "models/particles/rules.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trunk.hpp"
+#include "models/particles/twig_shape.hpp"
 
 namespace panicle::particles {
 
@@ -22,6 +23,7 @@ struct Motion {
 
 struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
+  std::vector<Axis> axes;      // one a target
   std::vector<double> all;     // what arrives at each in the end
   Tally tally;
   std::uint32_t stragglers = 0;   // that had to be led to their target
@@ -29,8 +31,9 @@ struct Wood {
 };
 
 // Runs the particles to the nearest target (ties: that of the lowest index), those of each for themselves.
-// `habit.ahead` is set by the spacing. `seed`: which way each axis sways.
+// `habit.ahead` is set by the spacing. `room`: where ends may be. `seed`: which way each axis sways.
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed);
+         TrunkHabit habit, const TwigHabit& twigs, const Region& room, const Region& outer, const Obstacles& obstacles,
+         std::uint64_t seed);
 
 }  // namespace panicle::particles

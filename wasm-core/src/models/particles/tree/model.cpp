@@ -146,6 +146,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
   SpaceHabit space = space_habit<Parameter>(values);
   space.trunk.bend -= values[phototropism] * brightest;
+  space.twigs.weep = values[weep];
+  space.twigs.weep_tips = values[weep_tips];
   space.trunk.bole = bole * habit.growth * habit.trunk;
   space.trunk.height = crowns_made.top;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
@@ -172,7 +174,12 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     plant.measures = measures_of(plant, {grown, foliage, *light, area, leaf_count});
   }
   if (read->meshes) {
-    dress(plant, grown, "bark", leaf_tag, blade.area, read->sky);
+    dress(plant, grown,
+          {.material = "bark",
+           .leaf = leaf_tag,
+           .leaf_area = blade.area,
+           .sky = read->sky,
+           .foot = {.flare = values[flare], .seed = read->seed}});
     // Only what is borne: a mesh that no organ is drawn with would stand by itself.
     const bool leafy = plant.organs.size() > particles_under_way;
     for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag || !leafy ? 1 : 2;
