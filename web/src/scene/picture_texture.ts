@@ -1,11 +1,18 @@
-import { DataTexture, LinearFilter, LinearMipmapLinearFilter, NoColorSpace, SRGBColorSpace } from "three";
+import {
+	DataTexture,
+	LinearFilter,
+	LinearMipmapLinearFilter,
+	NoColorSpace,
+	RepeatWrapping,
+	SRGBColorSpace,
+} from "three";
 import type { Picture } from "../plant/material";
 
 /** Seen at a slant, a leaf's veins would blur. */
 const ANISOTROPY = 4;
 
 /** A picture as three's texture: the first row is v = 0. */
-export function pictureTexture({ width, height, pixels }: Picture, isColour: boolean): DataTexture {
+export function pictureTexture({ width, height, pixels }: Picture, isColour: boolean, repeats = false): DataTexture {
 	// Cards make smaller copies of four channels only, where they are sRGB.
 	const data = new Uint8Array(4 * width * height);
 	for (let from = 0, to = 0; to < data.length; from += 3, to += 4) {
@@ -16,6 +23,7 @@ export function pictureTexture({ width, height, pixels }: Picture, isColour: boo
 	}
 	const texture = new DataTexture(data, width, height);
 	texture.colorSpace = isColour ? SRGBColorSpace : NoColorSpace;
+	if (repeats) texture.wrapS = texture.wrapT = RepeatWrapping;
 	texture.magFilter = LinearFilter;
 	texture.minFilter = LinearMipmapLinearFilter;
 	texture.generateMipmaps = true;
