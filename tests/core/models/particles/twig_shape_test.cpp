@@ -51,6 +51,7 @@ TEST_CASE("a twig hangs the more the farther from the branch that bears it, as l
     const glm::vec3 way = trails.places[i] - trails.places[next];
     CHECK(glm::length(way) == doctest::Approx(0.5f));
     CHECK(way.y <= steepest);
+    if (i == 7) CHECK(way.y > -0.25f);  // no kink where it leaves the branch
     steepest = way.y;
   }
   CHECK(steepest < -0.3f);
@@ -100,7 +101,7 @@ TEST_CASE("hanging twigs of a tree point down, and its particles stay between th
 TEST_CASE("branches wander within the crown, as far as told; ends and what leads to the target stay") {
   const Solid crown(box({-5, 0, -5}, {5, 9, 5}));
   const Trunk guide({0, 0, 0}, {.ahead = 0.1f}, &crown, &none);
-  Trails trails = divided(limb_with_twig(), 0.1f, 100, 0.1f);
+  Trails trails = divided(limb_with_twig(), 0.1f, 0, 100, 0.1f);
   const Trails before = trails;
   wander(trails, guide, crown, 0.2f, 0.5f, 7);
   float farthest = 0;
@@ -131,7 +132,7 @@ TEST_CASE("wandering twigs do not go where an obstacle hides them") {
 
 TEST_CASE("divided trails have no long piece but to the target, and run through it evenly") {
   const Trails whole = limb_with_twig();
-  const Trails trails = divided(whole, 0.3f, 100, 0.1f);
+  const Trails trails = divided(whole, 0.3f, 0, 100, 0.1f);
   CHECK(trails.size() > 2 * whole.size());
   for (std::size_t i = 1; i < trails.size(); ++i) {
     const auto next = static_cast<std::size_t>(trails.next[i]);
@@ -141,13 +142,14 @@ TEST_CASE("divided trails have no long piece but to the target, and run through 
     CHECK(glm::distance(trails.places[i], trails.places[next]) <= 0.3f + 1e-4f);
   }
   CHECK(std::count_if(trails.particle.begin(), trails.particle.end(), [](std::int32_t p) { return p >= 0; }) == 5);
-  CHECK(divided(whole, 0.3f, 0.5, 0.1f).size() == whole.size());
+  CHECK(divided(whole, 0.3f, 0, 0.5, 0.1f).size() == whole.size());
+  CHECK(divided(whole, 0.3f, 6, 100, 0.1f).size() == whole.size());
   const Trails one = divided({.places = {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}},
                               .next = {-1, 0, 1},
                               .energy = {1, 1, 1},
                               .born = {30, 20, 4},
                               .particle = {-1, -1, 0}},
-                             0.3f, 100, 0.1f);
+                             0.3f, 0, 100, 0.1f);
   CHECK(one.born == std::vector<std::uint32_t>{30, 20, 16, 12, 8, 4});
   CHECK(one.places[3] == glm::vec3(0, 1, 0.5f));
 }

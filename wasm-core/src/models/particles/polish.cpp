@@ -170,7 +170,7 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
   return left;
 }
 
-Trails divided(const Trails& trails, float longest, double energy, float stride) {
+Trails divided(const Trails& trails, float longest, double least, double most, float stride) {
   Trails made;
   const std::size_t room = 2 * trails.size();
   made.places.reserve(room);
@@ -195,8 +195,8 @@ Trails divided(const Trails& trails, float longest, double energy, float stride)
       to = now[next];
       const glm::vec3 way = trails.places[next] - trails.places[i];
       const float length = glm::length(way);
-      const std::uint32_t pieces =
-          next > 0 && trails.energy[i] < energy ? 1 + static_cast<std::uint32_t>(length / longest) : 1;
+      const bool whole = next == 0 || trails.energy[i] < least || !(trails.energy[i] < most);
+      const std::uint32_t pieces = whole ? 1 : 1 + static_cast<std::uint32_t>(length / longest);
       // As `at_moment` has it.
       const auto left = static_cast<float>(trails.born[i]);
       const float there = std::max(static_cast<float>(trails.born[next]), left + length / stride);

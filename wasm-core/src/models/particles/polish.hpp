@@ -23,9 +23,9 @@ void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach);
 // left. Forks, starts and energies stay; with `arrivals` those next to the target too, and so when each came there.
 Trails simplified(const Trails& trails, float tolerance, bool arrivals = false);
 
-// With places between, so that no piece that fewer than `energy` pass is longer than `longest`; but what leads straight
-// to the target stays whole. Who runs along a piece leaves each of them when he comes by.
-Trails divided(const Trails& trails, float longest, double energy, float stride);
+// With places between, so that no piece that energies from `least` to less than `most` pass is longer than `longest`;
+// but what leads straight to the target stays whole. Who runs along a piece leaves each of them when he comes by.
+Trails divided(const Trails& trails, float longest, double least, double most, float stride);
 
 // Puts places back to where they were `before`, where all saw each other, until they do again.
 void take_back_hidden(Trails& trails, const std::vector<glm::vec3>& before, const Guide& guide);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "foundation/easing.hpp"
-#include "foundation/mathematics.hpp"
 #include "models/particles/billows.hpp"
 #include "models/particles/polish.hpp"
 
@@ -19,11 +18,9 @@ constexpr int passes = 3;
 
 // A direction turned so much of the way to straight down; what stands upright has no side to fall to.
 glm::vec3 turned_down(const glm::vec3& way, float share) {
-  const glm::vec3 level(way.x, 0, way.z);
-  const float across = glm::length(level);
-  if (!(across > 1e-3f)) return way;
-  const float angle = (1 - share) * arc_tangent(across, -way.y);
-  return (sine(angle) / across) * level - glm::vec3(0, cosine(angle), 0);
+  if (!(way.x * way.x + way.z * way.z > 1e-6f)) return way;
+  const glm::vec3 turned = (1 - share) * way - glm::vec3(0, share, 0);
+  return turned / glm::length(turned);
 }
 
 }  // namespace

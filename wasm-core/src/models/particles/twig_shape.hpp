@@ -13,6 +13,7 @@ struct TwigHabit {
   float weep = 0;        // how far twigs turn towards straight down, 0 … 1
   float weep_tips = 20;  // what bears so many tips does not turn
   float crook = 0;       // how far branches stray from their way, in spacings
+  float crook_tips = 1;  // what bears fewer tips goes straight from place to place
 
   bool shapes() const { return weep > 0 || crook > 0; }
 };

@@ -52,10 +52,11 @@ struct Scale {
 // What hangs and wanders. Straight pieces are divided for it, twigs alone where the rest stays.
 Trails shaped(const Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
               const Scale& scale) {
-  const double all = trails.energy[0];
-  const double divide = habit.crook > 0 ? 2 * all : all * static_cast<double>(habit.weep_tips) / tips_of(trails);
+  const double all = trails.energy[0], tip = all / tips_of(trails);
+  const double least = habit.weep > 0 ? 0 : 0.999 * tip * static_cast<double>(habit.crook_tips);
+  const double most = habit.crook > 0 ? 2 * all : tip * static_cast<double>(habit.weep_tips);
   const float piece = habit.weep > 0 ? hanging_piece : wandering_piece;
-  Trails made = divided(trails, piece * scale.spacing, divide, scale.stride);
+  Trails made = divided(trails, piece * scale.spacing, least, most, scale.stride);
   hang(made, guide, outer, room, habit, arc * scale.spacing);
   wander(made, guide, outer, habit.crook * scale.spacing, billow * scale.spacing, scale.seed);
   return simplified(made, tolerance * scale.spacing, true);

@@ -38,6 +38,8 @@ constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;  // that a way past an obstacle may lead
 // How much of the bole bears no branch, of what is below the crown.
 constexpr float bole = 0.6f;
+// What bears fewer tips is a twig of a pixel or two, and need not be crooked.
+constexpr float straight_tips = 2;
 // Of the hormone, in heights of the crown; of the leader, in widths.
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
 // Hours of day between which shoots grow longer, and leaves stay.
@@ -148,6 +150,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   space.trunk.bend -= values[phototropism] * brightest;
   space.twigs.weep = values[weep];
   space.twigs.weep_tips = values[weep_tips];
+  space.twigs.crook_tips = straight_tips;
   space.trunk.bole = bole * habit.growth * habit.trunk;
   space.trunk.height = crowns_made.top;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
