@@ -305,4 +305,34 @@ export default [
 			},
 		],
 	},
+	{
+		file: `${SRC}/twig_shape.cpp`,
+		suites: [`${TESTS}/twig_shape_test.cpp`],
+		faults: [
+			{
+				id: "twig-hangs-at-once",
+				find: " * smooth_step(0, arc, run[i])",
+				replace: "",
+				breaks: "hanging twigs break off at the branch that bears them",
+			},
+			{
+				id: "twig-hangs-out",
+				find: "if (last && !fits",
+				replace: "if (false && !fits",
+				breaks: "tips sink out of the boundary",
+			},
+		],
+	},
+	{
+		file: `${SRC}/foot.cpp`,
+		suites: [`${TESTS}/foot_test.cpp`],
+		faults: [
+			{
+				id: "foot-cut-aslant",
+				find: "std::max(positions[3 * v + 1], foot.start.y)",
+				replace: "positions[3 * v + 1]",
+				breaks: "a swaying trunk is cut aslant below the ground",
+			},
+		],
+	},
 ];

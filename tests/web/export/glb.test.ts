@@ -259,6 +259,19 @@ describe("textures", () => {
 		expect(samplers).toHaveLength(1);
 	});
 
+	it("end at their edges, or go on where they are told to repeat", async () => {
+		const shape = parts[0].shape as Shape;
+		const repeating = { ...shape.material, textures: { ...shape.material.textures, repeats: true } };
+		const file = exportGlb([...parts, { name: "Bark", shape: { ...shape, material: repeating } }], ABOUT);
+		expect(await complaints(file)).toEqual([]);
+		const { textures, samplers } = documentOf(file);
+		expect(samplers).toMatchObject([
+			{ wrapS: 33071, wrapT: 33071 },
+			{ wrapS: 10497, wrapT: 10497 },
+		]);
+		expect(textures).toMatchObject([0, 0, 0, 1, 1, 1].map((sampler) => ({ sampler })));
+	});
+
 	it("leave vertices without colours of their own with the shade", async () => {
 		const shape = parts[0].shape as Shape;
 		const mesh = { ...shape.mesh, sky: Uint8Array.of(255, 255, 102, 0) };

@@ -144,7 +144,7 @@ std::uint32_t TubeMaker::count_rings(const StemAxis& axis) const {
 // The rings between the two ends. A branch begins with its right in the plane of branch and bearer.
 void TubeMaker::sweep(const StemAxis& axis, Ring* rings) const {
   const std::span<const Node> nodes(&axes_.nodes[axis.first], axis.count);
-  Thickness thickness(nodes, axis.origin, end_of(axis), stems_.jointed);
+  Thickness thickness(nodes, axis.origin, end_of(axis), stems_.jointed, stems_.tapering);
   glm::vec3 centre = nodes[0].position;
   glm::vec3 right = axis.origin.attached ? axis.origin.direction : aside(nodes[0].tangent);
   const auto add = [&](const glm::vec3& next, const glm::vec3& tangent, float t, std::int32_t segment) {

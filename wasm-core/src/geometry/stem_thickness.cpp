@@ -28,8 +28,8 @@ float ridge(float x) { return smooth(x < 1 ? x : (collar_end - x) / (collar_end 
 
 }  // namespace
 
-Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed)
-    : nodes_(nodes), origin_(origin), end_(end), jointed_(jointed) {
+Thickness::Thickness(std::span<const Node> nodes, const Origin& origin, const StemEnd& end, bool jointed, bool tapering)
+    : nodes_(nodes), origin_(origin), end_(end), jointed_(jointed), tapering_(tapering) {
   for (const Node& node : nodes) length_ += node.step;
   emergence_ = 1.5f * nodes[0].radius;
   if (origin.attached) {
@@ -49,12 +49,26 @@ void Thickness::enter(std::size_t i) {
   step_ = b.step;
   radius_ = a.radius;
   gain_ = b.radius - a.radius;
+  if (tapering_) {
+    taper_ = step_ * taper_at(i - 1);
+    next_taper_ = step_ * taper_at(i);
+  }
   per_swelling_ = step_ / (extent * a.radius);
   per_next_swelling_ = step_ / (extent * b.radius);
 }
 
+// The radius's change per unit of length at a node: the harmonic mean of those on both sides, none where they differ.
+float Thickness::taper_at(std::size_t node) const {
+  const auto between = [&](std::size_t i) { return (nodes_[i].radius - nodes_[i - 1].radius) / nodes_[i].step; };
+  if (node == 0) return between(1);
+  if (node + 1 == nodes_.size()) return between(node);
+  const float before = between(node), after = between(node + 1);
+  return before * after > 0 ? 2 * before * after / (before + after) : 0;
+}
+
 Section Thickness::at(float t) const {
   float radius = radius_ + gain_ * smooth(t);
+  if (tapering_) radius += t * (1 - t) * ((1 - t) * taper_ - t * next_taper_);
   if (jointed_) {
     const float swelling = wide_hill(t * per_swelling_) + wide_hill((1 - t) * per_next_swelling_);
     radius *= between_nodes + node_swelling * swelling;

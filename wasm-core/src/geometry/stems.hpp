@@ -24,7 +24,8 @@ struct Stems {
   std::span<const Segment> segments;  // parents first
   std::span<const std::int32_t> groups = {};
   std::span<const StemEnd> ends = {};
-  bool jointed = true;  // whether they swell where segments meet, as shoots do at their nodes
+  bool jointed = true;    // whether they swell where segments meet, as shoots do at their nodes
+  bool tapering = false;  // whether thickness runs on through nodes, as wood's does; else it halts at each
 
   std::int32_t group_of(std::size_t segment) const { return groups.empty() ? 0 : groups[segment]; }
   StemEnd end_of(std::size_t segment) const { return ends.empty() ? StemEnd{} : ends[segment]; }

@@ -180,9 +180,10 @@ class PartsWriter {
 	}
 
 	#textures({ name, textures = {} }: Material): TextureIndices {
-		const kinds = Object.entries(textures) as [keyof TextureIndices, Picture][];
+		const { repeats, ...pictures } = textures;
+		const kinds = Object.entries(pictures) as [keyof TextureIndices, Picture][];
 		return Object.fromEntries(
-			kinds.map(([kind, picture]) => [kind, this.#document.texture(`${name} ${kind}`, png(picture))]),
+			kinds.map(([kind, picture]) => [kind, this.#document.texture(`${name} ${kind}`, png(picture), repeats)]),
 		);
 	}
 }
@@ -196,7 +197,7 @@ function plainBase({ colour, textures }: Material): Colour {
 function writtenColours({ mesh, material }: Shape): Float32Array | undefined {
 	const { colours, sky, positions } = mesh;
 	if (!sky) return colours;
-	const under = material.textures?.colour && material.colour;
+	const under = colours ? undefined : material.textures?.colour && material.colour;
 	return shaded(colours ?? everywhere(plainBase(material), positions.length / 3), sky, under);
 }
 

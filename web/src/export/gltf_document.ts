@@ -30,8 +30,9 @@ const VIEWS: Record<string, ViewLayout> = {
 	scales: {},
 };
 
-/** Smooth, with smaller copies, and no repetition. */
+/** Smooth, with smaller copies; the one without repetition, the other with it. */
 const CLAMPED = { magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 };
+const REPEATED = { magFilter: 9729, minFilter: 9987, wrapS: 10497, wrapT: 10497 };
 
 /** Most vertices 16-bit indices reach; 65535 itself means a restart of the strip. */
 const SHORT_INDEX_VERTICES = 65535;
@@ -67,6 +68,7 @@ export class GltfDocument {
 	readonly #materials: Json[] = [];
 	readonly #images: Json[] = [];
 	readonly #textures: Json[] = [];
+	readonly #samplers: Json[] = [];
 	readonly #patterns = new Map<Float32Array, Pattern & { of: Uint32Array }>();
 	readonly #used = new Set<string>();
 	readonly #required = new Set<string>();
@@ -83,11 +85,13 @@ export class GltfDocument {
 		return this.#materials.push({ ...material }) - 1;
 	}
 
-	/** Appends a PNG; returns the index of a texture of it that ends at its edges. */
-	texture(name: string, bytes: Uint8Array): number {
+	/** Appends a PNG; returns the index of a texture of it that ends at its edges, or goes on from the start there. */
+	texture(name: string, bytes: Uint8Array, repeats = false): number {
 		const bufferView = this.#binary.raw(bytes);
 		const source = this.#images.push({ name, mimeType: "image/png", bufferView }) - 1;
-		return this.#textures.push({ name, source, sampler: 0 }) - 1;
+		const wanted = repeats ? REPEATED : CLAMPED;
+		if (!this.#samplers.includes(wanted)) this.#samplers.push(wanted);
+		return this.#textures.push({ name, source, sampler: this.#samplers.indexOf(wanted) }) - 1;
 	}
 
 	/** An extension without which the file must not be read. */
@@ -127,7 +131,7 @@ export class GltfDocument {
 				materials: this.#materials,
 				textures: this.#textures,
 				images: this.#images,
-				samplers: this.#textures.length > 0 ? [CLAMPED] : [],
+				samplers: this.#samplers,
 			}),
 		});
 	}

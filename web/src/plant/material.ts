@@ -11,6 +11,8 @@ export interface Picture {
 
 /** What is finer than a mesh: view and files lay the same pictures on it. */
 export interface Textures {
+	/** Laid one beside the other where texture coordinates go on beyond 0 … 1; else they end at their edges. */
+	repeats?: boolean;
 	/** sRGB: in place of the material's colour, which is its mean; colours of vertices multiply it. */
 	colour?: Picture;
 	/**
@@ -38,8 +40,6 @@ export interface Material {
 	 * the other side, as a factor on this one's.
 	 */
 	sheet?: { through: Colour; reverse: Colour };
-	/** Of tubes, what files cannot say: furrows along them, so much darker at their ground, 0 … 1. */
-	grain?: number;
 	/** Fine fibres or wax, seen at grazing angles: linear colour and roughness. */
 	sheen?: { colour: Colour; roughness: number };
 	/** Refractive index, where it is not 1.5. */

@@ -59,8 +59,7 @@ export class PartMeshes {
 			if (!shape) continue;
 			const { mesh, instances } = shape;
 			const geometry = this.#geometryOf(mesh, instances?.sky);
-			if (shape.material.grain !== undefined || shape.material.textures)
-				geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
+			if (shape.material.textures) geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
 			const coloured = mesh.colours !== undefined;
 			const material = wardrobe.materialOf(shape.material, coloured, geometry.hasAttribute("sky"));
 			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);

@@ -1,4 +1,11 @@
-import { DataTexture, LinearFilter, LinearMipmapLinearFilter, NoColorSpace, SRGBColorSpace } from "three";
+import {
+	DataTexture,
+	LinearFilter,
+	LinearMipmapLinearFilter,
+	NoColorSpace,
+	RepeatWrapping,
+	SRGBColorSpace,
+} from "three";
 import type { Picture } from "../plant/material";
 import { asCardsTakeIt } from "../plant/picture";
 
@@ -6,10 +13,11 @@ import { asCardsTakeIt } from "../plant/picture";
 const ANISOTROPY = 4;
 
 /** A picture as three's texture: the first row is v = 0. */
-export function pictureTexture(picture: Picture, isColour: boolean): DataTexture {
+export function pictureTexture(picture: Picture, isColour: boolean, repeats = false): DataTexture {
 	const { width, height, pixels } = asCardsTakeIt(picture);
 	const texture = new DataTexture(pixels, width, height);
 	texture.colorSpace = isColour ? SRGBColorSpace : NoColorSpace;
+	if (repeats) texture.wrapS = texture.wrapT = RepeatWrapping;
 	texture.magFilter = LinearFilter;
 	texture.minFilter = LinearMipmapLinearFilter;
 	texture.generateMipmaps = true;

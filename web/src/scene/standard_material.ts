@@ -31,8 +31,6 @@ export interface StandardOptions {
 	shares?: LampShares;
 	/** What stands for the material's textures; geometries that wear it have `uv`. */
 	maps?: { colour?: Texture; normal?: Texture };
-	/** Finer than vertices: a function `vec3 detailed(vec3 colour, vec2 chart)` of texture coordinates. */
-	detail?: string;
 }
 
 /**
@@ -43,7 +41,6 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	const made = isPlain(material) ? new MeshStandardMaterial() : physical(material);
 	made.name = material.name;
 	made.side = material.doubleSided ? DoubleSide : FrontSide;
-	if (options.detail) made.defines = { ...made.defines, USE_UV: "" };
 	const { colour: map, normal: normalMap } = options.maps ?? {};
 	const own = options.coloured || material.textures?.colour;
 	made.color = own ? new Color(1, 1, 1) : new Color(...material.colour);
@@ -59,8 +56,8 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	setSheet(made, material);
 	setPicture(made, material);
 	made.onBeforeCompile = (shader) => lit(shader, sheet, options);
-	const { sky = false, shares, detail = "" } = options;
-	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, detail, sheet !== undefined]);
+	const { sky = false, shares } = options;
+	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, sheet !== undefined]);
 	return made;
 }
 
@@ -88,7 +85,7 @@ export function setPicture(made: MeshStandardMaterial, { textures }: Material): 
 	made.userData.picture = picture;
 	if ((made.map === null) !== (picture === undefined)) made.needsUpdate = true;
 	made.map?.dispose();
-	made.map = picture ? pictureTexture(picture, true) : null;
+	made.map = picture ? pictureTexture(picture, true, textures?.repeats) : null;
 }
 
 function isPlain({ sheen, ior, specular, clearcoat }: Material): boolean {
@@ -140,7 +137,7 @@ function lit(
 	sheet: SheetUniforms | undefined,
 	options: StandardOptions,
 ): void {
-	const { light, sky, shares, detail } = options;
+	const { light, sky, shares } = options;
 	Object.assign(shader.uniforms, light, shares?.uniforms, sheet);
 	const varyings = `${sky ? "varying float openSky;" : ""}\n${shares ? "varying vec2 lampShares;" : ""}\n`;
 	shader.vertexShader = shader.vertexShader
@@ -154,8 +151,8 @@ function lit(
 		);
 	const lamps = ShaderChunk.lights_fragment_begin;
 	shader.fragmentShader = shader.fragmentShader
-		.replace("#include <common>", `#include <common>\n${varyings}${sheet ? SHEET : ""}${LIGHT_CHUNK}${detail ?? ""}`)
-		.replace("#include <color_fragment>", `#include <color_fragment>\n${coloured(sheet !== undefined, detail)}`)
+		.replace("#include <common>", `#include <common>\n${varyings}${sheet ? SHEET : ""}${LIGHT_CHUNK}`)
+		.replace("#include <color_fragment>", `#include <color_fragment>\n${sheet ? REVERSE : ""}`)
 		.replace(
 			"#include <lights_fragment_begin>",
 			`${shares ? lamps.replace(LAMP, `${LAMP}\n${SHARED}`) : lamps}\n${sheet ? THROUGH : ""}`,
@@ -173,7 +170,4 @@ vec4 standing = vec4(transformed, 1.0);
 lampShares = lamp_shares(standing.xyz);
 `;
 
-function coloured(sheet: boolean, detail: string | undefined): string {
-	const reverse = sheet ? "if (!gl_FrontFacing) diffuseColor.rgb *= sheetReverse;" : "";
-	return `${reverse}\n${detail ? "diffuseColor.rgb = detailed(diffuseColor.rgb, vUv);" : ""}`;
-}
+const REVERSE = "if (!gl_FrontFacing) diffuseColor.rgb *= sheetReverse;";

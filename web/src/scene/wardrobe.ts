@@ -1,6 +1,5 @@
-import type { MeshStandardMaterial, Texture } from "three";
+import { type MeshStandardMaterial, RepeatWrapping, type Texture } from "three";
 import type { Material, Picture } from "../plant/material";
-import { grainChunk } from "./grain";
 import type { LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
 import { standardMaterial } from "./standard_material";
@@ -58,7 +57,7 @@ export class Wardrobe {
 		// A picture's mean does not matter where the picture is shown.
 		const told = textures?.colour ? { ...plain, colour: undefined } : plain;
 		const laid = textures && KINDS.filter((kind) => textures[kind]);
-		const key = JSON.stringify([told, coloured, sky, laid, this.#textured.get(material)]);
+		const key = JSON.stringify([told, coloured, sky, laid, textures?.repeats, this.#textured.get(material)]);
 		const kept = this.#kept.get(key) ?? this.#make(material, coloured, sky);
 		kept.worn = this.#plant;
 		this.#kept.set(key, kept);
@@ -77,12 +76,11 @@ export class Wardrobe {
 	}
 
 	#make(material: Material, coloured: boolean, sky: boolean): Kept {
-		const detail = material.grain === undefined ? undefined : grainChunk(material.grain);
-		const shows = { ...material.textures };
+		const { repeats, ...shows } = material.textures ?? {};
 		const maps = Object.fromEntries(
-			KINDS.flatMap((kind) => (shows[kind] ? [[kind, pictureTexture(shows[kind], kind === "colour")]] : [])),
+			KINDS.flatMap((kind) => (shows[kind] ? [[kind, pictureTexture(shows[kind], kind === "colour", repeats)]] : [])),
 		);
-		return { made: standardMaterial(material, { light: this.#light, coloured, sky, detail, maps }), worn: 0, shows };
+		return { made: standardMaterial(material, { light: this.#light, coloured, sky, maps }), worn: 0, shows };
 	}
 }
 
@@ -90,7 +88,11 @@ export class Wardrobe {
 function lay({ made, shows }: Kept, kind: Drawn, picture: Picture): void {
 	if (shows[kind] === picture) return;
 	(made[DRAWN[kind]] as Texture).dispose();
-	made[DRAWN[kind]] = pictureTexture(picture, kind === "colour");
+	made[DRAWN[kind]] = pictureTexture(
+		picture,
+		kind === "colour",
+		(made[DRAWN[kind]] as Texture).wrapS === RepeatWrapping,
+	);
 	shows[kind] = picture;
 }
 

@@ -112,8 +112,42 @@ void mend_normals(Mesh& mesh) {
   }
 }
 
+// Those that are swept: without twigs, with the pieces that feet begin with. Of each the whole plant's number, and the
+// axis.
+struct Branches {
+  std::vector<Segment> segments;
+  std::vector<std::int32_t> groups;
+  std::vector<std::uint32_t> whole;
+};
+
+Branches branches_of(std::span<const Segment> segments, std::span<const std::int32_t> axes,
+                     std::span<const std::int32_t> feet, const FootHabit& habit, float fine) {
+  Branches found;
+  std::vector<std::int32_t> numbers(segments.size(), -1);
+  const auto add = [&](const Segment& segment, std::int32_t parent, std::size_t whole) {
+    found.segments.push_back(segment);
+    found.segments.back().parent = parent;
+    found.groups.push_back(axes[whole]);
+    found.whole.push_back(static_cast<std::uint32_t>(whole));
+    return static_cast<std::int32_t>(found.segments.size()) - 1;
+  };
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (segments[i].radius < fine) continue;
+    const std::int32_t parent = segments[i].parent;
+    std::int32_t last = parent >= 0 ? numbers[static_cast<std::size_t>(parent)] : -1;
+    if (std::find(feet.begin(), feet.end(), static_cast<std::int32_t>(i)) == feet.end()) {
+      numbers[i] = add(segments[i], last, i);
+      continue;
+    }
+    for (const Segment& piece : pieces_of(segments[i], habit)) last = add(piece, last, i);
+    numbers[i] = last;
+  }
+  return found;
+}
+
 // Branches as smooth tubes, twigs as hardly more than lines.
-StemMesh tubes_of(std::span<const Segment> segments, std::span<const std::int32_t> axes) {
+StemMesh tubes_of(std::span<const Segment> segments, std::span<const std::int32_t> axes,
+                  std::span<const glm::vec3> targets, const FootHabit& habit) {
   float thickest = 0;
   glm::vec3 low(0), high(0);
   for (const Segment& segment : segments) {
@@ -123,33 +157,35 @@ StemMesh tubes_of(std::span<const Segment> segments, std::span<const std::int32_
   }
   const glm::vec3 size = high - low;
   const float fine = fine_of_all * std::max({size.x, size.y, size.z});
-  // Thinner from fork to fork: whatever bears a branch is one.
-  std::vector<Segment> branches;
-  std::vector<std::int32_t> groups, numbers(segments.size(), -1);
-  std::vector<std::uint32_t> whole;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (segments[i].radius < fine) continue;
-    numbers[i] = static_cast<std::int32_t>(branches.size());
-    branches.push_back(segments[i]);
-    if (segments[i].parent >= 0) branches.back().parent = numbers[static_cast<std::size_t>(segments[i].parent)];
-    groups.push_back(axes[i]);
-    whole.push_back(static_cast<std::uint32_t>(i));
-  }
+  const std::vector<std::int32_t> feet = feet_of(segments, targets);
+  const Branches branches = branches_of(segments, axes, feet, habit, fine);
+  // Thinner from fork to fork: whatever bears a branch is one. Wood does not swell where its pieces meet.
   const TubeOptions options{.sides = sides, .thin = thin * thickest, .thin_sides = thin_sides, .thin_plain = true};
-  StemMesh stems = sweep_stems({branches, groups}, options, 1.0f);
-  for (std::uint32_t& segment : stems.segment) segment = whole[segment];
+  StemMesh stems = sweep_stems(
+      {.segments = branches.segments, .groups = branches.groups, .jointed = false, .tapering = true}, options, 1.0f);
+  for (std::uint32_t& segment : stems.segment) segment = branches.whole[segment];
   mend_normals(stems.mesh);
+  const std::vector<StemPart> parts = stems.parts;
+  for (std::size_t k = 0; k < feet.size(); ++k) {
+    if (feet[k] < 0) continue;
+    const auto foot = static_cast<std::size_t>(feet[k]);
+    for (const StemPart& part : parts)
+      if (part.group == axes[foot]) set_down(stems, part, {segments, axes, foot}, habit);
+  }
   add_twigs(stems, segments, axes, fine);
   return stems;
 }
 
 }  // namespace
 
-void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky) {
-  StemMesh stems = tubes_of(plant.segments, axes_of(grown, plant.segments.size()));
+void dress(Plant& plant, const Grown& grown, const DressHabit& habit) {
+  std::vector<glm::vec3> targets;
+  for (const Trails& trails : grown.wood.crowds)
+    if (trails.size() > 0) targets.push_back(trails.places[0]);
+  StemMesh stems = tubes_of(plant.segments, axes_of(grown, plant.segments.size()), targets, habit.foot);
   Columns columns;
-  if (sky) {
-    const VoxelLight open = openness(plant, leaf, leaf_area);
+  if (habit.sky) {
+    const VoxelLight open = openness(plant, habit.leaf, habit.leaf_area);
     std::vector<std::uint8_t> of_stems, of_organs;
     const std::vector<float>& at = stems.mesh.positions;
     of_stems.reserve(at.size() / 3);
@@ -160,7 +196,7 @@ void dress(Plant& plant, const Grown& grown, std::string_view material, std::uin
     plant.columns.add("organs.sky", std::move(of_organs));
   }
   columns.add("segment", std::move(stems.segment));
-  plant.meshes.push_back({"stems", std::string(material), std::move(stems.mesh), {}, std::move(columns)});
+  plant.meshes.push_back({"stems", std::string(habit.material), std::move(stems.mesh), {}, std::move(columns)});
 }
 
 }  // namespace panicle::particles

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/particles/foot.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trails.hpp"
@@ -13,10 +14,17 @@
 
 namespace panicle::particles {
 
+struct DressHabit {
+  std::string_view material;
+  std::uint32_t leaf = 0;  // tag of organs that are leaves
+  float leaf_area = 0;     // of one at scale 1
+  bool sky = false;
+  FootHabit foot;
+};
+
 // Appends the mesh `stems` of a material: tubes along the axes, at each fork on into the heaviest, thin ones with fewer
-// sides. Columns: `segment`, and with `sky` a byte a vertex, `sky`, and one an organ, the plant's `organs.sky`:
-// docs/sky.md, but from cells, for what a leaf sees is hidden by ever so many others. Organs of tag `leaf` have
-// `leaf_area` at scale 1.
-void dress(Plant& plant, const Grown& grown, std::string_view material, std::uint32_t leaf, float leaf_area, bool sky);
+// sides, on feet as told. Columns: `segment`, and with `sky` a byte a vertex, `sky`, and one an organ, the plant's
+// `organs.sky`: docs/sky.md, but from cells, for what a leaf sees is hidden by ever so many others.
+void dress(Plant& plant, const Grown& grown, const DressHabit& habit);
 
 }  // namespace panicle::particles

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "foundation/mathematics.hpp"
+#include "models/particles/polish.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -51,18 +52,7 @@ void narrow_forks(Trails& trails, const Guide& guide, float nearest, float farth
       const glm::vec3 off = places[i] + share * (closest[i] - nearest) * drawn - first[i];
       places[i] = first[i] + off * std::min(1.0f, farthest / std::max(glm::length(off), farthest));
     }
-    // Where they were before, all saw each other.
-    for (bool hidden = !guide.sees_all(); hidden;) {
-      hidden = false;
-      for (std::size_t i = 1; i < count; ++i) {
-        const std::size_t next = next_of(i);
-        if (places[i] == before[i] && places[next] == before[next]) continue;
-        if (guide.open(places[i]) && guide.sees(places[i], places[next])) continue;
-        places[i] = before[i];
-        places[next] = before[next];
-        hidden = true;
-      }
-    }
+    take_back_hidden(trails, before, guide);
   }
 }
 

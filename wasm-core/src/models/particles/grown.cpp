@@ -43,7 +43,8 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
 
   Grown grown;
-  grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles, request.seed);
+  grown.wood =
+      run(starts, targets, spacing, habit.motion, habit.trunk, habit.twigs, region, outer, obstacles, request.seed);
   const Wood& wood = grown.wood;
   if (wood.unreachable > 0)
     plant.notes.push_back(std::to_string(wood.unreachable) +

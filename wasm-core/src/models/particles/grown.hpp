@@ -24,6 +24,7 @@ struct SpaceHabit {
   Motion motion;
   Girth girth;
   TrunkHabit trunk;
+  TwigHabit twigs;
   float age = 1;        // 0 … 1
   bool running = true;  // what age does: whether particles run, or the volume grows
   bool leafy = false;   // whether there is something to unfold once particles have arrived
@@ -55,6 +56,7 @@ SpaceHabit space_habit(const Values& values) {
                  0.0005f * values[Keys::twig]};
   habit.trunk.slant = values[Keys::slant];
   habit.trunk.sway = values[Keys::sway];
+  habit.twigs.crook = values[Keys::crook];
   // What bends the way of particles is the other way round than what bends the tips that they come from.
   habit.trunk.bend = {0, values[Keys::gravitropism], 0};
   return habit;

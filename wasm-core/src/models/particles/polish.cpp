@@ -172,4 +172,60 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
   return left;
 }
 
+Trails divided(const Trails& trails, float longest, double least, double most, float stride) {
+  Trails made;
+  const std::size_t room = 2 * trails.size();
+  made.places.reserve(room);
+  made.next.reserve(room);
+  made.energy.reserve(room);
+  made.born.reserve(room);
+  made.particle.reserve(room);
+  std::vector<std::int32_t> now(trails.size(), -1);
+  const auto add = [&](const glm::vec3& place, std::int32_t next, double passes, std::uint32_t born,
+                       std::int32_t particle) {
+    made.places.push_back(place);
+    made.next.push_back(next);
+    made.energy.push_back(passes);
+    made.born.push_back(born);
+    made.particle.push_back(particle);
+    return static_cast<std::int32_t>(made.size()) - 1;
+  };
+  for (std::size_t i = 0; i < trails.size(); ++i) {
+    std::int32_t to = -1;
+    if (i > 0) {
+      const std::size_t next = next_of(trails, i);
+      to = now[next];
+      const glm::vec3 way = trails.places[next] - trails.places[i];
+      const float length = glm::length(way);
+      const bool whole = next == 0 || trails.energy[i] < least || !(trails.energy[i] < most);
+      const std::uint32_t pieces = whole ? 1 : 1 + static_cast<std::uint32_t>(length / longest);
+      // As `at_moment` has it.
+      const auto left = static_cast<float>(trails.born[i]);
+      const float there = std::max(static_cast<float>(trails.born[next]), left + length / stride);
+      for (std::uint32_t k = 1; k < pieces; ++k) {
+        const float share = 1 - static_cast<float>(k) / static_cast<float>(pieces);
+        to = add(trails.places[i] + share * way, to, trails.energy[i],
+                 static_cast<std::uint32_t>(left + share * (there - left)), -1);
+      }
+    }
+    now[i] = add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
+  }
+  return made;
+}
+
+void take_back_hidden(Trails& trails, const std::vector<glm::vec3>& before, const Guide& guide) {
+  std::vector<glm::vec3>& places = trails.places;
+  for (bool hidden = !guide.sees_all(); hidden;) {
+    hidden = false;
+    for (std::size_t i = 1; i < trails.size(); ++i) {
+      const std::size_t next = next_of(trails, i);
+      if (places[i] == before[i] && places[next] == before[next]) continue;
+      if (guide.open(places[i]) && guide.sees(places[i], places[next])) continue;
+      places[i] = before[i];
+      places[next] = before[next];
+      hidden = true;
+    }
+  }
+}
+
 }  // namespace panicle::particles

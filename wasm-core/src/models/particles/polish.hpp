@@ -1,6 +1,9 @@
 // Trails made fit to be drawn: less jagged, and with no more places than they need.
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <vector>
+
 #include "models/particles/guide.hpp"
 #include "models/particles/rib_grid.hpp"
 #include "models/particles/trails.hpp"
@@ -20,5 +23,12 @@ void bed(Trails& trails, const RibGrid& ribs, const Guide& guide, float reach);
 // Leaves out places between forks, starts and ends as long as none of them is farther than `tolerance` from what is
 // left. Forks, starts and energies stay; with `arrivals` those next to the target too, and so when each came there.
 Trails simplified(const Trails& trails, float tolerance, bool arrivals = false);
+
+// With places between, so that no piece that energies from `least` to less than `most` pass is longer than `longest`;
+// but what leads straight to the target stays whole. Who runs along a piece leaves each of them when he comes by.
+Trails divided(const Trails& trails, float longest, double least, double most, float stride);
+
+// Puts places back to where they were `before`, where all saw each other, until they do again.
+void take_back_hidden(Trails& trails, const std::vector<glm::vec3>& before, const Guide& guide);
 
 }  // namespace panicle::particles

@@ -26,6 +26,15 @@ constexpr float apart = 0.05f, shift = 0.45f;
 // How far particles look along the axis, in spacings.
 constexpr float ahead = 2;
 
+// What hangs is made of pieces no longer than this and turns down over so long a way; what wanders of such pieces, and
+// does so to the one side and the other within this; in spacings.
+constexpr float hanging_piece = 0.4f, arc = 1.5f, wandering_piece = 0.65f, billow = 1.3f;
+
+double tips_of(const Trails& trails) {
+  return static_cast<double>(std::count_if(trails.particle.begin(), trails.particle.end(),
+                                           [](std::int32_t particle) { return particle >= 0; }));
+}
+
 // The nearest target that a particle can come to from `p` (ties: that of the lowest index); none where it can come to
 // no one.
 std::optional<std::size_t> nearest(const std::deque<Trunk>& guides, const glm::vec3& p) {
@@ -41,10 +50,29 @@ std::optional<std::size_t> nearest(const std::deque<Trunk>& guides, const glm::v
   return found;
 }
 
+struct Scale {
+  float spacing, stride;
+  std::uint64_t seed;
+};
+
+// What hangs and wanders. Straight pieces are divided for it, twigs alone where the rest stays.
+Trails shaped(const Trails& trails, const Guide& guide, const Region& outer, const Region& room, const TwigHabit& habit,
+              const Scale& scale) {
+  const double all = trails.energy[0], tip = all / tips_of(trails);
+  const double least = habit.weep > 0 ? 0 : 0.999 * tip * static_cast<double>(habit.crook_tips);
+  const double most = habit.crook > 0 ? 2 * all : tip * static_cast<double>(habit.weep_tips);
+  const float piece = habit.weep > 0 ? hanging_piece : wandering_piece;
+  Trails made = divided(trails, piece * scale.spacing, least, most, scale.stride);
+  hang(made, guide, outer, room, habit, arc * scale.spacing);
+  wander(made, guide, outer, habit.crook * scale.spacing, billow * scale.spacing, scale.seed);
+  return simplified(made, tolerance * scale.spacing, true);
+}
+
 }  // namespace
 
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed) {
+         TrunkHabit habit, const TwigHabit& twigs, const Region& room, const Region& outer, const Obstacles& obstacles,
+         std::uint64_t seed) {
   Rules rules = motion.rules;
   rules.step *= spacing;
   rules.merge *= spacing;
@@ -71,7 +99,10 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
     smooth(trails, guide, smoothing);
     trails = simplified(trails, tolerance * spacing, true);
     narrow_forks(trails, guide, apart * spacing, shift * spacing);
+    if (twigs.shapes())
+      trails = shaped(trails, guide, outer, room, twigs, {spacing, rules.step, hash_combine(seed, i)});
     wood.crowds.push_back(std::move(trails));
+    wood.axes.push_back(axes[i]);
     wood.all.push_back(wood.crowds.back().energy[0]);
     wood.tally.particles += static_cast<std::uint32_t>(bound[i].size());
     wood.tally.merges += crowd.merges();

@@ -13,6 +13,7 @@
 #include "models/particles/rules.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trunk.hpp"
+#include "models/particles/twig_shape.hpp"
 
 namespace panicle::particles {
 
@@ -24,6 +25,7 @@ struct Motion {
 
 struct Wood {
   std::vector<Trails> crowds;  // one a target: smooth, and with no more places than they need
+  std::vector<Axis> axes;      // one a target
   std::vector<double> all;     // what arrives at each in the end
   Tally tally;
   Timeline timeline;
@@ -32,8 +34,9 @@ struct Wood {
 
 // Runs the particles to the nearest target, as the crow flies, of those that a way past the obstacles leads to (ties:
 // that of the lowest index), those of each for themselves.
-// `habit.ahead` is set by the spacing. `seed`: which way each axis sways.
+// `habit.ahead` is set by the spacing. `room`: where ends may be. `seed`: which way each axis sways.
 Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed);
+         TrunkHabit habit, const TwigHabit& twigs, const Region& room, const Region& outer, const Obstacles& obstacles,
+         std::uint64_t seed);
 
 }  // namespace panicle::particles

@@ -263,26 +263,39 @@ describe("a tree", () => {
 		expect(woodColours(passing, passing.meshes[0], { ...bark, old: [1, 1, 1], young: [0, 0, 0] })).toBeUndefined();
 	});
 
-	it("has dark marks on a white trunk, in files as in the view, and none on an oak's", () => {
-		const darkest = (name: string) => {
+	it("has a white trunk with dark marks that is dark at the foot, in files as in the view, and a furrowed oak's", () => {
+		const bark = (name: string) => {
 			const specimen = small(fromPreset(model, name), { leaves: 0 });
 			const plant = grow(specimen);
 			const [{ shape }] = [...model.parts(plant, specimen)];
-			const { colours = new Float32Array(), material } = { ...shape?.mesh, material: shape?.material };
+			const { colours = new Float32Array(), positions = new Float32Array() } = shape?.mesh ?? {};
+			const { colour = [1], textures } = shape?.material ?? {};
+			expect(textures?.repeats).toBe(true);
 			// Of what goes around the trunk.
 			const thick = Array.from(plant.bearing ?? [], (segment, i) => ({
-				i,
+				height: positions[3 * i + 1],
 				radius: plant.segments.radii[2 * segment + 1],
-			}))
-				.filter(({ radius }) => radius > 0.06)
-				.map(({ i }) => colours[3 * i] / (material?.colour[0] ?? 1));
-			return [Math.min(...thick), Math.max(...thick)];
+				shade: colours[3 * i] / colour[0],
+			})).filter(({ radius }) => radius > 0.06);
+			const shades = (low: number, high: number) =>
+				thick.filter(({ height }) => height >= low && height <= high).map(({ shade }) => shade);
+			return {
+				foot: Math.min(...shades(0, 0.1)),
+				paper: Math.min(...shades(1.2, 2)),
+				picture: textures?.colour?.pixels,
+			};
 		};
-		const [mark, paper] = darkest("birch");
-		expect(mark).toBeLessThan(0.3);
-		expect(paper).toBeGreaterThan(0.95);
-		const [furrow] = darkest("oak");
-		expect(furrow).toBeGreaterThan(0.9);
+		const birch = bark("birch");
+		expect(birch.foot).toBeLessThan(0.5);
+		expect(birch.paper).toBeGreaterThan(0.95);
+		const dark = birch.picture?.reduce((least, value) => Math.min(least, value), 255);
+		const pale = mean(birch.picture);
+		expect(dark).toBeLessThan(80);
+		expect(pale).toBeGreaterThan(190);
+		const oak = bark("oak");
+		expect(oak.foot).toBeGreaterThan(0.9);
+		expect(mean(oak.picture)).toBeLessThan(pale);
+		expect(bark("oak").picture).toBe(oak.picture);
 	});
 
 	it("is exported as GLB to which Khronos' validator has nothing to say, and as JSON as the issue wants it", async () => {
@@ -318,3 +331,7 @@ describe("leaves through the year", () => {
 		expect(leafTints(look)).toHaveLength(6);
 	});
 });
+
+function mean(values: Uint8Array = new Uint8Array()): number {
+	return values.reduce((sum, value) => sum + value, 0) / values.length;
+}

@@ -16,6 +16,7 @@
 #include "models/particles/hormone.hpp"
 #include "models/particles/root/measures/measures.generated.hpp"
 #include "models/particles/root/parameters.generated.hpp"
+#include "models/particles/root/storage.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/values.hpp"
 #include "models/particles/wood_measures.hpp"
@@ -100,9 +101,17 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   plant.organ_tags = {"particle"};
   const Grown grown = grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag);
   if (Diagnostic trouble = beyond(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
+  if (values[storage] > 0) {
+    const StorageHabit store{0.005f * size * values[storage], values[storage_reach] * extent.y};
+    for (std::size_t c = 0; c < grown.trails.size(); ++c) swell(plant.segments, grown, c, store);
+  }
   if (read->measures) plant.measures = measures_of(plant, soil);
   if (read->meshes) {
-    dress(plant, grown, "root", no_leaf, 0, read->sky);
+    dress(plant, grown,
+          {.material = "root",
+           .leaf = no_leaf,
+           .sky = read->sky,
+           .foot = {.stump = 0.01f * size * values[stump], .standing = false}});
     for (Organ& organ : plant.organs) organ.mesh = 1;
     if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
   }

@@ -19,10 +19,14 @@ enum class Parameter : std::uint32_t {
   slant,
   gravitropism,
   sway,
+  crook,
   law,
   exponent,
   girth,
   twig,
+  storage,
+  storage_reach,
+  stump,
   particles,
   pattern,
   topsoil,
@@ -37,7 +41,7 @@ enum class Parameter : std::uint32_t {
   hormone,
 };
 
-inline constexpr std::uint32_t parameter_count = 26;
+inline constexpr std::uint32_t parameter_count = 30;
 
 struct ParameterInfo {
   std::string_view key;
@@ -61,10 +65,14 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"slant", "", "", 0.0f, 8.0f, 0.0f, 1.0f, false},
     {"gravitropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
     {"sway", "", "", 0.0f, 0.5f, 0.0f, 0.06f, false},
+    {"crook", "", "", 0.0f, 1.0f, 0.0f, 0.15f, false},
     {"law", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"exponent", "", "power", 0.1f, 1.5f, 0.0f, 0.45f, false},
     {"girth", "", "", 0.2f, 500.0f, 0.0f, 8.0f, false},
     {"twig", "", "", 0.1f, 50.0f, 0.0f, 0.6f, false},
+    {"storage", "", "", 0.0f, 100.0f, 0.0f, 0.0f, false},
+    {"storage_reach", "", "", 0.05f, 1.0f, 0.0f, 0.6f, false},
+    {"stump", "", "", 0.0f, 200.0f, 0.0f, 4.0f, false},
     {"particles", "", "", 10.0f, 100000.0f, 0.0f, 3000.0f, true},
     {"pattern", "", "", 0.0f, 3.0f, 0.0f, 2.0f, true},
     {"topsoil", "", "topsoil", 0.02f, 10.0f, 0.0f, 0.4f, false},

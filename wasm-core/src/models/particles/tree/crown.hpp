@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "environment/voxel_light.hpp"
+#include "models/particles/billows.hpp"
 #include "models/particles/boundary.hpp"
 #include "models/particles/hormone.hpp"
 #include "models/particles/solid.hpp"
-#include "models/particles/tree/billows.hpp"
 
 namespace panicle::particles::tree {
 
@@ -52,9 +52,8 @@ class Foliage final : public Region {
 
   glm::vec3 low() const override { return crowns_->outer.low(); }
   glm::vec3 high() const override { return crowns_->outer.high(); }
-  bool contains(const glm::vec3& p) const override {
-    return crowns_->outer.contains(p) && !crowns_->inner.contains(p) && leafy(p);
-  }
+  bool contains(const glm::vec3& p) const override { return has_room(p) && leafy(p); }
+  bool has_room(const glm::vec3& p) const override { return crowns_->outer.contains(p) && !crowns_->inner.contains(p); }
   Share share_of(const glm::vec3& from, const glm::vec3& to) const override;
   float density(const glm::vec3& p) const override;
 

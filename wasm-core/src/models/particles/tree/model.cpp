@@ -41,6 +41,8 @@ constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;  // that a way past an obstacle may lead
 // How much of the bole bears no branch, of what is below the crown.
 constexpr float bole = 0.6f;
+// What bears fewer tips is a twig of a pixel or two, and need not be crooked.
+constexpr float straight_tips = 2;
 // Of the hormone, in heights of the crown; of the leader, in widths.
 constexpr float hormone_reach = 0.5f, leader = 0.06f;
 // Hours of day between which shoots grow longer, and leaves stay.
@@ -113,8 +115,9 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
 }
 
 // Only of what is borne: a mesh that no organ is drawn with would stand by itself. Before the leaves stand particles.
-void add_meshes(Plant& plant, const Grown& grown, const Blade& blade, std::size_t first_leaf, bool sky) {
-  dress(plant, grown, "bark", leaf_tag, blade.area, sky);
+void add_meshes(Plant& plant, const Grown& grown, const Blade& blade, std::size_t first_leaf, bool sky,
+                const FootHabit& foot) {
+  dress(plant, grown, {.material = "bark", .leaf = leaf_tag, .leaf_area = blade.area, .sky = sky, .foot = foot});
   const bool leafy = plant.organs.size() > first_leaf && !blade.mesh.indices.empty();
   const std::int32_t leaf_mesh = leafy ? 1 : -1, ball_mesh = leafy ? 2 : 1;
   for (Organ& organ : plant.organs) organ.mesh = organ.tag == leaf_tag ? leaf_mesh : ball_mesh;
@@ -147,6 +150,9 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
   SpaceHabit space = space_habit<Parameter>(values);
   space.trunk.bend -= values[phototropism] * brightest;
+  space.twigs.weep = values[weep];
+  space.twigs.weep_tips = values[weep_tips];
+  space.twigs.crook_tips = straight_tips;
   space.trunk.bole = bole * habit.growth * habit.trunk;
   space.trunk.height = crowns_made.top;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
@@ -178,7 +184,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     const auto leaf_count = static_cast<std::uint32_t>(plant.organs.size() - first_leaf);
     plant.measures = measures_of(plant, {grown, foliage, *light, area, leaf_count});
   }
-  if (read->meshes) add_meshes(plant, grown, blade, first_leaf, read->sky);
+  if (read->meshes)
+    add_meshes(plant, grown, blade, first_leaf, read->sky, {.flare = values[flare], .seed = read->seed});
   plant.fingerprint = fingerprint_of(plant);
   if (read->meshes && read->mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

@@ -27,10 +27,14 @@ enum class Parameter : std::uint32_t {
   slant,
   phototropism,
   gravitropism,
+  weep,
+  weep_tips,
   sway,
+  crook,
   law,
   exponent,
   girth,
+  flare,
   twig,
   leaves,
   leaf_size,
@@ -51,7 +55,7 @@ enum class Parameter : std::uint32_t {
   hormone,
 };
 
-inline constexpr std::uint32_t parameter_count = 40;
+inline constexpr std::uint32_t parameter_count = 44;
 
 struct ParameterInfo {
   std::string_view key;
@@ -83,10 +87,14 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"slant", "", "", 0.0f, 4.0f, 0.0f, 1.0f, false},
     {"phototropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
     {"gravitropism", "", "", -1.0f, 1.0f, 0.0f, 0.0f, false},
+    {"weep", "", "", 0.0f, 1.0f, 0.0f, 0.0f, false},
+    {"weep_tips", "", "", 2.0f, 500.0f, 0.0f, 20.0f, true},
     {"sway", "", "", 0.0f, 0.5f, 0.0f, 0.04f, false},
+    {"crook", "", "", 0.0f, 1.0f, 0.0f, 0.0f, false},
     {"law", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"exponent", "", "power", 0.1f, 1.5f, 0.0f, 0.45f, false},
     {"girth", "", "", 0.2f, 500.0f, 0.0f, 30.0f, false},
+    {"flare", "", "", 0.0f, 3.0f, 0.0f, 0.5f, false},
     {"twig", "", "", 0.1f, 50.0f, 0.0f, 4.0f, false},
     {"leaves", "", "", 0.0f, 6.0f, 0.0f, 2.0f, true},
     {"leaf_size", "", "", 0.2f, 60.0f, 0.0f, 14.0f, false},

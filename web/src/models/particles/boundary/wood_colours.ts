@@ -10,8 +10,8 @@ export interface Bark {
 	/** Radii in metres between which the one becomes the other. */
 	readonly from: number;
 	readonly to: number;
-	/** Dark marks on old bark, as a birch's. */
-	readonly marks?: Colour;
+	/** What old bark turns to towards the ground, as a birch's. */
+	readonly foot?: Colour;
 }
 
 /** Of so many radii colours are worked out; those between take the next below. */
@@ -36,16 +36,16 @@ export function woodColours({ segments, bearing }: WoodenPlant, mesh: PlantMesh,
 		colours[at] = palette[place];
 		colours[at + 1] = palette[place + 1];
 		colours[at + 2] = palette[place + 2];
-		if (bark.marks) mark(colours, at, mesh.positions, bark.marks, place / (3 * (CLASSES - 1)));
+		if (bark.foot) darken(colours, at, mesh.positions, bark.foot, place / (3 * (CLASSES - 1)));
 	}
 	return colours;
 }
 
-/** Wider than they are high, and more of them towards the ground, where bark splits. */
-function mark(colours: Float32Array, at: number, positions: Float32Array, dark: Colour, old: number): void {
+/** Bark splits towards the ground, here higher up and there less. */
+function darken(colours: Float32Array, at: number, positions: Float32Array, dark: Colour, old: number): void {
 	if (old < 0.25) return;
 	const [x, y, z] = positions.subarray(at, at + 3);
-	const foot = smoothstep(0.9, 0, y) * 0.3;
-	const share = smoothstep(0.58, 0.72, noise(5 * x, 11 * y, 5 * z) + foot) * smoothstep(0.25, 0.6, old);
+	const share =
+		0.85 * smoothstep(0.75, 0.05, y + 0.5 * (noise(5 * x, 3 * y, 5 * z) - 0.5)) * smoothstep(0.25, 0.6, old);
 	for (let k = 0; k < 3; k++) colours[at + k] += share * (dark[k] - colours[at + k]);
 }

@@ -39,7 +39,7 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 			this.#bounds = bodies;
 			return;
 		}
-		const roots: Dug = { low: box.min.toArray(), high: box.max.toArray() };
+		const roots = reachOf(grown.segments.ends, { low: box.min.toArray(), high: box.max.toArray() });
 		// A frame in passing has no time to dig anew for every particle that moves; nor is its sky worked out.
 		const passing = !grown.meshes.some(({ sky }) => sky);
 		const { soil } = specimen.look;
@@ -96,6 +96,20 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 
 function alike(one: Dug, other: Dug): boolean {
 	return [0, 1, 2].every((k) => one.low[k] === other.low[k] && one.high[k] === other.high[k]);
+}
+
+/**
+ * What a pit must hold: roots themselves and not some of their points only, from the ground on, however deep they begin
+ * and whatever of the stem stands above it.
+ */
+function reachOf(ends: Float32Array, { low, high }: Dug): Dug {
+	const least = [...low] as [number, number, number];
+	const most: [number, number, number] = [high[0], 0, high[2]];
+	for (let at = 3; at < ends.length; at += 6) {
+		for (let k = 0; k < 3; k++) least[k] = Math.min(least[k], ends[at + k]);
+		for (let k = 0; k < 3; k += 2) most[k] = Math.max(most[k], ends[at + k]);
+	}
+	return { low: least, high: most };
 }
 
 function joined(a: Float32Array, b: Float32Array): Float32Array {

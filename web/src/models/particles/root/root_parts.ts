@@ -1,6 +1,7 @@
 /** A root in parts: the roots themselves, and particles on their way. */
 import { linear, mixed } from "../../../plant/colour";
 import type { Part } from "../../../plant/part";
+import { barkPicture } from "../boundary/bark_picture";
 import { obstacleParts } from "../boundary/obstacle_parts";
 import { particleMaterial } from "../boundary/particle_material";
 import { woodenParts } from "../boundary/wooden_parts";
@@ -14,7 +15,12 @@ export function* rootParts(plant: WoodenPlant, specimen: RootSpecimen): Generato
 	const { look } = specimen;
 	const old = linear(look.root);
 	yield* woodenParts(plant, {
-		wood: { name: "Root", colour: old, roughness: 0.85, grain: 0.25 },
+		wood: {
+			name: "Root",
+			colour: old,
+			roughness: 0.85,
+			textures: { colour: barkPicture(specimen.parameters.storage > 0 ? "ringed" : "fibrous"), repeats: true },
+		},
 		bark: { old, young: mixed(old, FINE, 0.55), from: 0.0005, to: 0.008 },
 		tints: { skin: [particleMaterial] },
 	});

@@ -1,6 +1,7 @@
 /** A tree in parts: bark, leaves in their tints, particles on their way. */
 import { linear, mixed, toLch } from "../../../plant/colour";
 import type { Part } from "../../../plant/part";
+import { barkPicture } from "../boundary/bark_picture";
 import { obstacleParts } from "../boundary/obstacle_parts";
 import { particleMaterial } from "../boundary/particle_material";
 import { woodenParts } from "../boundary/wooden_parts";
@@ -10,17 +11,22 @@ import type { TreePlant } from "./tree_plant";
 
 /** What twigs of any tree come near to. */
 const TWIG = linear("4d3f33");
-/** Bark as light as a birch's is smooth paper with dark marks; all other bark is furrowed. */
+/** Bark as light as a birch's is paper that turns dark and rough at the foot; all other bark is furrowed. */
 const PALE = 0.8;
-const MARK = linear("2a2623");
+const FOOT = linear("2a2623");
 
 export function* treeParts(plant: TreePlant, specimen: TreeSpecimen): Generator<Part> {
 	const { look } = specimen;
 	const old = linear(look.bark);
 	const pale = toLch(old).lightness > PALE;
 	yield* woodenParts(plant, {
-		wood: { name: "Bark", colour: old, roughness: pale ? 0.75 : 0.92, grain: pale ? 0.12 : 0.5 },
-		bark: { old, young: mixed(old, TWIG, 0.8), from: 0.008, to: 0.05, ...(pale ? { marks: MARK } : {}) },
+		wood: {
+			name: "Bark",
+			colour: old,
+			roughness: pale ? 0.75 : 0.92,
+			textures: { colour: barkPicture(pale ? "paper" : "furrowed"), repeats: true },
+		},
+		bark: { old, young: mixed(old, TWIG, 0.8), from: 0.008, to: 0.05, ...(pale ? { foot: FOOT } : {}) },
 		tints: { blade: leafTints(look, plant.veins), skin: [particleMaterial] },
 	});
 	yield* obstacleParts(specimen);

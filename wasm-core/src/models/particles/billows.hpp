@@ -1,11 +1,11 @@
-// Soft random unevenness in a box: what a crown's surface is made of.
+// Soft random unevenness in a box: what a crown's surface is made of, and how branches wander.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
-namespace panicle::particles::tree {
+namespace panicle::particles {
 
 // Random values at the places of a lattice about the origin, and between them what lies between. The values belong to
 // the places: another box has the same.
@@ -24,4 +24,4 @@ class Billows {
   std::vector<float> values_{0};
 };
 
-}  // namespace panicle::particles::tree
+}  // namespace panicle::particles

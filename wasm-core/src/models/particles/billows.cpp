@@ -1,11 +1,11 @@
-#include "models/particles/tree/billows.hpp"
+#include "models/particles/billows.hpp"
 
 #include <algorithm>
 #include <glm/common.hpp>
 
 #include "foundation/random.hpp"
 
-namespace panicle::particles::tree {
+namespace panicle::particles {
 namespace {
 
 constexpr std::uint64_t stream_ragged = 0x4a99;
@@ -40,4 +40,4 @@ float Billows::at(const glm::vec3& p) const {
   return glm::mix(glm::mix(row(0, 0), row(1, 0), ease.y), glm::mix(row(0, 1), row(1, 1), ease.y), ease.z);
 }
 
-}  // namespace panicle::particles::tree
+}  // namespace panicle::particles

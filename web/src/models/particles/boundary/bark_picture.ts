@@ -1,0 +1,85 @@
+/**
+ * Bark as a picture that multiplies the wood's colours: once round the stem, as high as that is, and on and on. Seams do
+ * not show.
+ */
+import { clamp, smoothstep } from "../../../plant/colour";
+import type { Picture } from "../../../plant/material";
+import { hashFraction } from "../../../plant/noise";
+
+/**
+ * furrowed: long ridges that part and meet (oak, most trees). paper: pale, with lenticels across and rough dark patches (birch).
+ * ringed: shallow creases across (carrot). fibrous: fine streaks along (roots).
+ */
+export type BarkKind = "furrowed" | "paper" | "ringed" | "fibrous";
+
+const SIDE = 256;
+
+const made = new Map<BarkKind, Picture>();
+
+export function barkPicture(kind: BarkKind): Picture {
+	const known = made.get(kind) ?? painted(SHADES[kind]);
+	made.set(kind, known);
+	return known;
+}
+
+function painted(shade: (u: number, v: number) => number): Picture {
+	const pixels = new Uint8Array(3 * SIDE * SIDE);
+	for (let row = 0, at = 0; row < SIDE; row++) {
+		for (let column = 0; column < SIDE; column++, at += 3) {
+			const value = Math.round(255 * clamp(shade((column + 0.5) / SIDE, (row + 0.5) / SIDE)));
+			pixels.fill(value, at, at + 3);
+		}
+	}
+	return { width: SIDE, height: SIDE, pixels };
+}
+
+/** Of each kind how light it is at a place, 1 as the wood's own colour; in sRGB. */
+const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
+	furrowed(u, v) {
+		const drawn = u + 0.035 * (tiled(3 * u, 4 * v, 3, 4, 1) - 0.5);
+		const broad = ridge(tiled(14 * drawn, 3 * v, 14, 3, 2));
+		const fine = ridge(tiled(34 * drawn, 9 * v, 34, 9, 3));
+		const cracks = smoothstep(0.06, 0.3, ridge(tiled(9 * u, 14 * v, 9, 14, 4)));
+		const plates = tiled(20 * u, 24 * v, 20, 24, 5);
+		return (0.58 + 0.4 * smoothstep(0.02, 0.42, broad) + 0.14 * fine) * (0.88 + 0.12 * cracks) * (0.9 + 0.14 * plates);
+	},
+	paper(u, v) {
+		const cloud = tiled(4 * u, 6 * v, 4, 6, 11);
+		const lenticels = smoothstep(0.77, 0.84, tiled(9 * u, 52 * v, 9, 52, 12));
+		// Where bark has split: wider than they are high, with frayed edges.
+		const rough = 0.25 * (tiled(24 * u, 30 * v, 24, 30, 13) - 0.5);
+		const split = smoothstep(0.74, 0.82, tiled(3 * u, 6 * v, 3, 6, 14) + rough);
+		return (0.9 + 0.1 * cloud) * (1 - 0.5 * lenticels * (0.5 + cloud)) * (1 - 0.82 * split);
+	},
+	ringed(u, v) {
+		const wave = v + 0.012 * (tiled(4 * u, 3 * v, 4, 3, 21) - 0.5);
+		const crease = smoothstep(0.1, 0, ridge(tiled(3 * u, 22 * wave, 3, 22, 22)));
+		const reach = smoothstep(0.35, 0.75, tiled(5 * u, 9 * v, 5, 9, 23));
+		return 0.94 + 0.06 * tiled(8 * u, 5 * v, 8, 5, 24) - 0.2 * crease * reach;
+	},
+	fibrous(u, v) {
+		const streaks = tiled(22 * u, 3 * v, 22, 3, 31);
+		const knobs = tiled(9 * u, 12 * v, 9, 12, 32);
+		return 0.72 + 0.2 * streaks + 0.12 * knobs;
+	},
+};
+
+/** 0 in the furrow between what is above the middle and what is below, 1 far from it. */
+function ridge(noise: number): number {
+	return Math.abs(2 * noise - 1);
+}
+
+/** Smooth noise, 0 … 1, of one octave that repeats after so many units. */
+function tiled(x: number, y: number, across: number, along: number, stream: number): number {
+	const [left, low] = [Math.floor(x), Math.floor(y)];
+	const corner = (dx: number, dy: number) =>
+		hashFraction(wrapped(left + dx, across) + 4096 * wrapped(low + dy, along), stream);
+	const [fx, fy] = [smoothstep(0, 1, x - left), smoothstep(0, 1, y - low)];
+	const below = corner(0, 0) + fx * (corner(1, 0) - corner(0, 0));
+	const above = corner(0, 1) + fx * (corner(1, 1) - corner(0, 1));
+	return below + fy * (above - below);
+}
+
+function wrapped(cell: number, count: number): number {
+	return ((cell % count) + count) % count;
+}
