@@ -65,7 +65,8 @@ Timeline::Timeline(std::span<const Trails> crowds, float stride) {
     for (std::size_t i = 1; i < trails.size(); ++i) {
       if (trails.places[i] == trails.places[static_cast<std::size_t>(trails.next[i])]) continue;
       const std::size_t first = trails.born[i];
-      const float until = arrival(trails, i, stride) - seen;
+      // At its last step a crowd is seen whole, though smooth trails may be longer than what its particles ran.
+      const float until = std::min(arrival(trails, i, stride), static_cast<float>(trails.born[0])) - seen;
       if (!(until > static_cast<float>(first))) continue;
       const auto last = static_cast<std::size_t>(until);
       if (last + 2 > change.size()) change.resize(last + 2, 0);
