@@ -4,7 +4,6 @@ import { writeContainer } from "../../../../core/container";
 import { type LeafFile, STEEPS, STEPS } from "../../../../plant/leaf";
 import { lightMesh } from "../bake/light_mesh";
 import type { Leaf } from "../grown";
-import { chartOf } from "../parts/chart";
 import { veinRaster } from "../parts/vein_raster";
 
 export interface BorneOptions {
@@ -29,7 +28,7 @@ const SEEN = 0.06;
 export function borneLeaf(leaf: Leaf, millimetres: number, from: string, { cells, pixels }: BorneOptions): LeafFile {
 	const upper = leaf.meshes.find(({ name }) => name === "upper");
 	if (!upper) throw new Error("This leaf has no blade: grow it with meshes.");
-	const { left, bottom, size } = chartOf(leaf.margin);
+	const { left, bottom, size } = leaf.square;
 	const { uvs, indices } = fromPetiole(lightMesh(upper, leaf.faces.upper.edge, cells), [-left / size, -bottom / size]);
 	const points = uvs.map((value, at) => (at % 2 === 0 ? left : bottom) + size * value);
 	const container = writeContainer([

@@ -1,6 +1,6 @@
 /** The veins of the flat leaf in cells: what of each is vein, and how high it stands there. */
 import type { Leaf } from "../grown";
-import { chartOf, inCells } from "./chart";
+import { inCells } from "./chart";
 
 /** Millimetres on either side of a vein that are as pale as it: the sheath about it, which shows where veins themselves are too fine. */
 export const SHEATH = 0.012;
@@ -22,14 +22,13 @@ export interface VeinRaster {
 
 /** @param millimetres of a length of the leaf */
 export function veinRaster(
-	{ chart: ends, margin, segments }: Pick<Leaf, "chart" | "margin" | "segments">,
+	{ chart: ends, square, segments }: Pick<Leaf, "chart" | "square" | "segments">,
 	millimetres: number,
 	side: number,
 ): VeinRaster {
-	const chart = chartOf(margin);
-	const cell = (chart.size * millimetres) / side;
+	const cell = (square.size * millimetres) / side;
 	const raster = { side, cell, cover: new Float32Array(side * side), height: new Float32Array(side * side) };
-	const places = inCells(ends, chart, side);
+	const places = inCells(ends, square, side);
 	for (let piece = 0; piece < segments.count; piece++) {
 		draw(raster, places, 4 * piece, (segments.radii[2 * piece + 1] * 1000) / cell);
 	}
