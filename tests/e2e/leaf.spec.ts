@@ -93,6 +93,8 @@ test("a picture's leaf is traced, and what is none is refused in plain words", a
 		chooser.setFiles({ name: "leaf.png", mimeType: "image/png", buffer: Buffer.from(picture) }),
 	);
 	await expect(studio.notices).toContainText(/An outline of \d+ points was traced/);
+	await expect(studio.notices).toContainText("Teeth is 0 now");
+	await expect(studio.notices).toContainText("The stalk in the picture is the petiole");
 	await expect(studio.measure("slenderness")).toContainText(/1\.[56]\d/);
 
 	await studio.drop("no.png", Buffer.from("no picture"));

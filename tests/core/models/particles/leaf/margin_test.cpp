@@ -125,8 +125,8 @@ TEST_CASE("teeth are as many, as deep and as the shape has them; the margin's po
   std::vector<std::string> notes;
   CHECK(toothed(margin.value(), {.count = 0}, notes).points == margin->points);
   const Outline plain(margin->points);
-  for (const ToothShape shape :
-       {ToothShape::dentate, ToothShape::serrate, ToothShape::crenate, ToothShape::double_serrate})
+  for (const ToothShape shape : {ToothShape::dentate, ToothShape::serrate, ToothShape::crenate,
+                                 ToothShape::double_serrate, ToothShape::crenate_serrate})
     for (const std::uint32_t count : {1u, 6u, 20u, 80u}) {
       CAPTURE(count);
       const Margin cut = toothed(margin.value(), {count, 0.4f, shape}, notes);
@@ -159,14 +159,125 @@ TEST_CASE("teeth are as many, as deep and as the shape has them; the margin's po
   CHECK(notes.empty());
 }
 
-TEST_CASE("teeth that would meet in a narrow lobe are cut less deep, and it is said") {
-  // A needle with two points.
-  const auto margin =
-      spline(points_of({0, 0, 1, 0.012f, 0.5f, 1, 0.1f, 1, 3, 0, 0.52f, 1, -0.1f, 1, 3, -0.012f, 0.5f, 1}));
+namespace {
+
+Margin margin_of(const std::vector<float>& rows) {
+  const auto margin = spline(points_of(rows));
+  REQUIRE(margin);
+  return margin.value();
+}
+
+// How wide the polygon is at a height, from its right side to its left one.
+float width_at(std::span<const glm::vec2> points, float y) {
+  float right = 9, left = -9;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::vec2 a = points[i], b = points[(i + 1) % points.size()];
+    if ((a.y > y) == (b.y > y)) continue;
+    const float x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+    (x > 0 ? right : left) = x > 0 ? std::min(right, x) : std::max(left, x);
+  }
+  return right - left;
+}
+
+}  // namespace
+
+TEST_CASE("teeth leave most of a narrow lobe standing, and are as deep as asked where the blade is wide") {
+  // Broad below, a long thin tip above.
+  const Margin margin = margin_of(
+      mirrored({{0, 0, 1}, {0.3f, 0.2f, 0}, {0.2f, 0.45f, 0}, {0.035f, 0.6f, 0}, {0.02f, 0.9f, 0}, {0, 1, 3}}));
+  std::vector<std::string> notes;
+  for (const ToothShape shape : {ToothShape::dentate, ToothShape::serrate, ToothShape::crenate_serrate}) {
+    const Margin cut = toothed(margin, {14, 0.6f, shape}, notes);
+    CHECK(crossing(cut.points).first == crossing(cut.points).second);
+    for (float y = 0.6f; y < 0.96f; y += 0.002f) {
+      CAPTURE(y);
+      CHECK(width_at(cut.points, y) > 0.5f * width_at(margin.points, y));
+    }
+    const Outline plain(margin.points);
+    float deepest = 0;
+    for (const glm::vec2& p : cut.points)
+      if (p.y < 0.4f) deepest = std::max(deepest, plain.distance({p.x, p.y, 0}));
+    CHECK(deepest == doctest::Approx(0.6 * 1.25 / 14).epsilon(0.25));
+  }
+}
+
+TEST_CASE("where a fold leaves no room teeth are left out, said in a note; all others stay as they were") {
+  // The bay above the right lobe is drawn down along the margin below: the lobe hangs by a thread.
+  const std::vector<float> whole{0,      0,     1, 0.3f,  0.05f, 1, 0.6f,  0.3f,  3, 0.45f, 0.42f, 1, 0.35f,  0.41f, 1,
+                                 0.25f,  0.4f,  1, 0.2f,  0.7f,  0, 0,     1,     3, -0.2f, 0.7f,  0, -0.25f, 0.4f,  1,
+                                 -0.45f, 0.42f, 1, -0.6f, 0.3f,  3, -0.3f, 0.05f, 1};
+  std::vector<float> folded = whole;
+  folded[12] = 0.5374f;
+  folded[13] = 0.2531f;
+  folded[15] = 0.3574f;
+  folded[16] = 0.1031f;
+  const Margin plain = margin_of(folded);
+  const Teeth teeth{20, 0.5f, ToothShape::dentate};
+  std::vector<std::string> notes;
+  const Margin before = toothed(margin_of(whole), teeth, notes);
+  CHECK(notes.empty());
+  const Margin cut = toothed(plain, teeth, notes);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].find("were left out: ") != std::string::npos);
+  CHECK(crossing(cut.points).first == crossing(cut.points).second);
+  CHECK(cut.teeth.size() > before.teeth.size() / 2);
+  // The left side, which nothing happened to, has its teeth and is cut as deep.
+  const auto left = [](const Margin& margin, const Margin& uncut) {
+    const Outline outline(uncut.points);
+    std::pair<std::size_t, float> found{0, 0.0f};
+    for (const std::size_t tooth : margin.teeth) found.first += margin.points[tooth].x < 0;
+    for (const glm::vec2& p : margin.points)
+      if (p.x < 0) found.second = std::max(found.second, outline.distance({p.x, p.y, 0}));
+    return found;
+  };
+  const auto [number, depth] = left(cut, plain);
+  const auto [number_before, depth_before] = left(before, margin_of(whole));
+  CHECK(number + 4 >= number_before);  // they share out a longer margin
+  CHECK(depth > 0.8f * depth_before);
+}
+
+TEST_CASE("an entire base has no teeth, and those that there are share what is left") {
+  const auto margin = spline(default_outline());
   REQUIRE(margin);
   std::vector<std::string> notes;
-  const Margin cut = toothed(margin.value(), {6, 1, ToothShape::dentate}, notes);
-  CHECK(notes.size() == 1);
-  CHECK(crossing(cut.points).first == crossing(cut.points).second);
-  CHECK(cut.tips.size() == 2);
+  const Margin cut = toothed(margin.value(), {8, 0.4f, ToothShape::serrate, 0.4f}, notes);
+  CHECK(cut.teeth.size() == 16);
+  float length = 0;
+  for (std::size_t i = 0; i < margin->points.size(); ++i)
+    length += glm::distance(margin->points[i], margin->points[(i + 1) % margin->points.size()]);
+  // The margin's own points stay up to there, on both sides, and no farther.
+  std::size_t right = 0, left = 0;
+  while (cut.points[right] == margin->points[right]) ++right;
+  while (cut.points[cut.points.size() - 1 - left] == margin->points[margin->points.size() - 1 - left]) ++left;
+  for (const std::size_t same : {right, left}) {
+    float along = 0;
+    for (std::size_t i = 1; i < same; ++i) along += glm::distance(margin->points[i - 1], margin->points[i]);
+    CHECK(along == doctest::Approx(0.2 * static_cast<double>(length)).epsilon(0.04));
+  }
+  CHECK(notes.empty());
+}
+
+TEST_CASE("teeth of any kind leave a margin that does not cross itself, tips and all") {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    // A star whose points come close to each other as they fall.
+    std::vector<float> rows{0, 0, 1};
+    const std::uint64_t count = 5 + seed % 9;
+    for (std::uint64_t i = 1; i < count; ++i) {
+      const float angle = -1.4f + 2.8f * static_cast<float>(i) / static_cast<float>(count);
+      const float far = 0.15f + 0.08f * static_cast<float>(random_integer(seed, 1, i, 0, 10));
+      rows.insert(rows.end(), {-far * std::sin(-angle), 0.1f + far * std::cos(angle),
+                               static_cast<float>(random_integer(seed, 2, i, 0, 3))});
+    }
+    std::vector<std::string> notes;
+    const auto margin = spline(points_of(rows));
+    if (!margin) continue;
+    const Teeth teeth{static_cast<std::uint32_t>(1 + seed), 1, static_cast<ToothShape>(seed % 5),
+                      0.1f * static_cast<float>(seed % 4)};
+    const Margin cut = toothed(margin.value(), teeth, notes);
+    CHECK(crossing(cut.points).first == crossing(cut.points).second);
+    CHECK(cut.points[cut.tip] == margin->points[margin->tip]);
+    REQUIRE(cut.tips.size() == margin->tips.size());
+    for (std::size_t i = 0; i < cut.tips.size(); ++i) CHECK(cut.points[cut.tips[i]] == margin->points[margin->tips[i]]);
+  }
 }

@@ -61,7 +61,12 @@ describe("the flat leaf in cells", () => {
 			const segments = { radii: Float32Array.of(radius, radius, 0.001, 0.001) };
 			// Another one far below, the widest of all.
 			const chart = Float32Array.of(0, 0.3, 0, 1, -0.5, -9, 0.5, -9);
-			const one = { chart, margin, segments: { ...leaf.segments, ...segments } };
+			const one = {
+				chart,
+				margin,
+				square: { left: -0.5, bottom: 0, size: 1 },
+				segments: { ...leaf.segments, ...segments },
+			};
 			const { fed } = bladeFields(one, 100, 1, side);
 			return Array.from(fed.subarray(side * 160 + side / 2, side * 161));
 		};

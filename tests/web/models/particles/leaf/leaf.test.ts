@@ -121,6 +121,19 @@ describe("a grown leaf", () => {
 		expect(model.words(grow(young), young)).toMatch(/^Oak leaf, \d+ particles, /);
 	});
 
+	it("lays its texture coordinates over the square that the core names", () => {
+		const flat = { curl: 0, fold: 0, undulation: 0 };
+		for (const specimen of [withValues("grapevine", flat), withValues("willow", flat)]) {
+			const { square, meshes } = grow(specimen);
+			const { positions, uvs } = meshes[0];
+			const scale = specimen.parameters.length / 1000;
+			for (let i = 0; i < uvs.length / 2; i += 37) {
+				expect(positions[3 * i] / scale).toBeCloseTo(square.left + square.size * uvs[2 * i], 4);
+				expect(positions[3 * i + 1] / scale).toBeCloseTo(square.bottom + square.size * uvs[2 * i + 1], 4);
+			}
+		}
+	});
+
 	it("agrees with what the core measures", () => {
 		const lime = leafFromPreset("lime");
 		const { measures, margin } = grow(lime);

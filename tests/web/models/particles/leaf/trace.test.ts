@@ -2,13 +2,16 @@ import { describe, expect, it } from "vitest";
 import type { OutlinePoint, Place } from "../../../../../web/src/models/particles/leaf/outline/points";
 import { curveOf } from "../../../../../web/src/models/particles/leaf/outline/spline";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
+import { asChange } from "../../../../../web/src/models/particles/leaf/tools/trace";
 import { contourOf } from "../../../../../web/src/models/particles/leaf/trace/contour";
 import { type Picture, TraceError } from "../../../../../web/src/models/particles/leaf/trace/picture";
-import { MOST_TRACED, traceOutline } from "../../../../../web/src/models/particles/leaf/trace/trace";
+import { MOST_TRACED, traceLeaf } from "../../../../../web/src/models/particles/leaf/trace/trace";
 
 type Ink = readonly [red: number, green: number, blue: number, alpha?: number];
 const PAPER: Ink = [236, 232, 224];
 const GREEN: Ink = [70, 110, 50];
+
+const traceOutline = (picture: Picture) => traceLeaf(picture).outline;
 
 /** A picture whose pixels are green where `inside` says so; a little noise on everything. */
 function drawn(
@@ -90,6 +93,63 @@ describe("an outline traced from a picture", () => {
 	it("takes a leaf without a stalk to stand on its base", () => {
 		const { outline } = leafFromPreset("beech");
 		expect(likeness(traceOutline(leafPicture(outline, { stalk: 0 })), outline)).toBeGreaterThan(0.95);
+	});
+
+	/** A star of five lobes, on a foot that is `wide` at its shoulders and half as wide at its flat end. */
+	const STAR: readonly (readonly [number, number])[] = [
+		[0.42, 0.05],
+		[0.3, 0.38],
+		[0.5, 0.62],
+		[0.2, 0.7],
+		[0, 1],
+	];
+	const starOn = (foot: number, wide: number) => {
+		const half = [[wide / 4, -foot], [wide / 2, 0], ...STAR];
+		const polygon = [...half, ...half.toReversed().map(([x, y]) => [-x, y])].map(([x, y]) => ({ x, y }));
+		return drawn(360, (px, py) => holds(polygon, (px - 180) / 220, (270 - py) / 220));
+	};
+
+	it("takes the narrow foot that a silhouette stands on for its petiole, with no tips of lobes there", () => {
+		const { outline, petiole } = traceLeaf(starOn(0.36, 0.2));
+		expect(petiole?.length).toBeCloseTo(0.36, 1);
+		// As wide as near its end: towards the blade it widens into it.
+		expect(petiole?.width).toBeGreaterThan(0.1);
+		expect(petiole?.width).toBeLessThan(0.13);
+		const tips = outline.filter(({ kind }) => kind === "pointed" || kind === "lobe");
+		expect(tips).toHaveLength(5);
+		for (const { y } of outline) expect(y).toBeGreaterThan(-0.05);
+		expect(Math.max(...tips.map(({ y }) => y))).toBeCloseTo(1, 1);
+	});
+
+	it("takes a thin stalk for the petiole too, and none for none", () => {
+		const { outline } = leafFromPreset("lime");
+		const { petiole } = traceLeaf(leafPicture(outline, { stalk: 0.4, thick: 0.012 }));
+		expect(petiole?.length).toBeGreaterThan(0.28); // its upper end is between the ears
+		expect(petiole?.length).toBeLessThan(0.45);
+		expect(petiole?.width).toBeCloseTo(0.024, 2);
+		for (const name of ["beech", "willow", "strawberry", "lily-of-the-valley", "grapevine", "ginkgo", "tulip-tree"])
+			expect(traceLeaf(leafPicture(leafFromPreset(name).outline, { stalk: 0 })).petiole, name).toBeUndefined();
+		// Wide as it is, this is no foot.
+		expect(traceLeaf(starOn(0.36, 0.6)).petiole).toBeUndefined();
+	});
+
+	it("brings the picture's teeth and petiole in the same change, and says so", () => {
+		const specimen = leafFromPreset("grapevine");
+		const traced = traceLeaf(starOn(0.36, 0.2));
+		const { change, said } = asChange(traced, specimen);
+		expect(change.details).toEqual({ outline: traced.outline });
+		expect(change.parameters).toEqual({
+			teeth: 0,
+			petiole: Math.round(100 * (traced.petiole?.length ?? 0)),
+			petiole_width: Math.round(10 * 110 * (traced.petiole?.width ?? 0)) / 10,
+		});
+		expect(said).toHaveLength(2);
+		expect(said[0]).toContain("Teeth");
+		const smooth = { ...specimen, parameters: { ...specimen.parameters, teeth: 0 } };
+		expect(asChange({ outline: traced.outline }, smooth)).toEqual({
+			change: { parameters: { teeth: 0 }, details: { outline: traced.outline } },
+			said: [],
+		});
 	});
 
 	it("takes pale leaves on dark ground, and leaves on clear ground", () => {

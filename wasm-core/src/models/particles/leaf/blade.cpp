@@ -69,7 +69,7 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     }
   const ChartSquare square = chart_square(outline);
   Mesh upper, lower;
-  std::vector<float> vein, edge;
+  std::vector<float> edge;
   for (std::size_t k = 0; k < used.size(); ++k) {
     const std::uint32_t i = used[k];
     const glm::vec2 p = laid.points[i];
@@ -81,7 +81,6 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     put(upper.normals, normal);
     put(lower.normals, -normal);
     put(upper.uvs, (p - square.low) / square.size);
-    vein.push_back(laid.vein[i]);
     edge.push_back(k < laid.ring ? 0 : outline.about_distance({p.x, p.y, 0}));
   }
   lower.uvs = upper.uvs;
@@ -91,15 +90,12 @@ std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, 
     put(lower.indices, corner(0), corner(2), corner(1));
   }
   add_rim(lower, upper, laid.ring);
-  std::vector<float> vein_below = vein, edge_below = edge;
-  vein_below.resize(lower.positions.size() / 3, 0);
+  std::vector<float> edge_below = edge;
   edge_below.resize(lower.positions.size() / 3, 0);
   std::vector<PlantMesh> faces;
   faces.push_back({"upper", "blade", std::move(upper), {}, {}});
-  faces.back().columns.add("vein", std::move(vein));
   faces.back().columns.add("edge", std::move(edge));
   faces.push_back({"lower", "blade", std::move(lower), {}, {}});
-  faces.back().columns.add("vein", std::move(vein_below));
   faces.back().columns.add("edge", std::move(edge_below));
   return faces;
 }

@@ -33,8 +33,7 @@ ChartSquare chart_square(const Outline& outline);
 
 // Two meshes of the material `blade`, together closed: `upper`, the face that looks to +Z while flat; `lower`, the
 // other and the rim around. Normals are those of the bent blade: how veins lean is for a picture of normals to say,
-// which has all of them and no corners. Both have the chart as texture coordinates, and columns of their vertices:
-// `vein` (float32: 1 on a vein's axis, 0 from its edge on, of the widest veins, as many as the mesh can show) and
+// which has all of them and no corners. Both have the chart as texture coordinates, and the column of their vertices
 // `edge` (float32: distance from the margin, leaf lengths, about). Empty where the outline cannot be triangulated.
 std::vector<PlantMesh> make_blade(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins,
                                   const Bending& bending, const BladeForm& form);

@@ -136,7 +136,6 @@ BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<c
       add({x, low.y + static_cast<float>(row) * row_share * spacing}, apart * spacing);
 
   // Points near each vein learn of it.
-  blade.vein.assign(blade.points.size(), 0);
   blade.rise.assign(blade.points.size(), 0);
   const float cell = 2 * spacing;
   const auto across = static_cast<std::int32_t>((high.x - low.x) / cell) + 1,
@@ -157,7 +156,6 @@ BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<c
           const float t = square > 0 ? glm::clamp(glm::dot(blade.points[i] - vein.from, way) / square, 0.0f, 1.0f) : 0;
           const float radius = vein.radius_from + t * (vein.radius_to - vein.radius_from);
           const float share = hill(glm::distance(blade.points[i], vein.from + t * way) / std::max(radius, 1e-9f));
-          blade.vein[i] = std::max(blade.vein[i], share);
           blade.rise[i] = std::max(blade.rise[i], share * radius);
         }
   }

@@ -13,8 +13,7 @@ namespace panicle::particles::leaf {
 struct BladePoints {
   std::vector<glm::vec2> points;  // the ring first, counter-clockwise
   std::size_t ring = 0;
-  std::vector<float> vein;  // of each point: 1 on a vein's axis, 0 beside
-  std::vector<float> rise;  // of each point: radius of that vein, times `vein`; leaf lengths
+  std::vector<float> rise;  // of each point: the vein's radius on its axis, 0 beside; leaf lengths
 };
 
 BladePoints lay_points(const Margin& margin, const Outline& outline, std::span<const VeinPiece> veins, float detail);

@@ -79,6 +79,39 @@ Span span_after(std::span<const ControlPoint> points, std::size_t i) {
   return span;
 }
 
+// Calls `see` with every pair of edges that cross or touch until it says true.
+template <class See>
+void each_crossing(std::span<const glm::vec2> points, const See& see) {
+  const std::size_t count = points.size();
+  float low = points[0].y, high = low;
+  for (const glm::vec2& p : points) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  const float rows = static_cast<float>(count);
+  const auto row_of = [&](float y) {
+    return static_cast<std::size_t>(std::clamp(rows * (y - low) / std::max(high - low, 1e-9f), 0.0f, rows - 1));
+  };
+  std::vector<std::vector<std::size_t>> edges(count);
+  const auto end = [&](std::size_t i) { return points[(i + 1) % count]; };
+  const auto met = [&](std::size_t k, std::size_t i) {
+    const bool after = (k + 1) % count == i, before = (i + 1) % count == k;
+    if (!after && !before) return meet(points[k], end(k), points[i], end(i));
+    // Neighbours meet in a corner; they must not lie on each other.
+    const std::size_t first = after ? k : i;
+    const glm::vec2 a = points[first], b = end(first), c = points[(first + 2) % count];
+    return turn(a, b, c) == 0 && glm::dot(b - a, c - b) < 0;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = row_of(std::min(points[i].y, end(i).y)), to = row_of(std::max(points[i].y, end(i).y));
+    for (std::size_t row = from; row <= to; ++row) {
+      for (const std::size_t k : edges[row])
+        if (met(k, i) && see(EdgePair{k, i})) return;
+      edges[row].push_back(i);
+    }
+  }
+}
+
 void find_tips(std::span<const ControlPoint> points, Margin& margin) {
   std::size_t tip = 0;
   const auto higher = [&](std::size_t i) {
@@ -143,37 +176,22 @@ Result<std::vector<ControlPoint>> read_outline(std::span<const float> rows, std:
   return points;
 }
 
+std::vector<EdgePair> crossings(std::span<const glm::vec2> points) {
+  std::vector<EdgePair> all;
+  each_crossing(points, [&](const EdgePair& pair) {
+    all.push_back(pair);
+    return false;
+  });
+  return all;
+}
+
 EdgePair crossing(std::span<const glm::vec2> points) {
-  const std::size_t count = points.size();
-  float low = points[0].y, high = low;
-  for (const glm::vec2& p : points) {
-    low = std::min(low, p.y);
-    high = std::max(high, p.y);
-  }
-  const float rows = static_cast<float>(count);
-  const auto row_of = [&](float y) {
-    return static_cast<std::size_t>(std::clamp(rows * (y - low) / std::max(high - low, 1e-9f), 0.0f, rows - 1));
-  };
-  std::vector<std::vector<std::size_t>> edges(count);
-  const auto end = [&](std::size_t i) { return points[(i + 1) % count]; };
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t from = row_of(std::min(points[i].y, end(i).y)), to = row_of(std::max(points[i].y, end(i).y));
-    for (std::size_t row = from; row <= to; ++row) {
-      for (const std::size_t k : edges[row]) {
-        const bool after = (k + 1) % count == i, before = (i + 1) % count == k;
-        if (after || before) {
-          // Neighbours meet in a corner; they must not lie on each other.
-          const std::size_t first = after ? k : i;
-          const glm::vec2 a = points[first], b = end(first), c = points[(first + 2) % count];
-          if (turn(a, b, c) == 0 && glm::dot(b - a, c - b) < 0) return {k, i};
-        } else if (meet(points[k], end(k), points[i], end(i))) {
-          return {k, i};
-        }
-      }
-      edges[row].push_back(i);
-    }
-  }
-  return {};
+  EdgePair first;
+  each_crossing(points, [&](const EdgePair& pair) {
+    first = pair;
+    return true;
+  });
+  return first;
 }
 
 Result<Margin> spline(std::span<const ControlPoint> points) {

@@ -45,23 +45,27 @@ struct Margin {
 // which names the control points, where it crosses itself. Corners that stand out are its teeth.
 Result<Margin> spline(std::span<const ControlPoint> points);
 
-enum class ToothShape : std::uint32_t { dentate, serrate, crenate, double_serrate };
+enum class ToothShape : std::uint32_t { dentate, serrate, crenate, double_serrate, crenate_serrate };
 
 struct Teeth {
   std::uint32_t count = 0;  // on each side, from base to tip
   float depth = 0.35f;      // over their width
   ToothShape shape = ToothShape::serrate;
+  float entire = 0;  // share of the margin, from the base on both sides, that has none; below 1
 };
 
 // Cuts teeth out of a margin: their points stay on it, between them it is cut in. They are shared out by length over
 // the stretches between lobe tips and the sinuses between those, lean towards the tip of their stretch, and are lower
-// towards tips and base. Teeth that would make it cross itself are cut less deep, with a note.
+// towards tips and base, and where the blade is narrow. Those that would make it cross itself are cut less deep; what
+// does not fit is left out, with a note.
 Margin toothed(const Margin& margin, const Teeth& teeth, std::vector<std::string>& notes);
 
-// The first pair of edges that cross or touch, other than neighbours; both the same where there are none.
+// Pairs of edges that cross or touch, other than neighbours that meet in a corner.
 struct EdgePair {
   std::size_t first = 0, second = 0;
 };
+std::vector<EdgePair> crossings(std::span<const glm::vec2> points);
+// The first of them; both the same where there are none.
 EdgePair crossing(std::span<const glm::vec2> points);
 
 }  // namespace panicle::particles::leaf

@@ -40,6 +40,14 @@ Midrib lay_midrib(Ribs& ribs, std::vector<glm::vec3> places) {
   return midrib;
 }
 
+void round_off(std::vector<glm::vec3>& places, const Outline& outline, int passes) {
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+      const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (places[i - 1] + places[i + 1]);
+      if (outline.contains(drawn) && outline.keeps_off(drawn, before_margin)) places[i] = drawn;
+    }
+}
+
 bool straight(const glm::vec3& base, const glm::vec3& end, const Outline& outline) {
   const glm::vec3 start = base + 1e-3f * (end - base);
   return outline.contains(start) && outline.contains(end) && outline.holds(start, end);
@@ -66,12 +74,7 @@ std::vector<glm::vec3> main_vein(const glm::vec3& base, const glm::vec3& tip, co
     const float count = std::max(1.0f, std::ceil(glm::distance(corners[i - 1], corners[i]) / stride));
     for (float k = 1; k <= count; ++k) places.push_back(corners[i - 1] + (k / count) * (corners[i] - corners[i - 1]));
   }
-  // Round corners gently, where there is room.
-  for (int pass = 0; corners.size() > 2 && pass < 40; ++pass)
-    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-      const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (places[i - 1] + places[i + 1]);
-      if (outline.contains(drawn) && outline.keeps_off(drawn, before_margin)) places[i] = drawn;
-    }
+  if (corners.size() > 2) round_off(places, outline, 40);
   return places;
 }
 

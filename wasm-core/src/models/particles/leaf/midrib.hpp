@@ -35,6 +35,9 @@ std::int32_t add(Ribs& ribs, std::int32_t next, const glm::vec3& place);
 // Lays a main vein from place 0 of the ribs, which is the first of `places`.
 Midrib lay_midrib(Ribs& ribs, std::vector<glm::vec3> places);
 
+// Draws each place but the ends towards the middle of its neighbours, so many times, where there is room.
+void round_off(std::vector<glm::vec3>& places, const Outline& outline, int passes);
+
 // Whether the straight way from the base, which is on the margin itself, lies in the blade.
 bool straight(const glm::vec3& base, const glm::vec3& end, const Outline& outline);
 // From the base to a tip, in pieces: straight where that is open, else round the corners.

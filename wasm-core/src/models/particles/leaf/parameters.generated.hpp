@@ -13,6 +13,7 @@ enum class Parameter : std::uint32_t {
   teeth,
   tooth_depth,
   tooth_shape,
+  entire,
   petiole,
   petiole_width,
   ribs,
@@ -45,7 +46,7 @@ enum class Parameter : std::uint32_t {
   join,
 };
 
-inline constexpr std::uint32_t parameter_count = 34;
+inline constexpr std::uint32_t parameter_count = 35;
 
 struct ParameterInfo {
   std::string_view key;
@@ -62,7 +63,8 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"length", "", "", 5.0f, 600.0f, 0.0f, 90.0f, false},
     {"teeth", "", "", 0.0f, 80.0f, 0.0f, 0.0f, true},
     {"tooth_depth", "", "", 5.0f, 100.0f, 0.0f, 35.0f, false},
-    {"tooth_shape", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},
+    {"tooth_shape", "", "", 0.0f, 4.0f, 0.0f, 1.0f, true},
+    {"entire", "", "", 0.0f, 90.0f, 0.0f, 0.0f, false},
     {"petiole", "", "", 0.0f, 250.0f, 0.0f, 30.0f, false},
     {"petiole_width", "", "", 0.1f, 20.0f, 0.0f, 1.6f, false},
     {"ribs", "", "", 0.0f, 3.0f, 0.0f, 1.0f, true},

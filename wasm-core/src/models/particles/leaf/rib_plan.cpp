@@ -117,11 +117,7 @@ class Planner {
       }
       places.push_back(middle);
     }
-    for (int pass = 0; pass < 20; ++pass)
-      for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-        const glm::vec3 drawn = 0.5f * places[i] + 0.25f * (places[i - 1] + places[i + 1]);
-        if (outline_.contains(drawn) && outline_.keeps_off(drawn, before_margin)) places[i] = drawn;
-      }
+    round_off(places, outline_, 20);
     return places;
   }
 

@@ -22,8 +22,11 @@ constexpr float near_tip = 0.3f, near_tooth = 0.08f;              // of the dist
 constexpr float lobe_reach = 0.94f;                               // of the way into a lobe
 // How far off the bays beside it a lobe's vein is to be; and how many degrees the angle may be off for as much.
 constexpr float clear_of_bays[] = {0.022f, 0.011f, 0}, worth[] = {0, 8, 16};
-constexpr float bow = 0.35f;           // of an arch of 1, over the way ahead
-constexpr float before_tooth = 4e-3f;  // leaf lengths
+// An arch of 1 has turned a vein along the main one when it has gone 5/6 of the way ahead: the main vein's to its tip,
+// or this.
+constexpr float turns_by = 2.2f, least_ahead = 0.15f;  // leaf lengths
+constexpr float bow = 0.35f;                           // of an arch of 1, over the way ahead
+constexpr float before_tooth = 4e-3f;                  // leaf lengths
 // No tooth is aimed at that is farther from where a vein would end, of the main vein's length.
 constexpr float farthest_tooth = 0.18f;
 // How far from the margin arches keep, in the spacing of side veins, and in leaf lengths; and by how many degrees they
@@ -129,17 +132,20 @@ void SideVeins::lay(Ribs& ribs, const Midrib& midrib, std::uint32_t count, const
   }
 }
 
+// The angle that it has kept after going so far. Half of the arch is behind when it is as long as the way ahead.
+float SideVeins::bent(const Midrib& midrib, const Start& start, float gone) const {
+  const float ahead = std::max(midrib.length() - midrib.lengths[start.root], least_ahead);
+  return start.angle * std::max(1 - turns_by * (plan_.arch * gone / (gone + ahead)), 0.0f);
+}
+
 // Into the blade until the margin, or what is another's, is near.
 SideVeins::Vein SideVeins::walk(const Midrib& midrib, const Start& start, float side, const Part& part) const {
   const glm::vec2 heading = midrib.heading(start.root);
   Vein vein{start.root, {}};
   glm::vec3 at = midrib.places[start.root];
   float gone = 0;
-  // Half of the arch is behind when the secondary is as long as the midrib's way to the tip.
-  const float scale = std::max(midrib.length() - midrib.lengths[start.root], 0.15f);
   for (int k = 0; k < most_strides; ++k) {
-    const float bend = plan_.arch * gone / (gone + scale);
-    const glm::vec3 next = at + stride * deep(turned(heading, side * start.angle * std::max(1 - 2.2f * bend, 0.0f)));
+    const glm::vec3 next = at + stride * deep(turned(heading, side * bent(midrib, start, gone)));
     vein.at_margin =
         !outline_.contains(next) || !outline_.keeps_off(next, std::min(before_margin, near_root * (gone + stride)));
     if (vein.at_margin || !part.holds(next)) break;
@@ -156,15 +162,14 @@ SideVeins::Vein SideVeins::arched(const Midrib& midrib, const Start& start, floa
   const glm::vec2 heading = midrib.heading(start.root);
   Vein vein{start.root, {}};
   glm::vec3 at = midrib.places[start.root];
-  const float scale = std::max(midrib.length() - midrib.lengths[start.root], 0.15f);
   float gone = 0, angle = start.angle;
   for (int k = 0; k < most_strides; ++k) {
-    const float bend = plan_.arch * gone / (gone + scale), room = std::min(clear, near_root * (gone + stride));
+    const float room = std::min(clear, near_root * (gone + stride));
     const auto ahead = [&](float strides) { return at + strides * stride * deep(turned(heading, side * angle)); };
     const auto free = [&](const glm::vec3& p, float reach) {
       return outline_.contains(p) && outline_.keeps_off(p, reach);
     };
-    angle = std::min(angle, start.angle * std::max(1 - 2.2f * bend, 0.0f));
+    angle = std::min(angle, bent(midrib, start, gone));
     for (float by = 0; by < most_turned && !(free(ahead(1), room) && free(ahead(foreseen), room)); by += turn)
       angle -= turn;
     const glm::vec3 next = ahead(1);
@@ -183,7 +188,7 @@ SideVeins::Vein SideVeins::arched(const Midrib& midrib, const Start& start, floa
 std::vector<glm::vec3> SideVeins::teeth(float side, const Part& part) const {
   std::vector<glm::vec3> all;
   for (const std::size_t tooth : margin_.teeth) {
-    const bool right = tooth > part.first && tooth<part.tip, left = tooth> part.tip && tooth < part.last;
+    const bool right = part.first < tooth && tooth < part.tip, left = part.tip < tooth && tooth < part.last;
     const glm::vec3 place = deep(margin_.points[tooth]);
     if ((side < 0 ? right : left) && part.holds(place)) all.push_back(place);
   }

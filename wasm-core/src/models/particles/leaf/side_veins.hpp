@@ -48,6 +48,7 @@ class SideVeins {
     bool at_margin = false;  // what ended it
   };
   std::vector<Start> starts(const Midrib& midrib, std::uint32_t count, float side, bool fan) const;
+  float bent(const Midrib& midrib, const Start& start, float gone) const;
   Vein walk(const Midrib& midrib, const Start& start, float side, const Part& part) const;
   Vein arched(const Midrib& midrib, const Start& start, float side, const Part& part, const Vein* above,
               float clear) const;

@@ -32,6 +32,14 @@ glm::vec3 base_of(const Outline& outline, std::vector<std::string>& notes) {
   return {nearest.x, nearest.y, 0};
 }
 
+Teeth teeth_of(const Values& values) {
+  using enum Parameter;
+  return {.count = values.whole(teeth),
+          .depth = 0.01f * values[tooth_depth],
+          .shape = static_cast<ToothShape>(values.whole(tooth_shape)),
+          .entire = 0.01f * values[entire]};
+}
+
 RibPlan plan_of(const Values& values) {
   using enum Parameter;
   return {.kind = static_cast<RibKind>(values.whole(ribs)),
@@ -82,9 +90,7 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
   const Values& values = asked.values;
   auto spanned = spline(asked.outline);
   if (!spanned) return spanned.error();
-  Margin margin = toothed(
-      spanned.value(),
-      {values.whole(teeth), 0.01f * values[tooth_depth], static_cast<ToothShape>(values.whole(tooth_shape))}, notes);
+  Margin margin = toothed(spanned.value(), teeth_of(values), notes);
   Outline outline(margin.points);
   Veins veins{.margin = std::move(margin),
               .outline = std::move(outline),

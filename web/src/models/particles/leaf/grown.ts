@@ -7,12 +7,21 @@ export interface BladeFace {
 	edge: Float32Array;
 }
 
+/** The square that texture coordinates span, in lengths of the leaf. */
+export interface Chart {
+	left: number;
+	bottom: number;
+	size: number;
+}
+
 /** A grown leaf: its veins are trails, first as they lie flat, in lengths of the leaf. */
 export interface Leaf extends TrailPlant {
 	/** 4 × segments: start x y, end x y in the flat chart, in lengths of the leaf. */
 	chart: Float32Array;
 	/** 2 × points: the margin with its teeth, counter-clockwise from the base, in lengths of the leaf. */
 	margin: Float32Array;
+	/** The square about the margin. */
+	square: Chart;
 	/** What is known at the vertices of the blade's faces, by the names of their meshes: none without meshes. */
 	faces: Record<string, BladeFace>;
 }

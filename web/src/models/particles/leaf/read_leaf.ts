@@ -7,10 +7,12 @@ export function readLeaf(answer: Answer): Leaf {
 	const { columns } = answer;
 	const plant = readTrailPlant(answer);
 	const faces = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.edge`));
+	const [left, bottom, size] = columns.floats("chart");
 	return {
 		...plant,
 		chart: columns.floats("segments.chart"),
 		margin: columns.floats("margin"),
+		square: { left, bottom, size },
 		faces: Object.fromEntries(faces.map(({ name }) => [name, { edge: columns.floats(`mesh.${name}.edge`) }])),
 	};
 }

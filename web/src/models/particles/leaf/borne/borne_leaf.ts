@@ -4,7 +4,6 @@ import { writeContainer } from "../../../../core/container";
 import { type LeafFile, STEEPS, STEPS } from "../../../../plant/leaf";
 import { lightMesh } from "../bake/light_mesh";
 import type { Leaf } from "../grown";
-import { chartOf } from "../parts/chart";
 import { veinRaster } from "../parts/vein_raster";
 import type { LeafSpecimen } from "../specimen";
 import { sparseBlade } from "./sparse_blade";
@@ -30,7 +29,7 @@ const SEEN = 0.06;
  * @throws Error where the leaf was grown without meshes
  */
 export function borneLeaf(leaf: Leaf, { parameters }: LeafSpecimen, from: string, options: BorneOptions): LeafFile {
-	const { left, bottom, size } = chartOf(leaf.margin);
+	const { left, bottom, size } = leaf.square;
 	const { corners, pixels } = options;
 	const { uvs, indices } = corners ? sparse(leaf, corners) : fine(leaf, options.cells ?? 0);
 	const points = uvs.map((value, at) => (at % 2 === 0 ? left : bottom) + size * value);
@@ -56,12 +55,11 @@ interface Flat {
 function fine(leaf: Leaf, cells: number): Flat {
 	const upper = leaf.meshes.find(({ name }) => name === "upper");
 	if (!upper) throw new Error("This leaf has no blade: grow it with meshes.");
-	const { left, bottom, size } = chartOf(leaf.margin);
+	const { left, bottom, size } = leaf.square;
 	return fromPetiole(lightMesh(upper, leaf.faces.upper.edge, cells), [-left / size, -bottom / size]);
 }
 
-function sparse({ margin }: Leaf, corners: number): Flat {
-	const { left, bottom, size } = chartOf(margin);
+function sparse({ margin, square: { left, bottom, size } }: Leaf, corners: number): Flat {
 	const { points, indices } = sparseBlade(margin, corners);
 	return { uvs: points.map((value, at) => (value - (at % 2 === 0 ? left : bottom)) / size), indices };
 }

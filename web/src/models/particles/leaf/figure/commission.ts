@@ -57,8 +57,8 @@ export class Commission {
 		if (!this.#next) return;
 		const { leaf, specimen } = this.#next;
 		this.#next = undefined;
-		const { chart, margin, segments } = leaf;
-		const flat = { chart, margin, segments: { count: segments.count, radii: segments.radii } };
+		const { chart, margin, square, segments } = leaf;
+		const flat = { chart, margin, square, segments: { count: segments.count, radii: segments.radii } };
 		const order = { id: this.#orders, specimen, ...(leaf === this.#given ? {} : { leaf: flat }) };
 		this.#underWay = { order, leaf };
 		this.#given = leaf;

@@ -3,8 +3,8 @@
  * it green, and chance. It does not know the look, so that other colours find it made.
  */
 import { noise } from "../../../../plant/noise";
-import type { Leaf } from "../grown";
-import { type Chart, chartOf, inCells, insideOf, spread } from "./chart";
+import type { Chart, Leaf } from "../grown";
+import { inCells, insideOf, spread } from "./chart";
 
 /** Noise cells to a metre: broad patches, mottling. */
 const BROAD = 60;
@@ -45,32 +45,33 @@ export interface BladeFields extends Ground {
  * @param seed another one has other patches
  */
 export function bladeFields(
-	leaf: Pick<Leaf, "chart" | "margin"> & { segments: Pick<Leaf["segments"], "radii"> },
+	leaf: Pick<Leaf, "chart" | "margin" | "square"> & { segments: Pick<Leaf["segments"], "radii"> },
 	millimetres: number,
 	seed: number,
 	side: number,
 ): BladeFields {
-	return { ...groundOf(leaf.margin, millimetres, seed, side), ...feedingOf(leaf, chartOf(leaf.margin), side) };
+	return { ...groundOf(leaf, millimetres, seed, side), ...feedingOf(leaf, leaf.square, side) };
 }
 
 /** The last one: of a leaf whose particles run, each moment has the same. */
 let known: { margin: Float32Array; rest: string; ground: Ground } | undefined;
 
-function groundOf(margin: Float32Array, millimetres: number, seed: number, side: number): Ground {
-	const rest = JSON.stringify([millimetres, seed, side]);
+type Flat = Pick<Leaf, "margin" | "square">;
+
+function groundOf({ margin, square }: Flat, millimetres: number, seed: number, side: number): Ground {
+	const rest = JSON.stringify([square, millimetres, seed, side]);
 	const same = known?.rest === rest && known.margin.length === margin.length;
 	if (known && same && known.margin.every((value, at) => value === margin[at])) return known.ground;
-	known = { margin, rest, ground: lie(margin, millimetres, seed, side) };
+	known = { margin, rest, ground: lie({ margin, square }, millimetres, seed, side) };
 	return known.ground;
 }
 
-function lie(margin: Float32Array, millimetres: number, seed: number, side: number): Ground {
-	const chart = chartOf(margin);
-	const edge = edgeOf(margin, chart, side);
+function lie({ margin, square }: Flat, millimetres: number, seed: number, side: number): Ground {
+	const edge = edgeOf(margin, square, side);
 	const near = nearLeaf(edge, side);
 	const broad = new Float32Array(side * side);
 	const mottle = new Float32Array(side * side);
-	const metres = (chart.size * millimetres) / 1000 / side;
+	const metres = (square.size * millimetres) / 1000 / side;
 	const depth = (seed % 4096) * 7.31;
 	for (let at = 0; at < side * side; at++) {
 		if (!near[at]) continue;
@@ -81,10 +82,10 @@ function lie(margin: Float32Array, millimetres: number, seed: number, side: numb
 	return { side, near, edge, broad, mottle };
 }
 
-function edgeOf(margin: Float32Array, chart: Chart, side: number): Float32Array {
-	const away = Float32Array.from(insideOf(inCells(margin, chart, side), side), (inside) => (inside ? 2 * side : 0));
+function edgeOf(margin: Float32Array, square: Chart, side: number): Float32Array {
+	const away = Float32Array.from(insideOf(inCells(margin, square, side), side), (inside) => (inside ? 2 * side : 0));
 	spread(away, side);
-	return away.map((cells) => (Math.max(0, cells - 0.5) * chart.size) / side);
+	return away.map((cells) => (Math.max(0, cells - 0.5) * square.size) / side);
 }
 
 /** The leaf and the cells about it, from which pictures blend over its margin. */
@@ -104,14 +105,14 @@ function nearLeaf(edge: Float32Array, side: number): Uint8Array {
 /** Fields of the veins: from cell to cell is handed on which of them feeds best. */
 function feedingOf(
 	{ chart: ends, segments: { radii } }: Pick<Leaf, "chart"> & { segments: Pick<Leaf["segments"], "radii"> },
-	chart: Chart,
+	square: Chart,
 	side: number,
 ): Pick<BladeFields, "fed" | "halo"> {
 	const widest = radii.reduce((most, radius) => Math.max(most, radius), 1e-9);
 	const away = new Float32Array(side * side).fill(2 * side);
 	/** By cell, the vein that feeds it: where its axis is, and how wide it is against the widest; 0 none yet. */
 	const [atX, atY, width] = [0, 0, 0].map(() => new Float32Array(side * side));
-	const places = inCells(ends, chart, side);
+	const places = inCells(ends, square, side);
 	for (let piece = 0; 4 * piece < ends.length; piece++) {
 		const share = radii[2 * piece + 1] / widest;
 		if (share < LEAST_WIDTH) continue;

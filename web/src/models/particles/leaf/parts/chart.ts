@@ -1,21 +1,5 @@
-/** The flat leaf as a square: what its texture coordinates span, and grids over it, rows from the bottom. */
-
-/** The square about the margin's middle that holds it, in lengths of the leaf. */
-export interface Chart {
-	left: number;
-	bottom: number;
-	size: number;
-}
-
-export function chartOf(margin: Float32Array): Chart {
-	let [left, right, bottom, top] = [0, 0, 0, 0];
-	for (let at = 0; at < margin.length; at += 2) {
-		[left, right] = [Math.min(left, margin[at]), Math.max(right, margin[at])];
-		[bottom, top] = [Math.min(bottom, margin[at + 1]), Math.max(top, margin[at + 1])];
-	}
-	const size = Math.max(right - left, top - bottom, 1e-6);
-	return { left: (left + right - size) / 2, bottom: (bottom + top - size) / 2, size };
-}
+/** Grids over the square of the flat leaf, rows from the bottom. */
+import type { Chart } from "../grown";
 
 /** 2 × points in cells of a grid of so many to a side. */
 export function inCells(points: Float32Array, { left, bottom, size }: Chart, side: number): Float32Array {

@@ -1,6 +1,6 @@
 /** The veins of the flat leaf in cells: what of each is vein, and how high it stands there. */
 import type { Leaf } from "../grown";
-import { chartOf, inCells } from "./chart";
+import { inCells } from "./chart";
 
 /** Millimetres on either side of a vein that are as pale as it: the sheath about it, which shows where veins themselves are too fine. */
 export const SHEATH = 0.012;
@@ -27,22 +27,21 @@ export interface VeinRaster {
 export function veinRaster(
 	{
 		chart: ends,
-		margin,
+		square,
 		segments,
-	}: Pick<Leaf, "chart" | "margin"> & { segments: Pick<Leaf["segments"], "count" | "radii"> },
+	}: Pick<Leaf, "chart" | "square"> & { segments: Pick<Leaf["segments"], "count" | "radii"> },
 	millimetres: number,
 	side: number,
 	raised = true,
 ): VeinRaster {
-	const chart = chartOf(margin);
-	const cell = (chart.size * millimetres) / side;
+	const cell = (square.size * millimetres) / side;
 	const raster = {
 		side,
 		cell,
 		cover: new Float32Array(side * side),
 		height: new Float32Array(raised ? side * side : 0),
 	};
-	const places = inCells(ends, chart, side);
+	const places = inCells(ends, square, side);
 	for (let piece = 0; piece < segments.count; piece++) {
 		draw(raster, places, 4 * piece, (segments.radii[2 * piece + 1] * 1000) / cell);
 	}

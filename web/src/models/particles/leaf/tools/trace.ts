@@ -1,6 +1,9 @@
 import { html } from "lit";
+import type { Change } from "../../../../controls/desk";
 import { sameDocument } from "../../../../controls/same_document";
 import { FILE_TOPIC } from "../../../../controls/tool";
+import type { LeafSpecimen } from "../specimen";
+import type { TracedLeaf } from "../trace/trace";
 import type { LeafDesk, LeafTool } from "./desk";
 
 /** An outline from a picture: chosen in the panel, or dropped on the page. */
@@ -52,15 +55,31 @@ export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 		return;
 	}
 	try {
-		const outline = tracer.traceOutline(await reader.readPicture(file));
+		const traced = tracer.traceLeaf(await reader.readPicture(file));
 		if (!isStill()) {
 			desk.notify("The outline was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
 			return;
 		}
-		desk.set({ details: { outline } });
-		desk.notify(`An outline of ${outline.length} points was traced`, [], { topic: FILE_TOPIC, brief: true });
+		const { change, said } = asChange(traced, desk.state.specimen);
+		desk.set(change);
+		desk.notify(`An outline of ${traced.outline.length} points was traced`, said, { topic: FILE_TOPIC, brief: true });
 	} catch (error) {
 		if (!(error instanceof words.TraceError)) throw error;
 		desk.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
 	}
+}
+
+/** What a traced leaf changes, and what to say of it: teeth would be cut into an outline that has its own. */
+export function asChange(
+	{ outline, petiole }: TracedLeaf,
+	{ parameters }: LeafSpecimen,
+): { change: Change; said: string[] } {
+	const changed: Record<string, number> = { teeth: 0 };
+	const said = parameters.teeth > 0 ? ["It has the teeth of the picture: Teeth is 0 now."] : [];
+	if (petiole) {
+		changed.petiole = Math.round(100 * petiole.length);
+		changed.petiole_width = Math.round(10 * petiole.width * parameters.length) / 10;
+		said.push("The stalk in the picture is the petiole.");
+	}
+	return { change: { parameters: changed, details: { outline } }, said };
 }

@@ -1,34 +1,92 @@
-/** The stalk of a leaf's silhouette: the one long thin part, cut off where the blade begins. */
+/** The stalk of a leaf's silhouette, cut off where the blade begins: its one long thin part, or the narrow foot that it stands on. */
 import type { Mask, Pixel } from "./picture";
 import { blobsOf, largestBlob, maskOf } from "./silhouette";
+
+/** In pixels. */
+export interface Stalk {
+	length: number;
+	width: number;
+}
 
 export interface Blade {
 	blade: Mask;
 	/** Where the stalk joins; where there is none, where the blade's middle ends below. */
 	base: Pixel;
+	stalk?: Stalk;
 }
 
 /** Thinner than this is stalk or tooth: twice this in the root of the leaf's area. */
 const THIN = 0.025;
 /** A stalk is at least so many times as long as it may be thick. */
 const LONG = 4;
+/**
+ * A foot is no wider than this, against the silhouette, and at least so high, and all at once above it the silhouette is wider: by
+ * such a factor within so much of its height. A blade that narrows evenly, or in a bow, has none.
+ */
+const [NARROW, HIGH, WIDENS, AT_ONCE] = [0.35, 0.1, 2.5, 0.05];
+/** What widens towards the blade is as wide as at this share of its rows, from the narrowest: its very end may be rounded off. */
+const NARROWEST = 0.1;
+/** A foot ends where it is wider than this, against where it was found to widen. */
+const SHOULDER = 1.5;
 
 export function withoutStalk(leaf: Mask): Blade {
+	const stalk = thinPart(leaf) ?? footOf(leaf);
+	if (!stalk) return { blade: leaf, base: lowest(leaf) };
+	const { width, height, inside } = leaf;
+	const { members, length, width: wide } = stalk;
+	const gone = maskOf(width, height, members).inside;
+	const blade = largestBlob({ width, height, inside: inside.map((value, at) => (gone[at] ? 0 : value)) });
+	return { blade, base: joint(members, blade), stalk: { length, width: wide } };
+}
+
+interface Part extends Stalk {
+	members: Uint32Array;
+}
+
+/** The longest part that is too thin for a disc, whichever way it points. */
+function thinPart(leaf: Mask): Part | undefined {
 	const { width, height, inside } = leaf;
 	const area = inside.reduce((sum, value) => sum + value, 0);
 	const radius = Math.max(1.5, THIN * Math.sqrt(area));
 	const body = largestBlob(opened(leaf, radius));
 	const thin: Mask = { width, height, inside: inside.map((value, at) => (body.inside[at] ? 0 : value)) };
-	const reached = blobsOf(thin)
+	const longest = blobsOf(thin)
 		.map((members) => ({ members, length: extent(members, width) }))
-		.reduce<{ members: Uint32Array; length: number } | undefined>(
-			(best, blob) => (blob.length > (best?.length ?? 0) ? blob : best),
-			undefined,
-		);
-	if (!reached || reached.length < LONG * 2 * radius) return { blade: leaf, base: lowest(leaf) };
-	const gone = maskOf(width, height, reached.members).inside;
-	const blade = largestBlob({ width, height, inside: inside.map((value, at) => (gone[at] ? 0 : value)) });
-	return { blade, base: joint(reached.members, blade) };
+		.map((blob) => ({ ...blob, width: blob.members.length / blob.length }))
+		.reduce<Part | undefined>((best, blob) => (blob.length > (best?.length ?? 0) ? blob : best), undefined);
+	return longest && longest.length >= LONG * 2 * radius ? longest : undefined;
+}
+
+/** What an upright silhouette stands on, where that is narrow up to a shoulder: row by row from the lowest. */
+function footOf({ width, height, inside }: Mask): Part | undefined {
+	const rows = Array.from({ length: height }, (_, y) => inside.subarray(y * width, (y + 1) * width));
+	const [top, end] = [rows.findIndex((row) => row.includes(1)), rows.findLastIndex((row) => row.includes(1))];
+	const tall = end + 1 - top;
+	const widest = Math.max(...rows.map((row) => row.lastIndexOf(1) + 1 - Math.max(0, row.indexOf(1))));
+	const runs: { from: number; to: number }[] = [];
+	for (let y = end, from = rows[end].indexOf(1), to = from + 1; y >= top; y--) {
+		const row = rows[y];
+		const held = row.subarray(from, to).indexOf(1);
+		if (held < 0) break;
+		from += held;
+		while (from > 0 && row[from - 1]) from--;
+		to = from;
+		while (to < width && row[to]) to++;
+		runs.push({ from, to });
+	}
+	const wide = runs.map((run) => run.to - run.from);
+	const step = Math.max(1, Math.round(AT_ONCE * tall));
+	const found = wide.findIndex((here, k) => k >= HIGH * tall && wide[k + step] >= WIDENS * here);
+	if (found < 0 || wide[found] > NARROW * widest) return undefined;
+	const length = wide.findIndex((here, k) => k > found && here > SHOULDER * wide[found]);
+	const members = runs
+		.slice(0, length)
+		.flatMap(({ from, to }, k) => Array.from({ length: to - from }, (_, x) => (end - k) * width + from + x));
+	const [narrow] = wide
+		.slice(0, length)
+		.sort((a, b) => a - b)
+		.slice(Math.floor(NARROWEST * length));
+	return { members: Uint32Array.from(members), length, width: narrow };
 }
 
 /** What discs of a radius reach without leaving the mask. */

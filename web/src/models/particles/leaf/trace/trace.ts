@@ -1,4 +1,4 @@
-/** A picture of a leaf → the points of its outline. Pure; what cannot be traced is refused in words for people. */
+/** A picture of a leaf → the points of its outline, and its petiole. Pure; what cannot be traced is refused in words for people. */
 import { FEWEST_POINTS, type Kind, type OutlinePoint, type Place, placed } from "../outline/points";
 import { enclosesBlade } from "../outline/spline";
 import { contourOf, smoothed } from "./contour";
@@ -19,11 +19,22 @@ const LOBE = 0.09;
 /** How far along the margin a lobe's foot is looked for, as a share of it. */
 const LOBE_REACH = 0.07;
 
+export interface TracedLeaf {
+	outline: OutlinePoint[];
+	/** Where the picture shows one; in lengths of the leaf. */
+	petiole?: { length: number; width: number };
+}
+
 /** @throws TraceError */
-export function traceOutline(picture: Picture): OutlinePoint[] {
-	const { blade, base } = withoutStalk(silhouetteOf(picture));
+export function traceLeaf(picture: Picture): TracedLeaf {
+	const { blade, base, stalk } = withoutStalk(silhouetteOf(picture));
 	const steps = contourOf(blade);
-	const margin = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);
+	const { margin, size } = upright(smoothed(steps, Math.max(1, 0.002 * steps.length)), base);
+	const petiole = stalk && { length: stalk.length / size, width: stalk.width / size };
+	return { outline: pointsOf(margin), ...(petiole && { petiole }) };
+}
+
+function pointsOf(margin: readonly Place[]): OutlinePoint[] {
 	for (let tolerance = FINEST; tolerance < 0.1; tolerance *= 1.25) {
 		const kept = simplified(margin, tolerance);
 		if (kept.length > MOST_TRACED) continue;
@@ -36,9 +47,9 @@ export function traceOutline(picture: Picture): OutlinePoint[] {
 
 /**
  * The margin in lengths of the leaf: from the base, counter-clockwise, its middle straight above the base. Tips may be two, or
- * bent aside: they do not tell which way is up.
+ * bent aside: they do not tell which way is up. And that length, in pixels.
  */
-function upright(contour: readonly Pixel[], base: Pixel): Place[] {
+function upright(contour: readonly Pixel[], base: Pixel): { margin: Place[]; size: number } {
 	const first = nearest(contour, base);
 	const { length } = contour;
 	const [x, y] = contour.reduce((sum, pixel) => [sum[0] + pixel.x / length, sum[1] + pixel.y / length], [0, 0]);
@@ -51,7 +62,7 @@ function upright(contour: readonly Pixel[], base: Pixel): Place[] {
 		y: along[index] / size,
 	}));
 	// What is clockwise on the screen is read the other way round.
-	return [turned[first], ...turned.slice(0, first).reverse(), ...turned.slice(first + 1).reverse()];
+	return { margin: [turned[first], ...turned.slice(0, first).reverse(), ...turned.slice(first + 1).reverse()], size };
 }
 
 function nearest(pixels: readonly Pixel[], to: Pixel): number {
