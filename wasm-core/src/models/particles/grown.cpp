@@ -1,6 +1,8 @@
 #include "models/particles/grown.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "models/particles/moment.hpp"
@@ -25,6 +27,18 @@ void add_travellers(Plant& plant, const Trails& trails, double all, const Girth&
   }
 }
 
+// How far ways keep clear of obstacles: half as far at the most as the nearest is from a target, so that there are ways
+// between them.
+float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets, float spacing) {
+  float clear = margin * spacing;
+  for (const std::span<const Box> some : {std::span(request.obstacles), std::span(request.rounds)})
+    for (const Box& box : some)
+      for (const glm::vec3& target : targets)
+        if (const float away = glm::distance(target, glm::clamp(target, box.low, box.high)); away > 0)
+          clear = std::min(clear, 0.5f * away);
+  return clear;
+}
+
 }  // namespace
 
 Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
@@ -35,9 +49,8 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   const auto count =
       static_cast<std::uint32_t>(static_cast<float>(habit.count) * habit.growth * habit.growth * habit.growth + 0.5f);
   std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
-  // A step may end that far beyond a corner.
   const float step = habit.motion.rules.step * spacing;
-  const Obstacles obstacles(request.obstacles, request.rounds, margin * spacing, floor + step, ceiling - step);
+  const Obstacles obstacles(request.obstacles, request.rounds, clearance(request, targets, spacing), floor, ceiling);
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
 

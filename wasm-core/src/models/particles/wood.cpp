@@ -12,8 +12,8 @@
 namespace panicle::particles {
 namespace {
 
-// How far a trail may be off where places are left out, in spacings.
-constexpr float tolerance = 0.08f;
+// How far a trail may be off where places are left out, in spacings, and of what it keeps clear of obstacles.
+constexpr float tolerance = 0.08f, within_margin = 0.8f;
 // Branches have no neighbours that keep them from being drawn straight.
 constexpr float smoothing = 1.5f;
 // Closer than this to the axis, trails are one, in spacings.
@@ -57,7 +57,7 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
     crowd.run();
     Trails trails = gathered(crowd.trails(), axis, guide, trunk * spacing, rules.step);
     smooth(trails, guide, smoothing);
-    trails = simplified(trails, tolerance * spacing, true);
+    trails = simplified(trails, std::min(tolerance * spacing, within_margin * obstacles.margin()), true);
     narrow_forks(trails, guide, apart * spacing, shift * spacing);
     wood.crowds.push_back(std::move(trails));
     wood.all.push_back(wood.crowds.back().energy[0]);
