@@ -211,8 +211,8 @@ TEST_CASE("more pieces of trail or leaves than there may be are refused, with wh
   };
   const auto asked = [](std::uint32_t trails, std::uint32_t leaves) {
     Asked each{.parameters = {{"particles", 300}}};
-    each.limits.trails = trails;
-    each.limits.leaves = leaves;
+    each.limits.pieces = trails;
+    each.limits.copies = leaves;
     return each;
   };
   const Plant usual = grow_tree(asked(2000, 2000));
@@ -223,6 +223,29 @@ TEST_CASE("more pieces of trail or leaves than there may be are refused, with wh
             std::to_string(segments - 1) + "; ask for fewer particles.");
   CHECK(refusal(ask_tree(asked(segments, leaves - 1))).find("particles or leaves a tip") != std::string::npos);
   CHECK(refusal(ask_root(asked(100, 0))).find("more than 100;") != std::string::npos);
+}
+
+TEST_CASE("particles that would run for ever so long are stopped on their way, leaves too many are refused before") {
+  Asked slow{.parameters = {{"particles", 300}, {"step", 0.05f}, {"merge", 0.1f}, {"pull", 0}, {"stems", 3}}};
+  slow.limits.moves = 1'000'000;
+  const Plant plant = grow_tree(slow);
+  CHECK(plant.segments.size() > 300);
+  slow.limits.moves = 5000;
+  const std::string words =
+      "After 5000 moves particles are still on their way; ask for fewer particles, a longer step, or a wider merge.";
+  for (const auto& refused : {ask_tree(slow), ask_root(slow)}) {
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().reason == Reason::limit);
+    CHECK(refused.error().message == words);
+  }
+  // Before anything moves.
+  Asked leafy{.parameters = {{"particles", 1000}, {"leaves", 6}}};
+  leafy.limits.moves = 0;
+  leafy.limits.copies = 5999;
+  CHECK(ask_tree(leafy).error().message.find("6000 leaves, more than 5999") != std::string::npos);
+  // Fewer, while it is small.
+  leafy.parameters.insert(leafy.parameters.end(), {{"life", 1}, {"age", 50}});
+  CHECK(ask_tree(leafy).error().message == "After 0" + words.substr(10));
 }
 
 TEST_CASE("what cannot be used is refused in words, what is out of range is brought into it") {

@@ -58,6 +58,7 @@ Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guid
 bool Crowd::step() {
   if (places_.empty()) return false;
   ++steps_;
+  moves_ += places_.size();
   if (steps_ > 2 * patience_) {
     for (std::uint32_t slot = 0; slot < places_.size(); ++slot) lead_home(slot);
     stragglers_ = static_cast<std::uint32_t>(places_.size());

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "models/particles/moment.hpp"
 
@@ -41,21 +42,22 @@ float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets,
 
 }  // namespace
 
-Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
-                const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
-                std::uint32_t traveller) {
+Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
+                        const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
+                        std::uint32_t traveller, const Limits& limits) {
   // What is young has the grown one's spacing, and so fewer particles.
   const float spacing = spacing_of(region, habit.count) / habit.growth;
-  const auto count =
-      static_cast<std::uint32_t>(static_cast<float>(habit.count) * habit.growth * habit.growth * habit.growth + 0.5f);
-  std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
+  std::vector<glm::vec3> starts = scatter(region, habit.pattern, habit.young(), spacing, request.seed);
   const float step = habit.motion.rules.step * spacing;
   const Obstacles obstacles(request.obstacles, request.rounds, clearance(request, targets, spacing), floor, ceiling);
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
 
+  Result<Wood> wooden =
+      run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles, request.seed, limits);
+  if (!wooden) return wooden.error();
   Grown grown;
-  grown.wood = run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles, request.seed);
+  grown.wood = std::move(wooden.value());
   const Wood& wood = grown.wood;
   if (wood.unreachable > 0)
     plant.notes.push_back(std::to_string(wood.unreachable) +
@@ -69,18 +71,6 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   for (std::size_t c = 0; running && c < targets.size(); ++c)
     add_travellers(plant, grown.trails[c], wood.all[c], habit.girth, least_ball * spacing, traveller);
   return grown;
-}
-
-Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves) {
-  const auto refused = [](std::size_t count, const char* what, std::uint32_t limit, const char* fewer) {
-    return Diagnostic{Reason::limit,
-                      "The plant would have " + std::to_string(count) + " " + what + ", more than " +
-                          std::to_string(limit) + "; ask for fewer " + fewer + ".",
-                      0, 0};
-  };
-  if (segments > limits.trails) return refused(segments, "pieces of trail", limits.trails, "particles");
-  if (leaves > limits.leaves) return refused(leaves, "leaves", limits.leaves, "particles or leaves a tip");
-  return {};
 }
 
 }  // namespace panicle::particles

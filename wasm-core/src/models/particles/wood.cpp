@@ -8,6 +8,7 @@
 #include "models/particles/forks.hpp"
 #include "models/particles/gather.hpp"
 #include "models/particles/polish.hpp"
+#include "models/particles/refusals.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -37,8 +38,9 @@ std::size_t nearest(std::span<const glm::vec3> targets, const glm::vec3& p) {
 
 }  // namespace
 
-Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed) {
+Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
+                 const Motion& motion, TrunkHabit habit, const Region& outer, const Obstacles& obstacles,
+                 std::uint64_t seed, const Limits& limits) {
   std::vector<std::vector<glm::vec3>> bound(targets.size());
   for (const glm::vec3& start : starts) bound[nearest(targets, start)].push_back(start);
   Rules rules = motion.rules;
@@ -47,6 +49,7 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
   rules.neighbourhood *= spacing;
   habit.ahead = ahead * spacing;
   Wood wood;
+  std::uint64_t moves = 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const Axis axis(targets[i], habit.height, habit.sway * habit.height, hash_combine(seed, i));
     const Trunk guide(axis, habit, &outer, &obstacles);
@@ -54,7 +57,8 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
       wood.unreachable += static_cast<std::uint32_t>(
           std::erase_if(bound[i], [&](const glm::vec3& start) { return !guide.reaches(start); }));
     Crowd crowd(bound[i], motion.energy, guide, rules);
-    crowd.run();
+    if (!crowd.run(limits.moves - moves)) return still_running(limits);
+    moves += crowd.moves();
     Trails trails = gathered(crowd.trails(), axis, guide, trunk * spacing, rules.step);
     smooth(trails, guide, smoothing);
     trails = simplified(trails, std::min(tolerance * spacing, within_margin * obstacles.margin()), true);

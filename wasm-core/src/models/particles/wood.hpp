@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/region.hpp"
 #include "models/particles/rules.hpp"
@@ -29,8 +31,10 @@ struct Wood {
 };
 
 // Runs the particles to the nearest target (ties: that of the lowest index), those of each for themselves.
-// `habit.ahead` is set by the spacing. `seed`: which way each axis sways.
-Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const Region& outer, const Obstacles& obstacles, std::uint64_t seed);
+// `habit.ahead` is set by the spacing. `seed`: which way each axis sways. Errors: limit, where all together move more
+// often than they may.
+Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
+                 const Motion& motion, TrunkHabit habit, const Region& outer, const Obstacles& obstacles,
+                 std::uint64_t seed, const Limits& limits);
 
 }  // namespace panicle::particles

@@ -35,7 +35,7 @@ struct Wish {
   std::vector<float> detail = {};
 };
 
-Result<Plant> grown(const Wish& wish) {
+Result<Plant> grown(const Wish& wish, const Limits& limits = {}) {
   std::vector<float> parameters(parameter_count, absent);
   for (const auto& [key, value] : wish.parameters) parameters[static_cast<std::size_t>(key)] = value;
   const std::string name = "leaf";
@@ -50,7 +50,7 @@ Result<Plant> grown(const Wish& wish) {
   if (!wish.outline.empty()) blocks.push_back(view("outline", wish.outline));
   if (!wish.detail.empty()) blocks.push_back(view("detail", wish.detail));
   Request request(blocks, nullptr);
-  return leaf::model.grow(request, {});
+  return leaf::model.grow(request, limits);
 }
 
 Plant leaf_of(const Wish& wish) {
@@ -404,4 +404,15 @@ TEST_CASE("what a leaf cannot use is brought into its range with a note, or refu
   REQUIRE(away.notes.size() >= 1);
   CHECK(away.notes[0].find("petiole") != std::string::npos);
   check_leaf(away, 1, 0.35f);
+}
+
+TEST_CASE("a leaf whose particles run for ever so long, or leave too much behind, is refused") {
+  const auto refusal = [](const Limits& limits) {
+    const auto leaf = grown({{{Parameter::particles, 300}, {Parameter::step, 0.05f}, {Parameter::ribs, 2}}}, limits);
+    REQUIRE_FALSE(leaf);
+    CHECK(leaf.error().reason == Reason::limit);
+    return leaf.error().message;
+  };
+  CHECK(refusal({.moves = 1000}).find("After 1000 moves particles are still on their way") != std::string::npos);
+  CHECK(refusal({.pieces = 100}).find("pieces of trail, more than 100") != std::string::npos);
 }

@@ -17,6 +17,7 @@
 #include "models/particles/dressing.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/hormone.hpp"
+#include "models/particles/refusals.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/tree/crown.hpp"
 #include "models/particles/tree/leaves.hpp"
@@ -128,6 +129,10 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!read) return read.error();
   Plant plant;
   const TreeValues values(read->parameters, plant.notes);
+  SpaceHabit space = space_habit<Parameter>(values);
+  if (Diagnostic trouble = beyond(limits, 0, std::size_t{space.young()} * values.whole(leaves));
+      trouble.reason != Reason::none)
+    return trouble;
   CrownHabit habit = crown_of(values, read->seed);
   if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
   Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume);
@@ -144,15 +149,16 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const Foliage foliage(crowns_made, by_light_too ? &*light : nullptr, values[by_light], held);
 
   const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
-  SpaceHabit space = space_habit<Parameter>(values);
   space.trunk.bend -= values[phototropism] * brightest;
   space.trunk.bole = bole * habit.growth * habit.trunk;
   space.trunk.height = crowns_made.top;
   space.trunk.reach = 0.25f * habit.growth * (habit.size.x + habit.size.z);
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};
-  const Grown grown =
-      grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0, highest, particle_tag);
+  const Result<Grown> ran = grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0,
+                                      highest, particle_tag, limits);
+  if (!ran) return ran.error();
+  const Grown& grown = ran.value();
   const LeafHabit leaf_habit = leaves_of(values, brightest, read->seed);
   if (Diagnostic trouble =
           beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);
