@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "models/particles/extent.hpp"
 #include "models/particles/moment.hpp"
 
 namespace panicle::particles {
@@ -40,18 +41,31 @@ float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets,
   return clear;
 }
 
+// Why no particle starts.
+const char* why_none(const Region& region, const Region& outer, bool young) {
+  const Extent room = extent_of(region);
+  if (!(extent_of(outer).size > 0)) return "The boundary holds no room; make it larger, or its profile wider.";
+  if (!(room.size > 0)) return "There is no room between the boundaries; make the inner one smaller.";
+  if (!(room.filled > 0))
+    return "No light comes to where particles could start, or the hormone holds all of them back.";
+  if (young) return "At this age there is no particle yet; let it be older.";
+  return "No particle found room; ask for more.";
+}
+
 }  // namespace
 
 Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
                         const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                         std::uint32_t traveller, const Limits& limits) {
   // What is young has the grown one's spacing, and so fewer particles.
-  const float spacing = spacing_of(region, habit.count) / habit.growth;
-  std::vector<glm::vec3> starts = scatter(region, habit.pattern, habit.young(), spacing, request.seed);
+  auto [starts, spacing] = scatter_all(region, habit.pattern, habit.count, request.seed, habit.growth);
   const float step = habit.motion.rules.step * spacing;
   const Obstacles obstacles(request.obstacles, request.rounds, clearance(request, targets, spacing), floor, ceiling);
+  const bool any = !starts.empty();
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
-  if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
+  if (starts.empty())
+    plant.notes.push_back(any ? "Obstacles leave no room for a particle; make them smaller."
+                              : why_none(region, outer, habit.growth < 1));
 
   Result<Wood> wooden =
       run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles, request.seed, limits);

@@ -95,8 +95,7 @@ Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<s
   veins.stride = rules.step;
   const glm::vec3 base = base_of(veins.outline, notes);
   const std::vector<Ribs> trees = lay_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
-  const auto starts =
-      scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
+  const auto starts = scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, asked.seed).points;
   if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
 
   std::vector<std::unique_ptr<const Venation>> guides;
