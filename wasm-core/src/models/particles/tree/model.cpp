@@ -34,7 +34,8 @@ using enum Parameter;
 
 constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-constexpr std::uint32_t light_cells = 28;
+constexpr float light_cells = 28;  // along the longest edge of a crown
+constexpr float coarse = 2.5f;     // so much wider cells than these no longer tell the sides of a crown
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;  // that a way past an obstacle may lead
 // How much of the bole bears no branch, of what is below the crown.
@@ -142,8 +143,14 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                                values[absorption] / crowns_made.across};
   const bool by_light_too = values.whole(pattern) == 3 && values[by_light] > 0;
   std::optional<VoxelLight> light;
-  if (by_light_too || read->measures)
-    light.emplace(light_in(crowns_made.outer, {read->rounds, read->obstacles}, light_habit, light_cells));
+  if (by_light_too || read->measures) {
+    const float edge = crowns_made.longest / light_cells;
+    light.emplace(light_in(crowns_made.outer, {read->rounds, read->obstacles}, light_habit, edge));
+    if (light->edge() > coarse * edge)
+      plant.notes.push_back("There is so much room about the crowns that light is told there coarsely: " +
+                            std::to_string(static_cast<int>(crowns_made.longest / light->edge())) +
+                            " cells along a crown.");
+  }
   const Hormone held{values[hormone], crowns_made.top, hormone_reach * crowns_made.height, leader * crowns_made.across,
                      crowns_made.feet};
   const Foliage foliage(crowns_made, by_light_too ? &*light : nullptr, values[by_light], held);
