@@ -157,17 +157,6 @@ TEST_CASE("age: what has grown stays, thickens, runs on evenly, and ends as the 
   }
 }
 
-TEST_CASE("whatever age was seen before, an age has one picture") {
-  const auto seen = [](float age) {
-    return grow_tree({.parameters = {{"age", age}, {"particles", 300}}, .outputs = "meshes mesh_fingerprint"});
-  };
-  const Plant up = seen(40);
-  CHECK(seen(70).mesh_fingerprint != up.mesh_fingerprint);
-  const Plant down = seen(40);
-  CHECK(down.mesh_fingerprint == up.mesh_fingerprint);
-  CHECK(down.fingerprint == up.fingerprint);
-}
-
 TEST_CASE("where the boundary grows, a young tree is a small tree, whose twigs start where they will") {
   const auto at = [](float age) {
     return grow_tree({.parameters = {{"life", 1}, {"age", age}, {"particles", 3000}, {"pattern", 2}, {"inner", 0}},
