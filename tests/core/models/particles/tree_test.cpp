@@ -319,6 +319,30 @@ TEST_CASE("particles that would run for ever so long are stopped on their way, l
   CHECK(ask_tree(leafy).error().message == "After 0" + words.substr(10));
 }
 
+TEST_CASE("targets in the crown or above it are climbed to, and a note says so") {
+  const auto notes_of = [](float target) {
+    return grow_tree({.parameters = {{"particles", 100}}, .targets = {0, target, 0, 1, 0, 0}}).notes;
+  };
+  CHECK(notes_of(1.9f).empty());
+  const std::vector<std::string> said = notes_of(20);
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].find("Targets above the boundary's lowest place: 1;") == 0);
+  const Plant root = grow_root({.parameters = {{"particles", 100}}, .targets = {0, -1, 0, 1, 0.5f, 0}});
+  REQUIRE(root.notes.size() == 1);
+  CHECK(root.notes[0].find("Targets below the boundary's highest place: 1;") == 0);
+}
+
+TEST_CASE("a merge radius that would not end is raised, with a note") {
+  const auto notes_of = [](float merge, float pull) {
+    return grow_tree({.parameters = {{"particles", 100}, {"step", 0.5f}, {"merge", merge}, {"pull", pull}}}).notes;
+  };
+  CHECK(notes_of(0.5f, 1).empty());
+  CHECK(notes_of(0.1f, 0).empty());
+  const std::vector<std::string> said = notes_of(0.45f, 1);
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].find("raised to 50 % of a spacing") != std::string::npos);
+}
+
 TEST_CASE("where nothing starts, a note says what leaves no room") {
   const auto notes_of = [](const Asked& asked) {
     const Plant plant = grow_tree(asked);
@@ -350,7 +374,8 @@ TEST_CASE("what cannot be used is refused in words, what is out of range is brou
   CHECK(notes_say(plant, "Parameter particles was brought into its range."));
   CHECK(notes_say(plant, "Parameter width was brought"));
   CHECK(notes_say(plant, "Parameter height was brought"));
-  const Plant nowhere = grow_tree({.parameters = {{"particles", 100}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
+  const Plant nowhere =
+      grow_tree({.parameters = {{"particles", 100}, {"pattern", 1}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
   CHECK(notes_say(nowhere, "Obstacles leave no room"));
   CHECK(nowhere.segments.empty());
 }

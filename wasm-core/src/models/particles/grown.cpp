@@ -41,6 +41,18 @@ float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets,
   return clear;
 }
 
+// Notes how many targets lie where trails do not come out of the boundary. `way`: of particles, −1 down.
+void note_on(std::span<const glm::vec3> targets, const Region& outer, float way, std::vector<std::string>& notes) {
+  const float end = way < 0 ? outer.low().y : outer.high().y;
+  const auto short_of = [&](const glm::vec3& target) { return (target.y - end) * way < 0; };
+  const auto count = std::count_if(targets.begin(), targets.end(), short_of);
+  if (count > 0)
+    notes.push_back(
+        (way < 0 ? "Targets above the boundary's lowest place: " : "Targets below the boundary's highest place: ") +
+        std::to_string(count) + (way < 0 ? "; what is below them climbs" : "; what is above them goes down") +
+        ", out of the boundary where it must.");
+}
+
 // Why no particle starts.
 const char* why_none(const Region& region, const Region& outer, bool young) {
   const Extent room = extent_of(region);
@@ -67,6 +79,8 @@ Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer,
     plant.notes.push_back(any ? "Obstacles leave no room for a particle; make them smaller."
                               : why_none(region, outer, habit.growth < 1));
 
+  note_on(habit.motion.rules, plant.notes);
+  note_on(targets, outer, habit.trunk.way, plant.notes);
   Result<Wood> wooden =
       run(starts, targets, spacing, habit.motion, habit.trunk, outer, obstacles, request.seed, limits);
   if (!wooden) return wooden.error();

@@ -93,6 +93,7 @@ Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<s
   veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));
   const Rules rules = rules_of(values, veins.spacing);
   veins.stride = rules.step;
+  note_on(rules_of(values, 1), notes);
   const glm::vec3 base = base_of(veins.outline, notes);
   const std::vector<Ribs> trees = lay_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
   const auto starts = scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, asked.seed).points;
