@@ -84,7 +84,7 @@ TEST_CASE("short days end the growth of shoots and make leaves fall") {
   const Plant summer = grown(16), autumn = grown(11), winter = grown(8);
   CHECK(measure(grown(14), Measure::height) == measure(summer, Measure::height));
   CHECK(measure(autumn, Measure::height) < measure(summer, Measure::height) - 0.2f);
-  CHECK(measure(winter, Measure::height) < measure(autumn, Measure::height));
+  CHECK(measure(winter, Measure::crown_volume) < 0.9f * measure(autumn, Measure::crown_volume));
   CHECK(count_of(summer, "leaves") == 2 * count_of(summer, "particles"));
   CHECK(count_of(autumn, "leaves") < 0.9f * static_cast<float>(2 * count_of(autumn, "particles")));
   CHECK(count_of(autumn, "leaves") > 0.4f * static_cast<float>(2 * count_of(autumn, "particles")));
@@ -163,7 +163,7 @@ TEST_CASE("where the boundary grows, a young tree is a small tree, whose twigs s
                       .outputs = "measures"});
   };
   const Plant young = at(40), grown = at(100);
-  CHECK(measure(young, Measure::height) == doctest::Approx(0.4f * measure(grown, Measure::height)).epsilon(0.03));
+  CHECK(measure(young, Measure::height) == doctest::Approx(0.4f * measure(grown, Measure::height)).epsilon(0.05));
   CHECK(measure(young, Measure::crown_volume) ==
         doctest::Approx(0.064f * measure(grown, Measure::crown_volume)).epsilon(0.02));
   const float share =

@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint32_t directions = 24;
 // Of a cell with a wall in it: of what falls on it e to the power of minus this passes.
 constexpr float opaque = 6;
-// A dozen crowns side by side, each as finely as one alone, and as much again.
-constexpr std::uint64_t most_cells = 600'000;
+// A dozen crowns side by side, each as finely as one alone, and nearly as much again.
+constexpr std::uint64_t most_cells = 400'000;
 constexpr float most_along = 20'000, wider = 1.05f;
 
 }  // namespace

@@ -274,7 +274,7 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
   if (count > sample) {
     const float wider = root(wanted / sample, flat);
     const auto found = static_cast<float>(lay(region, pattern, wider * nominal, seed).points.size());
-    spacing *= root(1 + (found / sample - 1) / wider + 0.5f * few_more, flat);
+    spacing *= root((1 + (found / sample - 1) / wider) / (1 + 0.5f * few_more), flat);
   }
   Lot best;
   float of_best = spacing;
