@@ -30,6 +30,7 @@ class VoxelLight {
   // The share of all light that comes to a place, 0 … 1: between the middles of cells in between, outside the box as at
   // its edge.
   float at(const glm::vec3& p) const;
+  float edge() const { return edge_; }  // of a cell
 
  private:
   void shine(const Lamp& lamp, std::span<const float> matter);

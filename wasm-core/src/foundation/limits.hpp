@@ -15,8 +15,9 @@ struct Limits {
   std::uint32_t segments = 100'000;        // stems in one result
   std::uint32_t organs = 20'000;           // what may grow on them
   std::uint32_t bodies = 3000;             // of these, what presses against each other
-  std::uint32_t trails = 500'000;          // pieces of particles' trails in one result
-  std::uint32_t leaves = 300'000;          // and what these bear
+  std::uint32_t moves = 6'000'000;         // of all that runs, each at each step
+  std::uint32_t pieces = 500'000;          // of the ways that were run, in one result
+  std::uint32_t copies = 300'000;          // of one mesh, on them
 };
 
 }  // namespace panicle

@@ -70,6 +70,21 @@ TEST_CASE("all energy arrives and trails form one tree, for any shape, seed, rul
   }
 }
 
+TEST_CASE("all run until they have arrived, or have moved as often as they may") {
+  const Straight guide({0, 0, 0});
+  const std::vector<glm::vec3> starts{{1, 0, 0}, {0, 2, 0}};
+  const Rules rules{.step = 0.1f, .merge = 0.1f, .pull = 0};
+  Crowd whole(starts, 1, guide, rules);
+  CHECK(whole.run());
+  CHECK(whole.arrived() == 2);
+  Crowd short_of_one(starts, 1, guide, rules);
+  CHECK_FALSE(short_of_one.run(whole.moves() - 1));
+  CHECK(short_of_one.arrived() == 1);
+  CHECK(short_of_one.moves() == whole.moves() - 1);
+  CHECK(short_of_one.run(whole.moves()));
+  CHECK(short_of_one.arrived() == 2);
+}
+
 TEST_CASE("whoever shares a place or a line is dealt with: one, two, many at a place, all at the target, nobody") {
   const Straight guide({0, 0, 0});
   const std::vector<std::vector<glm::vec3>> crowds = {

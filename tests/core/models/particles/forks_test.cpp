@@ -5,6 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "models/particles/boundary.hpp"
+#include "models/particles/crowd.hpp"
+#include "models/particles/polish.hpp"
+#include "models/particles/scatter.hpp"
 #include "models/particles/tree/measures/measures.generated.hpp"
 #include "models/particles/trunk.hpp"
 #include "space_growing.hpp"
@@ -62,6 +66,27 @@ TEST_CASE("forks do not slide to where an obstacle hides their twigs") {
   for (std::size_t i = 1; i < trails.size(); ++i)
     CHECK_FALSE(obstacles.between(trails.places[i], trails.places[static_cast<std::size_t>(trails.next[i])]));
   CHECK(trails.places[2].y > 3.7f);
+}
+
+TEST_CASE("where a crown is waisted, forks draw no more of a trail out of it than the particles did") {
+  const std::vector<glm::vec2> waist{{0.1f, 0}, {1, 0.15f}, {0.15f, 0.5f}, {0.9f, 0.8f}, {0.1f, 1}};
+  const Solid crown(form_between(Form::spline, spline_through(waist), {}, {-3, 2, -3}, {3, 8, 3}));
+  const auto [starts, spacing] = scatter_all(crown, Pattern::blue, 600, 1);
+  const Trunk guide(glm::vec3(0), {.ahead = 2 * spacing, .bole = 1}, &crown);
+  Crowd crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .pull = 1});
+  crowd.run();
+  Trails trails = crowd.trails();
+  smooth(trails, guide, 1);
+  trails = simplified(trails, 0.08f * spacing);
+  const auto ways_out = [&] {
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < trails.size(); ++i)
+      count += !guide.passes(trails.places[i], trails.places[static_cast<std::size_t>(trails.next[i])]);
+    return count;
+  };
+  const std::size_t before = ways_out();
+  narrow_forks(trails, guide, 0.05f * spacing, 0.45f * spacing);
+  CHECK(ways_out() <= before);
 }
 
 TEST_CASE("a tree's forks are those of wood: 40 to 75° on average") {

@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "models/particles/tree/measures/measures.generated.hpp"
 #include "space_growing.hpp"
 
@@ -43,15 +46,35 @@ TEST_CASE("what stands on a trunk's axis is gone round") {
   }
 }
 
-TEST_CASE("behind a wall a crown is thinner") {
-  // The sun stands low at the right; a thin wall between it and the crown.
+TEST_CASE("behind a wall it is dark, and a crown is thinner") {
+  // The sun stands low at the right; a thin wall between it and the half of the crown in front.
   const std::vector<std::pair<std::string_view, float>> parameters{
       {"particles", 1500}, {"pattern", 3}, {"sky", 0}, {"sun", 90}, {"sun_height", 10}, {"by_light", 1}};
-  const std::vector<float> wall{3.6f, 0, -10, 3.7f, 30, 10};
-  const auto light = [&](const std::vector<float>& obstacles) {
-    return measure_of(grow_tree({.parameters = parameters, .outputs = "measures", .obstacles = obstacles}));
+  const auto grown = [&](const std::vector<float>& obstacles) {
+    return grow_tree({.parameters = parameters, .outputs = "measures", .obstacles = obstacles});
   };
-  CHECK(light(wall) < 0.5f * light({}));
+  const auto share_in_front = [](const Plant& plant) {
+    const std::vector<std::size_t> tips = tips_of(plant);
+    const auto front = std::count_if(tips.begin(), tips.end(), [&](auto tip) { return plant.segments[tip].end.z > 0; });
+    return static_cast<double>(front) / static_cast<double>(tips.size());
+  };
+  const Plant open = grown({}), half_behind = grown({3.6f, 0, 0, 3.7f, 30, 10});
+  CHECK(share_in_front(open) == doctest::Approx(0.5).epsilon(0.1));
+  CHECK(share_in_front(half_behind) < 0.1);
+  CHECK(measure_of(grown({3.6f, 0, -10, 3.7f, 30, 10})) < 0.5f * measure_of(open));
+}
+
+TEST_CASE("a stone right below the collar is come past, however few particles there are") {
+  for (const std::vector<float>& stone :
+       {std::vector<float>{-0.05f, -0.1f, -0.1f, 0.05f, -0.05f, 0.1f}, {-0.05f, -0.1f, -1, 1, -0.05f, 1}})
+    for (const float particles : {10.0f, 300.0f}) {
+      CAPTURE(stone[5]);
+      CAPTURE(particles);
+      const Plant plant = grow_root(
+          {.parameters = {{"particles", particles}, {"width", 4}, {"depth", 4}, {"reach", 1.8f}}, .obstacles = stone});
+      CHECK_FALSE(notes_say(plant, "no way past"));
+      check_round(plant, stone);
+    }
 }
 
 TEST_CASE("a tap root goes round the stone below it, and is one again beyond") {

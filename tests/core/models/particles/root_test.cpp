@@ -42,8 +42,8 @@ TEST_CASE("for every volume and seed roots run up to the collar, and stay below 
 }
 
 TEST_CASE("a slight slant gives a tap root, a great one fibres") {
-  const auto axis = [](float slant) {
-    const Plant plant = grow_root({.parameters = {{"slant", slant}, {"particles", 1500}}});
+  const auto axis = [](float slant, std::uint32_t seed) {
+    const Plant plant = grow_root({.parameters = {{"slant", slant}, {"particles", 1500}}, .seed = seed});
     const auto energy = column_in<float>(plant, "segments.energy");
     // The thickest that passes 0.6 m below the collar near the axis.
     float passing = 0;
@@ -54,7 +54,12 @@ TEST_CASE("a slight slant gives a tap root, a great one fibres") {
     }
     return passing / static_cast<float>(count_of(plant, "particles"));
   };
-  CHECK(axis(0.2f) > 2.5f * axis(5));
+  float level = 0, steep = 0;
+  for (std::uint32_t seed = 1; seed < 6; ++seed) {
+    level += axis(0.2f, seed);
+    steep += axis(5, seed);
+  }
+  CHECK(level > 2.3f * steep);
 }
 
 TEST_CASE("topsoil thins roots downwards by its depth") {

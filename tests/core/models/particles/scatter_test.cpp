@@ -70,6 +70,51 @@ TEST_CASE(
         }
 }
 
+TEST_CASE("exactly as many start as were asked for, be they few, in a shell or where it is dense in one place alone") {
+  for (const bool flat : {true, false})
+    for (const float hole : {0.0f, 0.95f})
+      for (const Pattern pattern : patterns)
+        for (const std::uint32_t count : {1u, 2u, 10u, 50u, 300u, 2000u})
+          for (std::uint64_t seed = 1; seed < 6; ++seed) {
+            CAPTURE(flat);
+            CAPTURE(hole);
+            CAPTURE(static_cast<int>(pattern));
+            CAPTURE(count);
+            CAPTURE(seed);
+            const Round region(flat, 1, hole);
+            const Scattered scattered = scatter_all(region, pattern, count, seed);
+            CHECK(scattered.points.size() == count);
+            CHECK(scattered.spacing == spacing_of(region, count));
+            CHECK(std::all_of(scattered.points.begin(), scattered.points.end(),
+                              [&](const glm::vec3& p) { return region.contains(p); }));
+          }
+  for (const Pattern pattern : patterns) CHECK(scatter_all(Shaded(), pattern, 3000, 1).points.size() == 3000);
+}
+
+TEST_CASE("blue noise stays even where it is as many as were asked for") {
+  for (const bool flat : {true, false}) {
+    CAPTURE(flat);
+    const Round region(flat);
+    const auto [points, spacing] = scatter_all(region, Pattern::blue, 600, 3);
+    CHECK(closest(points) >= 0.75f * spacing);
+    CHECK(widest_gap(region, points, flat ? 0.02f : 0.1f) < 1.35f * spacing);
+  }
+}
+
+TEST_CASE("a region that has grown to a half has an eighth of the points, and jittered ones stay") {
+  for (const Pattern pattern : {Pattern::jittered, Pattern::blue}) {
+    CAPTURE(static_cast<int>(pattern));
+    const Round grown(false), half(false, 0.5f);
+    const auto all = scatter_all(grown, pattern, 4000, 1), some = scatter_all(half, pattern, 4000, 1, 0.5f);
+    CHECK(static_cast<float>(some.points.size()) == doctest::Approx(500).epsilon(0.2));
+    CHECK(some.spacing == doctest::Approx(all.spacing).epsilon(1e-4));
+    const auto stay = std::count_if(some.points.begin(), some.points.end(), [&](const glm::vec3& p) {
+      return std::any_of(all.points.begin(), all.points.end(), [&](auto& q) { return glm::distance(p, q) < 0.02f; });
+    });
+    if (pattern == Pattern::jittered) CHECK(static_cast<float>(stay) > 0.95f * static_cast<float>(some.points.size()));
+  }
+}
+
 TEST_CASE("blue noise keeps its distance and leaves no holes; uniform points do neither") {
   for (const bool flat : {true, false}) {
     CAPTURE(flat);

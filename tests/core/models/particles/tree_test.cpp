@@ -8,12 +8,14 @@
 #include "models/particles/crown_light.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/tree/crown.hpp"
+#include "models/particles/tree/measures/measures.generated.hpp"
 #include "space_growing.hpp"
 
 namespace panicle::particles {
 namespace {
 
 using tree::CrownHabit;
+using tree::Measure;
 
 const std::vector<float> wasp{0.1f, 0, 1, 0.2f, 0.15f, 0.5f, 0.9f, 0.8f, 0.1f, 1};
 
@@ -143,6 +145,75 @@ TEST_CASE("each particle goes to the nearest target") {
   check_sound(hedge, 1);
 }
 
+namespace {
+
+// How many tips each crown of a row has, and of these how many are at its left and in its lower half.
+struct Tips {
+  double all = 0, left = 0, low = 0;
+};
+
+std::vector<Tips> tips_by_crown(std::uint32_t crowns, float gap, float particles, Plant* plant = nullptr) {
+  Plant row = grow_tree({.parameters = {{"crowns", static_cast<float>(crowns)},
+                                        {"distance", gap},
+                                        {"particles", particles},
+                                        {"sky", 1},
+                                        {"inner", 0},
+                                        {"absorption", 6}},
+                         .outputs = "measures"});
+  std::vector<Tips> tips(crowns);
+  for (const std::size_t tip : tips_of(row)) {
+    const glm::vec3& p = row.segments[tip].end;
+    const float x = p.x / gap + 0.5f * static_cast<float>(crowns - 1);
+    const float which = std::clamp(std::round(x), 0.0f, static_cast<float>(crowns - 1));
+    Tips& crown = tips[static_cast<std::size_t>(which)];
+    ++crown.all;
+    crown.left += x < which;
+    crown.low += p.y < 5;
+  }
+  if (plant) *plant = std::move(row);
+  return tips;
+}
+
+}  // namespace
+
+TEST_CASE("crowns far apart are lit and as large as one alone; side by side they shade each other, evenly") {
+  Plant lone;
+  const Tips alone = tips_by_crown(1, 1000, 3000, &lone)[0];
+  CHECK(alone.low < 0.35 * alone.all);
+  for (const std::uint32_t crowns : {2u, 5u, 12u}) {
+    CAPTURE(crowns);
+    Plant row;
+    for (const Tips& crown : tips_by_crown(crowns, 60, 3000 * static_cast<float>(crowns), &row)) {
+      CHECK(crown.all == doctest::Approx(3000).epsilon(0.04));
+      CHECK(crown.left == doctest::Approx(0.5 * crown.all).epsilon(0.06));
+      CHECK(std::fabs(crown.low / crown.all - alone.low / alone.all) < 0.03);
+    }
+    const auto volume = [](const Plant& plant) {
+      return plant.measures[static_cast<std::size_t>(Measure::crown_volume)];
+    };
+    CHECK(volume(row) == doctest::Approx(static_cast<float>(crowns) * volume(lone)).epsilon(0.02));
+  }
+  const std::vector<Tips> close = tips_by_crown(12, 6, 20000);
+  double inner = 0;
+  for (std::size_t i = 2; i < 10; ++i) inner += close[i].all / 8;
+  for (std::size_t i = 2; i < 10; ++i) CHECK(std::fabs(close[i].all / inner - 1) < 0.05);
+  CHECK(close[0].all > 1.03 * inner);
+  CHECK(close[0].left > 1.05 * (close[0].all - close[0].left));
+}
+
+TEST_CASE("where crowns stand too far apart for their size to be lit finely, a note says so") {
+  const auto row = [](float width) {
+    return grow_tree({.parameters = {{"crowns", 12},
+                                     {"distance", 60},
+                                     {"width", width},
+                                     {"height", width},
+                                     {"depth", width},
+                                     {"particles", 200}}});
+  };
+  CHECK(row(6).notes.empty());
+  CHECK(notes_say(row(0.2f), "light is told there coarsely"));
+}
+
 TEST_CASE("no particle starts in an obstacle, and no trail passes it") {
   const std::vector<float> wall{0.8f, 0, -2.5f, 1.1f, 6, 2.5f, -2, 3, -2, -1.5f, 5, 2};
   const Plant plant = grow_tree({.parameters = {{"particles", 1500}, {"inner", 0.3f}}, .obstacles = wall});
@@ -178,7 +249,7 @@ TEST_CASE("another tree's crown is round: nothing starts in it, no trail passes 
   const auto halves = [](const std::vector<Box>& others) {
     CrownHabit habit;
     const auto crowns = tree::make_crowns(habit, {}, {});
-    const VoxelLight light = light_in(crowns.outer, {others, {}}, {.sky = 1, .absorption = 1}, 28);
+    const VoxelLight light = light_in(crowns.outer, {others, {}}, {.sky = 1, .absorption = 1}, 6.0f / 28);
     return light.at({1.2f, 5, 0}) / light.at({-1.2f, 5, 0});
   };
   CHECK(halves({}) == doctest::Approx(1).epsilon(0.05));
@@ -217,8 +288,8 @@ TEST_CASE("more pieces of trail or leaves than there may be are refused, with wh
   };
   const auto asked = [](std::uint32_t trails, std::uint32_t leaves) {
     Asked each{.parameters = {{"particles", 300}}};
-    each.limits.trails = trails;
-    each.limits.leaves = leaves;
+    each.limits.pieces = trails;
+    each.limits.copies = leaves;
     return each;
   };
   const Plant usual = grow_tree(asked(2000, 2000));
@@ -229,6 +300,66 @@ TEST_CASE("more pieces of trail or leaves than there may be are refused, with wh
             std::to_string(segments - 1) + "; ask for fewer particles.");
   CHECK(refusal(ask_tree(asked(segments, leaves - 1))).find("particles or leaves a tip") != std::string::npos);
   CHECK(refusal(ask_root(asked(100, 0))).find("more than 100;") != std::string::npos);
+}
+
+TEST_CASE("particles that would run for ever so long are stopped on their way, leaves too many are refused before") {
+  Asked slow{.parameters = {{"particles", 300}, {"step", 0.05f}, {"merge", 0.1f}, {"pull", 0}, {"stems", 3}}};
+  slow.limits.moves = 1'000'000;
+  const Plant plant = grow_tree(slow);
+  CHECK(plant.segments.size() > 300);
+  slow.limits.moves = 5000;
+  const std::string words =
+      "After 5000 moves particles are still on their way; ask for fewer particles, a longer step, or a wider merge.";
+  for (const auto& refused : {ask_tree(slow), ask_root(slow)}) {
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().reason == Reason::limit);
+    CHECK(refused.error().message == words);
+  }
+  // Before anything moves.
+  Asked leafy{.parameters = {{"particles", 1000}, {"leaves", 6}}};
+  leafy.limits.moves = 0;
+  leafy.limits.copies = 5999;
+  CHECK(ask_tree(leafy).error().message.find("6000 leaves, more than 5999") != std::string::npos);
+  // Fewer, while it is small.
+  leafy.parameters.insert(leafy.parameters.end(), {{"life", 1}, {"age", 50}});
+  CHECK(ask_tree(leafy).error().message == "After 0" + words.substr(10));
+}
+
+TEST_CASE("targets in the crown or above it are climbed to, and a note says so") {
+  const auto notes_of = [](float target) {
+    return grow_tree({.parameters = {{"particles", 100}}, .targets = {0, target, 0, 1, 0, 0}}).notes;
+  };
+  CHECK(notes_of(1.9f).empty());
+  const std::vector<std::string> said = notes_of(20);
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].find("Targets above the boundary's lowest place: 1;") == 0);
+  const Plant root = grow_root({.parameters = {{"particles", 100}}, .targets = {0, -1, 0, 1, 0.5f, 0}});
+  REQUIRE(root.notes.size() == 1);
+  CHECK(root.notes[0].find("Targets below the boundary's highest place: 1;") == 0);
+}
+
+TEST_CASE("a merge radius that would not end is raised, with a note") {
+  const auto notes_of = [](float merge, float pull) {
+    return grow_tree({.parameters = {{"particles", 100}, {"step", 0.5f}, {"merge", merge}, {"pull", pull}}}).notes;
+  };
+  CHECK(notes_of(0.5f, 1).empty());
+  CHECK(notes_of(0.1f, 0).empty());
+  const std::vector<std::string> said = notes_of(0.45f, 1);
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].find("raised to 50 % of a spacing") != std::string::npos);
+}
+
+TEST_CASE("where nothing starts, a note says what leaves no room") {
+  const auto notes_of = [](const Asked& asked) {
+    const Plant plant = grow_tree(asked);
+    CHECK(plant.segments.empty());
+    REQUIRE(plant.notes.size() == 1);
+    return plant.notes[0];
+  };
+  CHECK(notes_of({.parameters = {{"shape", 4}}, .profile = {0, 0, 0, 1}}).find("The boundary holds no room") == 0);
+  CHECK(notes_of({.parameters = {{"life", 1}, {"age", 0}}}).find("At this age") == 0);
+  CHECK(notes_of({.parameters = {{"sky", 0}, {"sun", 90}, {"sun_height", 0}}, .obstacles = {4, -9, -50, 50, 50, 50}})
+            .find("No light comes") == 0);
 }
 
 TEST_CASE("what cannot be used is refused in words, what is out of range is brought into it") {
@@ -249,8 +380,9 @@ TEST_CASE("what cannot be used is refused in words, what is out of range is brou
   CHECK(notes_say(plant, "Parameter particles was brought into its range."));
   CHECK(notes_say(plant, "Parameter width was brought"));
   CHECK(notes_say(plant, "Parameter height was brought"));
-  const Plant nowhere = grow_tree({.parameters = {{"particles", 100}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
-  CHECK(notes_say(nowhere, "No particle found room"));
+  const Plant nowhere =
+      grow_tree({.parameters = {{"particles", 100}, {"pattern", 1}}, .obstacles = {-50, -1, -50, 50, 50, 50}});
+  CHECK(notes_say(nowhere, "Obstacles leave no room"));
   CHECK(nowhere.segments.empty());
 }
 

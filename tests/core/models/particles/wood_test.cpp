@@ -64,7 +64,10 @@ TEST_CASE("those that had to be led to their target are counted") {
   const std::vector<glm::vec3> starts{{1, 2, 0}, {-1, 2, 0}, {0, 2, 1}}, targets{{0.5f, 0, 0}, {-0.5f, 0, 0}};
   for (const float step : {0.0f, 0.35f}) {
     const Solid crown(box({-2, 1, -2}, {2, 3, 2}));
-    const Wood wood = run(starts, targets, 0.3f, {.rules = {.step = step, .merge = 0}}, {}, crown, {}, 1);
+    const auto ran =
+        run(starts, targets, 0.3f, {.rules = {.step = step, .merge = 0}}, {}, {}, {crown, crown}, {}, 1, {});
+    REQUIRE(ran);
+    const Wood& wood = ran.value();
     CHECK(wood.tally.particles == 3);
     CHECK(wood.tally.energy == 3);
     CHECK(wood.tally.stragglers == (step > 0 ? 0 : 3));

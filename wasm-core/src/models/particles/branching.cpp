@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "foundation/mathematics.hpp"
+#include "models/particles/extent.hpp"
 
 namespace panicle::particles {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-constexpr int probes = 64;
 
 void measure_size(std::span<const Segment> segments, Branching& found) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
@@ -103,15 +103,6 @@ Branching branching_of(std::span<const Segment> segments) {
   return found;
 }
 
-float volume_of(const Region& region) {
-  const glm::vec3 size = region.high() - region.low();
-  const glm::vec3 cell = size / static_cast<float>(probes);
-  std::uint32_t inside = 0;
-  for (int z = 0; z < probes; ++z)
-    for (int y = 0; y < probes; ++y)
-      for (int x = 0; x < probes; ++x)
-        if (region.contains(region.low() + cell * (glm::vec3(x, y, z) + 0.5f))) ++inside;
-  return static_cast<float>(inside) * cell.x * cell.y * cell.z;
-}
+float volume_of(const Region& region) { return extent_of(region).size; }
 
 }  // namespace panicle::particles

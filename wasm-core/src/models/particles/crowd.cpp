@@ -59,6 +59,7 @@ Crowd::Crowd(std::span<const glm::vec3> starts, double energy, const Guide& guid
 bool Crowd::step() {
   if (places_.empty()) return false;
   ++steps_;
+  moves_ += places_.size();
   if (steps_ > 2 * patience_) {
     for (std::uint32_t slot = 0; slot < places_.size(); ++slot) lead_home(slot);
     stragglers_ = static_cast<std::uint32_t>(places_.size());
@@ -243,24 +244,17 @@ void Crowd::leave() {
 
 Trails Crowd::trails() const {
   const std::size_t count = nodes_.size();
-  // Who leads to each place: counted, then listed by place, in ascending order.
-  std::vector<std::uint32_t> first(count + 1, 0), members(count);
-  for (std::size_t i = 1; i < count; ++i) ++first[static_cast<std::size_t>(nodes_[i].next) + 1];
-  for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
-  std::vector<std::uint32_t> free(first.begin(), first.end() - 1);
-  for (std::uint32_t i = 1; i < count; ++i) members[free[static_cast<std::size_t>(nodes_[i].next)]++] = i;
+  std::vector<std::int32_t> leads, number(count), next{-1};
+  leads.reserve(count);
+  for (const Node& node : nodes_) leads.push_back(node.next);
+  const std::vector<std::uint32_t> order = tree_order(leads);
+  next.reserve(count);
+  for (std::size_t at = 0; at < count; ++at) {
+    number[order[at]] = static_cast<std::int32_t>(at);
+    if (at > 0) next.push_back(number[static_cast<std::size_t>(leads[order[at]])]);
+  }
 
   Trails trails;
-  std::vector<std::uint32_t> order{0};
-  std::vector<std::int32_t> next{-1};
-  order.reserve(count);
-  next.reserve(count);
-  for (std::size_t at = 0; at < order.size(); ++at) {
-    for (std::uint32_t m = first[order[at]]; m < first[order[at] + 1]; ++m) {
-      order.push_back(members[m]);
-      next.push_back(static_cast<std::int32_t>(at));
-    }
-  }
   trails.next = std::move(next);
   trails.energy.assign(count, 0);
   for (const std::uint32_t node : order) {

@@ -22,8 +22,7 @@ namespace panicle::particles {
 // - A step that would leave the shape is taken towards the aim alone, and no farther than there where it still would.
 // - A particle within a step of the target arrives; its last segment ends exactly there.
 // - Pairs closer than `merge` meet, the nearest first, each particle once a step. The heavier goes on (of equal ones
-// the one
-//   with the lower index) from the mean of both places by energy, or from its own where that mean is outside.
+//   the one with the lower index) from the mean of both places by energy, or from its own where that mean is outside.
 // - With `join`, a particle ends in an older trail that lies ahead and is not its own; its energy runs on there.
 // - After four times the steps that the longest of a hundred ways takes, none heeds its neighbours any more: bends can
 //   hold two in a circle for ever. Whoever has not arrived after as many again is led there from aim to aim.
@@ -34,12 +33,15 @@ class Crowd {
 
   // Moves everyone once. False, and nothing happens, once all have arrived.
   bool step();
-  void run() {
-    while (step()) {
-    }
+  // Until all have arrived, or until they have moved `most` times, one as all: false, and they are still on their way.
+  bool run(std::uint64_t most = ~std::uint64_t{0}) {
+    while (moves_ + places_.size() <= most)
+      if (!step()) return true;
+    return false;
   }
 
   std::uint32_t steps() const { return steps_; }
+  std::uint64_t moves() const { return moves_; }  // of all, at all steps
   std::uint32_t merges() const { return merges_; }
   std::uint32_t joins() const { return joins_; }
   std::uint32_t stragglers() const { return stragglers_; }  // that had to be taken to the target
@@ -76,6 +78,7 @@ class Crowd {
   std::uint32_t started_;
   std::uint32_t patience_;  // steps until none heeds its neighbours
   std::uint32_t steps_ = 0, merges_ = 0, joins_ = 0, stragglers_ = 0;
+  std::uint64_t moves_ = 0;
   double arrived_ = 0;
 
   // By slot, those on their way, in ascending order of their numbers.

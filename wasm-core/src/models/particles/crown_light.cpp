@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "foundation/mathematics.hpp"
@@ -13,6 +14,9 @@ namespace {
 constexpr std::uint32_t directions = 24;
 // Of a cell with a wall in it: of what falls on it e to the power of minus this passes.
 constexpr float opaque = 6;
+// A dozen crowns side by side, each as finely as one alone, and nearly as much again.
+constexpr std::uint64_t most_cells = 400'000;
+constexpr float most_along = 20'000, wider = 1.05f;
 
 }  // namespace
 
@@ -30,7 +34,7 @@ glm::vec3 towards_sun(float bearing, float height) {
   return {along * sine, up, along * cosine};
 }
 
-VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, std::uint32_t cells) {
+VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, float edge) {
   glm::vec3 first = crown.low(), last = crown.high();
   // Of what reaches far away, what stands about the crown counts.
   const glm::vec3 from = 2.0f * first - last, to = 2.0f * last - first;
@@ -40,7 +44,9 @@ VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit&
       last = glm::max(last, glm::clamp(box.high, from, to));
     }
   const glm::vec3 size = last - first;
-  const float edge = std::max({size.x, size.y, size.z, 1e-6f}) / static_cast<float>(cells);
+  const auto count = [&](float length) { return static_cast<std::uint32_t>(std::ceil(length / edge)) + 1; };
+  edge = std::max({edge, glm::length(size) / most_along, 1e-6f});
+  while (std::uint64_t{count(size.x)} * count(size.y) * count(size.z) > most_cells) edge *= wider;
   const auto matter_at = [&](const glm::vec3& p) {
     const auto walled = [&](const Box& wall) {
       return glm::all(glm::lessThan(glm::max(wall.low - p, p - wall.high), glm::vec3(0.5f * edge)));
@@ -50,7 +56,6 @@ VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit&
     const bool leafy = crown.contains(p) || std::any_of(shades.crowns.begin(), shades.crowns.end(), within);
     return leafy ? habit.absorption : 0;
   };
-  const auto count = [&](float length) { return static_cast<std::uint32_t>(std::ceil(length / edge)) + 1; };
   const std::uint32_t x = count(size.x), y = count(size.y), z = count(size.z);
   const glm::vec3 low = first - 0.5f * edge;
   std::vector<float> matter;

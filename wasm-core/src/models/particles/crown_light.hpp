@@ -29,8 +29,8 @@ struct Shades {
   std::span<const Box> walls;   // nothing passes
 };
 
-// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. `cells`
-// along the longest edge of the box, which holds what shades as far as the crown is wide.
-VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, std::uint32_t cells);
+// The light in a box about `crown`, all of which holds foliage: the inner boundary is semi-transparent, too. The box
+// holds what shades as far as the crown is wide, in cells of `edge`, or as much wider ones as keep them few enough.
+VoxelLight light_in(const Region& crown, const Shades& shades, const LightHabit& habit, float edge);
 
 }  // namespace panicle::particles

@@ -13,13 +13,7 @@ namespace {
 // The trails with other links, in the order of the tree, without what carries nothing.
 Trails linked(const Trails& trails, std::vector<std::int32_t> next, float stride) {
   const std::size_t count = trails.size();
-  std::vector<std::uint32_t> first(count + 1, 0), members(count);
-  for (std::size_t i = 1; i < count; ++i) ++first[static_cast<std::size_t>(next[i]) + 1];
-  for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
-  std::vector<std::uint32_t> free(first.begin(), first.end() - 1), order{0};
-  for (std::uint32_t i = 1; i < count; ++i) members[free[static_cast<std::size_t>(next[i])]++] = i;
-  for (std::size_t at = 0; at < order.size(); ++at)
-    order.insert(order.end(), members.begin() + first[order[at]], members.begin() + first[order[at] + 1]);
+  const std::vector<std::uint32_t> order = tree_order(next);
 
   // What each has of its own, and then what comes by; from the ends on.
   std::vector<double> energy = trails.energy;

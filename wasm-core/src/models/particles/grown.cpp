@@ -1,8 +1,12 @@
 #include "models/particles/grown.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
+#include "models/particles/extent.hpp"
 #include "models/particles/moment.hpp"
 
 namespace panicle::particles {
@@ -26,25 +30,63 @@ void add_travellers(Plant& plant, const Trails& trails, double all, const Girth&
   }
 }
 
+// How far ways keep clear of obstacles: half as far at the most as the nearest is from a target, so that there are ways
+// between them.
+float clearance(const SpaceRequest& request, std::span<const glm::vec3> targets, float spacing) {
+  float clear = margin * spacing;
+  for (const std::span<const Box> some : {std::span(request.obstacles), std::span(request.rounds)})
+    for (const Box& box : some)
+      for (const glm::vec3& target : targets)
+        if (const float away = glm::distance(target, glm::clamp(target, box.low, box.high)); away > 0)
+          clear = std::min(clear, 0.5f * away);
+  return clear;
+}
+
+// Notes how many targets lie where trails do not come out of the boundary. `way`: of particles, −1 down.
+void note_on(std::span<const glm::vec3> targets, const Region& outer, float way, std::vector<std::string>& notes) {
+  const float end = way < 0 ? outer.low().y : outer.high().y;
+  const auto short_of = [&](const glm::vec3& target) { return (target.y - end) * way < 0; };
+  const auto count = std::count_if(targets.begin(), targets.end(), short_of);
+  if (count > 0)
+    notes.push_back(
+        (way < 0 ? "Targets above the boundary's lowest place: " : "Targets below the boundary's highest place: ") +
+        std::to_string(count) + (way < 0 ? "; what is below them climbs" : "; what is above them goes down") +
+        ", out of the boundary where it must.");
+}
+
+// Why no particle starts.
+const char* why_none(const Region& region, const Region& outer, bool young) {
+  const Extent room = extent_of(region);
+  if (!(extent_of(outer).size > 0)) return "The boundary holds no room; make it larger, or its profile wider.";
+  if (!(room.size > 0)) return "There is no room between the boundaries; make the inner one smaller.";
+  if (!(room.filled > 0))
+    return "No light comes to where particles could start, or the hormone holds all of them back.";
+  if (young) return "At this age there is no particle yet; let it be older.";
+  return "No particle found room; ask for more.";
+}
+
 }  // namespace
 
-Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
-                const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
-                std::uint32_t traveller) {
+Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
+                        const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
+                        std::uint32_t traveller, const Limits& limits) {
   // What is young has the grown one's spacing, and so fewer particles.
-  const float spacing = spacing_of(region, habit.count) / habit.growth;
-  const auto count =
-      static_cast<std::uint32_t>(static_cast<float>(habit.count) * habit.growth * habit.growth * habit.growth + 0.5f);
-  std::vector<glm::vec3> starts = scatter(region, habit.pattern, count, spacing, request.seed);
-  // A step may end that far beyond a corner.
+  auto [starts, spacing] = scatter_all(region, habit.pattern, habit.count, request.seed, habit.growth);
   const float step = habit.motion.rules.step * spacing;
-  const Obstacles obstacles(request.obstacles, request.rounds, margin * spacing, floor + step, ceiling - step);
+  const Obstacles obstacles(request.obstacles, request.rounds, clearance(request, targets, spacing), floor, ceiling);
+  const bool any = !starts.empty();
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
-  if (starts.empty()) plant.notes.push_back("No particle found room between the boundaries; make them larger.");
+  if (starts.empty())
+    plant.notes.push_back(any ? "Obstacles leave no room for a particle; make them smaller."
+                              : why_none(region, outer, habit.growth < 1));
 
+  note_on(habit.motion.rules, plant.notes);
+  note_on(targets, outer, habit.trunk.way, plant.notes);
+  Result<Wood> wooden =
+      run(starts, targets, spacing, habit.motion, habit.trunk, habit.twigs, {region, outer}, obstacles, request.seed, limits);
+  if (!wooden) return wooden.error();
   Grown grown;
-  grown.wood =
-      run(starts, targets, spacing, habit.motion, habit.trunk, habit.twigs, region, outer, obstacles, request.seed);
+  grown.wood = std::move(wooden.value());
   const Wood& wood = grown.wood;
   if (wood.unreachable > 0)
     plant.notes.push_back(std::to_string(wood.unreachable) +
@@ -63,18 +105,6 @@ Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::sp
   for (std::size_t c = 0; running && c < targets.size(); ++c)
     add_travellers(plant, grown.trails[c], wood.all[c], habit.girth, least_ball * spacing, traveller);
   return grown;
-}
-
-Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves) {
-  const auto refused = [](std::size_t count, const char* what, std::uint32_t limit, const char* fewer) {
-    return Diagnostic{Reason::limit,
-                      "The plant would have " + std::to_string(count) + " " + what + ", more than " +
-                          std::to_string(limit) + "; ask for fewer " + fewer + ".",
-                      0, 0};
-  };
-  if (segments > limits.trails) return refused(segments, "pieces of trail", limits.trails, "particles");
-  if (leaves > limits.leaves) return refused(leaves, "leaves", limits.leaves, "particles or leaves a tip");
-  return {};
 }
 
 }  // namespace panicle::particles

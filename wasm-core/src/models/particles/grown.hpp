@@ -29,6 +29,11 @@ struct SpaceHabit {
   bool running = true;  // what age does: whether particles run, or the volume grows
   bool leafy = false;   // whether there is something to unfold once particles have arrived
   float growth = 1;     // size of the volume over what it will be
+
+  // How many particles there are in what has grown: as dense as they will be.
+  std::uint32_t young() const {
+    return static_cast<std::uint32_t>(static_cast<float>(count) * growth * growth * growth + 0.5f);
+  }
 };
 
 inline constexpr float youngest = 0.02f;  // size of what has hardly grown
@@ -71,12 +76,9 @@ struct Grown {
 
 // Scatters, runs, and adds to the plant its segments, columns and counts, and what there is to note; particles on their
 // way as organs of tag `traveller`. Nothing starts in an obstacle, nothing goes below `floor` or above `ceiling` to
-// pass one.
-Grown grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
-                const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
-                std::uint32_t traveller);
-
-// What is wrong with a plant that has more pieces of trail or more leaves than there may be; reason none if nothing is.
-Diagnostic beyond(const Limits& limits, std::size_t segments, std::size_t leaves);
+// pass one. Errors: those of `run`.
+Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer, std::span<const glm::vec3> targets,
+                        const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
+                        std::uint32_t traveller, const Limits& limits);
 
 }  // namespace panicle::particles

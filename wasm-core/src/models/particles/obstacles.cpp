@@ -56,8 +56,8 @@ bool within_round(const Box& box, const glm::vec3& p) {
   return glm::dot(from, from) < 1;
 }
 
-Obstacles::Obstacles(std::span<const Box> boxes, std::span<const Box> rounds, float margin, float floor,
-                     float ceiling) {
+Obstacles::Obstacles(std::span<const Box> boxes, std::span<const Box> rounds, float margin, float floor, float ceiling)
+    : margin_(margin) {
   for (const Box& box : boxes) boxes_.push_back({box.low - margin, box.high + margin});
   for (const Box& box : rounds) rounds_.push_back({box.low - margin, box.high + margin});
   const auto turn_at = [&](const glm::vec3& p) {

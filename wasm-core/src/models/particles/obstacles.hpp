@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,8 @@ class Obstacles {
       : Obstacles(boxes, {}, margin, floor, ceiling) {}
 
   bool empty() const { return boxes_.empty() && rounds_.empty(); }
+  // How far a way that passes them may be drawn beside itself.
+  float margin() const { return empty() ? std::numeric_limits<float>::max() : margin_; }
   bool contains(const glm::vec3& p) const;
   // Whether one of them meets the straight way from a to b.
   bool between(const glm::vec3& a, const glm::vec3& b) const;
@@ -38,6 +41,7 @@ class Obstacles {
  private:
   std::vector<Box> boxes_, rounds_;
   std::vector<glm::vec3> corners_;
+  float margin_ = 0;
 };
 
 }  // namespace panicle::particles

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace panicle::particles {
 
@@ -22,5 +24,13 @@ inline float approach(const Rules& rules) {
 
 // The least merge radius with which two that make for each other cannot jump past each other for ever.
 inline float least_merge(const Rules& rules) { return 2 * approach(rules); }
+
+// Notes where rules, in spacings, ask for a merge radius that is less than that.
+inline void note_on(const Rules& rules, std::vector<std::string>& notes) {
+  const float least = least_merge(rules);
+  if (rules.merge < least)
+    notes.push_back("The merge radius was raised to " + std::to_string(static_cast<int>(100 * least + 0.5f)) +
+                    " % of a spacing: within less, two particles could jump past each other for ever.");
+}
 
 }  // namespace panicle::particles

@@ -6,18 +6,17 @@
 #include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
+#include "models/particles/extent.hpp"
 
 namespace panicle::particles {
 namespace {
 
 constexpr std::uint64_t stream_x = 0x70617274, stream_y = stream_x + 1, stream_z = stream_x + 2,
                         stream_keep = stream_x + 3, stream_place = stream_x + 4;
-// Probes of a region's size: along the longest edge of a flat one's box, along the edge of a cube as large as a deep
-// one's.
-constexpr std::int32_t probes_flat = 256, probes_deep = 48;
 constexpr float jitter = 0.8f;
 // Least distance of blue noise in spacings, so that about as many points fit as were asked for (measured).
 constexpr float apart_flat = 0.79f, apart_deep = 0.86f;
@@ -29,6 +28,11 @@ constexpr std::uint64_t most_cells = 12'000'000;
 constexpr std::uint64_t most_jittered = 100'000'000;
 // A uniform point is looked for so many times for each wanted.
 constexpr std::uint64_t most_darts = 1000;
+// So often a spacing is tried by which as many points fit in as are asked for, or few more.
+constexpr int tries = 8;
+constexpr float few_more = 0.04f;
+// As many tell how much more fit in than the spacing says.
+constexpr std::uint32_t sample = 400;
 
 // The whole cells of a lattice about the origin that a region's box meets, and two more on every side.
 class Lattice {
@@ -127,14 +131,30 @@ std::vector<glm::vec3> uniform(const Region& region, std::uint32_t count, std::u
   return points;
 }
 
-std::vector<glm::vec3> jittered(const Region& region, float spacing, std::uint64_t seed) {
+// Points, and each one's luck over its density: below 1, and the lower the sooner it stays where there are too many.
+struct Lot {
   std::vector<glm::vec3> points;
-  while (Lattice(region, spacing).cells() > most_jittered) spacing *= 1.1f;
+  std::vector<float> ranks;
+  bool coarse = false;  // the lattice would have had too many cells
+
+  void draw(const Region& region, const glm::vec3& p, const glm::ivec3& cell, std::uint64_t seed) {
+    const float luck = random_unit(seed, stream_keep, Lattice::address_of(cell, 0)), density = region.density(p);
+    if (!(luck < density)) return;
+    points.push_back(p);
+    ranks.push_back(luck / density);
+  }
+};
+
+Lot jittered(const Region& region, float spacing, std::uint64_t seed) {
+  Lot lot;
+  while (Lattice(region, spacing).cells() > most_jittered) {
+    spacing *= 1.1f;
+    lot.coarse = true;
+  }
   const Lattice lattice(region, spacing);
   const auto look = [&](const glm::ivec3& cell) {
     const glm::vec3 p = lattice.point(cell, jitter, seed, 0);
-    if (region.contains(p) && random_unit(seed, stream_keep, Lattice::address_of(cell, 0)) < region.density(p))
-      points.push_back(p);
+    if (region.contains(p)) lot.draw(region, p, cell, seed);
   };
   // By runs of cells: where crowns stand far apart, most of their box is air.
   for (std::uint64_t i = 0; i < lattice.cells(); i += lattice.run(i)) {
@@ -143,16 +163,20 @@ std::vector<glm::vec3> jittered(const Region& region, float spacing, std::uint64
     if (lattice.share_of(cell, length, region) == Share::none) continue;
     for (std::int32_t k = 0; k < length; ++k) look(cell + glm::ivec3(k, 0, 0));
   }
-  return points;
+  return lot;
 }
 
 // Darts at the cells of a lattice, small enough to hold one point at most: some rounds through those that are still
 // empty leave hardly a gap, in time linear in their number. (Darts at the whole region need ever more to find the last
 // gaps.) Where it is less dense, points are taken out afterwards.
-std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t seed) {
+Lot blue(const Region& region, float apart, std::uint64_t seed) {
+  Lot lot;
   const bool flat = region.flat();
   const float diagonal = std::sqrt(flat ? 2.0f : 3.0f);
-  while (Lattice(region, apart / diagonal).cells() > most_cells) apart *= 1.1f;
+  while (Lattice(region, apart / diagonal).cells() > most_cells) {
+    apart *= 1.1f;
+    lot.coarse = true;
+  }
   const Lattice lattice(region, apart / diagonal);
   std::vector<std::uint8_t> taken(lattice.cells() + 3, 0);  // five of a row are looked at as eight
   std::vector<glm::vec3> points, by_cell(lattice.cells());
@@ -196,37 +220,78 @@ std::vector<glm::vec3> blue(const Region& region, float apart, std::uint64_t see
     }
     std::swap(open, still_open);
   }
-  std::erase_if(points, [&](const glm::vec3& p) {
-    return !(random_unit(seed, stream_keep, Lattice::address_of(lattice.cell_of(p), 0)) < region.density(p));
-  });
+  for (const glm::vec3& p : points) lot.draw(region, p, lattice.cell_of(p), seed);
+  return lot;
+}
+
+Lot lay(const Region& region, Pattern pattern, float spacing, std::uint64_t seed) {
+  if (pattern == Pattern::jittered) return jittered(region, spacing, seed);
+  return blue(region, spacing * (region.flat() ? apart_flat : apart_deep), seed);
+}
+
+// Those of a rank below the limit.
+std::vector<glm::vec3> below(const Lot& lot, float limit) {
+  std::vector<glm::vec3> points;
+  for (std::size_t i = 0; i < lot.points.size(); ++i)
+    if (lot.ranks[i] < limit) points.push_back(lot.points[i]);
   return points;
+}
+
+// The rank below which there are `count`.
+float limit_of(const Lot& lot, std::uint32_t count) {
+  if (lot.ranks.size() <= count) return 1;
+  std::vector<float> ranks = lot.ranks;
+  std::nth_element(ranks.begin(), ranks.begin() + count, ranks.end());
+  return ranks[count];
 }
 
 }  // namespace
 
 float spacing_of(const Region& region, std::uint32_t count) {
-  const bool flat = region.flat();
-  const glm::vec3 size = region.high() - region.low();
-  const float edge = flat ? std::max(size.x, size.y) / static_cast<float>(probes_flat)
-                          : cube_root(size.x * size.y * size.z) / static_cast<float>(probes_deep);
-  if (!(edge > 0) || count == 0) return 0;
-  double filled = 0;
-  for (float z = flat ? 0 : 0.5f * edge; flat ? z <= 0 : z < size.z; z += edge)
-    for (float y = 0.5f * edge; y < size.y; y += edge)
-      for (float x = 0.5f * edge; x < size.x; x += edge) {
-        const glm::vec3 p = region.low() + glm::vec3(x, y, z);
-        if (region.contains(p)) filled += static_cast<double>(region.density(p));
-      }
-  const float cell = flat ? edge * edge : edge * edge * edge;
-  return root(static_cast<float>(filled / count) * cell, flat);
+  return count > 0 ? root(extent_of(region).filled / static_cast<float>(count), region.flat()) : 0;
 }
 
 std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint32_t count, float spacing,
                                std::uint64_t seed) {
   if (!(spacing > 0)) return {};
   if (pattern == Pattern::uniform) return uniform(region, count, seed);
-  if (pattern == Pattern::jittered) return jittered(region, spacing, seed);
-  return blue(region, spacing * (region.flat() ? apart_flat : apart_deep), seed);
+  return lay(region, pattern, spacing, seed).points;
+}
+
+Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count, std::uint64_t seed, float growth) {
+  const float nominal = spacing_of(region, count);
+  if (!(nominal > 0)) return {};
+  const bool flat = region.flat();
+  if (pattern == Pattern::uniform) {
+    const float share = growth * growth * (flat ? 1 : growth);
+    return {uniform(region, static_cast<std::uint32_t>(static_cast<float>(count) * share + 0.5f), seed),
+            nominal / growth};
+  }
+  const auto wanted = static_cast<float>(count);
+  float spacing = nominal;
+  // Points near the edge have less room of their own, and more than the spacing says fit in: the more, the fewer they
+  // are.
+  if (count > sample) {
+    const float wider = root(wanted / sample, flat);
+    const auto found = static_cast<float>(lay(region, pattern, wider * nominal, seed).points.size());
+    spacing *= root((1 + (found / sample - 1) / wider) / (1 + 0.5f * few_more), flat);
+  }
+  Lot best;
+  float of_best = spacing;
+  for (int k = 0; k < tries; ++k) {
+    Lot lot = lay(region, pattern, spacing, seed);
+    const std::size_t found = lot.points.size(), before = best.points.size();
+    const bool coarse = lot.coarse;
+    if (found >= count ? before < count || found < before : found > before) {
+      best = std::move(lot);
+      of_best = spacing;
+    }
+    if (coarse || (found >= count && static_cast<float>(found) <= (1 + few_more) * wanted)) break;
+    spacing *= root(std::max(static_cast<float>(found), 0.5f) / ((1 + 0.5f * few_more) * wanted), flat);
+  }
+  const float limit = limit_of(best, count);
+  if (growth < 1) best = lay(region, pattern, of_best / growth, seed);
+  return {below(best, limit), nominal / growth};
 }
 
 }  // namespace panicle::particles

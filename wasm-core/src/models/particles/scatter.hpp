@@ -19,9 +19,18 @@ enum class Pattern : std::uint32_t {
 // by their density.
 float spacing_of(const Region& region, std::uint32_t count);
 
-// About `count` points inside the region (of the uniform pattern exactly so many, unless the region is empty), as dense
-// as it says. Cells lie about the origin, not about the region, and luck is a place's own: a region that changes a
-// little keeps the points that it still holds, as long as their spacing stays.
+struct Scattered {
+  std::vector<glm::vec3> points;
+  float spacing = 0;  // `spacing_of` the region, grown
+};
+
+// `count` points inside a region, or as many as a lattice fine enough for it may have. `growth`: the size of the region
+// over what it will be: then there are as many fewer as it is smaller, and jittered ones are where they will be.
+Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count, std::uint64_t seed, float growth = 1);
+
+// With a spacing that is told: about `count` points inside the region (of the uniform pattern exactly so many, unless
+// the region is empty), as dense as it says. Cells lie about the origin, not about the region, and luck is a place's
+// own: a region that changes a little keeps the points that it still holds, as long as their spacing stays.
 std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint32_t count, float spacing,
                                std::uint64_t seed);
 

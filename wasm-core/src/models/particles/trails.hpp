@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 namespace panicle::particles {
@@ -18,5 +19,9 @@ struct Trails {
 
   std::size_t size() const { return places.size(); }
 };
+
+// All places in the order of the tree, whatever the order that they stand in: 0 first, each after the one it leads to,
+// those that lead to the same place next to each other and ascending. `next`: for each place but 0 the one it leads to.
+std::vector<std::uint32_t> tree_order(std::span<const std::int32_t> next);
 
 }  // namespace panicle::particles

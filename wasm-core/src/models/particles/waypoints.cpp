@@ -42,7 +42,8 @@ void Waypoints::offer(std::int32_t cell, const glm::vec3& place, const Cell& ahe
   open_.push({way, cell});
 }
 
-// Each goal is known to the cells about it that see it; one that none sees, to the nearest.
+// Each goal is known to the cells about it that see it; where none sees any goal, the first is known to the nearest
+// cell.
 void Waypoints::begin() {
   for (const glm::vec3& goal : goals_) {
     const glm::vec3 at = (goal - outline_->low()) / edge_;

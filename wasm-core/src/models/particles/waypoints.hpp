@@ -17,7 +17,7 @@ namespace panicle::particles {
 // goals through the cells that lie inside, as far as someone has asked.
 class Waypoints {
  public:
-  // `outline` must outlive it. `cell`: the grid's width; wider where more than 128 would lie along an edge of the box.
+  // `outline` must outlive it. `cell`: the grid's width; wider where more than 96 would lie along an edge of the box.
   Waypoints(const Outline& outline, std::vector<glm::vec3> goals, float cell);
 
   // What is seen from `p` on the shortest way known to a goal: the goal, or a corner to turn at. Outside, the nearest

@@ -11,12 +11,13 @@
 #include "models/particles/forks.hpp"
 #include "models/particles/gather.hpp"
 #include "models/particles/polish.hpp"
+#include "models/particles/refusals.hpp"
 
 namespace panicle::particles {
 namespace {
 
-// How far a trail may be off where places are left out, in spacings.
-constexpr float tolerance = 0.08f;
+// How far a trail may be off where places are left out, in spacings, and of what it keeps clear of obstacles.
+constexpr float tolerance = 0.08f, within_margin = 0.8f;
 // Branches have no neighbours that keep them from being drawn straight.
 constexpr float smoothing = 1.5f;
 // Closer than this to the axis, trails are one, in spacings.
@@ -70,9 +71,9 @@ Trails shaped(const Trails& trails, const Guide& guide, const Region& outer, con
 
 }  // namespace
 
-Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const TwigHabit& twigs, const Region& room, const Region& outer, const Obstacles& obstacles,
-         std::uint64_t seed) {
+Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
+                 const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const Rooms& rooms,
+                 const Obstacles& obstacles, std::uint64_t seed, const Limits& limits) {
   Rules rules = motion.rules;
   rules.step *= spacing;
   rules.merge *= spacing;
@@ -80,9 +81,10 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
   habit.ahead = ahead * spacing;
   std::vector<Axis> axes;
   std::deque<Trunk> guides;  // which stay where they are
+  std::uint64_t moves = 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     axes.emplace_back(targets[i], habit.height, habit.sway * habit.height, hash_combine(seed, i));
-    guides.emplace_back(axes[i], habit, &outer, &obstacles);
+    guides.emplace_back(axes[i], habit, &rooms.outer, &obstacles);
   }
   Wood wood;
   std::vector<std::vector<glm::vec3>> bound(targets.size());
@@ -94,13 +96,14 @@ Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, 
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const Trunk& guide = guides[i];
     Crowd crowd(bound[i], motion.energy, guide, rules);
-    crowd.run();
+    if (!crowd.run(limits.moves - moves)) return still_running(limits);
+    moves += crowd.moves();
     Trails trails = gathered(crowd.trails(), axes[i], guide, trunk * spacing, rules.step);
     smooth(trails, guide, smoothing);
-    trails = simplified(trails, tolerance * spacing, true);
+    trails = simplified(trails, std::min(tolerance * spacing, within_margin * obstacles.margin()), true);
     narrow_forks(trails, guide, apart * spacing, shift * spacing);
     if (twigs.shapes())
-      trails = shaped(trails, guide, outer, room, twigs, {spacing, rules.step, hash_combine(seed, i)});
+      trails = shaped(trails, guide, rooms.outer, rooms.starts, twigs, {spacing, rules.step, hash_combine(seed, i)});
     wood.crowds.push_back(std::move(trails));
     wood.axes.push_back(axes[i]);
     wood.all.push_back(wood.crowds.back().energy[0]);

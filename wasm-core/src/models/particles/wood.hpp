@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
 #include "models/particles/moment.hpp"
 #include "models/particles/obstacles.hpp"
 #include "models/particles/region.hpp"
@@ -32,11 +34,17 @@ struct Wood {
   std::uint32_t unreachable = 0;  // particles that no target can be come to from, and that were left out
 };
 
+// Where a plant of wood may be.
+struct Rooms {
+  const Region& starts;  // ends of twigs
+  const Region& outer;   // all of it
+};
+
 // Runs the particles to the nearest target, as the crow flies, of those that a way past the obstacles leads to (ties:
-// that of the lowest index), those of each for themselves.
-// `habit.ahead` is set by the spacing. `room`: where ends may be. `seed`: which way each axis sways.
-Wood run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing, const Motion& motion,
-         TrunkHabit habit, const TwigHabit& twigs, const Region& room, const Region& outer, const Obstacles& obstacles,
-         std::uint64_t seed);
+// that of the lowest index), those of each for themselves. `habit.ahead` is set by the spacing. `seed`: which way each
+// axis sways. Errors: limit, where all together move more often than they may.
+Result<Wood> run(std::span<const glm::vec3> starts, std::span<const glm::vec3> targets, float spacing,
+                 const Motion& motion, TrunkHabit habit, const TwigHabit& twigs, const Rooms& rooms,
+                 const Obstacles& obstacles, std::uint64_t seed, const Limits& limits);
 
 }  // namespace panicle::particles

@@ -29,7 +29,7 @@ struct Wish {
   std::vector<float> detail = {};
 };
 
-inline Result<Plant> grown(const Wish& wish) {
+inline Result<Plant> grown(const Wish& wish, const Limits& limits = {}) {
   std::vector<float> parameters(parameter_count, absent);
   for (const auto& [key, value] : wish.parameters) parameters[static_cast<std::size_t>(key)] = value;
   const std::string name = "leaf";
@@ -44,7 +44,7 @@ inline Result<Plant> grown(const Wish& wish) {
   if (!wish.outline.empty()) blocks.push_back(view("outline", wish.outline));
   if (!wish.detail.empty()) blocks.push_back(view("detail", wish.detail));
   Request request(blocks, nullptr);
-  return leaf::model.grow(request, {});
+  return leaf::model.grow(request, limits);
 }
 
 inline Plant leaf_of(const Wish& wish) {

@@ -174,3 +174,14 @@ TEST_CASE("what a leaf cannot use is brought into its range with a note, or refu
   CHECK(away.notes[0].find("petiole") != std::string::npos);
   check_leaf(away, 1, 0.35f);
 }
+
+TEST_CASE("a leaf whose particles run for ever so long, or leave too much behind, is refused") {
+  const auto refusal = [](const Limits& limits) {
+    const auto leaf = grown({{{Parameter::particles, 300}, {Parameter::step, 0.05f}, {Parameter::ribs, 2}}}, limits);
+    REQUIRE_FALSE(leaf);
+    CHECK(leaf.error().reason == Reason::limit);
+    return leaf.error().message;
+  };
+  CHECK(refusal({.moves = 1000}).find("After 1000 moves particles are still on their way") != std::string::npos);
+  CHECK(refusal({.pieces = 100}).find("pieces of trail, more than 100") != std::string::npos);
+}

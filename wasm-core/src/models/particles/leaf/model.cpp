@@ -16,6 +16,7 @@
 #include "models/particles/leaf/measures/measures.hpp"
 #include "models/particles/leaf/veins.hpp"
 #include "models/particles/moment.hpp"
+#include "models/particles/refusals.hpp"
 #include "models/particles/vein_orders.hpp"
 #include "plant/plain.hpp"
 
@@ -95,13 +96,13 @@ void add_chart(Plant& plant, const Veins& veins, std::span<const Trails> flat) {
   plant.columns.add("chart", std::vector<float>{square.low.x, square.low.y, square.size}, 3);
 }
 
-Result<Plant> grow(Request& request, const Limits&) {
+Result<Plant> grow(Request& request, const Limits& limits) {
   using enum Parameter;
   Plant plant;
   const auto asked = read_request(request, plant.notes);
   if (!asked) return asked.error();
   const Values& values = asked->values;
-  const auto grown = grow_veins(asked.value(), plant.notes);
+  const auto grown = grow_veins(asked.value(), limits, plant.notes);
   if (!grown) return grown.error();
   const Veins& veins = grown.value();
   const Bending bending = bending_of(values, veins.outline);
@@ -113,6 +114,7 @@ Result<Plant> grow(Request& request, const Limits&) {
 
   plant.tags = {"vein"};
   const auto segments = add_trails(plant, bent, veins.all, girth, {}, veins.tally, 0);
+  if (Diagnostic trouble = beyond(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
   add_particles(plant, veins, flat, bending, girth);
   const std::vector<Vein> ordered = veins_of(flat);
   add_orders(plant, ordered, segments);

@@ -10,6 +10,7 @@
 #include "models/particles/crowd.hpp"
 #include "models/particles/leaf/rib_plan.hpp"
 #include "models/particles/polish.hpp"
+#include "models/particles/refusals.hpp"
 #include "models/particles/scatter.hpp"
 #include "models/particles/venation.hpp"
 
@@ -85,7 +86,7 @@ std::vector<std::vector<glm::vec3>> shared_out(const std::vector<glm::vec3>& sta
 
 }  // namespace
 
-Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
+Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<std::string>& notes) {
   using enum Parameter;
   const Values& values = asked.values;
   auto spanned = spline(asked.outline);
@@ -103,10 +104,10 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
   veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));
   const Rules rules = rules_of(values, veins.spacing);
   veins.stride = rules.step;
+  note_on(rules_of(values, 1), notes);
   const glm::vec3 base = base_of(veins.outline, notes);
   const std::vector<Ribs> trees = lay_ribs(plan_of(values), veins.margin, veins.outline, base, notes);
-  const auto starts =
-      scatter(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, veins.spacing, asked.seed);
+  const auto starts = scatter_all(veins.outline, static_cast<Pattern>(values.whole(pattern)), count, asked.seed).points;
   if (starts.empty()) notes.push_back("No particle found room in the outline: give more, or another seed.");
 
   std::vector<std::unique_ptr<const Venation>> guides;
@@ -114,10 +115,12 @@ Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes) {
     guides.push_back(std::make_unique<const Venation>(veins.outline, ribs_of_target, values[slant], veins.spacing));
   const auto shares = shared_out(starts, trees, veins.outline);
   const double all = static_cast<double>(values[energy]) * static_cast<double>(starts.size());
+  std::uint64_t moves = 0;
   for (std::size_t k = 0; k < guides.size(); ++k) {
     const Venation& guide = *guides[k];
     Crowd crowd(shares[k], static_cast<double>(values[energy]), guide, rules);
-    crowd.run();
+    if (!crowd.run(limits.moves - moves)) return still_running(limits);
+    moves += crowd.moves();
     Trails trails = crowd.trails();
     if (values[smoothing] > 0) {
       const float share = values[smoothing];

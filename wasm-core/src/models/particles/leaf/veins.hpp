@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "models/particles/leaf/request.hpp"
 #include "models/particles/moment.hpp"
@@ -24,7 +25,7 @@ struct Veins {
   float stride = 0;   // of a particle
 };
 
-// Errors: those of `spline`.
-Result<Veins> grow_veins(const Asked& asked, std::vector<std::string>& notes);
+// Errors: those of `spline`; limit, where particles move more often than they may.
+Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<std::string>& notes);
 
 }  // namespace panicle::particles::leaf

@@ -14,6 +14,7 @@
 #include "models/particles/dressing.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/hormone.hpp"
+#include "models/particles/refusals.hpp"
 #include "models/particles/root/measures/measures.generated.hpp"
 #include "models/particles/root/parameters.generated.hpp"
 #include "models/particles/root/storage.hpp"
@@ -99,7 +100,10 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   space.trunk.reach = 0.25f * (extent.x + extent.z);
   plant.tags = {"root"};
   plant.organ_tags = {"particle"};
-  const Grown grown = grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag);
+  const Result<Grown> ran =
+      grow_wood(plant, soil, outer, targets, space, read.value(), deepest, 0, particle_tag, limits);
+  if (!ran) return ran.error();
+  const Grown& grown = ran.value();
   if (Diagnostic trouble = beyond(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
   if (values[storage] > 0) {
     const StorageHabit store{0.005f * size * values[storage], values[storage_reach] * extent.y};

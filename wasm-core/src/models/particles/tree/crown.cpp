@@ -9,6 +9,7 @@ namespace panicle::particles::tree {
 namespace {
 
 constexpr int probes = 24;
+constexpr float dark = 1e-6f;  // of all light: where no more comes, nothing starts
 // Of the billows that a crown's surface is made of, in sizes of the crown, and of the sprays on them.
 constexpr float billow = 0.24f, spray = 0.09f;
 
@@ -20,7 +21,7 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
   const float lowest = habit.growth * habit.trunk;
   const float shoots = habit.inner + (1 - habit.inner) * habit.shoots;
   Surface outer, inner;
-  Crowns made{Solid({}), Solid({}), {}, 2 * half.y, lowest + (1 + shoots) * half.y, 0, {}, habit.ragged, {}, {}};
+  Crowns made{Solid({}), Solid({}), {}, 2 * half.y, lowest + (1 + shoots) * half.y, 0, 0, {}, habit.ragged, {}, {}};
   made.across = cube_root(8 * half.x * half.y * half.z);
   for (float i = 0; i < crowns; ++i) {
     const float x = (i - 0.5f * (crowns - 1)) * habit.distance;
@@ -33,6 +34,8 @@ Crowns make_crowns(const CrownHabit& habit, std::span<const glm::vec2> profile, 
   }
   made.outer = Solid(std::move(outer));
   made.inner = Solid(std::move(inner));
+  const glm::vec3 row = made.outer.high() - made.outer.low();
+  made.longest = std::max({row.x - (crowns - 1) * habit.distance, row.y, row.z});
   if (habit.ragged > 0) {
     made.lumps = Billows(made.outer.low(), made.outer.high(), billow * made.across, habit.seed);
     made.tufts = Billows(made.outer.low(), made.outer.high(), spray * made.across, habit.seed + 1);
@@ -79,6 +82,7 @@ Share Foliage::share_of(const glm::vec3& from, const glm::vec3& to) const {
 }
 
 float Foliage::density(const glm::vec3& p) const {
+  if (!(brightest_ > dark)) return 0;
   const float share = light_ ? std::min(light_->at(p) / brightest_, 1.0f) : 1;
   const float lit = heed_ == 1 ? share : power(share, heed_);
   return lit * hormone_->left(p);

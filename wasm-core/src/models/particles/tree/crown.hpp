@@ -33,6 +33,7 @@ struct Crowns {
   float height = 0;             // of a crown
   float top = 0;                // its highest point
   float across = 0;             // cube root of its box
+  float longest = 0;            // edge of the box of what of it is grown
   std::vector<glm::vec3> middles;
   float ragged = 0;
   Billows lumps, tufts;  // where it is ragged

@@ -17,6 +17,7 @@
 #include "models/particles/dressing.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/hormone.hpp"
+#include "models/particles/refusals.hpp"
 #include "models/particles/space_request.hpp"
 #include "models/particles/tree/blade.hpp"
 #include "models/particles/tree/crown.hpp"
@@ -36,7 +37,8 @@ using enum Parameter;
 constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t needle = 0;  // of the kinds of leaves: all others come with the request
-constexpr std::uint32_t light_cells = 28;
+constexpr float light_cells = 28;  // along the longest edge of a crown
+constexpr float coarse = 2.5f;     // so much wider cells than these no longer tell the sides of a crown
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;  // that a way past an obstacle may lead
 // How much of the bole bears no branch, of what is below the crown.
@@ -132,6 +134,10 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (Diagnostic trouble = check(leaf); trouble.reason != Reason::none) return trouble;
   Plant plant;
   const TreeValues values(read->parameters, plant.notes);
+  SpaceHabit space = space_habit<Parameter>(values);
+  if (Diagnostic trouble = beyond(limits, 0, std::size_t{space.young()} * values.whole(leaves));
+      trouble.reason != Reason::none)
+    return trouble;
   CrownHabit habit = crown_of(values, read->seed);
   if (habit.form == Form::mesh) note_on(read->volume, habit.form, plant.notes);
   Crowns crowns_made = make_crowns(habit, profile_of(read->profile, egg), read->volume);
@@ -141,14 +147,19 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                                values[absorption] / crowns_made.across};
   const bool by_light_too = values.whole(pattern) == 3 && values[by_light] > 0;
   std::optional<VoxelLight> light;
-  if (by_light_too || read->measures)
-    light.emplace(light_in(crowns_made.outer, {read->rounds, read->obstacles}, light_habit, light_cells));
+  if (by_light_too || read->measures) {
+    const float edge = crowns_made.longest / light_cells;
+    light.emplace(light_in(crowns_made.outer, {read->rounds, read->obstacles}, light_habit, edge));
+    if (light->edge() > coarse * edge)
+      plant.notes.push_back("There is so much room about the crowns that light is told there coarsely: " +
+                            std::to_string(static_cast<int>(crowns_made.longest / light->edge())) +
+                            " cells along a crown.");
+  }
   const Hormone held{values[hormone], crowns_made.top, hormone_reach * crowns_made.height, leader * crowns_made.across,
                      crowns_made.feet};
   const Foliage foliage(crowns_made, by_light_too ? &*light : nullptr, values[by_light], held);
 
   const glm::vec3 brightest = glm::normalize((1 - values[sky]) * light_habit.sun + values[sky] * glm::vec3(0, 1, 0));
-  SpaceHabit space = space_habit<Parameter>(values);
   space.trunk.bend -= values[phototropism] * brightest;
   space.twigs.weep = values[weep];
   space.twigs.weep_tips = values[weep_tips];
@@ -160,8 +171,10 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   space.leafy = leaf_habit.count > 0 && leaf_habit.kept > 0;
   plant.tags = {"branch"};
   plant.organ_tags = {"leaf", "particle"};
-  const Grown grown =
-      grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0, highest, particle_tag);
+  const Result<Grown> ran = grow_wood(plant, foliage, crowns_made.outer, crowns_made.feet, space, read.value(), 0,
+                                      highest, particle_tag, limits);
+  if (!ran) return ran.error();
+  const Grown& grown = ran.value();
   leaf_habit.unfolded = grown.unfolded;
   if (Diagnostic trouble =
           beyond(limits, plant.segments.size(), std::size_t{grown.wood.tally.particles} * leaf_habit.count);

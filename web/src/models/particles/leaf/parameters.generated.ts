@@ -301,7 +301,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 2,
 		default: 1,
 		step: 1,
-		help: "How a vein's width grows with the energy that passes. linear: as the energy. root: as its square root, so that cross sections add up (Leonardo's rule). power: as a power of your choice.",
+		help: "How a vein's width grows with the energy that passes. linear: as the energy. root: as its square root, so that cross sections add up (Leonardo's rule). power: as a power of your choice. No vein is thinner than 0.01 mm.",
 		since: 2,
 	},
 	{
@@ -467,7 +467,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 20000,
 		default: 2000,
 		step: 50,
-		help: "How many start, about; of the uniform pattern exactly so many.",
+		help: "How many start.",
 		since: 2,
 	},
 	{

@@ -329,7 +329,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 100000,
 		default: 3000,
 		step: 10,
-		help: "About how many particles are scattered; each is the tip of a root.",
+		help: "How many particles are scattered; each is the tip of a root.",
 		since: 2,
 	},
 	{

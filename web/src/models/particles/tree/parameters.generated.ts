@@ -555,7 +555,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 100000,
 		default: 6000,
 		step: 10,
-		help: "About how many particles are scattered; each is the end of a twig.",
+		help: "How many particles are scattered; each is the end of a twig.",
 		since: 2,
 	},
 	{
