@@ -261,7 +261,7 @@ export default [
 			},
 			{
 				id: "command-line-unmeasured",
-				find: 'json || out.ending === "glb"]',
+				find: 'json || ending === "glb"]',
 				replace: "false]",
 				breaks: "files of the command hold no measures",
 			},

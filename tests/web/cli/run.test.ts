@@ -210,6 +210,18 @@ describe("files", () => {
 		expect(said).toEqual([]);
 	});
 
+	it("are of a model's own forms, by endings that viewers know", async () => {
+		const small = ["leaf/oak", "--set", "n=60", "--out"];
+		const { written, said } = await grow([...small, "oak.baked.glb"]);
+		expect(said).toEqual([]);
+		const sheer = (glb: unknown) =>
+			documentOf(glb as Uint8Array).extensionsUsed?.includes("KHR_materials_volume") ?? false;
+		expect(sheer(written.get("oak.baked.glb"))).toBe(true);
+		const plain = await grow([...small, "oak-baked.glb"]);
+		expect(sheer(plain.written.get("oak-baked.glb"))).toBe(false);
+		expect((await grow([...small, "oak.glb-baked"])).said[0]).toContain(".svg or .baked.glb");
+	});
+
 	it("are an OBJ with the MTL that it names beside it", async () => {
 		const { written } = await grow(["rubus", "--out", "a.b/Rubus.OBJ"]);
 		expect([...written.keys()]).toEqual(["a.b/Rubus.OBJ", "a.b/Rubus.mtl"]);

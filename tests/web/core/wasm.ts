@@ -6,11 +6,11 @@ import { readGrown } from "../../../web/src/models/bunch/read_grown";
 import { encodeRequest, type RequestOptions } from "../../../web/src/models/bunch/request";
 import type { Specimen } from "../bunch";
 
-/** The bytes of the core as it was last built. */
-export const wasmBytes = () => readFile(new URL("../../../build/core/bunch.wasm", import.meta.url));
+/** The bytes of a core as it was last built. */
+export const wasmBytes = (file = "bunch.wasm") => readFile(new URL(`../../../build/core/${file}`, import.meta.url));
 
 /** A fresh instance of it. */
-export const freshCore = async (): Promise<Core> => loadCoreFromBytes(await wasmBytes());
+export const freshCore = async (file?: string): Promise<Core> => loadCoreFromBytes(await wasmBytes(file));
 
 /** Grows a bunch on an instance, as the page and the command do. */
 export const growBunch = (core: Core, specimen: Specimen, options?: RequestOptions): Grown =>

@@ -12,8 +12,8 @@ export interface Call {
 	/** By key; where a key is given twice, the last value. */
 	set: Record<string, string>;
 	grammarFile: string | undefined;
-	/** A file, and the ending of its name in lower case. */
-	out: { file: string; ending: string } | undefined;
+	/** A file. */
+	out: string | undefined;
 }
 
 /** @throws UsageError */
@@ -29,7 +29,7 @@ export function readArguments(words: readonly string[]): Call {
 		seed: last(values.seed),
 		set: Object.fromEntries((values.set ?? []).map(readSetting)),
 		grammarFile: last(values.grammar),
-		out: readOut(last(values.out)),
+		out: last(values.out),
 	};
 }
 
@@ -61,11 +61,6 @@ function readSetting(setting: string): [string, string] {
 	const at = setting.indexOf("=");
 	if (at < 1) throw new UsageError(`--set ${setting}: write KEY=VALUE, as in --set age=50`);
 	return [setting.slice(0, at).trim(), setting.slice(at + 1).trim()];
-}
-
-function readOut(file: string | undefined): Call["out"] {
-	if (file === undefined) return undefined;
-	return { file, ending: /\.([^./\\]*)$/.exec(file)?.[1].toLowerCase() ?? "" };
 }
 
 function last<Value>(values: readonly Value[] | undefined): Value | undefined {

@@ -14,7 +14,10 @@ type File = [file: string, data: string | Uint8Array];
 /** Endings of names that every model knows. */
 const COMMON = ["glb", "obj", "json"];
 
-const endings = ({ formats = [] }: Pick<Model, "formats">) => [...COMMON, ...formats.map(({ key }) => key)];
+/** A form of a common kind of file has the kind's ending last, which viewers open: `glb-baked` is `.baked.glb`. */
+const endingFor = (key: string) => key.split("-").reverse().join(".");
+
+const endings = ({ formats = [] }: Pick<Model, "formats">) => [...COMMON, ...formats.map(({ key }) => endingFor(key))];
 
 /** The endings that a model knows, in a sentence: ".glb, .obj or .json". */
 export function endingsOf(model: Pick<Model, "formats">): string {
@@ -22,20 +25,22 @@ export function endingsOf(model: Pick<Model, "formats">): string {
 	return `${all.slice(0, -1).join(", ")} or ${all.at(-1)}`;
 }
 
-/** Whether a model can be written to a file with that ending. */
-export function knowsEnding(model: Pick<Model, "formats">, ending: string): boolean {
-	return endings(model).includes(ending);
+/** The longest ending of a file's name by which a model can be written to it. */
+export function endingOf(model: Pick<Model, "formats">, file: string): string | undefined {
+	const found = endings(model).filter((ending) => file.toLowerCase().endsWith(`.${ending}`));
+	return found.sort((one, other) => other.length - one.length)[0];
 }
 
 /** The files of a plant by the ending of the name that was asked for; an OBJ has its materials and their pictures beside it. */
 export async function filesOf(
-	{ file, ending }: { file: string; ending: string },
+	file: string,
+	ending: string,
 	model: Model,
 	grown: Plant,
 	specimen: Specimen,
 ): Promise<File[]> {
 	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
-	const format = model.formats?.find(({ key }) => key === ending);
+	const format = model.formats?.find(({ key }) => endingFor(key) === ending);
 	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
 	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
 	if (ending === "glb") return [[file, exportGlb(parts, about)]];

@@ -4,7 +4,7 @@ import { modelNamed, modelNames } from "../models/index";
 import type { Plant } from "../plant/plant";
 import { type Call, readArguments } from "./arguments";
 import { askedModel, askedSpecimen, reasonOf } from "./asked_specimen";
-import { endingsOf, filesOf, jsonOf, knowsEnding } from "./outputs";
+import { endingOf, endingsOf, filesOf, jsonOf } from "./outputs";
 import type { Surroundings } from "./surroundings";
 import { UsageError, usage } from "./usage";
 
@@ -36,24 +36,23 @@ async function listed(): Promise<string> {
 async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const { model, specimen, notes } = await askedSpecimen(call, world);
 	const { out } = call;
-	if (out && !knowsEnding(model, out.ending)) {
-		throw new UsageError(`--out ${out.file}: the name must end in ${endingsOf(model)}`);
-	}
+	const ending = out === undefined ? "json" : endingOf(model, out);
+	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
 	const core = await world.loadCore(model.wasm);
 	// What a file does not say is not worked out for it.
-	const json = out === undefined || out.ending === "json";
-	const [meshes, measures] = [!json, json || out.ending === "glb"];
+	const json = ending === "json";
+	const [meshes, measures] = [!json, json || ending === "glb"];
 	await model.prepare?.(specimen);
 	const text = "grammar" in specimen ? "the link's grammar" : undefined;
 	const grown = growing(call.grammarFile ?? text, () =>
 		model.read(core.grow(model.encode(specimen, { meshes, measures })), specimen),
 	);
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
-	if (!out) {
+	if (out === undefined) {
 		world.print(jsonOf(model, all, specimen));
 		return;
 	}
-	for (const [file, data] of await filesOf(out, model, all, specimen)) {
+	for (const [file, data] of await filesOf(out, ending, model, all, specimen)) {
 		await world.writeFile(file, data).catch((error: unknown) => {
 			throw new UsageError(`--out ${file}: ${reasonOf(error)}`);
 		});

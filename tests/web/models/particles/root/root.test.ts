@@ -97,7 +97,7 @@ describe("the pit about a root", () => {
 		const figure = cutFigure(stage);
 		const at = (age: number) => {
 			const specimen = fromPreset(model, "tap");
-			return { ...specimen, parameters: { ...specimen.parameters, particles: 200, age } };
+			return { ...specimen, parameters: { ...specimen.parameters, particles: 300, age } };
 		};
 		const pits = [40, 100, 0, 41, 60, 100].map((age) => {
 			figure.show(grow(at(age), { passing: age < 100 }), at(age));
