@@ -8,7 +8,11 @@ foreach(declaration IN LISTS declarations)
   string(REGEX MATCH "panicle_[a-z_]+" name "${declaration}")
   list(APPEND exports "_${name}")
 endforeach()
+# What is asked of models that grow from texts alone.
+set(exports_without_texts ${exports})
+list(FILTER exports_without_texts EXCLUDE REGEX "_(compile|forget)$")
 list(JOIN exports "," exports)
+list(JOIN exports_without_texts "," exports_without_texts)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS src/boundary/panicle.h)
 
 # The stack's option changed its name in 3.1.25, its default from 5 MB to 64 kB in 3.1.27.
@@ -20,29 +24,34 @@ endif()
 
 # emmalloc: 3 kB less than the default allocator, and no slower here. The second round of the optimizer, over flattened
 # code, takes another 2 kB.
-function(panicle_wasm name library)
+function(panicle_wasm name library exported)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE ${library})
   set_target_properties(${name} PROPERTIES SUFFIX .wasm)
   target_link_options(${name} PRIVATE
     -O3 -sBINARYEN_EXTRA_PASSES=--flatten,--rereloop,-O3,-O3 --no-entry -sMALLOC=emmalloc -sSTANDALONE_WASM -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 ${stack_option}
-    -sEXPORTED_FUNCTIONS=${exports})
+    -sEXPORTED_FUNCTIONS=${exported})
 endfunction()
 
 file(WRITE ${CMAKE_BINARY_DIR}/empty.cpp "")
 foreach(model IN LISTS models)
   panicle_linked(panicle_linked_${model} no_texts ${model})
-  panicle_wasm(${model} panicle_linked_${model} ${CMAKE_BINARY_DIR}/empty.cpp)
+  file(GLOB texts CONFIGURE_DEPENDS grammars/${model}/*.lsys)
+  set(exported "${exports_without_texts}")
+  if(texts)
+    set(exported "${exports}")
+  endif()
+  panicle_wasm(${model} panicle_linked_${model} "${exported}" ${CMAKE_BINARY_DIR}/empty.cpp)
 endforeach()
 add_custom_target(models DEPENDS ${models})
 
 # The model that tests add.
 panicle_linked(panicle_linked_toy no_texts toy)
-panicle_wasm(toy panicle_linked_toy ${CMAKE_BINARY_DIR}/empty.cpp)
+panicle_wasm(toy panicle_linked_toy "${exports}" ${CMAKE_BINARY_DIR}/empty.cpp)
 set_target_properties(toy PROPERTIES EXCLUDE_FROM_ALL ON)
 
 file(GLOB bench_sources CONFIGURE_DEPENDS bench/*.cpp)
 if(bench_sources)
   # Functions of the bench are marked EMSCRIPTEN_KEEPALIVE (or __attribute__((export_name))) where they stand.
-  panicle_wasm(core-bench panicle_core ${bench_sources})
+  panicle_wasm(core-bench panicle_core "${exports}" ${bench_sources})
 endif()

@@ -6,6 +6,8 @@ import type { CoreExports } from "../../../web/src/core/exports";
 import { loadCoreFromBytes } from "../../../web/src/core/loader";
 import { PRESETS } from "../../../web/src/models/bunch/presets/presets";
 import { encodeRequest } from "../../../web/src/models/bunch/request";
+import { model as leafModel } from "../../../web/src/models/particles/leaf/index";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { type Specimen, specimenFromPreset, withParameters } from "../bunch";
 import { freshCore, growBunch, wasmBytes } from "./wasm";
 
@@ -114,6 +116,16 @@ describe("the border", () => {
 		expect(panicle_forget).toHaveBeenCalledTimes(13);
 		expect(growBunch(fresh, text(50)).fingerprint).toBe(first);
 		expect(panicle_compile).toHaveBeenCalledTimes(22);
+	});
+
+	it("says so where a model grows from no grammar, and goes on", async () => {
+		const particles = await WebAssembly.compile(await wasmBytes("particles"));
+		expect(WebAssembly.Module.exports(particles).map(({ name }) => name)).not.toContain("panicle_compile");
+		const fresh = await Core.instantiate(particles);
+		const blocks = leafModel.encode(fromPreset(leafModel), { meshes: false });
+		const told = refusal(() => fresh.grow([...blocks, { name: "grammar", data: "axiom: F(1)" }]));
+		expect([told.reason, told.message]).toEqual(["bad request", "The model grows from no grammar; leave it out."]);
+		expect(leafModel.read(fresh.grow(blocks), fromPreset(leafModel)).segments.count).toBeGreaterThan(0);
 	});
 
 	it("says where a grammar goes wrong", () => {

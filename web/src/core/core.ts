@@ -88,12 +88,14 @@ export class Core {
 	}
 
 	#compile(text: string): number {
+		const { panicle_compile, panicle_forget } = this.#exports;
+		if (!panicle_compile) throw new CoreError("bad request", "The model grows from no grammar; leave it out.");
 		const [oldest] = this.#programs;
 		if (oldest && this.#programs.size >= MOST_PROGRAMS) {
-			this.#exports.panicle_forget(oldest[1]);
+			panicle_forget?.(oldest[1]);
 			this.#programs.delete(oldest[0]);
 		}
-		const columns = this.#call(encoder.encode(text), (pointer, bytes) => this.#exports.panicle_compile(pointer, bytes));
+		const columns = this.#call(encoder.encode(text), panicle_compile);
 		return columns.words("program")[0];
 	}
 

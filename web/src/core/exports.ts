@@ -9,14 +9,15 @@ export interface CoreExports {
 	panicle_allocate(bytes: number): Pointer;
 	panicle_release(memory: Pointer): void;
 	panicle_grow(request: Pointer, bytes: number): Pointer;
-	panicle_compile(text: Pointer, bytes: number): Pointer;
-	panicle_forget(program: number): void;
+	/** This and the next: absent of modules whose models grow from no texts. */
+	panicle_compile?(text: Pointer, bytes: number): Pointer;
+	panicle_forget?(program: number): void;
 }
 
 /** Version of the boundary that this side speaks. */
 export const ABI = 3;
 
-const FUNCTIONS = ["abi", "allocate", "release", "grow", "compile", "forget"];
+const FUNCTIONS = ["abi", "allocate", "release", "grow"];
 
 /** Whether a module's exports are those of a core. */
 export function areCoreExports(exports: object): exports is CoreExports {

@@ -6,7 +6,9 @@ import { TREE } from "../../../../web/src/models/particles/tree/species";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 
 vi.mock("../../../../web/src/models/particles/leaf/trace/read_picture", () => ({ readPicture: async () => ({}) }));
-vi.mock("../../../../web/src/models/particles/leaf/trace/trace", () => ({ traceLeaf: () => ({ outline: [{ x: 0, y: 0 }] }) }));
+vi.mock("../../../../web/src/models/particles/leaf/trace/trace", () => ({
+	traceLeaf: () => ({ outline: [{ x: 0, y: 0 }] }),
+}));
 
 const OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 

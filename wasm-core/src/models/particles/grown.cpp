@@ -82,8 +82,8 @@ Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer,
 
   note_on(habit.motion.rules, plant.notes);
   note_on(targets, outer, habit.trunk.way, plant.notes);
-  Result<Wood> wooden =
-      run(starts, targets, spacing, habit.motion, habit.trunk, habit.twigs, {region, outer}, obstacles, request.seed, limits);
+  Result<Wood> wooden = run(starts, targets, spacing, habit.motion, habit.trunk, habit.twigs, {region, outer},
+                            obstacles, request.seed, limits);
   if (!wooden) return wooden.error();
   Grown grown;
   grown.wood = std::move(wooden.value());

@@ -93,12 +93,8 @@ Result<Veins> grow_veins(const Asked& asked, const Limits& limits, std::vector<s
   if (!spanned) return spanned.error();
   Margin margin = toothed(spanned.value(), teeth_of(values), notes);
   Outline outline(margin.points);
-  Veins veins{.margin = std::move(margin),
-              .outline = std::move(outline),
-              .crowds = {},
-              .all = {},
-              .tally = {},
-              .timeline = {}};
+  Veins veins{
+      .margin = std::move(margin), .outline = std::move(outline), .crowds = {}, .all = {}, .tally = {}, .timeline = {}};
   std::uint32_t count = values.whole(particles);
   if (asked.draft) count = std::min(count, draft_particles);
   veins.spacing = std::sqrt(veins.outline.area() / static_cast<float>(count));

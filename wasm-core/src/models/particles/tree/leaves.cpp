@@ -20,7 +20,7 @@ constexpr float outwards = 0.45f;   // how much they look where their twig point
 constexpr float tilt = 0.5f;        // how far leaves look elsewhere, as luck has it
 constexpr float droop = 0.25f;      // of their tips
 constexpr float least_size = 0.7f;  // of the largest
-constexpr float rising = 0.6f;      // how long it takes until the highest leaves begin to unfold, of the time that all take
+constexpr float rising = 0.6f;  // how long it takes until the highest leaves begin to unfold, of the time that all take
 
 // A vector at right angles to a unit vector.
 glm::vec3 beside(const glm::vec3& way) {

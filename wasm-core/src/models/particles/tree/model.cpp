@@ -37,8 +37,8 @@ using enum Parameter;
 constexpr std::uint32_t leaf_tag = 0, particle_tag = 1;
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t needle = 0;  // of the kinds of leaves: all others come with the request
-constexpr float light_cells = 28;  // along the longest edge of a crown
-constexpr float coarse = 2.5f;     // so much wider cells than these no longer tell the sides of a crown
+constexpr float light_cells = 28;    // along the longest edge of a crown
+constexpr float coarse = 2.5f;       // so much wider cells than these no longer tell the sides of a crown
 constexpr std::uint32_t ball_segments = 12;
 constexpr float highest = 1e6f;  // that a way past an obstacle may lead
 // How much of the bole bears no branch, of what is below the crown.

@@ -26,7 +26,9 @@ const INK = 0.85;
 const FLAT = [128, 128, 255] as const;
 
 /** What of a leaf is painted. */
-export type FlatLeaf = Pick<Leaf, "chart" | "margin" | "square"> & { segments: Pick<Leaf["segments"], "count" | "radii"> };
+export type FlatLeaf = Pick<Leaf, "chart" | "margin" | "square"> & {
+	segments: Pick<Leaf["segments"], "count" | "radii">;
+};
 
 /** What one face is laid with. */
 export interface Face {
