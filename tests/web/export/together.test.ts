@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { together } from "../../../web/src/export/together";
-import type { Part, PartMesh } from "../../../web/src/plant/part";
+import type { Part, PartMesh, Shape } from "../../../web/src/plant/part";
 import { HAIR, tetrahedron } from "./toy_parts";
 
 /** Upright, a quarter turn about Y, and at rest but twice as large. */
@@ -22,7 +22,7 @@ describe("instances that are no parts by themselves", () => {
 		expect([name, extras, children]).toEqual(["Leaves", { of: "oak" }, undefined]);
 		expect(shape?.material).toBe(HAIR);
 		expect(shape?.instances).toBeUndefined();
-		const { positions, normals, uvs, indices, sky } = shape?.mesh as PartMesh;
+		const { positions, normals, uvs, indices, sky } = (shape as Shape).mesh;
 		const corner = (vertex: number) =>
 			[...positions.subarray(3 * vertex, 3 * vertex + 3)].map((value) => Number(value.toFixed(5)));
 		// The tetrahedron's first two corners are (1, 1, 1) and (1, −1, −1).
