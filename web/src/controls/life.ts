@@ -11,6 +11,8 @@ export interface Stage {
 }
 
 export interface Life {
+	/** Of its tool; the parameter's where absent. */
+	readonly name?: string;
 	/** The parameter that runs, in percent. */
 	readonly parameter: string;
 	/** What it is called: "Age". */

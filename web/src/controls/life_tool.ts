@@ -12,7 +12,7 @@ export function lifeTool<S extends Specimen, G extends Plant>(
 	applies?: (specimen: S) => boolean,
 ): Tool<S, G, PlayState> {
 	const tool: Tool<S, G, PlayState> = {
-		name: life.parameter,
+		name: life.name ?? life.parameter,
 		initial: { playing: false },
 		applies,
 		parameters: [life.parameter],

@@ -1,12 +1,13 @@
 import { beforeAll, expect, it } from "vitest";
 import { nextStep } from "../../../../web/src/controls/life";
+import type { Face } from "../../../../web/src/controls/tool";
 import type { Core } from "../../../../web/src/core/core";
 import type { Model } from "../../../../web/src/models/model";
 import { model as leaf } from "../../../../web/src/models/particles/leaf/index";
 import { model as root } from "../../../../web/src/models/particles/root/index";
 import type { TrailPlant } from "../../../../web/src/models/particles/trails";
 import { model as tree } from "../../../../web/src/models/particles/tree/index";
-import { LIFE } from "../../../../web/src/models/particles/watch";
+import { GROWTH, LIFE } from "../../../../web/src/models/particles/watch";
 import { fromPreset } from "../../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../../web/src/specimen/specimen";
 import { particlesCore } from "./boundary/particles";
@@ -45,4 +46,19 @@ it.each([
 		expect(before).toBe(whole.fingerprint);
 		expect(nextStep(LIFE, 100, steps)).toBe(0);
 	}
+});
+
+it.each([
+	["tree", tree],
+	["root", root],
+] as const)("a %s that grows with its age has a life of its own stages, one at a time", async (_, each) => {
+	const model = each as unknown as Model<Specimen, TrailPlant>;
+	const face = (await model.studio?.()) as Face<Specimen, TrailPlant>;
+	const bars = (life: number) => {
+		const specimen = fromPreset(model);
+		const asked = { ...specimen, parameters: { ...specimen.parameters, life } };
+		return face.tools.filter(({ bar, applies }) => bar && (applies?.(asked) ?? true)).map(({ name }) => name);
+	};
+	expect([bars(0), bars(1)]).toEqual([["age"], ["growth"]]);
+	expect(GROWTH.stages.map(({ name }) => name)).not.toContain("Merging");
 });

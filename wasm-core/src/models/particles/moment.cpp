@@ -26,6 +26,12 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
   std::vector<double> own = trails.energy;
   for (std::size_t i = 1; i < count; ++i) own[static_cast<std::size_t>(trails.next[i])] -= trails.energy[i];
   own[0] = 0;
+  // Where some have met at this very moment, there is nobody before one of them has come.
+  std::vector<std::uint8_t> come(count, 0);
+  for (std::size_t i = count; i-- > 1;)
+    if ((trails.particle[i] >= 0 || come[i]) && static_cast<float>(trails.born[i]) < moment &&
+        arrival(trails, i, stride) <= moment)
+      come[static_cast<std::size_t>(trails.next[i])] = 1;
 
   Trails young;
   std::vector<std::int32_t> number(count, -1);
@@ -42,7 +48,7 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
   for (std::size_t i = 1; i < count; ++i) {
     const auto left = static_cast<float>(trails.born[i]);
     const bool start = trails.particle[i] >= 0;
-    if (left > moment && !start) continue;
+    if (!start && left >= moment && !come[i]) continue;
     const auto next = static_cast<std::size_t>(trails.next[i]);
     const glm::vec3 way = trails.places[next] - trails.places[i];
     const float there = arrival(trails, i, stride);

@@ -4,10 +4,20 @@ import { lifeTool } from "../../controls/life_tool";
 import type { Tool } from "../../controls/tool";
 import type { Plant } from "../../plant/plant";
 import type { Specimen } from "../../specimen/specimen";
+import type { Table } from "../../specimen/table";
 
-/** Watching particles run: the bar below the view, for leaf, tree and root. */
-export function watching<S extends Specimen, G extends Plant>(): Tool<S, G, PlayState> {
-	return lifeTool<S, G>(LIFE);
+/** Watching particles run: the bar below the view. */
+export function watching<S extends Specimen, G extends Plant>(
+	applies?: (specimen: S) => boolean,
+): Tool<S, G, PlayState> {
+	return lifeTool<S, G>(LIFE, applies);
+}
+
+/** Watching a plant run or, where its boundary grows with its age, grow up: the bar below the view has that life's stages. */
+export function watchingEither<S extends Specimen, G extends Plant>(table: Table): Tool<S, G>[] {
+	const grows = (specimen: S) => table.option(specimen, "life") === "grow";
+	const run = watching<S, G>((specimen) => !grows(specimen));
+	return [run, lifeTool<S, G>(GROWTH, grows)] as Tool<S, G>[];
 }
 
 /** How far the particles have run: the share of the steps in which all arrive. */
@@ -26,4 +36,22 @@ export const LIFE: Life = {
 	play: "Play from scattered particles to the last arrival",
 	steps: ({ counts }) => counts.steps ?? 0,
 	help: "0 particles scattered, 100 all trails stand.",
+};
+
+/** How far the boundary has grown: a young plant is a small one. */
+export const GROWTH: Life = {
+	name: "growth",
+	parameter: "age",
+	label: "Age",
+	stages: [
+		{ at: 0, name: "Seed" },
+		{ at: 20, from: 1, name: "Seedling" },
+		{ at: 50, from: 35, name: "Young" },
+		{ at: 75, from: 65, name: "Half grown" },
+		{ at: 100, name: "Grown" },
+	],
+	end: 100,
+	milliseconds: 8000,
+	play: "Play from the seed to the grown plant",
+	help: "0 a seed, 100 as large as the boundary.",
 };

@@ -28,8 +28,8 @@ describe("a drag of a grip", () => {
 	it("called off brings back what the grip has set, and nothing that others have", () => {
 		const oak = tree("oak");
 		const { page, pose, drags } = handsOn(oak);
-		const { at } = gripOf(pose(), "knot5");
-		drags.begin(1, "knot5", at);
+		const { at } = gripOf(pose(), "knot6");
+		drags.begin(1, "knot6", at);
 		drags.move(1, { x: at.x, y: at.y + 2 });
 		expect(page.specimen.parameters.height).toBeCloseTo(oak.parameters.height + 2);
 		const others = { parameters: { age: 60, inner: 0.2 }, details: { targets: [1, 0, 0] } };

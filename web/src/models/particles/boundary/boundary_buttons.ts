@@ -58,8 +58,8 @@ function wallBeside<S extends BoundedSpecimen>(lay: Lay<S>, specimen: S): Change
 	const { halfWidth, low, high } = lay.box(specimen);
 	const reach = high > 0 ? high : low;
 	const walls = wallsOf(specimen).length;
-	const x = axisOf(lay, specimen) + halfWidth * (0.4 + 0.2 * walls);
-	return withWall(specimen, { x, y: reach }, 2 * halfWidth);
+	const x = axisOf(lay, specimen) + halfWidth * (0.7 + 0.2 * walls);
+	return withWall(specimen, { x, y: 0.6 * reach }, halfWidth);
 }
 
 /** Such as a neighbour's crown: as large as the own boundary, and a little into it. */

@@ -13,7 +13,7 @@ const WORDS = [
 export class SunView extends GripView {
 	protected readonly heading = "Sun, on the sky seen from above";
 	protected readonly help =
-		"Drag, or use the arrow keys: left and right turn the sun about the tree, up and down raise and lower it by five degrees, with Shift by fifteen. Escape calls off a drag.";
+		"Where it shines from, branches and leaves gather; the picture’s own lamp stays where it is. Drag, or use the arrow keys: left and right turn the sun about the tree, up and down raise and lower it by five degrees, with Shift by fifteen. Escape calls off a drag.";
 
 	protected fit(): Frame {
 		return frameAbout({ halfWidth: 1.12, low: -1.12, high: 1.12 }, this.size.width, this.size.height);

@@ -7,9 +7,10 @@ import { planTool } from "../../boundary/plan_tool";
 import { readout } from "../../boundary/readout";
 import { shellTool } from "../../boundary/shell_tool";
 import type { WoodenPlant } from "../../boundary/wooden_plant";
-import { watching } from "../../watch";
+import { watchingEither } from "../../watch";
 import { rootLay } from "../lay";
 import type { RootSpecimen } from "../specimen";
+import { ROOT_TABLE } from "../table";
 
 export const face: Face<RootSpecimen, WoodenPlant> = {
 	tools: [
@@ -17,7 +18,7 @@ export const face: Face<RootSpecimen, WoodenPlant> = {
 		planTool(rootLay),
 		shellTool(rootLay),
 		meshTool("volume", "reach"),
-		watching(),
+		...watchingEither<RootSpecimen, WoodenPlant>(ROOT_TABLE),
 	],
 	readout,
 	about: html`<p>

@@ -7,9 +7,10 @@ import { planTool } from "../../boundary/plan_tool";
 import { readout } from "../../boundary/readout";
 import { shellTool } from "../../boundary/shell_tool";
 import type { WoodenPlant } from "../../boundary/wooden_plant";
-import { watching } from "../../watch";
+import { watchingEither } from "../../watch";
 import { treeLay } from "../lay";
 import type { TreeSpecimen } from "../specimen";
+import { TREE_TABLE } from "../table";
 import { sun } from "./sun";
 
 export const face: Face<TreeSpecimen, WoodenPlant> = {
@@ -19,7 +20,7 @@ export const face: Face<TreeSpecimen, WoodenPlant> = {
 		shellTool(treeLay),
 		sun,
 		meshTool("crown", "height"),
-		watching(),
+		...watchingEither<TreeSpecimen, WoodenPlant>(TREE_TABLE),
 	],
 	readout,
 	about: html`<p>
