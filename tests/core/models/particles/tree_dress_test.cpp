@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tuple>
 #include <vector>
 
 #include "models/particles/crown_light.hpp"
@@ -13,18 +14,22 @@ namespace panicle::particles {
 namespace {
 
 TEST_CASE("meshes: tubes of bark along the branches, leaves and balls as organs that share a mesh each") {
-  const Plant plant = grow_tree({.parameters = {{"particles", 400}, {"age", 50}}, .outputs = "meshes sky"});
-  REQUIRE(plant.meshes.size() == 3);
-  CHECK(plant.meshes[0].material == "bark");
-  CHECK(plant.meshes[1].material == "blade");
-  const Mesh& stems = plant.meshes[0].mesh;
-  for (const std::uint32_t index : stems.indices) CHECK(index < stems.positions.size() / 3);
-  for (const float value : stems.positions) CHECK(std::isfinite(value));
-  for (std::size_t v = 0; v + 2 < stems.normals.size(); v += 3)
-    CHECK(std::hypot(stems.normals[v], stems.normals[v + 1], stems.normals[v + 2]) == doctest::Approx(1).epsilon(1e-3));
-  CHECK(column_in<std::uint8_t>(plant, "organs.sky").size() == plant.organs.size());
-  for (const Organ& organ : plant.organs)
-    CHECK(plant.meshes[static_cast<std::size_t>(organ.mesh)].name == (organ.tag == 0 ? "leaves" : "balls"));
+  for (const auto& [age, material, borne] : {std::tuple{10.0f, "skin", "balls"}, {95.0f, "blade", "leaves"}}) {
+    CAPTURE(age);
+    const Plant plant = grow_tree({.parameters = {{"particles", 400}, {"age", age}}, .outputs = "meshes sky"});
+    REQUIRE(plant.meshes.size() == 2);
+    CHECK(plant.meshes[0].material == "bark");
+    CHECK(plant.meshes[1].material == material);
+    const Mesh& stems = plant.meshes[0].mesh;
+    for (const std::uint32_t index : stems.indices) CHECK(index < stems.positions.size() / 3);
+    for (const float value : stems.positions) CHECK(std::isfinite(value));
+    for (std::size_t v = 0; v + 2 < stems.normals.size(); v += 3)
+      CHECK(std::hypot(stems.normals[v], stems.normals[v + 1], stems.normals[v + 2]) ==
+            doctest::Approx(1).epsilon(1e-3));
+    CHECK(plant.organs.size() > 50);
+    CHECK(column_in<std::uint8_t>(plant, "organs.sky").size() == plant.organs.size());
+    for (const Organ& organ : plant.organs) CHECK(plant.meshes[static_cast<std::size_t>(organ.mesh)].name == borne);
+  }
   CHECK(grow_tree({.parameters = {{"particles", 400}}}).meshes.empty());
 }
 
@@ -40,7 +45,8 @@ TEST_CASE("meshes are there for what is borne, and for nothing else") {
   CHECK(names({}) == std::vector<std::string>{"stems", "leaves"});
   CHECK(names({{"leaves", 0}}) == std::vector<std::string>{"stems"});
   CHECK(names({{"leaves", 0}, {"age", 50}}) == std::vector<std::string>{"stems", "balls"});
-  CHECK(names({{"age", 50}}) == std::vector<std::string>{"stems", "leaves", "balls"});
+  CHECK(names({{"age", 50}}) == std::vector<std::string>{"stems", "balls"});
+  CHECK(names({{"age", 95}}) == std::vector<std::string>{"stems", "leaves"});
 }
 
 TEST_CASE("the sky is darker inside a crown than on it") {
