@@ -1,8 +1,11 @@
 import { Matrix4, type Mesh, type MeshPhysicalMaterial, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { exportGlb, type GlbOptions } from "../../../web/src/export/glb";
+import { png } from "../../../web/src/export/png";
+import { encoded, linear } from "../../../web/src/plant/colour";
 import { type Material, standardMaterial } from "../../../web/src/plant/material";
 import type { Part, Shape } from "../../../web/src/plant/part";
+import { tinted } from "../../../web/src/plant/picture";
 import { bounced } from "../../../web/src/plant/shade";
 import { toyPlant } from "../plant/toy_plant";
 import { complaints, documentOf, load, meshesOf } from "./reading";
@@ -302,6 +305,18 @@ describe("textures", () => {
 		const sky = mesh.sky.subarray(0, mesh.positions.length / 3);
 		const file = exportGlb([{ name: "Sheet", shape: { mesh: { ...mesh, sky, colours }, material } }], ABOUT);
 		const [made] = documentOf(file).materials ?? [];
-		expect(made.pbrMetallicRoughness.baseColorFactor).toEqual([0.5, 0.5, 0.5, 1]);
+		// F3D knows the picture and colours of vertices, and no factor beside them.
+		expect(made.pbrMetallicRoughness.baseColorFactor).toEqual([1, 1, 1, 1]);
+		expect(tinted(picture, [0.5, 1, 0]).pixels).toEqual(
+			picture.pixels.map((value, at) => {
+				const [light] = linear(value.toString(16).padStart(2, "0").repeat(3));
+				return at % 3 === 1 ? value : at % 3 === 2 ? 0 : Math.round(255 * encoded([light / 2, 0, 0])[0]);
+			}),
+		);
+		expect(tinted(picture, [1, 1, 1])).toBe(picture);
+		const { images = [], bufferViews = [] } = documentOf(file);
+		const { byteOffset, byteLength } = bufferViews[images[0].bufferView ?? -1];
+		const from = 28 + new DataView(file.buffer).getUint32(12, true) + byteOffset;
+		expect(file.slice(from, from + byteLength)).toEqual(png(tinted(picture, [0.5, 0.5, 0.5])));
 	});
 });

@@ -2,6 +2,7 @@
 import type { Colour } from "../plant/colour";
 import type { Material, Picture } from "../plant/material";
 import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+import { tinted } from "../plant/picture";
 import { everywhere, shaded } from "../plant/shade";
 import type { About } from "./about";
 import { GltfDocument, type Json, type Placed } from "./gltf_document";
@@ -173,14 +174,17 @@ class PartsWriter {
 		if (known !== undefined) return known;
 		// Compact meshes reach from −1 to 1, each scaled by its own node.
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
-		const textures = this.#textures(material);
-		const index = this.#document.material(gltfMaterial(material, base ?? plainBase(material), thickness, textures));
+		const textures = this.#textures(material, base);
+		// Some readers know a picture and colours of vertices, and no factor beside them: the picture has it all.
+		const factor: Colour = material.textures?.colour ? [1, 1, 1] : (base ?? material.colour);
+		const index = this.#document.material(gltfMaterial(material, factor, thickness, textures));
 		indices.set(material, index);
 		return index;
 	}
 
-	#textures({ name, textures = {} }: Material): TextureIndices {
-		const { repeats, ...pictures } = textures;
+	#textures({ name, textures = {} }: Material, base: Colour = [1, 1, 1]): TextureIndices {
+		const { repeats, colour, ...others } = textures;
+		const pictures = { ...(colour ? { colour: tinted(colour, base) } : {}), ...others };
 		const kinds = Object.entries(pictures) as [keyof TextureIndices, Picture][];
 		return Object.fromEntries(
 			kinds.map(([kind, picture]) => [kind, this.#document.texture(`${name} ${kind}`, png(picture), repeats)]),

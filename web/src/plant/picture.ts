@@ -1,3 +1,5 @@
+/** What is done to pictures before they are laid on something. */
+import { type Colour, clamp, encoded, linear } from "./colour";
 import type { Picture } from "./material";
 
 /** Four numbers a pixel, the last one 255: as graphics cards take it, who make smaller copies of sRGB of four channels only. */
@@ -12,4 +14,16 @@ export function asCardsTakeIt(picture: Picture): Picture {
 		four[to + 3] = 255;
 	}
 	return { width, height, pixels: four };
+}
+
+/** The picture as it looks where a colour multiplies it; itself where that is white. */
+export function tinted(picture: Picture, by: Colour): Picture {
+	if (by.every((channel) => channel === 1)) return picture;
+	const shades = by.map((channel) =>
+		Uint8Array.from({ length: 256 }, (_, value) => {
+			const light = linear(`#${value.toString(16).padStart(2, "0").repeat(3)}`)[0] * channel;
+			return Math.round(255 * clamp(encoded([light, light, light])[0]));
+		}),
+	);
+	return { ...picture, pixels: picture.pixels.map((value, at) => shades[at % 3][value]) };
 }
