@@ -26,7 +26,7 @@ describe("a root's presets", () => {
 			expect(plant.notes).toEqual([]);
 			const heights = plant.segments.ends.filter((_, i) => i % 3 === 1);
 			expect(heights.reduce((most, y) => Math.max(most, y))).toBeLessThan(1e-3);
-			expect(heights.reduce((least, y) => Math.min(least, y))).toBeGreaterThan(-1.001 * specimen.parameters.reach);
+			expect(heights.reduce((least, y) => Math.min(least, y))).toBeGreaterThan(-1.005 * specimen.parameters.reach);
 			expect(model.words(plant)).toMatch(/^[\d.]+ c?m deep, [\d,]+ root tips$/);
 		},
 	);
@@ -99,7 +99,7 @@ describe("the pit about a root", () => {
 			const specimen = fromPreset(model, "tap");
 			return { ...specimen, parameters: { ...specimen.parameters, particles: 300, age } };
 		};
-		const pits = [40, 100, 0, 41, 60, 100].map((age) => {
+		const pits = [5, 100, 0, 41, 60, 100].map((age) => {
 			figure.show(grow(at(age), { passing: age < 100 }), at(age));
 			return stage.root.children.find(({ name }) => name === "Soil");
 		});
