@@ -4,6 +4,7 @@ import type { Core } from "../../../../../web/src/core/core";
 import { cutFigure } from "../../../../../web/src/models/particles/root/cut_figure";
 import { model } from "../../../../../web/src/models/particles/root/index";
 import { pit } from "../../../../../web/src/models/particles/root/soil";
+import type { RootSpecimen } from "../../../../../web/src/models/particles/root/specimen";
 import { PaperShadow } from "../../../../../web/src/scene/paper_shadow";
 import { StageLight } from "../../../../../web/src/scene/stage_light";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
@@ -95,18 +96,23 @@ describe("the pit about a root", () => {
 	it("is not dug anew while particles run, and is dug for the whole root when they rest", () => {
 		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
 		const figure = cutFigure(stage);
-		const at = (age: number) => {
+		const at = (age: number, reach = 1) => {
 			const specimen = fromPreset(model, "tap");
-			return { ...specimen, parameters: { ...specimen.parameters, particles: 300, age } };
+			const { parameters } = specimen;
+			return { ...specimen, parameters: { ...parameters, particles: 300, age, reach: reach * parameters.reach } };
 		};
-		const pits = [5, 100, 0, 41, 60, 100].map((age) => {
-			figure.show(grow(at(age), { passing: age < 100 }), at(age));
+		const pitOf = (specimen: RootSpecimen, passing: boolean) => {
+			figure.show(grow(specimen, { passing }), specimen);
 			return stage.root.children.find(({ name }) => name === "Soil");
-		});
+		};
+		const pits = [40, 100, 0, 41, 60, 100].map((age) => pitOf(at(age), age < 100));
 		expect(pits[0]).toBeDefined();
-		expect(pits[1] === pits[0]).toBe(false);
 		// Whatever runs home started within the root that it becomes.
-		expect(pits.slice(1).every((each) => each === pits[1])).toBe(true);
+		expect(new Set(pits).size).toBe(1);
+		// A smaller root has room in it for as long as it is on its way.
+		expect(pitOf(at(60, 0.5), true) === pits[0]).toBe(true);
+		expect(pitOf(at(100, 0.5), false) === pits[0]).toBe(false);
+		pits[1] = pitOf(at(100), false);
 		const young = at(40);
 		figure.show(grow(young, { passing: true }), { ...young, look: { ...young.look, soil: "ffffff" } });
 		expect(stage.root.children.find(({ name }) => name === "Soil") === pits[1]).toBe(false);
