@@ -86,16 +86,22 @@ export default [
 		suites: [`${TESTS}/foliage/leaf_test.cpp`],
 		faults: [
 			{
+				id: "leaf-mirrored-inside-out",
+				find: "relief.side < 0);",
+				replace: "relief.side > 2);",
+				breaks: "every other leaf shows its lower face to the light",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/plant/flat_leaf.cpp",
+		suites: [`${TESTS}/foliage/leaf_test.cpp`],
+		faults: [
+			{
 				id: "leaf-normals-not-unit",
 				find: "normal[axis] /= length;",
 				replace: "normal[axis] *= 1;",
 				breaks: "leaves shine or go dark with their triangles' size",
-			},
-			{
-				id: "leaf-mirrored-inside-out",
-				find: "if (relief.side < 0)",
-				replace: "if (relief.side > 2)",
-				breaks: "every other leaf shows its lower face to the light",
 			},
 			{
 				id: "leaf-triangles-unchecked",

@@ -23,11 +23,13 @@ import specimen from "./specimen.mjs";
 import studio from "./studio.mjs";
 import swelling from "./swelling.mjs";
 import webCore from "./web_core.mjs";
+import wood from "./wood.mjs";
 
 export const groups = [
 	...rooms,
 	...lsystem,
 	...particles,
+	...wood,
 	...leaf,
 	...leafPictures,
 	...boundary,

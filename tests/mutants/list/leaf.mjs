@@ -63,8 +63,8 @@ export default [
 		faults: [
 			{
 				id: "teeth-tips-forgotten",
-				find: "if (out == 1) cut.teeth.push_back(cut.points.size());",
-				replace: "if (out == 0) cut.teeth.push_back(cut.points.size());",
+				find: "if (out == 1) cut.margin.teeth.push_back",
+				replace: "if (out == 0) cut.margin.teeth.push_back",
 				breaks: "notches are taken for tips",
 			},
 		],

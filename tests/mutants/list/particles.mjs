@@ -1,4 +1,4 @@
-/** Leaf, tree and root: the system of particles that they share. */
+/** Leaf, tree and root: how their particles run. */
 const SRC = "wasm-core/src/models/particles";
 const TESTS = "tests/core/models/particles";
 
@@ -53,36 +53,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/wood.cpp`,
-		suites: [`${TESTS}/wood_test.cpp`],
-		faults: [
-			{
-				id: "wood-to-targets-out-of-reach",
-				find: " || !guides[i].reaches(p)) continue;",
-				replace: ") continue;",
-				breaks: "particles beside a walled trunk run through its walls",
-			},
-			{
-				id: "wood-led-ones-untold",
-				find: "wood.tally.stragglers += crowd.stragglers();",
-				replace: "",
-				breaks: "nothing says that particles had to be led to their target",
-			},
-		],
-	},
-	{
-		file: `${SRC}/trunk.cpp`,
-		suites: [`${TESTS}/trunk_test.cpp`, `${TESTS}/tree_test.cpp`],
-		faults: [
-			{
-				id: "trunk-through-the-top",
-				find: "|| outer_->contains(to)",
-				replace: "|| true",
-				breaks: "trails of weeping branches run over the top of the crown",
-			},
-		],
-	},
-	{
 		file: `${SRC}/trail_plant.cpp`,
 		suites: [`${TESTS}/trail_plant_test.cpp`],
 		faults: [
@@ -113,103 +83,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/grown.cpp`,
-		suites: [`${TESTS}/tree_life_test.cpp`],
-		faults: [
-			{
-				id: "grown-by-whole-steps",
-				find: "habit.age * static_cast<float>(last)",
-				replace: "static_cast<float>(static_cast<std::uint32_t>(habit.age * static_cast<float>(last)) / 8 * 8)",
-				breaks: "the tree runs by jerks and is not whole in the end",
-			},
-		],
-	},
-	{
-		file: `${SRC}/forks.cpp`,
-		suites: [`${TESTS}/forks_test.cpp`],
-		faults: [
-			{
-				id: "forks-wide",
-				find: "constexpr float cost = 0.95f;",
-				replace: "constexpr float cost = 0.3f;",
-				breaks: "branches stand nearly at right angles to what bears them",
-			},
-			{
-				id: "forks-into-obstacles",
-				find: "if (guide.open(places[i]) && guide.sees(places[i], places[next])) continue;",
-				replace: "continue;",
-				breaks: "a branch is drawn through a wall",
-			},
-			{
-				id: "forks-past-each-other",
-				find: "const float share = most / std::max(glm::length(drawn), most);",
-				replace: "const float share = 1;",
-				breaks: "two places that draw towards each other change sides",
-			},
-		],
-	},
-	{
-		file: `${SRC}/axis.cpp`,
-		suites: [`${TESTS}/axis_test.cpp`],
-		faults: [
-			{
-				id: "axis-cut-short",
-				find: "return straight + at(straight.y) - chord;",
-				replace: "return straight;",
-				breaks: "particles run beside a trunk that sways, and it has several lines of wood",
-			},
-		],
-	},
-	{
-		file: `${SRC}/obstacles.cpp`,
-		suites: [`${TESTS}/tree_test.cpp`],
-		faults: [
-			{
-				id: "round-obstacles-let-through",
-				find: "return glm::dot(nearest, nearest) < 1;",
-				replace: "return false;",
-				breaks: "branches grow through another tree's crown",
-			},
-		],
-	},
-	{
-		file: `${SRC}/crown_light.cpp`,
-		suites: [`${TESTS}/tree_test.cpp`],
-		faults: [
-			{
-				id: "others-take-no-light",
-				find: "const auto within = [&](const Box& other) { return within_round(other, p); };",
-				replace: "const auto within = [&](const Box&) { return false; };",
-				breaks: "another tree's crown casts no shade",
-			},
-			{
-				id: "walls-take-no-light",
-				find: "return opaque / edge;",
-				replace: "return 0.0f;",
-				suites: [`${TESTS}/obstacles_test.cpp`],
-				breaks: "a wall casts no shade",
-			},
-		],
-	},
-	{
-		file: `${SRC}/dressing.cpp`,
-		suites: [`${TESTS}/tree_dress_test.cpp`],
-		faults: [
-			{
-				id: "collars-black",
-				find: "  mend_normals(stems.mesh);",
-				replace: "",
-				breaks: "facets where branches begin are black",
-			},
-			{
-				id: "twigs-as-dear-as-limbs",
-				find: "fine_of_all = 0.002f",
-				replace: "fine_of_all = 0",
-				breaks: "files are four times as large as what is seen of the wood",
-			},
-		],
-	},
-	{
 		file: `${SRC}/outline.cpp`,
 		suites: [`${TESTS}/outline_test.cpp`],
 		faults: [
@@ -230,18 +103,6 @@ export default [
 				find: "right = column_of(p.x + reach)",
 				replace: "right = column_of(p.x)",
 				breaks: "edges on the right are not seen",
-			},
-		],
-	},
-	{
-		file: `${SRC}/waypoints.cpp`,
-		suites: [`${TESTS}/waypoints_test.cpp`],
-		faults: [
-			{
-				id: "waypoints-of-what-was-asked-first",
-				find: "while (!open_.empty() && !asked.closed) spread_next();",
-				replace: "if (!open_.empty() && !asked.closed) spread_next();",
-				breaks: "ways are known only as far as was asked often enough",
 			},
 		],
 	},
@@ -270,18 +131,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/gather.cpp`,
-		suites: [`${TESTS}/trunk_test.cpp`, `${TESTS}/obstacles_test.cpp`],
-		faults: [
-			{
-				id: "gather-through-obstacles",
-				find: " && guide.sees(trails.places[line[end - 1]], trails.places[line[end]])",
-				replace: "",
-				breaks: "a trunk runs straight through what stands on its axis",
-			},
-		],
-	},
-	{
 		file: `${SRC}/neighbours.cpp`,
 		suites: [`${TESTS}/crowd_test.cpp`],
 		faults: [
@@ -302,36 +151,6 @@ export default [
 				find: "if (lattice.share_of(cell, length, region) == Share::none) continue;",
 				replace: "",
 				breaks: "crowns far apart take minutes",
-			},
-		],
-	},
-	{
-		file: `${SRC}/twig_shape.cpp`,
-		suites: [`${TESTS}/twig_shape_test.cpp`],
-		faults: [
-			{
-				id: "twig-hangs-at-once",
-				find: " * smooth_step(0, arc, run[i])",
-				replace: "",
-				breaks: "hanging twigs break off at the branch that bears them",
-			},
-			{
-				id: "twig-hangs-out",
-				find: "if (last && !fits",
-				replace: "if (false && !fits",
-				breaks: "tips sink out of the boundary",
-			},
-		],
-	},
-	{
-		file: `${SRC}/foot.cpp`,
-		suites: [`${TESTS}/foot_test.cpp`],
-		faults: [
-			{
-				id: "foot-cut-aslant",
-				find: "std::max(positions[3 * v + 1], foot.start.y)",
-				replace: "positions[3 * v + 1]",
-				breaks: "a swaying trunk is cut aslant below the ground",
 			},
 		],
 	},
