@@ -9,7 +9,7 @@ test("GLB: valid, and dropped back it restores its bunch", async ({ page }) => {
 	const first = await studio.fingerprint.innerText();
 	for (const format of ["glb", "glb-instanced"]) {
 		const { name, bytes } = await studio.download(format);
-		expect(name).toMatch(/^short-conical-7.*\.glb$/);
+		expect(name).toMatch(/^short-conical-altered-7.*\.glb$/);
 		const { issues } = await validateBytes(new Uint8Array(bytes));
 		expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
 		await studio.regrown(() => page.getByRole("button", { name: "Lychee" }).click());
