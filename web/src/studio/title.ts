@@ -14,8 +14,16 @@ export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[]
 
 /** Whether it is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
 export function isAltered(specimen: Specimen, model: Model, tools: readonly Tool[] = []): boolean {
-	const preset = fromPreset(model, specimen.preset);
+	const preset = presetOf(model, specimen.preset);
 	const running = tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
 	const values = Object.fromEntries(running.map((key) => [key, preset.parameters[key]]));
 	return !growsAlike(withParameters(model, { ...specimen, seed: preset.seed }, values), preset);
+}
+
+/** The last one: a life that runs asks for it at every frame. */
+let known: { model: Model; name: string; preset: Specimen } | undefined;
+
+function presetOf(model: Model, name: string): Specimen {
+	if (known?.model !== model || known.name !== name) known = { model, name, preset: fromPreset(model, name) };
+	return known.preset;
 }
