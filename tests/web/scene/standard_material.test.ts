@@ -5,6 +5,7 @@ import {
 	MeshPhysicalMaterial,
 	RepeatWrapping,
 	ShaderLib,
+	Texture,
 	type WebGLProgramParametersWithUniforms,
 } from "three";
 import { describe, expect, it } from "vitest";
@@ -105,6 +106,13 @@ describe("standardMaterial", () => {
 		expect(gone).toBe(1);
 		setPicture(made, rich);
 		expect(made.map).toBeNull();
+	});
+
+	it("wears the texture that stands for its picture, and makes none beside it", () => {
+		const colour = { width: 1, height: 1, pixels: Uint8Array.of(10, 20, 30) };
+		const map = new Texture();
+		const made = standardMaterial({ ...rich, textures: { colour } }, { light, maps: { colour: map } });
+		expect(made.map).toBe(map);
 	});
 
 	it("repeats a picture that is told to, and no other", () => {

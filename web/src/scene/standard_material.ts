@@ -46,6 +46,8 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	made.color = own ? new Color(1, 1, 1) : new Color(...material.colour);
 	made.vertexColors = options.coloured ?? false;
 	if (map) made.map = map;
+	// It is laid already, and would be made a second time.
+	if (map) made.userData.picture = material.textures?.colour;
 	if (normalMap) made.normalMap = normalMap;
 	// three's frame is that of u and v, green of our normals points against v.
 	made.normalScale = new Vector2(1, -1);
