@@ -35,12 +35,8 @@ Trails linked(const Trails& trails, std::vector<std::int32_t> next, float stride
   std::vector<std::int32_t> number(count, -1);
   for (const std::uint32_t i : order) {
     if (i > 0 && trails.particle[i] < 0 && !passed[i]) continue;
-    number[i] = static_cast<std::int32_t>(made.size());
-    made.places.push_back(trails.places[i]);
-    made.next.push_back(i == 0 ? -1 : number[static_cast<std::size_t>(next[i])]);
-    made.energy.push_back(energy[i]);
-    made.born.push_back(static_cast<std::uint32_t>(left[i]));
-    made.particle.push_back(trails.particle[i]);
+    const std::int32_t to = i == 0 ? -1 : number[static_cast<std::size_t>(next[i])];
+    number[i] = made.add(trails.places[i], to, energy[i], static_cast<std::uint32_t>(left[i]), trails.particle[i]);
   }
   // Whoever comes to the axis last is the last that is seen to run.
   made.born[0] = 0;

@@ -9,15 +9,6 @@ namespace {
 // So much of a step someone must move to be seen in it: who stands a quarter into each step sees it then.
 constexpr float seen = 0.5f;
 
-// When what left a place came to the next: that was there, and the particle could be, for others may have been there
-// before it.
-float arrival(const Trails& trails, std::size_t i, float stride) {
-  const auto next = static_cast<std::size_t>(trails.next[i]);
-  const auto left = static_cast<float>(trails.born[i]);
-  const float earliest = left + glm::distance(trails.places[i], trails.places[next]) / stride;
-  return std::max(next == 0 ? left + 1 : static_cast<float>(trails.born[next]), earliest);
-}
-
 }  // namespace
 
 Trails at_moment(const Trails& trails, float moment, float stride) {
@@ -35,16 +26,7 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
 
   Trails young;
   std::vector<std::int32_t> number(count, -1);
-  const auto add = [&](const glm::vec3& place, std::int32_t next, double energy, std::uint32_t born,
-                       std::int32_t particle) {
-    young.places.push_back(place);
-    young.next.push_back(next);
-    young.energy.push_back(energy);
-    young.born.push_back(born);
-    young.particle.push_back(particle);
-    return static_cast<std::int32_t>(young.size()) - 1;
-  };
-  number[0] = add(trails.places[0], -1, 0, trails.born[0], -1);
+  number[0] = young.add(trails.places[0], -1, 0, trails.born[0], -1);
   for (std::size_t i = 1; i < count; ++i) {
     const auto left = static_cast<float>(trails.born[i]);
     const bool start = trails.particle[i] >= 0;
@@ -56,8 +38,8 @@ Trails at_moment(const Trails& trails, float moment, float stride) {
     if (left < moment && there <= moment)
       to = number[next];
     else if (left < moment)
-      to = add(trails.places[i] + ((moment - left) / (there - left)) * way, -1, 0, trails.born[i], -1);
-    number[i] = add(trails.places[i], to, own[i], trails.born[i], trails.particle[i]);
+      to = young.add(trails.places[i] + ((moment - left) / (there - left)) * way, -1, 0, trails.born[i], -1);
+    number[i] = young.add(trails.places[i], to, own[i], trails.born[i], trails.particle[i]);
   }
   for (std::size_t i = young.size(); i-- > 1;)
     if (young.next[i] >= 0) young.energy[static_cast<std::size_t>(young.next[i])] += young.energy[i];

@@ -162,34 +162,16 @@ Trails simplified(const Trails& trails, float tolerance, bool arrivals) {
       now[i] = now[next_of(trails, i)];  // what leads here leads there
       continue;
     }
-    now[i] = static_cast<std::int32_t>(left.size());
-    left.next.push_back(i == 0 ? -1 : now[next_of(trails, i)]);
-    left.places.push_back(trails.places[i]);
-    left.energy.push_back(trails.energy[i]);
-    left.born.push_back(trails.born[i]);
-    left.particle.push_back(trails.particle[i]);
+    const std::int32_t to = i == 0 ? -1 : now[next_of(trails, i)];
+    now[i] = left.add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
   }
   return left;
 }
 
 Trails divided(const Trails& trails, float longest, double least, double most, float stride) {
   Trails made;
-  const std::size_t room = 2 * trails.size();
-  made.places.reserve(room);
-  made.next.reserve(room);
-  made.energy.reserve(room);
-  made.born.reserve(room);
-  made.particle.reserve(room);
+  made.reserve(2 * trails.size());
   std::vector<std::int32_t> now(trails.size(), -1);
-  const auto add = [&](const glm::vec3& place, std::int32_t next, double passes, std::uint32_t born,
-                       std::int32_t particle) {
-    made.places.push_back(place);
-    made.next.push_back(next);
-    made.energy.push_back(passes);
-    made.born.push_back(born);
-    made.particle.push_back(particle);
-    return static_cast<std::int32_t>(made.size()) - 1;
-  };
   for (std::size_t i = 0; i < trails.size(); ++i) {
     std::int32_t to = -1;
     if (i > 0) {
@@ -199,16 +181,15 @@ Trails divided(const Trails& trails, float longest, double least, double most, f
       const float length = glm::length(way);
       const bool whole = next == 0 || trails.energy[i] < least || !(trails.energy[i] < most);
       const std::uint32_t pieces = whole ? 1 : 1 + static_cast<std::uint32_t>(length / longest);
-      // As `at_moment` has it.
       const auto left = static_cast<float>(trails.born[i]);
-      const float there = std::max(static_cast<float>(trails.born[next]), left + length / stride);
+      const float there = arrival(trails, i, stride);
       for (std::uint32_t k = 1; k < pieces; ++k) {
         const float share = 1 - static_cast<float>(k) / static_cast<float>(pieces);
-        to = add(trails.places[i] + share * way, to, trails.energy[i],
-                 static_cast<std::uint32_t>(left + share * (there - left)), -1);
+        to = made.add(trails.places[i] + share * way, to, trails.energy[i],
+                      static_cast<std::uint32_t>(left + share * (there - left)), -1);
       }
     }
-    now[i] = add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
+    now[i] = made.add(trails.places[i], to, trails.energy[i], trails.born[i], trails.particle[i]);
   }
   return made;
 }

@@ -1,6 +1,34 @@
 #include "models/particles/trails.hpp"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 namespace panicle::particles {
+
+void Trails::reserve(std::size_t count) {
+  places.reserve(count);
+  next.reserve(count);
+  energy.reserve(count);
+  born.reserve(count);
+  particle.reserve(count);
+}
+
+std::int32_t Trails::add(const glm::vec3& place, std::int32_t to, double passing, std::uint32_t first_left,
+                         std::int32_t started) {
+  places.push_back(place);
+  next.push_back(to);
+  energy.push_back(passing);
+  born.push_back(first_left);
+  particle.push_back(started);
+  return static_cast<std::int32_t>(size()) - 1;
+}
+
+float arrival(const Trails& trails, std::size_t i, float stride) {
+  const auto next = static_cast<std::size_t>(trails.next[i]);
+  const auto left = static_cast<float>(trails.born[i]);
+  const float earliest = left + glm::distance(trails.places[i], trails.places[next]) / stride;
+  return std::max(next == 0 ? left + 1 : static_cast<float>(trails.born[next]), earliest);
+}
 
 std::vector<std::uint32_t> tree_order(std::span<const std::int32_t> next) {
   const std::size_t count = next.size();

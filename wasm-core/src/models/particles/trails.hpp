@@ -18,7 +18,15 @@ struct Trails {
   std::vector<std::int32_t> particle;  // that started here; −1 where none did
 
   std::size_t size() const { return places.size(); }
+  void reserve(std::size_t count);
+  // Appends a place; returns its number.
+  std::int32_t add(const glm::vec3& place, std::int32_t to, double passing, std::uint32_t first_left,
+                   std::int32_t started);
 };
+
+// When what left a place came to the next, in steps of `stride`: that was there, and the particle could be, for others
+// may have been there before it. Not of the target.
+float arrival(const Trails& trails, std::size_t i, float stride);
 
 // All places in the order of the tree, whatever the order that they stand in: 0 first, each after the one it leads to,
 // those that lead to the same place next to each other and ascending. `next`: for each place but 0 the one it leads to.
