@@ -55,7 +55,7 @@ export class LifeBar extends ControlElement {
 				<p class="stage-now" aria-hidden="true">${stage.name}</p>
 			</div>
 			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(String(age))}
+				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${String(age)}
 				aria-label="${life.label} in percent"
 				@change=${this.#type} @keydown=${this.#fieldKey} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
 			><span class="unit" aria-hidden="true">%</span>
