@@ -4,7 +4,8 @@ import { NUMBER_KEYS } from "../../../web/src/models/bunch/parameters.generated"
 import { withSeed } from "../../../web/src/specimen/edit";
 import { change, startHistory, undo } from "../../../web/src/specimen/history";
 import { growsAlike, sameSpecimen } from "../../../web/src/specimen/same";
-import { MOST_THINNED, specimenFromPreset, thin, unthin, unthinAll, withLook, withParameters } from "../bunch";
+import { apply } from "../../../web/src/studio/change";
+import { BUNCH, MOST_THINNED, specimenFromPreset, thin, unthin, unthinAll, withLook, withParameters } from "../bunch";
 import { anySpecimen, faults } from "./arbitrary";
 
 describe("edits", () => {
@@ -32,6 +33,13 @@ describe("edits", () => {
 		}
 		expect(withSeed(specimen, 4294967296).seed).toBe(0);
 		expect(withSeed(specimen, -1).seed).toBe(4294967295);
+	});
+
+	it("leave what they do not say as the same object", () => {
+		const specimen = specimenFromPreset();
+		const aged = apply(BUNCH, specimen, { parameters: { age: 10 } });
+		expect(aged.look).toBe(specimen.look);
+		expect(apply(BUNCH, specimen, { look: { skin: "abcdef" } }).parameters).toBe(specimen.parameters);
 	});
 
 	it("keep a choice among its options", () => {

@@ -1,4 +1,7 @@
-/** Changes to a specimen that controls make: always in range, always on the steps that a link can hold. */
+/**
+ * Changes to a specimen that controls make: always in range, always on the steps that a link can hold. What a change leaves out
+ * stays the same object, so that nothing is drawn anew for it.
+ */
 import type { Species } from "./species";
 import type { Specimen } from "./specimen";
 import { nearestWithin } from "./table";
@@ -9,6 +12,7 @@ export function withParameters<S extends Specimen>(
 	specimen: S,
 	changes: Readonly<Partial<Record<string, number>>>,
 ): S {
+	if (Object.keys(changes).length === 0) return specimen;
 	const parameters: S["parameters"] = { ...specimen.parameters };
 	for (const [key, value] of Object.entries(changes)) {
 		const entry = table.entry(key);
@@ -25,6 +29,7 @@ export function withLook<S extends Specimen>(
 	specimen: S,
 	changes: Readonly<Partial<Record<string, number | string>>>,
 ): S {
+	if (Object.keys(changes).length === 0) return specimen;
 	const look: S["look"] = { ...specimen.look };
 	for (const [key, value] of Object.entries(changes)) {
 		const entry = table.entry(key);
