@@ -9,7 +9,8 @@ export function tasksOf(events) {
 		events.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain").map(threadOf),
 	);
 	const tasks = events.filter(
-		(event) => event.ph === "X" && /RunTask$/.test(event.name) && threads.has(threadOf(event)),
+		// What was under way when the trace began or ended has no time of its own.
+		(event) => event.ph === "X" && event.tdur >= 0 && /RunTask$/.test(event.name) && threads.has(threadOf(event)),
 	);
 	const own = outermost(busiest(tasks));
 	const samples = samplesOf(events, own[0] && threadOf(own[0]));
