@@ -1,5 +1,6 @@
 /** The flat view of outer and inner boundary from in front. */
 import { html } from "lit";
+import { guard } from "lit/directives/guard.js";
 import type { Desk } from "../../../controls/desk";
 import type { Tool } from "../../../controls/tool";
 import { boundaryButtons } from "./boundary_buttons";
@@ -8,7 +9,7 @@ import { boundaryPose } from "./editor/boundary_pose";
 import type { BoundaryScene } from "./editor/boundary_view";
 import { feetOf } from "./editor/feet";
 import type { GripEvent } from "./editor/grip";
-import { type Lay, loopsIn } from "./editor/lay";
+import { type Lay, layingOut, loopsIn } from "./editor/lay";
 import { wallsOf } from "./editor/walls";
 import { MEANT } from "./meant";
 import type { WoodenPlant } from "./wooden_plant";
@@ -29,8 +30,10 @@ export function boundaryTool<S extends BoundedSpecimen>(lay: Lay<S>, group: stri
 
 function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
 	const { specimen, grown } = desk.state;
+	const laidBy = layingOut(desk);
 	return html`<panicle-boundary
-		.pose=${boundaryPose(lay, specimen, desk.preset)} .scene=${sceneOf(lay, specimen)} .grown=${grown}
+		.pose=${guard(laidBy, () => boundaryPose(lay, specimen, desk.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
+		.grown=${grown}
 		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
 	></panicle-boundary>`;

@@ -1,11 +1,12 @@
 /** The flat view from above: depth of the boundary, obstacles, targets. */
 import { html } from "lit";
+import { guard } from "lit/directives/guard.js";
 import type { Desk } from "../../../controls/desk";
 import type { Tool } from "../../../controls/tool";
 import type { BoundedSpecimen } from "./bounded";
 import { feetOf } from "./editor/feet";
 import type { GripEvent } from "./editor/grip";
-import { footprintIn, type Lay } from "./editor/lay";
+import { footprintIn, type Lay, layingOut } from "./editor/lay";
 import { planPose } from "./editor/plan_pose";
 import type { PlanScene } from "./editor/plan_view";
 import { wallsOf } from "./editor/walls";
@@ -19,8 +20,9 @@ export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, Wooden
 
 function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
 	const { specimen } = desk.state;
+	const laidBy = layingOut(desk);
 	return html`<panicle-plan
-		.pose=${planPose(lay, specimen, desk.preset)} .scene=${sceneOf(lay, specimen)}
+		.pose=${guard(laidBy, () => planPose(lay, specimen, desk.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
 		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
 	></panicle-plan>`;

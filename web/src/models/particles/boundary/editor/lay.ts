@@ -1,5 +1,7 @@
 /** How a model's numbers lay out its boundary, seen from in front. Metres; the ground is at height 0. */
+import type { Desk } from "../../../../controls/desk";
 import type { Point } from "../../../../controls/handles/point";
+import { allBut } from "../../../../specimen/all_but";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FROM_ABOVE, FROM_FRONT } from "./facing";
 import { contourOf } from "./mesh_outline";
@@ -43,6 +45,11 @@ export interface Lay<S extends BoundedSpecimen = BoundedSpecimen> {
 	readonly ends: { readonly high: string; readonly low: string };
 	/** The height about which the inner boundary is the outer one made smaller. */
 	bareAbout(box: Box): number;
+}
+
+/** All that lays out a boundary: how far particles have run to fill it does not, nor how old it is. */
+export function layingOut<S extends BoundedSpecimen>({ state, preset }: Pick<Desk<S>, "state" | "preset">): unknown[] {
+	return [preset, ...allBut(state.specimen, ["age"])];
 }
 
 /** How large a box is, metres. */

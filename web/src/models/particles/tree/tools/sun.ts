@@ -1,6 +1,8 @@
 import { html } from "lit";
+import { guard } from "lit/directives/guard.js";
 import type { Tool } from "../../../../controls/tool";
 import type { GripEvent } from "../../boundary/editor/grip";
+import { layingOut } from "../../boundary/editor/lay";
 import { sunPose } from "../../boundary/editor/sun_pose";
 import type { WoodenPlant } from "../../boundary/wooden_plant";
 import type { TreeSpecimen } from "../specimen";
@@ -13,7 +15,7 @@ export const sun: Tool<TreeSpecimen, WoodenPlant> = {
 	editor: {
 		title: "Sun",
 		draw: (desk) => html`<panicle-sun
-			.pose=${sunPose(desk.state.specimen, desk.preset)}
+			.pose=${guard(layingOut(desk), () => sunPose(desk.state.specimen, desk.preset))}
 			@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		></panicle-sun>`,
 	},
