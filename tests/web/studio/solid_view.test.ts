@@ -24,6 +24,7 @@ const view = vi.hoisted(() => ({
 	addOverlay: vi.fn(),
 	removeOverlay: vi.fn(),
 	requestRender: vi.fn(),
+	snapshot: vi.fn(),
 	dispose: vi.fn(),
 	modes: ["whole", "stems"],
 	orbiting: true,
@@ -88,6 +89,20 @@ describe("the 3-D view", () => {
 		update();
 		expect(view.show).toHaveBeenCalledTimes(2);
 		expect(view.show.mock.lastCall).toMatchObject([grown, { look: { skin: "112233" } }]);
+	});
+
+	it("shows a plant no second time while a life goes on from it", () => {
+		studio.grew(grown, studio.state.specimen);
+		update();
+		studio.edit({ parameters: { age: 20 } });
+		update();
+		expect(view.show).toHaveBeenCalledTimes(1);
+	});
+
+	it("takes its pictures of the state as it is", async () => {
+		studio.grew(grown, studio.state.specimen);
+		await solid.picture();
+		expect(view.show.mock.invocationCallOrder[0]).toBeLessThan(view.snapshot.mock.invocationCallOrder[0]);
 	});
 
 	it("stays where it is while a hand is on a control", () => {

@@ -8,7 +8,7 @@ const MOST_SIDE_BY_SIDE = 3;
 
 /** One parameter that is one of a few: radio buttons side by side, or a list that drops down. Each choice is a step. */
 export class ChoiceControl extends EntryElement<ChoiceEntry> {
-	protected override drawEntry(): unknown {
+	protected override draw(): unknown {
 		const { key, help, options } = this.entry;
 		const changed = this.value === this.published ? "" : "changed";
 		return html`<div class="control choice ${changed}" data-key=${key} @keydown=${this.#keyDown}>

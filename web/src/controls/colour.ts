@@ -5,7 +5,7 @@ import { EntryElement } from "./entry_element";
 
 /** A colour of the look: the system's picker and the same six digits to type. */
 export class ColourControl extends EntryElement<ColourEntry> {
-	protected override drawEntry(desk: Desk): unknown {
+	protected override draw(desk: Desk): unknown {
 		const { key, label, help } = this.entry;
 		const { value } = this;
 		return html`<div class="control colour ${value === this.published ? "" : "changed"}" data-key=${key}>

@@ -1,4 +1,5 @@
 import { LitElement, type PropertyValues } from "lit";
+import { changed } from "./changed";
 import type { Desk } from "./desk";
 
 /** How many there have been, so that the ids in each are its own. */
@@ -14,9 +15,19 @@ export abstract class DeskElement<D extends Desk = Desk> extends LitElement {
 
 	readonly #serial = ++made;
 	#unsubscribe: (() => void) | undefined;
+	/** What `shows` gave when it was last drawn. */
+	#shown: readonly unknown[] | undefined;
+	/** Whether it is to look what has changed, as soon as the present task is through. */
+	#looking = false;
 
-	/** Draws the state; called after every change of it, at most once a frame's worth of them. */
+	/** Draws the state; called after changes of what it shows, at most once for those that come together. */
 	protected abstract draw(desk: D): unknown;
+
+	/**
+	 * All that is drawn of the desk, piece by piece, always as many in the same order: where each is the same as when it was last
+	 * drawn, it is not drawn anew. Where absent, every change of the state counts.
+	 */
+	protected shows?(desk: D): readonly unknown[];
 
 	/** An id that no other element of the page has. */
 	protected idOf(name: string): string {
@@ -48,18 +59,22 @@ export abstract class DeskElement<D extends Desk = Desk> extends LitElement {
 	}
 
 	protected override render(): unknown {
+		this.#shown = this.shows?.(this.desk);
 		return this.draw(this.desk);
 	}
 
 	#subscribe(): void {
 		this.#unsubscribe?.();
 		this.#unsubscribe = this.desk.subscribe(() => {
-			if (this.concerns(this.desk)) this.requestUpdate();
+			if (this.#looking) return;
+			this.#looking = true;
+			queueMicrotask(() => this.#look());
 		});
 	}
 
-	/** Whether a change of the state can change what is drawn; for elements of which there are many. */
-	protected concerns(_desk: D): boolean {
-		return true;
+	/** One look at all changes that come together. */
+	#look(): void {
+		this.#looking = false;
+		if (!this.#shown || changed(this.#shown, this.shows?.(this.desk))) this.requestUpdate();
 	}
 }

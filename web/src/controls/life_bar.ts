@@ -25,6 +25,10 @@ export class LifeBar extends ControlElement {
 
 	readonly #held = new HeldKey(() => this.desk.settle());
 
+	protected override shows(desk: Desk): readonly unknown[] {
+		return [this.age, desk.toolState(this.play), desk.state.grown !== undefined];
+	}
+
 	protected override draw(desk: Desk): unknown {
 		const { life, age } = this;
 		const { min, max } = this.#entry;

@@ -17,7 +17,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 	#message: { text: string | undefined; value: number } | undefined;
 	readonly #held = new HeldKey(() => this.desk.settle());
 
-	protected override drawEntry(): unknown {
+	protected override draw(): unknown {
 		const { entry } = this;
 		const value = Number(this.value);
 		const { key, label, unit } = entry;

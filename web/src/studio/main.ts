@@ -1,10 +1,13 @@
 /** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
+import { changed } from "../controls/changed";
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
+import { allBut } from "../specimen/all_but";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
 import { coreAddress } from "./core_address";
 import { Cores } from "./cores";
 import { Growing } from "./growing";
+import { runningBy } from "./panel_groups";
 import type { Help } from "./parts/help";
 import type { StudioPart } from "./parts/studio_part";
 import { listenForShortcuts } from "./shortcuts";
@@ -90,8 +93,12 @@ function draw(studio: Studio): void {
 	listenForShortcuts(studio, () => help?.open());
 	onSystemTheme((dark) => studio.setSystemDark(dark));
 	// Tabs and bookmarks are told apart by what they hold.
+	let named: readonly unknown[] | undefined;
 	const nameTab = () => {
 		const { model, specimen, face } = studio.state;
+		const shown = [model, face, ...allBut(specimen, runningBy(face?.tools))];
+		if (named && !changed(named, shown)) return;
+		named = shown;
 		document.title = `${titleOf(specimen, model, face?.tools)} ${specimen.seed} · Panicle`;
 	};
 	nameTab();

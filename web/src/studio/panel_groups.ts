@@ -31,6 +31,11 @@ export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool
 		.filter(({ entries, above, below }) => entries.length + above.length + below.length > 0);
 }
 
+/** Parameters that a tool's bar runs through: what they do shows in the plant, and nowhere in the panel. */
+export function runningBy(tools: readonly Tool[] = []): readonly string[] {
+	return tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
+}
+
 /** The tools that mean anything to a specimen. */
 export function applying(tools: readonly Tool[] = [], specimen: Specimen): readonly Tool[] {
 	return tools.filter(({ applies }) => applies?.(specimen) ?? true);

@@ -120,6 +120,7 @@ export class SolidView implements ToolView {
 
 	/** The present view as a PNG. */
 	picture(): Promise<Blob> {
+		this.update(this.#studio.state);
 		const { clientWidth, clientHeight } = this.canvas;
 		return this.#view.snapshot(clientWidth * PICTURE_SCALE, clientHeight * PICTURE_SCALE);
 	}

@@ -5,6 +5,7 @@ import { withParameters } from "../specimen/edit";
 import { fromPreset } from "../specimen/from_preset";
 import { growsAlike } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
+import { runningBy } from "./panel_groups";
 
 /** "Maple", or "Maple, altered". @param tools the model's */
 export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[] = []): string {
@@ -15,8 +16,7 @@ export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[]
 /** Whether it is of another shape than its preset. Another seed is none, nor what a tool's bar runs through. */
 export function isAltered(specimen: Specimen, model: Model, tools: readonly Tool[] = []): boolean {
 	const preset = presetOf(model, specimen.preset);
-	const running = tools.flatMap(({ bar, parameters = [] }) => (bar ? parameters : []));
-	const values = Object.fromEntries(running.map((key) => [key, preset.parameters[key]]));
+	const values = Object.fromEntries(runningBy(tools).map((key) => [key, preset.parameters[key]]));
 	return !growsAlike(withParameters(model, { ...specimen, seed: preset.seed }, values), preset);
 }
 

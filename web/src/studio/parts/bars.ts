@@ -6,6 +6,10 @@ import { StudioPart } from "./studio_part";
 
 /** The bars below the 3-D view that the model's tools bring. */
 export class Bars extends StudioPart {
+	protected override shows({ state: { face, specimen, model } }: Studio): readonly unknown[] {
+		return [model, ...applying(face?.tools, specimen)];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const { face, specimen, model } = studio.state;
 		return repeat(

@@ -24,6 +24,10 @@ export class DownloadMenu extends StudioPart {
 	/** The file that is being made. */
 	#making: Making | undefined;
 
+	protected override shows({ state: { shown, picture } }: Studio): readonly unknown[] {
+		return [picture, this.#open ? shown : shown !== undefined];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const { shown } = studio.state;
 		const formats = shown && this.#open ? formatsOf(shown, studio.state.picture) : [];

@@ -1,11 +1,16 @@
 import { html, nothing } from "lit";
 import { dropsOf, openFile } from "../files/open";
+import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
 /** Takes files dropped anywhere on the page; while one hovers, says what will happen. */
 export class Drop extends StudioPart {
 	#hovering = false;
+
+	protected override shows({ state: { face, specimen } }: Studio): readonly unknown[] {
+		return this.#hovering ? applying(face?.tools, specimen) : [];
+	}
 
 	protected override draw(studio: Studio): unknown {
 		if (!this.#hovering) return nothing;

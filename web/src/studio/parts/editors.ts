@@ -1,7 +1,8 @@
 import { html } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { Tool } from "../../controls/tool";
-import { applying } from "../panel_groups";
+import { allBut } from "../../specimen/all_but";
+import { applying, runningBy } from "../panel_groups";
 import type { Studio } from "../studio";
 import type { StudioState } from "../studio_state";
 import { SOLID } from "../ui_state";
@@ -20,6 +21,11 @@ export function viewOf(state: Pick<StudioState, "face" | "specimen" | "ui">): st
 
 /** The model's flat views with their handles, at the left of the 3-D view; on a phone one of them in its place. */
 export class Editors extends StudioPart {
+	protected override shows({ state }: Studio): readonly unknown[] {
+		const { model, face, tools, grown, grownFrom } = state;
+		return [model, face, tools, grown, grownFrom, viewOf(state), ...allBut(state.specimen, runningBy(face?.tools))];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const view = viewOf(studio.state);
 		const { model } = studio.state;

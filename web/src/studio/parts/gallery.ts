@@ -24,15 +24,12 @@ export class Gallery extends StudioPart {
 	#kind = "";
 	/** The preset last brought into sight, and among how many models. */
 	#revealed: string | undefined;
-	/** What of the state was drawn. */
-	#drawn: readonly unknown[] = [];
 
-	protected override concerns(studio: Studio): boolean {
-		return concern(studio).some((each, index) => each !== this.#drawn[index]);
+	protected override shows({ state: { catalogue, dark, specimen } }: Studio): readonly unknown[] {
+		return [catalogue, dark, specimen.model, specimen.preset];
 	}
 
 	protected override draw(studio: Studio): unknown {
-		this.#drawn = concern(studio);
 		const { catalogue } = studio.state;
 		const sections = sectionsOf(catalogue);
 		const found = findPresets(sections, this.#query, this.#kind);
@@ -145,11 +142,6 @@ export class Gallery extends StudioPart {
 	#items(): HTMLElement[] {
 		return [...this.querySelectorAll<HTMLElement>(".preset")];
 	}
-}
-
-/** What of the state the gallery draws. */
-function concern({ state: { catalogue, dark, specimen } }: Studio): readonly unknown[] {
-	return [catalogue, dark, specimen.model, specimen.preset];
 }
 
 /** "31 presets". */

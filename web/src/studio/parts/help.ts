@@ -6,6 +6,10 @@ import { StudioPart } from "./studio_part";
 
 /** What this is, what the model says of itself, and the keys. */
 export class Help extends StudioPart {
+	protected override shows({ state: { model, face, ui } }: Studio): readonly unknown[] {
+		return [model, face, ui.letters];
+	}
+
 	protected override draw({ state }: Studio): unknown {
 		return html`<dialog class="help" aria-labelledby=${this.idOf("title")}>
 			<h2 id=${this.idOf("title")}>Panicle</h2>

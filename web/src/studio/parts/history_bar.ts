@@ -7,6 +7,11 @@ import { StudioPart } from "./studio_part";
 
 /** Undo, redo, and back to the preset. */
 export class HistoryBar extends StudioPart {
+	protected override shows(studio: Studio): readonly unknown[] {
+		const { history, specimen } = studio.state;
+		return [canUndo(history), canRedo(history), sameSpecimen(specimen, studio.preset)];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const { history, specimen } = studio.state;
 		return html`<button

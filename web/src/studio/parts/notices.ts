@@ -6,6 +6,10 @@ import { StudioPart } from "./studio_part";
 
 /** What the page has to say, one below the other, until dismissed. */
 export class Notices extends StudioPart {
+	protected override shows({ state }: Studio): readonly unknown[] {
+		return [state.notices];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		return html`<div class="notices" role="status">${studio.state.notices.map((notice) => drawNotice(studio, notice))}</div>`;
 	}

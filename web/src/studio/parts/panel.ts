@@ -2,11 +2,12 @@ import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { control } from "../../controls/control";
 import { symbol } from "../../controls/symbol";
+import { allBut } from "../../specimen/all_but";
 import { type Explained, explainedBy, FIRST_WORDS, presetInWords } from "../explained";
-import { applying, groupsFor, type PanelGroup } from "../panel_groups";
+import { applying, groupsFor, type PanelGroup, runningBy } from "../panel_groups";
 import type { Studio } from "../studio";
-import { readout } from "./readout";
 import { StudioPart } from "./studio_part";
+import "./readout";
 
 /** A group of the panel, ready to be drawn. */
 interface Section {
@@ -21,6 +22,10 @@ export class Panel extends StudioPart {
 	/** What is under the pointer or in focus. */
 	#explained: Explained | undefined;
 
+	protected override shows({ state: { model, face, tools, ui, specimen } }: Studio): readonly unknown[] {
+		return [model, face, tools, ui.groups, ...allBut(specimen, runningBy(face?.tools))];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const { model, specimen, face } = studio.state;
 		if (!face) return nothing;
@@ -28,7 +33,11 @@ export class Panel extends StudioPart {
 		const everyday = groups.filter(({ group }) => group.everyday).map((group) => sectionOf(studio, group));
 		const constants = groups.filter(({ group }) => !group.everyday).map((group) => sectionOf(studio, group));
 		// The numbers stand between what most people touch and the rest.
-		const numbers = { key: "numbers", title: "Numbers", body: readout(studio.state) };
+		const numbers = {
+			key: "numbers",
+			title: "Numbers",
+			body: html`<panicle-readout .desk=${studio}></panicle-readout>`,
+		};
 		return html`<div class="panel-groups" @pointerover=${this.#explain} @focusin=${this.#explain}>
 				${repeat(
 					[...everyday, numbers, ...constants],

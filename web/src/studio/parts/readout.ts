@@ -1,24 +1,44 @@
 import { html, nothing } from "lit";
+import { guard } from "lit/directives/guard.js";
 import { measured } from "../../controls/measured";
 import { term } from "../../controls/term";
+import { allBut } from "../../specimen/all_but";
+import { runningBy } from "../panel_groups";
+import type { Studio } from "../studio";
 import type { StudioState } from "../studio_state";
 import { VERSION } from "../version";
+import { StudioPart } from "./studio_part";
 
 /** The numbers of the plant on screen: what was measured, the model's own, and its marks. */
-export function readout({ grown, measures, model, face, specimen }: StudioState): unknown {
-	if (!grown) return html`<p>Nothing has grown yet.</p>`;
-	const { timings, fingerprint, notes } = grown;
-	const stale = grown.measures === undefined;
-	return html`<div class="readout">
-		${measures && measures.length > 0 ? html`<div class=${stale ? "stale" : ""} aria-busy=${stale}>${measured(model.table, measures, face?.rows?.(specimen))}</div>` : nothing}
-		${face?.readout ? face.readout(grown, specimen) : counts(grown.counts)}
-		<h3>This ${model.noun}</h3>
-		<dl class="made">
-			${term("Grown in", `${timings.grow.toFixed(timings.grow < 10 ? 1 : 0)} ms`)} ${term("Version", VERSION)}
-			<dt>Fingerprint</dt><dd class="fingerprint" data-fingerprint>${fingerprint}</dd>
-		</dl>
-		${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
-	</div>`;
+export class Readout extends StudioPart {
+	protected override shows({ state }: Studio): readonly unknown[] {
+		return [state.grown, ...measuredFrom(state)];
+	}
+
+	protected override draw({ state }: Studio): unknown {
+		const { grown, measures, model, face, specimen } = state;
+		if (!grown) return html`<div class="readout"><p>Nothing has grown yet.</p></div>`;
+		const { timings, fingerprint, notes } = grown;
+		const stale = grown.measures === undefined;
+		const rows = () => measured(model.table, measures ?? NONE, face?.rows?.(specimen));
+		return html`<div class="readout">
+			${measures && measures.length > 0 ? html`<div class=${stale ? "stale" : ""} aria-busy=${stale}>${guard([...measuredFrom(state)], rows)}</div>` : nothing}
+			${face?.readout ? face.readout(grown, specimen) : counts(grown.counts)}
+			<h3>This ${model.noun}</h3>
+			<dl class="made">
+				${term("Grown in", `${timings.grow.toFixed(timings.grow < 10 ? 1 : 0)} ms`)} ${term("Version", VERSION)}
+				<dt>Fingerprint</dt><dd class="fingerprint" data-fingerprint>${fingerprint}</dd>
+			</dl>
+			${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+		</div>`;
+	}
+}
+
+const NONE = new Float32Array(0);
+
+/** What stays while a life runs: many lines, and none of them another. */
+function measuredFrom({ measures, model, face, specimen }: StudioState): readonly unknown[] {
+	return [measures, model, face, ...allBut(specimen, runningBy(face?.tools))];
 }
 
 /** "endStructures", "end_structures" → "End structures". */
@@ -32,3 +52,5 @@ function counts(numbers: Readonly<Record<string, number>>): unknown {
 	return html`<h3>Counts</h3>
 		<dl>${Object.entries(numbers).map(([key, value]) => term(inWords(key), value))}</dl>`;
 }
+
+customElements.define("panicle-readout", Readout);

@@ -8,6 +8,10 @@ import "./download_menu";
 
 /** Open, copy the link, download, theme and help. */
 export class ShareBar extends StudioPart {
+	protected override shows({ state: { dark, model } }: Studio): readonly unknown[] {
+		return [dark, model];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const { dark, model } = studio.state;
 		return html`<input type="file" hidden accept=${ACCEPT} @change=${this.#picked}>

@@ -12,6 +12,10 @@ export class Speaker extends StudioPart {
 	#spokenOf: Shown | undefined;
 	#timer: ReturnType<typeof setTimeout> | undefined;
 
+	protected override shows({ state }: Studio): readonly unknown[] {
+		return [state.shown];
+	}
+
 	protected override draw({ state }: Studio): unknown {
 		if (state.shown !== this.#spokenOf) this.#wait(state.shown);
 		return html`<p class="unseen" role="status" aria-live="polite">${this.#words}</p>`;

@@ -22,14 +22,23 @@ export class Stage extends StudioPart {
 	#trouble: Trouble | undefined;
 	#solid: SolidView | undefined;
 	#started = false;
+	/** Ends the view's following the state. */
+	#leave: (() => void) | undefined;
+	/** Whether the view is to be brought to the state. */
+	#due = false;
 	/** A phone shows another view in its place: what cannot be seen is not drawn. */
 	#visible = true;
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
 		this.#visible = contentRect.width > 0;
 		if (!this.#visible) return;
 		this.#solid?.resize();
-		this.requestUpdate();
+		this.#follow();
 	});
+
+	protected override shows({ state }: Studio): readonly unknown[] {
+		const { failure, growing, shown, model, face, tools, specimen } = state;
+		return [failure, growing, shown, model, face, tools, failure && specimen, ...applying(face?.tools, specimen)];
+	}
 
 	protected override draw(studio: Studio): unknown {
 		const { failure, growing, shown } = studio.state;
@@ -49,12 +58,22 @@ export class Stage extends StudioPart {
 		const buttons = this.#buttons();
 		stopAt(buttons, buttons.find(({ tabIndex }) => tabIndex === 0) ?? buttons[0]);
 		if (!this.#started) void this.#start();
-		if (this.#visible) this.#solid?.update(this.desk.state);
 	}
+
+	/** In a task of its own: what the page's parts draw of the same change is one by itself, and between them a frame may go by. */
+	readonly #follow = (): void => {
+		if (this.#due) return;
+		this.#due = true;
+		setTimeout(() => {
+			this.#due = false;
+			if (this.#visible) this.#solid?.update(this.desk.state);
+		});
+	};
 
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#resized.disconnect();
+		this.#leave?.();
 		this.#solid?.dispose();
 		this.#solid = undefined;
 		if (this.#started) this.desk.showPicture(undefined);
@@ -77,6 +96,9 @@ export class Stage extends StudioPart {
 				return;
 			}
 			this.#solid = solid;
+			this.requestUpdate();
+			this.#leave = this.desk.subscribe(this.#follow);
+			this.#follow();
 			this.#resized.observe(this);
 			this.desk.showPicture(() => solid.picture());
 		} catch (error) {

@@ -6,6 +6,10 @@ import { StudioPart } from "./studio_part";
 
 /** The seed, and a button for another one. */
 export class Variation extends StudioPart {
+	protected override shows({ state: { specimen, model } }: Studio): readonly unknown[] {
+		return [specimen.seed, model];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const { specimen, model } = studio.state;
 		return html`<label for=${this.idOf("seed")}>Seed</label>

@@ -6,6 +6,10 @@ import { StudioPart } from "./studio_part";
 
 /** A phone shows one view at a time; this chooses which. */
 export class ViewSwitch extends StudioPart {
+	protected override shows({ state }: Studio): readonly unknown[] {
+		return [state.face, viewOf(state), ...editorsOf(state)];
+	}
+
 	protected override draw(studio: Studio): unknown {
 		const editors = editorsOf(studio.state);
 		if (editors.length === 0) return nothing;
