@@ -49,7 +49,7 @@ describe("the figure of any plant", () => {
 		const gone: string[] = [];
 		for (const material of worn) material.addEventListener("dispose", () => gone.push(material.name));
 		figure.show(structuredClone(plant), {});
-		expect(meshes().map(({ material }) => material)).toEqual(worn);
+		expect(meshes().every(({ material }, index) => material === worn[index])).toBe(true);
 		expect(gone).toEqual([]);
 		const bare = { ...plant, meshes: [] };
 		for (let i = 0; i < 5; i++) figure.show(bare, {});
@@ -204,8 +204,21 @@ describe("the figure of any plant", () => {
 		const leaves = skyOf(3) as InstancedBufferAttribute;
 		expect([leaves.isInstancedBufferAttribute, leaves.count]).toEqual([true, 3]);
 		expect(leaves.getX(1)).toBeCloseTo(1 / 3, 6);
+	});
+
+	it("shows the open sky where nobody has asked, in the same materials", () => {
+		const { figure, meshes } = staged();
+		const sky = (vertices: Float32Array) => new Uint8Array(vertices.length / 3).fill(51);
+		const organs = { ...plant.organs, sky: new Uint8Array(plant.organs.count) };
+		figure.show({ ...plant, meshes: plant.meshes.map((mesh) => ({ ...mesh, sky: sky(mesh.positions) })), organs }, {});
+		const worn = meshes().map(({ material }) => material);
 		figure.show(plant, {});
-		expect(skyOf(0)).toBeUndefined();
+		expect(meshes().map(({ material }) => material)).toEqual(worn);
+		for (const mesh of meshes()) {
+			const open = mesh.geometry.getAttribute("sky") as InstancedBufferAttribute;
+			expect([open.count, open.getX(0)]).toEqual([1, 1]);
+			expect(open.meshPerAttribute).toBe(mesh instanceof InstancedMesh ? mesh.count : 1);
+		}
 	});
 
 	it("lays a material's picture on its mesh, the same texture for the same picture", () => {

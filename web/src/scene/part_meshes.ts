@@ -10,7 +10,7 @@ import {
 	Sphere,
 	Vector3,
 } from "three";
-import { everyPart, type Part, type PartMesh, TRANSFORM } from "../plant/part";
+import { everyPart, type Instances, type Part, type PartMesh, TRANSFORM } from "../plant/part";
 import type { Wardrobe } from "./wardrobe";
 
 export type PartObject = Mesh<BufferGeometry, MeshStandardMaterial>;
@@ -58,10 +58,10 @@ export class PartMeshes {
 		for (const { name, shape } of everyPart(parts)) {
 			if (!shape) continue;
 			const { mesh, instances } = shape;
-			const geometry = this.#geometryOf(mesh, instances?.sky);
+			const geometry = this.#geometryOf(mesh, instances);
 			if (shape.material.textures) geometry.setAttribute("uv", new BufferAttribute(mesh.uvs, 2));
 			const coloured = mesh.colours !== undefined;
-			const material = wardrobe.materialOf(shape.material, coloured, geometry.hasAttribute("sky"));
+			const material = wardrobe.materialOf(shape.material, coloured);
 			const object = instances ? instanced(geometry, material, instances.transforms) : new Mesh(geometry, material);
 			object.name = name;
 			object.castShadow = true;
@@ -77,13 +77,13 @@ export class PartMeshes {
 		for (const object of this.objects) if (object instanceof InstancedMesh) object.dispose();
 	}
 
-	#geometryOf(mesh: PartMesh, skies?: Uint8Array): BufferGeometry {
+	#geometryOf(mesh: PartMesh, instances?: Instances): BufferGeometry {
 		const known = this.#geometries.get(mesh) ?? geometryOf(mesh);
 		this.#geometries.set(mesh, known);
-		if (!skies || mesh.sky) return known;
+		if (!instances || mesh.sky) return known;
 		const own = new BufferGeometry();
 		for (const [name, attribute] of Object.entries(known.attributes)) own.setAttribute(name, attribute);
-		own.setAttribute("sky", new InstancedBufferAttribute(skies, 1, true));
+		own.setAttribute("sky", instances.sky ? new InstancedBufferAttribute(instances.sky, 1, true) : openSky(instances));
 		own.setIndex(known.index);
 		own.boundingSphere = known.boundingSphere;
 		this.#own.push(own);
@@ -91,12 +91,21 @@ export class PartMeshes {
 	}
 }
 
+/**
+ * One number for all vertices of all instances, where nobody has asked what they see of the sky: so what is in passing wears the
+ * programs of what stays. None is shared, for whoever throws its geometry away throws it away on the graphics card.
+ */
+function openSky(instances?: Instances): InstancedBufferAttribute {
+	const count = (instances?.transforms.length ?? 0) / TRANSFORM;
+	return new InstancedBufferAttribute(Uint8Array.of(255), 1, true, Math.max(1, count));
+}
+
 function geometryOf({ positions, normals, colours, sky, indices }: PartMesh): BufferGeometry {
 	const geometry = new BufferGeometry();
 	geometry.setAttribute("position", new BufferAttribute(positions, 3));
 	geometry.setAttribute("normal", new BufferAttribute(normals, 3));
 	if (colours) geometry.setAttribute("color", new BufferAttribute(colours, 3));
-	if (sky) geometry.setAttribute("sky", new BufferAttribute(sky, 1, true));
+	geometry.setAttribute("sky", sky ? new BufferAttribute(sky, 1, true) : openSky());
 	geometry.setIndex(new BufferAttribute(indices, 1));
 	geometry.boundingSphere = sphereAbout(positions, 3 * Math.max(1, Math.floor(positions.length / 3 / MOST_ASKED)));
 	return geometry;

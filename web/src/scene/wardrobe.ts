@@ -48,17 +48,17 @@ export class Wardrobe {
 	}
 
 	/**
+	 * What wears it says how much of the sky it sees (`sky`), vertices or instances.
 	 * @param coloured whether vertices have colours
-	 * @param sky whether vertices or instances know how much of the sky they see
 	 */
-	materialOf(material: Material, coloured: boolean, sky: boolean): MeshStandardMaterial {
+	materialOf(material: Material, coloured: boolean): MeshStandardMaterial {
 		const { textures, ...plain } = material;
 		if (textures && !this.#textured.has(material)) this.#textured.set(material, this.#textured.size);
 		// A picture's mean does not matter where the picture is shown.
 		const told = textures?.colour ? { ...plain, colour: undefined } : plain;
 		const laid = textures && KINDS.filter((kind) => textures[kind]);
-		const key = JSON.stringify([told, coloured, sky, laid, textures?.repeats, this.#textured.get(material)]);
-		const kept = this.#kept.get(key) ?? this.#make(material, coloured, sky);
+		const key = JSON.stringify([told, coloured, laid, textures?.repeats, this.#textured.get(material)]);
+		const kept = this.#kept.get(key) ?? this.#make(material, coloured);
 		kept.worn = this.#plant;
 		this.#kept.set(key, kept);
 		for (const kind of laid ?? []) lay(kept, kind, textures?.[kind] as Picture);
@@ -75,12 +75,12 @@ export class Wardrobe {
 		this.#kept.clear();
 	}
 
-	#make(material: Material, coloured: boolean, sky: boolean): Kept {
+	#make(material: Material, coloured: boolean): Kept {
 		const { repeats, ...shows } = material.textures ?? {};
 		const maps = Object.fromEntries(
 			KINDS.flatMap((kind) => (shows[kind] ? [[kind, pictureTexture(shows[kind], kind === "colour", repeats)]] : [])),
 		);
-		return { made: standardMaterial(material, { light: this.#light, coloured, sky, maps }), worn: 0, shows };
+		return { made: standardMaterial(material, { light: this.#light, coloured, sky: true, maps }), worn: 0, shows };
 	}
 }
 
