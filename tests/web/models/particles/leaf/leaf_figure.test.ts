@@ -12,6 +12,7 @@ import {
 } from "../../../../../web/src/models/particles/leaf/figure/paint";
 import type { Leaf } from "../../../../../web/src/models/particles/leaf/grown";
 import { model } from "../../../../../web/src/models/particles/leaf/index";
+import { FacePictures, PASSING_SIDE } from "../../../../../web/src/models/particles/leaf/parts/face_pictures";
 import { leafParts } from "../../../../../web/src/models/particles/leaf/parts/leaf_parts";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
 import { asCardsTakeIt } from "../../../../../web/src/plant/picture";
@@ -70,6 +71,9 @@ function written(of: Leaf, side: "upper" | "lower", as = specimen) {
 	return { colour: asCardsTakeIt(colour).pixels, normal: asCardsTakeIt(normal).pixels };
 }
 
+const coarse = (of: Leaf, side: "upper" | "lower") =>
+	new FacePictures(of, specimen.parameters.length, PASSING_SIDE, true).face(specimen, side).colour;
+
 function staged() {
 	const bench = new Bench();
 	const changed = vi.fn();
@@ -122,16 +126,52 @@ describe("a leaf on the stage", () => {
 		expect(same(drawn("upper").colour.data, written(leaf, "upper").colour)).toBe(false);
 	});
 
-	it("asks for nothing fine in passing, and takes back what it asked for", async () => {
+	it("in passing wears what was painted last until its own is, with fewer pixels and flat", async () => {
+		const { bench, changed, figure, drawn } = staged();
+		figure.show(leaf, specimen);
+		bench.work();
+		await figure.whenFinished();
+		const fine = drawn("upper").colour;
+		figure.show(running, specimen);
+		expect(drawn("upper").colour).toBe(fine);
+		changed.mockClear();
+		bench.work();
+		expect(changed).toHaveBeenCalledTimes(1);
+		for (const side of ["upper", "lower"] as const) {
+			expect([drawn(side).colour.width, drawn(side).normal.width]).toEqual([256, 1]);
+			expect(same(drawn(side).colour.data, asCardsTakeIt(coarse(running, side)).pixels)).toBe(true);
+		}
+		const { colour, normal } = drawn("upper");
+		figure.show({ ...running }, specimen);
+		bench.work();
+		expect(drawn("upper").normal).toBe(normal);
+		expect(drawn("upper").colour).not.toBe(colour);
+		const last = drawn("upper").colour;
+		figure.show(leaf, specimen);
+		expect(drawn("upper").colour).toBe(last);
+	});
+
+	it("is painted here and now where nothing like it was, in passing too", () => {
+		const { figure, drawn } = staged();
+		figure.show(running, specimen);
+		const passed = drawn("upper").colour;
+		expect(same(passed.data, asCardsTakeIt(coarse(running, "upper")).pixels)).toBe(true);
+		figure.show({ ...running }, { ...specimen, preset: "oak" });
+		expect(drawn("upper").colour).not.toBe(passed);
+	});
+
+	it("lays no picture of a leaf in passing on one that stays, nor the other way round", () => {
 		const { bench, changed, figure, drawn } = staged();
 		figure.show(leaf, specimen);
 		figure.show(running, specimen);
-		await figure.whenFinished();
-		expect(bench.orders).toHaveLength(1);
 		bench.work();
 		expect(changed).not.toHaveBeenCalled();
+		figure.show(leaf, specimen);
+		bench.work();
+		expect(changed).not.toHaveBeenCalled();
+		bench.work();
 		figure.prepare(camera);
-		expect(drawn("upper").colour.width).toBe(256);
+		expect(drawn("upper").colour.width).toBe(1024);
 	});
 });
 
@@ -151,6 +191,20 @@ describe("who paints leaves", () => {
 		expect(bench.orders.map(({ specimen: { look } }) => look.uneven)).toEqual([0.3]);
 		bench.work();
 		expect(delivered).toHaveLength(1);
+	});
+
+	it("delivers in passing whatever is painted, or nothing would come while leaves are faster than painters", () => {
+		const bench = new Bench();
+		const delivered: boolean[] = [];
+		const commission = new Commission(
+			(_, passing) => delivered.push(passing),
+			() => bench,
+		);
+		for (let i = 0; i < 3; i++) commission.order({ ...running }, specimen, true);
+		bench.work();
+		expect(delivered).toEqual([true]);
+		bench.work();
+		expect(delivered).toEqual([true, true]);
 	});
 
 	it("paints in the page where no worker can be had", async () => {

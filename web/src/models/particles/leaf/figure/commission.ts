@@ -9,7 +9,7 @@ export type PaintWorker = Pick<Worker, "postMessage" | "terminate" | "onmessage"
 
 /** One order at a time is under way; what is ordered meanwhile waits, and of those that wait only the newest. */
 export class Commission {
-	readonly #deliver: (faces: Faces) => void;
+	readonly #deliver: (faces: Faces, passing: boolean) => void;
 	readonly #start: () => PaintWorker;
 	#worker: PaintWorker | undefined;
 	/** Paints here, once workers cannot be had. */
@@ -17,29 +17,22 @@ export class Commission {
 	/** The leaf that the worker knows. */
 	#given: FlatLeaf | undefined;
 	#underWay: { order: PaintOrder; leaf: FlatLeaf } | undefined;
-	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"] } | undefined;
+	#next: { leaf: FlatLeaf; specimen: PaintOrder["specimen"]; passing: boolean } | undefined;
 	#orders = 0;
 	#wanted = 0;
 	readonly #waiting: (() => void)[] = [];
 
-	/** @param deliver is given what is still wanted when it comes */
-	constructor(deliver: (faces: Faces) => void, start: () => PaintWorker = startPainter) {
+	/** @param deliver is given what is still wanted when it comes, and whether it is of a leaf in passing */
+	constructor(deliver: (faces: Faces, passing: boolean) => void, start: () => PaintWorker = startPainter) {
 		this.#deliver = deliver;
 		this.#start = start;
 	}
 
-	/** Takes the place of whatever was ordered before and has not come. */
-	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"]): void {
+	/** Takes the place of whatever was ordered before and has not come; while leaves pass, what is under way is wanted still. */
+	order(leaf: FlatLeaf, { look, parameters, seed }: PaintOrder["specimen"], passing = false): void {
 		this.#wanted = ++this.#orders;
-		this.#next = { leaf, specimen: { look, parameters, seed } };
+		this.#next = { leaf, specimen: { look, parameters, seed }, passing };
 		if (!this.#underWay) this.#begin();
-	}
-
-	/** Takes back what was ordered. */
-	cancel(): void {
-		this.#wanted = 0;
-		this.#next = undefined;
-		this.#wake();
 	}
 
 	/** Settles when nothing is wanted any more. */
@@ -49,17 +42,19 @@ export class Commission {
 	}
 
 	dispose(): void {
-		this.cancel();
+		this.#wanted = 0;
+		this.#next = undefined;
+		this.#wake();
 		this.#worker?.terminate();
 	}
 
 	#begin(): void {
 		if (!this.#next) return;
-		const { leaf, specimen } = this.#next;
+		const { leaf, specimen, passing } = this.#next;
 		this.#next = undefined;
 		const { chart, margin, square, segments } = leaf;
 		const flat = { chart, margin, square, segments: { count: segments.count, radii: segments.radii } };
-		const order = { id: this.#orders, specimen, ...(leaf === this.#given ? {} : { leaf: flat }) };
+		const order = { id: this.#orders, specimen, passing, ...(leaf === this.#given ? {} : { leaf: flat }) };
 		this.#underWay = { order, leaf };
 		this.#given = leaf;
 		if (this.#alone) this.#paint(this.#alone);
@@ -88,12 +83,13 @@ export class Commission {
 	}
 
 	#take({ id, ...faces }: Painted): void {
+		const passing = this.#underWay?.order.passing ?? false;
 		this.#underWay = undefined;
 		if (id === this.#wanted) {
 			this.#wanted = 0;
-			this.#deliver(faces);
+			this.#deliver(faces, passing);
 			this.#wake();
-		}
+		} else if (passing && this.#next?.passing) this.#deliver(faces, passing);
 		this.#begin();
 	}
 

@@ -1,6 +1,7 @@
 /**
- * A leaf on the stage: at once with coarse pictures, for particles may be running, and with fine ones once they are painted
- * (commission.ts). Those go to the card one a frame, so that none has to wait.
+ * A leaf on the stage: at once with coarse pictures, and with fine ones once they are painted (commission.ts). Those go to the
+ * card one a frame, so that none has to wait. While particles run, and when they have come to rest, a leaf wears what was last
+ * painted until its own pictures come: coarse ones in passing, a frame or two later.
  */
 import type { PerspectiveCamera } from "three";
 import type { Picture } from "../../../../plant/material";
@@ -8,7 +9,7 @@ import type { Bodies } from "../../../../scene/camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "../../../../scene/figure";
 import { PartFigure } from "../../../../scene/part_figure";
 import type { Leaf } from "../grown";
-import { type Face, FacePictures, PASSING_SIDE } from "../parts/face_pictures";
+import { type Face, FacePictures, FLAT_PICTURE, PASSING_SIDE } from "../parts/face_pictures";
 import { leafParts } from "../parts/leaf_parts";
 import { FACES, type Side } from "../parts/materials";
 import type { LeafSpecimen } from "../specimen";
@@ -28,29 +29,34 @@ export class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 	readonly #parts: PartFigure<LeafSpecimen, Leaf>;
 	readonly #painters: Commission;
 	#leaf: Leaf | undefined;
-	/** The finest there is of the leaf that is shown, maybe in colours it had before. */
+	#passing = false;
+	#preset: string | undefined;
+	/** The finest there is of the leaf that is shown, maybe in colours it had before; in passing maybe of one just before it. */
 	#faces: ((side: Side) => Face) | undefined;
 	#sheets: Sheet[] = [];
 
 	/** @param painters who paint the fine pictures, told where to bring them; where absent, a worker does */
 	constructor(
 		stage: FigureStage,
-		painters: (deliver: (faces: Faces) => void) => Commission = (to) => new Commission(to),
+		painters: (deliver: (faces: Faces, passing: boolean) => void) => Commission = (to) => new Commission(to),
 	) {
 		this.#stage = stage;
 		this.#parts = new PartFigure(stage, (leaf, specimen) => leafParts(leaf, specimen, this.#faces));
-		this.#painters = painters((faces) => this.#deliver(faces));
+		this.#painters = painters((faces, passing) => (passing ? this.#pass(faces) : this.#deliver(faces)));
 	}
 
 	show(leaf: Leaf, specimen: LeafSpecimen): void {
 		this.#sheets = [];
 		// What grows in passing does not ask what sky there is.
 		const passing = !leaf.meshes.some(({ sky }) => sky);
-		if (leaf !== this.#leaf) this.#faces = coarse(leaf, specimen);
+		// The next of a life or a drag, its end included, looks much as the last one.
+		const next = this.#faces && (passing || this.#passing) && specimen.preset === this.#preset;
+		if (leaf !== this.#leaf && !next) this.#faces = coarse(leaf, specimen);
 		this.#leaf = leaf;
+		this.#passing = passing;
+		this.#preset = specimen.preset;
 		this.#parts.show(leaf, specimen);
-		if (passing) this.#painters.cancel();
-		else this.#painters.order(leaf, specimen);
+		this.#painters.order(leaf, specimen, passing);
 	}
 
 	bounds(): Bodies {
@@ -80,6 +86,16 @@ export class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 	dispose(): void {
 		this.#painters.dispose();
 		this.#parts.dispose();
+	}
+
+	/** Small enough to be laid at once. */
+	#pass(faces: Faces): void {
+		this.#faces = (side) => ({ ...faces[side], normal: FLAT_PICTURE });
+		for (const side of ["upper", "lower"] as const) {
+			this.#parts.lay(FACES[side], "colour", faces[side].colour);
+			this.#parts.lay(FACES[side], "normal", FLAT_PICTURE);
+		}
+		this.#stage.changed?.();
 	}
 
 	#deliver(faces: Faces): void {
