@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Stage } from "../../../../web/src/studio/parts/stage";
-import type { Studio } from "../../../../web/src/studio/studio";
+import { Studio } from "../../../../web/src/studio/studio";
 import { specimenFromPreset } from "../../bunch";
 import { sampleBunch } from "../../models/bunch/sample_bunch";
 import { studioWith } from "../desk";
@@ -12,6 +12,8 @@ vi.mock("../../../../web/src/studio/solid_view", () => ({ SolidView: { create: a
 let resized: (width: number) => void;
 let studio: Studio;
 let stage: Stage;
+/** What ends each of its subscriptions. */
+let left: (() => void)[];
 beforeEach(async () => {
 	vi.stubGlobal(
 		"ResizeObserver",
@@ -24,6 +26,12 @@ beforeEach(async () => {
 		},
 	);
 	({ studio } = await studioWith(specimenFromPreset()));
+	left = [];
+	vi.spyOn(studio, "subscribe").mockImplementation((listener) => {
+		const leave = vi.fn(Studio.prototype.subscribe.call(studio, listener));
+		left.push(leave);
+		return leave;
+	});
 	stage = new Stage();
 	Object.assign(stage, { querySelector: () => ({}), querySelectorAll: () => [], performUpdate: () => {} });
 	Object.defineProperty(stage, "isConnected", { value: true });
@@ -65,6 +73,8 @@ it("draws nothing while another view is in its place, and all when it is back", 
 
 it("follows no more once it has left the page", async () => {
 	stage.disconnectedCallback();
+	expect(left).toHaveLength(2);
+	for (const leave of left) expect(leave).toHaveBeenCalled();
 	grow();
 	await task();
 	expect(solid.update).not.toHaveBeenCalled();
