@@ -1,6 +1,4 @@
 import { describe, expect, it } from "vitest";
-import { changed } from "../../../../../web/src/controls/changed";
-import type { Desk } from "../../../../../web/src/controls/desk";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { heaviest, inkBranches } from "../../../../../web/src/models/particles/boundary/editor/branches";
 import {
@@ -11,12 +9,7 @@ import {
 } from "../../../../../web/src/models/particles/boundary/editor/frame";
 import { pressed } from "../../../../../web/src/models/particles/boundary/editor/grip";
 import { asProfile } from "../../../../../web/src/models/particles/boundary/editor/knot_grips";
-import {
-	footprintIn,
-	layingOut,
-	loopsIn,
-	outlineIn,
-} from "../../../../../web/src/models/particles/boundary/editor/lay";
+import { footprintIn, loopsIn, outlineIn } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { outlineOf, radiusAt, splineThrough } from "../../../../../web/src/models/particles/boundary/editor/outline";
 import { sunAt, sunPlace, sunPose } from "../../../../../web/src/models/particles/boundary/editor/sun_pose";
 import {
@@ -29,7 +22,6 @@ import { rootLay } from "../../../../../web/src/models/particles/root/lay";
 import { ROOT } from "../../../../../web/src/models/particles/root/species";
 import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
 import { TREE } from "../../../../../web/src/models/particles/tree/species";
-import type { TreeSpecimen } from "../../../../../web/src/models/particles/tree/specimen";
 import { apply } from "../../../../../web/src/studio/change";
 import { gripOf, root, tree } from "./particles";
 
@@ -73,27 +65,6 @@ describe("the outline from in front", () => {
 		const [first, second] = [drawn(), drawn()];
 		for (const [i, lines] of first.entries()) expect(second[i]).toBe(lines);
 		expect(first[1]).not.toEqual(first[2]);
-	});
-});
-
-describe("what lays out a boundary", () => {
-	const piecesOf = (specimen = tree("oak"), preset = tree("oak")) =>
-		layingOut({ state: { specimen }, preset } as Pick<Desk<TreeSpecimen>, "state" | "preset">);
-	const same = (specimen: TreeSpecimen) => !changed(piecesOf(oak, oak), piecesOf(specimen, oak));
-	const oak = tree("oak");
-
-	it("is not how old it is, but everything else", () => {
-		expect(same(apply(TREE, oak, { parameters: { age: 40 } }))).toBe(true);
-		for (const key of Object.keys(oak.parameters).filter((key) => key !== "age"))
-			expect(same({ ...oak, parameters: { ...oak.parameters, [key]: -1 } })).toBe(false);
-		expect(same(apply(TREE, oak, { details: { targets: [1, 0, 0] } }))).toBe(false);
-		expect(changed(piecesOf(oak, oak), piecesOf(oak, tree("birch")))).toBe(true);
-	});
-
-	it("is another where the same thing has another name", () => {
-		const box = [0, 0, 0, 1, 1, 1];
-		const [walled, rounded] = [{ obstacles: box }, { rounds: box }].map((details) => ({ ...oak, ...details }));
-		expect(changed(piecesOf(walled, oak), piecesOf(rounded, oak))).toBe(true);
 	});
 });
 

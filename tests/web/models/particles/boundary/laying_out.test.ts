@@ -1,0 +1,29 @@
+import { describe, expect, it } from "vitest";
+import { changed } from "../../../../../web/src/controls/changed";
+import type { Desk } from "../../../../../web/src/controls/desk";
+import { layingOut } from "../../../../../web/src/models/particles/boundary/editor/lay";
+import { TREE } from "../../../../../web/src/models/particles/tree/species";
+import type { TreeSpecimen } from "../../../../../web/src/models/particles/tree/specimen";
+import { apply } from "../../../../../web/src/studio/change";
+import { tree } from "./particles";
+
+describe("what lays out a boundary", () => {
+	const piecesOf = (specimen = tree("oak"), preset = tree("oak")) =>
+		layingOut({ state: { specimen }, preset } as Pick<Desk<TreeSpecimen>, "state" | "preset">);
+	const same = (specimen: TreeSpecimen) => !changed(piecesOf(oak, oak), piecesOf(specimen, oak));
+	const oak = tree("oak");
+
+	it("is not how old it is, but everything else", () => {
+		expect(same(apply(TREE, oak, { parameters: { age: 40 } }))).toBe(true);
+		for (const key of Object.keys(oak.parameters).filter((key) => key !== "age"))
+			expect(same({ ...oak, parameters: { ...oak.parameters, [key]: -1 } })).toBe(false);
+		expect(same(apply(TREE, oak, { details: { targets: [1, 0, 0] } }))).toBe(false);
+		expect(changed(piecesOf(oak, oak), piecesOf(oak, tree("birch")))).toBe(true);
+	});
+
+	it("is another where the same thing has another name", () => {
+		const box = [0, 0, 0, 1, 1, 1];
+		const [walled, rounded] = [{ obstacles: box }, { rounds: box }].map((details) => ({ ...oak, ...details }));
+		expect(changed(piecesOf(walled, oak), piecesOf(rounded, oak))).toBe(true);
+	});
+});
