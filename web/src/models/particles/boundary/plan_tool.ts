@@ -18,9 +18,9 @@ export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, Wooden
 }
 
 function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
-	const { specimen } = desk.state;
+	const { specimen, grown, held } = desk.state;
 	return html`<panicle-plan
-		.pose=${planPose(lay, specimen, desk.preset)} .scene=${sceneOf(lay, specimen)}
+		.pose=${planPose(lay, specimen, desk.preset)} .scene=${sceneOf(lay, specimen)} .grown=${grown} .passing=${held}
 		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
 	></panicle-plan>`;

@@ -13,7 +13,7 @@ export const sun: Tool<TreeSpecimen, WoodenPlant> = {
 	editor: {
 		title: "Sun",
 		draw: (desk) => html`<panicle-sun
-			.pose=${sunPose(desk.state.specimen, desk.preset)}
+			.pose=${sunPose(desk.state.specimen, desk.preset)} .grown=${desk.state.grown} .passing=${desk.state.held}
 			@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		></panicle-sun>`,
 	},
