@@ -24,5 +24,6 @@ export const model = {
 	parts: treeParts,
 	words: treeInWords,
 	record: trailRecord,
+	figure: async () => (await import("./tree_figure")).treeFigure,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<TreeSpecimen, TreePlant>;
