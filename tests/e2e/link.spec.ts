@@ -40,6 +40,21 @@ test("a malformed link opens what it can and says what it could not, until dismi
 	for (const part of ["p3", "seed", "colour"]) await expect(notices).toContainText(`${part}:`);
 	await expect(studio.slider("Length")).toHaveValue("580");
 	await expect(page).toHaveURL(/\?v=2&preset=duku&seed=0&l=580$/);
+	// In all sizes it stands over no plant.
+	for (const [width, height] of [
+		[1440, 900],
+		[720, 450],
+		[390, 844],
+	]) {
+		await page.setViewportSize({ width, height });
+		const [notice, plant] = await Promise.all([page.locator(".notice").boundingBox(), studio.canvas.boundingBox()]);
+		if (!notice || !plant) throw new Error("There is no notice or no view.");
+		const apart =
+			notice.x >= plant.x + plant.width || notice.y >= plant.y + plant.height || notice.y + notice.height <= plant.y;
+		expect(apart, `${width} × ${height}`).toBe(true);
+		const caption = await page.locator(".caption h2").boundingBox();
+		expect(caption?.y, `${width} × ${height}`).toBeGreaterThan(plant.y + plant.height - 12);
+	}
 	await notices.getByRole("button", { name: "Dismiss" }).click();
 	await expect(notices.getByRole("listitem")).toHaveCount(0);
 });

@@ -175,8 +175,7 @@ test("a closed mesh dropped on the boundary becomes it, and the page says where 
 	await expect(page.locator("panicle-boundary path.outer")).toHaveAttribute("d", /^M[^L]+(L[^L]+){3}Z$/);
 	await expect(studio.notices).not.toContainText("The file was not opened");
 	const inSpace = studio.button("Boundary in 3-D");
-	// What is noted stands over it until it is read.
-	await inSpace.press("Enter");
+	await inSpace.click();
 	await expect(inSpace).toHaveAttribute("aria-pressed", "true");
 	await drop("broken.obj", "v 0 0 0\nf 1 2 3\n");
 	await expect(studio.notices).toContainText("Line 2 of the OBJ has a corner, “2”");

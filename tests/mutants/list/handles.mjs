@@ -5,6 +5,24 @@ const PROFILE = "tests/web/models/bunch/profile";
 
 export default [
 	{
+		file: `${SRC}/value_label.ts`,
+		suites: ["tests/web/controls/handles/value_label.test.ts"],
+		faults: [
+			{
+				id: "label-over-other-handles",
+				find: "others.filter(covers).length",
+				replace: "0",
+				breaks: "the words beside a handle lie over other handles",
+			},
+			{
+				id: "label-over-the-drawing",
+				find: "+ 0.4 * inward",
+				replace: "",
+				breaks: "the words beside a handle lie over what is drawn",
+			},
+		],
+	},
+	{
 		file: `${SRC}/drag_session.ts`,
 		suites: [SESSION, `${PROFILE}/drag_session.test.ts`],
 		faults: [

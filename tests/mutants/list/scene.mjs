@@ -27,8 +27,8 @@ export default [
 			},
 			{
 				id: "turntable-jumps-in-the-hand",
-				find: "else if (!held && needsRefit(this.#fit, now))",
-				replace: "else if (needsRefit(this.#fit, now))",
+				find: "held ? this.controls.enabled &&",
+				replace: "held ?",
 				breaks: "the view moves away under a drag",
 			},
 			{
@@ -51,8 +51,8 @@ export default [
 			},
 			{
 				id: "camera-fit-never-again",
-				find: "return ratio > 1.12 || ratio < 0.75 ||",
-				replace: "return ratio > 100 ||",
+				find: "return hasOutgrown(shown, now) ||",
+				replace: "return",
 				breaks: "a plant that grows leaves the view",
 			},
 		],

@@ -98,11 +98,27 @@ describe("Turntable", () => {
 		expectPose(before);
 	});
 
-	it("follows a bunch that has outgrown the view, but not while a handle is held", () => {
+	it("goes back from a plant that outgrows the view under a control in hand, and does nothing else meanwhile", () => {
 		const before = table.distance;
 		table.follow(spindle(90, 0.3), true);
 		table.advance(1000);
+		const { distance } = table;
+		expect(distance).toBeGreaterThan(1.4 * before);
+		table.follow(spindle(90, 0.1), true);
+		table.advance(2000);
+		expect(table.distance).toBeCloseTo(distance, 9);
+		table.follow(spindle(90, 0.1), false);
+		table.advance(3000);
+		expect(table.distance).toBeLessThan(0.7 * distance);
+	});
+
+	it("follows a bunch that has outgrown the view, but not while a handle in the scene is held", () => {
+		const before = table.distance;
+		table.controls.enabled = false;
+		table.follow(spindle(90, 0.3), true);
+		table.advance(1000);
 		expect(table.distance).toBeCloseTo(before, 9);
+		table.controls.enabled = true;
 		table.follow(spindle(90, 0.3), false);
 		expect(changed).toHaveBeenCalled();
 		table.advance(2000);

@@ -87,6 +87,19 @@ describe("the studio", () => {
 		expect(surroundings.settled).toHaveBeenCalled();
 	});
 
+	it("takes back what it said of a link with the first change that follows, and nothing else", () => {
+		studio.open(
+			{ specimen: specimenFromPreset("lychee"), notes: [{ key: "l", problem: "", text: "l: too long." }] },
+			"link",
+		);
+		studio.notify("Mind the gap");
+		const titles = () => studio.state.notices.map(({ title }) => title);
+		studio.settle();
+		expect(titles()).toEqual(["Not everything in the link could be used", "Mind the gap"]);
+		studio.edit({ parameters: { l: 300 } });
+		expect(titles()).toEqual(["Mind the gap"]);
+	});
+
 	it("says which parts of a link could not be used, once, until dismissed", () => {
 		const notes = [{ key: "l", problem: "", text: "l: too long." }];
 		studio.take(bunchModel, { specimen: specimenFromPreset("lychee"), notes }, "link");

@@ -46,6 +46,8 @@ export interface NoticeOptions {
 	copy?: string;
 	/** Goes by itself after a while: confirmations, and what a hand has just run into; never warnings. */
 	brief?: boolean;
+	/** Is about the document as it came: the first change of it takes this back. */
+	untouched?: boolean;
 	/** Offers to try again. */
 	again?: () => void;
 }

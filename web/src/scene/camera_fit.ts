@@ -138,7 +138,11 @@ export function fitView(
 
 /** Whether a plant has outgrown, shrunk from or left the view that once fitted it, so that the view should follow. */
 export function needsRefit(shown: Fit, now: Fit): boolean {
-	const ratio = now.distance / shown.distance;
 	const moved = Math.hypot(...now.target.map((value, k) => value - shown.target[k]));
-	return ratio > 1.12 || ratio < 0.75 || moved > 0.25 * shown.radius;
+	return hasOutgrown(shown, now) || now.distance < 0.75 * shown.distance || moved > 0.25 * shown.radius;
+}
+
+/** Whether a plant reaches out of the view that once fitted it. */
+export function hasOutgrown(shown: Fit, now: Fit): boolean {
+	return now.distance > 1.12 * shown.distance;
 }

@@ -60,7 +60,8 @@ function ballsOf(transforms: Float32Array, reach: number): Float32Array {
 	return balls;
 }
 
-function joined(arrays: readonly Float32Array[]): Float32Array {
+/** Arrays one after the other. */
+export function joined(arrays: readonly Float32Array[]): Float32Array {
 	const whole = new Float32Array(arrays.reduce((length, array) => length + array.length, 0));
 	let at = 0;
 	for (const array of arrays) {

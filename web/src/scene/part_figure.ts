@@ -4,7 +4,7 @@ import type { Part } from "../plant/part";
 import type { Bodies } from "./camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "./figure";
 import { MeshShadow } from "./mesh_shadow";
-import { ballOf, boundsOf } from "./part_bounds";
+import { ballOf, boundsOf, joined } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
 import { type Drawn, Wardrobe } from "./wardrobe";
@@ -20,16 +20,25 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	readonly modes = ["whole"];
 	readonly #stage: FigureStage;
 	readonly #parts: (grown: G, specimen: S) => Iterable<Part>;
+	readonly #room: (specimen: S) => Float32Array;
 	readonly #lights = new StandardLights();
 	readonly #shadow: MeshShadow;
 	readonly #wardrobe: Wardrobe;
 	#shown: PartMeshes;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
+	/** 3 × points that the view is to hold besides. */
+	#about: Float32Array = new Float32Array(0);
 	#mark: PartObject | undefined;
 
-	constructor(stage: FigureStage, parts: (grown: G, specimen: S) => Iterable<Part>) {
+	/** @param room points that the view is to hold besides the parts, metres */
+	constructor(
+		stage: FigureStage,
+		parts: (grown: G, specimen: S) => Iterable<Part>,
+		room: (specimen: S) => Float32Array = () => new Float32Array(0),
+	) {
 		this.#stage = stage;
 		this.#parts = parts;
+		this.#room = room;
 		this.#wardrobe = new Wardrobe(stage.light.uniforms);
 		this.#shown = new PartMeshes([], this.#wardrobe);
 		this.#shadow = new MeshShadow(stage.shadow);
@@ -44,11 +53,13 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		for (const object of this.#shown.objects) this.#stage.root.add(object);
 		this.#shadow.lay(this.#shown.objects);
 		this.#bounds = boundsOf(parts);
+		this.#about = this.#room(specimen);
 		this.#lights.shade(ballOf(this.#bounds));
 	}
 
 	bounds(): Bodies {
-		return this.#bounds;
+		const { spheres, points } = this.#bounds;
+		return { spheres, points: joined([points, this.#about]) };
 	}
 
 	prepare(camera: PerspectiveCamera): void {
@@ -123,6 +134,9 @@ function countOf(object: PartObject): number {
 }
 
 /** The figure of a model that has none of its own. */
-export function partFigure<S, G>(parts: (grown: G, specimen: S) => Iterable<Part>): FigureMaker<S, G> {
-	return (stage) => new PartFigure(stage, parts);
+export function partFigure<S, G>(
+	parts: (grown: G, specimen: S) => Iterable<Part>,
+	room?: (specimen: S) => Float32Array,
+): FigureMaker<S, G> {
+	return (stage) => new PartFigure(stage, parts, room);
 }

@@ -1,6 +1,6 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { type Fit, fitView, needsRefit, type Spindle } from "./camera_fit";
+import { type Fit, fitView, hasOutgrown, needsRefit, type Spindle } from "./camera_fit";
 
 /** A long lens, as for a portrait: round things stay round at the view's edge. */
 const FOV = 24;
@@ -84,12 +84,16 @@ export class Turntable {
 		}
 	}
 
-	/** Takes note of the plant shown. The view follows only when it must, gliding, and never while `held`. */
+	/**
+	 * Takes note of the plant shown. The view follows only when it must, gliding; while a control is `held` it only goes back
+	 * from a plant that has outgrown it, and while a handle in the scene itself is (orbiting is off), not at all.
+	 */
 	follow(spindle: Spindle, held: boolean): void {
 		this.#spindle = spindle;
 		const now = this.#fitOf(spindle);
 		if (this.#fit === undefined) this.fit();
-		else if (!held && needsRefit(this.#fit, now)) this.#glideTo(now);
+		else if (held ? this.controls.enabled && hasOutgrown(this.#fit, now) : needsRefit(this.#fit, now))
+			this.#glideTo(now);
 	}
 
 	/** The next plant is of another kind: it is fitted as the first was, and not glided to. */

@@ -105,7 +105,7 @@ export class Viewer<S, G> {
 		this.#loop.request();
 	}
 
-	/** While held (a handle is being dragged), the view stays put however the plant grows; let go, it follows. */
+	/** While held (a control is being dragged), the view goes after the plant only where that outgrows it; let go, it follows. */
 	holdView(held: boolean): void {
 		if (held === this.#held) return;
 		this.#held = held;

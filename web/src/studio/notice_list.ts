@@ -9,6 +9,11 @@ export function withNotice(notices: readonly Notice[], notice: Notice): readonly
 	return [...others, notice].slice(-MOST_NOTICES);
 }
 
+/** Those that hold though the document has changed; the same list where all do. */
+export function afterChange(notices: readonly Notice[]): readonly Notice[] {
+	return notices.some(({ untouched }) => untouched) ? notices.filter(({ untouched }) => !untouched) : notices;
+}
+
 /** Those that are about something else; the same list where all are. */
 export function withoutTopic(notices: readonly Notice[], topic: string | undefined): readonly Notice[] {
 	const others = notices.filter((notice) => topic === undefined || notice.topic !== topic);

@@ -9,7 +9,7 @@ import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import { apply, otherSeed } from "./change";
 import { BARE, Faces } from "./faces";
-import { withNotice, withoutTopic } from "./notice_list";
+import { afterChange, withNotice, withoutTopic } from "./notice_list";
 import { inStep, type Opening, opened, type StudioState } from "./studio_state";
 import type { Surroundings } from "./surroundings";
 import { stateOf, withState, withTools } from "./tool_states";
@@ -234,7 +234,7 @@ export class Studio implements Desk {
 		this.notify(
 			`Not everything in the ${from} could be used`,
 			notes.map((note) => note.text),
-			{ topic: from },
+			{ topic: from, untouched: true },
 		);
 	}
 
@@ -260,7 +260,7 @@ export class Studio implements Desk {
 		if (history === this.#state.history) return;
 		const model = this.#models.get(present.model) ?? left;
 		const face = model === left ? this.#state.face : undefined;
-		this.#update({ history, specimen: present, model, face });
+		this.#update({ history, specimen: present, model, face, notices: afterChange(this.#state.notices) });
 		if (model !== left) void this.#bringFace(model);
 		if (!growsAlike(before, present) || (!this.#state.held && !this.#whole)) this.#ask();
 	}

@@ -56,6 +56,21 @@ TEST_CASE("a petiole is as thick as asked, however thick the veins are") {
   }
 }
 
+TEST_CASE("particles are large enough to be seen, the larger the fewer there are, and apart from each other") {
+  const auto radius_of = [](float particles) {
+    const Plant plant = leaf_of({{{Parameter::particles, particles}, {Parameter::age, 0}}});
+    REQUIRE(!plant.organs.empty());
+    float least = plant.organs.front().scale;
+    for (const Organ& organ : plant.organs) least = std::min(least, organ.scale);
+    return least / 0.09f;
+  };
+  const float few = radius_of(400), some = radius_of(2000), many = radius_of(20000);
+  CHECK(few == near(0.006f, 1e-3));
+  CHECK(some > 0.003f);
+  CHECK(some < few);
+  CHECK(many == near(0.0022f, 1e-3));
+}
+
 TEST_CASE("age runs from scattered particles to whole trails, in the middle both stand") {
   const auto at = [](float age) {
     return leaf_of({{{Parameter::particles, 400}, {Parameter::age, age}}, {}, 1, "meshes"});

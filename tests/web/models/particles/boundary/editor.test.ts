@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { heaviest, inkBranches } from "../../../../../web/src/models/particles/boundary/editor/branches";
+import { FROM_ABOVE } from "../../../../../web/src/models/particles/boundary/editor/facing";
 import {
 	frameAbout,
 	fromScreen,
@@ -276,6 +277,15 @@ describe("branches behind a view", () => {
 			[20, 0, 0, -20, 100, 180],
 			[0, 0],
 			[0, 2],
+		]);
+		pen.lines.splice(0);
+		const scene = { frame, ratio: 1, ink: "red" };
+		inkBranches(canvas as never, { segments, energy: Float32Array.of(8) } as never, scene, FROM_ABOVE);
+		// What is in front is below.
+		expect(pen.lines).toEqual([
+			[10, 0, 0, 10, 50, 90],
+			[0, 9],
+			[0, 9],
 		]);
 	});
 });

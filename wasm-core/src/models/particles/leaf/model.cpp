@@ -7,6 +7,7 @@
 #include "plant/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -23,8 +24,10 @@
 namespace panicle::particles::leaf {
 namespace {
 
-constexpr float thinnest = 5e-6f;                          // radius of a vein, metres
-constexpr float ball_widens = 1.6f, least_ball = 0.0022f;  // of a particle: against its trail's radius; leaf lengths
+constexpr float thinnest = 5e-6f;  // radius of a vein, metres
+// Radius of a particle: against its trail's, of the room that each has at first, and in leaf lengths; to be seen, yet
+// apart.
+constexpr float ball_widens = 1.6f, ball_share = 0.3f, least_ball = 0.0022f, largest_ball = 0.006f;
 
 Girth girth_of(const Values& values) {
   using enum Parameter;
@@ -54,14 +57,17 @@ std::vector<Trails> standing(const Veins& veins, float age) {
 }
 
 // Those on their way: balls that lie on the blade.
+// particles: so many there are before any meet
 void add_particles(Plant& plant, const Veins& veins, std::span<const Trails> flat, const Bending& bending,
-                   const Girth& girth) {
+                   const Girth& girth, float particles) {
   plant.organ_tags = {"particle"};
+  const float room = std::sqrt(veins.outline.area() / std::max(particles, 1.0f));
+  const float least = std::clamp(ball_share * room, least_ball, largest_ball) * bending.scale;
   for (std::size_t c = 0; c < flat.size(); ++c)
     for (std::size_t i = 1; i < flat[c].size(); ++i) {
       if (flat[c].next[i] >= 0) continue;
       const float radius = ball_widens * radius_of(girth, flat[c].energy[i], veins.all[c]);
-      const float scale = std::max(radius, least_ball * bending.scale);
+      const float scale = std::max(radius, least);
       const glm::vec3& place = flat[c].places[i];
       plant.organs.push_back({0, -1, -1, bending({place.x, place.y}, scale), {0, 0, 0, 1}, scale});
     }
@@ -115,7 +121,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   plant.tags = {"vein"};
   const auto segments = add_trails(plant, bent, veins.all, girth, {}, veins.tally, 0);
   if (Diagnostic trouble = beyond(limits, plant.segments.size(), 0); trouble.reason != Reason::none) return trouble;
-  add_particles(plant, veins, flat, bending, girth);
+  add_particles(plant, veins, flat, bending, girth, values[particles]);
   const std::vector<Vein> ordered = veins_of(flat);
   add_orders(plant, ordered, segments);
   add_chart(plant, veins, flat);

@@ -19,10 +19,11 @@ export function planTool<S extends BoundedSpecimen>(lay: Lay<S>): Tool<S, Wooden
 }
 
 function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, lay: Lay<S>): unknown {
-	const { specimen } = desk.state;
+	const { specimen, grown, held } = desk.state;
 	const laidBy = layingOut(desk);
 	return html`<panicle-plan
 		.pose=${guard(laidBy, () => planPose(lay, specimen, desk.preset))} .scene=${guard(laidBy, () => sceneOf(lay, specimen))}
+		.grown=${grown} .passing=${held}
 		@grip-input=${({ detail }: GripEvent) => desk.edit(detail)} @grip-change=${() => desk.settle()}
 		@grip-focus=${({ detail }: CustomEvent<string>) => desk.setToolState(MEANT, detail)}
 	></panicle-plan>`;

@@ -1,5 +1,6 @@
 /** A leaf as SVG: flat, in millimetres, tip up: the margin as one closed path, veins as one path a class of widths. */
 import { GENERATOR } from "../../../export/generator";
+import { escaped, short } from "../svg_text";
 import { flatVeins, type Leaf } from "./grown";
 import { bundled } from "./outline/bundles";
 import type { LeafSpecimen } from "./specimen";
@@ -65,13 +66,4 @@ function boxOf(margin: Float32Array, size: number) {
 		width: short((right - left) * size + 2 * MARGIN),
 		height: short((high - low) * size + 2 * MARGIN),
 	};
-}
-
-/** Hundredths of a millimetre. */
-function short(value: number): number {
-	return Math.round(value * 100) / 100 + 0; // −0 becomes 0
-}
-
-function escaped(text: string): string {
-	return text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
 }

@@ -3,14 +3,17 @@ import { Mesh, type PerspectiveCamera } from "three";
 import { linear } from "../../../plant/colour";
 import type { Bodies } from "../../../scene/camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "../../../scene/figure";
-import { boxOf } from "../../../scene/part_bounds";
+import { boxOf, joined } from "../../../scene/part_bounds";
 import { PartFigure } from "../../../scene/part_figure";
 import { PartMeshes } from "../../../scene/part_meshes";
 import { Wardrobe } from "../../../scene/wardrobe";
+import { grownRoom } from "../boundary/grown_room";
 import type { WoodenPlant } from "../boundary/wooden_plant";
+import { rootLay } from "./lay";
 import { rootParts } from "./root_parts";
 import { type Dug, holds, pit } from "./soil";
 import type { RootSpecimen } from "./specimen";
+import { ROOT_TABLE } from "./table";
 
 class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 	readonly modes = ["whole"];
@@ -32,7 +35,9 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 
 	show(grown: WoodenPlant, specimen: RootSpecimen): void {
 		this.#roots.show(grown, specimen);
-		const bodies = this.#roots.bounds();
+		const { spheres, points } = this.#roots.bounds();
+		// A pit for the grown root, where it is still to grow.
+		const bodies = { spheres, points: joined([points, grownRoom(rootLay, ROOT_TABLE, specimen)]) };
 		const box = boxOf(bodies);
 		if (box.isEmpty()) {
 			this.#clear();
@@ -45,7 +50,7 @@ class CutFigure implements Figure<RootSpecimen, WoodenPlant> {
 		const { soil } = specimen.look;
 		const fits = this.#dug && (passing ? holds(this.#dug, roots) : alike(this.#dug, roots));
 		if (!fits || soil !== this.#earth) this.#dig(roots, soil);
-		this.#bounds = { spheres: bodies.spheres, points: joined(bodies.points, this.#wall) };
+		this.#bounds = { spheres, points: joined([bodies.points, this.#wall]) };
 	}
 
 	#dig(roots: Dug, soil: string): void {
@@ -110,13 +115,6 @@ function reachOf(ends: Float32Array, { low, high }: Dug): Dug {
 		for (let k = 0; k < 3; k += 2) most[k] = Math.max(most[k], ends[at + k]);
 	}
 	return { low: least, high: most };
-}
-
-function joined(a: Float32Array, b: Float32Array): Float32Array {
-	const both = new Float32Array(a.length + b.length);
-	both.set(a);
-	both.set(b, a.length);
-	return both;
 }
 
 export const cutFigure: FigureMaker<RootSpecimen, WoodenPlant> = (stage) => new CutFigure(stage);

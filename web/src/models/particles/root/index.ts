@@ -1,6 +1,7 @@
 /** The root of particles' trails (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
 import type { Model } from "../../model";
 import { encodeBounded } from "../boundary/request";
+import { woodFormats } from "../boundary/wood_formats";
 import { readWoodenPlant, type WoodenPlant } from "../boundary/wooden_plant";
 import { trailRecord } from "../record";
 import { rootParts } from "./root_parts";
@@ -18,6 +19,7 @@ export const model = {
 	parts: rootParts,
 	words: rootInWords,
 	record: trailRecord,
+	formats: woodFormats(rootInWords),
 	figure: async () => (await import("./cut_figure")).cutFigure,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<RootSpecimen, WoodenPlant>;

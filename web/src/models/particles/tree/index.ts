@@ -3,6 +3,7 @@
 import { leafBlocks } from "../../../plant/leaf";
 import type { Model } from "../../model";
 import { encodeBounded } from "../boundary/request";
+import { woodFormats } from "../boundary/wood_formats";
 import { trailRecord } from "../record";
 import { TREE } from "./species";
 import type { TreeSpecimen } from "./specimen";
@@ -24,5 +25,7 @@ export const model = {
 	parts: treeParts,
 	words: treeInWords,
 	record: trailRecord,
+	formats: woodFormats(treeInWords),
+	figure: async () => (await import("./tree_figure")).treeFigure,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<TreeSpecimen, TreePlant>;

@@ -8,6 +8,7 @@ import {
 import { outlineDrags } from "../../../../../../web/src/models/particles/leaf/outline/outline_drag";
 import {
 	fittedFrame,
+	inReach,
 	inView,
 	onLeaf,
 	scaleBar,
@@ -153,9 +154,25 @@ describe("the view", () => {
 		const nudged = curveOf(movePoint(oak, 18, { x: 0.36, y: 0.67 }, SAME));
 		expect(steadyFrame(frame, nudged, size, false)).toBe(frame);
 		const wide = curveOf(leafFromPreset("maple").outline);
-		expect(steadyFrame(frame, wide, size, true)).toBe(frame);
+		expect(steadyFrame(frame, nudged, size, true)).toBe(frame);
 		expect(steadyFrame(frame, wide, size, false).scale).toBeLessThan(frame.scale);
 		expect(steadyFrame(frame, nudged, { width: 200, height: 320 }, true)).not.toBe(frame);
+	});
+
+	it("goes back from a lobe in hand as far as the whole leaf needs, and no point is taken far out of it", () => {
+		const wide = curveOf(leafFromPreset("maple").outline);
+		const back = steadyFrame(frame, wide, size, true);
+		expect(back.centre).toEqual(frame.centre);
+		const [xs, ys] = (["x", "y"] as const).map((axis) => wide.map((place) => inView(back, place)[axis]));
+		expect(Math.min(...xs)).toBeGreaterThanOrEqual(5.9);
+		expect(Math.max(...xs)).toBeLessThanOrEqual(size.width - 5.9);
+		expect(Math.min(...ys)).toBeGreaterThanOrEqual(5.9);
+		expect(Math.max(...ys)).toBeLessThanOrEqual(size.height - 19.9);
+		expect(steadyFrame(back, wide, size, true)).toBe(back);
+		const inside = { x: 0.1, y: 0.5 };
+		expect(inReach(back, inside).x).toBeCloseTo(0.1, 9);
+		const far = inView(back, inReach(back, { x: 9, y: -9 }));
+		expect([far.x, far.y].map(Math.round)).toEqual([size.width - 3, size.height - 17]);
 	});
 
 	it("has a scale bar of a round length", () => {

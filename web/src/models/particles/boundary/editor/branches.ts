@@ -1,5 +1,6 @@
-/** Branches as a line drawing behind a flat view: from in front, the heaviest of them. */
+/** Branches as a line drawing behind a flat view: the heaviest of them. */
 import type { TrailPlant } from "../../trails";
+import { type Facing, FROM_FRONT } from "./facing";
 import type { Frame } from "./frame";
 
 /** As many lines as a canvas takes within a frame; the rest are twigs that would only grey the drawing. */
@@ -16,7 +17,12 @@ interface Drawn {
 }
 
 export class BranchDrawing {
+	readonly #facing: Facing;
 	#drawn: Drawn | undefined;
+
+	constructor(facing: Facing = FROM_FRONT) {
+		this.#facing = facing;
+	}
 
 	/** Draws in the canvas's own colour and at the screen's density, where anything that it is drawn from has changed. */
 	show(canvas: HTMLCanvasElement, plant: TrailPlant | undefined, frame: Frame): void {
@@ -29,7 +35,7 @@ export class BranchDrawing {
 		if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
 		pen?.setTransform(1, 0, 0, 1, 0, 0);
 		pen?.clearRect(0, 0, width, height);
-		if (pen && plant) inkBranches(pen, plant, now);
+		if (pen && plant) inkBranches(pen, plant, now, this.#facing);
 	}
 }
 
@@ -53,11 +59,12 @@ export function inkBranches(
 	pen: Pen,
 	plant: TrailPlant,
 	{ frame, ratio, ink }: Pick<Drawn, "frame" | "ratio" | "ink">,
+	{ up, sign }: Facing = FROM_FRONT,
 ): void {
 	const { scale, origin } = frame;
 	const { ends, radii } = plant.segments;
 	const zoom = ratio * scale;
-	pen.setTransform(zoom, 0, 0, -zoom, ratio * origin.x, ratio * origin.y);
+	pen.setTransform(zoom, 0, 0, -sign * zoom, ratio * origin.x, ratio * origin.y);
 	pen.strokeStyle = ink;
 	pen.lineCap = "round";
 	// One path a width: as wide as they are, in steps of half as much again.
@@ -74,8 +81,8 @@ export function inkBranches(
 		pen.beginPath();
 		for (const segment of segments) {
 			const at = 6 * segment;
-			pen.moveTo(ends[at], ends[at + 1]);
-			pen.lineTo(ends[at + 3], ends[at + 4]);
+			pen.moveTo(ends[at], ends[at + up]);
+			pen.lineTo(ends[at + 3], ends[at + 3 + up]);
 		}
 		pen.stroke();
 	}

@@ -42,21 +42,4 @@ export const gripStyle = css`
 	text {
 		opacity: 0.66;
 	}
-	.handle .value {
-		position: absolute;
-		z-index: 1;
-		top: 50%;
-		left: 36px;
-		translate: 0 -50%;
-		padding: 3px 4px;
-		border-radius: 3px;
-		background: color-mix(in srgb, var(--ground) 85%, transparent);
-		color: var(--grip);
-		white-space: nowrap;
-		pointer-events: none;
-	}
-	.handle .value.left {
-		left: auto;
-		right: 36px;
-	}
 `;

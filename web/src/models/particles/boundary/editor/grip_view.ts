@@ -2,17 +2,18 @@
  * A flat view with grips, of what a pose says: what boundary and sun are drawn and dragged on. Subclasses say what lies
  * behind the grips.
  */
-import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { html, type PropertyValues, type TemplateResult } from "lit";
 import type { Change } from "../../../../controls/desk";
 import { HandleView } from "../../../../controls/handles/handle_view";
 import type { Point } from "../../../../controls/handles/point";
+import { drawValue, valueStyle } from "../../../../controls/handles/value_label";
 import { type Frame, fromScreen, toScreen } from "./frame";
 import { type Grip, gripIn, type Pose, pressed } from "./grip";
 import { gripDrags } from "./grip_drags";
 import { gripStyle } from "./grip_style";
 
 export abstract class GripView extends HandleView<string> {
-	static override styles = [...HandleView.styles, gripStyle];
+	static override styles = [...HandleView.styles, valueStyle, gripStyle];
 	static override properties = { pose: { attribute: false } };
 	declare pose: Pose | undefined;
 
@@ -41,18 +42,30 @@ export abstract class GripView extends HandleView<string> {
 		if (!pose) return undefined;
 		return html`<svg class="drawing" viewBox="0 0 ${frame.width} ${frame.height}" aria-hidden="true">${this.drawing(frame)}</svg>
 			${pose.grips.map((grip) => this.#drawGrip(grip))}
+			${pose.grips.map((grip) => this.#drawValue(grip))}
 			<p class="spoken" id="adds">Insert adds one after it.</p>
 			<p class="spoken" id="removes">Delete takes it out.</p>`;
 	}
 
 	#drawGrip(grip: Grip): TemplateResult {
 		const { id, at, label, part, value } = grip;
-		const place = toScreen(this.frame, at);
-		const aside = place.x > this.frame.width / 2 ? "value left" : "value";
-		const told = id === this.shown || this.drags.holds(id);
-		const content = told ? html`<span class=${aside}>${value}</span>` : nothing;
 		const help = ["help", grip.add ? "adds" : "", grip.remove ? "removes" : ""].filter(Boolean).join(" ");
-		return this.drawHandle(id, place, { label: `${part ? `${label}, ${part}` : label}: ${value}`, content, help });
+		return this.drawHandle(id, toScreen(this.frame, at), {
+			label: `${part ? `${label}, ${part}` : label}: ${value}`,
+			help,
+		});
+	}
+
+	#drawValue({ id, at, value }: Grip): unknown {
+		if (id !== this.shown && !this.drags.holds(id)) return undefined;
+		const others = this.places().filter(([other]) => other !== id);
+		const { width, height } = this.frame;
+		return drawValue(
+			value,
+			toScreen(this.frame, at),
+			{ width, height },
+			others.map(([, place]) => place),
+		);
 	}
 
 	protected places(): [string, Point][] {

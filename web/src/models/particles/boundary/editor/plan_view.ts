@@ -1,9 +1,12 @@
-/** `<panicle-plan>`: the boundary from above, with its obstacles and where particles make for; what is in front is below. */
+/**
+ * `<panicle-plan>`: the boundary from above, with its obstacles and where particles make for, over
+ * the branches that grew in it; what is in front is below.
+ */
 import { svg, type TemplateResult } from "lit";
 import type { Point } from "../../../../controls/handles/point";
+import { AboveView } from "./above_view";
 import { type FlatScene, loopPath, oval, ROOM, rectangle, scale } from "./drawn";
 import { type Frame, frameAbout, toScreen } from "./frame";
-import { GripView } from "./grip_view";
 
 /** What is drawn of a specimen from above: loops in shares of the half width and the half depth, y to the back. */
 export interface PlanScene extends FlatScene {
@@ -11,8 +14,8 @@ export interface PlanScene extends FlatScene {
 	readonly halfDepth: number;
 }
 
-export class PlanView extends GripView {
-	static override properties = { ...GripView.properties, scene: { attribute: false } };
+export class PlanView extends AboveView {
+	static override properties = { ...AboveView.properties, scene: { attribute: false } };
 	declare scene: PlanScene | undefined;
 
 	protected readonly heading = "Plan, from above";
@@ -36,6 +39,10 @@ export class PlanView extends GripView {
 			${rounds.map(([ax, , az, bx, , bz]) => oval(frame, { x: ax, y: -bz }, { x: bx, y: -az }))}
 			<text x=${frame.width - 6} y=${frame.height - 8} text-anchor="end">front</text>
 			${scale(frame)}`;
+	}
+
+	protected ground(): Frame {
+		return this.frame;
 	}
 }
 

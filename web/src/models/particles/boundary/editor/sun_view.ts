@@ -1,7 +1,8 @@
-/** `<panicle-sun>`: the sky from above, with the sun in it. */
+/** `<panicle-sun>`: the sky from above, with the sun in it, over the tree that grew in its light. */
 import { svg, type TemplateResult } from "lit";
+import type { TrailPlant } from "../../trails";
+import { AboveView } from "./above_view";
 import { type Frame, frameAbout, toScreen } from "./frame";
-import { GripView } from "./grip_view";
 
 /** Heights above the horizon at which rings are drawn, degrees. */
 const RINGS = [0, 30, 60];
@@ -10,7 +11,10 @@ const WORDS = [
 	["behind", 0, 1],
 ] as const;
 
-export class SunView extends GripView {
+/** How far the tree reaches out, of the sky's radius. */
+const REACH = 0.5;
+
+export class SunView extends AboveView {
 	protected readonly heading = "Sun, on the sky seen from above";
 	protected readonly help =
 		"Where it shines from, branches and leaves gather; the picture’s own lamp stays where it is. Drag, or use the arrow keys: left and right turn the sun about the tree, up and down raise and lower it by five degrees, with Shift by fifteen. Escape calls off a drag.";
@@ -30,6 +34,18 @@ export class SunView extends GripView {
 				return svg`<text x=${at.x} y=${at.y + 3} text-anchor="middle">${word}</text>`;
 			})}`;
 	}
+
+	protected ground(): Frame {
+		const { grown, frame } = this;
+		return { ...frame, scale: (REACH * frame.scale) / (grown ? reachOf(grown) : 1) };
+	}
+}
+
+/** How far out from the middle a tree's branches come, metres. */
+function reachOf({ segments: { ends } }: TrailPlant): number {
+	let square = 0;
+	for (let at = 0; at < ends.length; at += 3) square = Math.max(square, ends[at] ** 2 + ends[at + 2] ** 2);
+	return Math.sqrt(square) || 1;
 }
 
 customElements.define("panicle-sun", SunView);

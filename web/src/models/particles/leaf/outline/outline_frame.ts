@@ -28,9 +28,14 @@ export function fittedFrame(curve: readonly Place[], width: number, height: numb
 	return { width, height, scale, centre: { x: (left + right) / 2, y: (bottom + top) / 2 - lower } };
 }
 
+/** How far out of view a hand takes a point at once, CSS pixels. */
+const OVER = 3;
+/** Left free about the leaf at the least, before the view goes back from it. */
+const RIM = { side: 6, top: 6, bottom: 20 };
+
 /**
- * The frame to go on with: the one before while a hand moves a point, and after it where the leaf still fits well: a view
- * that rescaled after every drag would unsettle.
+ * The frame to go on with: the one before where the leaf still fits well: a view that rescaled after every drag would
+ * unsettle. While a hand moves a point, the view only goes back as far as the whole leaf needs.
  */
 export function steadyFrame(
 	before: OutlineFrame | undefined,
@@ -38,15 +43,34 @@ export function steadyFrame(
 	{ width, height }: { width: number; height: number },
 	held: boolean,
 ): OutlineFrame {
-	if (before?.width === width && before.height === height && (held || suits(before, curve))) return before;
+	if (before?.width === width && before.height === height) {
+		const scale = wholeScale(before, curve);
+		if (held) return scale < before.scale ? { ...before, scale } : before;
+		if (suits(before, curve)) return before;
+	}
 	return fittedFrame(curve, width, height);
 }
 
 function suits(frame: OutlineFrame, curve: readonly Place[]): boolean {
-	const { left, right, bottom, top } = boundsOf(curve);
-	const [low, high] = [inView(frame, { x: left, y: bottom }), inView(frame, { x: right, y: top })];
-	const whole = low.x >= 6 && high.x <= frame.width - 6 && high.y >= 6 && low.y <= frame.height - 20;
+	const whole = frame.scale <= (1 + 1e-6) * wholeScale(frame, curve);
 	return whole && frame.scale >= FULL_ENOUGH * fittedFrame(curve, frame.width, frame.height).scale;
+}
+
+/** The largest scale at which a leaf is seen whole about a frame's middle. */
+function wholeScale({ width, height, centre }: OutlineFrame, curve: readonly Place[]): number {
+	const { left, right, bottom, top } = boundsOf(curve);
+	const side = (width / 2 - RIM.side) / Math.max(right - centre.x, centre.x - left, 0.01);
+	const up = (height / 2 - RIM.top) / Math.max(top - centre.y, 0.01);
+	const down = (height / 2 - RIM.bottom) / Math.max(centre.y - bottom, 0.01);
+	return Math.max(1, Math.min(side, up, down));
+}
+
+/** The nearest place to take a point to: in view, or by so little out of it that the view goes back slowly. */
+export function inReach(frame: OutlineFrame, to: Place): Place {
+	const { x, y } = inView(frame, to);
+	const [left, top] = [RIM.side - OVER, RIM.top - OVER];
+	const [right, low] = [frame.width - left, frame.height - RIM.bottom + OVER];
+	return onLeaf(frame, { x: Math.min(right, Math.max(left, x)), y: Math.min(low, Math.max(top, y)) });
 }
 
 /** A place of the leaf in CSS pixels from the element's top left corner. */

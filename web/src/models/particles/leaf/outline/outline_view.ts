@@ -5,12 +5,13 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { HandleView } from "../../../../controls/handles/handle_view";
 import { drawScaleBar } from "../../../../controls/handles/scale_bar";
+import { drawValue, valueStyle } from "../../../../controls/handles/value_label";
 import { type FlatVeins, showOutline } from "./outline_canvas";
 import { outlineDrags } from "./outline_drag";
-import { inView, type OutlineFrame, onLeaf, scaleBar, steadyFrame } from "./outline_frame";
+import { inReach, inView, type OutlineFrame, onLeaf, scaleBar, steadyFrame } from "./outline_frame";
 import { ADD, LOCK, REMOVE, TURN } from "./outline_icons";
 import { outlineStyle } from "./outline_style";
-import { CROSSES, HELP, KIND_WORDS, pointInWords } from "./outline_words";
+import { CROSSES, HELP, KIND_WORDS, placeInWords, pointInWords } from "./outline_words";
 import type { OutlinePoints, Place, Symmetry } from "./points";
 import { curveOf, nearestSpan } from "./spline";
 import { inserted, pressed, removed, type Step, turned } from "./steps";
@@ -20,7 +21,7 @@ const MARGIN_REACH = 14;
 const DOT_REACH = 7;
 
 export class OutlineView extends HandleView<string> {
-	static override styles = [...HandleView.styles, outlineStyle];
+	static override styles = [...HandleView.styles, valueStyle, outlineStyle];
 	static override properties = {
 		points: { attribute: false },
 		veins: { attribute: false },
@@ -42,6 +43,7 @@ export class OutlineView extends HandleView<string> {
 	protected readonly drags = outlineDrags({
 		get: () => this.points ?? [],
 		symmetry: () => this,
+		reach: (to) => (this.#frame ? inReach(this.#frame, to) : to),
 		input: (points) => this.#input(points),
 		change: () => this.tell("outline-change"),
 		refused: () => this.#refuse(),
@@ -76,7 +78,20 @@ export class OutlineView extends HandleView<string> {
 					classes: { chosen: at === this.#chosen },
 					tab: at === this.#chosen,
 				});
-			})}`;
+			})}
+			${this.places().map(([index, place]) => this.#drawValue(index, place))}`;
+	}
+
+	#drawValue(index: string, place: Place): unknown {
+		const point = this.points?.[Number(index)];
+		if (!point || (index !== this.shown && !this.drags.holds(index))) return undefined;
+		const others = this.places().filter(([other]) => other !== index);
+		return drawValue(
+			placeInWords(point),
+			place,
+			this.size,
+			others.map(([, at]) => at),
+		);
 	}
 
 	protected override below(): unknown {

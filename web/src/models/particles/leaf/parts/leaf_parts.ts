@@ -1,5 +1,4 @@
 /** A leaf in parts: the two faces of its blade with pictures laid on, its petiole, and particles on their way. */
-import { linear } from "../../../../plant/colour";
 import type { Part } from "../../../../plant/part";
 import { partsOf } from "../../../../plant/parts_of";
 import type { Leaf } from "../grown";
@@ -34,10 +33,7 @@ export function* leafParts(
 	}
 	// Organs know meshes by their place among all.
 	const others = meshes.map((mesh) => (mesh.name in FACES ? { ...mesh, indices: new Uint32Array(0) } : mesh));
-	yield* partsOf(
-		{ meshes: others, organs },
-		{ stem: petioleMaterial(look), skin: particleMaterial(linear(look.vein_colour as string)) },
-	);
+	yield* partsOf({ meshes: others, organs }, { stem: petioleMaterial(look), skin: particleMaterial(look) });
 }
 
 function painted(leaf: Leaf, specimen: Pick<LeafSpecimen, "look" | "parameters" | "seed">, side: Side): Face {

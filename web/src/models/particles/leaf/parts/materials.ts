@@ -1,5 +1,5 @@
 /** What a leaf is made of. */
-import { type Colour, linear, mix } from "../../../../plant/colour";
+import { type Colour, linear, mix, mixed } from "../../../../plant/colour";
 import type { Material } from "../../../../plant/material";
 import type { LeafSpecimen } from "../specimen";
 
@@ -13,6 +13,7 @@ export type Side = keyof typeof FACES;
 const THROUGH: Colour = [1, 1.05, 0.5];
 /** The most light that files let pass. */
 const MOST_PASSING = 0.25;
+const PALE: Colour = [1, 0.95, 0.72];
 const EVERYWHERE: Colour = [1, 1, 1];
 
 /** The look's colour of a face between its veins. */
@@ -45,6 +46,7 @@ export function petioleMaterial({ stalk }: Look): Material {
 	return { name: "Petiole", colour: linear(stalk as string), roughness: 0.7 };
 }
 
-export function particleMaterial(colour: Colour): Material {
-	return { name: "Particle", colour, roughness: 0.5 };
+/** Particles on their way: lighter than any blade, and than the veins that they leave. */
+export function particleMaterial({ vein_colour }: Look): Material {
+	return { name: "Particle", colour: mixed(linear(vein_colour as string), PALE, 0.75), roughness: 0.5 };
 }

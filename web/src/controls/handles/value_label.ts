@@ -1,0 +1,81 @@
+/** The words beside a handle in hand: where it stands. Over all handles, clear of them, and off what is drawn. */
+import { css, html, type TemplateResult } from "lit";
+import type { Point } from "./point";
+
+/** Of a field or a label, CSS pixels. */
+export interface Extent {
+	readonly width: number;
+	readonly height: number;
+}
+
+/** From a handle's middle to its words: clear of its ring. */
+const GAP = 15;
+/** What must be seen of a handle, from its middle. */
+const DOT = 9;
+/** Fingers and hands lie below what they hold. */
+const UPWARDS = 0.5;
+const AROUND: readonly Point[] = Array.from({ length: 8 }, (_, i) => ({
+	x: Math.round(Math.cos((i * Math.PI) / 4)),
+	y: Math.round(Math.sin((i * Math.PI) / 4)),
+}));
+
+/** How much room words take in the views' type: a little more than they do. */
+export function labelExtent(words: string): Extent {
+	return { width: 6.2 * words.length + 10, height: 18 };
+}
+
+/**
+ * The upper left corner of a label, in CSS pixels of the field: beside its handle away from the field's middle, where it
+ * covers the fewest handles, and never out of the field.
+ * @param others where the other handles stand
+ */
+export function labelPlace(at: Point, label: Extent, field: Extent, others: readonly Point[]): Point {
+	const out = { x: at.x - field.width / 2, y: at.y - field.height / 2 };
+	const far = Math.hypot(out.x, out.y) || 1;
+	const outward = { x: out.x / far, y: out.y / far - UPWARDS };
+	let best: { cost: number; place: Point } | undefined;
+	for (const { x, y } of AROUND) {
+		const place = {
+			x: within(at.x + x * (GAP + label.width / 2) - label.width / 2, field.width - label.width),
+			y: within(at.y + y * (GAP + label.height / 2) - label.height / 2, field.height - label.height),
+		};
+		const covers = (dot: Point) => covered(place, label, dot);
+		const inward = -(x * outward.x + y * outward.y) / Math.hypot(x, y);
+		const cost = others.filter(covers).length + (covers(at) ? 4 : 0) + 0.4 * inward;
+		if (!best || cost < best.cost) best = { cost, place };
+	}
+	return best?.place ?? at;
+}
+
+function within(value: number, most: number): number {
+	return Math.max(0, Math.min(value, most));
+}
+
+/** Whether a label lies over what must be seen of a handle. */
+function covered(place: Point, { width, height }: Extent, dot: Point): boolean {
+	const x = Math.max(place.x, Math.min(dot.x, place.x + width));
+	const y = Math.max(place.y, Math.min(dot.y, place.y + height));
+	return Math.hypot(dot.x - x, dot.y - y) < DOT;
+}
+
+/** Heard by the handle's own name; this is for the eye. */
+export function drawValue(words: string, at: Point, field: Extent, others: readonly Point[]): TemplateResult {
+	const { x, y } = labelPlace(at, labelExtent(words), field, others);
+	return html`<span class="value" aria-hidden="true" .style=${`transform: translate(${x}px, ${y}px)`}>${words}</span>`;
+}
+
+export const valueStyle = css`
+	.value {
+		position: absolute;
+		z-index: 1;
+		top: 0;
+		left: 0;
+		padding: 3px 4px;
+		border-radius: 3px;
+		background: color-mix(in srgb, var(--ground) 92%, transparent);
+		color: var(--grip);
+		line-height: 12px;
+		white-space: nowrap;
+		pointer-events: none;
+	}
+`;
