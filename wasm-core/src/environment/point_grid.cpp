@@ -56,12 +56,16 @@ void PointGrid::lay(std::span<const glm::vec3> points, float edge) {
     return row_of(cell.y, cell.z) + static_cast<std::size_t>(cell.x);
   };
   first_.assign(row_of(0, count_.z) + 1, 0);
-  for (const glm::vec3& p : points)
-    if (placeable(p)) ++first_[index_of(p) + 1];
+  cells_.clear();
+  for (const glm::vec3& p : points) {
+    if (!placeable(p)) continue;
+    cells_.push_back(static_cast<std::uint32_t>(index_of(p)));
+    ++first_[cells_.back() + 1];
+  }
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   next_.assign(first_.begin(), first_.end() - 1);
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (placeable(points[i])) ids_[next_[index_of(points[i])]++] = i;
+  for (std::uint32_t i = 0, k = 0; i < points.size(); ++i)
+    if (placeable(points[i])) ids_[next_[cells_[k++]]++] = i;
 }
 
 }  // namespace panicle

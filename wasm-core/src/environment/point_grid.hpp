@@ -66,6 +66,7 @@ class PointGrid {
   Cell count_{0, 0, 0};                      // 0 without points
   std::vector<std::uint32_t> first_, next_;  // of each cell's slots, and the end
   std::vector<std::uint32_t> ids_;
+  std::vector<std::uint32_t> cells_;  // while points are laid, of each that has a place
 };
 
 }  // namespace panicle

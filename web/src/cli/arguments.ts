@@ -12,6 +12,7 @@ export interface Call {
 	/** By key; where a key is given twice, the last value. */
 	set: Record<string, string>;
 	grammarFile: string | undefined;
+	boundaryFile: string | undefined;
 	/** A file. */
 	out: string | undefined;
 }
@@ -29,6 +30,7 @@ export function readArguments(words: readonly string[]): Call {
 		seed: last(values.seed),
 		set: Object.fromEntries((values.set ?? []).map(readSetting)),
 		grammarFile: last(values.grammar),
+		boundaryFile: last(values.boundary),
 		out: last(values.out),
 	};
 }
@@ -39,6 +41,7 @@ const OPTIONS = {
 	seed: { type: "string", multiple: true },
 	set: { type: "string", multiple: true },
 	grammar: { type: "string", multiple: true },
+	boundary: { type: "string", multiple: true },
 	out: { type: "string", short: "o", multiple: true },
 } as const;
 

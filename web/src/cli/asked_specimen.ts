@@ -3,6 +3,7 @@
  * way; what was typed here is refused where it cannot be used, since a silent change would spoil a series.
  */
 
+import { basename } from "node:path";
 import { isModel, modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { fromPreset } from "../specimen/from_preset";
@@ -29,6 +30,14 @@ export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings,
 	const seed = { seed: call.seed };
 	if (call.seed !== undefined) specimen = typed(model, seed, specimen, (note) => `--seed: ${note.problem}`);
 	specimen = readSettings(model, call.set, specimen);
+	if (call.boundaryFile !== undefined) {
+		const bounded = await readBoundary(model, call.boundaryFile, specimen, readFile);
+		// The mesh's own proportions give way to what was typed.
+		const start = specimen;
+		specimen = readSettings(model, call.set, bounded);
+		const brought = (key: string) => held(start, key) !== held(bounded, key);
+		refuseUnheeded(model, brought, specimen, `--boundary ${call.boundaryFile}`);
+	}
 	const idle = idleSettings(model, call.set, specimen);
 	if (call.grammarFile !== undefined) {
 		const grammar = await readGrammar(model, call.grammarFile, readFile);
@@ -100,6 +109,24 @@ function idleSettings(model: Model, settings: Call["set"], specimen: Specimen): 
 	return notes.all();
 }
 
+const held = (specimen: Specimen, key: string) => (specimen as unknown as Record<string, unknown>)[key];
+
+/** What came in by an option, but nothing would come of it, since a choice that was typed does not heed it. */
+function refuseUnheeded(
+	{ details, table }: Model,
+	brought: (key: string) => boolean,
+	specimen: Specimen,
+	option: string,
+): void {
+	for (const { where = {} } of details.filter(({ keys }) => keys.some(brought))) {
+		for (const [choice, heeding] of Object.entries(where)) {
+			const used = table.option(specimen, choice);
+			if (used !== heeding)
+				throw new UsageError(`${option}: ${choice}=${used} does not heed it; leave --set ${choice} out`);
+		}
+	}
+}
+
 /** A link's further decimals are rounded without a word; someone who types them means them. */
 function refuseFinerSteps(model: Model, settings: Call["set"]): void {
 	for (const [key, value] of Object.entries(settings)) {
@@ -120,6 +147,22 @@ function typed(
 	const { specimen, notes } = restore(model, values, from);
 	if (notes.length > 0) throw new UsageError(message(notes[0]));
 	return specimen;
+}
+
+async function readBoundary(
+	model: Model,
+	path: string,
+	specimen: Specimen,
+	readFile: Surroundings["readFile"],
+): Promise<Specimen> {
+	if (!model.bounded) throw new UsageError(`--boundary ${path}: the ${model.noun} has no boundary`);
+	const bytes = await readFile(path).catch((error: unknown) => {
+		throw new UsageError(`--boundary ${path}: ${reasonOf(error)}`);
+	});
+	const file = new File([Uint8Array.from(bytes)], basename(path));
+	return model.bounded(specimen, file).catch((error: Error) => {
+		throw new UsageError(`--boundary ${path}: ${error.message}`);
+	});
 }
 
 async function readGrammar(model: Model, file: string, readFile: Surroundings["readFile"]): Promise<string> {

@@ -22,7 +22,8 @@ export function usage(
 	const others = models.filter((each) => each !== name).map((each) => `${each} --help`);
 	return `Grows a plant; here: ${title.toLowerCase()}.
 
-  npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--out FILE]
+  npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--boundary FILE]
+                     [--out FILE]
   npm run -s grow -- --list
 
   MODEL/PRESET     a preset of any model (--list): ${name}/${presets.standard}; MODEL alone is its first choice
@@ -33,6 +34,7 @@ export function usage(
   --set KEY=VALUE  as often as needed; KEY is one of
                    ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
   --grammar FILE   grammar text in place of the model's own
+  --boundary FILE  a closed mesh, .obj or .glb, that a tree or a root grows in
   --out FILE       ${endingsOf({ formats })} (an .obj has its .mtl beside it); without it, JSON goes to
                    standard output
   --list           all models with their presets, as JSON

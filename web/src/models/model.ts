@@ -59,6 +59,11 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	 */
 	prepare?(specimen: S): Promise<void> | undefined;
 	/**
+	 * Takes the closed mesh of a file as what bounds the plant, where something does.
+	 * @throws Error with the reason in plain words where the file holds none
+	 */
+	bounded?(specimen: S, file: File): Promise<S>;
+	/**
 	 * A specimen as the core's request: `model`, `seed`, `outputs`, `parameters` and what else the model asks for.
 	 * @throws CoreError where the specimen cannot be written as one: it has not come through specimen/restore.ts
 	 */

@@ -35,8 +35,8 @@ export interface Detail<S extends Specimen = Specimen> {
 
 /** Something too long for links. */
 export interface Unlinked<S extends Specimen = Specimen> {
-	/** How to keep what the specimen has of it: a sentence for who copies the link; undefined where it has none. */
-	keep(specimen: S): string | undefined;
+	/** How to keep what the specimen has of it: a sentence for who copies the link; undefined where it has none, or its preset's. */
+	keep(specimen: S, preset: S): string | undefined;
 	/** Notes of a specimen out of a link that it would have some. */
 	missing(specimen: S, notes: Notes): void;
 }

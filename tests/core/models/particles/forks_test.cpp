@@ -71,7 +71,7 @@ TEST_CASE("forks do not slide to where an obstacle hides their twigs") {
 TEST_CASE("where a crown is waisted, forks draw no more of a trail out of it than the particles did") {
   const std::vector<glm::vec2> waist{{0.1f, 0}, {1, 0.15f}, {0.15f, 0.5f}, {0.9f, 0.8f}, {0.1f, 1}};
   const Solid crown(form_between(Form::spline, spline_through(waist), {}, {-3, 2, -3}, {3, 8, 3}));
-  const auto [starts, spacing] = scatter_all(crown, Pattern::blue, 600, 1);
+  const auto [starts, spacing, extent] = scatter_all(crown, Pattern::blue, 600, 1);
   const Trunk guide(glm::vec3(0), {.ahead = 2 * spacing, .bole = 1}, &crown);
   Crowd crowd(starts, 1, guide, {.step = 0.35f * spacing, .merge = 0.7f * spacing, .pull = 1});
   crowd.run();

@@ -95,7 +95,7 @@ TEST_CASE("blue noise stays even where it is as many as were asked for") {
   for (const bool flat : {true, false}) {
     CAPTURE(flat);
     const Round region(flat);
-    const auto [points, spacing] = scatter_all(region, Pattern::blue, 600, 3);
+    const auto [points, spacing, extent] = scatter_all(region, Pattern::blue, 600, 3);
     CHECK(closest(points) >= 0.75f * spacing);
     CHECK(widest_gap(region, points, flat ? 0.02f : 0.1f) < 1.35f * spacing);
   }

@@ -80,6 +80,21 @@ TEST_CASE("two leaves stand at each origin and face the light") {
   CHECK(grow_tree({.parameters = {{"particles", 300}, {"leaves", 0}}}).organs.empty());
 }
 
+TEST_CASE("more than two leaves stand one behind the other along the last shoot, the first at its tip") {
+  const Plant plant = grow_tree({.parameters = {{"particles", 300}, {"leaves", 4}, {"leaf_size", 10}}});
+  REQUIRE(plant.organs.size() == 4 * count_of(plant, "particles"));
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < plant.organs.size(); ++i) {
+    const Segment& shoot = plant.segments[static_cast<std::size_t>(plant.organs[i].segment)];
+    const float length = glm::distance(shoot.start, shoot.end), back = 0.04f * static_cast<float>(i % 4);
+    const glm::vec3& place = plant.organs[i].position;
+    CHECK(glm::distance(place, shoot.end) == doctest::Approx(std::min(back, length)).epsilon(1e-3));
+    CHECK(glm::distance(place, shoot.start) <= length * 1.0001f);
+    apart += back > 0 && length > back;
+  }
+  CHECK(apart > plant.organs.size() / 2);
+}
+
 TEST_CASE("no normal of branches and twigs that is seen opposes its triangle, but for a fold in ten thousand") {
   for (const float ragged : {0.0f, 0.3f}) {
     const Plant plant =

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "foundation/mathematics.hpp"
-#include "models/particles/extent.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -102,7 +101,5 @@ Branching branching_of(std::span<const Segment> segments) {
   measure_forks(segments, found);
   return found;
 }
-
-float volume_of(const Region& region) { return extent_of(region).size; }
 
 }  // namespace panicle::particles

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "geometry/segment.hpp"
-#include "models/particles/region.hpp"
 
 namespace panicle::particles {
 
@@ -26,8 +25,5 @@ struct Branching {
 
 // Of segments with parents first. Nothing is NaN but what is said to be.
 Branching branching_of(std::span<const Segment> segments);
-
-// The volume of a region, by probes.
-float volume_of(const Region& region);
 
 }  // namespace panicle::particles

@@ -55,8 +55,7 @@ void note_on(std::span<const glm::vec3> targets, const Region& outer, float way,
 }
 
 // Why no particle starts.
-const char* why_none(const Region& region, const Region& outer, bool young) {
-  const Extent room = extent_of(region);
+const char* why_none(const Extent& room, const Region& outer, bool young) {
   if (!(extent_of(outer).size > 0)) return "The boundary holds no room; make it larger, or its profile wider.";
   if (!(room.size > 0)) return "There is no room between the boundaries; make the inner one smaller.";
   if (!(room.filled > 0))
@@ -71,14 +70,14 @@ Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer,
                         const SpaceHabit& habit, const SpaceRequest& request, float floor, float ceiling,
                         std::uint32_t traveller, const Limits& limits) {
   // What is young has the grown one's spacing, and so fewer particles.
-  auto [starts, spacing] = scatter_all(region, habit.pattern, habit.count, request.seed, habit.growth);
+  auto [starts, spacing, room] = scatter_all(region, habit.pattern, habit.count, request.seed, habit.growth);
   const float step = habit.motion.rules.step * spacing;
   const Obstacles obstacles(request.obstacles, request.rounds, clearance(request, targets, spacing), floor, ceiling);
   const bool any = !starts.empty();
   std::erase_if(starts, [&](const glm::vec3& start) { return obstacles.contains(start); });
   if (starts.empty())
     plant.notes.push_back(any ? "Obstacles leave no room for a particle; make them smaller."
-                              : why_none(region, outer, habit.growth < 1));
+                              : why_none(room, outer, habit.growth < 1));
 
   note_on(habit.motion.rules, plant.notes);
   note_on(targets, outer, habit.trunk.way, plant.notes);
@@ -86,6 +85,7 @@ Result<Grown> grow_wood(Plant& plant, const Region& region, const Region& outer,
                             obstacles, request.seed, limits);
   if (!wooden) return wooden.error();
   Grown grown;
+  grown.room = room.size;
   grown.wood = std::move(wooden.value());
   const Wood& wood = grown.wood;
   if (wood.unreachable > 0)

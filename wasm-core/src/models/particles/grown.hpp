@@ -68,6 +68,7 @@ SpaceHabit space_habit(const Values& values) {
 }
 
 struct Grown {
+  float room = 0;  // volume of where particles may start
   Wood wood;
   std::vector<Trails> trails;                      // of each target, as they are now
   std::vector<std::vector<std::int32_t>> numbers;  // of each place the segment, −1 for none

@@ -84,7 +84,11 @@ int Outline::winding(float x, float y) const {
 bool Outline::contains(const glm::vec3& p) const {
   if (!(p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y)) return false;
   // Where no edge comes near, all of a cell is on one side.
-  const auto cell = static_cast<std::size_t>(line_of(p.y) * across_ + column_of(p.x));
+  // (Which of two cells it is in, where it lies between them, is all the same: what is certain reaches that far.)
+  const auto along = [this](float from_low, std::int32_t cells) {
+    return std::min(static_cast<std::int32_t>(from_low * per_cell_), cells - 1);
+  };
+  const auto cell = static_cast<std::size_t>(along(p.y - low_.y, up_) * across_ + along(p.x - low_.x, across_));
   return clearance_[cell] > 0 ? inside_[cell] != 0 : winding(p.x, p.y) != 0;
 }
 
@@ -190,6 +194,7 @@ bool Outline::keeps_off(const glm::vec3& p, float reach) const {
 void Outline::measure() {
   const glm::vec3 size = high_ - low_;
   cell_ = std::max({size.x, size.y, std::numeric_limits<float>::min()}) / cells_along;
+  per_cell_ = 1 / std::max(cell_, std::numeric_limits<float>::min());
   across_ = static_cast<std::int32_t>(size.x / cell_) + 1;
   up_ = static_cast<std::int32_t>(size.y / cell_) + 1;
   constexpr std::uint32_t unknown = ~0u;

@@ -52,7 +52,7 @@ class Outline final : public Region {
   glm::vec3 low_{0}, high_{0};
   float row_height_ = 1;
   std::vector<std::uint32_t> first_, members_;  // of each row of the box: the edges that meet it
-  float cell_ = 1;
+  float cell_ = 1, per_cell_ = 1;
   std::int32_t across_ = 0, up_ = 0;
   std::vector<float> clearance_;                    // of each cell of the box
   std::vector<std::uint32_t> nearest_;              // of each: the edge nearest to its middle

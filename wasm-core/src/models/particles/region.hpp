@@ -16,11 +16,12 @@ class Region {
   virtual glm::vec3 low() const = 0;
   virtual glm::vec3 high() const = 0;
   virtual bool contains(const glm::vec3& p) const = 0;
-  // Whether what started inside may come to be there: where nothing starts that is within the boundaries, too.
+  // Whether what started inside may come to be there: where nothing starts that is within the boundaries, too. Holds
+  // all of what is inside, and is no dearer to tell.
   virtual bool has_room(const glm::vec3& p) const { return contains(p); }
   // What is certain of a box, cheaply; `some` where nothing is.
   virtual Share share_of(const glm::vec3&, const glm::vec3&) const { return Share::some; }
-  // How dense particles are at a place inside, in (0, 1]: by light, for instance.
+  // How dense particles are at a place that has room, in (0, 1]: by light, for instance.
   virtual float density(const glm::vec3&) const { return 1; }
 
   // Of what is in one region and not in the other.

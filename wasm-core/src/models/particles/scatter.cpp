@@ -10,7 +10,6 @@
 
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
-#include "models/particles/extent.hpp"
 
 namespace panicle::particles {
 namespace {
@@ -137,9 +136,12 @@ struct Lot {
   std::vector<float> ranks;
   bool coarse = false;  // the lattice would have had too many cells
 
-  void draw(const Region& region, const glm::vec3& p, const glm::ivec3& cell, std::uint64_t seed) {
+  // `known`: to be inside. What is cheap to tell is asked first: luck and density turn most places of a dark crown
+  // down.
+  void draw(const Region& region, const glm::vec3& p, bool known, const glm::ivec3& cell, std::uint64_t seed) {
+    if (!known && !region.has_room(p)) return;
     const float luck = random_unit(seed, stream_keep, Lattice::address_of(cell, 0)), density = region.density(p);
-    if (!(luck < density)) return;
+    if (!(luck < density) || !(known || region.contains(p))) return;
     points.push_back(p);
     ranks.push_back(luck / density);
   }
@@ -152,16 +154,15 @@ Lot jittered(const Region& region, float spacing, std::uint64_t seed) {
     lot.coarse = true;
   }
   const Lattice lattice(region, spacing);
-  const auto look = [&](const glm::ivec3& cell) {
-    const glm::vec3 p = lattice.point(cell, jitter, seed, 0);
-    if (region.contains(p)) lot.draw(region, p, cell, seed);
-  };
   // By runs of cells: where crowns stand far apart, most of their box is air.
   for (std::uint64_t i = 0; i < lattice.cells(); i += lattice.run(i)) {
     const glm::ivec3 cell = lattice.cell(i);
     const auto length = static_cast<std::int32_t>(lattice.run(i));
     if (lattice.share_of(cell, length, region) == Share::none) continue;
-    for (std::int32_t k = 0; k < length; ++k) look(cell + glm::ivec3(k, 0, 0));
+    for (std::int32_t k = 0; k < length; ++k) {
+      const glm::ivec3 at = cell + glm::ivec3(k, 0, 0);
+      lot.draw(region, lattice.point(at, jitter, seed, 0), false, at, seed);
+    }
   }
   return lot;
 }
@@ -220,7 +221,7 @@ Lot blue(const Region& region, float apart, std::uint64_t seed) {
     }
     std::swap(open, still_open);
   }
-  for (const glm::vec3& p : points) lot.draw(region, p, lattice.cell_of(p), seed);
+  for (const glm::vec3& p : points) lot.draw(region, p, true, lattice.cell_of(p), seed);
   return lot;
 }
 
@@ -245,10 +246,15 @@ float limit_of(const Lot& lot, std::uint32_t count) {
   return ranks[count];
 }
 
+// Of so many points in what is filled.
+float spacing_in(float filled, std::uint32_t count, bool flat) {
+  return count > 0 ? root(filled / static_cast<float>(count), flat) : 0;
+}
+
 }  // namespace
 
 float spacing_of(const Region& region, std::uint32_t count) {
-  return count > 0 ? root(extent_of(region).filled / static_cast<float>(count), region.flat()) : 0;
+  return spacing_in(extent_of(region).filled, count, region.flat());
 }
 
 std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint32_t count, float spacing,
@@ -259,13 +265,14 @@ std::vector<glm::vec3> scatter(const Region& region, Pattern pattern, std::uint3
 }
 
 Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count, std::uint64_t seed, float growth) {
-  const float nominal = spacing_of(region, count);
-  if (!(nominal > 0)) return {};
   const bool flat = region.flat();
+  const Extent extent = extent_of(region);
+  const float nominal = spacing_in(extent.filled, count, flat);
+  if (!(nominal > 0)) return {{}, 0, extent};
   if (pattern == Pattern::uniform) {
     const float share = growth * growth * (flat ? 1 : growth);
     return {uniform(region, static_cast<std::uint32_t>(static_cast<float>(count) * share + 0.5f), seed),
-            nominal / growth};
+            nominal / growth, extent};
   }
   const auto wanted = static_cast<float>(count);
   float spacing = nominal;
@@ -291,7 +298,7 @@ Scattered scatter_all(const Region& region, Pattern pattern, std::uint32_t count
   }
   const float limit = limit_of(best, count);
   if (growth < 1) best = lay(region, pattern, of_best / growth, seed);
-  return {below(best, limit), nominal / growth};
+  return {below(best, limit), nominal / growth, extent};
 }
 
 }  // namespace panicle::particles

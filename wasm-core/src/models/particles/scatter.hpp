@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "models/particles/extent.hpp"
 #include "models/particles/region.hpp"
 
 namespace panicle::particles {
@@ -22,6 +23,7 @@ float spacing_of(const Region& region, std::uint32_t count);
 struct Scattered {
   std::vector<glm::vec3> points;
   float spacing = 0;  // `spacing_of` the region, grown
+  Extent extent;      // of the region
 };
 
 // `count` points inside a region, or as many as a lattice fine enough for it may have. `growth`: the size of the region

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle::particles {
@@ -16,6 +17,8 @@ constexpr float most_along = 4096;
 constexpr float most_cells = 400'000;
 constexpr float least_edge = 1e-30f;     // of a cell, where all points coincide
 constexpr float half_diagonal = 0.867f;  // of a cell, in edges
+constexpr float slack = 1e-3f;           // for what is rounded, in edges
+constexpr std::uint32_t lanes = 4;
 
 }  // namespace
 
@@ -55,12 +58,20 @@ void Solid::sort() {
   members_.resize(first_.back());
   std::vector<std::uint32_t> free(first_.begin(), first_.end() - 1);
   rows([&](std::size_t row, std::uint32_t t) { members_[free[row]++] = t; });
+  for (auto* values : {&lowest_, &highest_, &farthest_}) values->assign(members_.size() + lanes - 1, 0);
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const auto corner = [&](std::size_t k) { return surface_.points[surface_.triangles[3 * members_[m] + k]]; };
+    const glm::vec3 a = corner(0), b = corner(1), c = corner(2);
+    lowest_[m] = std::min({a.y, b.y, c.y});
+    highest_[m] = std::max({a.y, b.y, c.y});
+    farthest_[m] = std::max({a.x, b.x, c.x}) + slack * edge_;
+  }
 }
 
 // Marks the cells that triangles come near to, and asks of one in each run of the others.
 void Solid::classify() {
   cells_.assign(cell_at({0, 0, count_.z}), Cell::unknown);
-  const float slack = 1e-3f * edge_, reach = half_diagonal * edge_ + slack;
+  const float little = slack * edge_, reach = half_diagonal * edge_ + little;
   for (std::size_t t = 0; t + 2 < surface_.triangles.size(); t += 3) {
     const glm::vec3& a = surface_.points[surface_.triangles[t]];
     const glm::vec3& b = surface_.points[surface_.triangles[t + 1]];
@@ -68,8 +79,8 @@ void Solid::classify() {
     const glm::vec3 across = glm::cross(b - a, c - a);
     const float length = glm::length(across);
     const glm::vec3 normal = length > 0 ? across / length : glm::vec3(0);
-    const glm::ivec3 from = place_of(glm::max(glm::min(a, glm::min(b, c)) - slack, low_)),
-                     to = place_of(glm::max(a, glm::max(b, c)) + slack);
+    const glm::ivec3 from = place_of(glm::max(glm::min(a, glm::min(b, c)) - little, low_)),
+                     to = place_of(glm::max(a, glm::max(b, c)) + little);
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y)
         for (int x = from.x; x <= to.x; ++x) {
@@ -117,33 +128,42 @@ Share Solid::share_of(const glm::vec3& low, const glm::vec3& high) const {
   return first == Cell::inside ? Share::all : Share::none;
 }
 
+// Turns are counted on the way from the place towards +x, so what ends before it adds none, nor does what is above or
+// below.
 bool Solid::slice_contains(const glm::vec3& p) const {
   int turns = 0;
   const glm::ivec3 place = place_of(p);
   const auto row = static_cast<std::size_t>(place.z * count_.y + place.y);
-  for (std::uint32_t m = first_[row]; m < first_[row + 1]; ++m) {
-    const std::uint32_t* corners = &surface_.triangles[3 * members_[m]];
-    // Where the plane enters and leaves the triangle, in its own sense: corners at the plane's height count as below.
-    glm::vec2 in(0), out(0);
-    int crossed = 0;
-    for (int k = 0; k < 3; ++k) {
-      const glm::vec3& a = surface_.points[corners[k]];
-      const glm::vec3& b = surface_.points[corners[(k + 1) % 3]];
-      const bool below = a.y <= p.y;
-      if (below == (b.y <= p.y)) continue;
-      // From the lower end, so that both triangles at an edge find the same place.
-      const glm::vec3& lower = below ? a : b;
-      const glm::vec3& upper = below ? b : a;
-      const float at = (p.y - lower.y) / (upper.y - lower.y);
-      (below ? in : out) = {lower.x + at * (upper.x - lower.x), lower.z + at * (upper.z - lower.z)};
-      ++crossed;
-    }
-    if (crossed != 2 || (in.y <= p.z) == (out.y <= p.z)) continue;
-    const float side = (out.x - in.x) * (p.z - in.y) - (out.y - in.y) * (p.x - in.x);
-    if (in.y <= p.z && side > 0) ++turns;
-    if (out.y <= p.z && side < 0) --turns;
+  const std::uint32_t end = first_[row + 1];
+  for (std::uint32_t m = first_[row]; m < end; m += lanes) {
+    const auto met = (load(&lowest_[m]) <= p.y) & (load(&highest_[m]) > p.y) & (load(&farthest_[m]) >= p.x);
+    if (all(~met)) continue;
+    for (std::uint32_t lane = 0; lane < std::min(end - m, lanes); ++lane)
+      if (met[lane]) turns += turns_about(p, &surface_.triangles[3 * members_[m + lane]]);
   }
   return turns != 0;
+}
+
+int Solid::turns_about(const glm::vec3& p, const std::uint32_t* corners) const {
+  // Where the plane enters and leaves the triangle, in its own sense: corners at the plane's height count as below.
+  glm::vec2 in(0), out(0);
+  int crossed = 0;
+  for (int k = 0; k < 3; ++k) {
+    const glm::vec3& a = surface_.points[corners[k]];
+    const glm::vec3& b = surface_.points[corners[(k + 1) % 3]];
+    const bool below = a.y <= p.y;
+    if (below == (b.y <= p.y)) continue;
+    // From the lower end, so that both triangles at an edge find the same place.
+    const glm::vec3& lower = below ? a : b;
+    const glm::vec3& upper = below ? b : a;
+    const float at = (p.y - lower.y) / (upper.y - lower.y);
+    (below ? in : out) = {lower.x + at * (upper.x - lower.x), lower.z + at * (upper.z - lower.z)};
+    ++crossed;
+  }
+  if (crossed != 2 || (in.y <= p.z) == (out.y <= p.z)) return 0;
+  const float side = (out.x - in.x) * (p.z - in.y) - (out.y - in.y) * (p.x - in.x);
+  if (in.y <= p.z) return side > 0 ? 1 : 0;
+  return side < 0 ? -1 : 0;
 }
 
 Surface box(const glm::vec3& low, const glm::vec3& high) {

@@ -42,6 +42,8 @@ class Solid final : public Region {
             std::min(static_cast<std::int32_t>(at.z), count_.z - 1)};
   }
   bool slice_contains(const glm::vec3& p) const;
+  // What a triangle adds to the turns of the slice about a place.
+  int turns_about(const glm::vec3& p, const std::uint32_t* corners) const;
   void sort();
   void classify();
   std::size_t cell_at(const glm::ivec3& at) const {
@@ -54,6 +56,9 @@ class Solid final : public Region {
   glm::ivec3 count_{0};
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> first_, members_;  // of each row of cells along x: the triangles that meet it
+  // Of each member, with what is read past the end by four: between which heights it lies, and how far it reaches along
+  // x, and a little more.
+  std::vector<float> lowest_, highest_, farthest_;
 };
 
 Surface box(const glm::vec3& low, const glm::vec3& high);

@@ -1,5 +1,6 @@
 import { html } from "lit";
 import { icon } from "../../controls/icons";
+import { fromPreset } from "../../specimen/from_preset";
 import { linkOf } from "../address";
 import { ACCEPT, openFile } from "../files/open";
 import type { Studio } from "../studio";
@@ -48,7 +49,8 @@ export class ShareBar extends StudioPart {
 async function copyLink(studio: Studio): Promise<void> {
 	const { model, specimen } = studio.state;
 	const link = await linkOf(model, specimen);
-	const lost = model.details.flatMap(({ unlinked }) => unlinked?.keep(specimen) ?? []);
+	const preset = fromPreset(model, specimen.preset);
+	const lost = model.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, preset) ?? []);
 	try {
 		await navigator.clipboard.writeText(link);
 		studio.notify("Link copied", lost, { topic: "link", brief: lost.length === 0 });

@@ -44,7 +44,8 @@ describe("what a boundary has besides numbers", () => {
 		const shape = entry?.kind === "choice" ? entry.options.indexOf("mesh") : -1;
 		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
 		const meshed = { ...oak, volume, parameters: { ...oak.parameters, shape } };
-		const said = (specimen: typeof meshed) => TREE.details.flatMap(({ unlinked }) => unlinked?.keep(specimen) ?? []);
+		const said = (specimen: typeof meshed) =>
+			TREE.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, fromPreset(TREE, specimen.preset)) ?? []);
 		expect(said(meshed)).toEqual([expect.stringContaining("download JSON or GLB to keep the mesh")]);
 		expect(said({ ...oak, volume })).toEqual([]);
 		expect(notesOf("shape=mesh")).toEqual([
@@ -52,6 +53,17 @@ describe("what a boundary has besides numbers", () => {
 		]);
 		expect(notesOf("shape=box")).toEqual([]);
 		expect(restore(TREE, JSON.parse(JSON.stringify(writtenSpecimen(TREE, meshed)))).notes).toEqual([]);
+	});
+
+	it("brings a preset's own mesh by the preset's name", async () => {
+		const bonsai = fromPreset(TREE, "bonsai");
+		const said = (specimen: typeof bonsai) =>
+			TREE.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, bonsai) ?? []);
+		expect(bonsai.volume?.triangles.length).toBeGreaterThan(0);
+		expect(await decodeLink(TREE, "?v=2&model=tree&preset=bonsai")).toEqual({ specimen: bonsai, notes: [] });
+		expect(said(fromPreset(TREE, "bonsai"))).toEqual([]);
+		const volume = { points: [0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0], triangles: [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2] };
+		expect(said({ ...bonsai, volume })).toEqual([expect.stringContaining("in whose place it brings the preset's")]);
 	});
 
 	it("brings corners of an obstacle into order, and empty lists to nothing", () => {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "foundation/mathematics.hpp"
-
 namespace panicle::particles::leaf {
 namespace {
 
@@ -16,10 +14,10 @@ constexpr float straight = 0.05f;     // degrees that are no curl
 
 }  // namespace
 
-glm::vec3 Bending::sheet(const glm::vec2& p) const {
+glm::vec3 Bending::sheet(const glm::vec2& p, const SinCos& folded) const {
   // Across: both halves turned up, round at the crease.
   const float radius = crease * half_width, out = std::sqrt(p.x * p.x + radius * radius) - radius;
-  const auto [rise, reach] = sincos_degrees(fold);
+  const auto [rise, reach] = folded;
   const float x = p.x * reach;
   float z = out * rise;
   // Waves grow with the square of the distance from the midrib.
@@ -33,15 +31,17 @@ glm::vec3 Bending::sheet(const glm::vec2& p) const {
 }
 
 glm::vec3 Bending::normal(const glm::vec2& p) const {
-  const glm::vec3 across = sheet(p + glm::vec2(beside, 0)) - sheet(p - glm::vec2(beside, 0));
-  const glm::vec3 up = sheet(p + glm::vec2(0, beside)) - sheet(p - glm::vec2(0, beside));
+  const SinCos folded = sincos_degrees(fold);
+  const auto at = [&](float x, float y) { return sheet(p + glm::vec2(x, y), folded); };
+  const glm::vec3 across = at(beside, 0) - at(-beside, 0), up = at(0, beside) - at(0, -beside);
   const glm::vec3 normal = glm::cross(across, up);
   const float length = glm::length(normal);
   return length > 0 ? normal / length : glm::vec3(0, 0, 1);
 }
 
 glm::vec3 Bending::operator()(const glm::vec2& p, float above) const {
-  return above == 0 ? sheet(p) : sheet(p) + above * normal(p);
+  const glm::vec3 flat = sheet(p, sincos_degrees(fold));
+  return above == 0 ? flat : flat + above * normal(p);
 }
 
 }  // namespace panicle::particles::leaf

@@ -4,6 +4,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "foundation/mathematics.hpp"
+
 namespace panicle::particles::leaf {
 
 struct Bending {
@@ -20,7 +22,8 @@ struct Bending {
   glm::vec3 normal(const glm::vec2& p) const;
 
  private:
-  glm::vec3 sheet(const glm::vec2& p) const;
+  // `folded`: of the angle `fold`.
+  glm::vec3 sheet(const glm::vec2& p, const SinCos& folded) const;
 };
 
 }  // namespace panicle::particles::leaf

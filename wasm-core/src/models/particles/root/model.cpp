@@ -59,10 +59,10 @@ class Soil final : public Region {
   float topsoil_;
 };
 
-std::vector<float> measures_of(const Plant& plant, const Region& soil) {
+std::vector<float> measures_of(const Plant& plant, float room) {
   const Branching branching = branching_of(plant.segments);
   WoodMeasures<Measure> measures(branching, measure_count);
-  const double rooted = static_cast<double>(volume_of(soil));
+  const double rooted = static_cast<double>(room);
   measures.set(Measure::deepest, std::max(-branching.low, 0.0f));
   measures.set(Measure::root_volume, rooted);
   measures.set(Measure::collar_width, 100 * branching.thickest);
@@ -109,7 +109,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
     const StorageHabit store{0.005f * size * values[storage], values[storage_reach] * extent.y};
     for (std::size_t c = 0; c < grown.trails.size(); ++c) swell(plant.segments, grown, c, store);
   }
-  if (read->measures) plant.measures = measures_of(plant, soil);
+  if (read->measures) plant.measures = measures_of(plant, grown.room);
   if (read->meshes) {
     dress(plant, grown,
           {.material = "root",

@@ -20,6 +20,7 @@ constexpr float outwards = 0.45f;   // how much they look where their twig point
 constexpr float tilt = 0.5f;        // how far leaves look elsewhere, as luck has it
 constexpr float droop = 0.25f;      // of their tips
 constexpr float least_size = 0.7f;  // of the largest
+constexpr float internode = 0.4f;   // from leaf to leaf along the shoot, in leaf lengths
 constexpr float rising = 0.6f;  // how long it takes until the highest leaves begin to unfold, of the time that all take
 
 // A vector at right angles to a unit vector.
@@ -53,6 +54,7 @@ std::uint64_t luck_of(const glm::vec3& p) {
 
 void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t> numbers, const LeafHabit& habit,
                 std::uint32_t tag) {
+  const bool pair = habit.count == 2;  // which stand opposite each other at the tip
   float low = std::numeric_limits<float>::max(), high = -low;
   for (std::size_t i = 0; i < trails.size(); ++i)
     if (trails.particle[i] >= 0) {
@@ -72,9 +74,10 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
     const std::uint64_t place = luck_of(trails.places[i]);
     const float turn = 360 * random_unit(habit.seed, stream_turn, place);
     for (std::uint32_t k = 0; k < habit.count; ++k) {
+      const std::uint32_t node = pair ? 0 : k;
       const std::uint64_t address = hash_combine(place, k);
       if (!(random_unit(habit.seed, stream_fall, address) < habit.kept)) continue;
-      const float roll = turn + (habit.count == 2 ? 180.0f : golden_angle) * static_cast<float>(k);
+      const float roll = turn + (pair ? 180.0f : golden_angle) * static_cast<float>(k);
       const auto [sine, cosine] = sincos_degrees(roll);
       glm::vec3 out = 0.6f * way + cosine * side + sine * across;
       glm::vec3 face = habit.light + outwards * way + tilt * random_direction(habit.seed, stream_tilt, address);
@@ -89,7 +92,7 @@ void add_leaves(Plant& plant, const Trails& trails, std::span<const std::int32_t
       Organ leaf;
       leaf.tag = tag;
       leaf.segment = numbers[i];
-      leaf.position = twig.end;
+      leaf.position = twig.end - std::min(length, internode * habit.size * static_cast<float>(node)) * way;
       leaf.rotation = turn_to(up, glm::length(front) > 1e-3f ? glm::normalize(front) : beside(up));
       leaf.scale = share * habit.size * (least_size + (1 - least_size) * random_unit(habit.seed, stream_size, address));
       plant.organs.push_back(leaf);

@@ -1,4 +1,5 @@
-// Where the leaves of a tree stand: at the places that particles started from.
+// Where the leaves of a tree stand: at the places that particles started from, and back from there along the last
+// shoot.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 namespace panicle::particles::tree {
 
 struct LeafHabit {
-  std::uint32_t count = 2;  // at each place
+  std::uint32_t count = 2;  // at each place: two opposite each other, more one behind the other
   float size = 0.1f;        // metres
   float kept = 1;           // the share that has not fallen
   bool needles = false;     // which point away from their twig; others face the light

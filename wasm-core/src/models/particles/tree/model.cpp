@@ -107,7 +107,7 @@ std::vector<float> measures_of(const Plant& plant, const Seen& seen) {
   const glm::vec3 size = seen.crown.high() - seen.crown.low();
   const double shaded = 0.25 * static_cast<double>(pi * size.x * size.z);
   measures.set(Measure::height, std::max(branching.high, 0.0f));
-  measures.set(Measure::crown_volume, volume_of(seen.crown));
+  measures.set(Measure::crown_volume, seen.grown.room);
   measures.set(Measure::trunk_width, 100 * branching.thickest);
   measures.set(Measure::leaf_count, seen.leaf_count);
   measures.set(Measure::leaf_area, seen.leaf_area);

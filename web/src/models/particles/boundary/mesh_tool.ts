@@ -1,9 +1,12 @@
 /** A closed mesh of one's own as the boundary: chosen in the panel or dropped on the page. */
 import { html, nothing } from "lit";
-import type { Change, Desk } from "../../../controls/desk";
+import type { Desk } from "../../../controls/desk";
 import { sameDocument } from "../../../controls/same_document";
 import { FILE_TOPIC, type Tool } from "../../../controls/tool";
-import type { BoundedSpecimen, ClosedMesh } from "./bounded";
+import { fromPreset } from "../../../specimen/from_preset";
+import type { BoundedSpecimen } from "./bounded";
+import { sameMesh } from "./details/volume";
+import { meshParameters } from "./mesh_boundary";
 import { ACCEPT } from "./mesh_file/accept";
 import type { WoodenPlant } from "./wooden_plant";
 
@@ -29,8 +32,13 @@ function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: str
 	const { specimen, model } = desk.state;
 	if (model.table.option(specimen, "shape") !== "mesh") return nothing;
 	const { volume } = specimen;
+	const { volume: own } = fromPreset(model, specimen.preset);
+	const carried = own ? "which shows the preset's in its place" : "which shows an ellipsoid in its place";
+	const count = volume ? (volume.triangles.length / 3).toLocaleString("en") : "";
 	const words = volume
-		? `A mesh of ${(volume.triangles.length / 3).toLocaleString("en")} triangles. Files (JSON, GLB) carry it; it is too long for a link, which shows an ellipsoid in its place.`
+		? sameMesh(volume, own)
+			? `The preset's mesh of ${count} triangles.`
+			: `A mesh of ${count} triangles. Files (JSON, GLB) carry it; it is too long for a link, ${carried}.`
 		: "No mesh yet: choose a closed one, or drop it on the page. Until then an ellipsoid is grown.";
 	return html`<div class="override">
 		<p>${words}</p>
@@ -70,7 +78,8 @@ export async function takeMesh<S extends BoundedSpecimen>(
 			desk.notify("The mesh was not taken", ["Another plant has come meanwhile."], { topic: FILE_TOPIC });
 			return;
 		}
-		desk.set(asBoundary(desk, volume, height));
+		const { model, specimen } = desk.state;
+		desk.set({ parameters: meshParameters(model.table, volume, specimen.parameters[height]), details: { volume } });
 		desk.notify(
 			"The mesh is the boundary now",
 			["Links are too short for it: download JSON or GLB to keep this plant, and drop the file to bring it back."],
@@ -81,29 +90,4 @@ export async function takeMesh<S extends BoundedSpecimen>(
 			topic: FILE_TOPIC,
 		});
 	}
-}
-
-/** As high as the boundary is, in the mesh's own proportions. */
-function asBoundary<S extends BoundedSpecimen>(
-	{ state }: Desk<S, WoodenPlant>,
-	volume: ClosedMesh,
-	height: string,
-): Change {
-	const shape = state.model.table.entry("shape");
-	const tall = state.specimen.parameters[height];
-	const span = (axis: number) => {
-		const along = volume.points.filter((_, i) => i % 3 === axis);
-		return (
-			along.reduce((most, value) => Math.max(most, value), 0) -
-			along.reduce((least, value) => Math.min(least, value), 0)
-		);
-	};
-	return {
-		parameters: {
-			shape: shape?.kind === "choice" ? shape.options.indexOf("mesh") : 0,
-			width: tall * span(0),
-			depth: tall * span(2),
-		},
-		details: { volume },
-	};
 }

@@ -1,5 +1,6 @@
 /** The root of particles' trails (Rodkaew et al. 2003, section 4): docs/models/root/root.md. */
 import type { Model } from "../../model";
+import { boundedBy } from "../boundary/mesh_boundary";
 import { encodeBounded } from "../boundary/request";
 import { woodFormats } from "../boundary/wood_formats";
 import { readWoodenPlant, type WoodenPlant } from "../boundary/wooden_plant";
@@ -14,6 +15,7 @@ export const model = {
 	title: "Root",
 	noun: "root",
 	wasm: "particles.wasm",
+	bounded: (specimen, file) => boundedBy(ROOT, specimen, file, "reach"),
 	encode: (specimen, options) => encodeBounded(ROOT.table, specimen, options),
 	read: readWoodenPlant,
 	parts: rootParts,

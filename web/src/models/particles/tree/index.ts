@@ -2,6 +2,7 @@
 
 import { leafBlocks } from "../../../plant/leaf";
 import type { Model } from "../../model";
+import { boundedBy } from "../boundary/mesh_boundary";
 import { encodeBounded } from "../boundary/request";
 import { woodFormats } from "../boundary/wood_formats";
 import { trailRecord } from "../record";
@@ -17,6 +18,7 @@ export const model = {
 	noun: "tree",
 	wasm: "particles.wasm",
 	prepare: fetchLeafOf,
+	bounded: (specimen, file) => boundedBy(TREE, specimen, file, "height"),
 	encode: (specimen, options) => {
 		const leaf = leafOf(specimen);
 		return [...encodeBounded(TREE.table, specimen, options), ...(leaf ? leafBlocks(leaf) : [])];

@@ -8,8 +8,8 @@ import type { BoundedSpecimen, ClosedMesh } from "../bounded";
 /** What mesh_file/closed.ts leaves at the most. */
 export const MOST_TRIANGLES = 4000;
 
-const KEEP =
-	"It is too short for the mesh, in whose place it brings an ellipsoid: download JSON or GLB to keep the mesh, and drop the file to bring it back.";
+const keep = (instead: string) =>
+	`It is too short for the mesh, in whose place it brings ${instead}: download JSON or GLB to keep the mesh, and drop the file to bring it back.`;
 const MISSING = "links are too short for one, so an ellipsoid stands in its place until a file with it is dropped";
 
 /** @param table where the shape is chosen */
@@ -23,12 +23,21 @@ export function volumeOf<S extends BoundedSpecimen>(table: Table): Detail<S> {
 			if (read) specimen.volume = read;
 		},
 		unlinked: {
-			keep: (specimen) => (shows(specimen) && specimen.volume ? KEEP : undefined),
+			keep: (specimen, preset) =>
+				shows(specimen) && specimen.volume && !sameMesh(specimen.volume, preset.volume)
+					? keep(preset.volume ? "the preset's" : "an ellipsoid")
+					: undefined,
 			missing: (specimen, notes) => {
 				if (shows(specimen) && !specimen.volume) notes.add("mesh", "none came along", MISSING);
 			},
 		},
 	};
+}
+
+/** Whether two meshes are the same, number by number. */
+export function sameMesh(one: ClosedMesh, other: ClosedMesh | undefined): boolean {
+	const same = (a: number[], b: number[]) => a.length === b.length && a.every((value, i) => value === b[i]);
+	return other !== undefined && same(one.points, other.points) && same(one.triangles, other.triangles);
 }
 
 function readVolume(key: string, value: unknown, notes: Notes): ClosedMesh | undefined {

@@ -1,0 +1,39 @@
+/** A closed mesh as what bounds a plant. */
+import { withParameters } from "../../../specimen/edit";
+import type { Species } from "../../../specimen/species";
+import type { Table } from "../../../specimen/table";
+import type { BoundedSpecimen, ClosedMesh } from "./bounded";
+
+/** The parameters of a boundary that is a mesh, `tall` metres high, in the mesh's own proportions. */
+export function meshParameters(table: Table, { points }: ClosedMesh, tall: number): Record<string, number> {
+	const shape = table.entry("shape");
+	const span = (axis: number) => {
+		const along = points.filter((_, i) => i % 3 === axis);
+		return (
+			along.reduce((most, value) => Math.max(most, value), 0) -
+			along.reduce((least, value) => Math.min(least, value), 0)
+		);
+	};
+	return {
+		shape: shape?.kind === "choice" ? shape.options.indexOf("mesh") : 0,
+		width: tall * span(0),
+		depth: tall * span(2),
+	};
+}
+
+/**
+ * A specimen with the mesh of a file as its boundary, as high as that was.
+ * @param height the parameter that is the boundary's height
+ * @throws MeshFileError with the reason in plain words
+ */
+export async function boundedBy<S extends BoundedSpecimen>(
+	species: Species<S>,
+	specimen: S,
+	file: File,
+	height: string,
+): Promise<S> {
+	const { readMeshFile } = await import("./mesh_file/read");
+	const volume = await readMeshFile(file);
+	const parameters = meshParameters(species.table, volume, specimen.parameters[height]);
+	return { ...withParameters(species, specimen, parameters), volume };
+}
