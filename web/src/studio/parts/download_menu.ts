@@ -1,12 +1,14 @@
 import { html, nothing } from "lit";
 import { icon } from "../../controls/icons";
+import { LOW_TRIANGLES } from "../../export/plant_files";
 import { NotFetched } from "../../files/exporter";
-import { linkOf } from "../address";
-import { type Download, fileName, formatsOf, save } from "../files/formats";
+import { type Asked, type Download, fileName, formatsOf, save } from "../files/formats";
+import { askedOf, MadeAhead, sizeInWords } from "../files/made_ahead";
 import { plantToSave } from "../files/plant_to_save";
 import type { Studio } from "../studio";
 import { isAltered } from "../title";
 import { TRY_AGAIN } from "../types";
+import { fileSettings } from "./file_settings";
 import { StudioPart } from "./studio_part";
 
 /** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
@@ -23,6 +25,10 @@ export class DownloadMenu extends StudioPart {
 	#open = false;
 	/** The file that is being made. */
 	#making: Making | undefined;
+	#options: Asked["options"] = { triangles: LOW_TRIANGLES };
+	/** What the sizes are of, while the menu is open. */
+	#asked: Asked | undefined;
+	readonly #ahead = new MadeAhead(() => this.requestUpdate());
 
 	protected override draw(studio: Studio): unknown {
 		const { shown } = studio.state;
@@ -32,13 +38,38 @@ export class DownloadMenu extends StudioPart {
 				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
 			${this.#making?.slow ? progress(this.#making) : nothing}
-			${this.#open ? html`<div class="menu" role="menu" aria-label="Download" @keydown=${this.#keyDown}>${formats.map((format) => this.#item(format))}</div>` : nothing}`;
+			${this.#open ? this.#menu(formats) : nothing}`;
+	}
+
+	#menu(formats: readonly Download[]): unknown {
+		return html`<div class="menu" @keydown=${this.#keyDown} @focusout=${this.#focusOut}>
+			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(format))}</div>
+			${fileSettings(this.#options, (options) => {
+				this.#options = options;
+				void this.#tellSizes();
+			})}
+		</div>`;
 	}
 
 	#item(format: Download): unknown {
+		const file = this.#asked && this.#ahead.file(format, this.#asked);
 		return html`<button type="button" role="menuitem" data-format=${format.key} @click=${() => this.#download(format)}>
-			${format.title}<small>${format.about}</small>
+			${format.title}${format.sized ? html` <span class="size">${file ? sizeInWords(file.size) : "…"}</span>` : nothing}<small>${format.about}</small>
 		</button>`;
+	}
+
+	/** Makes what the menu offers, to tell how large it is. */
+	async #tellSizes(): Promise<void> {
+		const asked = await this.#ask().catch(() => undefined);
+		if (!asked || !this.#open) return;
+		this.#asked = asked;
+		await this.#ahead.start(formatsOf(asked.plant, undefined), asked);
+	}
+
+	async #ask(signal?: AbortSignal): Promise<Asked> {
+		const plant = await plantToSave(this.desk, signal);
+		const name = fileName(plant.from, isAltered(plant.from, plant.model, this.desk.state.face?.tools));
+		return askedOf(plant, name, this.#options);
 	}
 
 	override disconnectedCallback(): void {
@@ -57,11 +88,13 @@ export class DownloadMenu extends StudioPart {
 		const { face } = this.desk.state;
 		for (const tool of face?.tools ?? []) tool.rest?.(this.desk);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
+		void this.#tellSizes();
 		window.addEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
 	#close(): void {
 		this.#open = false;
+		this.#ahead.stop();
 		this.requestUpdate();
 		window.removeEventListener("pointerdown", this.#outside, { capture: true });
 	}
@@ -70,13 +103,19 @@ export class DownloadMenu extends StudioPart {
 		if (!event.composedPath().includes(this)) this.#close();
 	};
 
+	#focusOut({ relatedTarget }: FocusEvent): void {
+		if (relatedTarget instanceof Node && !this.contains(relatedTarget)) this.#close();
+	}
+
 	#keyDown(event: KeyboardEvent): void {
 		const items = this.#items();
 		const at = items.indexOf(document.activeElement as HTMLElement);
 		const next = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
-		if (event.key === "Escape" || event.key === "Tab") {
+		if (event.key === "Escape") {
 			this.#close();
-			if (event.key === "Escape") this.querySelector<HTMLElement>("button")?.focus();
+			this.querySelector<HTMLElement>("button")?.focus();
+		} else if (at < 0) {
+			return;
 		} else if (next !== undefined) {
 			event.preventDefault();
 			items.at(next % items.length)?.focus();
@@ -99,15 +138,15 @@ export class DownloadMenu extends StudioPart {
 		}, PATIENCE);
 		const { signal } = making.cancel;
 		try {
-			const plant = await plantToSave(this.desk, signal);
-			const name = fileName(plant.from, isAltered(plant.from, plant.model, this.desk.state.face?.tools));
-			const blob = await format.make(plant, await linkOf(plant.model, plant.from), name, signal);
+			const asked = await this.#ask(signal);
+			const blob = this.#ahead.file(format, asked) ?? (await format.make(asked, signal));
 			signal.throwIfAborted();
-			save(blob, `${name}${format.suffix}`);
+			save(blob, `${asked.name}${format.suffix}`);
 		} catch (error) {
 			if (!signal.aborted) this.#explain(error, format);
 		} finally {
 			clearTimeout(patience);
+			this.#ahead.clear();
 			if (this.#making === making) this.#making = undefined;
 			this.requestUpdate();
 		}
