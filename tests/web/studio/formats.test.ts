@@ -30,8 +30,18 @@ it("names files after what grew", () => {
 describe("what can be downloaded", () => {
 	it("is what every plant has, and a picture where there is a view", () => {
 		const keys = (picture?: () => Promise<Blob>) => formatsOf(shown([]), picture).map(({ key }) => key);
-		expect(keys()).toEqual(["glb", "glb-web", "glb-low", "obj", "json"]);
-		expect(keys(async () => new Blob())).toEqual(["glb", "glb-web", "glb-low", "obj", "json", "png"]);
+		expect(keys()).toEqual(["glb", "glb-web", "glb-low", "ply", "3mf", "stl", "obj", "json"]);
+		expect(keys(async () => new Blob())).toEqual([
+			"glb",
+			"glb-web",
+			"glb-low",
+			"ply",
+			"3mf",
+			"stl",
+			"obj",
+			"json",
+			"png",
+		]);
 	});
 
 	it("is a file with instances where parts share meshes", () => {

@@ -37,6 +37,8 @@ export function readArguments(words: readonly string[]): Call {
 		form: last(values.form),
 		files: {
 			...numberOf("triangles", last(values.triangles), 100, 10_000_000),
+			...numberOf("thickness", last(values.thickness), 0.2, 20),
+			...numberOf("points", last(values.points), 1, 10_000_000),
 			...(values.translucent ? { translucent: true } : {}),
 		},
 	};
@@ -51,6 +53,8 @@ const OPTIONS = {
 	out: { type: "string", short: "o", multiple: true },
 	form: { type: "string", multiple: true },
 	triangles: { type: "string", multiple: true },
+	thickness: { type: "string", multiple: true },
+	points: { type: "string", multiple: true },
 	translucent: { type: "boolean" },
 } as const;
 

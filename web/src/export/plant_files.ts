@@ -8,6 +8,10 @@ export interface FileOptions {
 	readonly triangles?: number;
 	/** Whether light comes through flesh in the *detailed* and the *instanced* form; readers take another pass for it. */
 	readonly translucent?: boolean;
+	/** That nothing is thinner than in files for printers, millimetres. */
+	readonly thickness?: number;
+	/** Of a cloud. */
+	readonly points?: number;
 }
 
 export interface PlantFile {
@@ -32,6 +36,11 @@ export interface PlantFile {
 
 /** Of the *low* form, where nobody says otherwise. */
 export const LOW_TRIANGLES = 20_000;
+
+/** For printers, where nobody says otherwise: what a nozzle of 0.4 mm prints safely. */
+export const THICKNESS = 1;
+/** Of a cloud, where nobody says otherwise. */
+export const POINTS = 100_000;
 
 const GLB = { ending: "glb", type: "model/gltf-binary" } as const;
 
@@ -74,6 +83,34 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		shared: true,
 		make: async (parts, about, { translucent = false }) =>
 			(await import("./glb")).exportGlb(parts, about, { instancing: true, translucent }),
+	},
+	{
+		key: "ply",
+		ending: "ply",
+		type: "application/octet-stream",
+		title: "PLY points",
+		about: "Places, normals and colours, evenly over the surface",
+		suffix: ".ply",
+		make: async (parts, about, { points = POINTS }) => (await import("./ply")).ply(parts, about, points),
+	},
+	{
+		key: "3mf",
+		ending: "3mf",
+		type: "model/3mf",
+		title: "3MF for printers",
+		about: "One closed body in millimetres, thick enough to print",
+		suffix: ".3mf",
+		make: async (parts, about, { thickness = THICKNESS }) =>
+			(await import("./three_mf")).threeMf(parts, about, thickness),
+	},
+	{
+		key: "stl",
+		ending: "stl",
+		type: "model/stl",
+		title: "STL for printers",
+		about: "The same body for older programs",
+		suffix: ".stl",
+		make: async (parts, about, { thickness = THICKNESS }) => (await import("./stl")).stl(parts, about, thickness),
 	},
 ];
 

@@ -1,6 +1,6 @@
 import { html, nothing } from "lit";
 import { icon } from "../../controls/icons";
-import { LOW_TRIANGLES } from "../../export/plant_files";
+import { LOW_TRIANGLES, THICKNESS } from "../../export/plant_files";
 import { NotFetched } from "../../files/exporter";
 import { type Asked, type Download, fileName, formatsOf, save } from "../files/formats";
 import { askedOf, MadeAhead, sizeInWords } from "../files/made_ahead";
@@ -25,7 +25,7 @@ export class DownloadMenu extends StudioPart {
 	#open = false;
 	/** The file that is being made. */
 	#making: Making | undefined;
-	#options: Asked["options"] = { triangles: LOW_TRIANGLES };
+	#options: Asked["options"] = { triangles: LOW_TRIANGLES, thickness: THICKNESS };
 	/** What the sizes are of, while the menu is open. */
 	#asked: Asked | undefined;
 	readonly #ahead = new MadeAhead(() => this.requestUpdate());

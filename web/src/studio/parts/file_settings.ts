@@ -16,6 +16,9 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 		<label>Triangles, low
 			<input type="number" name="triangles" min="100" max="10000000" step="1" .value=${String(options.triangles)} @change=${number}>
 		</label>
+		<label>Least thickness, printers (mm)
+			<input type="number" name="thickness" min="0.2" max="20" step="0.1" .value=${String(options.thickness)} @change=${number}>
+		</label>
 		<label>Light through pale flesh
 			<input type="checkbox" name="translucent" .checked=${options.translucent ?? false} @change=${check}>
 		</label>
