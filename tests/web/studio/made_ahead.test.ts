@@ -29,10 +29,11 @@ it("makes one file after the other, and each once", async () => {
 	const changed = vi.fn();
 	const ahead = new MadeAhead(changed);
 	expect(ahead.file(one, asked)).toBeUndefined();
-	await ahead.start([one, two, unsized], asked);
-	await ahead.start([one, two, unsized], asked);
-	expect(order).toEqual(["one", "two"]);
-	expect(changed).toHaveBeenCalledTimes(2);
+	const slow = { ...named("slow"), slow: true };
+	await ahead.start([slow, one, two, unsized], asked);
+	await ahead.start([slow, one, two, unsized], asked);
+	expect(order).toEqual(["one", "two", "slow"]);
+	expect(changed).toHaveBeenCalledTimes(3);
 	expect(await ahead.file(two, asked)?.text()).toBe("two");
 	expect(ahead.file(unsized, asked)).toBeUndefined();
 });

@@ -30,6 +30,8 @@ export interface PlantFile {
 	readonly type: string;
 	/** Whether it is the file of its kind only where parts share meshes. */
 	readonly shared?: true;
+	/** Whether making it takes seconds. */
+	readonly slow?: true;
 	/** @param parts only read; the same parts and options give the same bytes */
 	make(parts: Iterable<Part>, about: About, options: FileOptions): Promise<Uint8Array<ArrayBuffer>>;
 }
@@ -100,6 +102,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "3MF for printers",
 		about: "One closed body in millimetres, thick enough to print",
 		suffix: ".3mf",
+		slow: true,
 		make: async (parts, about, { thickness = THICKNESS }) =>
 			(await import("./three_mf")).threeMf(parts, about, thickness),
 	},
@@ -110,6 +113,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "STL for printers",
 		about: "The same body for older programs",
 		suffix: ".stl",
+		slow: true,
 		make: async (parts, about, { thickness = THICKNESS }) => (await import("./stl")).stl(parts, about, thickness),
 	},
 ];

@@ -10,14 +10,14 @@ import { emptyVoxels, fillInside, fillThin, thicken, withoutPinches } from "./vo
 const THICK = 2;
 const KEPT = THICK - 0.5;
 /** More cells than this take more memory than phones have: coarser cells then, and a thicker least. */
-const MOST_CELLS = 36_000_000;
+const MOST_CELLS = 16_000_000;
 /** Printers' beds are about as long: what is larger is written at the first of these scales that fits. */
 const LONGEST = 0.25;
 const SCALES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 /** So often places are left alone where fewer triangles would tear the surface. */
-const ATTEMPTS = 4;
+const ATTEMPTS = 2;
 /** How far a surface may move for fewer triangles, in cells. */
-const SLACK = 0.4;
+const SLACK = 0.15;
 
 export interface Solid extends Surface {
 	/** What 1 stands for: 1 for life size, 50 for 1:50. Positions are in metres of the print. */

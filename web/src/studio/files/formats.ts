@@ -12,6 +12,8 @@ export interface Download {
 	readonly suffix: string;
 	/** Whether its size is told, which takes making it. */
 	readonly sized: boolean;
+	/** Whether that takes seconds. */
+	readonly slow?: boolean;
 	make(asked: Asked, signal?: AbortSignal): Promise<Blob>;
 }
 
@@ -25,7 +27,7 @@ export interface Asked {
 	readonly options: FileOptions;
 }
 
-type Listed = Pick<Download, "key" | "title" | "about" | "suffix">;
+type Listed = Pick<Download, "key" | "title" | "about" | "suffix" | "slow">;
 
 const OF_EVERY_PLANT: readonly Listed[] = [
 	{ key: "obj", title: "OBJ with MTL", about: "Both in one .zip", suffix: "-obj.zip" },
@@ -42,12 +44,12 @@ export function formatsOf(shown: Shown, picture: StudioState["picture"], write =
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
 	const meshes = PLANT_FILES.filter(({ shared }) => !shared || hasInstances(shown));
 	const listed: Listed[] = [...meshes, ...OF_EVERY_PLANT, ...own];
-	const written = listed.map(({ key, title, about, suffix }): Download => {
+	const written = listed.map(({ key, title, about, suffix, slow = false }): Download => {
 		const make: Download["make"] = ({ plant: { model, grown, from }, ...asked }, signal) => {
 			const request = { model: model.name, format: key, grown, specimen: from, ...asked };
 			return write(model, request, signal ? { signal } : {});
 		};
-		return { key, title, about, suffix, sized: true, make };
+		return { key, title, about, suffix, slow, sized: true, make };
 	});
 	return [...written, ...(picture ? [pictureBy(picture)] : [])];
 }

@@ -13,12 +13,13 @@ export class MadeAhead {
 	/** @param changed called when a file is there */
 	constructor(readonly changed: () => void) {}
 
-	/** Makes what of `formats` is not there yet, in that order, until all are or `stop` is called. What fails is left out. */
+	/** Makes what of `formats` is not there yet, the slow ones last, until all are or `stop` is called. What fails is left out. */
 	async start(formats: readonly Download[], asked: Asked): Promise<void> {
 		this.stop();
 		const work = new AbortController();
 		this.#work = work;
-		for (const format of formats.filter(({ sized }) => sized)) {
+		const sized = formats.filter((format) => format.sized);
+		for (const format of sized.toSorted((one, other) => Number(one.slow ?? false) - Number(other.slow ?? false))) {
 			if (this.file(format, asked)) continue;
 			const file = await format.make(asked, work.signal).catch(() => undefined);
 			if (work.signal.aborted) return;
