@@ -1,4 +1,5 @@
 import { expect, it, vi } from "vitest";
+import { NotFetched } from "../../../web/src/files/exporter";
 import type { Model } from "../../../web/src/models/model";
 import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
@@ -65,6 +66,13 @@ it("goes on after what fails, and stops when it is told to", async () => {
 	expect(ahead.file(stopping, asked)).toBeUndefined();
 	await ahead.start([broken, format("last", last)], asked);
 	expect(last).toHaveBeenCalledOnce();
+});
+
+it("gives up where the script that makes files cannot be fetched", async () => {
+	const last = vi.fn(async () => new Blob(["last"]));
+	const ahead = new MadeAhead(() => undefined);
+	await ahead.start([format("far", async () => Promise.reject(new NotFetched())), format("last", last)], asked);
+	expect(last).not.toHaveBeenCalled();
 });
 
 it("says sizes as downloads are counted", () => {

@@ -1,4 +1,5 @@
 /** Files made while the menu is open, one after the other: so it says how large each is, and has it when it is chosen. */
+import { NotFetched } from "../../files/exporter";
 import { linkOf } from "../address";
 import type { Shown } from "../studio_state";
 import type { Asked, Download } from "./formats";
@@ -21,9 +22,10 @@ export class MadeAhead {
 		const sized = formats.filter((format) => format.sized);
 		for (const format of sized.toSorted((one, other) => Number(one.slow ?? false) - Number(other.slow ?? false))) {
 			if (this.file(format, asked)) continue;
-			const file = await format.make(asked, work.signal).catch(() => undefined);
-			if (work.signal.aborted) return;
-			if (file) this.#files.set(keyOf(format, asked), { grown: asked.plant.grown, file });
+			const file = await format.make(asked, work.signal).catch((error: unknown) => error);
+			// Where the script that makes them does not come, it does not come for the next either.
+			if (work.signal.aborted || file instanceof NotFetched) return;
+			if (file instanceof Blob) this.#files.set(keyOf(format, asked), { grown: asked.plant.grown, file });
 			this.changed();
 		}
 	}

@@ -1,5 +1,6 @@
 /** What a person may say of files before choosing one. */
 import { html } from "lit";
+import { LOW_TRIANGLES, THICKNESS } from "../../export/plant_files";
 import type { Asked } from "../files/formats";
 
 type Options = Asked["options"];
@@ -14,10 +15,10 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 	return html`<fieldset class="file-settings">
 		<legend>For these files</legend>
 		<label>Triangles, low
-			<input type="number" name="triangles" min="100" max="10000000" step="1" .value=${String(options.triangles)} @change=${number}>
+			<input type="number" name="triangles" min="100" max="10000000" step="1" .value=${String(options.triangles ?? LOW_TRIANGLES)} @change=${number}>
 		</label>
 		<label>Least thickness, printers (mm)
-			<input type="number" name="thickness" min="0.2" max="20" step="0.1" .value=${String(options.thickness)} @change=${number}>
+			<input type="number" name="thickness" min="0.2" max="20" step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
 		</label>
 		<label>Light through pale flesh
 			<input type="checkbox" name="translucent" .checked=${options.translucent ?? false} @change=${check}>
