@@ -87,6 +87,15 @@ export const PLANT_FILES: readonly PlantFile[] = [
 			(await import("./glb")).exportGlb(parts, about, { instancing: true, translucent }),
 	},
 	{
+		key: "usdz",
+		ending: "usdz",
+		type: "model/vnd.usdz+zip",
+		title: "USDZ for phones",
+		about: "Universal Scene Description; stands in the room on an iPhone",
+		suffix: ".usdz",
+		make: async (parts, about) => (await import("./usdz")).usdz(parts, about),
+	},
+	{
 		key: "ply",
 		ending: "ply",
 		type: "application/octet-stream",
