@@ -36,8 +36,8 @@ export function usage(
   --set KEY=VALUE  as often as needed; KEY is one of
                    ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
   --grammar FILE   grammar text in place of the model's own
-  --out FILE       ${endingsOf({ formats })} (an .obj has its .mtl beside it); without it, JSON goes to
-                   standard output
+  --out FILE       ${endingsOf({ formats })} (an .obj has its
+                   .mtl beside it); without it, JSON goes to standard output
   --form FORM      of a .glb: ${FORMS.join(", ")} (default: ${FORMS[0]})
   --triangles N    of the form low, at the most (default: ${LOW_TRIANGLES})
   --thickness MM   that nothing is thinner than in an .stl or .3mf (default: ${THICKNESS})
