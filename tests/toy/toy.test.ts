@@ -124,7 +124,9 @@ describe("a model of three files", () => {
 		expect((await command("toy", "--help")).printed[0]).toContain("toy/upright toy/open");
 		const { written } = await command("toy", "--out", "shrub.glb");
 		expect([...written.keys()]).toEqual(["shrub.glb"]);
-		expect(await complaint(["toy", "--out", "x.csv"])).toBe("--out x.csv: the name must end in .glb, .obj or .json");
+		expect(await complaint(["toy", "--out", "x.csv"])).toBe(
+			"--out x.csv: the name must end in .glb, .usdz, .ply, .3mf, .stl, .obj or .json",
+		);
 		expect(await complaint(["toy", "--set", "l=3"])).toBe("--set l: no parameter has that key; see --help");
 	});
 });

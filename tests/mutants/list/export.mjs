@@ -141,9 +141,45 @@ export default [
 		faults: [
 			{
 				id: "zip-of-today",
-				find: "mtime: DATE",
+				find: "mtime: ZIP_DATE",
 				replace: "mtime: new Date()",
 				breaks: "the same bunch gives another archive every day",
+			},
+		],
+	},
+	{
+		file: `${SRC}/hidden.ts`,
+		suites: [`${TESTS}/hidden.test.ts`],
+		faults: [
+			{
+				id: "hidden-by-corners-alone",
+				find: "hidden[a] && hidden[b] && hidden[c] &&",
+				replace: "(hidden[a] || hidden[b] || hidden[c]) &&",
+				breaks: "what comes out of a body loses its foot as far as one sees it",
+			},
+		],
+	},
+	{
+		file: `${SRC}/sparse.ts`,
+		suites: [`${TESTS}/sparse.test.ts`],
+		faults: [
+			{
+				id: "sparse-crown-thins",
+				find: "const larger = 1 / Math.sqrt(keep);",
+				replace: "const larger = 1;",
+				breaks: "the low form of a tree is bare",
+			},
+		],
+	},
+	{
+		file: `${SRC}/voxels.ts`,
+		suites: [`${TESTS}/solid.test.ts`],
+		faults: [
+			{
+				id: "print-too-thin",
+				find: "cells[i] |= opened[i];",
+				replace: "cells[i] = opened[i];",
+				breaks: "what is thin is not printed at all",
 			},
 		],
 	},

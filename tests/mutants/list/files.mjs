@@ -38,13 +38,13 @@ export default [
 		],
 	},
 	{
-		file: "web/src/files/make.ts",
+		file: "web/src/export/plant_files.ts",
 		suites: ["tests/web/files/make.test.ts"],
 		faults: [
 			{
 				id: "make-instances-everywhere",
-				find: 'instancing: format !== "glb"',
-				replace: "instancing: true",
+				find: "exportGlb(parts, about, { translucent })",
+				replace: "exportGlb(parts, about, { translucent, instancing: true })",
 				breaks: "a plain GLB wants readers that know instances",
 			},
 		],

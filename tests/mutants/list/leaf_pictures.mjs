@@ -58,8 +58,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/export/glb.ts",
-		suites: ["tests/web/export/glb.test.ts"],
+		file: "web/src/export/vertex_colours.ts",
+		suites: ["tests/web/export/glb_textures.test.ts"],
 		faults: [
 			{
 				id: "glb-picture-coloured-twice",

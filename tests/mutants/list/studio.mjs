@@ -190,13 +190,25 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/files/made_ahead.ts`,
+		suites: [`${TESTS}/made_ahead.test.ts`],
+		faults: [
+			{
+				id: "made-ahead-of-another-plant",
+				find: "known?.grown === asked.plant.grown ? known.file : undefined",
+				replace: "known?.file",
+				breaks: "a file is of the plant that was there when the menu opened",
+			},
+		],
+	},
+	{
 		file: `${SRC}/files/formats.ts`,
 		suites: [`${TESTS}/formats.test.ts`],
 		faults: [
 			{
 				id: "formats-instances-of-anything",
-				find: "...(hasInstances(shown) ? [GLB_INSTANCED] : []),",
-				replace: "GLB_INSTANCED,",
+				find: "!shared || hasInstances(shown)",
+				replace: "true",
 				breaks: "an instanced GLB is offered that is no other file",
 			},
 			{
@@ -261,7 +273,7 @@ export default [
 			},
 			{
 				id: "command-line-unmeasured",
-				find: 'json || ending === "glb"]',
+				find: "json || plantFile(ending)?.form !== undefined]",
 				replace: "false]",
 				breaks: "files of the command hold no measures",
 			},

@@ -55,7 +55,14 @@ describe("what cannot be used", () => {
 
 	it("is said in one line: files", async () => {
 		expect(await complaint(["--out", "bunch.fbx"])).toBe(
-			"--out bunch.fbx: the name must end in .glb, .obj, .json or .csv",
+			"--out bunch.fbx: the name must end in .glb, .usdz, .ply, .3mf, .stl, .obj, .json or .csv",
+		);
+		expect(await complaint(["--out", "x.glb", "--form", "tiny"])).toBe(
+			"--form tiny: the forms are detailed, web, low, instanced",
+		);
+		expect(await complaint(["--out", "x.obj", "--form", "web"])).toMatch(/^--form web: only a .glb has forms/);
+		expect(await complaint(["--out", "x.glb", "--triangles", "few"])).toBe(
+			"--triangles few: a number from 100 to 10000000",
 		);
 		expect(await complaint(["--out", "nowhere/bunch.glb"])).toBe("--out nowhere/bunch.glb: no such file or folder");
 	});

@@ -28,7 +28,7 @@ describe("textures", () => {
 	];
 
 	it.each(FORMS)("lie on the mesh as PNGs in the file, and the validator has no error (%o)", async (form) => {
-		const file = exportGlb(parts, ABOUT, form);
+		const file = exportGlb(parts, ABOUT, { ...form, translucent: true });
 		const found = await complaints(file);
 		expect(found).toEqual([]);
 		const { materials, textures, images, samplers } = documentOf(file);
@@ -47,7 +47,9 @@ describe("textures", () => {
 	it("end at their edges, or go on where they are told to repeat", async () => {
 		const shape = parts[0].shape as Shape;
 		const repeating = { ...shape.material, textures: { ...shape.material.textures, repeats: true } };
-		const file = exportGlb([...parts, { name: "Bark", shape: { ...shape, material: repeating } }], ABOUT);
+		const file = exportGlb([...parts, { name: "Bark", shape: { ...shape, material: repeating } }], ABOUT, {
+			translucent: true,
+		});
 		expect(await complaints(file)).toEqual([]);
 		const { textures, samplers } = documentOf(file);
 		expect(samplers).toMatchObject([

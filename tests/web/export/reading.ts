@@ -39,6 +39,16 @@ export function documentOf(glb: Uint8Array): Document {
 	return JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)));
 }
 
+/** The same file with its pictures in no material: three.js's loader makes pictures in a page alone. */
+export function unpictured(glb: Uint8Array): Uint8Array {
+	const { textures: _, images: __, samplers: ___, ...document } = documentOf(glb);
+	const bare = JSON.stringify(document, (key, value) => (/Texture$/.test(key) ? undefined : value));
+	const file = glb.slice();
+	const length = new DataView(file.buffer).getUint32(12, true);
+	file.set(new TextEncoder().encode(bare.padEnd(length)).subarray(0, length), 20);
+	return file;
+}
+
 /**
  * What Khronos' validator has to say, but for what it says of every such file: hardly anything is textured (the
  * texture coordinates are for whoever paints the bunch), and it does not look inside EXT_mesh_gpu_instancing, so that what is

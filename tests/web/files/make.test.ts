@@ -84,9 +84,9 @@ describe("the worker's answer", () => {
 	});
 
 	it("tells a model that it does not know, and what went wrong", async () => {
-		const { asked } = await request("stl");
+		const { asked } = await request("fbx");
 		expect(await answerTo({ ...asked, model: "toy" })).toEqual({ type: "unknown" });
-		expect(await answerTo(asked)).toEqual({ type: "failed", message: "There is no file “stl” of a bunch." });
+		expect(await answerTo(asked)).toEqual({ type: "failed", message: "There is no file “fbx” of a bunch." });
 		const broken = { ...bunchModel, parts: () => undefined } as unknown as Model;
 		await expect(makeFile(broken, { ...asked, format: "glb" })).rejects.toThrow();
 	});

@@ -30,8 +30,19 @@ it("names files after what grew", () => {
 describe("what can be downloaded", () => {
 	it("is what every plant has, and a picture where there is a view", () => {
 		const keys = (picture?: () => Promise<Blob>) => formatsOf(shown([]), picture).map(({ key }) => key);
-		expect(keys()).toEqual(["glb", "obj", "json"]);
-		expect(keys(async () => new Blob())).toEqual(["glb", "obj", "json", "png"]);
+		expect(keys()).toEqual(["glb", "glb-web", "glb-low", "usdz", "ply", "3mf", "stl", "obj", "json"]);
+		expect(keys(async () => new Blob())).toEqual([
+			"glb",
+			"glb-web",
+			"glb-low",
+			"usdz",
+			"ply",
+			"3mf",
+			"stl",
+			"obj",
+			"json",
+			"png",
+		]);
 	});
 
 	it("is a file with instances where parts share meshes", () => {
@@ -48,8 +59,13 @@ describe("what can be downloaded", () => {
 		const write = vi.fn(makeFile);
 		const [own, ...others] = formatsOf(plant, undefined, write).filter(({ key }) => key === "txt" || key === "no");
 		expect(others).toEqual([]);
-		const blob = await own.make(plant, "?v=2", "plain-1");
+		const blob = await own.make({ plant, link: "?v=2", name: "plain-1", options: { triangles: 500 } });
 		expect([blob.type, await blob.text()]).toEqual(["text/plain", "plain ?v=2"]);
-		expect(write.mock.lastCall?.[1]).toMatchObject({ model: "toy", format: "txt", name: "plain-1" });
+		expect(write.mock.lastCall?.[1]).toMatchObject({
+			model: "toy",
+			format: "txt",
+			name: "plain-1",
+			options: { triangles: 500 },
+		});
 	});
 });

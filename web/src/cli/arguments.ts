@@ -1,5 +1,6 @@
 /** The words of the command line → what is asked for, still unread. */
 import { parseArgs } from "node:util";
+import type { FileOptions } from "../export/plant_files";
 import { UsageError } from "./usage";
 
 export interface Call {
@@ -15,6 +16,9 @@ export interface Call {
 	boundaryFile: string | undefined;
 	/** A file. */
 	out: string | undefined;
+	/** Which of the files that end like `out`. */
+	form: string | undefined;
+	files: FileOptions;
 }
 
 /** @throws UsageError */
@@ -32,6 +36,13 @@ export function readArguments(words: readonly string[]): Call {
 		grammarFile: last(values.grammar),
 		boundaryFile: last(values.boundary),
 		out: last(values.out),
+		form: last(values.form),
+		files: {
+			...numberOf("triangles", last(values.triangles), 100, 10_000_000),
+			...numberOf("thickness", last(values.thickness), 0.2, 20),
+			...numberOf("points", last(values.points), 1, 10_000_000),
+			...(values.translucent ? { translucent: true } : {}),
+		},
 	};
 }
 
@@ -43,6 +54,11 @@ const OPTIONS = {
 	grammar: { type: "string", multiple: true },
 	boundary: { type: "string", multiple: true },
 	out: { type: "string", short: "o", multiple: true },
+	form: { type: "string", multiple: true },
+	triangles: { type: "string", multiple: true },
+	thickness: { type: "string", multiple: true },
+	points: { type: "string", multiple: true },
+	translucent: { type: "boolean" },
 } as const;
 
 function parse(words: readonly string[]) {
@@ -64,6 +80,14 @@ function readSetting(setting: string): [string, string] {
 	const at = setting.indexOf("=");
 	if (at < 1) throw new UsageError(`--set ${setting}: write KEY=VALUE, as in --set age=50`);
 	return [setting.slice(0, at).trim(), setting.slice(at + 1).trim()];
+}
+
+/** @throws UsageError where it is no number from `least` to `most` */
+function numberOf<Key extends string>(key: Key, text: string | undefined, least: number, most: number) {
+	if (text === undefined) return {};
+	const value = text.trim() === "" ? Number.NaN : Number(text);
+	if (!(value >= least && value <= most)) throw new UsageError(`--${key} ${text}: a number from ${least} to ${most}`);
+	return { [key]: value } as { [key in Key]: number };
 }
 
 function last<Value>(values: readonly Value[] | undefined): Value | undefined {

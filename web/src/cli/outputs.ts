@@ -1,9 +1,9 @@
 /** What the command can write of a plant. */
 import { basename, dirname, join } from "node:path";
 import { aboutPlant } from "../export/about_plant";
-import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
+import { type FileOptions, PLANT_FILES, plantFile } from "../export/plant_files";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
@@ -12,7 +12,7 @@ import type { Specimen } from "../specimen/specimen";
 type File = [file: string, data: string | Uint8Array];
 
 /** Endings of names that every model knows. */
-const COMMON = ["glb", "obj", "json"];
+const COMMON = [...new Set(PLANT_FILES.map(({ ending }) => ending)), "obj", "json"];
 
 /** A form of a common kind of file has the kind's ending last, which viewers open: `glb-baked` is `.baked.glb`. */
 const endingFor = (key: string) => key.split("-").reverse().join(".");
@@ -38,12 +38,14 @@ export async function filesOf(
 	model: Model,
 	grown: Plant,
 	specimen: Specimen,
+	{ form, ...options }: FileOptions & { form?: string } = {},
 ): Promise<File[]> {
 	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
 	const format = model.formats?.find(({ key }) => endingFor(key) === ending);
 	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
 	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
-	if (ending === "glb") return [[file, exportGlb(parts, about)]];
+	const meshes = plantFile(ending, form);
+	if (meshes) return [[file, await meshes.make(parts, about, options)]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));
 	return [

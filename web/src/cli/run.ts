@@ -1,5 +1,6 @@
 /** The command: grows one specimen of any model and writes it. */
 import { CoreError } from "../core/errors";
+import { FORMS, plantFile } from "../export/plant_files";
 import { modelNamed, modelNames } from "../models/index";
 import type { Plant } from "../plant/plant";
 import { type Call, readArguments } from "./arguments";
@@ -38,10 +39,11 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const { out } = call;
 	const ending = out === undefined ? "json" : endingOf(model, out);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
+	checkForm(call, ending);
 	const core = await world.loadCore(model.wasm);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
-	const [meshes, measures] = [!json, json || ending === "glb"];
+	const [meshes, measures] = [!json, json || plantFile(ending)?.form !== undefined];
 	await model.prepare?.(specimen);
 	const text = "grammar" in specimen ? "the link's grammar" : undefined;
 	const grown = growing(call.grammarFile ?? text, () =>
@@ -52,12 +54,20 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		world.print(jsonOf(model, all, specimen));
 		return;
 	}
-	for (const [file, data] of await filesOf(out, ending, model, all, specimen)) {
+	for (const [file, data] of await filesOf(out, ending, model, all, specimen, { ...call.files, form: call.form })) {
 		await world.writeFile(file, data).catch((error: unknown) => {
 			throw new UsageError(`--out ${file}: ${reasonOf(error)}`);
 		});
 	}
 	for (const note of all.notes) world.say(`note: ${note}`);
+}
+
+/** @throws UsageError where there is no such form of the file */
+function checkForm({ form, out }: Call, ending: string): void {
+	if (form === undefined || plantFile(ending, form)) return;
+	const known = out !== undefined && plantFile(ending)?.form !== undefined;
+	const say = known ? `the forms are ${FORMS.join(", ")}` : "only a .glb has forms; see --help";
+	throw new UsageError(`--form ${form}: ${say}`);
 }
 
 /**

@@ -1,4 +1,6 @@
 /** What the command says about itself. */
+
+import { FORMS, LOW_TRIANGLES, POINTS, THICKNESS } from "../export/plant_files";
 import { DEFAULT_MODEL } from "../models/index";
 import type { Model } from "../models/model";
 import { endingsOf } from "./outputs";
@@ -23,7 +25,7 @@ export function usage(
 	return `Grows a plant; here: ${title.toLowerCase()}.
 
   npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--boundary FILE]
-                     [--out FILE]
+                     [--out FILE] [--form FORM] [--triangles N] [--translucent] [--thickness MM] [--points N]
   npm run -s grow -- --list
 
   MODEL/PRESET     a preset of any model (--list): ${name}/${presets.standard}; MODEL alone is its first choice
@@ -35,8 +37,13 @@ export function usage(
                    ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
   --grammar FILE   grammar text in place of the model's own
   --boundary FILE  a closed mesh, .obj or .glb, that a tree or a root grows in
-  --out FILE       ${endingsOf({ formats })} (an .obj has its .mtl beside it); without it, JSON goes to
-                   standard output
+  --out FILE       ${endingsOf({ formats })} (an .obj has its
+                   .mtl beside it); without it, JSON goes to standard output
+  --form FORM      of a .glb: ${FORMS.join(", ")} (default: ${FORMS[0]})
+  --triangles N    of the form low, at the most (default: ${LOW_TRIANGLES})
+  --thickness MM   that nothing is thinner than in an .stl or .3mf (default: ${THICKNESS})
+  --points N       of a .ply (default: ${POINTS})
+  --translucent    light comes through pale skins in a .glb, which costs readers a pass
   --list           all models with their presets, as JSON
   --help           this${others.length > 0 ? `; of other models: ${wrapped(others)}` : ""}
 

@@ -27,6 +27,13 @@ export interface ViewLayout {
 	stride?: number;
 }
 
+/** What meshoptimizer's encoder does: packs `count` rows of `size` bytes, of vertices (`ATTRIBUTES`) or of indices (`TRIANGLES`). */
+export interface Encoder {
+	encodeGltfBuffer(source: Uint8Array, count: number, size: number, mode: string): Uint8Array;
+}
+
+export const COMPRESSION = "EXT_meshopt_compression";
+
 const TARGETS = { vertices: 34962, indices: 34963 } as const;
 const COMPONENTS: Record<AccessorType, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 export const GLB_MAGIC = 0x46546c67;
@@ -38,15 +45,37 @@ export const HEADER_BYTES = 12;
 /** Before each chunk: its length and its type. */
 export const CHUNK_HEADER_BYTES = 8;
 
+interface View {
+	index: number;
+	layout: ViewLayout;
+	chunks: AccessorData[];
+	bytes: number;
+}
+
+/** Where compressed data stands, and how it is to be unpacked. */
+interface Packed {
+	buffer: 0;
+	byteOffset: number;
+	byteLength: number;
+	byteStride: number;
+	count: number;
+	mode: "ATTRIBUTES" | "TRIANGLES";
+}
+
 /** Collects typed arrays in named buffer views; a view exists once something is in it, so that none is ever unused. */
 export class BinaryGltf {
-	readonly #views = new Map<string, { index: number; layout: ViewLayout; chunks: AccessorData[]; bytes: number }>();
+	readonly #views = new Map<string, View>();
 	readonly #accessors: Accessor[] = [];
 	readonly #layouts: Record<string, ViewLayout>;
+	readonly #encoder: Encoder | undefined;
 
-	/** @param layouts every view that may be asked for, by name. */
-	constructor(layouts: Record<string, ViewLayout>) {
+	/**
+	 * @param layouts every view that may be asked for, by name
+	 * @param encoder compresses what is of vertices and indices (EXT_meshopt_compression); the document must then require that
+	 */
+	constructor(layouts: Record<string, ViewLayout>, encoder?: Encoder) {
 		this.#layouts = layouts;
+		this.#encoder = encoder;
 	}
 
 	/**
@@ -59,7 +88,9 @@ export class BinaryGltf {
 		type: AccessorType,
 		options: { bounds?: boolean; normalized?: boolean } = {},
 	): number {
-		const view = this.#view(viewName);
+		// What is compressed is unpacked view by view: each accessor has its own.
+		const own = this.#encoder && this.#layouts[viewName]?.target ? ` ${this.#accessors.length}` : "";
+		const view = this.#view(`${viewName}${own}`, this.#layouts[viewName]);
 		const { stride } = view.layout;
 		const step = stride ? stride / data.BYTES_PER_ELEMENT : COMPONENTS[type];
 		const accessor: Accessor = {
@@ -87,36 +118,56 @@ export class BinaryGltf {
 	/** The whole file. `json` is the document without `accessors`, `bufferViews` and `buffers`. */
 	finish(json: Record<string, unknown>): Uint8Array<ArrayBuffer> {
 		const bufferViews: Record<string, unknown>[] = [];
-		let bytes = 0;
-		for (const { layout, bytes: byteLength } of this.#views.values()) {
-			const view: Record<string, unknown> = { buffer: 0, byteOffset: bytes, byteLength };
-			if (layout.stride) view.byteStride = layout.stride;
-			if (layout.target) view.target = TARGETS[layout.target];
-			bufferViews.push(view);
-			bytes += aligned(byteLength);
+		const stored: AccessorData[] = [];
+		let [bytes, unpacked] = [0, 0];
+		for (const view of this.#views.values()) {
+			const packed = this.#packed(view, bytes);
+			const { layout } = view;
+			const byteLength = packed ? packed.place.count * packed.place.byteStride : view.bytes;
+			const described: Record<string, unknown> = packed
+				? { buffer: 1, byteOffset: unpacked, byteLength }
+				: { buffer: 0, byteOffset: bytes, byteLength };
+			if (layout.stride) described.byteStride = layout.stride;
+			if (layout.target) described.target = TARGETS[layout.target];
+			if (packed) described.extensions = { [COMPRESSION]: packed.place };
+			bufferViews.push(described);
+			stored.push(...(packed ? [packed.data] : view.chunks));
+			bytes += aligned(packed ? packed.data.byteLength : byteLength);
+			if (packed) unpacked += aligned(byteLength);
 		}
-		const geometry =
-			bytes > 0 ? { accessors: this.#accessors, bufferViews, buffers: [{ byteLength: bytes }] } : undefined;
-		return pack(JSON.stringify({ ...json, ...geometry }), bytes, (target) => this.#copy(target));
+		// What has to be unpacked stands in a buffer that is nowhere: for readers that take no notice, if there were such data.
+		const fallback = { byteLength: unpacked, extensions: { [COMPRESSION]: { fallback: true } } };
+		const buffers = [{ byteLength: bytes }, ...(unpacked > 0 ? [fallback] : [])];
+		const geometry = bytes > 0 ? { accessors: this.#accessors, bufferViews, buffers } : undefined;
+		return pack(JSON.stringify({ ...json, ...geometry }), bytes, (target) => copy(stored, target));
 	}
 
-	#view(name: string) {
-		let view = this.#views.get(name);
-		if (!view) {
-			view = { index: this.#views.size, layout: this.#layouts[name] ?? {}, chunks: [], bytes: 0 };
-			this.#views.set(name, view);
-		}
+	/** What stands in place of a view, `byteOffset` bytes from the start of the buffer, where it is compressed. */
+	#packed({ layout, chunks, bytes }: View, byteOffset: number): { data: Uint8Array; place: Packed } | undefined {
+		if (!this.#encoder || !layout.target) return undefined;
+		const source = new Uint8Array(bytes);
+		copy(chunks, source);
+		const byteStride = layout.stride ?? chunks[0].BYTES_PER_ELEMENT;
+		// Behind an odd number of short indices stands what fills them up.
+		const count = Math.floor(chunks[0].byteLength / byteStride);
+		const mode = layout.target === "indices" ? "TRIANGLES" : "ATTRIBUTES";
+		const data = this.#encoder.encodeGltfBuffer(source.subarray(0, count * byteStride), count, byteStride, mode);
+		return { data, place: { buffer: 0, byteOffset, byteLength: data.byteLength, byteStride, count, mode } };
+	}
+
+	#view(name: string, layout: ViewLayout = {}): View {
+		const view = this.#views.get(name) ?? { index: this.#views.size, layout, chunks: [], bytes: 0 };
+		this.#views.set(name, view);
 		return view;
 	}
+}
 
-	#copy(target: Uint8Array): void {
-		let at = 0;
-		for (const { chunks } of this.#views.values()) {
-			for (const chunk of chunks) {
-				target.set(new Uint8Array(chunk.buffer, chunk.byteOffset, chunk.byteLength), at);
-				at += aligned(chunk.byteLength);
-			}
-		}
+/** One after the other, each from a multiple of four bytes on. */
+function copy(chunks: readonly AccessorData[], target: Uint8Array): void {
+	let at = 0;
+	for (const chunk of chunks) {
+		target.set(new Uint8Array(chunk.buffer, chunk.byteOffset, chunk.byteLength), at);
+		at += aligned(chunk.byteLength);
 	}
 }
 

@@ -3,15 +3,15 @@ import type { Colour } from "../plant/colour";
 import type { Material, Picture } from "../plant/material";
 import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 import { tinted } from "../plant/picture";
-import { everywhere, shaded } from "../plant/shade";
 import type { About } from "./about";
+import type { Encoder } from "./binary_gltf";
 import { GltfDocument, type Json, type Placed } from "./gltf_document";
 import { gltfMaterial, type TextureIndices } from "./gltf_material";
 import { rounded, shortFloat } from "./numbers";
 import { png } from "./png";
 import { tangentsOf } from "./tangents";
 import { together } from "./together";
-import { brightest, sharesOf } from "./vertex_colours";
+import { brightest, sharesOf, writtenColours } from "./vertex_colours";
 import { written } from "./written";
 
 export interface GlbOptions {
@@ -23,6 +23,10 @@ export interface GlbOptions {
 	instancing?: boolean;
 	/** Positions in 16 bits and normals in 8, with KHR_mesh_quantization: about two thirds the size; readers must know it. */
 	compact?: boolean;
+	/** Compresses what is compact (EXT_meshopt_compression, which readers must know); ready. */
+	encoder?: Encoder;
+	/** Whether light comes through flesh, which costs readers a pass of its own; without it flesh is as bright, and opaque. */
+	translucent?: boolean;
 }
 
 const INSTANCING = "EXT_mesh_gpu_instancing";
@@ -32,8 +36,8 @@ const TURN_DECIMALS = 7;
 /** The file; `parts` are only read. The same parts give the same bytes. */
 export function exportGlb(parts: Iterable<Part>, about: About, options: GlbOptions = {}): Uint8Array<ArrayBuffer> {
 	const all = options.instancing ? [...parts] : [...parts].map(together);
-	const writer = new PartsWriter(new GltfDocument(options.compact ?? false), all, options.instancing ?? false);
-	return writer.write(all, about);
+	const document = new GltfDocument(options.compact ?? options.encoder !== undefined, options.encoder);
+	return new PartsWriter(document, all, options).write(all, about);
 }
 
 /** What its parent has done to a node already. */
@@ -47,6 +51,7 @@ const WORLD: Frame = { origin: [0, 0, 0], unit: 1 };
 class PartsWriter {
 	readonly #document: GltfDocument;
 	readonly #instancing: boolean;
+	readonly #translucent: boolean;
 	/** The brightest colour of all vertices of a material. */
 	readonly #bases = new Map<Material, Colour>();
 	/** Indices by material, of those with colours of vertices and of those without. */
@@ -56,11 +61,12 @@ class PartsWriter {
 	/** Colours as they are written, of meshes that have any. */
 	readonly #colours = new Map<PartMesh, Float32Array>();
 
-	constructor(document: GltfDocument, parts: readonly Part[], instancing: boolean) {
+	constructor(document: GltfDocument, parts: readonly Part[], { instancing = false, translucent = false }: GlbOptions) {
 		this.#document = document;
 		this.#instancing = instancing;
+		this.#translucent = translucent;
 		for (const { shape } of everyPart(parts)) {
-			const colours = shape && writtenColours(shape);
+			const colours = shape && writtenColours(shape.mesh, shape.material);
 			if (!colours) continue;
 			this.#colours.set(shape.mesh, colours);
 			this.#bases.set(shape.material, brightest(colours, this.#bases.get(shape.material)));
@@ -174,10 +180,11 @@ class PartsWriter {
 		if (known !== undefined) return known;
 		// Compact meshes reach from −1 to 1, each scaled by its own node.
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
-		const textures = this.#textures(material, base);
+		const said = this.#translucent ? material : opaque(material);
+		const textures = this.#textures(said, base);
 		// Some readers know a picture and colours of vertices, and no factor beside them: the picture has it all.
 		const factor: Colour = material.textures?.colour ? [1, 1, 1] : (base ?? material.colour);
-		const index = this.#document.material(gltfMaterial(material, factor, thickness, textures));
+		const index = this.#document.material(gltfMaterial(said, factor, thickness, textures));
 		indices.set(material, index);
 		return index;
 	}
@@ -192,17 +199,11 @@ class PartsWriter {
 	}
 }
 
-/** Where vertices have no colours: a texture takes the place of the material's. */
-function plainBase({ colour, textures }: Material): Colour {
-	return textures?.colour ? [1, 1, 1] : colour;
-}
-
-/** Colours of vertices in the shade in which they stand: most programs know no other way to show it. */
-function writtenColours({ mesh, material }: Shape): Float32Array | undefined {
-	const { colours, sky, positions } = mesh;
-	if (!sky) return colours;
-	const under = colours ? undefined : material.textures?.colour && material.colour;
-	return shaded(colours ?? everywhere(plainBase(material), positions.length / 3), sky, under);
+/** The same without the flesh that light comes through. */
+function opaque(material: Material): Material {
+	if (!material.flesh) return material;
+	const { flesh: _, textures: { thickness: __, ...textures } = {}, ...others } = material;
+	return Object.keys(textures).length > 0 ? { ...others, textures } : others;
 }
 
 /** What a node says of where it is; what it need not say it leaves out. */

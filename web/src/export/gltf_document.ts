@@ -3,7 +3,7 @@
  * validators ask. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
  */
 import type { Mesh } from "../plant/plant";
-import { type AccessorData, BinaryGltf, type ViewLayout } from "./binary_gltf";
+import { type AccessorData, BinaryGltf, COMPRESSION, type Encoder, type ViewLayout } from "./binary_gltf";
 import { GENERATOR } from "./generator";
 import type { GltfMaterial } from "./gltf_material";
 import { shortFloat } from "./numbers";
@@ -22,6 +22,7 @@ const VIEWS: Record<string, ViewLayout> = {
 	tangents: { target: "vertices", stride: 16 },
 	byteTangents: { target: "vertices", stride: 4 },
 	uvs: { target: "vertices", stride: 8 },
+	shortUvs: { target: "vertices", stride: 4 },
 	colours: { target: "vertices", stride: 4 },
 	shortIndices: { target: "indices" },
 	longIndices: { target: "indices" },
@@ -39,7 +40,8 @@ const SHORT_INDEX_VERTICES = 65535;
 
 /** Texture coordinates and triangles that many meshes may share. */
 interface Pattern {
-	uvs: number;
+	/** Absent where there are none. */
+	uvs?: number;
 	indices: number;
 }
 
@@ -62,7 +64,7 @@ export interface Placed {
 const ORIGIN = [0, 0, 0];
 
 export class GltfDocument {
-	readonly #binary = new BinaryGltf(VIEWS);
+	readonly #binary: BinaryGltf;
 	readonly #nodes: Json[] = [];
 	readonly #meshes: Json[] = [];
 	readonly #materials: Json[] = [];
@@ -73,7 +75,14 @@ export class GltfDocument {
 	readonly #used = new Set<string>();
 	readonly #required = new Set<string>();
 
-	constructor(readonly compact: boolean) {}
+	/** @param encoder compresses meshes, which are then compact (EXT_meshopt_compression) */
+	constructor(
+		readonly compact: boolean,
+		encoder?: Encoder,
+	) {
+		this.#binary = new BinaryGltf(VIEWS, encoder);
+		if (encoder) this.require(COMPRESSION);
+	}
 
 	/** Appends a node; returns its index. A list of children may still grow. */
 	node(node: Json): number {
@@ -111,7 +120,7 @@ export class GltfDocument {
 			? this.#compactAttributes(mesh, centre)
 			: this.#fullAttributes(mesh, centre);
 		const { uvs, indices } = this.#pattern(mesh);
-		attributes.TEXCOORD_0 = uvs;
+		if (uvs !== undefined) attributes.TEXCOORD_0 = uvs;
 		if (tangents) attributes.TANGENT = this.#tangents(tangents);
 		if (colours) attributes.COLOR_0 = this.#binary.add("colours", colours, "VEC4", { normalized: true });
 		const index = this.#meshes.push({ name, primitives: [{ attributes, indices, material }] }) - 1;
@@ -141,19 +150,31 @@ export class GltfDocument {
 		return this.#binary.add("byteTangents", quantisedTangents(tangents), "VEC4", { normalized: true });
 	}
 
-	#pattern({ uvs, indices }: Mesh): Pattern {
+	#pattern({ positions, uvs, indices }: Mesh): Pattern {
 		const known = this.#patterns.get(uvs);
 		if (known?.of === indices) return known;
-		const short = uvs.length / 2 <= SHORT_INDEX_VERTICES;
+		const short = positions.length / 3 <= SHORT_INDEX_VERTICES;
 		const pattern = {
 			of: indices,
-			uvs: this.#binary.add("uvs", uvs, "VEC2"),
+			...(uvs.length > 0 ? { uvs: this.#textureCoordinates(uvs) } : {}),
 			indices: short
 				? this.#binary.add("shortIndices", Uint16Array.from(indices), "SCALAR")
 				: this.#binary.add("longIndices", indices, "SCALAR"),
 		};
 		this.#patterns.set(uvs, pattern);
 		return pattern;
+	}
+
+	/** In compact meshes those that stay on one picture take half. */
+	#textureCoordinates(uvs: Float32Array): number {
+		const within = this.compact && uvs.every((value) => value >= 0 && value <= 1);
+		if (!within) return this.#binary.add("uvs", uvs, "VEC2");
+		return this.#binary.add(
+			"shortUvs",
+			Uint16Array.from(uvs, (value) => Math.round(65535 * value)),
+			"VEC2",
+			{ normalized: true },
+		);
 	}
 
 	#fullAttributes({ positions, normals }: Mesh, centre?: readonly number[]) {

@@ -4,6 +4,9 @@
  * have, and a viewer that knows no vertex colours still shows a plant of the right colour.
  */
 import type { Colour } from "../plant/colour";
+import type { Material } from "../plant/material";
+import type { PartMesh } from "../plant/part";
+import { everywhere, shaded } from "../plant/shade";
 
 /** The brightest of 3 × vertices and of `so far`, channel by channel; linear. */
 export function brightest(colours: Float32Array, soFar: Colour = [0, 0, 0]): Colour {
@@ -27,4 +30,17 @@ export function sharesOf(colours: Float32Array, base: Colour): Uint8Array {
 		bytes[at + 3] = 255;
 	}
 	return bytes;
+}
+
+/** Where vertices have no colours: a texture takes the place of the material's. */
+export function plainBase({ colour, textures }: Material): Colour {
+	return textures?.colour ? [1, 1, 1] : colour;
+}
+
+/** Colours of vertices in the shade in which they stand: most programs know no other way to show it. */
+export function writtenColours(mesh: PartMesh, material: Material): Float32Array | undefined {
+	const { colours, sky, positions } = mesh;
+	if (!sky) return colours;
+	const under = colours ? undefined : material.textures?.colour && material.colour;
+	return shaded(colours ?? everywhere(plainBase(material), positions.length / 3), sky, under);
 }

@@ -1,8 +1,8 @@
 /** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
 import { aboutPlant } from "../export/about_plant";
-import { exportGlb } from "../export/glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
+import { PLANT_FILES } from "../export/plant_files";
 import type { Model } from "../models/model";
 import type { FileRequest } from "./messages";
 import { zip } from "./zip";
@@ -14,16 +14,14 @@ const encoder = new TextEncoder();
  * @throws RangeError where neither every plant nor the model has such a file, and what the making throws
  */
 export async function makeFile(model: Model, request: FileRequest): Promise<Blob> {
-	const { format, grown, specimen, link, name } = request;
+	const { format, grown, specimen, link, name, options } = request;
 	if (format === "json") return json(model, request);
 	const own = model.formats?.find(({ key }) => key === format);
 	if (own) return new Blob([await own.make(grown, specimen, link)], { type: own.type });
 	const about = await aboutPlant(model, grown, specimen, link);
 	const parts = model.parts(grown, specimen);
-	if (format === "glb" || format === "glb-instanced") {
-		const bytes = exportGlb(parts, about, { instancing: format !== "glb" });
-		return new Blob([bytes], { type: "model/gltf-binary" });
-	}
+	const file = PLANT_FILES.find(({ key }) => key === format);
+	if (file) return new Blob([await file.make(parts, about, options ?? {})], { type: file.type });
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
 	const { obj, mtl, pictures } = exportObj(parts, about, name);
 	const all = [

@@ -1,4 +1,5 @@
 /** What the page and the worker that makes files say to each other: one request, one answer. */
+import type { FileOptions } from "../export/plant_files";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 
@@ -6,7 +7,7 @@ import type { Specimen } from "../specimen/specimen";
 export interface FileRequest {
 	/** The model's name. */
 	readonly model: string;
-	/** `glb`, `glb-instanced`, `obj`, `json`, or the key of one of the model's formats. */
+	/** The key of a file of every plant (export/plant_files.ts), `obj`, `json`, or the key of one of the model's formats. */
 	readonly format: string;
 	readonly grown: Plant;
 	/** What it grew from, with the look that the file is to have. */
@@ -15,6 +16,7 @@ export interface FileRequest {
 	readonly link: string;
 	/** What the file is called, without extension. */
 	readonly name: string;
+	readonly options?: FileOptions;
 }
 
 export type FromExporter =

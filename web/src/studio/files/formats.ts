@@ -1,4 +1,5 @@
 /** What `Download` gives. Files are made in a worker (files/), which is loaded when the first is asked for. */
+import { type FileOptions, PLANT_FILES } from "../../export/plant_files";
 import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
 import type { Shown, StudioState } from "../studio_state";
@@ -9,30 +10,24 @@ export interface Download {
 	readonly about: string;
 	/** After the plant's name. */
 	readonly suffix: string;
-	/**
-	 * @param link the whole address that brings it back
-	 * @param name without extension
-	 * @param signal cancels; the promise then rejects with its reason
-	 */
-	make(plant: Shown, link: string, name: string, signal?: AbortSignal): Promise<Blob>;
+	/** Whether its size is told, which takes making it. */
+	readonly sized: boolean;
+	/** Whether that takes seconds. */
+	readonly slow?: boolean;
+	make(asked: Asked, signal?: AbortSignal): Promise<Blob>;
 }
 
-type Listed = Omit<Download, "make">;
+/** What is to be made into a file. */
+export interface Asked {
+	readonly plant: Shown;
+	/** The whole address that brings it back. */
+	readonly link: string;
+	/** Without extension. */
+	readonly name: string;
+	readonly options: FileOptions;
+}
 
-const GLB: Listed = {
-	key: "glb",
-	title: "GLB",
-	about: "glTF, one node per part; opens everywhere",
-	suffix: ".glb",
-};
-
-/** Of plants whose parts share meshes. */
-const GLB_INSTANCED: Listed = {
-	key: "glb-instanced",
-	title: "GLB, instanced",
-	about: "Equal parts in one node; for readers of EXT_mesh_gpu_instancing",
-	suffix: "-instanced.glb",
-};
+type Listed = Pick<Download, "key" | "title" | "about" | "suffix" | "slow">;
 
 const OF_EVERY_PLANT: readonly Listed[] = [
 	{ key: "obj", title: "OBJ with MTL", about: "Both in one .zip", suffix: "-obj.zip" },
@@ -42,24 +37,25 @@ const OF_EVERY_PLANT: readonly Listed[] = [
 /**
  * What there is of a plant.
  * @param picture takes one of the 3-D view, where there is a view
- * @param write makes all the others
+ * @param write makes all the others; cancelled by its signal, it rejects with the signal's reason
  */
 export function formatsOf(shown: Shown, picture: StudioState["picture"], write = exportFile): readonly Download[] {
 	const { model, grown } = shown;
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
-	const listed: Listed[] = [GLB, ...(hasInstances(shown) ? [GLB_INSTANCED] : []), ...OF_EVERY_PLANT, ...own];
-	const written = listed.map(({ key, title, about, suffix }): Download => {
-		const make: Download["make"] = ({ model, grown, from }, link, name, signal) => {
-			const request = { model: model.name, format: key, grown, specimen: from, link, name };
+	const meshes = PLANT_FILES.filter(({ shared }) => !shared || hasInstances(shown));
+	const listed: Listed[] = [...meshes, ...OF_EVERY_PLANT, ...own];
+	const written = listed.map(({ key, title, about, suffix, slow = false }): Download => {
+		const make: Download["make"] = ({ plant: { model, grown, from }, ...asked }, signal) => {
+			const request = { model: model.name, format: key, grown, specimen: from, ...asked };
 			return write(model, request, signal ? { signal } : {});
 		};
-		return { key, title, about, suffix, make };
+		return { key, title, about, suffix, slow, sized: true, make };
 	});
 	return [...written, ...(picture ? [pictureBy(picture)] : [])];
 }
 
 function pictureBy(take: () => Promise<Blob>): Download {
-	return { key: "png", title: "Picture", about: "The 3-D view as a PNG", suffix: ".png", make: take };
+	return { key: "png", title: "Picture", about: "The 3-D view as a PNG", suffix: ".png", sized: false, make: take };
 }
 
 /** Whether some parts are one mesh many times, so that instances make the file another one. */

@@ -1,9 +1,7 @@
 import { html, nothing } from "lit";
 import { icon } from "../../controls/icons";
-import { NotFetched } from "../../files/exporter";
-import { linkOf } from "../address";
-import { type Download, fileName, formatsOf, save } from "../files/formats";
-import { plantToSave } from "../files/plant_to_save";
+import type { Asked, Download } from "../files/formats";
+import type { MadeAhead } from "../files/made_ahead";
 import type { Studio } from "../studio";
 import { isAltered } from "../title";
 import { TRY_AGAIN } from "../types";
@@ -11,6 +9,8 @@ import { StudioPart } from "./studio_part";
 
 /** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
 const PATIENCE = 200;
+
+type Offered = typeof import("../files/offered");
 
 interface Making {
 	readonly title: string;
@@ -20,9 +20,14 @@ interface Making {
 
 /** `Download` and its menu of formats. One file is made at a time: the next takes the place of one that still is. */
 export class DownloadMenu extends StudioPart {
-	#open = false;
+	/** What can be had, while the menu is open. */
+	#offered: Offered | undefined;
 	/** The file that is being made. */
 	#making: Making | undefined;
+	#options: Asked["options"] = {};
+	/** What the sizes are of, while the menu is open. */
+	#asked: Asked | undefined;
+	#ahead: MadeAhead | undefined;
 
 	protected override shows({ state: { shown, picture } }: Studio): readonly unknown[] {
 		return [picture, this.#open ? shown : shown !== undefined];
@@ -30,19 +35,45 @@ export class DownloadMenu extends StudioPart {
 
 	protected override draw(studio: Studio): unknown {
 		const { shown } = studio.state;
-		const formats = shown && this.#open ? formatsOf(shown, studio.state.picture) : [];
+		const offered = this.#offered;
 		return html`<button
-				class="button wine" type="button" aria-label="Download" aria-haspopup="menu" aria-expanded=${this.#open}
+				class="button wine" type="button" aria-label="Download" aria-haspopup="menu" aria-expanded=${offered !== undefined}
 				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
 			${this.#making?.slow ? progress(this.#making) : nothing}
-			${this.#open ? html`<div class="menu" role="menu" aria-label="Download" @keydown=${this.#keyDown}>${formats.map((format) => this.#item(format))}</div>` : nothing}`;
+			${offered && shown ? this.#menu(offered, offered.formatsOf(shown, studio.state.picture)) : nothing}`;
 	}
 
-	#item(format: Download): unknown {
-		return html`<button type="button" role="menuitem" data-format=${format.key} @click=${() => this.#download(format)}>
-			${format.title}<small>${format.about}</small>
+	#menu(offered: Offered, formats: readonly Download[]): unknown {
+		return html`<div class="menu" @keydown=${this.#keyDown} @focusout=${this.#focusOut}>
+			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}</div>
+			${offered.fileSettings(this.#options, (options) => {
+				this.#options = options;
+				void this.#tellSizes(offered);
+			})}
+		</div>`;
+	}
+
+	#item(offered: Offered, format: Download): unknown {
+		const file = this.#asked && this.#ahead?.file(format, this.#asked);
+		return html`<button type="button" role="menuitem" data-format=${format.key} @click=${() => this.#download(offered, format)}>
+			${format.title}${format.sized ? html` <span class="size">${file ? offered.sizeInWords(file.size) : "…"}</span>` : nothing}<small>${format.about}</small>
 		</button>`;
+	}
+
+	/** Makes what the menu offers, to tell how large it is. */
+	async #tellSizes(offered: Offered): Promise<void> {
+		const asked = await this.#ask(offered).catch(() => undefined);
+		if (!asked || !this.#offered) return;
+		this.#asked = asked;
+		this.#ahead ??= new offered.MadeAhead(() => this.requestUpdate());
+		await this.#ahead.start(offered.formatsOf(asked.plant, undefined), asked);
+	}
+
+	async #ask({ plantToSave, fileName, askedOf }: Offered, signal?: AbortSignal): Promise<Asked> {
+		const plant = await plantToSave(this.desk, signal);
+		const name = fileName(plant.from, isAltered(plant.from, plant.model, this.desk.state.face?.tools));
+		return askedOf(plant, name, this.#options);
 	}
 
 	override disconnectedCallback(): void {
@@ -50,22 +81,30 @@ export class DownloadMenu extends StudioPart {
 		this.#close();
 	}
 
-	#toggle(): void {
-		if (this.#open) {
+	async #toggle(): Promise<void> {
+		if (this.#offered) {
 			this.#close();
 			return;
 		}
-		this.#open = true;
+		const offered = await import("../files/offered").catch(() => undefined);
+		if (!offered) {
+			const details = ["Part of the page could not be fetched.", TRY_AGAIN];
+			this.desk.notify("The downloads could not be shown", details, { again: () => void this.#toggle() });
+			return;
+		}
+		this.#offered = offered;
 		this.requestUpdate();
 		// What is saved is at rest, and measured.
 		const { face } = this.desk.state;
 		for (const tool of face?.tools ?? []) tool.rest?.(this.desk);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
+		void this.#tellSizes(offered);
 		window.addEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
 	#close(): void {
-		this.#open = false;
+		this.#offered = undefined;
+		this.#ahead?.stop();
 		this.requestUpdate();
 		window.removeEventListener("pointerdown", this.#outside, { capture: true });
 	}
@@ -74,13 +113,19 @@ export class DownloadMenu extends StudioPart {
 		if (!event.composedPath().includes(this)) this.#close();
 	};
 
+	#focusOut({ relatedTarget }: FocusEvent): void {
+		if (relatedTarget instanceof Node && !this.contains(relatedTarget)) this.#close();
+	}
+
 	#keyDown(event: KeyboardEvent): void {
 		const items = this.#items();
 		const at = items.indexOf(document.activeElement as HTMLElement);
 		const next = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
-		if (event.key === "Escape" || event.key === "Tab") {
+		if (event.key === "Escape") {
 			this.#close();
-			if (event.key === "Escape") this.querySelector<HTMLElement>("button")?.focus();
+			this.querySelector<HTMLElement>("button")?.focus();
+		} else if (at < 0) {
+			return;
 		} else if (next !== undefined) {
 			event.preventDefault();
 			items.at(next % items.length)?.focus();
@@ -91,7 +136,7 @@ export class DownloadMenu extends StudioPart {
 		return [...this.querySelectorAll<HTMLElement>("[role=menuitem]")];
 	}
 
-	async #download(format: Download): Promise<void> {
+	async #download(offered: Offered, format: Download): Promise<void> {
 		this.#close();
 		this.querySelector<HTMLElement>("button")?.focus();
 		this.#making?.cancel.abort();
@@ -103,25 +148,25 @@ export class DownloadMenu extends StudioPart {
 		}, PATIENCE);
 		const { signal } = making.cancel;
 		try {
-			const plant = await plantToSave(this.desk, signal);
-			const name = fileName(plant.from, isAltered(plant.from, plant.model, this.desk.state.face?.tools));
-			const blob = await format.make(plant, await linkOf(plant.model, plant.from), name, signal);
+			const asked = await this.#ask(offered, signal);
+			const blob = this.#ahead?.file(format, asked) ?? (await format.make(asked, signal));
 			signal.throwIfAborted();
-			save(blob, `${name}${format.suffix}`);
+			offered.save(blob, `${asked.name}${format.suffix}`);
 		} catch (error) {
-			if (!signal.aborted) this.#explain(error, format);
+			if (!signal.aborted) this.#explain(offered, error, format);
 		} finally {
 			clearTimeout(patience);
+			this.#ahead?.clear();
 			if (this.#making === making) this.#making = undefined;
 			this.requestUpdate();
 		}
 	}
 
-	#explain(error: unknown, format: Download): void {
+	#explain(offered: Offered, error: unknown, format: Download): void {
 		const title = `The ${format.title} could not be made`;
 		const text = error instanceof Error ? error.message : String(error);
-		if (error instanceof NotFetched)
-			this.desk.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(format) });
+		if (error instanceof offered.NotFetched)
+			this.desk.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(offered, format) });
 		else this.desk.notify(title, [text]);
 	}
 }

@@ -12,7 +12,7 @@ export const specimen = sampleSpecimen({ preset: "short-conical", seed: 7 });
 export const looking = (look: Partial<Look>): Specimen => ({ ...specimen, look: { ...specimen.look, ...look } });
 
 export async function read(from: Grown, of: Specimen = specimen, options?: GlbOptions) {
-	const { scene } = await load(await bunchGlb(from, of, options));
+	const { scene } = await load(await bunchGlb(from, of, { translucent: true, ...options }));
 	scene.updateMatrixWorld(true);
 	const meshes = meshesOf(scene);
 	const named = (start: string) => meshes.filter(({ userData }) => userData.name?.startsWith(start));

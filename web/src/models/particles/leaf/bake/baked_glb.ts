@@ -12,5 +12,6 @@ export async function bakedGlb(
 	link: string,
 	options?: BakeOptions,
 ): Promise<Uint8Array<ArrayBuffer>> {
-	return exportGlb(bakedParts(leaf, specimen, options), await aboutPlant(LEAF, leaf, specimen, link));
+	const about = await aboutPlant(LEAF, leaf, specimen, link);
+	return exportGlb(bakedParts(leaf, specimen, options), about, { translucent: true });
 }

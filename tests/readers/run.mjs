@@ -1,0 +1,96 @@
+/**
+ * `npm run readers`: files of each model, opened by programs that are none of ours – trimesh, Blender (`bpy`), USD (`usd-core`) – and
+ * compared in counts and bounds. Installs them from PyPI into build/readers, which takes Python 3.11 with its venv and a gigabyte.
+ */
+import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { run } from "../../wasm-core/tools/process.mjs";
+import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
+
+const folder = join(buildFolder, "readers");
+const python = join(folder, "venv/bin/python");
+const requirements = join(repository, "tests/readers/requirements.txt");
+
+/** Plants small enough to be read soon. */
+const PLANTS = ["bunch/riesling", "leaf/oak", "root/carrot"];
+/**
+ * Files, who reads them, and how far bounds may be from the detailed one's, as a share of the longest edge. Of triangles back to
+ * back, which are what is left of the thinnest twigs, Blender keeps one: `fewer` is the share that may so be missing.
+ */
+const FILES = [
+	{ name: "detailed.glb", words: ["--form", "detailed"], readers: ["trimesh", "blender"], within: 1e-5 },
+	{
+		name: "low.glb",
+		words: ["--form", "low", "--triangles", "5000"],
+		readers: ["trimesh", "blender"],
+		within: 0.03,
+		fewer: 0.01,
+	},
+	{ name: "plant.usdz", words: [], readers: ["usd", "blender"], within: 0.01 },
+	{ name: "points.ply", words: ["--points", "20000"], readers: ["trimesh"], within: 0.05, count: 20000 },
+	{ name: "print.stl", words: ["--thickness", "1"], readers: ["trimesh", "blender"], within: 0.03 },
+	{ name: "print.3mf", words: ["--thickness", "1"], readers: ["trimesh"], within: 0.03 },
+];
+
+async function must(command, args) {
+	const { status, output } = await run(command, args, { cwd: repository });
+	if (status !== 0) throw new Error(`${command} ${args.join(" ")} failed:\n${output}`);
+	return output;
+}
+
+async function install() {
+	mkdirSync(folder, { recursive: true });
+	const stamp = join(folder, "installed.txt");
+	const wanted = readFileSync(requirements, "utf8");
+	if (existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
+	console.log("Installing the readers …");
+	await must("python3.11", ["-m", "venv", join(folder, "venv")]);
+	await must(python, ["-m", "pip", "install", "--quiet", "--requirement", requirements]);
+	writeFileSync(stamp, wanted);
+}
+
+async function read(reader, file) {
+	const output = await must(python, [join(repository, "tests/readers/read.py"), reader, file]);
+	return JSON.parse(/^READ (.*)$/m.exec(output)[1]);
+}
+
+/** How far boxes are apart, as a share of the second one's longest edge; prints may be to a scale. */
+function apart(bounds, [low, high], scale) {
+	const longest = Math.max(...high.map((value, k) => value - low[k]));
+	const differences = [low, high].flatMap((corner, i) => corner.map((value, k) => bounds[i][k] * scale - value));
+	return Math.max(...differences.map(Math.abs)) / longest;
+}
+
+function problems(found, { within, count, fewer = 0 }, first, detailed) {
+	const longest = ([low, high]) => Math.max(...high.map((value, k) => value - low[k]));
+	const ratio = longest(detailed.bounds) / longest(found.bounds);
+	const scale = [1, 2, 5, 10, 20, 50, 100].find((each) => Math.abs(ratio / each - 1) < 0.1) ?? 1;
+	const said = [];
+	if (apart(found.bounds, detailed.bounds, scale) > within) said.push(`bounds ${JSON.stringify(found.bounds)}`);
+	const wanted = count ?? first.count;
+	if (found.count > wanted || found.count < (1 - fewer) * wanted) said.push(`${found.count} in place of ${wanted}`);
+	if (found.closed === false) said.push("not closed");
+	return [...said, ...(found.complaints ?? [])];
+}
+
+await install();
+let failed = 0;
+for (const plant of PLANTS) {
+	let detailed;
+	for (const file of FILES) {
+		const path = join(folder, `${plant.replace("/", "-")}-${file.name}`);
+		await must(process.execPath, ["wasm-core/tools/grow.mjs", plant, "--out", path, ...file.words]);
+		let first;
+		for (const reader of file.readers) {
+			const found = await read(reader, path);
+			detailed ??= found;
+			first ??= found;
+			const said = problems(found, file, first, detailed);
+			failed += Number(said.length > 0);
+			const size = (statSync(path).size / 1e6).toFixed(2);
+			console.log(`${plant} ${file.name} ${size} MB, ${reader}: ${found.count} ${said.join("; ") || "ok"}`);
+		}
+	}
+}
+console.log(failed === 0 ? "All readers agree." : `${failed} do not agree.`);
+process.exitCode = failed === 0 ? 0 : 1;

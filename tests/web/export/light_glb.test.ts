@@ -1,0 +1,119 @@
+/** The light forms, of plants of every model: read back by three.js, judged by Khronos' validator, compared with the detailed one. */
+import { MeshoptDecoder } from "meshoptimizer/decoder";
+import { Box3, type BufferAttribute, type InterleavedBufferAttribute, type Mesh, Vector3 } from "three";
+import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { beforeAll, describe, expect, it } from "vitest";
+import { aboutPlant } from "../../../web/src/export/about_plant";
+import { exportGlb } from "../../../web/src/export/glb";
+import { lowGlb } from "../../../web/src/export/low_glb";
+import { LOW_TRIANGLES } from "../../../web/src/export/plant_files";
+import { webGlb } from "../../../web/src/export/web_glb";
+import { modelNamed } from "../../../web/src/models/index";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { freshCore } from "../core/wasm";
+import { complaints, documentOf, meshesOf, unpictured } from "./reading";
+import { silhouette, unlike } from "./silhouette";
+import { ABOUT, fruits, plain } from "./toy_parts";
+
+beforeAll(() => MeshoptDecoder.ready);
+
+async function plant(source: string) {
+	const [name, preset] = source.split("/");
+	const model = await modelNamed(name);
+	const specimen = fromPreset(model, preset);
+	await model.prepare?.(specimen);
+	const grown = model.read((await freshCore(model.wasm)).grow(model.encode(specimen)), specimen);
+	return { parts: () => model.parts(grown, specimen), about: await aboutPlant(model, grown, specimen) };
+}
+
+async function meshesIn(glb: Uint8Array): Promise<Mesh[]> {
+	const { scene } = await new GLTFLoader()
+		.setMeshoptDecoder(MeshoptDecoder)
+		.parseAsync(unpictured(glb).buffer as ArrayBuffer, "");
+	scene.updateMatrixWorld(true);
+	return meshesOf(scene);
+}
+
+function valuesOf(attribute: BufferAttribute | InterleavedBufferAttribute): Buffer {
+	const { count, itemSize } = attribute;
+	const value = (_: unknown, i: number) => attribute.getComponent(Math.floor(i / itemSize), i % itemSize);
+	return Buffer.from(Float64Array.from({ length: count * itemSize }, value).buffer);
+}
+
+const trianglesOf = (meshes: readonly Mesh[]) =>
+	meshes.reduce((sum, { geometry }) => sum + (geometry.index?.count ?? 0) / 3, 0);
+
+function boxOf(meshes: readonly Mesh[]): Box3 {
+	const box = new Box3();
+	for (const mesh of meshes) box.expandByObject(mesh, true);
+	return box;
+}
+
+/** How far the boxes are apart, as a share of the diagonal. */
+function boxesApart(one: Box3, other: Box3): number {
+	return Math.max(one.min.distanceTo(other.min), one.max.distanceTo(other.max)) / one.getSize(new Vector3()).length();
+}
+
+describe.each([
+	["bunch/long-conical", 0.8e6, 0.02],
+	["leaf/oak", 0.8e6, 0.01],
+	["tree/bonsai", 4e6, 0.12],
+	["root/carrot", 0.2e6, 0.01],
+])("the light forms of %s", (source, mostBytes, leastAlike) => {
+	it("for the web: small, few draw calls, the same to look at, and valid where it can be looked into", async () => {
+		const { parts, about } = await plant(source);
+		const detailed = await meshesIn(exportGlb(parts(), about));
+		const [web, twin] = [await webGlb(parts(), about), await webGlb(parts(), about, false)];
+		expect(web.length).toBeLessThan(mostBytes);
+		expect(await complaints(twin)).toEqual([]);
+		const { asset, meshes, extensionsRequired = [] } = documentOf(web);
+		expect(extensionsRequired.toSorted()).toEqual(["EXT_meshopt_compression", "KHR_mesh_quantization"]);
+		expect(asset.extras.link).toBe(about.link);
+		expect(meshes?.length).toBeLessThanOrEqual(5);
+		const [unpacked, plain] = [await meshesIn(web), await meshesIn(twin)];
+		for (const [i, { geometry }] of unpacked.entries()) {
+			const other = plain[i].geometry;
+			expect(Object.keys(geometry.attributes).toSorted()).toEqual(Object.keys(other.attributes).toSorted());
+			for (const [name, attribute] of Object.entries(geometry.attributes)) {
+				expect(valuesOf(attribute).equals(valuesOf(other.attributes[name])), name).toBe(true);
+			}
+			expect(geometry.index?.count).toBe(other.index?.count);
+		}
+		expect(boxesApart(boxOf(detailed), boxOf(unpacked))).toBeLessThan(0.002);
+		expect(trianglesOf(unpacked)).toBeLessThan(trianglesOf(detailed));
+		for (const axis of [0, 2])
+			expect(unlike(silhouette(detailed, axis), silhouette(unpacked, axis))).toBeLessThan(0.006);
+	}, 60_000);
+
+	it("low: no more triangles than asked for, and the same outline", async () => {
+		const { parts, about } = await plant(source);
+		const detailed = await meshesIn(exportGlb(parts(), about));
+		for (const budget of [LOW_TRIANGLES, 5000]) {
+			const low = await lowGlb(parts(), about, budget);
+			expect(await complaints(low)).toEqual([]);
+			expect(documentOf(low).extensionsRequired).toBeUndefined();
+			const meshes = await meshesIn(low);
+			const most = Math.min(budget, trianglesOf(detailed));
+			expect(trianglesOf(meshes)).toBeLessThanOrEqual(most);
+			expect(trianglesOf(meshes)).toBeGreaterThan(0.5 * most);
+			if (budget !== LOW_TRIANGLES) continue;
+			for (const axis of [0, 2]) {
+				expect(unlike(silhouette(detailed, axis), silhouette(meshes, axis))).toBeLessThan(leastAlike);
+			}
+		}
+	}, 60_000);
+});
+
+describe("the light forms of a plant of no model", () => {
+	it.each([
+		["in standard materials", plain],
+		["with colours, centres and children", fruits],
+		["with nothing in it", () => []],
+	])("are valid %s, and the same every time", async (_, parts) => {
+		for (const make of [() => webGlb(parts(), ABOUT, false), () => lowGlb(parts(), ABOUT, 100)]) {
+			const glb = await make();
+			expect((await complaints(glb)).filter(({ code }) => code !== "NODE_EMPTY")).toEqual([]);
+			expect(Buffer.from(glb).equals(await make())).toBe(true);
+		}
+	});
+});

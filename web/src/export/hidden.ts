@@ -1,0 +1,134 @@
+/**
+ * Triangles that nobody can see: those that lie inside closed meshes, as the ends of twigs do in what they bear and in what bears
+ * them, and where closed meshes press flat against each other.
+ */
+import type { Mesh } from "../plant/plant";
+import { boundsOf, type Piece } from "./piece";
+import { welded } from "./weld";
+
+/**
+ * The pieces without such triangles; those of which nothing is left are left out.
+ * @param within how far in front of a surface it may be covered, metres: what lies nearer than this has nothing to be seen between
+ */
+export function withoutHidden(pieces: readonly Piece[], within: number): Piece[] {
+	const boxes = pieces.map(({ mesh }) => boundsOf([mesh.positions]));
+	const closed = new Map<Uint32Array, boolean>();
+	const bodies = pieces.flatMap(({ mesh }, i) => {
+		// What shares its triangles is closed, or open, with the others.
+		const whole = closed.get(mesh.indices) ?? isClosed(mesh);
+		closed.set(mesh.indices, whole);
+		return whole ? [new Body(mesh, boxes[i])] : [];
+	});
+	return pieces.flatMap((piece, i) => {
+		const about = bodies.filter(({ box }) => overlap(box, boxes[i], within));
+		if (about.length === 0) return [piece];
+		const indices = visible(piece.mesh, about, within);
+		return indices.length > 0 ? [{ ...piece, mesh: { ...piece.mesh, indices } }] : [];
+	});
+}
+
+function visible({ positions, normals, indices }: Mesh, about: readonly Body[], within: number): Uint32Array {
+	const inside = (x: number, y: number, z: number) => about.some((body) => body.holds(x, y, z));
+	const front = positions.map((value, i) => value + within * normals[i]);
+	const hidden = new Uint8Array(positions.length / 3);
+	for (let v = 0; v < hidden.length; v++) hidden[v] = Number(inside(front[3 * v], front[3 * v + 1], front[3 * v + 2]));
+	const kept: number[] = [];
+	for (let at = 0; at < indices.length; at += 3) {
+		const [a, b, c] = [indices[at], indices[at + 1], indices[at + 2]];
+		const middle = (k: number) => (front[3 * a + k] + front[3 * b + k] + front[3 * c + k]) / 3;
+		// In the middle as well: what is about it need not be convex.
+		const covered = hidden[a] && hidden[b] && hidden[c] && inside(middle(0), middle(1), middle(2));
+		if (!covered) kept.push(a, b, c);
+	}
+	return Uint32Array.from(kept);
+}
+
+interface Box {
+	low: readonly number[];
+	high: readonly number[];
+}
+
+const overlap = (one: Box, other: Box, margin: number) =>
+	[0, 1, 2].every((k) => one.low[k] <= other.high[k] + margin && other.low[k] <= one.high[k] + margin);
+
+/** Whether every edge has a triangle on either side, equal positions being one corner. */
+export function isClosed(mesh: Mesh): boolean {
+	const { indices, count } = welded({ positions: mesh.positions, indices: mesh.indices });
+	const edges = new Map<number, number>();
+	for (let at = 0; at < indices.length; at += 3) {
+		for (let k = 0; k < 3; k++) {
+			const [from, to] = [indices[at + k], indices[at + ((k + 1) % 3)]];
+			const key = Math.min(from, to) * count + Math.max(from, to);
+			edges.set(key, (edges.get(key) ?? 0) + Math.sign(to - from));
+		}
+	}
+	return edges.size > 0 && [...edges.values()].every((sum) => sum === 0);
+}
+
+/** Columns along x, across a body's box. */
+const COLUMNS = 12;
+/** Shares of the box by which points are moved, so that no ray runs along an edge of what is symmetrical. */
+const ASIDE = [1.7e-6, 2.3e-6] as const;
+
+/** A closed mesh as what it holds: how often its surface winds about a point, along a ray in the direction of x. */
+class Body {
+	readonly #positions: Float32Array;
+	/** Corners of the triangles that a ray of each column may meet. */
+	readonly #columns: number[][] = Array.from({ length: COLUMNS * COLUMNS }, () => []);
+
+	constructor(
+		{ positions, indices }: Mesh,
+		readonly box: Box,
+	) {
+		this.#positions = positions;
+		for (let at = 0; at < indices.length; at += 3) {
+			const corners = [indices[at], indices[at + 1], indices[at + 2]];
+			const [y0, y1] = this.#range(corners, 1);
+			const [z0, z1] = this.#range(corners, 2);
+			for (let y = y0; y <= y1; y++) {
+				for (let z = z0; z <= z1; z++) this.#columns[y * COLUMNS + z].push(...corners);
+			}
+		}
+	}
+
+	holds(x: number, y: number, z: number): boolean {
+		const { low, high } = this.box;
+		if (x <= low[0] || x >= high[0] || y <= low[1] || y >= high[1] || z <= low[2] || z >= high[2]) return false;
+		const [ry, rz] = [y + ASIDE[0] * (high[1] - low[1]), z + ASIDE[1] * (high[2] - low[2])];
+		const corners = this.#columns[this.#column(ry, 1) * COLUMNS + this.#column(rz, 2)];
+		let turns = 0;
+		for (let at = 0; at < corners.length; at += 3) {
+			turns += this.#crossing(3 * corners[at], 3 * corners[at + 1], 3 * corners[at + 2], x, ry, rz);
+		}
+		return turns !== 0;
+	}
+
+	/** ±1 where the ray from the point meets the triangle, by the side it comes from. */
+	#crossing(a: number, b: number, c: number, x: number, y: number, z: number): number {
+		const p = this.#positions;
+		const ay = p[a + 1] - y;
+		const az = p[a + 2] - z;
+		const by = p[b + 1] - y;
+		const bz = p[b + 2] - z;
+		const cy = p[c + 1] - y;
+		const cz = p[c + 2] - z;
+		const u = by * cz - bz * cy;
+		const v = cy * az - cz * ay;
+		const w = ay * bz - az * by;
+		const inside = (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+		if (!inside) return 0;
+		const sum = u + v + w;
+		return (u * p[a] + v * p[b] + w * p[c]) / sum > x ? Math.sign(sum) : 0;
+	}
+
+	#range(corners: readonly number[], axis: number): [number, number] {
+		const columns = corners.map((corner) => this.#column(this.#positions[3 * corner + axis], axis));
+		return [Math.min(...columns), Math.max(...columns)];
+	}
+
+	#column(value: number, axis: number): number {
+		const { low, high } = this.box;
+		const share = (value - low[axis]) / (high[axis] - low[axis] || 1);
+		return Math.max(0, Math.min(COLUMNS - 1, Math.floor(COLUMNS * share)));
+	}
+}

@@ -1,0 +1,69 @@
+/**
+ * A plant in few triangles and few draw calls, for pages, games and phones: what nobody sees is gone, each material is one mesh, and
+ * single parts have no names any more. Of the parts of any model.
+ */
+import type { Material, Picture, Textures } from "../plant/material";
+import type { Part } from "../plant/part";
+import { drawCalls } from "./draw_calls";
+import { withoutHidden } from "./hidden";
+import { extentOf, type Piece, piecesOf } from "./piece";
+import { simplified } from "./simplified";
+import { sparse } from "./sparse";
+
+/** Readers draw each by itself. */
+const MOST_DRAWN = 5;
+/** A quarter of a pixel where the plant fills a view a thousand pixels high, as a share of its extent. */
+const UNSEEN = 1 / 4000;
+
+export interface Light {
+	/** Triangles at the most; without it as few as look the same. */
+	triangles?: number;
+	/** Pixels that pictures have along an edge, at the most. */
+	pixels: number;
+}
+
+/** One part for each thing that is drawn at once; at most 5. */
+export async function lightParts(parts: Iterable<Part>, { triangles, pixels }: Light): Promise<Part[]> {
+	const all = triangles === undefined ? parts : sparse([...parts], triangles);
+	const calls = drawCalls(visible([...piecesOf(all)]), MOST_DRAWN);
+	const light = await simplified(calls, triangles === undefined ? { error: UNSEEN } : { triangles });
+	const small = new Map<Picture, Picture>();
+	return light.map(({ material, mesh }) => {
+		const shape = { mesh, material: withPictures(material, (picture) => known(small, picture, pixels)) };
+		return { name: material.name, shape };
+	});
+}
+
+/** What can be seen of pieces from outside. */
+export function visible(pieces: readonly Piece[]): Piece[] {
+	return withoutHidden(pieces, UNSEEN * extentOf(pieces));
+}
+
+function known(pictures: Map<Picture, Picture>, picture: Picture, pixels: number): Picture {
+	const small = pictures.get(picture) ?? shrunk(picture, pixels);
+	pictures.set(picture, small);
+	return small;
+}
+
+function withPictures(material: Material, change: (picture: Picture) => Picture): Material {
+	if (!material.textures) return material;
+	const { repeats, ...pictures } = material.textures;
+	const entries = Object.entries(pictures).map(([kind, picture]) => [kind, change(picture)]);
+	return { ...material, textures: { ...(Object.fromEntries(entries) as Textures), ...(repeats ? { repeats } : {}) } };
+}
+
+/** Halved as often as it takes, each pixel the mean of four. */
+export function shrunk(picture: Picture, most: number): Picture {
+	const { width, height, pixels } = picture;
+	if (Math.max(width, height) <= most) return picture;
+	const channels = pixels.length / (width * height);
+	const [w, h] = [Math.max(1, width >> 1), Math.max(1, height >> 1)];
+	const half = new Uint8Array(channels * w * h);
+	for (let i = 0; i < half.length; i++) {
+		const [x, y, channel] = [Math.floor(i / channels) % w, Math.floor(i / channels / w), i % channels];
+		const at = (dx: number, dy: number) =>
+			pixels[channels * (Math.min(height - 1, 2 * y + dy) * width + Math.min(width - 1, 2 * x + dx)) + channel];
+		half[i] = Math.round((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1)) / 4);
+	}
+	return shrunk({ width: w, height: h, pixels: half }, most);
+}

@@ -1,0 +1,83 @@
+/**
+ * Colours of vertices as a picture with texture coordinates, for readers that know no colours of vertices. What a plant is coloured in
+ * lies near a plane in the space of colours: the picture is that plane, along its two principal axes, and what blends between
+ * vertices blends on it.
+ */
+import { type Colour, clamp, encoded } from "../plant/colour";
+import type { Picture } from "../plant/material";
+
+/** Pixels along an edge; eight bits have no more steps than a few of them tell apart. */
+const EDGE = 64;
+const ROUNDS = 60;
+
+export interface Palette {
+	picture: Picture;
+	/** 2 × vertices: u to the right, v down. */
+	uvs: Float32Array;
+}
+
+/** @param colours 3 × vertices, linear light */
+export function paletteOf(colours: Float32Array): Palette {
+	const shown = new Float32Array(colours.length);
+	for (let i = 0; i < colours.length; i += 3) shown.set(encoded([colours[i], colours[i + 1], colours[i + 2]]), i);
+	const count = Math.max(1, colours.length / 3);
+	const mean = [0, 1, 2].map((k) => shown.reduce((sum, value, i) => (i % 3 === k ? sum + value : sum), 0) / count);
+	const spread = covariance(shown, mean);
+	const first = principal(spread);
+	const second = principal(without(spread, first));
+	const axes = [first, second];
+	const places = new Float32Array(2 * count);
+	const [low, high] = [
+		[0, 0],
+		[0, 0],
+	];
+	for (let vertex = 0; vertex < colours.length / 3; vertex++) {
+		for (const [j, axis] of axes.entries()) {
+			const value = [0, 1, 2].reduce((sum, k) => sum + axis[k] * (shown[3 * vertex + k] - mean[k]), 0);
+			places[2 * vertex + j] = value;
+			low[j] = Math.min(low[j], value);
+			high[j] = Math.max(high[j], value);
+		}
+	}
+	const reach = low.map((value, j) => high[j] - value || 1);
+	const pixels = new Uint8Array(3 * EDGE * EDGE);
+	for (let i = 0; i < pixels.length; i++) {
+		const [x, y, k] = [Math.floor(i / 3) % EDGE, Math.floor(i / 3 / EDGE), i % 3];
+		const at = [x, y].map((step, j) => low[j] + (step / (EDGE - 1)) * reach[j]);
+		pixels[i] = Math.round(255 * clamp(mean[k] + at[0] * first[k] + at[1] * second[k]));
+	}
+	// From the middle of the first pixel to the middle of the last.
+	const uvs = places.map((value, i) => (0.5 + ((value - low[i % 2]) / reach[i % 2]) * (EDGE - 1)) / EDGE);
+	return { picture: { width: EDGE, height: EDGE, pixels }, uvs };
+}
+
+type Matrix = number[][];
+
+function covariance(values: Float32Array, mean: readonly number[]): Matrix {
+	const sums = [0, 1, 2].map(() => [0, 0, 0]);
+	for (let at = 0; at < values.length; at += 3) {
+		for (const [i, row] of sums.entries()) {
+			for (let j = 0; j < 3; j++) row[j] += (values[at + i] - mean[i]) * (values[at + j] - mean[j]);
+		}
+	}
+	return sums;
+}
+
+/** The axis along which values spread most, of unit length, by powers of the matrix. */
+function principal(matrix: Matrix): Colour {
+	let axis: Colour = [0.6, 0.64, 0.48];
+	for (let round = 0; round < ROUNDS; round++) {
+		const [x, y, z] = matrix.map((row) => row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
+		const length = Math.hypot(x, y, z);
+		if (length < 1e-20) return axis;
+		axis = [x / length, y / length, z / length];
+	}
+	return axis;
+}
+
+/** What is left beside an axis. */
+function without(matrix: Matrix, axis: Colour): Matrix {
+	const along = matrix.map((row) => row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
+	const strength = along[0] * axis[0] + along[1] * axis[1] + along[2] * axis[2];
+	return matrix.map((row, i) => row.map((value, j) => value - strength * axis[i] * axis[j]));
+}

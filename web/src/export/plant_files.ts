@@ -1,0 +1,136 @@
+/** Files with meshes that there are of every plant: what they are called, and what makes them when one is asked for. */
+import type { Part } from "../plant/part";
+import type { About } from "./about";
+
+/** What a person may say of a file; what a file does not heed changes nothing. */
+export interface FileOptions {
+	/** Of the *low* form, at the most. */
+	readonly triangles?: number;
+	/** Whether light comes through flesh in the *detailed* and the *instanced* form; readers take another pass for it. */
+	readonly translucent?: boolean;
+	/** That nothing is thinner than in files for printers, millimetres. */
+	readonly thickness?: number;
+	/** Of a cloud. */
+	readonly points?: number;
+}
+
+export interface PlantFile {
+	/** Its name for programs: `glb-web`. */
+	readonly key: string;
+	/** As file names end: `glb`. */
+	readonly ending: string;
+	/** Which of those that end so, where there are several; the first is meant where nobody says. */
+	readonly form?: string;
+	readonly title: string;
+	/** One line about it. */
+	readonly about: string;
+	/** After the plant's name. */
+	readonly suffix: string;
+	/** The media type of the file. */
+	readonly type: string;
+	/** Whether it is the file of its kind only where parts share meshes. */
+	readonly shared?: true;
+	/** Whether making it takes seconds. */
+	readonly slow?: true;
+	/** @param parts only read; the same parts and options give the same bytes */
+	make(parts: Iterable<Part>, about: About, options: FileOptions): Promise<Uint8Array<ArrayBuffer>>;
+}
+
+/** Of the *low* form, where nobody says otherwise. */
+export const LOW_TRIANGLES = 20_000;
+
+/** For printers, where nobody says otherwise: what a nozzle of 0.4 mm prints safely. */
+export const THICKNESS = 1;
+/** Of a cloud, where nobody says otherwise. */
+export const POINTS = 100_000;
+
+const GLB = { ending: "glb", type: "model/gltf-binary" } as const;
+
+export const PLANT_FILES: readonly PlantFile[] = [
+	{
+		...GLB,
+		key: "glb",
+		form: "detailed",
+		title: "GLB",
+		about: "glTF, one node per part; opens everywhere",
+		suffix: ".glb",
+		make: async (parts, about, { translucent = false }) =>
+			(await import("./glb")).exportGlb(parts, about, { translucent }),
+	},
+	{
+		...GLB,
+		key: "glb-web",
+		form: "web",
+		title: "GLB for the web",
+		about: "At most 5 draw calls, compressed; for readers of EXT_meshopt_compression",
+		suffix: "-web.glb",
+		make: async (parts, about) => (await import("./web_glb")).webGlb(parts, about),
+	},
+	{
+		...GLB,
+		key: "glb-low",
+		form: "low",
+		title: "GLB, low",
+		about: "As few triangles as you say; opens everywhere",
+		suffix: "-low.glb",
+		make: async (parts, about, { triangles }) => (await import("./low_glb")).lowGlb(parts, about, triangles),
+	},
+	{
+		...GLB,
+		key: "glb-instanced",
+		form: "instanced",
+		title: "GLB, instanced",
+		about: "Equal parts in one node; for readers of EXT_mesh_gpu_instancing",
+		suffix: "-instanced.glb",
+		shared: true,
+		make: async (parts, about, { translucent = false }) =>
+			(await import("./glb")).exportGlb(parts, about, { instancing: true, translucent }),
+	},
+	{
+		key: "usdz",
+		ending: "usdz",
+		type: "model/vnd.usdz+zip",
+		title: "USDZ for phones",
+		about: "Universal Scene Description; stands in the room on an iPhone",
+		suffix: ".usdz",
+		make: async (parts, about) => (await import("./usdz")).usdz(parts, about),
+	},
+	{
+		key: "ply",
+		ending: "ply",
+		type: "application/octet-stream",
+		title: "PLY points",
+		about: "Places, normals and colours, evenly over the surface",
+		suffix: ".ply",
+		make: async (parts, about, { points = POINTS }) => (await import("./ply")).ply(parts, about, points),
+	},
+	{
+		key: "3mf",
+		ending: "3mf",
+		type: "model/3mf",
+		title: "3MF for printers",
+		about: "One closed body in millimetres, thick enough to print",
+		suffix: ".3mf",
+		slow: true,
+		make: async (parts, about, { thickness = THICKNESS }) =>
+			(await import("./three_mf")).threeMf(parts, about, thickness),
+	},
+	{
+		key: "stl",
+		ending: "stl",
+		type: "model/stl",
+		title: "STL for printers",
+		about: "The same body for older programs",
+		suffix: ".stl",
+		slow: true,
+		make: async (parts, about, { thickness = THICKNESS }) => (await import("./stl")).stl(parts, about, thickness),
+	},
+];
+
+/** The file that a name's ending and perhaps a form mean. */
+export function plantFile(ending: string, form?: string): PlantFile | undefined {
+	return PLANT_FILES.find((file) => file.ending === ending && (form === undefined || file.form === form));
+}
+
+/** Of the kinds that have forms, all forms in a sentence's order. */
+export const FORMS = PLANT_FILES.flatMap(({ form }) => form ?? []);

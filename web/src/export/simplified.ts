@@ -1,0 +1,136 @@
+/** Fewer triangles for the same look, by meshoptimizer: edges collapse where that changes shape, light and colour least. */
+import { MeshoptSimplifier } from "meshoptimizer/simplifier";
+import type { PartMesh } from "../plant/part";
+import type { Piece } from "./piece";
+import { welded } from "./weld";
+
+/**
+ * What a difference of normals and of colours counts for, as a share of the whole plant's extent: a normal that is off by a
+ * tenth is as bad as a surface that is off by a two-thousandth.
+ */
+const NORMAL_WEIGHT = 0.005;
+const COLOUR_WEIGHT = 0.02;
+/** Numbers beside the position by which collapses are judged: a normal and a colour. */
+const ATTRIBUTES = 6;
+const WEIGHTS = [...new Array(3).fill(NORMAL_WEIGHT), ...new Array(3).fill(COLOUR_WEIGHT)];
+/** Steps of what makes vertices equal: eighths of a degree, colours as files have them, a 4096th of a picture. */
+const NORMAL_STEPS = 512;
+const COLOUR_STEPS = 255;
+const PICTURE_STEPS = 4096;
+
+export interface Wanted {
+	/** At most so many; what is least missed goes first. Without it only as many go as `error` allows. */
+	triangles?: number;
+	/** How far a surface may come to lie from where it was, as a share of the plant's extent; without it as far as need be. */
+	error?: number;
+}
+
+/** The pieces with fewer vertices and triangles, judged together; those of which nothing is left are left out. */
+export async function simplified(pieces: readonly Piece[], { triangles = 0, error = 1 }: Wanted): Promise<Piece[]> {
+	await MeshoptSimplifier.ready;
+	const one = concatenated(pieces.map(({ mesh }) => lean(mesh)));
+	const target = 3 * triangles;
+	let indices = one.indices;
+	if (indices.length > target && indices.length > 0) {
+		[indices] = MeshoptSimplifier.simplifyWithAttributes(
+			indices,
+			one.positions,
+			3,
+			one.attributes,
+			ATTRIBUTES,
+			WEIGHTS,
+			null,
+			target,
+			error,
+			["Prune"],
+		);
+		// What holds together in too many places yields to a grid.
+		if (triangles > 0 && indices.length > target)
+			[indices] = MeshoptSimplifier.simplifySloppy(indices, one.positions, 3, null, target, 1);
+	}
+	const parts = divided(indices, one.firsts);
+	return pieces.flatMap(({ material }, i) =>
+		parts[i].length > 0 ? [{ material, mesh: compacted(one.meshes[i], parts[i]) }] : [],
+	);
+}
+
+/** Equal vertices as one. */
+function lean(mesh: PartMesh): PartMesh {
+	const { normals, uvs, colours } = mesh;
+	const steps = (values: Float32Array, step: number) => Int32Array.from(values, (value) => Math.round(value * step));
+	const rows = [steps(normals, NORMAL_STEPS), steps(uvs, PICTURE_STEPS)];
+	if (colours) rows.push(steps(colours, COLOUR_STEPS));
+	const { indices, from } = welded(mesh, ...rows);
+	return { ...taken(mesh, from), indices };
+}
+
+interface Whole {
+	meshes: readonly PartMesh[];
+	/** The first vertex of each mesh, and the end of the last. */
+	firsts: number[];
+	positions: Float32Array;
+	attributes: Float32Array;
+	indices: Uint32Array;
+}
+
+function concatenated(meshes: readonly PartMesh[]): Whole {
+	const firsts = [0];
+	for (const { positions } of meshes) firsts.push(firsts[firsts.length - 1] + positions.length / 3);
+	const vertices = firsts[meshes.length];
+	const positions = new Float32Array(3 * vertices);
+	const attributes = new Float32Array(ATTRIBUTES * vertices);
+	const indices = new Uint32Array(meshes.reduce((sum, mesh) => sum + mesh.indices.length, 0));
+	let corner = 0;
+	for (const [i, mesh] of meshes.entries()) {
+		positions.set(mesh.positions, 3 * firsts[i]);
+		for (let vertex = 0; vertex < mesh.positions.length / 3; vertex++) {
+			const at = ATTRIBUTES * (firsts[i] + vertex);
+			attributes.set(mesh.normals.subarray(3 * vertex, 3 * vertex + 3), at);
+			if (mesh.colours) attributes.set(mesh.colours.subarray(3 * vertex, 3 * vertex + 3), at + 3);
+		}
+		for (const index of mesh.indices) indices[corner++] = index + firsts[i];
+	}
+	return { meshes, firsts, positions, attributes, indices };
+}
+
+/** The triangles of each mesh, by its own vertices. */
+function divided(indices: Uint32Array, firsts: readonly number[]): number[][] {
+	const parts: number[][] = firsts.slice(1).map(() => []);
+	for (let at = 0; at < indices.length; at += 3) {
+		let mesh = 0;
+		while (indices[at] >= firsts[mesh + 1]) mesh++;
+		parts[mesh].push(indices[at] - firsts[mesh], indices[at + 1] - firsts[mesh], indices[at + 2] - firsts[mesh]);
+	}
+	return parts;
+}
+
+/** Without the vertices that no triangle has. */
+function compacted(mesh: PartMesh, triangles: readonly number[]): PartMesh {
+	const from: number[] = [];
+	const to = new Int32Array(mesh.positions.length / 3).fill(-1);
+	const indices = Uint32Array.from(triangles, (vertex) => {
+		if (to[vertex] < 0) to[vertex] = from.push(vertex) - 1;
+		return to[vertex];
+	});
+	return { ...taken(mesh, Uint32Array.from(from)), indices };
+}
+
+/** The vertices `from` of a mesh, in that order. */
+export function taken(mesh: PartMesh, from: Uint32Array): PartMesh {
+	const each = (values: Float32Array, width: number) => {
+		if (values.length === 0) return values;
+		const own = new Float32Array(width * from.length);
+		for (const [to, vertex] of from.entries())
+			for (let k = 0; k < width; k++) own[width * to + k] = values[width * vertex + k];
+		return own;
+	};
+	const { positions, normals, uvs, indices, colours, name } = mesh;
+	return {
+		positions: each(positions, 3),
+		normals: each(normals, 3),
+		uvs: each(uvs, 2),
+		indices,
+		...(colours ? { colours: each(colours, 3) } : {}),
+		...(name === undefined ? {} : { name }),
+	};
+}

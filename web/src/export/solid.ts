@@ -1,0 +1,122 @@
+/** A plant as one closed body for printers: nothing of it thinner than asked for. */
+import { MeshoptSimplifier } from "meshoptimizer/simplifier";
+import type { Part } from "../plant/part";
+import { isClosed } from "./hidden";
+import { boundsOf, piecesOf } from "./piece";
+import { type Surface, surfaceOf } from "./surface_nets";
+import { emptyVoxels, fillInside, fillThin, thicken, withoutPinches } from "./voxels";
+
+/** Cells that are the least thickness; smoothing takes half a cell of them (surface_nets.ts). */
+const THICK = 2;
+const KEPT = THICK - 0.5;
+/** More cells than this take more memory than phones have: coarser cells then, and a thicker least. */
+const MOST_CELLS = 16_000_000;
+/** Printers' beds are about as long: what is larger is written at the first of these scales that fits. */
+const LONGEST = 0.25;
+const SCALES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
+/** So often places are left alone where fewer triangles would tear the surface. */
+const ATTEMPTS = 2;
+/** How far a surface may move for fewer triangles, in cells. */
+const SLACK = 0.15;
+
+export interface Solid extends Surface {
+	/** What 1 stands for: 1 for life size, 50 for 1:50. Positions are in metres of the print. */
+	scale: number;
+	/** That nothing is thinner than, metres of the print: what was asked for, or more where the body is too large for so fine a grid. */
+	thickness: number;
+}
+
+/** @param least metres of the print */
+export async function solidOf(parts: Iterable<Part>, least: number): Promise<Solid> {
+	await MeshoptSimplifier.ready;
+	const meshes = [...piecesOf(parts)].map(({ mesh }) => mesh);
+	if (meshes.length === 0)
+		return { positions: new Float32Array(0), indices: new Uint32Array(0), scale: 1, thickness: least };
+	const life = boundsOf(meshes.map(({ positions }) => positions));
+	const extents = life.high.map((value, k) => value - life.low[k]);
+	const scale = SCALES.find((each) => Math.max(...extents) / each <= LONGEST) ?? SCALES[SCALES.length - 1];
+	const printed = meshes.map((mesh) => ({ ...mesh, positions: mesh.positions.map((value) => value / scale) }));
+	const { low, high } = boundsOf(printed.map(({ positions }) => positions));
+	const pitch = pitchFor(
+		extents.map((value) => value / scale),
+		least / KEPT,
+	);
+	const voxels = emptyVoxels(low, high, pitch);
+	fillInside(voxels, printed.filter(closedOnce()));
+	fillThin(voxels, printed);
+	thicken(voxels, THICK);
+	withoutPinches(voxels);
+	const surface = fewer(surfaceOf(voxels), SLACK * pitch);
+	return { ...surface, scale, thickness: KEPT * pitch };
+}
+
+/** The edge of a cell: `wanted`, or as large as keeps the grid within bounds. */
+function pitchFor([x, y, z]: readonly number[], wanted: number): number {
+	let pitch = wanted;
+	const cells = () => [x, y, z].reduce((product, extent) => product * (extent / pitch + 8), 1);
+	while (cells() > MOST_CELLS) pitch *= 1.05;
+	return pitch;
+}
+
+/** Whether a mesh is closed; what shares its triangles is so with it. */
+function closedOnce(): (mesh: Parameters<typeof isClosed>[0]) => boolean {
+	const known = new Map<Uint32Array, boolean>();
+	return (mesh) => {
+		const closed = known.get(mesh.indices) ?? isClosed(mesh);
+		known.set(mesh.indices, closed);
+		return closed;
+	};
+}
+
+/** Fewer triangles. Where edges would get more than two, what is about them stays as it is. */
+function fewer(surface: Surface, error: number): Surface {
+	const { positions, indices } = surface;
+	const vertices = positions.length / 3;
+	const locked = new Uint8Array(vertices);
+	for (let attempt = 0; attempt < ATTEMPTS; attempt++) {
+		const [simple] = MeshoptSimplifier.simplifyWithAttributes(
+			indices,
+			positions,
+			3,
+			new Float32Array(vertices),
+			1,
+			[0],
+			locked,
+			0,
+			error,
+			["ErrorAbsolute"],
+		);
+		const torn = tornAt(simple);
+		if (torn.size === 0) return compacted(positions, simple);
+		for (let at = 0; at < indices.length; at += 3) {
+			const corners = indices.subarray(at, at + 3);
+			if (corners.some((vertex) => torn.has(vertex))) for (const vertex of corners) locked[vertex] = 1;
+		}
+	}
+	return surface;
+}
+
+function compacted(positions: Float32Array, indices: Uint32Array): Surface {
+	const [remap, count] = MeshoptSimplifier.compactMesh(indices);
+	const own = new Float32Array(3 * count);
+	for (const [from, to] of remap.entries()) {
+		if (to < count) own.set(positions.subarray(3 * from, 3 * from + 3), 3 * to);
+	}
+	return { positions: own, indices };
+}
+
+/** The ends of edges that have not just two triangles, which run along them in opposite directions. */
+export function tornAt(indices: Uint32Array): Set<number> {
+	const edges = new Map<number, number>();
+	const torn = new Set<number>();
+	const vertices = indices.reduce((most, vertex) => Math.max(most, vertex + 1), 0);
+	for (let at = 0; at < indices.length; at++) {
+		const edge = indices[at] * vertices + indices[at % 3 === 2 ? at - 2 : at + 1];
+		edges.set(edge, (edges.get(edge) ?? 0) + 1);
+	}
+	for (const [edge, count] of edges) {
+		const [from, to] = [Math.floor(edge / vertices), edge % vertices];
+		if (count !== 1 || edges.get(to * vertices + from) !== 1) torn.add(from).add(to);
+	}
+	return torn;
+}

@@ -1,0 +1,40 @@
+/**
+ * Fewer of what is many, and larger: a crown of a tenth of its leaves that covers as much, as stochastic simplification has it (Cook
+ * et al. 2007, "Stochastic simplification of aggregate detail").
+ */
+import { everyPart, type Instances, type Part, TRANSFORM } from "../plant/part";
+
+/** Triangles that one of many keeps at the least: two make a sheet that folds, two more a tip and a foot. */
+const LEAST_TRIANGLES = 4;
+/** Of all triangles, those that may go to what is many. */
+const SHARE = 0.6;
+
+/** The same parts with so few instances of what is no part by itself that a budget of triangles does for them; ever the same ones. */
+export function sparse(parts: readonly Part[], triangles: number): Part[] {
+	const count = [...everyPart(parts)].reduce((sum, { shape }) => sum + countOf(shape?.instances), 0);
+	const keep = Math.min(1, (SHARE * triangles) / LEAST_TRIANGLES / count);
+	return keep < 1 ? parts.map((part) => thinned(part, keep)) : [...parts];
+}
+
+const countOf = (instances?: Instances) => (instances && !instances.each ? instances.transforms.length / TRANSFORM : 0);
+
+function thinned(part: Part, keep: number): Part {
+	const { shape, children } = part;
+	const held = children ? { ...part, children: children.map((child) => thinned(child, keep)) } : part;
+	if (!shape?.instances || countOf(shape.instances) === 0) return held;
+	return { ...held, shape: { ...shape, instances: fewer(shape.instances, keep) } };
+}
+
+/** Evenly: instances stand in the order in which they grew, neighbours beside each other. */
+function fewer({ transforms, sky, ...rest }: Instances, keep: number): Instances {
+	const count = transforms.length / TRANSFORM;
+	const kept = Array.from({ length: Math.max(1, Math.round(keep * count)) }, (_, i) => Math.floor((i + 0.5) / keep));
+	const chosen = kept.filter((index) => index < count);
+	const larger = 1 / Math.sqrt(keep);
+	const own = new Float32Array(TRANSFORM * chosen.length);
+	for (const [to, index] of chosen.entries()) {
+		own.set(transforms.subarray(TRANSFORM * index, TRANSFORM * (index + 1)), TRANSFORM * to);
+		own[TRANSFORM * to + 7] *= larger;
+	}
+	return { ...rest, transforms: own, ...(sky ? { sky: Uint8Array.from(chosen, (index) => sky[index]) } : {}) };
+}

@@ -1,0 +1,172 @@
+/** A body as cells of a grid: what closed meshes hold, and what no cell is thick enough to show made thick. */
+import type { Mesh } from "../plant/plant";
+
+/** Cells, 1 where there is body; x runs fastest. The outermost layer on every side is empty. */
+export interface Voxels {
+	readonly size: readonly [x: number, y: number, z: number];
+	/** The corner of the first cell, and the edge of every cell. */
+	readonly origin: readonly number[];
+	readonly pitch: number;
+	readonly cells: Uint8Array;
+}
+
+/** Empty layers about what is asked for: as far as bodies may grow, and one. */
+const MARGIN = 4;
+
+export function emptyVoxels(low: readonly number[], high: readonly number[], pitch: number): Voxels {
+	const count = (axis: number) => Math.ceil((high[axis] - low[axis]) / pitch) + 2 * MARGIN;
+	const size = [count(0), count(1), count(2)] as const;
+	const origin = low.map((value) => value - MARGIN * pitch);
+	return { size, origin, pitch, cells: new Uint8Array(size[0] * size[1] * size[2]) };
+}
+
+/** Fills the cells whose middle any of the closed meshes holds: about which all of them together wind. */
+export function fillInside({ size: [nx, ny, nz], origin, pitch, cells }: Voxels, closed: readonly Mesh[]): void {
+	// What a row along x passes through, by rows: where, and whether into or out of a body.
+	const rows = new Map<number, number[]>();
+	const at = (mesh: Mesh, vertex: number, axis: number) =>
+		(mesh.positions[3 * vertex + axis] - origin[axis]) / pitch - 0.5;
+	for (const mesh of closed) {
+		for (let i = 0; i < mesh.indices.length; i += 3) {
+			const [a, b, c] = [mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]];
+			const [ay, by, cy] = [at(mesh, a, 1) + ASIDE[0], at(mesh, b, 1) + ASIDE[0], at(mesh, c, 1) + ASIDE[0]];
+			const [az, bz, cz] = [at(mesh, a, 2) + ASIDE[1], at(mesh, b, 2) + ASIDE[1], at(mesh, c, 2) + ASIDE[1]];
+			const [ax, bx, cx] = [at(mesh, a, 0), at(mesh, b, 0), at(mesh, c, 0)];
+			const [z1, y1] = [
+				Math.min(nz - 1, Math.floor(Math.max(az, bz, cz))),
+				Math.min(ny - 1, Math.floor(Math.max(ay, by, cy))),
+			];
+			for (let z = Math.max(0, Math.ceil(Math.min(az, bz, cz))); z <= z1; z++) {
+				for (let y = Math.max(0, Math.ceil(Math.min(ay, by, cy))); y <= y1; y++) {
+					const u = (by - y) * (cz - z) - (bz - z) * (cy - y);
+					const v = (cy - y) * (az - z) - (cz - z) * (ay - y);
+					const w = (ay - y) * (bz - z) - (az - z) * (by - y);
+					if (!((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0))) continue;
+					const row = rows.get(z * ny + y) ?? [];
+					row.push((u * ax + v * bx + w * cx) / (u + v + w), u > 0 ? -1 : 1);
+					rows.set(z * ny + y, row);
+				}
+			}
+		}
+	}
+	for (const [row, crossings] of rows) fillRow(cells.subarray(row * nx, (row + 1) * nx), crossings);
+}
+
+/** Shares of a cell by which meshes are moved, so that no row runs along an edge of what is symmetrical. */
+const ASIDE = [1.7e-5, 2.3e-5] as const;
+
+function fillRow(row: Uint8Array, crossings: readonly number[]): void {
+	const order = Array.from({ length: crossings.length / 2 }, (_, i) => i).sort(
+		(i, j) => crossings[2 * i] - crossings[2 * j],
+	);
+	let turns = 0;
+	for (const [k, i] of order.entries()) {
+		turns += crossings[2 * i + 1];
+		if (turns === 0 || k + 1 === order.length) continue;
+		const [from, to] = [Math.ceil(crossings[2 * i]), Math.floor(crossings[2 * order[k + 1]])];
+		if (to >= from) row.fill(1, Math.max(0, from), Math.min(row.length, to + 1));
+	}
+}
+
+/** Fills the cells that surfaces pass through where no cell about them is filled: what is thinner than a cell. */
+export function fillThin(voxels: Voxels, surfaces: readonly Mesh[]): void {
+	const {
+		size: [nx, ny],
+		origin,
+		pitch,
+		cells,
+	} = voxels;
+	const near = cells.slice();
+	widen(near, voxels.size, -1, 1);
+	const mark = (x: number, y: number, z: number) => {
+		const cell = (Math.floor(z) * ny + Math.floor(y)) * nx + Math.floor(x);
+		if (near[cell] === 0) cells[cell] = 1;
+	};
+	for (const { positions, indices } of surfaces) {
+		const at = (vertex: number) => [0, 1, 2].map((k) => (positions[3 * vertex + k] - origin[k]) / pitch);
+		for (let i = 0; i < indices.length; i += 3) {
+			const [a, b, c] = [at(indices[i]), at(indices[i + 1]), at(indices[i + 2])];
+			const steps = Math.ceil(2 * Math.max(distance(a, b), distance(b, c), distance(c, a))) || 1;
+			for (let u = 0; u <= steps; u++) {
+				for (let v = 0; v <= steps - u; v++) {
+					const [s, t] = [u / steps, v / steps];
+					const along = (k: number) => a[k] + s * (b[k] - a[k]) + t * (c[k] - a[k]);
+					mark(along(0), along(1), along(2));
+				}
+			}
+		}
+	}
+}
+
+const distance = (a: readonly number[], b: readonly number[]) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+
+/**
+ * Makes the body a union of cubes of `thick` cells: so thick it is everywhere then. What is thicker stays as it is (an opening);
+ * what is thinner grows about its middle.
+ */
+export function thicken({ size, cells }: Voxels, thick: number): void {
+	const [before, after] = [-Math.floor((thick - 1) / 2), Math.ceil((thick - 1) / 2)];
+	const opened = cells.slice();
+	narrow(opened, size, before, after);
+	widen(opened, size, before, after);
+	for (let i = 0; i < cells.length; i++) cells[i] = cells[i] & ~opened[i];
+	widen(cells, size, before, after);
+	for (let i = 0; i < cells.length; i++) cells[i] |= opened[i];
+}
+
+/** Cells from whose place less `from` … `to` along each axis a filled one is seen (a dilation by a box). */
+function widen(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
+	slide(cells, size, from, to, 1);
+}
+
+/** Cells about which, `from` … `to` along each axis, all are filled (an erosion by a box). */
+function narrow(cells: Uint8Array, size: Voxels["size"], from: number, to: number): void {
+	slide(cells, size, from, to, 0);
+}
+
+/** One axis after the other. `wins` is the value that spreads: filled ones seen from ahead, empty ones from behind. */
+function slide(cells: Uint8Array, [nx, ny, nz]: Voxels["size"], from: number, to: number, wins: 0 | 1): void {
+	const [first, last] = wins ? [-to, -from] : [from, to];
+	const axes = [
+		[nx, 1, ny * nz, nx],
+		[ny, nx, nx * nz, 0],
+		[nz, nx * ny, nx * ny, 0],
+	] as const;
+	for (const [axis, [count, step, rows]] of axes.entries()) {
+		const row = new Uint8Array(count);
+		for (let r = 0; r < rows; r++) {
+			const start = axis === 0 ? r * nx : axis === 1 ? Math.floor(r / nx) * nx * ny + (r % nx) : r;
+			let any = false;
+			for (let i = 0; i < count; i++) {
+				row[i] = cells[start + i * step];
+				any ||= row[i] !== 0;
+			}
+			if (!any) continue;
+			for (let i = 0; i < count; i++) {
+				let value: number = 1 - wins;
+				for (let k = Math.max(0, i + first); k <= Math.min(count - 1, i + last) && value !== wins; k++) value = row[k];
+				cells[start + i * step] = value;
+			}
+		}
+	}
+}
+
+/** Fills one cell of every square of four in which only two that are across from each other are filled: there edges would meet four faces. */
+export function withoutPinches({ size: [nx, ny, nz], cells }: Voxels): void {
+	const pairs = [
+		[1, nx],
+		[1, nx * ny],
+		[nx, nx * ny],
+	];
+	for (let changed = true; changed; ) {
+		changed = false;
+		for (let i = 0; i < nx * ny * (nz - 1) - nx - 1; i++) {
+			for (const [u, v] of pairs) {
+				const [a, b, c, d] = [cells[i], cells[i + u], cells[i + v], cells[i + u + v]];
+				if (a !== d || b !== c || a === b) continue;
+				cells[a ? i + u : i] = 1;
+				changed = true;
+			}
+		}
+	}
+}

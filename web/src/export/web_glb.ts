@@ -1,0 +1,32 @@
+/** The *web* form: what pages load, as small as it looks the same. Readers must know meshoptimizer's compression, as three.js does. */
+import { MeshoptEncoder } from "meshoptimizer/encoder";
+import type { Part, PartMesh } from "../plant/part";
+import type { About } from "./about";
+import { exportGlb } from "./glb";
+import { lightParts } from "./light";
+import { taken } from "./simplified";
+
+const PIXELS = 512;
+
+/**
+ * The file: at most 5 draw calls, KHR_mesh_quantization and EXT_meshopt_compression.
+ * @param compressed without it the same values in the same order stand there as they are, for readers that cannot unpack them
+ */
+export async function webGlb(parts: Iterable<Part>, about: About, compressed = true): Promise<Uint8Array<ArrayBuffer>> {
+	await MeshoptEncoder.ready;
+	const light = (await lightParts(parts, { pixels: PIXELS })).map(ordered);
+	return exportGlb(light, about, compressed ? { encoder: MeshoptEncoder } : { compact: true });
+}
+
+/** Triangles and vertices in an order that packs well. */
+function ordered(part: Part): Part {
+	if (!part.shape) return part;
+	const { mesh } = part.shape;
+	const indices = mesh.indices.slice();
+	// It writes the triangles, in their new order and by their new vertices, where the old ones were.
+	const [to, count] = MeshoptEncoder.reorderMesh(indices, true, true);
+	const from = new Uint32Array(count);
+	for (const [vertex, place] of to.entries()) if (place < count) from[place] = vertex;
+	const own: PartMesh = { ...taken(mesh, from), indices };
+	return { ...part, shape: { ...part.shape, mesh: own } };
+}

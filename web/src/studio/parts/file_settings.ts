@@ -1,0 +1,27 @@
+/** What a person may say of files before choosing one. */
+import { html } from "lit";
+import { LOW_TRIANGLES, THICKNESS } from "../../export/plant_files";
+import type { Asked } from "../files/formats";
+
+type Options = Asked["options"];
+
+/** @param changed called with all of them once one has another value that can be used */
+export function fileSettings(options: Options, changed: (options: Options) => void): unknown {
+	const number = ({ target }: Event) => {
+		const field = target as HTMLInputElement;
+		if (field.checkValidity() && field.value !== "") changed({ ...options, [field.name]: field.valueAsNumber });
+	};
+	const check = ({ target }: Event) => changed({ ...options, translucent: (target as HTMLInputElement).checked });
+	return html`<fieldset class="file-settings">
+		<legend>For these files</legend>
+		<label>Triangles, low
+			<input type="number" name="triangles" min="100" max="10000000" step="1" .value=${String(options.triangles ?? LOW_TRIANGLES)} @change=${number}>
+		</label>
+		<label>Least thickness, printers (mm)
+			<input type="number" name="thickness" min="0.2" max="20" step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
+		</label>
+		<label>Light through pale flesh
+			<input type="checkbox" name="translucent" .checked=${options.translucent ?? false} @change=${check}>
+		</label>
+	</fieldset>`;
+}
