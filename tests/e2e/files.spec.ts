@@ -67,13 +67,17 @@ test("OBJ with its MTL in one archive", async ({ page }) => {
 	expect(obj.match(/^v /gm)?.length).toBeGreaterThan(1000);
 });
 
-test("the picture is a PNG of the view", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0);
-	const { bytes } = await studio.download("png");
-	expect(bytes.subarray(1, 4).toString()).toBe("PNG");
-	const box = await studio.canvas.boundingBox();
-	expect(bytes.readUInt32BE(16)).toBe(2 * Math.round(box?.width ?? 0));
+test.describe("to the eye", () => {
+	test.use({ drawn: true });
+
+	test("the picture is a PNG of the view", async ({ page }) => {
+		const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0);
+		const { bytes } = await studio.download("png");
+		expect(bytes.subarray(1, 4).toString()).toBe("PNG");
+		const box = await studio.canvas.boundingBox();
+		expect(bytes.readUInt32BE(16)).toBe(2 * Math.round(box?.width ?? 0));
+	});
 });
 
 test("a file that is none of ours is refused with a word and the bunch stays", async ({ page }) => {
