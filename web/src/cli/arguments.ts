@@ -1,5 +1,6 @@
 /** The words of the command line → what is asked for, still unread. */
 import { parseArgs } from "node:util";
+import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";
 
 export interface Call {
@@ -12,8 +13,10 @@ export interface Call {
 	/** By key; where a key is given twice, the last value. */
 	set: Record<string, string>;
 	grammarFile: string | undefined;
-	/** A file. */
+	/** A file; of a series, a folder. */
 	out: string | undefined;
+	/** Undefined where one plant is asked for. */
+	batch: BatchCall | undefined;
 }
 
 /** @throws UsageError */
@@ -30,6 +33,7 @@ export function readArguments(words: readonly string[]): Call {
 		set: Object.fromEntries((values.set ?? []).map(readSetting)),
 		grammarFile: last(values.grammar),
 		out: last(values.out),
+		batch: readBatch(values),
 	};
 }
 
@@ -40,6 +44,7 @@ const OPTIONS = {
 	set: { type: "string", multiple: true },
 	grammar: { type: "string", multiple: true },
 	out: { type: "string", short: "o", multiple: true },
+	...BATCH_OPTIONS,
 } as const;
 
 function parse(words: readonly string[]) {
