@@ -7,6 +7,7 @@ import { plantToSave } from "../files/plant_to_save";
 import type { Studio } from "../studio";
 import { isAltered } from "../title";
 import { TRY_AGAIN } from "../types";
+import type { ManyDialog } from "./many_dialog";
 import { StudioPart } from "./studio_part";
 
 /** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
@@ -32,7 +33,8 @@ export class DownloadMenu extends StudioPart {
 				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
 			${this.#making?.slow ? progress(this.#making) : nothing}
-			${this.#open ? html`<div class="menu" role="menu" aria-label="Download" @keydown=${this.#keyDown}>${formats.map((format) => this.#item(format))}</div>` : nothing}`;
+			${this.#open ? html`<div class="menu" role="menu" aria-label="Download" @keydown=${this.#keyDown}>${formats.map((format) => this.#item(format))}${manyItem(() => this.#many())}</div>` : nothing}
+			<panicle-many .desk=${studio}></panicle-many>`;
 	}
 
 	#item(format: Download): unknown {
@@ -113,6 +115,22 @@ export class DownloadMenu extends StudioPart {
 		}
 	}
 
+	/** Its dialog is loaded when it is first asked for. */
+	async #many(): Promise<void> {
+		this.#close();
+		const button = this.querySelector<HTMLElement>("button");
+		try {
+			await import("./many_dialog");
+			button?.focus();
+			await this.querySelector<ManyDialog>("panicle-many")?.open();
+		} catch {
+			const again = () => void this.#many();
+			this.desk.notify("The series could not be asked for", ["Part of the page could not be fetched.", TRY_AGAIN], {
+				again,
+			});
+		}
+	}
+
 	#explain(error: unknown, format: Download): void {
 		const title = `The ${format.title} could not be made`;
 		const text = error instanceof Error ? error.message : String(error);
@@ -120,6 +138,12 @@ export class DownloadMenu extends StudioPart {
 			this.desk.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(format) });
 		else this.desk.notify(title, [text]);
 	}
+}
+
+function manyItem(open: () => Promise<void>): unknown {
+	return html`<button type="button" role="menuitem" data-format="many" @click=${open}>
+		Many in one ZIP…<small>A series of seeds, with what you vary, and a table</small>
+	</button>`;
 }
 
 function progress({ title, cancel }: Making): unknown {
