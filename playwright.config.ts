@@ -16,7 +16,8 @@ export default defineConfig({
 	testDir: "tests/e2e",
 	testMatch: "**/*.spec.ts",
 	outputDir: "build/e2e",
-	workers: 1,
+	// A test waits more than it works.
+	workers: 2,
 	forbidOnly: !!process.env.CI,
 	timeout: 120_000,
 	expect: { timeout: 15_000 },
