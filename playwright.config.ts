@@ -7,6 +7,8 @@ const { chromium } = locate(["chromium"]).found;
 
 // WebGL 2 on any machine, with or without a graphics card. The sandbox cannot start for the superuser.
 const flags = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+// The page around the canvas needs no graphics card, nor one that software acts.
+flags.push("--disable-gpu-compositing");
 if (process.getuid?.() === 0) flags.push("--no-sandbox");
 
 /** End-to-end tests: the built app in dist/, in the system's Chromium. */
@@ -14,7 +16,8 @@ export default defineConfig({
 	testDir: "tests/e2e",
 	testMatch: "**/*.spec.ts",
 	outputDir: "build/e2e",
-	workers: 1,
+	// A test waits more than it works.
+	workers: 2,
 	forbidOnly: !!process.env.CI,
 	timeout: 120_000,
 	expect: { timeout: 15_000 },

@@ -25,5 +25,8 @@ export default defineConfig({
 		include: ["tests/{web,golden,fuzz,tools,toy}/**/*.test.ts", "tests/*.test.ts"],
 		globalSetup: at("tests/core_module.ts"),
 		testTimeout: 20_000,
+		// Of two processors one would stand idle by default.
+		pool: "threads",
+		maxWorkers: "100%",
 	},
 });

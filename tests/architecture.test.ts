@@ -35,9 +35,10 @@ const webRooms: Record<string, string[]> = {
 	export: ["core", "specimen", "plant"],
 	models: beforeModels,
 	files: [...beforeModels, "models"],
+	batch: [...beforeModels, "models", "files"],
 	element: [...beforeModels, "models", "files"],
-	studio: [...beforeModels, "models", "files", "element"],
-	cli: ["core", "specimen", "plant", "export", "models"],
+	studio: [...beforeModels, "models", "files", "batch", "element"],
+	cli: ["core", "specimen", "plant", "export", "models", "files", "batch"],
 };
 
 /** Rooms that say where the built core lies; the others get it from them. */

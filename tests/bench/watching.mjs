@@ -8,6 +8,7 @@ import { join } from "node:path";
 import { build, preview } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { launch } from "../e2e/browser.mjs";
+import { withoutDrawing } from "../e2e/without_drawing.mjs";
 import { printTable } from "./statistics.mjs";
 import { heaviestIn, tasksOf } from "./trace.mjs";
 
@@ -108,11 +109,4 @@ function sayPaused(words) {
 		const says = () => button.ariaLabel === "Play" && console.log(words);
 		new MutationObserver(says).observe(button, { attributeFilter: ["aria-label"] });
 	}).observe(document, { childList: true, subtree: true });
-}
-
-/** In the page: nothing is drawn, copied or cleared; buffers, textures and programs are sent as ever. */
-function withoutDrawing() {
-	const drawing = ["drawElements", "drawArrays", "drawElementsInstanced", "drawArraysInstanced", "drawRangeElements"];
-	const pixels = ["clear", "blitFramebuffer", "copyTexSubImage2D", "generateMipmap"];
-	for (const name of [...drawing, ...pixels]) WebGL2RenderingContext.prototype[name] = () => {};
 }

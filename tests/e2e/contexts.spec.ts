@@ -1,6 +1,8 @@
 import { expect, test } from "./fixtures";
 import { openViews, serveViews } from "./views_page";
 
+test.use({ drawn: true });
+
 /** What views take of the graphics card, and give back. Browsers keep some sixteen contexts, and drop the oldest beyond. */
 let host: Awaited<ReturnType<typeof serveViews>>;
 test.beforeAll(async () => {

@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
 import { inflateRawSync } from "node:zlib";
+import { strFromU8, unzipSync } from "fflate";
 import { validateBytes } from "gltf-validator";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
@@ -67,7 +68,7 @@ test("JSON: the numbers of the page, and it restores its bunch from the picker",
 	await expect(studio.fingerprint).toHaveText(first);
 });
 
-test("OBJ with its MTL in one archive", async ({ page }) => {
+test("OBJ with its MTL in one archive, and a series of plants in one", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
 	const { name, bytes } = await studio.download("obj");
 	expect(name).toBe("lychee-1-obj.zip");
@@ -76,15 +77,48 @@ test("OBJ with its MTL in one archive", async ({ page }) => {
 	const obj = inflateRawSync(bytes.subarray(start, start + packed)).toString();
 	expect(obj).toContain("mtllib lychee-1.mtl");
 	expect(obj.match(/^v /gm)?.length).toBeGreaterThan(1000);
+
+	// Many: what cannot be read is said where it was typed, a long series is called off, a short one comes as one archive.
+	await studio.button("Download").click();
+	await page.locator("[data-format=many]").click();
+	const dialog = page.getByRole("dialog", { name: "Many in one ZIP" });
+	const grow = async (seeds: string, vary: string) => {
+		await dialog.getByLabel("Seeds").fill(seeds);
+		await dialog.getByLabel("Vary").fill(vary);
+		await dialog.getByRole("button", { name: "Grow them" }).click();
+	};
+	await dialog.getByLabel("Files").selectOption("JSON");
+	await grow("1-2", "age=60..900");
+	await expect(dialog.getByRole("alert")).toHaveText("age: 900 is above the greatest value, 125.");
+	await grow("1-1000", "age=60..110");
+	await expect(dialog.getByRole("progressbar", { name: "Growing the series" })).toBeVisible();
+	await expect(dialog.getByRole("status")).toContainText(/[1-9]\d* of 1000/);
+	await dialog.getByRole("button", { name: /^Cancel/ }).click();
+	await expect(dialog.getByRole("progressbar")).toHaveCount(0);
+	await expect(dialog.getByRole("alert")).toHaveCount(0);
+	const downloading = page.waitForEvent("download");
+	await grow("1-2", "age=60..110");
+	const download = await downloading;
+	expect(download.suggestedFilename()).toBe("lychee-1-2.zip");
+	const files = unzipSync(new Uint8Array(readFileSync(await download.path())));
+	expect(Object.keys(files)).toEqual(["lychee-1.json", "lychee-2.json", "plants.csv"]);
+	const [header, first] = strFromU8(files["plants.csv"]).split("\r\n");
+	expect(header).toMatch(/^seed,file,bytes,crc32,fingerprint,link,set_age,/);
+	expect(first).toContain(JSON.parse(strFromU8(files["lychee-1.json"])).fingerprint);
+	await expect(dialog).toBeHidden();
 });
 
-test("the picture is a PNG of the view", async ({ page }) => {
-	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0);
-	const { bytes } = await studio.download("png");
-	expect(bytes.subarray(1, 4).toString()).toBe("PNG");
-	const box = await studio.canvas.boundingBox();
-	expect(bytes.readUInt32BE(16)).toBe(2 * Math.round(box?.width ?? 0));
+test.describe("to the eye", () => {
+	test.use({ drawn: true });
+
+	test("the picture is a PNG of the view", async ({ page }) => {
+		const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0);
+		const { bytes } = await studio.download("png");
+		expect(bytes.subarray(1, 4).toString()).toBe("PNG");
+		const box = await studio.canvas.boundingBox();
+		expect(bytes.readUInt32BE(16)).toBe(2 * Math.round(box?.width ?? 0));
+	});
 });
 
 test("a file that is none of ours is refused with a word and the bunch stays", async ({ page }) => {

@@ -4,15 +4,19 @@ import { expect, test } from "./fixtures";
 import { serveUnder } from "./static_server";
 import { StudioPage } from "./studio_page";
 
-test("the first load shows a bunch, its numbers and its marks", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
-	await expect(studio.canvas).toHaveAccessibleName(/^Grape bunch: \d+ berries, 23 cm long$/);
-	await expect.poll(() => page.evaluate(() => performance.getEntriesByName("first-bunch").length)).toBe(1);
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
-	await expect(studio.readout("Rachis segments")).toHaveText("18");
-	expect(Number(await studio.readout("Berries").innerText())).toBeGreaterThan(20);
-	await expect(page).toHaveTitle("Long conical 1 · Panicle");
-	expect(page.url()).toMatch(/\/(\?v=2)?$/);
+test.describe("to the eye", () => {
+	test.use({ drawn: true });
+
+	test("the first load shows a bunch, its numbers and its marks", async ({ page }) => {
+		const studio = await new StudioPage(page).open();
+		await expect(studio.canvas).toHaveAccessibleName(/^Grape bunch: \d+ berries, 23 cm long$/);
+		await expect.poll(() => page.evaluate(() => performance.getEntriesByName("first-bunch").length)).toBe(1);
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+		await expect(studio.readout("Rachis segments")).toHaveText("18");
+		expect(Number(await studio.readout("Berries").innerText())).toBeGreaterThan(20);
+		await expect(page).toHaveTitle("Long conical 1 · Panicle");
+		expect(page.url()).toMatch(/\/(\?v=2)?$/);
+	});
 });
 
 test("what packs and writes files is no part of the first load", async ({ page }) => {

@@ -1,4 +1,5 @@
 import { test as base, expect, type Page } from "@playwright/test";
+import { withoutDrawing } from "./without_drawing.mjs";
 
 /** What a page complained of, and what a test says it will complain of. */
 export class Complaints {
@@ -32,8 +33,22 @@ export class Complaints {
 	}
 }
 
-/** Playwright's `test`, failing when the page complains: errors in the console, uncaught errors, failed requests. */
-export const test = base.extend<{ complaints: Complaints }>({
+interface Fixtures {
+	complaints: Complaints;
+	/** Whether pages draw: `test.use({ drawn: true })` where what is seen in 3-D is looked at. */
+	drawn: boolean;
+}
+
+/**
+ * Playwright's `test`, failing when the page complains: errors in the console, uncaught errors, failed requests. Pages do all
+ * but draw in 3-D, which by software costs more than all else, unless `drawn`.
+ */
+export const test = base.extend<Fixtures>({
+	drawn: [false, { option: true }],
+	context: async ({ context, drawn }, use) => {
+		if (!drawn) await context.addInitScript(withoutDrawing);
+		await use(context);
+	},
 	complaints: [
 		async ({ page }, use) => {
 			const complaints = new Complaints();

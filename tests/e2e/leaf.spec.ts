@@ -61,7 +61,7 @@ test("Escape calls off a drag, and the lock lets go of the other side", async ({
 
 test("a leaf is downloaded as GLB, JSON and SVG", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?model=leaf&preset=oak");
-	await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
+	await studio.stands();
 	const glb = await studio.download("glb");
 	expect(glb.name).toBe("oak-1.glb");
 	const { issues } = await validateBytes(new Uint8Array(glb.bytes));

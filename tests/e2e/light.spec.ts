@@ -1,6 +1,8 @@
 import { expect, test } from "./fixtures";
 import { brightness, drawn, openViews, type Seen, serveViews, whereTheyDiffer } from "./views_page";
 
+test.use({ drawn: true });
+
 /** Laws of the view's light, told by means over small pictures: no picture is kept, and margins are wide. */
 let host: Awaited<ReturnType<typeof serveViews>>;
 test.beforeAll(async () => {

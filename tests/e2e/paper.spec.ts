@@ -1,6 +1,8 @@
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
+test.use({ drawn: true });
+
 test("a leaf's shadow lies on the paper to its right, and no edge shows where it ends", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=leaf&preset=lime");
 	const view = page.getByRole("application", { name: /leaf/i });

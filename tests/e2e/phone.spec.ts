@@ -15,21 +15,25 @@ async function touchDrag(page: Page, from: { x: number; y: number }, dx: number,
 	await touch("touchEnd", []);
 }
 
-test("one view at a time, chosen by a switch", async ({ page }) => {
-	const studio = await new StudioPage(page).open();
-	const front = page.getByRole("region", { name: "Front view" });
-	const side = page.getByRole("region", { name: "Side view" });
-	await expect(studio.canvas).toBeVisible();
-	await expect(front).toBeHidden();
-	await page.getByRole("radio", { name: "Front" }).check();
-	await expect(front).toBeVisible();
-	await expect(side).toBeHidden();
-	await expect(studio.canvas).toBeHidden();
-	await page.getByRole("radio", { name: "Side" }).check();
-	await expect(side).toBeVisible();
-	await page.getByRole("radio", { name: "3-D" }).check();
-	await expect(studio.canvas).toBeVisible();
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+test.describe("to the eye", () => {
+	test.use({ drawn: true });
+
+	test("one view at a time, chosen by a switch", async ({ page }) => {
+		const studio = await new StudioPage(page).open();
+		const front = page.getByRole("region", { name: "Front view" });
+		const side = page.getByRole("region", { name: "Side view" });
+		await expect(studio.canvas).toBeVisible();
+		await expect(front).toBeHidden();
+		await page.getByRole("radio", { name: "Front" }).check();
+		await expect(front).toBeVisible();
+		await expect(side).toBeHidden();
+		await expect(studio.canvas).toBeHidden();
+		await page.getByRole("radio", { name: "Side" }).check();
+		await expect(side).toBeVisible();
+		await page.getByRole("radio", { name: "3-D" }).check();
+		await expect(studio.canvas).toBeVisible();
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+	});
 });
 
 test("a thumb drags a handle, and that is one undo step", async ({ page }) => {

@@ -1,6 +1,8 @@
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
+test.use({ drawn: true });
+
 /** Whether two pictures are the same but for the last digit, which compositing at an edge need not give twice. */
 const same = (one: Uint8Array, other: Uint8Array) =>
 	one.length === other.length && one.every((level, at) => Math.abs(level - other[at]) <= 2);

@@ -11,6 +11,11 @@ export class StudioPage {
 		return this;
 	}
 
+	/** Waits until the plant stands in the 3-D view, where it can be pointed at. */
+	async stands(): Promise<void> {
+		await this.page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
+	}
+
 	get fingerprint(): Locator {
 		return this.page.locator("[data-fingerprint]");
 	}

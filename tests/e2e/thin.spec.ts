@@ -5,7 +5,7 @@ const NATURAL = "?v=2&preset=short-conical";
 
 /** The middle of the 3-D view, where a berry is. */
 async function middle(studio: StudioPage): Promise<{ x: number; y: number }> {
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+	await studio.stands();
 	const box = await studio.canvas.boundingBox();
 	if (!box) throw new Error("no canvas");
 	return { x: box.x + box.width / 2, y: box.y + box.height / 2 };

@@ -20,7 +20,7 @@ test("a model of three files is shown, edited, linked, undone and downloaded", a
 	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
 	await expect(page).toHaveTitle("Upright shrub 1 · Panicle");
 	await expect(page.getByRole("application", { name: /^Toy shrub: 40 twigs, 27 fruits/ })).toBeVisible();
-	await page.waitForFunction(() => performance.getEntriesByName("first-bunch").length > 0);
+	await studio.stands();
 
 	const upright = await studio.fingerprint.innerText();
 	const spread = studio.slider("Spread");

@@ -110,19 +110,23 @@ test("a long growth says so and can be cancelled", async ({ page }) => {
 	await studio.regrown(() => studio.slider("Length").press("PageDown"));
 });
 
-test("a lost context is told and comes back", async ({ page, complaints }) => {
-	complaints.expect(/CONTEXT_LOST|Context Lost/i);
-	const studio = await new StudioPage(page).open();
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
-	await studio.canvas.evaluate((canvas: HTMLCanvasElement) => {
-		const loss = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context");
-		Object.assign(globalThis, { loss });
-		loss?.loseContext();
+test.describe("to the eye", () => {
+	test.use({ drawn: true });
+
+	test("a lost context is told and comes back", async ({ page, complaints }) => {
+		complaints.expect(/CONTEXT_LOST|Context Lost/i);
+		const studio = await new StudioPage(page).open();
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
+		await studio.canvas.evaluate((canvas: HTMLCanvasElement) => {
+			const loss = canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context");
+			Object.assign(globalThis, { loss });
+			loss?.loseContext();
+		});
+		await expect(alert(page)).toContainText("The picture was lost");
+		await page.evaluate(() => (globalThis as unknown as { loss: WEBGL_lose_context }).loss.restoreContext());
+		await expect(alert(page)).toHaveCount(0);
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 	});
-	await expect(alert(page)).toContainText("The picture was lost");
-	await page.evaluate(() => (globalThis as unknown as { loss: WEBGL_lose_context }).loss.restoreContext());
-	await expect(alert(page)).toHaveCount(0);
-	await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 });
 
 test("a grammar with an error in it is told with its line and column", async ({ page }) => {

@@ -1,4 +1,5 @@
 import { execFileSync } from "node:child_process";
+import { join } from "node:path";
 import type { Page } from "@playwright/test";
 import type { Views } from "../views/page";
 import { serveUnder } from "./static_server";
@@ -12,8 +13,18 @@ declare global {
 
 /** Builds the page that is nothing but views (tests/views) and serves it. */
 export async function serveViews(): Promise<{ address: string; close(): Promise<void> }> {
-	execFileSync(process.execPath, ["node_modules/vite/bin/vite.js", "build", "--config", "tests/views/vite.config.ts"]);
-	return serveUnder("/", "build/views");
+	// Another worker's tests may be looking at what it has built.
+	const folder = `build/views/${process.env.TEST_PARALLEL_INDEX}`;
+	const built = [
+		"build",
+		"--config",
+		"tests/views/vite.config.ts",
+		"--outDir",
+		join(process.cwd(), folder),
+		"--emptyOutDir",
+	];
+	execFileSync(process.execPath, ["node_modules/vite/bin/vite.js", ...built]);
+	return serveUnder("/", folder);
 }
 
 export async function openViews(page: Page, address: string): Promise<void> {

@@ -1,5 +1,5 @@
-import { spawn } from "node:child_process";
-import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { execFileSync, spawn } from "node:child_process";
+import { cp, mkdtemp, readdir, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -54,6 +54,37 @@ it("writes files", async () => {
 it("ends with 2 and one line where the call cannot be used", async () => {
 	const { status, out, err } = await grow("--set", "l=x");
 	expect({ status, out, err }).toEqual({ status: 2, out: "", err: "grow: --set l: “x” is not a number\n" });
+});
+
+it("grows a series into a folder that it makes, and goes on where it was broken off", async () => {
+	const into = join(folder, "not/yet");
+	const words = ["redcurrant", "--set", "count=5", "--seeds", "1-2", "--out", into];
+	const first = await grow(...words);
+	const last = (lines: string) => lines.trimEnd().split("\n").at(-1);
+	expect({ ...first, err: last(first.err) }).toEqual({
+		status: 0,
+		out: "",
+		err: `2 plants: 2 grown, 0 there before; ${join(into, "plants.csv")}`,
+	});
+	expect((await readdir(into)).sort()).toEqual(["plants.csv", "redcurrant-1.glb", "redcurrant-2.glb"]);
+	await rm(join(into, "redcurrant-2.glb"));
+	const again = await grow(...words);
+	expect(last(again.err)).toBe(`2 plants: 1 grown, 1 there before; ${join(into, "plants.csv")}`);
+	expect(await readdir(into)).toHaveLength(3);
+});
+
+it("is all in what the container file copies", async () => {
+	const image = join(folder, "image");
+	const lines = (await readFile(join(repository, "Containerfile"), "utf8")).split("\n");
+	for (const [, from, to] of lines.flatMap((line) => [...line.matchAll(/^COPY (\S+) (\S+)$/g)])) {
+		await cp(join(repository, from), join(image, to), { recursive: true });
+	}
+	const entry = lines.find((line) => line.startsWith("ENTRYPOINT "))?.slice("ENTRYPOINT ".length);
+	const [program, ...words] = JSON.parse(entry ?? "[]") as string[];
+	expect(program).toBe("node");
+	const series = ["leaf/lime", "--set", "n=40", "--seeds", "1", "--as", "obj", "--out", "out"];
+	execFileSync(process.execPath, [...words, ...series], { cwd: image, stdio: "pipe" });
+	expect((await readdir(join(image, "out"))).sort()).toEqual(["lime-1-obj.zip", "plants.csv"]);
 });
 
 it("keeps still when its reader has seen enough", async () => {

@@ -3,15 +3,18 @@ import { run } from "../../../web/src/cli/run";
 import type { Surroundings } from "../../../web/src/cli/surroundings";
 import { freshCore } from "../core/wasm";
 
-/** Surroundings that keep everything in memory. */
-export function memoryWorld(files: Record<string, string | Uint8Array> = {}) {
+/** Surroundings that keep everything in memory. @param environment variables by name */
+export function memoryWorld(
+	files: Record<string, string | Uint8Array> = {},
+	environment: Surroundings["environment"] = {},
+) {
 	const written = new Map<string, string | Uint8Array>();
 	const printed: string[] = [];
 	const said: string[] = [];
 	const missing = (path: string) => Object.assign(new Error(`ENOENT: ${path}`), { code: "ENOENT" });
 	const world: Surroundings = {
 		readFile: async (path) => {
-			const data = files[path];
+			const data = files[path] ?? written.get(path);
 			if (data === undefined) throw missing(path);
 			return typeof data === "string" ? new TextEncoder().encode(data) : data;
 		},
@@ -19,6 +22,11 @@ export function memoryWorld(files: Record<string, string | Uint8Array> = {}) {
 			if (path.startsWith("nowhere/")) throw missing(path);
 			written.set(path, data);
 		},
+		replaceFile: async (path, data) => world.writeFile(path, data),
+		appendFile: async (path, text) => world.writeFile(path, `${written.get(path) ?? ""}${text}`),
+		removeFile: async (path) => void written.delete(path),
+		makeFolder: async () => {},
+		environment,
 		loadCore: freshCore,
 		print: (text) => printed.push(text),
 		say: (line) => said.push(line),
@@ -27,16 +35,16 @@ export function memoryWorld(files: Record<string, string | Uint8Array> = {}) {
 }
 
 /** Runs the command in such surroundings. */
-export async function grow(words: string[], files?: Parameters<typeof memoryWorld>[0]) {
-	const memory = memoryWorld(files);
+export async function grow(words: string[], ...world: Parameters<typeof memoryWorld>) {
+	const memory = memoryWorld(...world);
 	const status = await run(words, memory.world);
 	const [text = ""] = memory.printed;
 	return { status, ...memory, json: text.startsWith("{") ? JSON.parse(text) : undefined };
 }
 
 /** The one line that a call which cannot be used leaves on standard error. */
-export async function complaint(words: string[], files?: Parameters<typeof memoryWorld>[0]): Promise<string> {
-	const { status, said, printed, written } = await grow(words, files);
+export async function complaint(words: string[], ...world: Parameters<typeof memoryWorld>): Promise<string> {
+	const { status, said, printed, written } = await grow(words, ...world);
 	expect(status).toBe(2);
 	expect(printed).toEqual([]);
 	expect(written.size).toBe(0);

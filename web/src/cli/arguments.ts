@@ -1,6 +1,7 @@
 /** The words of the command line → what is asked for, still unread. */
 import { parseArgs } from "node:util";
 import type { FileOptions } from "../export/plant_files";
+import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";
 
 export interface Call {
@@ -14,11 +15,13 @@ export interface Call {
 	set: Record<string, string>;
 	grammarFile: string | undefined;
 	boundaryFile: string | undefined;
-	/** A file. */
-	out: string | undefined;
 	/** Which of the files that end like `out`. */
 	form: string | undefined;
 	files: FileOptions;
+	/** A file; of a series, a folder. */
+	out: string | undefined;
+	/** Undefined where one plant is asked for. */
+	batch: BatchCall | undefined;
 }
 
 /** @throws UsageError */
@@ -43,6 +46,7 @@ export function readArguments(words: readonly string[]): Call {
 			...numberOf("points", last(values.points), 1, 10_000_000),
 			...(values.translucent ? { translucent: true } : {}),
 		},
+		batch: readBatch(values),
 	};
 }
 
@@ -59,6 +63,7 @@ const OPTIONS = {
 	thickness: { type: "string", multiple: true },
 	points: { type: "string", multiple: true },
 	translucent: { type: "boolean" },
+	...BATCH_OPTIONS,
 } as const;
 
 function parse(words: readonly string[]) {

@@ -1,5 +1,5 @@
 /** `npm run -s grow -- …`, bundled for Node by wasm-core/tools/grow.mjs. Does its work when it is loaded. */
-import { readFile, writeFile } from "node:fs/promises";
+import { appendFile, mkdir, readFile, rename, rm, writeFile } from "node:fs/promises";
 import { loadCoreFromBytes } from "../core/loader";
 import { run } from "./run";
 
@@ -20,6 +20,15 @@ process.stdout.on("error", (error: NodeJS.ErrnoException) => {
 process.exitCode = await run(process.argv.slice(2), {
 	readFile,
 	writeFile,
+	replaceFile: async (path, data) => {
+		const unfinished = `${path}.new`;
+		await writeFile(unfinished, data);
+		await rename(unfinished, path);
+	},
+	appendFile,
+	removeFile: (path) => rm(path, { force: true }),
+	makeFolder: async (path) => void (await mkdir(path, { recursive: true })),
+	environment: process.env,
 	loadCore: async (wasm) => loadCoreFromBytes(await coreBytes(wasm)),
 	print: (text) => process.stdout.write(text),
 	say: (line) => process.stderr.write(`${line}\n`),

@@ -6,15 +6,17 @@ import type { Plant } from "../plant/plant";
 import { type Call, readArguments } from "./arguments";
 import { askedModel, askedSpecimen, reasonOf } from "./asked_specimen";
 import { endingOf, endingsOf, filesOf, jsonOf } from "./outputs";
+import { growSeries } from "./series";
 import type { Surroundings } from "./surroundings";
 import { UsageError, usage } from "./usage";
 
-/** @returns the exit status: 0 grown, 1 the core broke or is missing, 2 something in the call cannot be used */
+/** @returns the exit status: 0 grown, 1 the core broke or is missing or some of a series did not grow, 2 something in the call cannot be used */
 export async function run(words: readonly string[], world: Surroundings): Promise<number> {
 	try {
 		const call = readArguments(words);
 		if (call.help) world.print(usage(await askedModel(call.source), modelNames()));
 		else if (call.list) world.print(await listed());
+		else if (call.batch) return await growSeries(call, call.batch, world);
 		else await growAndWrite(call, world);
 		return 0;
 	} catch (error) {

@@ -1,6 +1,9 @@
 /** What the command says about itself. */
 
+import { formatsOf } from "../batch/series";
+
 import { FORMS, LOW_TRIANGLES, POINTS, THICKNESS } from "../export/plant_files";
+
 import { DEFAULT_MODEL } from "../models/index";
 import type { Model } from "../models/model";
 import { endingsOf } from "./outputs";
@@ -26,6 +29,7 @@ export function usage(
 
   npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--boundary FILE]
                      [--out FILE] [--form FORM] [--triangles N] [--translucent] [--thickness MM] [--points N]
+  npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND] --out DIR
   npm run -s grow -- --list
 
   MODEL/PRESET     a preset of any model (--list): ${name}/${presets.standard}; MODEL alone is its first choice
@@ -44,10 +48,16 @@ export function usage(
   --thickness MM   that nothing is thinner than in an .stl or .3mf (default: ${THICKNESS})
   --points N       of a .ply (default: ${POINTS})
   --translucent    light comes through pale skins in a .glb, which costs readers a pass
+  --seeds 1-100    a series: a file for each seed and a table, plants.csv, into the folder DIR;
+                   what is there and whole is not grown again (docs/batch.md)
+  --vary KEY=…     drawn by the seed: age=60..110, or one of a few: fruit=lychee|duku
+  --shard 3/16     that part of the series; auto in a Slurm array, auto/16 in a Kubernetes Job
+  --as KIND        ${wrapped(formatsOf({ formats }))} (default: glb)
   --list           all models with their presets, as JSON
   --help           this${others.length > 0 ? `; of other models: ${wrapped(others)}` : ""}
 
-Exit status: 0 grown, 1 the core broke or is missing, 2 something in the call cannot be used.
+Exit status: 0 grown, 1 the core broke or is missing, or some of a series did not grow,
+2 something in the call cannot be used.
 What the keys mean: docs/models/*/parameters.md, docs/links.md. Fields of the JSON: docs/command-line.md.
 `;
 }

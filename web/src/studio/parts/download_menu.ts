@@ -5,6 +5,7 @@ import type { MadeAhead } from "../files/made_ahead";
 import type { Studio } from "../studio";
 import { isAltered } from "../title";
 import { TRY_AGAIN } from "../types";
+import type { ManyDialog } from "./many_dialog";
 import { StudioPart } from "./studio_part";
 
 /** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
@@ -30,7 +31,7 @@ export class DownloadMenu extends StudioPart {
 	#ahead: MadeAhead | undefined;
 
 	protected override shows({ state: { shown, picture } }: Studio): readonly unknown[] {
-		return [picture, this.#open ? shown : shown !== undefined];
+		return [picture, this.#offered ? shown : shown !== undefined];
 	}
 
 	protected override draw(studio: Studio): unknown {
@@ -41,12 +42,13 @@ export class DownloadMenu extends StudioPart {
 				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
 			${this.#making?.slow ? progress(this.#making) : nothing}
-			${offered && shown ? this.#menu(offered, offered.formatsOf(shown, studio.state.picture)) : nothing}`;
+			${offered && shown ? this.#menu(offered, offered.formatsOf(shown, studio.state.picture)) : nothing}
+			<panicle-many .desk=${studio}></panicle-many>`;
 	}
 
 	#menu(offered: Offered, formats: readonly Download[]): unknown {
 		return html`<div class="menu" @keydown=${this.#keyDown} @focusout=${this.#focusOut}>
-			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}</div>
+			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}${manyItem(() => this.#many())}</div>
 			${offered.fileSettings(this.#options, (options) => {
 				this.#options = options;
 				void this.#tellSizes(offered);
@@ -162,6 +164,22 @@ export class DownloadMenu extends StudioPart {
 		}
 	}
 
+	/** Its dialog is loaded when it is first asked for. */
+	async #many(): Promise<void> {
+		this.#close();
+		const button = this.querySelector<HTMLElement>("button");
+		try {
+			await import("./many_dialog");
+			button?.focus();
+			await this.querySelector<ManyDialog>("panicle-many")?.open();
+		} catch {
+			const again = () => void this.#many();
+			this.desk.notify("The series could not be asked for", ["Part of the page could not be fetched.", TRY_AGAIN], {
+				again,
+			});
+		}
+	}
+
 	#explain(offered: Offered, error: unknown, format: Download): void {
 		const title = `The ${format.title} could not be made`;
 		const text = error instanceof Error ? error.message : String(error);
@@ -169,6 +187,12 @@ export class DownloadMenu extends StudioPart {
 			this.desk.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(offered, format) });
 		else this.desk.notify(title, [text]);
 	}
+}
+
+function manyItem(open: () => Promise<void>): unknown {
+	return html`<button type="button" role="menuitem" data-format="many" @click=${open}>
+		Many in one ZIP…<small>A series of seeds, with what you vary, and a table</small>
+	</button>`;
 }
 
 function progress({ title, cancel }: Making): unknown {

@@ -1,0 +1,254 @@
+import { createHash } from "node:crypto";
+import { unzipSync } from "fflate";
+import { describe, expect, it } from "vitest";
+import { run } from "../../../web/src/cli/run";
+import { documentOf } from "../export/reading";
+import { complaint, grow, memoryWorld } from "./world";
+
+const SMALL = ["redcurrant", "--set", "count=5", "--out", "d"];
+const TABLE = "d/plants.csv";
+
+type Files = Record<string, string | Uint8Array>;
+
+/** The series with what stands in the folder; all that stands there afterwards. */
+async function series(words: string[], before: Files = {}, environment: Record<string, string> = {}) {
+	const memory = memoryWorld({}, environment);
+	for (const [path, data] of Object.entries(before)) memory.written.set(path, data);
+	const grown: string[] = [];
+	const { replaceFile } = memory.world;
+	const world = {
+		...memory.world,
+		replaceFile: (path: string, data: string | Uint8Array) => {
+			if (!/\.csv/.test(path)) grown.push(path);
+			return replaceFile(path, data);
+		},
+	};
+	const status = await run([...SMALL, ...words], world);
+	return { status, grown, said: memory.said, files: Object.fromEntries(memory.written) };
+}
+
+/** What files hold, short enough to be compared by those who know no faster way than byte by byte. */
+const digests = (files: Files) =>
+	Object.fromEntries(
+		Object.entries(files).map(([path, data]) => [path, createHash("sha256").update(data).digest("hex")]),
+	);
+
+/** Cells by column; of these tables no cell holds a quotation mark. */
+function zipped(names: string[], row: string): [string, string][] {
+	const cells = [...row.matchAll(/(?:^|,)(?:"([^"]*)"|([^,]*))/g)].map(([, quoted, plain]) => quoted ?? plain);
+	return names.map((name, at) => [name, cells[at]]);
+}
+
+function rowsOf(table: unknown): Record<string, string>[] {
+	const [header, ...rows] = String(table).trimEnd().split("\r\n");
+	return rows.map((row) => Object.fromEntries(zipped(header.split(","), row)));
+}
+
+describe("a series", () => {
+	it("is a file for each seed and a table by which each comes back", async () => {
+		const { status, files, said } = await series(["--seeds", "1-3", "--vary", "age=60..110,density=3..8"]);
+		expect(status).toBe(0);
+		expect(Object.keys(files).sort()).toEqual([
+			"d/plants.csv",
+			"d/redcurrant-1.glb",
+			"d/redcurrant-2.glb",
+			"d/redcurrant-3.glb",
+		]);
+		expect(said).toEqual(["3 plants: 3 grown, 0 there before; d/plants.csv"]);
+		const rows = rowsOf(files[TABLE]);
+		expect(rows.map(({ seed }) => seed)).toEqual(["1", "2", "3"]);
+		for (const { file, bytes, link, fingerprint, set_age, set_density, berry_count } of rows) {
+			expect(Number(set_age)).toBeGreaterThanOrEqual(60);
+			expect(Number(set_age)).toBeLessThanOrEqual(110);
+			const glb = files[`d/${file}`] as Uint8Array;
+			expect(glb).toHaveLength(Number(bytes));
+			const { json, written } = await grow([link]);
+			expect(json.fingerprint).toBe(fingerprint);
+			expect(json.specimen.parameters).toMatchObject({ age: Number(set_age), density: Number(set_density), count: 5 });
+			expect(json.measures.berry_count).toBe(Number(berry_count));
+			expect(written.size).toBe(0);
+			const alone = (await grow([link, "--out", "one.glb"])).written.get("one.glb") as Uint8Array;
+			expect(digests({ alone })).toEqual(digests({ alone: glb }));
+		}
+		expect(new Set(rows.map(({ set_age }) => set_age)).size).toBe(3);
+	});
+
+	it("is of any model, and of any kind of file", async () => {
+		const { status, written } = await grow(["leaf/oak", "--set", "n=60", "--seeds", "5", "--as", "svg", "--out", "d"]);
+		expect(status).toBe(0);
+		expect([...written.keys()].sort()).toEqual(["d/oak-5-veins.svg", "d/plants.csv"]);
+		const { files } = await series(["--seeds", "5", "--as", "obj"]);
+		expect(Object.keys(unzipSync(files["d/redcurrant-5-obj.zip"] as Uint8Array))).toContain("redcurrant-5.obj");
+	});
+
+	it("has no time of day or of work in it: grown again, all is the same", async () => {
+		const words = ["--seeds", "1-2", "--as", "json"];
+		const [one, other] = [await series(words), await series(words)];
+		expect(digests(other.files)).toEqual(digests(one.files));
+	});
+});
+
+describe("parts of a series", () => {
+	const words = ["--seeds", "1-3,10-13", "--vary", "age=60..110"];
+
+	it("are together the whole, byte for byte", async () => {
+		const whole = await series(words);
+		for (const total of [2, 3]) {
+			const parts: Files = {};
+			let table = "";
+			for (let part = 1; part <= total; part++) {
+				const { files } = await series([...words, "--shard", `${part}/${total}`]);
+				const name = `d/plants-${part}-of-${total}.csv`;
+				const { [name]: lines, ...others } = files;
+				table += part === 1 ? lines : String(lines).slice(String(lines).indexOf("\r\n") + 2);
+				for (const file of Object.keys(others)) expect(parts).not.toHaveProperty([file]);
+				Object.assign(parts, others);
+			}
+			expect(digests({ ...parts, [TABLE]: table })).toEqual(digests(whole.files));
+		}
+	});
+
+	it("are found by the variables of a Slurm array and of a Kubernetes Job", async () => {
+		const second = await series([...words, "--shard", "2/3"]);
+		const slurm = { SLURM_ARRAY_TASK_ID: "5", SLURM_ARRAY_TASK_MIN: "4", SLURM_ARRAY_TASK_COUNT: "3" };
+		expect(digests((await series([...words, "--shard", "auto"], {}, slurm)).files)).toEqual(digests(second.files));
+		const job = { JOB_COMPLETION_INDEX: "1" };
+		expect(digests((await series([...words, "--shard", "auto/3"], {}, job)).files)).toEqual(digests(second.files));
+	});
+
+	it("may be empty, where there are more of them than plants", async () => {
+		const { status, files } = await series(["--seeds", "1", "--shard", "1/2"]);
+		expect([status, Object.keys(files)]).toEqual([0, ["d/plants-1-of-2.csv"]]);
+	});
+});
+
+describe("a series that was broken off", () => {
+	const words = ["--seeds", "1-4", "--vary", "age=60..110"];
+
+	it("grows what is not there or not whole, and nothing else", async () => {
+		const whole = await series(words);
+		const again = await series(words, whole.files);
+		expect([again.grown, digests(again.files)]).toEqual([[], digests(whole.files)]);
+		expect(again.said).toEqual(["4 plants: 0 grown, 4 there before; d/plants.csv"]);
+
+		const glb = whole.files["d/redcurrant-2.glb"] as Uint8Array;
+		const flipped = glb.slice();
+		flipped[flipped.length >> 1] ^= 1;
+		const { "d/redcurrant-3.glb": _, ...rest } = whole.files;
+		for (const harmed of [flipped, glb.slice(0, -1)]) {
+			const { grown, files } = await series(words, { ...rest, "d/redcurrant-2.glb": harmed });
+			expect(grown).toEqual(["d/redcurrant-2.glb", "d/redcurrant-3.glb"]);
+			expect(digests(files)).toEqual(digests(whole.files));
+		}
+	});
+
+	it("goes on from its journal, whose last line may be half a line", async () => {
+		const whole = await series(words);
+		const lines = String(whole.files[TABLE]).split("\r\n");
+		const journal = `${lines.slice(0, 3).join("\r\n")}\r\n${lines[3].slice(0, 40)}`;
+		const { [TABLE]: __, ...files } = whole.files;
+		const { grown, files: after } = await series(words, { ...files, [`${TABLE}.part`]: journal });
+		expect(grown).toEqual(["d/redcurrant-3.glb", "d/redcurrant-4.glb"]);
+		expect(digests(after)).toEqual(digests(whole.files));
+	});
+
+	it("grows again what another call left under the same name", async () => {
+		const whole = await series(words);
+		const { grown } = await series(["--seeds", "1-4", "--vary", "age=60..100"], whole.files);
+		expect(grown).toHaveLength(4);
+	});
+
+	it("leaves the table of another series alone", async () => {
+		const { files } = await series(["--seeds", "1"]);
+		const { status, said, files: after } = await series(words, files);
+		expect([status, digests(after)]).toEqual([2, digests(files)]);
+		expect(said).toEqual([
+			"grow: --out d: d/plants.csv is of another series; choose another folder, or take the table away",
+		]);
+	});
+});
+
+it("what does not grow leaves a line that says why, and is tried again", async () => {
+	const memory = memoryWorld();
+	let broken = true;
+	const loadCore: typeof memory.world.loadCore = async (wasm) => {
+		const core = await memory.world.loadCore(wasm);
+		const grow: typeof core.grow = (blocks) => {
+			if (!broken) return core.grow(blocks);
+			broken = false;
+			throw new Error("the core broke");
+		};
+		return Object.assign(Object.create(core), { grow });
+	};
+	const words = [...SMALL, "--seeds", "1-2"];
+	expect(await run(words, { ...memory.world, loadCore })).toBe(1);
+	expect(memory.said.at(-1)).toBe("grow: 1 could not be grown; their lines have no file and say why");
+	const rows = rowsOf(memory.written.get(TABLE));
+	expect(rows.map(({ file, notes }) => [file, notes])).toEqual([
+		["", "the core broke"],
+		["redcurrant-2.glb", ""],
+	]);
+	expect(await run(words, memory.world)).toBe(0);
+	expect(memory.said.at(-1)).toBe("2 plants: 1 grown, 1 there before; d/plants.csv");
+});
+
+it("a series in GLB has what each GLB says of itself", async () => {
+	const { files } = await series(["--seeds", "7"]);
+	const [{ link }] = rowsOf(files[TABLE]);
+	expect(link).toContain("seed=7");
+	expect(JSON.stringify(documentOf(files["d/redcurrant-7.glb"] as Uint8Array))).toContain(
+		JSON.stringify(link).slice(1, -1),
+	);
+});
+
+describe("what of a series cannot be used", () => {
+	const refused = (words: string[], environment = {}) => complaint([...SMALL, ...words], {}, environment);
+
+	it.each([
+		[["--seeds", "x"], "--seeds x: “x” is no seed and no range of them; write 1-100 or 1,5,9"],
+		[["--seeds", "9-1"], "--seeds 9-1: 9-1 runs backwards; write 1-9"],
+		[["--seeds", "1-4294967296"], "--seeds 1-4294967296: 4294967296 is above the greatest seed, 4294967295"],
+		[["--seeds", "0-200000"], /^--seeds 0-200000: more than 100000 plants; write several series/],
+		[["--seeds", "1", "--seed", "2"], "--seed and --seeds: write one of them"],
+		[["--vary", "age=1..2"], "--vary is of a series: say which seeds, as in --seeds 1-100"],
+		[["--seeds", "1", "--vary", "age"], /“age”: write KEY=FROM..TO or KEY=ONE\|ANOTHER/],
+		[["--seeds", "1", "--vary", "plum=1..2"], /plum: no parameter has that key/],
+		[["--seeds", "1", "--vary", "age=60..20"], /age=60\.\.20 runs backwards; write age=20\.\.60/],
+		[["--seeds", "1", "--vary", "age=60..900"], /age: 900 is above the greatest value, 125/],
+		[["--seeds", "1", "--vary", "age=60..x"], /age: “x” is not a number/],
+		[["--seeds", "1", "--vary", "age=1.234..9"], /age: 1\.234 has more than two decimals/],
+		[["--seeds", "1", "--vary", "p3=79,76"], /p3 is 2 numbers; vary p3w or p3r/],
+		[["--seeds", "1", "--vary", "fruit=0..2"], /fruit has no values between two others; write fruit=/],
+		[["--seeds", "1", "--vary", "thin=a"], /thin: is no parameter, and cannot be varied/],
+		[["--seeds", "1", "--vary", "age=1..2,age=3..4"], /age is given twice/],
+		[
+			["--seeds", "1", "--as", "stl"],
+			/“stl” is no kind of file of a bunch; there are glb, glb-instanced, obj, json, csv/,
+		],
+		[["--seeds", "1", "--shard", "4/3"], /--shard 4\/3: part 4 of 3; parts count from 1 to 3/],
+		[["--seeds", "1", "--shard", "0/0"], /0 parts; there may be 1 to 10000/],
+		[["--seeds", "1", "--shard", "third"], /“third”: write PART\/PARTS, as in 3\/16/],
+		[["--seeds", "1", "--shard", "auto"], /neither SLURM_ARRAY_TASK_ID nor JOB_COMPLETION_INDEX is set/],
+	])("%j", async (words, said) => {
+		expect(await refused(words as string[])).toMatch(said);
+	});
+
+	it("is told where the variables of an engine do not give a place", async () => {
+		const auto = ["--seeds", "1", "--shard"];
+		const slurm = { SLURM_ARRAY_TASK_ID: "7", SLURM_ARRAY_TASK_MIN: "1", SLURM_ARRAY_TASK_COUNT: "3" };
+		expect(await refused([...auto, "auto"], slurm)).toMatch(
+			/task 7 of 3 from 1 has no place; number the array without gaps/,
+		);
+		expect(await refused([...auto, "auto/4"], { ...slurm, SLURM_ARRAY_TASK_ID: "2" })).toMatch(
+			/the Slurm array has 3 tasks/,
+		);
+		expect(await refused([...auto, "auto"], { JOB_COMPLETION_INDEX: "1" })).toMatch(/write auto\/16/);
+	});
+
+	it("is a folder that is missing or cannot be written", async () => {
+		expect(await complaint(["rubus", "--seeds", "1"])).toBe("--seeds needs a folder for the files: --out DIR");
+		expect(await complaint(["rubus", "--seeds", "1", "--out", "nowhere"])).toMatch(
+			/^--out nowhere\/plants\.csv\.part: no such/,
+		);
+	});
+});

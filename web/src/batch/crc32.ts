@@ -1,0 +1,14 @@
+/** CRC-32 as in ZIP archives and PNG (ISO 3309): tells a file that is whole from one that is not. */
+
+const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
+	let bits = byte;
+	for (let k = 0; k < 8; k++) bits = bits & 1 ? (bits >>> 1) ^ 0xedb88320 : bits >>> 1;
+	return bits;
+});
+
+/** Eight hexadecimal digits. */
+export function crc32(bytes: Uint8Array): string {
+	let sum = 0xffffffff;
+	for (const byte of bytes) sum = (sum >>> 8) ^ TABLE[(sum ^ byte) & 0xff];
+	return ((sum ^ 0xffffffff) >>> 0).toString(16).padStart(8, "0");
+}

@@ -1,0 +1,89 @@
+/** Many plants of one model that differ in seed and in what is varied: the same on any machine, in any order. */
+
+import { PLANT_FILES } from "../export/plant_files";
+import type { FileRequest } from "../files/messages";
+import type { GrowthOptions, Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import { encodeLink } from "../specimen/link";
+import { restore } from "../specimen/restore";
+import type { Specimen } from "../specimen/specimen";
+import { crc32 } from "./crc32";
+import { Unusable } from "./unusable";
+import { drawn, type Varied } from "./vary";
+
+export interface Series {
+	readonly model: Model;
+	/** What all plants have but for seed and what is varied. */
+	readonly from: Specimen;
+	readonly varied: readonly Varied[];
+	/** What files there are of each: a key of `formatsOf`. */
+	readonly format: string;
+}
+
+/** One plant of a series, not yet grown. */
+export interface Member {
+	readonly seed: number;
+	readonly specimen: Specimen;
+	/** The values of what is varied, in its order. */
+	readonly values: readonly string[];
+	/** Query and fragment that bring it back, by themselves. */
+	readonly link: string;
+	/** Its file's name. */
+	readonly file: string;
+}
+
+export interface Grown {
+	readonly plant: Plant;
+	readonly bytes: Uint8Array<ArrayBuffer>;
+	/** CRC-32 of the file. */
+	readonly sum: string;
+}
+
+/** Every kind of file, by its key. */
+export const formatsOf = ({ formats = [] }: Pick<Model, "formats">): string[] => [
+	...[...PLANT_FILES.map(({ key }) => key), "obj", "json"],
+	...formats.map(({ key }) => key),
+];
+
+/** @throws Unusable where there is no such kind of file */
+export function checkFormat(model: Model, format: string): void {
+	const known = formatsOf(model);
+	if (!known.includes(format))
+		throw new Unusable(`“${format}” is no kind of file of a ${model.noun}; there are ${known.join(", ")}`);
+}
+
+/** What the name of a file ends in. */
+function suffixOf({ formats }: Model, format: string): string {
+	const own = formats?.find(({ key }) => key === format);
+	if (own) return own.suffix;
+	if (format === "obj") return "-obj.zip";
+	const [kind, ...form] = format.split("-");
+	return `${["", ...form].join("-")}.${kind}`;
+}
+
+export async function memberOf(series: Series, seed: number): Promise<Member> {
+	const { model, from, varied, format } = series;
+	const values = varied.map((each) => drawn(each, seed));
+	const record = { ...Object.fromEntries(varied.map(({ entry }, at) => [entry.key, values[at]])), seed };
+	const { specimen } = restore(model, record, from);
+	const link = await encodeLink(model, specimen);
+	return { seed, specimen, values, link, file: `${from.preset}-${seed}${suffixOf(model, format)}` };
+}
+
+export interface Means {
+	grow(model: Model, specimen: Specimen, options: GrowthOptions): Promise<Plant>;
+	make(model: Model, request: FileRequest): Promise<Blob>;
+}
+
+/** Grows one and makes its file; throws what these throw. */
+export async function growMember({ model, format }: Series, member: Member, means: Means): Promise<Grown> {
+	const { specimen, link, file } = member;
+	const options = { meshes: format !== "json", measures: true };
+	// How long it took is the machine's, and no part of what is the same everywhere.
+	const plant = { ...(await means.grow(model, specimen, options)), timings: { grow: 0 } };
+	const name = file.slice(0, -suffixOf(model, format).length);
+	const request = { model: model.name, format, grown: plant, specimen, link, name };
+	const blob = await means.make(model, request);
+	const bytes = new Uint8Array(await blob.arrayBuffer());
+	return { plant, bytes, sum: crc32(bytes) };
+}

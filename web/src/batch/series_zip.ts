@@ -1,0 +1,48 @@
+/** A series as one archive: what the command line puts into a folder, byte for byte. */
+import { ZipStream } from "../files/zip";
+import { growMember, type Means, memberOf, type Series } from "./series";
+import { columnsOf, failedRow, rowOf, written } from "./table";
+import { Unusable } from "./unusable";
+
+/** Plants of one archive at the most. */
+export const MOST_IN_ARCHIVE = 1000;
+/** Bytes of one: readers that know no larger ones count up to this. */
+const LARGEST = 2 ** 31;
+
+export interface Watch {
+	/** Cancels: the promise rejects with its reason. */
+	signal: AbortSignal;
+	/** Told after each plant how many are done. */
+	progress(done: number): void;
+}
+
+/**
+ * Grows plant after plant and packs them with their table. One that cannot be grown has its line, which says why.
+ * @throws Unusable where it comes to more than one archive holds, and the signal's reason
+ */
+export async function zipOf(series: Series, seeds: readonly number[], means: Means, watch: Watch): Promise<Blob> {
+	const { signal, progress } = watch;
+	if (seeds.length > MOST_IN_ARCHIVE) {
+		throw new Unusable(`${seeds.length} plants; an archive holds ${MOST_IN_ARCHIVE}, the command line grows more`);
+	}
+	const archive = new ZipStream();
+	const lines = [written(columnsOf(series))];
+	for (const seed of seeds) {
+		signal.throwIfAborted();
+		const member = await memberOf(series, seed);
+		try {
+			const grown = await growMember(series, member, means);
+			archive.add({ name: member.file, bytes: grown.bytes });
+			lines.push(written(rowOf(series, member, grown)));
+		} catch (error) {
+			signal.throwIfAborted();
+			lines.push(written(failedRow(series, member, error instanceof Error ? error.message : String(error))));
+		}
+		if (archive.size > LARGEST) {
+			throw new Unusable(`after ${lines.length - 1} plants the archive is larger than 2 GB; ask for fewer`);
+		}
+		progress(lines.length - 1);
+	}
+	archive.add({ name: "plants.csv", bytes: new TextEncoder().encode(lines.join("")) });
+	return archive.end();
+}

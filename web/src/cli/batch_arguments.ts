@@ -1,0 +1,38 @@
+/** The words that ask for a series of plants in place of one. */
+import { UsageError } from "./usage";
+
+export const BATCH_OPTIONS = {
+	seeds: { type: "string", multiple: true },
+	vary: { type: "string", multiple: true },
+	shard: { type: "string", multiple: true },
+	as: { type: "string", multiple: true },
+} as const;
+
+/** A series, still unread. */
+export interface BatchCall {
+	seeds: string;
+	/** What is varied; undefined: only the seed. */
+	vary: string | undefined;
+	/** Which part of it; undefined: all. */
+	shard: string | undefined;
+	/** The key of a kind of file. */
+	format: string;
+}
+
+type Values = Readonly<Partial<Record<keyof typeof BATCH_OPTIONS | "seed" | "out", string[]>>>;
+
+/**
+ * Undefined where one plant is asked for.
+ * @throws UsageError
+ */
+export function readBatch(values: Values): BatchCall | undefined {
+	const { seeds, vary, shard, as = ["glb"], seed, out } = values;
+	if (!seeds) {
+		const alone = (["vary", "shard", "as"] as const).find((option) => values[option]);
+		if (alone) throw new UsageError(`--${alone} is of a series: say which seeds, as in --seeds 1-100`);
+		return undefined;
+	}
+	if (seed) throw new UsageError("--seed and --seeds: write one of them");
+	if (!out) throw new UsageError("--seeds needs a folder for the files: --out DIR");
+	return { seeds: seeds.join(), vary: vary?.join(), shard: shard?.at(-1), format: as[as.length - 1] };
+}

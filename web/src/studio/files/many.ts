@@ -1,0 +1,50 @@
+/** Many plants of what is on the controls, as one archive: asked for in the words of the command line. */
+import { readSeeds } from "../../batch/seeds";
+import type { Series } from "../../batch/series";
+import { type Watch, zipOf } from "../../batch/series_zip";
+import { readVary } from "../../batch/vary";
+import { Client } from "../../core/client";
+import { exportFile } from "../../files/exporter";
+import { coreAddress } from "../core_address";
+import { Cores } from "../cores";
+import type { StudioState } from "../studio_state";
+
+export interface Many {
+	/** As `--seeds` has them. */
+	readonly seeds: string;
+	/** As `--vary`; empty: only the seed. */
+	readonly vary: string;
+	/** The key of a kind of file. */
+	readonly format: string;
+}
+
+/**
+ * What is asked for, read.
+ * @throws Unusable
+ */
+export function readMany(
+	{ model, specimen }: StudioState,
+	{ seeds, vary, format }: Many,
+): { series: Series; seeds: number[] } {
+	const varied = vary.trim() === "" ? [] : readVary(model, vary, specimen);
+	return { series: { model, from: specimen, varied, format }, seeds: readSeeds(seeds) };
+}
+
+/**
+ * Grows them with a worker of their own, so that the page goes on.
+ * @throws Unusable, the signal's reason, and what the workers say
+ */
+export async function growMany({ series, seeds }: ReturnType<typeof readMany>, watch: Watch): Promise<Blob> {
+	const client = new Client();
+	const cores = new Cores(coreAddress, client);
+	const { signal } = watch;
+	try {
+		const means = {
+			grow: (model, specimen, options) => cores.grow(model, specimen, { ...options, signal }),
+			make: (model, request) => exportFile(model, request, { signal }),
+		} satisfies Parameters<typeof zipOf>[2];
+		return await zipOf(series, seeds, means, watch);
+	} finally {
+		client.close();
+	}
+}
