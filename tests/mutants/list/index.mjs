@@ -14,6 +14,7 @@ import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
 import light from "./light.mjs";
+import lives from "./lives.mjs";
 import lsystem from "./lsystem.mjs";
 import page from "./page.mjs";
 import particles from "./particles.mjs";
@@ -47,6 +48,7 @@ export const groups = [
 	...exporting,
 	...bunchFigure,
 	...scene,
+	...lives,
 	...studio,
 	...files,
 	...light,

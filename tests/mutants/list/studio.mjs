@@ -220,66 +220,6 @@ export default [
 		],
 	},
 	{
-		file: "web/src/controls/life_player.ts",
-		suites: ["tests/web/controls/life_player.test.ts"],
-		faults: [
-			{
-				id: "life-jumps-after-a-nap",
-				find: "Math.min(passed, LONGEST_FRAME)",
-				replace: "passed",
-				breaks: "a page that was hidden jumps to the end of the play",
-			},
-			{
-				id: "life-motion-unwelcome-unheeded",
-				find: "if (this.#clock.stepwise()) {",
-				replace: "if (false) {",
-				breaks: "the bunch moves for those who asked for no motion",
-			},
-			{
-				id: "life-fights-the-hand",
-				find: "if (this.#made && desk.state.specimen !== this.#made) {",
-				replace: "if (false) {",
-				breaks: "a play overrides the hand on a slider",
-			},
-			{
-				id: "life-a-step-a-frame",
-				find: "desk.edit({ parameters: { [this.#life.parameter]: age } }, PLAY);",
-				replace: "desk.set({ parameters: { [this.#life.parameter]: age } });",
-				breaks: "a play leaves hundreds of undo steps",
-			},
-		],
-	},
-	{
-		file: "web/src/controls/life.ts",
-		suites: ["tests/web/controls/life.test.ts"],
-		faults: [
-			{
-				id: "life-stage-too-late",
-				find: "stages.findLast(({ at, from = at }) => from <= age)",
-				replace: "stages.findLast(({ at }) => at <= age)",
-				breaks: "a bunch that ripens is still called green",
-			},
-		],
-	},
-	{
-		file: "web/src/cli/run.ts",
-		suites: ["tests/web/cli/run.test.ts", "tests/web/cli/refusals.test.ts"],
-		faults: [
-			{
-				id: "command-line-errors-succeed",
-				find: "return error instanceof UsageError ? 2 : 1;",
-				replace: "return 0;",
-				breaks: "a script goes on where nothing was grown",
-			},
-			{
-				id: "command-line-unmeasured",
-				find: "json || plantFile(ending)?.form !== undefined]",
-				replace: "false]",
-				breaks: "files of the command hold no measures",
-			},
-		],
-	},
-	{
 		file: "web/src/studio/notice_list.ts",
 		suites: ["tests/web/studio/studio.test.ts"],
 		faults: [

@@ -222,8 +222,8 @@ describe("what of a series cannot be used", () => {
 		[["--seeds", "1", "--vary", "thin=a"], /thin: is no parameter, and cannot be varied/],
 		[["--seeds", "1", "--vary", "age=1..2,age=3..4"], /age is given twice/],
 		[
-			["--seeds", "1", "--as", "stl"],
-			/“stl” is no kind of file of a bunch; there are glb, glb-instanced, obj, json, csv/,
+			["--seeds", "1", "--as", "fbx"],
+			/“fbx” is no kind of file of a bunch; there are glb, glb-web, glb-low, .*, obj, json, csv/,
 		],
 		[["--seeds", "1", "--shard", "4/3"], /--shard 4\/3: part 4 of 3; parts count from 1 to 3/],
 		[["--seeds", "1", "--shard", "0/0"], /0 parts; there may be 1 to 10000/],
