@@ -5,7 +5,7 @@ import type { Leaf } from "../../../../../web/src/models/particles/leaf/grown";
 import { model } from "../../../../../web/src/models/particles/leaf/index";
 import { bladeFields } from "../../../../../web/src/models/particles/leaf/parts/blade_fields";
 import { FacePictures } from "../../../../../web/src/models/particles/leaf/parts/face_pictures";
-import { SHEATH, veinRaster } from "../../../../../web/src/models/particles/leaf/parts/vein_raster";
+import { FAINTEST, SHEATH, veinRaster } from "../../../../../web/src/models/particles/leaf/parts/vein_raster";
 import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
 import type { LeafSpecimen } from "../../../../../web/src/models/particles/leaf/specimen";
 import { polygonArea } from "../../../../../web/src/models/particles/leaf/words";
@@ -51,6 +51,23 @@ describe("the flat leaf in cells", () => {
 		const highest = most(veinRaster(leaf, length, 4 * SIDE).height) / (1000 * most(segments.radii));
 		expect(highest).toBeGreaterThan(0.9);
 		expect(highest).toBeLessThanOrEqual(1.0001);
+	});
+
+	it("has veins of the more of their colour the more energy passes, however wide they are", () => {
+		const side = 90;
+		// Three upright veins, as wide as each other, in the middle of a third of the square each.
+		const chart = Float32Array.from([1, 3, 5].flatMap((sixth) => [sixth / 6, 0.1, sixth / 6, 0.9]));
+		const square = { left: 0, bottom: 0, size: 1 };
+		const inks = (energies: number[]) => {
+			const segments = { count: 3, radii: new Float32Array(6).fill(0.001) };
+			const { ink, cover } = veinRaster({ chart, square, segments, energy: Float32Array.from(energies) }, 90, side);
+			return [15, 45, 75].map((x) => ink[45 * side + x] / cover[45 * side + x]);
+		};
+		const [least, middle, most] = inks([1, 10, 100]);
+		expect(most).toBeCloseTo(1, 5);
+		expect(middle).toBeCloseTo((1 + FAINTEST) / 2, 5);
+		expect(least).toBeCloseTo(FAINTEST, 5);
+		expect(inks([4, 4, 4])).toEqual([1, 1, 1]);
 	});
 
 	it("is fed the farther about a vein the wider it is, fading outward", () => {

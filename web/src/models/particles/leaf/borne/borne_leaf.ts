@@ -111,7 +111,7 @@ function seenVeins(leaf: Leaf): Leaf {
 	const gathered = (values: Float32Array, width: number) =>
 		Float32Array.from(kept.flatMap((piece) => [...values.subarray(width * piece, width * (piece + 1))]));
 	const segments = { ...leaf.segments, count: kept.length, radii: gathered(leaf.segments.radii, 2) };
-	return { ...leaf, chart: gathered(leaf.chart, 4), segments };
+	return { ...leaf, chart: gathered(leaf.chart, 4), energy: gathered(leaf.energy, 1), segments };
 }
 
 /** Its rows go down, the raster's up. */

@@ -52,8 +52,8 @@ export class Commission {
 		if (!this.#next) return;
 		const { leaf, specimen, passing } = this.#next;
 		this.#next = undefined;
-		const { chart, margin, square, segments } = leaf;
-		const flat = { chart, margin, square, segments: { count: segments.count, radii: segments.radii } };
+		const { chart, margin, square, energy, segments } = leaf;
+		const flat = { chart, margin, square, energy, segments: { count: segments.count, radii: segments.radii } };
 		const order = { id: this.#orders, specimen, passing, ...(leaf === this.#given ? {} : { leaf: flat }) };
 		this.#underWay = { order, leaf };
 		this.#given = leaf;

@@ -26,7 +26,7 @@ const INK = 0.85;
 const FLAT = [128, 128, 255] as const;
 
 /** What of a leaf is painted. */
-export type FlatLeaf = Pick<Leaf, "chart" | "margin" | "square"> & {
+export type FlatLeaf = Pick<Leaf, "chart" | "margin" | "square" | "energy"> & {
 	segments: Pick<Leaf["segments"], "count" | "radii">;
 };
 
@@ -156,7 +156,7 @@ function shown(value: number): number {
 }
 
 /** The blade's colours between cells, and veins over them. */
-function laid({ side, cover }: VeinRaster, fields: BladeFields, { cells, mean }: Painted, face: Side): Picture {
+function laid({ side, ink: veins }: VeinRaster, fields: BladeFields, { cells, mean }: Painted, face: Side): Picture {
 	const pixels = filled(side, mean.map(shown) as Colour);
 	const scale = fields.side / side;
 	const line = new Float32Array(6 * fields.side);
@@ -179,7 +179,7 @@ function laid({ side, cover }: VeinRaster, fields: BladeFields, { cells, mean }:
 		for (let column = first; column <= last; column++, at += step) {
 			const left = lefts[column];
 			const part = parts[column];
-			const ink = INK * cover[row * side + column];
+			const ink = INK * veins[row * side + column];
 			let red = line[left] + part * (line[left + 6] - line[left]);
 			let green = line[left + 1] + part * (line[left + 7] - line[left + 1]);
 			let blue = line[left + 2] + part * (line[left + 8] - line[left + 2]);

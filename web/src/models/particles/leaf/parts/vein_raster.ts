@@ -4,6 +4,8 @@ import { inCells } from "./chart";
 
 /** Millimetres on either side of a vein that are as pale as it: the sheath about it, which shows where veins themselves are too fine. */
 export const SHEATH = 0.012;
+/** How much of its colour the vein has that the least energy passes; the others have more, as the logarithm of theirs goes. */
+export const FAINTEST = 0.4;
 /** A ridge ends this many radii of its vein from the axis: it rises smoothly out of the blade. */
 const FOOT = 1.6;
 /** The least width of its slope, in cells: what is finer is lower by as much as it is wider. */
@@ -16,6 +18,8 @@ export interface VeinRaster {
 	cell: number;
 	/** Share of the cell that is vein or its sheath, 0 … 1. */
 	cover: Float32Array;
+	/** Of the same, what is to be seen in the veins' colour: the more energy passes, the more of it (Rodkaew et al. 2003, figure 4). */
+	ink: Float32Array;
 	/** How high a vein stands there, as high on its axis as half its width: millimetres; nothing where it was not asked for. */
 	height: Float32Array;
 }
@@ -28,8 +32,9 @@ export function veinRaster(
 	{
 		chart: ends,
 		square,
+		energy,
 		segments,
-	}: Pick<Leaf, "chart" | "square"> & { segments: Pick<Leaf["segments"], "count" | "radii"> },
+	}: Pick<Leaf, "chart" | "square" | "energy"> & { segments: Pick<Leaf["segments"], "count" | "radii"> },
 	millimetres: number,
 	side: number,
 	raised = true,
@@ -39,17 +44,37 @@ export function veinRaster(
 		side,
 		cell,
 		cover: new Float32Array(side * side),
+		ink: new Float32Array(side * side),
 		height: new Float32Array(raised ? side * side : 0),
 	};
 	const places = inCells(ends, square, side);
+	const range = rangeOf(energy);
 	for (let piece = 0; piece < segments.count; piece++) {
-		draw(raster, places, 4 * piece, (segments.radii[2 * piece + 1] * 1000) / cell);
+		const radius = (segments.radii[2 * piece + 1] * 1000) / cell;
+		draw(raster, places, 4 * piece, radius, strength(energy[piece], range));
 	}
 	return raster;
 }
 
+/** Logarithms of the least and the most energy. */
+function rangeOf(energy: Float32Array): readonly [least: number, most: number] {
+	let [least, most] = [Number.POSITIVE_INFINITY, 0];
+	for (const each of energy) [least, most] = [Math.min(least, each), Math.max(most, each)];
+	return [Math.log(least), Math.log(most)];
+}
+
+function strength(energy: number, [least, most]: readonly [number, number]): number {
+	return most > least ? FAINTEST + ((1 - FAINTEST) * (Math.log(energy) - least)) / (most - least) : 1;
+}
+
 /** One straight piece of a vein, its radius in cells. */
-function draw({ side, cell, cover, height }: VeinRaster, places: Float32Array, from: number, radius: number): void {
+function draw(
+	{ side, cell, cover, ink, height }: VeinRaster,
+	places: Float32Array,
+	from: number,
+	radius: number,
+	strong: number,
+): void {
 	const x1 = places[from];
 	const y1 = places[from + 1];
 	const dx = places[from + 2] - x1;
@@ -77,6 +102,7 @@ function draw({ side, cell, cover, height }: VeinRaster, places: Float32Array, f
 			// What is finer than a cell covers less of it.
 			const share = Math.min(1, covering - Math.sqrt(away)) * thin;
 			if (share > cover[at]) cover[at] = share;
+			if (share * strong > ink[at]) ink[at] = share * strong;
 			if (height.length === 0) continue;
 			const slope = Math.max(0, 1 - away / (foot * foot));
 			const high = top * slope * slope;
