@@ -22,6 +22,18 @@ export default [
 		],
 	},
 	{
+		file: `${PARTS}/vein_raster.ts`,
+		suites: [`${TESTS}/face_pictures.test.ts`],
+		faults: [
+			{
+				id: "leaf-veins-alike-whatever-passes",
+				find: "radius, strength(energy[piece], range));",
+				replace: "radius, 1);",
+				breaks: "the finest veins are as bright as the midrib",
+			},
+		],
+	},
+	{
 		file: `${PARTS}/blade_fields.ts`,
 		suites: [`${TESTS}/face_pictures.test.ts`],
 		faults: [
