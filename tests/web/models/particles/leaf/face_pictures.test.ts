@@ -68,6 +68,9 @@ describe("the flat leaf in cells", () => {
 		expect(middle).toBeCloseTo((1 + FAINTEST) / 2, 5);
 		expect(least).toBeCloseTo(FAINTEST, 5);
 		expect(inks([4, 4, 4])).toEqual([1, 1, 1]);
+		// While particles run there are ways that none has come yet.
+		expect(inks([0, 4, 4])[0]).toBeCloseTo(FAINTEST, 5);
+		expect(inks([0, 4, 4])[2]).toBeCloseTo(1, 5);
 	});
 
 	it("is fed the farther about a vein the wider it is, fading outward", () => {

@@ -17,9 +17,9 @@ export interface Bark {
 /** Of so many radii colours are worked out; those between take the next below. */
 const CLASSES = 64;
 
-/** 3 × vertices of the tubes, by the radius of what they go around; none in passing, when a frame has no time for them. */
+/** 3 × vertices of the tubes, by the radius of what they go around; in passing, when a frame has little time, without the foot's. */
 export function woodColours({ segments, bearing }: WoodenPlant, mesh: PlantMesh, bark: Bark): Float32Array | undefined {
-	if (!bearing || !mesh.sky || bearing.length !== mesh.positions.length / 3) return undefined;
+	if (!bearing || bearing.length !== mesh.positions.length / 3) return undefined;
 	const palette = Float32Array.from({ length: 3 * CLASSES }, (_, i) => {
 		const share = smoothstep(0, 1, Math.floor(i / 3) / (CLASSES - 1));
 		return bark.young[i % 3] + share * (bark.old[i % 3] - bark.young[i % 3]);
@@ -36,7 +36,7 @@ export function woodColours({ segments, bearing }: WoodenPlant, mesh: PlantMesh,
 		colours[at] = palette[place];
 		colours[at + 1] = palette[place + 1];
 		colours[at + 2] = palette[place + 2];
-		if (bark.foot) darken(colours, at, mesh.positions, bark.foot, place / (3 * (CLASSES - 1)));
+		if (bark.foot && mesh.sky) darken(colours, at, mesh.positions, bark.foot, place / (3 * (CLASSES - 1)));
 	}
 	return colours;
 }

@@ -56,14 +56,15 @@ export function veinRaster(
 	return raster;
 }
 
-/** Logarithms of the least and the most energy. */
+/** Logarithms of the least and the most energy; ways that no particle has come yet have none. */
 function rangeOf(energy: Float32Array): readonly [least: number, most: number] {
 	let [least, most] = [Number.POSITIVE_INFINITY, 0];
-	for (const each of energy) [least, most] = [Math.min(least, each), Math.max(most, each)];
+	for (const each of energy) if (each > 0) [least, most] = [Math.min(least, each), Math.max(most, each)];
 	return [Math.log(least), Math.log(most)];
 }
 
 function strength(energy: number, [least, most]: readonly [number, number]): number {
+	if (!(energy > 0)) return FAINTEST;
 	return most > least ? FAINTEST + ((1 - FAINTEST) * (Math.log(energy) - least)) / (most - least) : 1;
 }
 
