@@ -30,6 +30,12 @@ export function readArguments(words: readonly string[]): Call {
 	if (positionals.length > 1) {
 		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);
 	}
+	const batch = readBatch(values);
+	const alone = (["form", "triangles", "thickness", "points", "translucent"] as const).find((key) => values[key]);
+	if (batch && alone) throw new UsageError(`--${alone} is for one plant’s file; of a series, --as says the kind`);
+	// Each line of a series' table brings its plant back by its link alone, and links hold no meshes.
+	if (batch && values.boundary)
+		throw new UsageError("--boundary is for one plant: links do not hold meshes, and a series is known by its links");
 	return {
 		help: values.help ?? false,
 		list: values.list ?? false,
@@ -41,12 +47,12 @@ export function readArguments(words: readonly string[]): Call {
 		out: last(values.out),
 		form: last(values.form),
 		files: {
-			...numberOf("triangles", last(values.triangles), 100, 10_000_000),
+			...countOf("triangles", last(values.triangles), 100, 10_000_000),
 			...numberOf("thickness", last(values.thickness), 0.2, 20),
-			...numberOf("points", last(values.points), 1, 10_000_000),
+			...countOf("points", last(values.points), 1, 10_000_000),
 			...(values.translucent ? { translucent: true } : {}),
 		},
-		batch: readBatch(values),
+		batch,
 	};
 }
 
@@ -93,6 +99,13 @@ function numberOf<Key extends string>(key: Key, text: string | undefined, least:
 	const value = text.trim() === "" ? Number.NaN : Number(text);
 	if (!(value >= least && value <= most)) throw new UsageError(`--${key} ${text}: a number from ${least} to ${most}`);
 	return { [key]: value } as { [key in Key]: number };
+}
+
+/** @throws UsageError where it is no whole number from `least` to `most` */
+function countOf<Key extends string>(key: Key, text: string | undefined, least: number, most: number) {
+	if (text !== undefined && !/^\s*\d+\s*$/.test(text))
+		throw new UsageError(`--${key} ${text}: a whole number from ${least} to ${most}`);
+	return numberOf(key, text, least, most);
 }
 
 function last<Value>(values: readonly Value[] | undefined): Value | undefined {

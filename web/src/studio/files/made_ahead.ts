@@ -17,6 +17,7 @@ export class MadeAhead {
 	/** Makes what of `formats` is not there yet, the slow ones last, until all are or `stop` is called. What fails is left out. */
 	async start(formats: readonly Download[], asked: Asked): Promise<void> {
 		this.stop();
+		for (const [key, { grown }] of this.#files) if (grown !== asked.plant.grown) this.#files.delete(key);
 		const work = new AbortController();
 		this.#work = work;
 		const sized = formats.filter((format) => format.sized);

@@ -158,7 +158,7 @@ export class DownloadMenu extends StudioPart {
 			if (!signal.aborted) this.#explain(offered, error, format);
 		} finally {
 			clearTimeout(patience);
-			this.#ahead?.clear();
+			if (!this.#offered) this.#ahead?.clear();
 			if (this.#making === making) this.#making = undefined;
 			this.requestUpdate();
 		}
