@@ -140,6 +140,24 @@ export default [
 				breaks: "wax lies where berries touch",
 			},
 			{
+				id: "files-all-wax-on-the-face",
+				find: "(-WAX_ON_FACE * depth)",
+				replace: "-depth",
+				breaks: "dark skins of files are grey in light from all sides",
+			},
+			{
+				id: "files-light-where-berries-press",
+				find: "(1 - CREVICE.pressed * rubbed)",
+				replace: "1",
+				breaks: "between berries that touch it is as light as on their faces",
+			},
+			{
+				id: "files-raisins-of-flesh",
+				find: 'traitOf(berries, index, "set") * (1 - traitOf(berries, index, "shrivel"))',
+				replace: "1",
+				breaks: "pale raisins have the colour of fresh flesh",
+			},
+			{
 				id: "files-without-a-scar",
 				find: "return smoothstep(scar - SCAR_EDGE, scar, v);",
 				replace: "return 0;",

@@ -68,6 +68,18 @@ export default [
 		suites: [`${TESTS}/glb.test.ts`],
 		faults: [
 			{
+				id: "glb-base-in-no-picture",
+				find: "if (!document.compact) this.#paintBases(parts);",
+				replace: "",
+				breaks: "F3D shows every bunch in grey",
+			},
+			{
+				id: "glb-picture-without-a-place",
+				find: "if (material.textures?.colour || this.#bare.has(material)) continue;",
+				replace: "if (material.textures?.colour) continue;",
+				breaks: "a picture lies on a mesh that has no texture coordinates",
+			},
+			{
 				id: "glb-instances-unscaled",
 				find: "scales.fill(transforms[at + 7] * unit,",
 				replace: "scales.fill(unit,",

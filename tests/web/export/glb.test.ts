@@ -5,7 +5,7 @@ import { standardMaterial } from "../../../web/src/plant/material";
 import type { Part, Shape } from "../../../web/src/plant/part";
 import { bounced } from "../../../web/src/plant/shade";
 import { toyPlant } from "../plant/toy_plant";
-import { complaints, documentOf, load, meshesOf } from "./reading";
+import { basesOf, complaints, documentOf, load, meshesOf } from "./reading";
 import { ABOUT, CENTRES, fruits, HAIR, PULP, plain, tetrahedron } from "./toy_parts";
 
 const FORMS: GlbOptions[] = [{}, { compact: true }, { instancing: true }, { compact: true, instancing: true }];
@@ -172,20 +172,37 @@ describe("the GLB of any parts", () => {
 		expect(accessors?.length).toBeGreaterThan(5);
 	});
 
-	it("says colours of vertices as shares of the brightest, and the material's where there are none", async () => {
-		const { materials } = documentOf(exportGlb(fruits(), ABOUT));
-		const factors = materials?.map(({ pbrMetallicRoughness }) => pbrMetallicRoughness.baseColorFactor);
-		expect(factors).toEqual([
-			[expect.closeTo(0.8, 6), expect.closeTo(0.6, 6), expect.closeTo(0.1, 6), 1],
-			[...HAIR.colour, 1],
+	it("says the brightest by a picture of one pixel, too, for readers that know no factor beside colours of vertices", async () => {
+		const glb = exportGlb(fruits(), ABOUT);
+		const { materials = [], images } = documentOf(glb);
+		expect(materials.map(({ pbrMetallicRoughness: told }) => [told.baseColorFactor, told.baseColorTexture])).toEqual([
+			[[1, 1, 1, 1], { index: 0 }],
+			[[...HAIR.colour, 1], undefined],
 		]);
+		expect(images).toHaveLength(1);
+		const { Pulp } = basesOf(glb);
+		for (const [k, value] of [0.8, 0.6, 0.1].entries()) {
+			expect(Pulp[k]).toBeGreaterThanOrEqual(value - 1e-6);
+			expect(Pulp[k]).toBeLessThan(value + 0.01);
+		}
+		// Where a mesh has no place to look it up, the factor stays.
+		const [first, ...others] = fruits()[0].children ?? [];
+		const shape = first.shape as Shape;
+		const bare = [{ ...first, shape: { ...shape, mesh: { ...shape.mesh, uvs: new Float32Array(0) } } }, ...others];
+		expect(documentOf(exportGlb(bare, ABOUT)).images).toBeUndefined();
+	});
+
+	it("says colours of vertices as shares of the brightest, and the material's where there are none", async () => {
+		const compact = exportGlb(fruits(), ABOUT, { compact: true });
+		expect(documentOf(compact).textures).toBeUndefined();
+		expect(basesOf(compact).Pulp).toEqual([0.8, 0.6, 0.1, 1].map((value) => expect.closeTo(value, 6)));
+		expect(basesOf(compact).Hair).toEqual([...HAIR.colour, 1]);
 		const meshes = await named(fruits());
 		const { color } = (meshes.get("Fruit 1") as Mesh).geometry.attributes;
-		expect([color.getX(0), color.getX(1), color.getY(1)]).toEqual([
-			1,
-			expect.closeTo(0.5, 2),
-			expect.closeTo(1 / 3, 2),
-		]);
+		const { Pulp } = basesOf(exportGlb(fruits(), ABOUT));
+		expect(color.getX(0) * Pulp[0]).toBeCloseTo(0.8, 2);
+		expect(color.getX(1) * Pulp[0]).toBeCloseTo(0.4, 2);
+		expect(color.getY(1) * Pulp[1]).toBeCloseTo(0.2, 2);
 		expect((meshes.get("Tuft") as Mesh).geometry.attributes.color).toBeUndefined();
 	});
 

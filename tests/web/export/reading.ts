@@ -2,9 +2,11 @@
 import { type Issue, validateBytes } from "gltf-validator";
 import type { Group, Mesh } from "three";
 import { type GLTF, GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { linear } from "../../../web/src/plant/colour";
+import { readPng } from "./reading_png";
 
 export async function load(glb: Uint8Array): Promise<GLTF> {
-	return new GLTFLoader().parseAsync(glb.slice().buffer, "");
+	return new GLTFLoader().parseAsync(unpictured(glb).buffer as ArrayBuffer, "");
 }
 
 export interface Node {
@@ -25,7 +27,11 @@ export interface Document {
 	extensionsRequired?: string[];
 	nodes: Node[];
 	meshes?: { name: string; primitives: { attributes: Record<string, number>; indices: number; material: number }[] }[];
-	materials?: { name: string; pbrMetallicRoughness: { baseColorFactor: number[] }; extensions?: object }[];
+	materials?: {
+		name: string;
+		pbrMetallicRoughness: { baseColorFactor: number[]; baseColorTexture?: { index: number } };
+		extensions?: object;
+	}[];
 	textures?: { source: number; sampler: number }[];
 	images?: { mimeType: string; bufferView: number }[];
 	samplers?: object[];
@@ -39,9 +45,26 @@ export function documentOf(glb: Uint8Array): Document {
 	return JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)));
 }
 
-/** The same file with its pictures in no material: three.js's loader makes pictures in a page alone. */
+/** Base colours of materials by name, linear: the factor, times the picture where that is of one pixel. */
+export function basesOf(glb: Uint8Array): Record<string, number[]> {
+	const { materials = [], textures = [], images = [], bufferViews = [] } = documentOf(glb);
+	const binary = 28 + new DataView(glb.buffer, glb.byteOffset).getUint32(12, true);
+	const bases = materials.map(({ name, pbrMetallicRoughness: { baseColorFactor, baseColorTexture } }) => {
+		if (!baseColorTexture) return [name, baseColorFactor];
+		const { byteOffset, byteLength } = bufferViews[images[textures[baseColorTexture.index].source].bufferView];
+		const picture = readPng(glb.subarray(binary + byteOffset, binary + byteOffset + byteLength));
+		if (picture.width * picture.height > 1) return [name, baseColorFactor];
+		const [red, green, blue] = linear(Buffer.from(picture.pixels).toString("hex"));
+		return [name, [red, green, blue, 1].map((value, k) => Number((value * baseColorFactor[k]).toFixed(6)))];
+	});
+	return Object.fromEntries(bases);
+}
+
+/** The same file without pictures, a pixel in its material's factor: three.js's loader makes pictures in a page alone. */
 export function unpictured(glb: Uint8Array): Uint8Array {
 	const { textures: _, images: __, samplers: ___, ...document } = documentOf(glb);
+	const bases = basesOf(glb);
+	for (const { name, pbrMetallicRoughness: told } of document.materials ?? []) told.baseColorFactor = bases[name];
 	const bare = JSON.stringify(document, (key, value) => (/Texture$/.test(key) ? undefined : value));
 	const file = glb.slice();
 	const length = new DataView(file.buffer).getUint32(12, true);

@@ -8,6 +8,7 @@ import type { Encoder } from "./binary_gltf";
 import { GltfDocument, type Json, type Placed } from "./gltf_document";
 import { gltfMaterial, type TextureIndices } from "./gltf_material";
 import { rounded, shortFloat } from "./numbers";
+import { onePixel } from "./one_pixel";
 import { png } from "./png";
 import { tangentsOf } from "./tangents";
 import { together } from "./together";
@@ -54,6 +55,10 @@ class PartsWriter {
 	readonly #translucent: boolean;
 	/** The brightest colour of all vertices of a material. */
 	readonly #bases = new Map<Material, Colour>();
+	/** The same as a picture, where there is one. */
+	readonly #painted = new Map<Material, Picture>();
+	/** Materials of which something has no texture coordinates. */
+	readonly #bare = new Set<Material>();
 	/** Indices by material, of those with colours of vertices and of those without. */
 	readonly #materials = { coloured: new Map<Material, number>(), plain: new Map<Material, number>() };
 	/** What many draw, by mesh and material: one mesh may be worn in several. */
@@ -70,6 +75,18 @@ class PartsWriter {
 			if (!colours) continue;
 			this.#colours.set(shape.mesh, colours);
 			this.#bases.set(shape.material, brightest(colours, this.#bases.get(shape.material)));
+		}
+		if (!document.compact) this.#paintBases(parts);
+	}
+
+	/** Has bases stand in pictures, where all that wears the material has texture coordinates to look them up by. */
+	#paintBases(parts: readonly Part[]): void {
+		for (const { shape } of everyPart(parts)) if (shape?.mesh.uvs.length === 0) this.#bare.add(shape.material);
+		for (const [material, base] of this.#bases) {
+			if (material.textures?.colour || this.#bare.has(material)) continue;
+			const { picture, colour } = onePixel(base);
+			this.#bases.set(material, colour);
+			this.#painted.set(material, picture);
 		}
 	}
 
@@ -181,17 +198,18 @@ class PartsWriter {
 		// Compact meshes reach from −1 to 1, each scaled by its own node.
 		const thickness = this.#document.compact ? 2 : (material.flesh?.thickness ?? 0);
 		const said = this.#translucent ? material : opaque(material);
-		const textures = this.#textures(said, base);
+		const textures = this.#textures(said, base, base && this.#painted.get(material));
 		// Some readers know a picture and colours of vertices, and no factor beside them: the picture has it all.
-		const factor: Colour = material.textures?.colour ? [1, 1, 1] : (base ?? material.colour);
+		const factor: Colour = textures.colour === undefined ? (base ?? material.colour) : [1, 1, 1];
 		const index = this.#document.material(gltfMaterial(said, factor, thickness, textures));
 		indices.set(material, index);
 		return index;
 	}
 
-	#textures({ name, textures = {} }: Material, base: Colour = [1, 1, 1]): TextureIndices {
+	#textures({ name, textures = {} }: Material, base: Colour = [1, 1, 1], plain?: Picture): TextureIndices {
 		const { repeats, colour, ...others } = textures;
-		const pictures = { ...(colour ? { colour: tinted(colour, base) } : {}), ...others };
+		const shown = colour ? tinted(colour, base) : plain;
+		const pictures = { ...(shown ? { colour: shown } : {}), ...others };
 		const kinds = Object.entries(pictures) as [keyof TextureIndices, Picture][];
 		return Object.fromEntries(
 			kinds.map(([kind, picture]) => [kind, this.#document.texture(`${name} ${kind}`, png(picture), repeats)]),

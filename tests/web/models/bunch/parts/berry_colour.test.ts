@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { BerrySurfaces, Fruit, Grown } from "../../../../../web/src/models/bunch/grown";
-import { berryColours, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
+import { paintedBerries, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
 import { FRUIT_SKINS } from "../../../../../web/src/models/bunch/parts/fruit_skin";
 import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
 import type { Look } from "../../../bunch";
@@ -11,21 +11,22 @@ import { LOOK } from "../sample_bunch";
 function one(look: Partial<Look>, options: PressedOptions = {}) {
 	const grown: Grown = pressedBunch({ count: 1, ...options });
 	const surfaces = grown.surfaces as BerrySurfaces;
-	const colours = berryColours(grown, surfaces, bunchSkin(grown, { ...LOOK, uneven: 0, bloom: 0, ...look }));
+	const skin = bunchSkin(grown, { ...LOOK, uneven: 0, bloom: 0, ...look });
+	const { colours, sky } = paintedBerries(grown, surfaces, skin);
 	const vertices = Array.from({ length: surfaces.uvs.length / 2 }, (_, vertex) => vertex);
 	const mean = (wanted: (vertex: number) => boolean) => {
 		const those = vertices.filter(wanted);
 		return [0, 1, 2].map((k) => those.reduce((sum, v) => sum + colours[3 * v + k], 0) / those.length);
 	};
 	const v = (vertex: number) => surfaces.uvs[2 * vertex + 1];
-	return { mean, v, surfaces, grown };
+	return { mean, v, sky, surfaces, grown };
 }
 
 const light = ([red, green, blue]: number[]) => 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 const middle = (v: number) => Math.abs(v - 0.5) < 0.2;
 
-describe("berryColours", () => {
-	it("hide the skin behind so much wax as its depth says: face on, about a third of it in full bloom", () => {
+describe("paintedBerries", () => {
+	it("hide the skin behind so much wax as its depth says: on the face, about a sixth of it in full bloom", () => {
 		const look = { skin: "101010", unripe: "101010" };
 		const shown = (bloom: number) => {
 			const { mean, v } = one({ ...look, bloom });
@@ -33,10 +34,38 @@ describe("berryColours", () => {
 		};
 		const wax = light(bunchSkin(pressedBunch({ count: 1 }), { ...LOOK, ...look }).wax);
 		const share = (shown(1) - shown(0)) / (wax - shown(0));
-		expect(share).toBeGreaterThan(0.3);
-		expect(share).toBeLessThan(0.4);
+		expect(share).toBeGreaterThan(0.12);
+		expect(share).toBeLessThan(0.2);
 		expect(shown(0.5)).toBeGreaterThan(shown(0) + 0.4 * (shown(1) - shown(0)));
 		expect(shown(0.5)).toBeLessThan(shown(0) + 0.75 * (shown(1) - shown(0)));
+	});
+
+	it("lie in the shade of what presses on them", () => {
+		const grown = pressedBunch({ count: 1 });
+		const surfaces = grown.surfaces as BerrySurfaces;
+		const vertices = surfaces.pressed.length;
+		surfaces.pressed.fill(0);
+		surfaces.pressed[5] = 255;
+		surfaces.sky = new Uint8Array(vertices).fill(200);
+		const { sky } = paintedBerries(grown, surfaces, bunchSkin(grown, LOOK));
+		expect(sky?.[5]).toBe(90);
+		expect(sky?.filter((value) => value === 200)).toHaveLength(vertices - 1);
+		expect(surfaces.sky[5]).toBe(200);
+	});
+
+	it("differ less where flesh of one colour is seen through their skins", () => {
+		const apart = (glow: number, shrivel: number) => {
+			const look = { skin: "b2b262", unripe: "94ab58", glow, uneven: 1 };
+			const grown = pressedBunch({ count: 2, shrivel });
+			const surfaces = grown.surfaces as BerrySurfaces;
+			const { colours } = paintedBerries(grown, surfaces, bunchSkin(grown, { ...LOOK, bloom: 0, ...look }));
+			const half = colours.length / 2;
+			let sum = 0;
+			for (let i = 0; i < half; i++) sum += Math.abs(colours[i] - colours[half + i]);
+			return sum / half;
+		};
+		expect(apart(1, 0)).toBeLessThan(0.75 * apart(0, 0));
+		expect(apart(1, 1)).toBeCloseTo(apart(0, 1), 6);
 	});
 
 	it("take most of the wax off a raisin", () => {
@@ -60,7 +89,7 @@ describe("berryColours", () => {
 				if (before[3 * i] >= x) continue;
 				for (let k = 0; k < 3; k++) surfaces.positions[3 * i + k] = centre[k] + 0.75 * (before[3 * i + k] - centre[k]);
 			}
-			const colours = berryColours(grown, surfaces, bunchSkin(grown, { ...LOOK, bloom: 0, uneven: 0 }));
+			const { colours } = paintedBerries(grown, surfaces, bunchSkin(grown, { ...LOOK, bloom: 0, uneven: 0 }));
 			const green = (inside: boolean) => {
 				const those = Array.from({ length: before.length / 3 }, (_, i) => i).filter((i) => sunk(i) === inside);
 				return those.reduce((sum, i) => sum + colours[3 * i + 1], 0) / those.length;

@@ -24,7 +24,7 @@ describe("what berries are made of", () => {
 		const [red, , blue] = skin({ bloom: 1 }).sheen?.colour ?? [1, 1, 0];
 		expect(blue).toBeGreaterThan(red);
 		expect(skin({ bloom: 0.5 }).sheen?.colour[2]).toBeCloseTo(blue / 2);
-		expect(skin({ bloom: 1 }).specular).toBeCloseTo(0.5);
+		expect(skin({ bloom: 1 }).specular).toBeCloseTo(0.2);
 	});
 
 	it("lets light through where the skin is pale and glows, one way through leaving its colour", () => {

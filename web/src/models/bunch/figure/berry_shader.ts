@@ -2,7 +2,7 @@ import { NOISE_CHUNK } from "../../../plant/noise";
 import { float, step, vec3 } from "../../../scene/glsl";
 import { LIGHT_CHUNK } from "../../../scene/light_shader";
 import { OUTPUT_CHUNK } from "../../../scene/output_shader";
-import { COARSE, HALO, MOTTLE, RIND, SCAR, SEAT, WAX } from "../parts/skin_rules";
+import { COARSE, CREVICE, HALO, MOTTLE, RIND, SCAR, SEAT, WAX } from "../parts/skin_rules";
 import { VERTICES_PER_ROW } from "./berry_skins";
 import { FLESH_CHUNK } from "./flesh_shader";
 import { LAMP_CHUNK } from "./lamp_shader";
@@ -143,7 +143,7 @@ void main() {
 	}
 	float nv = clamp(dot(n, v), 0.0, 1.0);
 	float dull = mix(0.07, 0.5, max(rind, 0.6 * shrivel));
-	float open = glow.w * (1.0 - 0.55 * pressed) * mix(0.6, 1.0, high);
+	float open = glow.w * (1.0 - ${float(CREVICE.pressed)} * pressed) * mix(${float(1 - CREVICE.groove)}, 1.0, high);
 
 	// Its colour, mottled, marked where pedicel and style were.
 	vec3 skin = hue.rgb;

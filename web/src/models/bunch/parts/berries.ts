@@ -7,7 +7,7 @@ import type { Mesh } from "../../../plant/plant";
 import type { Berries, BerrySurfaces, Grown } from "../grown";
 import type { Look } from "../specimen";
 import { meanOf, traitOf } from "../traits";
-import { berryColours, scarShare } from "./berry_colour";
+import { type Painted, paintedBerries, scarShare } from "./berry_colour";
 import { openFlowers } from "./flowers";
 import { ANTHER_V, STAMEN } from "./foliage_colour";
 import { naturalSkin, plainSkin, STAMENS } from "./materials";
@@ -38,14 +38,14 @@ export function sharedBerries(grown: Grown, berry: Mesh, look: Look): Part {
 export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, look: Look): Part {
 	const { berries } = grown;
 	const skin = bunchSkin(grown, look);
-	const colours = berryColours(grown, surfaces, skin);
-	const material = naturalSkin(look, skin.fruit, meanColour(colours), meanOf(berries, "width", 0));
+	const painted = paintedBerries(grown, surfaces, skin);
+	const material = naturalSkin(look, skin.fruit, meanColour(painted.colours), meanOf(berries, "width", 0));
 	const flowers = flowersOf(grown);
 	const children = Array.from({ length: berries.count }, (_, i): Part => {
 		const flower = flowers.get(i);
 		return {
 			name: berryName(i, berries.count),
-			shape: berryShape(grown, i, surfaces, colours, material),
+			shape: berryShape(grown, i, surfaces, painted, material),
 			extras: berryExtras(grown, i),
 			...(flower ? { children: [flower] } : {}),
 		};
@@ -56,8 +56,8 @@ export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, look: Look
 function berryShape(
 	{ berries }: Grown,
 	index: number,
-	{ uvs, indices, positions, normals, sky }: BerrySurfaces,
-	colours: Float32Array,
+	{ uvs, indices, positions, normals }: BerrySurfaces,
+	{ colours, sky }: Painted,
 	material: Material,
 ): Shape {
 	const [first, last] = [(index * 3 * uvs.length) / 2, ((index + 1) * 3 * uvs.length) / 2];

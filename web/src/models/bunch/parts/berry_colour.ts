@@ -2,13 +2,26 @@
  * The colours of natural berries, vertex by vertex: what the view shows of their skins, so that any viewer does. What is
  * finer than vertices (fine noise, lenticels) is taken at its mean.
  */
-import { clamp, mix, smoothstep } from "../../../plant/colour";
+import { clamp, mix, mixed, smoothstep } from "../../../plant/colour";
 import { noise } from "../../../plant/noise";
 import type { Berries, BerrySurfaces, Grown } from "../grown";
 import { halvesOf, traitOf } from "../traits";
 import { type BerryTint, tintOf } from "./berry_tint";
 import type { Skin } from "./skin";
-import { COARSE, HALO, LEAST_LIGHT, MOTTLE, RIND, SCAR, SEAT, TURNING, WAX } from "./skin_rules";
+import {
+	COARSE,
+	CREVICE,
+	FLESH_ON_FACE,
+	HALO,
+	LEAST_LIGHT,
+	MOTTLE,
+	RIND,
+	SCAR,
+	SEAT,
+	TURNING,
+	WAX,
+	WAX_ON_FACE,
+} from "./skin_rules";
 
 /** The mean of the fine noise. */
 const FINE = 0.5;
@@ -29,12 +42,19 @@ export function scarShare(v: number, scar: number): number {
 	return smoothstep(scar - SCAR_EDGE, scar, v);
 }
 
-/** 3 × vertices × berries, linear light, 0 … 1, in the order of `surfaces`. */
-export function berryColours(grown: Grown, surfaces: BerrySurfaces, skin: Skin): Float32Array {
-	const colours = new Float32Array(surfaces.positions.length);
+/** What is painted on the vertices of all berries, in the order of `surfaces`. */
+export interface Painted {
+	/** 3 × vertices × berries, linear light, 0 … 1. */
+	colours: Float32Array;
+	/** How much of the sky each vertex sees, less what crevices hide: 255 all, 0 none; absent where that is not known. */
+	sky?: Uint8Array;
+}
+
+export function paintedBerries(grown: Grown, surfaces: BerrySurfaces, skin: Skin): Painted {
+	const painted = { colours: new Float32Array(surfaces.positions.length), sky: surfaces.sky?.slice() };
 	const marks = marksOf(surfaces, skin.fruit.scar);
-	for (let i = 0; i < grown.berries.count; i++) paint(colours, grown, i, surfaces, skin, marks);
-	return colours;
+	for (let i = 0; i < grown.berries.count; i++) paint(painted, grown, i, surfaces, skin, marks);
+	return painted;
 }
 
 function marksOf({ uvs }: BerrySurfaces, from: number): Marks {
@@ -45,9 +65,9 @@ function marksOf({ uvs }: BerrySurfaces, from: number): Marks {
 	return { marked: Uint8Array.from(scar, (value, i) => (value + halo[i] + seat[i] > 0 ? 1 : 0)), scar, halo, seat };
 }
 
-/** Writes the colours of berry `index`. */
+/** Paints berry `index`. */
 function paint(
-	colours: Float32Array,
+	{ colours, sky }: Painted,
 	grown: Grown,
 	index: number,
 	{ positions, normals, pressed }: BerrySurfaces,
@@ -56,7 +76,9 @@ function paint(
 ): void {
 	const { berries } = grown;
 	const tint = tintOf(grown, index, skin);
-	const { unripe, ripe } = pigments(tint);
+	const { unripe, ripe } = pigments(
+		fleshed(tint, skin, traitOf(berries, index, "set") * (1 - traitOf(berries, index, "shrivel"))),
+	);
 	const turned = traitOf(berries, index, "turned");
 	const shrivel = traitOf(berries, index, "shrivel");
 	const { grooves, rind } = skin.fruit;
@@ -70,7 +92,9 @@ function paint(
 		const mottle = mottleAt(coarse, skin.uneven) * blotched;
 		const high = smoothstep(skin.fruit.depth[0], skin.fruit.depth[1], ball.height);
 		const bloom = skin.bloom * tint.bloom * (1 - scar[vertex]);
-		const waxed = waxAt(bloom, coarse, normals[at + 1], pressed[at / 3] / 255, shrivel);
+		const rubbed = pressed[at / 3] / 255;
+		if (sky) sky[at / 3] = Math.round(sky[at / 3] * (1 - CREVICE.pressed * rubbed) * mix(1 - CREVICE.groove, 1, high));
+		const waxed = waxAt(bloom, coarse, normals[at + 1], rubbed, shrivel);
 		for (let k = 0; k < 3; k++) {
 			let colour = mottle * Math.exp(unripe[k] + (ripe[k] - unripe[k]) * share);
 			if (high < 1) colour *= mix(grooves[k], 1, high);
@@ -84,8 +108,16 @@ function paint(
 	}
 }
 
-/** A berry's colours as depths of pigment. */
-function pigments({ unripe, ripe }: BerryTint) {
+/** A berry's colours with what shows of its flesh: of one colour in all, where it is `plump`, neither a flower nor a raisin. */
+function fleshed({ unripe, ripe }: BerryTint, skin: Skin, plump: number) {
+	return {
+		unripe: mixed(unripe, skin.unripe, FLESH_ON_FACE * skin.unripeFlesh.translucency * plump),
+		ripe: mixed(ripe, skin.ripe, FLESH_ON_FACE * skin.ripeFlesh.translucency * plump),
+	};
+}
+
+/** Colours as depths of pigment. */
+function pigments({ unripe, ripe }: Pick<BerryTint, "unripe" | "ripe">) {
 	const depth = (value: number) => Math.log(value + LEAST_LIGHT);
 	return { unripe: unripe.map(depth), ripe: ripe.map(depth) };
 }
@@ -152,5 +184,5 @@ function waxAt(bloom: number, coarse: number, up: number, pressed: number, shriv
 		(1 - smoothstep(firm, gone, pressed)) * smoothstep(WAX.brushed[0], WAX.brushed[1], coarse + WAX.fine * FINE);
 	const patches = smoothstep(WAX.patches[0], WAX.patches[1], WAX.coarseShare * coarse + WAX.fineShare * FINE);
 	const depth = WAX.depth * bloom * mix(WAX.rubbed, 1, left) * mix(WAX.bare, 1, patches) * (WAX.side + WAX.up * up);
-	return (1 - Math.exp(-depth / (WAX.grazing + 1))) * (1 - WAX.dry * shrivel);
+	return (1 - Math.exp((-WAX_ON_FACE * depth) / (WAX.grazing + 1))) * (1 - WAX.dry * shrivel);
 }

@@ -15,13 +15,11 @@ const STEM_ROUGHNESS = 0.85;
 /** Wax crystals scatter a pale blue, strongest at grazing angles: what a sheen lobe describes. */
 const BLOOM_COLOUR: Colour = [0.17, 0.2, 0.26];
 const BLOOM_ROUGHNESS = 0.55;
-/** In natural berries wax is in the vertices' colours already; the sheen is what it adds at grazing angles. */
-const SHEEN_SHARE = 0.6;
 /** Between water's 1.33 and wax's 1.45: a wet flesh behind a cuticle. */
 const FLESH_IOR = 1.4;
 const COAT_ROUGHNESS = 0.08;
 /** Wax scatters this share of the mirror. */
-const WAX_ON_MIRROR = 0.5;
+const WAX_ON_MIRROR = 0.8;
 /** Below this a coat is not worth a reader's time. */
 const LEAST_COAT = 0.04;
 /** The most light that passes: more, and berries look like glass where readers see nothing but stems behind them. */
@@ -42,7 +40,7 @@ export function plainSkin(look: Look): Material {
  * @param width of a mean berry, metres
  */
 export function naturalSkin(look: Look, { rind, gloss }: FruitSkin, colour: Colour, width: number): Material {
-	const sheen = bloomSheen(look.bloom * SHEEN_SHARE);
+	const sheen = bloomSheen(look.bloom);
 	if (rind > 0) return { name: "Skin", colour, roughness: RIND_ROUGHNESS, ...sheen };
 	const [clean, bloomed] = SKIN_ROUGHNESS;
 	const coat = gloss * (1 - look.bloom);

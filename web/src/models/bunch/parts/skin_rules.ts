@@ -50,3 +50,15 @@ export const WAX = {
 	up: 0.4,
 	dry: 0.6,
 } as const;
+
+/** Light from all around is kept off by so much where a neighbour is pressed on, and from the grooves between drupelets. */
+export const CREVICE = { pressed: 0.55, groove: 0.4 } as const;
+
+/**
+ * Of the wax, the share that files have in their colours. The rest is in the sheen: wax scatters at the edge, and programs whose
+ * light comes from all sides would turn a dark skin grey if all of it lay on the face.
+ */
+export const WAX_ON_FACE = 0.4;
+
+/** Where flesh is seen through the skin, it gives this share of the colour, and berries differ less. */
+export const FLESH_ON_FACE = 0.6;
