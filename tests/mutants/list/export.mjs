@@ -28,6 +28,18 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/obj.ts`,
+		suites: [`${TESTS}/obj.test.ts`],
+		faults: [
+			{
+				id: "obj-plain-colour-in-no-picture",
+				find: '(kind === "colour" ? onePixel(material.colour).picture : undefined)',
+				replace: "undefined",
+				breaks: "Blender shows every material of an OBJ too pale",
+			},
+		],
+	},
+	{
 		file: `${SRC}/mtl.ts`,
 		suites: [`${TESTS}/obj.test.ts`],
 		faults: [

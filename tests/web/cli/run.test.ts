@@ -224,7 +224,8 @@ describe("files", () => {
 
 	it("are an OBJ with the MTL that it names beside it", async () => {
 		const { written } = await grow(["rubus", "--out", "a.b/Rubus.OBJ"]);
-		expect([...written.keys()]).toEqual(["a.b/Rubus.OBJ", "a.b/Rubus.mtl"]);
+		const pictures = ["Stem", "Skin"].map((material) => `a.b/Rubus-${material}-colour.png`);
+		expect([...written.keys()]).toEqual(["a.b/Rubus.OBJ", "a.b/Rubus.mtl", ...pictures]);
 		expect(written.get("a.b/Rubus.OBJ")).toContain("mtllib Rubus.mtl");
 		expect(written.get("a.b/Rubus.mtl")).toContain("newmtl");
 	});

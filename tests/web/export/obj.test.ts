@@ -1,17 +1,15 @@
 import { type Mesh, type MeshPhongMaterial, Vector3 } from "three";
-import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
-import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
 import { exportObj } from "../../../web/src/export/obj";
 import { png } from "../../../web/src/export/png";
 import { encoded } from "../../../web/src/plant/colour";
 import type { Part } from "../../../web/src/plant/part";
 import { meshesOf } from "./reading";
+import { loadObj, unpicturedMtl } from "./reading_obj";
 import { ABOUT, CENTRES, fruits, PULP, plain, tetrahedron } from "./toy_parts";
 
 function read(parts: Part[]): Map<string, Mesh> {
-	const { obj, mtl } = exportObj(parts, ABOUT, "toy");
-	const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
+	const group = loadObj(exportObj(parts, ABOUT, "toy"));
 	return new Map(meshesOf(group).map((mesh) => [mesh.name, mesh]));
 }
 
@@ -57,8 +55,8 @@ describe("the OBJ of any parts", () => {
 describe("the materials of an OBJ", () => {
 	const blocks = (parts: Part[]) =>
 		new Map(
-			exportObj(parts, ABOUT, "toy")
-				.mtl.split("newmtl ")
+			unpicturedMtl(exportObj(parts, ABOUT, "toy"))
+				.split("newmtl ")
 				.slice(1)
 				.map((block) => {
 					const [name, ...lines] = block.trim().split("\n");
@@ -69,10 +67,18 @@ describe("the materials of an OBJ", () => {
 	it("are the mean colour of each variant's parts, the material's own without", () => {
 		const found = blocks(fruits());
 		expect([...found.keys()]).toEqual(["Pulp", "Pulp_green", "Hair"]);
-		const close = (colour: [number, number, number]) => encoded(colour).map((value) => expect.closeTo(value, 3));
+		const close = (colour: [number, number, number]) => encoded(colour).map((value) => expect.closeTo(value, 2));
 		expect(found.get("Pulp")?.get("Kd")).toEqual(close([0.5, 0.2, 0.1]));
 		expect(found.get("Pulp_green")?.get("Kd")).toEqual(close([0.2, 0.6, 0.1]));
 		expect(found.get("Hair")?.get("Kd")).toEqual(close([0.9, 0.9, 0.8]));
+	});
+
+	it("show plain colours as pictures of one pixel, which everyone reads as sRGB, and no colour beside them", () => {
+		const { mtl, pictures } = exportObj(fruits(), ABOUT, "toy");
+		expect(mtl.match(/^Kd .*$/gm)).toEqual(["Kd 1 1 1", "Kd 1 1 1", "Kd 1 1 1"]);
+		const names = ["toy-Pulp-colour.png", "toy-Pulp_green-colour.png", "toy-Hair-colour.png"];
+		expect(mtl.match(/^map_Kd .*$/gm)).toEqual(names.map((name) => `map_Kd ${name}`));
+		expect(pictures.map(({ name }) => name)).toEqual(names);
 	});
 
 	it("have highlights as wide as the roughness says, stronger on what is smooth", () => {
@@ -116,6 +122,5 @@ describe("the materials of an OBJ", () => {
 			{ name: "my_leaf-Face_up-colour.png", bytes: png(colour) },
 			{ name: "my_leaf-Face_up-normal.png", bytes: png(normal) },
 		]);
-		expect(exportObj(plain(), ABOUT, "toy").pictures).toEqual([]);
 	});
 });

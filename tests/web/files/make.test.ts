@@ -57,7 +57,8 @@ describe("a file made of a clone", () => {
 		const { bytes, type } = await made(asked);
 		const files = unzipSync(bytes);
 		expect(type).toBe("application/zip");
-		expect(Object.keys(files)).toEqual(["duku-3.obj", "duku-3.mtl"]);
+		const pictures = ["Stem", "Skin"].map((material) => `duku-3-${material}-colour.png`);
+		expect(Object.keys(files)).toEqual(["duku-3.obj", "duku-3.mtl", ...pictures]);
 		expect(strFromU8(files["duku-3.obj"]) === obj).toBe(true);
 		expect(strFromU8(files["duku-3.mtl"])).toBe(mtl);
 	});

@@ -28,7 +28,7 @@ function block({ name, material, pictures = {} }: NamedMaterial): string {
 	const specular = roughness < SMOOTH ? SPECULAR.smooth : SPECULAR.matt;
 	const lines = [
 		`newmtl ${name}`,
-		// What a picture says is multiplied by this, or takes its place.
+		// What a picture says is multiplied by this, or takes its place; as it is displayed where there is none.
 		`Kd ${(pictures.colour ? WHITE : encoded(colour).map(short)).join(" ")}`,
 		`Ks ${specular} ${specular} ${specular}`,
 		// Blinn–Phong's exponent of the same width of highlight as this roughness.

@@ -9,6 +9,7 @@ import { GENERATOR } from "./generator";
 import { type NamedMaterial, writeMtl } from "./mtl";
 import { ObjMaterials } from "./obj_materials";
 import { ObjWriter } from "./obj_writer";
+import { onePixel } from "./one_pixel";
 import { png } from "./png";
 import { placed, together } from "./together";
 
@@ -42,10 +43,13 @@ export function exportObj(
 	return { obj: writer.toString(), mtl: writeMtl(named), pictures: [...pictures.values()] };
 }
 
-/** The names of a material's pictures, each of which is written once. */
+/**
+ * The names of a material's pictures, each of which is written once. A plain colour is a picture, too: some read `Kd` as it is
+ * displayed, Blender as light, and all of them a picture as sRGB.
+ */
 function picturesOf({ name, material }: NamedMaterial, file: string, written: Map<Picture, ObjPicture>) {
 	const kinds = (["colour", "normal"] as const).flatMap((kind) => {
-		const picture = material.textures?.[kind];
+		const picture = material.textures?.[kind] ?? (kind === "colour" ? onePixel(material.colour).picture : undefined);
 		if (!picture) return [];
 		const known = written.get(picture) ?? {
 			name: `${file}-${name}-${kind}.png`.replaceAll(/[^A-Za-z0-9.-]+/g, "_"),

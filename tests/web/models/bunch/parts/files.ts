@@ -14,7 +14,7 @@ export async function bunchGlb(
 	return exportGlb(bunchParts(grown, specimen), await aboutBunch(grown, specimen, link), options);
 }
 
-export function bunchObj(grown: Grown, specimen: Specimen, name: string): { obj: string; mtl: string } {
+export function bunchObj(grown: Grown, specimen: Specimen, name: string): ReturnType<typeof exportObj> {
 	const about = { name: `Bunch ${specimen.preset}`, link: encodeQuery(specimen), extras: {} };
 	return exportObj(bunchParts(grown, specimen), about, name);
 }

@@ -3,8 +3,6 @@
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { Box3, Vector3 } from "three";
-import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
-import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
@@ -16,6 +14,7 @@ import { berriesCsv } from "../../../../../web/src/models/bunch/tables";
 import { exportJson, type Specimen, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import { loadObj } from "../../../export/reading_obj";
 import { fingerprintOfDocument } from "../fingerprint";
 import { bunchGlb, bunchObj } from "./files";
 
@@ -77,8 +76,7 @@ describe("a natural bunch", () => {
 		async (name) => {
 			const specimen = natural(name);
 			const grown = grow(specimen, COARSE);
-			const { obj, mtl } = bunchObj(grown, specimen, name);
-			const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
+			const group = loadObj(bunchObj(grown, specimen, name));
 			const { scene } = await load(await bunchGlb(grown, specimen));
 			const corners = (root: typeof group) =>
 				meshesOf(root).reduce((sum, { geometry }) => sum + (geometry.index ?? geometry.attributes.position).count, 0);

@@ -1,11 +1,10 @@
 import fc from "fast-check";
 import { Box3, Color, type Mesh, type MeshPhongMaterial, Vector3 } from "three";
-import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
-import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
 import { version } from "../../../../../package.json";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { meshesOf } from "../../../export/reading";
+import { loadObj } from "../../../export/reading_obj";
 import * as arbitrary from "../arbitrary";
 import { makeGrown, paperSpecimen, SKETCH } from "../fixture";
 import { bunchObj } from "./files";
@@ -14,10 +13,7 @@ const grown = makeGrown(SKETCH);
 const specimen = paperSpecimen({ preset: "short-conical", seed: 7 });
 
 /** As a program would: the materials first, then the meshes that name them. */
-function read({ obj, mtl }: { obj: string; mtl: string }): Mesh[] {
-	const materials = new MTLLoader().parse(mtl, "");
-	return meshesOf(new OBJLoader().setMaterials(materials).parse(obj));
-}
+const read = (files: ReturnType<typeof bunchObj>): Mesh[] => meshesOf(loadObj(files));
 
 const exported = (from: Grown) => bunchObj(from, specimen, "bunch");
 const triangles = (meshes: Mesh[]) =>

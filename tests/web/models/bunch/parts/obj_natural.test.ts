@@ -1,9 +1,8 @@
 import { Box3, type Mesh, type MeshPhongMaterial } from "three";
-import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
-import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { describe, expect, it } from "vitest";
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { load, meshesOf } from "../../../export/reading";
+import { loadObj } from "../../../export/reading_obj";
 import { SKETCH } from "../fixture";
 import { makeNatural } from "../natural_fixture";
 import { bunchGlb, bunchObj } from "./files";
@@ -12,8 +11,7 @@ import { specimen } from "./natural_reading";
 const grown = makeNatural(SKETCH, { traits: (i) => ({ turned: i / 2, opened: 1, set: i === 1 ? 0.25 : 1 }) });
 
 function read(from: Grown): Mesh[] {
-	const { obj, mtl } = bunchObj(from, specimen, "bunch");
-	return meshesOf(new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj));
+	return meshesOf(loadObj(bunchObj(from, specimen, "bunch")));
 }
 
 const material = ({ material }: Mesh) => material as MeshPhongMaterial;

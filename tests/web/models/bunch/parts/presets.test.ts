@@ -2,8 +2,6 @@
 
 import { readFileSync } from "node:fs";
 import { Box3, type InstancedMesh, Matrix4, Vector3 } from "three";
-import { MTLLoader } from "three/examples/jsm/loaders/MTLLoader.js";
-import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
@@ -13,6 +11,7 @@ import type { RequestOptions } from "../../../../../web/src/models/bunch/request
 import { exportJson, specimenFromFile, specimenFromPreset } from "../../../bunch";
 import { growBunch } from "../../../core/wasm";
 import { complaints, documentOf, load, meshesOf } from "../../../export/reading";
+import { loadObj } from "../../../export/reading_obj";
 import { fingerprintOfDocument } from "../fingerprint";
 import { bunchGlb, bunchObj } from "./files";
 
@@ -64,8 +63,7 @@ describe.each(names)("%s", (name) => {
 
 	it("comes back through three.js from OBJ and MTL, with the GLB's triangles and bounds", async () => {
 		const grown = grow(name, COARSE);
-		const { obj, mtl } = bunchObj(grown, specimen, name);
-		const group = new OBJLoader().setMaterials(new MTLLoader().parse(mtl, "")).parse(obj);
+		const group = loadObj(bunchObj(grown, specimen, name));
 		const { scene } = await load(await bunchGlb(grown, specimen));
 		const corners = (root: typeof group) =>
 			meshesOf(root).reduce((sum, { geometry }) => sum + (geometry.index ?? geometry.attributes.position).count, 0);
