@@ -66,6 +66,22 @@ TEST_CASE("pressed berries hold their volume within 3 %, however dense the bunch
   }
 }
 
+TEST_CASE("berries are as fine as they look large, not as they are few") {
+  const auto vertices_each = [](float age, float millimetres) {
+    Request request = natural_request(table3[0].profile());
+    set(request, Parameter::age, age);
+    set(request, Parameter::size, millimetres);
+    request.meshes = true;
+    const Grown bunch = grown(request);
+    REQUIRE(!bunch.berries.empty());
+    return bunch.surfaces->positions.size() / 3 / bunch.berries.size();
+  };
+  const std::size_t flowers = vertices_each(0, 18), ripe = vertices_each(100, 18), small = vertices_each(100, 9);
+  CHECK(3 * flowers < ripe);
+  CHECK(flowers < small);
+  CHECK(small < ripe);
+}
+
 TEST_CASE("dried berries are furrowed in the mesh as far as their traits say") {
   Request request = natural_request(table3[0].profile());
   set(request, Parameter::age, 125);

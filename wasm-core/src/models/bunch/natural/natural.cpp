@@ -1,6 +1,9 @@
 #include "models/bunch/natural/natural.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 #include <string>
 #include <utility>
 
@@ -74,14 +77,27 @@ std::vector<Traits> ripen(Harvest& harvest, const Crop& crop, std::span<const Fl
   return traits;
 }
 
-// The more berries, the smaller each is in the picture: finer patterns would not be seen, but cost.
-std::uint32_t segments_for(std::size_t berries) {
-  return berries <= 80 ? 24 : berries <= 160 ? 20 : berries <= 320 ? 18 : 16;
+// As fine a pattern as is seen where the bunch fills a view 700 pixels high: its outline is a third of a pixel off a round
+// one at the most, n = π / √(2 · 0.38 / r) at a radius of r pixels.
+std::uint32_t segments_for(std::span<const BerryBody> bodies) {
+  constexpr float view = 700, per_root = 3.6f, least = 8, most = 24;
+  if (bodies.empty()) return static_cast<std::uint32_t>(least);
+  glm::vec3 low = bodies[0].centre, high = low;
+  float width = 0;
+  for (const BerryBody& body : bodies) {
+    low = glm::min(low, body.centre);
+    high = glm::max(high, body.centre);
+    width += body.half_width / static_cast<float>(bodies.size());
+  }
+  const glm::vec3 extent = high - low + 2 * width;
+  const float pixels = view * width / std::max({extent.x, extent.y, extent.z});
+  const float even = 2 * std::floor(per_root * std::sqrt(pixels) / 2 + 0.5f);
+  return static_cast<std::uint32_t>(std::clamp(even, least, most));
 }
 
 BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& form, std::uint32_t segments) {
   BerryOptions options;
-  options.segments = segments ? std::clamp(segments, 6u, 128u) : segments_for(bodies.size());
+  options.segments = segments ? std::clamp(segments, 6u, 128u) : segments_for(bodies);
   BerrySurfaces surfaces = press_berries(bodies, form, options);
   for (float& x : surfaces.positions) x *= metres_per_millimetre;
   return surfaces;
