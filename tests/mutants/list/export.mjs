@@ -136,6 +136,42 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/animation.ts`,
+		suites: [`${TESTS}/growth_glb.test.ts`],
+		faults: [
+			{
+				id: "growth-blends",
+				find: 'interpolation: "STEP"',
+				replace: 'interpolation: "LINEAR"',
+				breaks: "two ages of a plant stand one in the other while it grows",
+			},
+			{
+				id: "growth-nothing-at-rest",
+				find: "scale: ends ? 0 : 1 };",
+				replace: "scale: 1 };",
+				breaks: "programs that play nothing show all ages at once",
+			},
+		],
+	},
+	{
+		file: "web/src/files/aged.ts",
+		suites: ["tests/web/files/aged.test.ts"],
+		faults: [
+			{
+				id: "aged-always-itself",
+				find: "restore(model, { [AGE]: age }, specimen)",
+				replace: "restore(model, {}, specimen)",
+				breaks: "the growth is the same plant twenty-five times",
+			},
+			{
+				id: "aged-heeded-by-all",
+				find: "entry !== undefined && table.heeds(specimen, entry)",
+				replace: "entry !== undefined",
+				breaks: "a growth is offered of the paper's bunches, which have no age",
+			},
+		],
+	},
+	{
 		file: `${SRC}/csv.ts`,
 		suites: [`${TESTS}/csv.test.ts`],
 		faults: [

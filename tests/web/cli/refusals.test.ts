@@ -58,7 +58,10 @@ describe("what cannot be used", () => {
 			"--out bunch.fbx: the name must end in .glb, .usdz, .ply, .3mf, .stl, .obj, .json or .csv",
 		);
 		expect(await complaint(["--out", "x.glb", "--form", "tiny"])).toBe(
-			"--form tiny: the forms are detailed, web, low, instanced",
+			"--form tiny: the forms are detailed, web, low, instanced, growth",
+		);
+		expect(await complaint(["--set", "procedure=paper", "--out", "x.glb", "--form", "growth"])).toBe(
+			"--form growth: this plant has no ages to show",
 		);
 		expect(await complaint(["--out", "x.obj", "--form", "web"])).toMatch(/^--form web: only a .glb has forms/);
 		expect(await complaint(["--out", "x.glb", "--triangles", "few"])).toBe(

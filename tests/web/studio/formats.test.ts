@@ -6,6 +6,7 @@ import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { fileName, formatsOf } from "../../../web/src/studio/files/formats";
 import { specimenFromPreset } from "../bunch";
 import { toy } from "../toy";
+import { bunchModel } from "./desk";
 
 const model = toy as unknown as Model;
 const shown = (formats: readonly Format[]) => ({
@@ -43,6 +44,14 @@ describe("what can be downloaded", () => {
 			"json",
 			"png",
 		]);
+	});
+
+	it("is its growth where it has an age and a core that is part of the page", () => {
+		const from = specimenFromPreset("riesling");
+		const keys = (wasm: string) =>
+			formatsOf({ model: { ...bunchModel, wasm }, grown: EMPTY_PLANT, from }, undefined).map(({ key }) => key);
+		expect(keys(bunchModel.wasm)).toContain("glb-growth");
+		expect(keys("nowhere.wasm")).not.toContain("glb-growth");
 	});
 
 	it("is a file with instances where parts share meshes", () => {

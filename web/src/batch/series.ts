@@ -41,7 +41,7 @@ export interface Grown {
 
 /** Every kind of file, by its key. */
 export const formatsOf = ({ formats = [] }: Pick<Model, "formats">): string[] => [
-	...[...PLANT_FILES.map(({ key }) => key), "obj", "json"],
+	...[...PLANT_FILES.filter(({ life }) => !life).map(({ key }) => key), "obj", "json"],
 	...formats.map(({ key }) => key),
 ];
 

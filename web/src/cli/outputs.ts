@@ -1,6 +1,7 @@
 /** What the command can write of a plant. */
 import { basename, dirname, join } from "node:path";
 import { aboutPlant } from "../export/about_plant";
+import type { Aged } from "../export/growth_glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { type FileOptions, PLANT_FILES, plantFile } from "../export/plant_files";
@@ -31,7 +32,10 @@ export function endingOf(model: Pick<Model, "formats">, file: string): string | 
 	return found.sort((one, other) => other.length - one.length)[0];
 }
 
-/** The files of a plant by the ending of the name that was asked for; an OBJ has its materials and their pictures beside it. */
+/**
+ * The files of a plant by the ending of the name that was asked for; an OBJ has its materials and their pictures beside it.
+ * @param aged the same plant at other ages, where it has any
+ */
 export async function filesOf(
 	file: string,
 	ending: string,
@@ -39,13 +43,14 @@ export async function filesOf(
 	grown: Plant,
 	specimen: Specimen,
 	{ form, ...options }: FileOptions & { form?: string } = {},
+	aged?: Aged,
 ): Promise<File[]> {
 	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
 	const format = model.formats?.find(({ key }) => endingFor(key) === ending);
 	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
 	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
 	const meshes = plantFile(ending, form);
-	if (meshes) return [[file, await meshes.make(parts, about, options)]];
+	if (meshes) return [[file, await meshes.make(parts, about, options, aged)]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));
 	return [

@@ -1,6 +1,7 @@
 /** The command: grows one specimen of any model and writes it. */
 import { CoreError } from "../core/errors";
 import { FORMS, plantFile } from "../export/plant_files";
+import { agedOf, hasAges } from "../files/aged";
 import { modelNamed, modelNames } from "../models/index";
 import type { Plant } from "../plant/plant";
 import { type Call, readArguments } from "./arguments";
@@ -41,7 +42,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const { out } = call;
 	const ending = out === undefined ? "json" : endingOf(model, out);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
-	checkForm(call, ending);
+	checkForm(call, ending, hasAges(model, specimen));
 	const core = await world.loadCore(model.wasm);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
@@ -56,7 +57,11 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		world.print(jsonOf(model, all, specimen));
 		return;
 	}
-	for (const [file, data] of await filesOf(out, ending, model, all, specimen, { ...call.files, form: call.form })) {
+	const aged = agedOf(model, specimen, async (younger) =>
+		model.read(core.grow(model.encode(younger, { measures: false })), younger),
+	);
+	const options = { ...call.files, form: call.form };
+	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, aged)) {
 		await world.writeFile(file, data).catch((error: unknown) => {
 			throw new UsageError(`--out ${file}: ${reasonOf(error)}`);
 		});
@@ -64,9 +69,11 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	for (const note of all.notes) world.say(`note: ${note}`);
 }
 
-/** @throws UsageError where there is no such form of the file */
-function checkForm({ form, out }: Call, ending: string): void {
-	if (form === undefined || plantFile(ending, form)) return;
+/** @throws UsageError where there is no such form of the file, or the plant has no ages for it to show */
+function checkForm({ form, out }: Call, ending: string, ages: boolean): void {
+	const file = plantFile(ending, form);
+	if (file?.life && !ages) throw new UsageError(`--form ${form}: this plant has no ages to show`);
+	if (form === undefined || file) return;
 	const known = out !== undefined && plantFile(ending)?.form !== undefined;
 	const say = known ? `the forms are ${FORMS.join(", ")}` : "only a .glb has forms; see --help";
 	throw new UsageError(`--form ${form}: ${say}`);

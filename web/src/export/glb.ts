@@ -4,6 +4,7 @@ import type { Material, Picture } from "../plant/material";
 import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
 import { tinted } from "../plant/picture";
 import type { About } from "./about";
+import type { Moment } from "./animation";
 import type { Encoder } from "./binary_gltf";
 import { GltfDocument, type Json, type Placed } from "./gltf_document";
 import { gltfMaterial, type TextureIndices } from "./gltf_material";
@@ -26,6 +27,8 @@ export interface GlbOptions {
 	compact?: boolean;
 	/** Compresses what is compact (EXT_meshopt_compression, which readers must know); ready. */
 	encoder?: Encoder;
+	/** When parts are to be seen, by their names: an animation. What ends is not seen by readers that play none. */
+	moments?: ReadonlyMap<string, Moment>;
 	/** Whether light comes through flesh, which costs readers a pass of its own; without it flesh is as bright, and opaque. */
 	translucent?: boolean;
 }
@@ -53,6 +56,7 @@ class PartsWriter {
 	readonly #document: GltfDocument;
 	readonly #instancing: boolean;
 	readonly #translucent: boolean;
+	readonly #moments: GlbOptions["moments"];
 	/** The brightest colour of all vertices of a material. */
 	readonly #bases = new Map<Material, Colour>();
 	/** The same as a picture, where there is one. */
@@ -66,10 +70,15 @@ class PartsWriter {
 	/** Colours as they are written, of meshes that have any. */
 	readonly #colours = new Map<PartMesh, Float32Array>();
 
-	constructor(document: GltfDocument, parts: readonly Part[], { instancing = false, translucent = false }: GlbOptions) {
+	constructor(
+		document: GltfDocument,
+		parts: readonly Part[],
+		{ instancing = false, translucent = false, moments }: GlbOptions,
+	) {
 		this.#document = document;
 		this.#instancing = instancing;
 		this.#translucent = translucent;
+		this.#moments = moments;
 		for (const { shape } of everyPart(parts)) {
 			const colours = shape && writtenColours(shape.mesh, shape.material);
 			if (!colours) continue;
@@ -109,6 +118,8 @@ class PartsWriter {
 		else if (shape) frame = this.#draw(node, name, shape, parent);
 		held.push(...children.map((child) => this.#part(child, frame)));
 		if (held.length > 0) node.children = held;
+		const moment = this.#moments?.get(name);
+		if (moment) this.#document.show(node, index, moment);
 		return index;
 	}
 

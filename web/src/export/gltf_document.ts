@@ -3,6 +3,7 @@
  * validators ask. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
  */
 import type { Mesh } from "../plant/plant";
+import { Animation, keysOf, type Moment } from "./animation";
 import { type AccessorData, BinaryGltf, COMPRESSION, type Encoder, type ViewLayout } from "./binary_gltf";
 import { GENERATOR } from "./generator";
 import type { GltfMaterial } from "./gltf_material";
@@ -26,6 +27,8 @@ const VIEWS: Record<string, ViewLayout> = {
 	colours: { target: "vertices", stride: 4 },
 	shortIndices: { target: "indices" },
 	longIndices: { target: "indices" },
+	times: {},
+	sizes: {},
 	translations: {},
 	rotations: {},
 	scales: {},
@@ -71,6 +74,7 @@ export class GltfDocument {
 	readonly #images: Json[] = [];
 	readonly #textures: Json[] = [];
 	readonly #samplers: Json[] = [];
+	readonly #animation = new Animation();
 	readonly #patterns = new Map<Float32Array, Pattern & { of: Uint32Array }>();
 	readonly #used = new Set<string>();
 	readonly #required = new Set<string>();
@@ -109,6 +113,15 @@ export class GltfDocument {
 		this.#required.add(extension);
 	}
 
+	/** Has a node be seen at its moment alone, by its scale. */
+	show(node: Json, index: number, moment: Moment): void {
+		const { times, scales, scale } = keysOf(moment);
+		if (scale === 0) node.scale = [0, 0, 0];
+		const input = this.#binary.add("times", Float32Array.from(times), "SCALAR", { bounds: true });
+		const output = this.#binary.add("sizes", Float32Array.from(scales), "VEC3");
+		this.#animation.step(index, "scale", input, output);
+	}
+
 	/** Attributes of instances: appends to the view of that name, returns the accessor. */
 	instances(view: "translations" | "rotations" | "scales", data: AccessorData): number {
 		return this.#binary.add(view, data, view === "rotations" ? "VEC4" : "VEC3");
@@ -141,6 +154,7 @@ export class GltfDocument {
 				textures: this.#textures,
 				images: this.#images,
 				samplers: this.#samplers,
+				animations: this.#animation.written("Growth"),
 			}),
 		});
 	}

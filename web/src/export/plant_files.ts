@@ -1,6 +1,7 @@
 /** Files with meshes that there are of every plant: what they are called, and what makes them when one is asked for. */
 import type { Part } from "../plant/part";
 import type { About } from "./about";
+import type { Aged } from "./growth_glb";
 
 /** What a person may say of a file; what a file does not heed changes nothing. */
 export interface FileOptions {
@@ -32,8 +33,13 @@ export interface PlantFile {
 	readonly shared?: true;
 	/** Whether making it takes seconds. */
 	readonly slow?: true;
-	/** @param parts only read; the same parts and options give the same bytes */
-	make(parts: Iterable<Part>, about: About, options: FileOptions): Promise<Uint8Array<ArrayBuffer>>;
+	/** Whether it is of the plant at many ages, and so of plants that have any. */
+	readonly life?: true;
+	/**
+	 * @param parts only read; the same parts and options give the same bytes
+	 * @param aged the plant at other ages, for what is of its `life`
+	 */
+	make(parts: Iterable<Part>, about: About, options: FileOptions, aged?: Aged): Promise<Uint8Array<ArrayBuffer>>;
 }
 
 /** Of the *low* form, where nobody says otherwise. */
@@ -85,6 +91,20 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		shared: true,
 		make: async (parts, about, { translucent = false }) =>
 			(await import("./glb")).exportGlb(parts, about, { instancing: true, translucent }),
+	},
+	{
+		...GLB,
+		key: "glb-growth",
+		form: "growth",
+		title: "GLB, growth",
+		about: "Its life as an animation; opens everywhere",
+		suffix: "-growth.glb",
+		life: true,
+		slow: true,
+		make: async (_, about, __, aged) => {
+			if (!aged) throw new Error("This plant has no ages to show.");
+			return (await import("./growth_glb")).growthGlb(aged, about);
+		},
 	},
 	{
 		key: "usdz",

@@ -1,9 +1,13 @@
 /** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
+import { Core } from "../core/core";
+import { compileCore } from "../core/loader";
 import { aboutPlant } from "../export/about_plant";
+import type { Aged } from "../export/growth_glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
 import type { Model } from "../models/model";
+import { agedOf } from "./aged";
 import type { FileRequest } from "./messages";
 import { zip } from "./zip";
 
@@ -21,7 +25,10 @@ export async function makeFile(model: Model, request: FileRequest): Promise<Blob
 	const about = await aboutPlant(model, grown, specimen, link);
 	const parts = model.parts(grown, specimen);
 	const file = PLANT_FILES.find(({ key }) => key === format);
-	if (file) return new Blob([await file.make(parts, about, options ?? {})], { type: file.type });
+	if (file) {
+		const aged = file.life && (await agedBy(model, request));
+		return new Blob([await file.make(parts, about, options ?? {}, aged)], { type: file.type });
+	}
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
 	const { obj, mtl, pictures } = exportObj(parts, about, name);
 	const all = [
@@ -30,6 +37,14 @@ export async function makeFile(model: Model, request: FileRequest): Promise<Blob
 		...pictures,
 	];
 	return new Blob([zip(all)], { type: "application/zip" });
+}
+
+/** The plant at other ages, grown by a core of its own. */
+async function agedBy(model: Model, { specimen, core }: FileRequest): Promise<Aged | undefined> {
+	if (core === undefined) return undefined;
+	const instance = await Core.instantiate(await compileCore(core));
+	await model.prepare?.(specimen);
+	return agedOf(model, specimen, async (younger) => model.read(instance.grow(model.encode(younger)), younger));
 }
 
 function json(model: Model, { grown, specimen }: FileRequest): Blob {

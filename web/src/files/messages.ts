@@ -17,6 +17,8 @@ export interface FileRequest {
 	/** What the file is called, without extension. */
 	readonly name: string;
 	readonly options?: FileOptions;
+	/** Where the model's core lies, for files that show the plant at many ages. */
+	readonly core?: string;
 }
 
 export type FromExporter =

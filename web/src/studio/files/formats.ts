@@ -1,7 +1,9 @@
 /** What `Download` gives. Files are made in a worker (files/), which is loaded when the first is asked for. */
 import { type FileOptions, PLANT_FILES } from "../../export/plant_files";
+import { hasAges } from "../../files/aged";
 import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
+import { coreAddress } from "../core_address";
 import type { Shown, StudioState } from "../studio_state";
 
 export interface Download {
@@ -42,11 +44,13 @@ const OF_EVERY_PLANT: readonly Listed[] = [
 export function formatsOf(shown: Shown, picture: StudioState["picture"], write = exportFile): readonly Download[] {
 	const { model, grown } = shown;
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
-	const meshes = PLANT_FILES.filter(({ shared }) => !shared || hasInstances(shown));
+	const core = hasAges(model, shown.from) ? coreAddress(model.wasm) : undefined;
+	const meshes = PLANT_FILES.filter(({ shared, life }) => (!shared || hasInstances(shown)) && (!life || core));
 	const listed: Listed[] = [...meshes, ...OF_EVERY_PLANT, ...own];
 	const written = listed.map(({ key, title, about, suffix, slow = false }): Download => {
 		const make: Download["make"] = ({ plant: { model, grown, from }, ...asked }, signal) => {
-			const request = { model: model.name, format: key, grown, specimen: from, ...asked };
+			const aged = core === undefined ? {} : { core };
+			const request = { model: model.name, format: key, grown, specimen: from, ...aged, ...asked };
 			return write(model, request, signal ? { signal } : {});
 		};
 		return { key, title, about, suffix, slow, sized: true, make };

@@ -1,0 +1,45 @@
+import { AnimationMixer, Box3, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import { growthGlb } from "../../../web/src/export/growth_glb";
+import type { Part } from "../../../web/src/plant/part";
+import { complaints, documentOf, load, meshesOf } from "./reading";
+import { ABOUT, PULP, tetrahedron } from "./toy_parts";
+
+/** A fruit as high as its age; nothing yet at age 0. */
+const AGED = {
+	ages: [0, 50, 100],
+	at: async (age: number): Promise<Part[]> =>
+		age === 0 ? [] : [{ name: "Fruit", shape: { mesh: tetrahedron([0, 0, 0], age / 100), material: PULP } }],
+};
+
+describe("the growth of a plant as a GLB", () => {
+	it("is plain glTF of which the validator has nothing to say", async () => {
+		const glb = await growthGlb(AGED, ABOUT);
+		expect(await complaints(glb)).toEqual([]);
+		const { extensionsRequired, nodes } = documentOf(glb);
+		expect(extensionsRequired).toBeUndefined();
+		expect(nodes.filter(({ name }) => name.startsWith("Age"))).toHaveLength(2);
+	});
+
+	it("shows one age at a time, in three.js, and the oldest where nothing is played", async () => {
+		const { scene, animations } = await load(await growthGlb(AGED, ABOUT));
+		expect(animations.map(({ name, duration }) => [name, duration])).toEqual([["Growth", 12]]);
+		const heights = () => {
+			scene.updateMatrixWorld(true);
+			return meshesOf(scene).map((mesh) => new Box3().setFromObject(mesh).getSize(new Vector3()).y);
+		};
+		const near = (all: number[]) => all.map((value) => expect.closeTo(value, 3));
+		expect(heights()).toEqual(near([0, 2]));
+		const mixer = new AnimationMixer(scene);
+		mixer.clipAction(animations[0]).play();
+		const at = (seconds: number) => {
+			mixer.setTime(seconds);
+			return heights();
+		};
+		expect(at(1)).toEqual(near([0, 0]));
+		expect(at(6)).toEqual(near([1, 0]));
+		expect(at(9.9)).toEqual(near([1, 0]));
+		expect(at(10.1)).toEqual(near([0, 2]));
+		expect(at(11.9)).toEqual(near([0, 2]));
+	});
+});
