@@ -1,0 +1,13 @@
+/** What the tests use of assimpjs, which brings no types: the Assimp library as WebAssembly. */
+declare module "assimpjs" {
+	interface Assimp {
+		FileList: new () => { AddFile(name: string, content: Uint8Array): void };
+		ConvertFileList(files: InstanceType<Assimp["FileList"]>, format: "assjson"): AssimpResult;
+	}
+	interface AssimpResult {
+		IsSuccess(): boolean;
+		GetErrorCode(): string;
+		GetFile(index: number): { GetContent(): Uint8Array };
+	}
+	export default function assimpjs(): Promise<Assimp>;
+}
