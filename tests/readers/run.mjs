@@ -2,14 +2,10 @@
  * `npm run readers`: files of each model, opened by programs that are none of ours – trimesh, Blender (`bpy`), USD (`usd-core`) – and
  * compared in counts and bounds. Installs them from PyPI into build/readers, which takes Python 3.11 with its venv and a gigabyte.
  */
-import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { statSync } from "node:fs";
 import { join } from "node:path";
-import { run } from "../../wasm-core/tools/process.mjs";
-import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
-
-const folder = join(buildFolder, "readers");
-const python = join(folder, "venv/bin/python");
-const requirements = join(repository, "tests/readers/requirements.txt");
+import { repository } from "../../wasm-core/tools/repository.mjs";
+import { folder, install, must, python } from "./programs.mjs";
 
 /** Plants small enough to be read soon. */
 const PLANTS = ["bunch/riesling", "leaf/oak", "root/carrot"];
@@ -31,23 +27,6 @@ const FILES = [
 	{ name: "print.stl", words: ["--thickness", "1"], readers: ["trimesh", "blender"], within: 0.03 },
 	{ name: "print.3mf", words: ["--thickness", "1"], readers: ["trimesh"], within: 0.03 },
 ];
-
-async function must(command, args) {
-	const { status, output } = await run(command, args, { cwd: repository });
-	if (status !== 0) throw new Error(`${command} ${args.join(" ")} failed:\n${output}`);
-	return output;
-}
-
-async function install() {
-	mkdirSync(folder, { recursive: true });
-	const stamp = join(folder, "installed.txt");
-	const wanted = readFileSync(requirements, "utf8");
-	if (existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
-	console.log("Installing the readers …");
-	await must("python3.11", ["-m", "venv", join(folder, "venv")]);
-	await must(python, ["-m", "pip", "install", "--quiet", "--requirement", requirements]);
-	writeFileSync(stamp, wanted);
-}
 
 async function read(reader, file) {
 	const output = await must(python, [join(repository, "tests/readers/read.py"), reader, file]);
