@@ -77,6 +77,7 @@ export class Stage extends StudioPart {
 		this.#solid?.dispose();
 		this.#solid = undefined;
 		if (this.#started) this.desk.showPicture(undefined);
+		this.#started = false;
 	}
 
 	async #start(): Promise<void> {
