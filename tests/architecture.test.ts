@@ -36,6 +36,7 @@ const webRooms: Record<string, string[]> = {
 	models: beforeModels,
 	files: [...beforeModels, "models"],
 	batch: [...beforeModels, "models", "files"],
+	service: [...beforeModels, "models", "files", "batch"],
 	element: [...beforeModels, "models", "files"],
 	studio: [...beforeModels, "models", "files", "batch", "element"],
 	cli: ["core", "specimen", "plant", "export", "models", "files", "batch"],
