@@ -16,7 +16,7 @@ const OF_PAGES = new Set(
 		" ",
 	),
 );
-const OF_FRAMEWORKS = /[^a-z0-9]|^on/;
+const OF_FRAMEWORKS = /[^a-z0-9_]|^_|^on/;
 
 /** What it is a specimen of, and what was wrong in what was said of it. */
 export interface Said extends Restored {

@@ -9,14 +9,13 @@ import { measuresOf, type WrittenMeasures } from "../export/measures";
 import type { FileOptions } from "../export/plant_files";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
-import { ORBIT_KEYS } from "../scene/orbit_keys";
 import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { readAttributes, saysSpecimen } from "./attributes";
 import { commons } from "./commons";
-import { ELEMENT_STYLE } from "./element_style";
+import { shadowTree } from "./shadow_tree";
 import { SpecimenView } from "./specimen_view";
 
 /** What `grown` and `grow()` tell. */
@@ -46,9 +45,9 @@ interface Shown extends Document {
 const NEAR = "256px";
 
 export class PanicleSpecimen extends HTMLElement {
-	readonly #canvas = document.createElement("canvas");
-	readonly #poster = document.createElement("img");
-	readonly #message = document.createElement("p");
+	readonly #canvas: HTMLCanvasElement;
+	readonly #poster: HTMLImageElement;
+	readonly #message: HTMLElement;
 	#document: Promise<Document> | undefined;
 	#shown: Shown | undefined;
 	/** From when it comes to a page until it leaves. */
@@ -62,21 +61,10 @@ export class PanicleSpecimen extends HTMLElement {
 
 	constructor() {
 		super();
-		const root = this.attachShadow({ mode: "open", delegatesFocus: true });
-		const style = new CSSStyleSheet();
-		style.replaceSync(ELEMENT_STYLE);
-		root.adoptedStyleSheets = [style];
-		const keys = document.createElement("p");
-		Object.assign(keys, { id: "keys", className: "unseen", textContent: ORBIT_KEYS });
-		Object.assign(this.#canvas, { tabIndex: 0, role: "application" });
-		this.#canvas.setAttribute("aria-roledescription", "3-D view");
-		this.#canvas.setAttribute("aria-describedby", "keys");
-		this.#canvas.part.add("view");
-		this.#poster.part.add("poster");
-		this.#poster.alt = "";
-		this.#message.part.add("message");
-		this.#message.hidden = true;
-		root.append(this.#canvas, this.#poster, this.#message, keys);
+		const { canvas, poster, message } = shadowTree(this);
+		this.#canvas = canvas;
+		this.#poster = poster;
+		this.#message = message;
 		this.#say();
 	}
 
