@@ -20,7 +20,7 @@ export default defineConfig({
 		assetsInlineLimit: 0,
 		modulePreload: { polyfill: false },
 		rolldownOptions: {
-			input: { index: at("web/index.html"), panicle: at("web/src/element/panicle.ts") },
+			input: { index: at("web/index.html"), embed: at("web/embed.html"), panicle: at("web/src/element/panicle.ts") },
 			// The element is a script for other pages: its name stays what it is.
 			output: { entryFileNames: ({ name }) => (name === "panicle" ? "panicle.js" : "assets/[name]-[hash].js") },
 			preserveEntrySignatures: "exports-only",

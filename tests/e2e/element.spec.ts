@@ -248,3 +248,46 @@ test("a hundred that come and go leave nothing behind, and ten share a context",
 	expect(await page.evaluate(() => (window as unknown as { counts: object }).counts)).toMatchObject({ contexts: 1 });
 	await close();
 });
+
+test("a frame holds a plant, and talks with its page alone", async ({ page }) => {
+	const close = await open(
+		page,
+		`<iframe title="A plant" src="${library.address}embed.html?v=2&preset=redcurrant&count=6&theme=dark" width="200" height="300"></iframe>`,
+	);
+	const view = page.frameLocator("iframe").getByRole("application", { name: "Redcurrant: 6 berries" });
+	await expect(view).toBeVisible();
+	expect(await view.evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight])).toEqual([200, 300]);
+	const told = await page.evaluate(async () => {
+		const frame = (document.querySelector("iframe") as HTMLIFrameElement).contentWindow as Window;
+		const heard: { id?: number; event?: string; result?: unknown; error?: string; detail?: { words: string } }[] = [];
+		addEventListener("message", ({ data }) => heard.push(data));
+		const asked = (id: number, method: string, values?: object) =>
+			new Promise<(typeof heard)[number]>((resolve) => {
+				const wait = () => {
+					const answer = heard.find((each) => each.id === id);
+					if (answer) resolve(answer);
+					else setTimeout(wait, 20);
+				};
+				frame.postMessage({ panicle: "panicle/1", id, method, values }, "*");
+				wait();
+			});
+		await asked(1, "listen");
+		await asked(2, "set", { count: 9 });
+		await asked(3, "open", { link: "?v=2&preset=redcurrant&count=7" });
+		const { result: file } = await asked(4, "file", { format: "json" });
+		const { error } = await asked(5, "dance");
+		return {
+			events: heard.filter(({ event }) => event).map(({ event, detail }) => [event, detail?.words]),
+			file: JSON.parse(await (file as Blob).text()).counts,
+			error,
+		};
+	});
+	expect(told.events).toEqual([
+		["change", undefined],
+		["grown", expect.stringMatching(/^9 berries/)],
+		["grown", expect.stringMatching(/^7 berries/)],
+	]);
+	expect(told.file).toMatchObject({ berries: 7 });
+	expect(told.error).toMatch(/^there is no method "dance"/);
+	await close();
+});

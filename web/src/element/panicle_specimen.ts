@@ -58,6 +58,7 @@ export class PanicleSpecimen extends HTMLElement {
 	/** Whether a growth is due as soon as the plant comes near. */
 	#due = false;
 	#growing: Promise<GrownDetail> | undefined;
+	readonly #attributes = new MutationObserver((changes) => this.#changed(namesOf(changes)));
 
 	constructor() {
 		super();
@@ -96,6 +97,8 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** Grows now, wherever it is, what has not grown yet. */
 	grow(): Promise<GrownDetail> {
+		// An attribute that was set just now is not told before the present task is through.
+		this.#changed(namesOf(this.#attributes.takeRecords()));
 		this.#due = false;
 		const growing = this.#grow();
 		this.#growing = growing;
@@ -127,10 +130,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#life = life;
 		const leave = commons.enter();
 		this.#client = commons.client();
-		const attributes = new MutationObserver((changes) =>
-			this.#changed(changes.map((each) => each.attributeName ?? "")),
-		);
-		attributes.observe(this, { attributes: true });
+		this.#attributes.observe(this, { attributes: true });
 		const sizes = new ResizeObserver(() => this.#withView((view) => view.resize()));
 		sizes.observe(this);
 		const near = new IntersectionObserver((entries) => this.#approach(entries), { rootMargin: NEAR });
@@ -139,7 +139,7 @@ export class PanicleSpecimen extends HTMLElement {
 		const dark = matchMedia("(prefers-color-scheme: dark)");
 		dark.addEventListener("change", () => this.#follow("theme"), { signal: life.signal });
 		life.signal.addEventListener("abort", () => {
-			for (const observer of [attributes, sizes, near, seen]) observer.disconnect();
+			for (const observer of [this.#attributes, sizes, near, seen]) observer.disconnect();
 			this.#client?.close();
 			this.#view?.then((view) => view.dispose()).catch(() => {});
 			this.#view = undefined;
@@ -281,6 +281,7 @@ export class PanicleSpecimen extends HTMLElement {
 	}
 }
 
+const namesOf = (changes: readonly MutationRecord[]) => changes.map(({ attributeName }) => attributeName ?? "");
 const isSeen = (entries: readonly IntersectionObserverEntry[]) => entries.at(-1)?.isIntersecting ?? false;
 
 async function detailOf({ model, specimen, grown, notes }: Shown): Promise<GrownDetail> {
