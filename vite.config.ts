@@ -19,6 +19,12 @@ export default defineConfig({
 		// Nothing inline: the pages' policy allows no inline script and no data: address for a module.
 		assetsInlineLimit: 0,
 		modulePreload: { polyfill: false },
+		rolldownOptions: {
+			input: { index: at("web/index.html"), embed: at("web/embed.html"), panicle: at("web/src/element/panicle.ts") },
+			// The element is a script for other pages: its name stays what it is.
+			output: { entryFileNames: ({ name }) => (name === "panicle" ? "panicle.js" : "assets/[name]-[hash].js") },
+			preserveEntrySignatures: "exports-only",
+		},
 	},
 	server: { fs: { allow: [at(".")] } },
 	test: {

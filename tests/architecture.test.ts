@@ -3,6 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
+import { beforeModels, coreRooms, knowBuild, webRooms } from "./rooms";
 
 const repository = dirname(dirname(fileURLToPath(import.meta.url)));
 
@@ -21,28 +22,6 @@ function read(file: string): string {
 		return ""; // deleted, but not yet from the index
 	}
 }
-
-const coreRooms = ["foundation", "geometry", "environment", "lsystem", "plant", "models", "boundary"];
-
-/** What each room of web/src may import besides itself. `models` is the interface and the index; `element` is to come. */
-const beforeModels = ["core", "specimen", "plant", "controls", "scene", "export"];
-const webRooms: Record<string, string[]> = {
-	core: [],
-	specimen: ["core"],
-	plant: ["core"],
-	controls: ["core", "specimen", "plant"],
-	scene: ["core", "plant"],
-	export: ["core", "specimen", "plant"],
-	models: beforeModels,
-	files: [...beforeModels, "models"],
-	batch: [...beforeModels, "models", "files"],
-	element: [...beforeModels, "models", "files"],
-	studio: [...beforeModels, "models", "files", "batch", "element"],
-	cli: ["core", "specimen", "plant", "export", "models", "files", "batch"],
-};
-
-/** Rooms that say where the built core lies; the others get it from them. */
-const knowBuild = ["core", "element", "studio", "cli"];
 
 interface Import {
 	from: string;

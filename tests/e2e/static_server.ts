@@ -17,16 +17,36 @@ const TYPES: Readonly<Record<string, string>> = {
 	".webmanifest": "application/manifest+json",
 };
 
-/** A plain static host that has a built app below `base` and nothing anywhere else. */
-export async function serveUnder(base: string, app = "dist"): Promise<{ address: string; close(): Promise<void> }> {
+/** A page of a host's own: its HTML, and the policy it is sent with. */
+export interface HostPage {
+	readonly html: string;
+	readonly policy?: string;
+}
+
+/**
+ * A plain static host that has a built app below `base`, for pages of any origin, and besides only the pages it is given.
+ * @param pages by their names at the root: `plant.html`
+ */
+export async function serveUnder(
+	base: string,
+	app = "dist",
+	pages: Readonly<Record<string, HostPage>> = {},
+): Promise<{ address: string; close(): Promise<void> }> {
 	const folder = fileURLToPath(new URL(`${app}/`, repository));
 	const server = createServer(async (request, response) => {
 		const { pathname } = new URL(request.url ?? "/", "http://host");
+		const page = pages[pathname.slice(1)];
+		if (page) {
+			const policy = page.policy ? { "content-security-policy": page.policy } : {};
+			response.writeHead(200, { "content-type": "text/html", ...policy }).end(page.html);
+			return;
+		}
 		try {
 			if (!pathname.startsWith(base)) throw new Error("outside");
 			const file = join(folder, pathname.slice(base.length) || "index.html");
 			const bytes = await readFile(file);
-			response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" }).end(bytes);
+			const type = TYPES[extname(file)] ?? "application/octet-stream";
+			response.writeHead(200, { "content-type": type, "access-control-allow-origin": "*" }).end(bytes);
 		} catch {
 			response.writeHead(404).end();
 		}

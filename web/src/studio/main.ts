@@ -1,10 +1,11 @@
 /** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
 import { changed } from "../controls/changed";
+import { coreAddress } from "../core/core_address";
+import { loadFigure, loadScene } from "../element/figures";
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
 import type { Model } from "../models/model";
 import { allBut } from "../specimen/all_but";
 import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } from "./address";
-import { coreAddress } from "./core_address";
 import { Cores } from "./cores";
 import { Growing } from "./growing";
 import { runningBy } from "./panel_groups";
@@ -12,7 +13,6 @@ import type { Help } from "./parts/help";
 import type { StudioPart } from "./parts/studio_part";
 import { listenForShortcuts } from "./shortcuts";
 import { listenForSkips } from "./skips";
-import { loadFigure, loadScene } from "./solid_view";
 import { Studio } from "./studio";
 import { applyTheme, isSystemDark, onSystemTheme } from "./theme";
 import { titleOf } from "./title";

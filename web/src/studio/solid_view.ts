@@ -1,43 +1,15 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
 import type { Camera, Object3D } from "three";
 import type { Face, ToolHands, ToolView } from "../controls/tool";
+import { loadFigure, loadScene } from "../element/figures";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
-import type { FigureMaker } from "../scene/figure";
+import { turnedBy } from "../scene/orbit_keys";
 import type { Viewer } from "../scene/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
 import { lookOf, type Shown, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";
-
-type SceneModule = typeof import("../scene/viewer");
-type Maker = FigureMaker<Specimen, Plant>;
-
-let loading: Promise<SceneModule> | undefined;
-const figures = new Map<Model, Promise<Maker>>();
-
-/** Starts loading the scene's script, the largest of the page; asked for again, it is the same one, unless it failed. */
-export function loadScene(): Promise<SceneModule> {
-	if (loading) return loading;
-	const scene = import("../scene/viewer");
-	loading = scene;
-	scene.catch(() => {
-		loading = undefined;
-	});
-	return scene;
-}
-
-/** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
-export function loadFigure(model: Model): Promise<Maker> {
-	const before = figures.get(model);
-	if (before) return before;
-	const figure =
-		model.figure?.() ??
-		import("../scene/part_figure").then(({ partFigure }) => partFigure((grown, from) => model.parts(grown, from)));
-	figures.set(model, figure);
-	figure.catch(() => figures.delete(model));
-	return figure;
-}
 
 /** What the canvas has to tell besides the plant. */
 export interface SolidViewEvents {
@@ -45,9 +17,6 @@ export interface SolidViewEvents {
 	restored(): void;
 }
 
-const ORBIT_STEP = 0.12;
-const PAN_STEP = 0.05;
-const ZOOM_STEP = 1.15;
 /** Pixels of a picture to one of the page. */
 const PICTURE_SCALE = 2;
 
@@ -126,15 +95,8 @@ export class SolidView implements ToolView {
 	}
 
 	/** Turns, moves and zooms by keys; tells whether the key was one of them. */
-	press({ key, shiftKey }: KeyboardEvent): boolean {
-		const arrow = ARROWS[key];
-		if (arrow && shiftKey) this.#view.pan(arrow[0] * PAN_STEP, arrow[1] * PAN_STEP);
-		else if (arrow) this.#view.orbit(arrow[0] * ORBIT_STEP, arrow[1] * ORBIT_STEP);
-		else if (key === "+" || key === "=") this.#view.zoom(ZOOM_STEP);
-		else if (key === "-" || key === "−") this.#view.zoom(1 / ZOOM_STEP);
-		else if (key === "0") this.reset();
-		else return false;
-		return true;
+	press(event: KeyboardEvent): boolean {
+		return turnedBy(this.#view, event);
 	}
 
 	/** The whole plant again, as the page opens with it. */
@@ -236,10 +198,3 @@ export class SolidView implements ToolView {
 		this.#hands = face?.tools.flatMap((tool) => tool.hands?.(this, this.#studio) ?? []) ?? [];
 	}
 }
-
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-	ArrowLeft: [-1, 0],
-	ArrowRight: [1, 0],
-	ArrowUp: [0, -1],
-	ArrowDown: [0, 1],
-};

@@ -79,3 +79,11 @@ it("follows no more once it has left the page", async () => {
 	await task();
 	expect(solid.update).not.toHaveBeenCalled();
 });
+
+it("shows the plant again when it comes back to the page", async () => {
+	stage.disconnectedCallback();
+	stage.connectedCallback();
+	(stage as unknown as { updated(): void }).updated();
+	await task();
+	expect(solid.update.mock.calls).toEqual([[studio.state]]);
+});

@@ -4,8 +4,8 @@ import type { Series } from "../../batch/series";
 import { type Watch, zipOf } from "../../batch/series_zip";
 import { readVary } from "../../batch/vary";
 import { Client } from "../../core/client";
+import { coreAddress } from "../../core/core_address";
 import { exportFile } from "../../files/exporter";
-import { coreAddress } from "../core_address";
 import { Cores } from "../cores";
 import type { StudioState } from "../studio_state";
 

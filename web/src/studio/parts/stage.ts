@@ -1,6 +1,7 @@
 import { html, nothing } from "lit";
 import { type IconName, icon } from "../../controls/icons";
 import { rove, stopAt } from "../../controls/roving";
+import { ORBIT_KEYS } from "../../scene/orbit_keys";
 import { fromPreset } from "../../specimen/from_preset";
 import { sameSpecimen } from "../../specimen/same";
 import { applying } from "../panel_groups";
@@ -46,7 +47,7 @@ export class Stage extends StudioPart {
 				class="stage-surface" tabindex="0" role="application" aria-roledescription="3-D view" aria-label=${described(studio)} aria-describedby=${this.idOf("keys")}
 				@keydown=${this.#press}
 			></canvas>
-			<p class="unseen" id=${this.idOf("keys")}>${KEYS}</p>
+			<p class="unseen" id=${this.idOf("keys")}>${ORBIT_KEYS}</p>
 			${shown ? caption(studio) : nothing}
 			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
@@ -77,6 +78,7 @@ export class Stage extends StudioPart {
 		this.#solid?.dispose();
 		this.#solid = undefined;
 		if (this.#started) this.desk.showPicture(undefined);
+		this.#started = false;
 	}
 
 	async #start(): Promise<void> {
@@ -143,13 +145,9 @@ export class Stage extends StudioPart {
 	}
 
 	#press(event: KeyboardEvent): void {
-		if (event.ctrlKey || event.metaKey || event.altKey) return;
 		if (this.#solid?.press(event)) event.preventDefault();
 	}
 }
-
-/** What the keys do while the view has the focus, for those who do not see the help. */
-const KEYS = "Arrow keys orbit, with Shift they move; plus and minus go nearer and further, 0 resets the view.";
 
 /** What the picture shows, in words. */
 function described({ state: { failure, shown, model } }: Studio): string {

@@ -102,7 +102,7 @@ describe("a key", () => {
 	it("moves the chosen point by a step, by ten with Shift, and says where it is", () => {
 		const step = pressed(oak, 6, key("ArrowRight"), SAME);
 		expect(step?.points?.[6].x).toBeCloseTo(oak[6].x + 0.005, 3);
-		expect(step?.said).toBe("19.1 right, 22.2 up");
+		expect(step?.said).toBe("19.1 % right, 22.2 % up");
 		expect(pressed(oak, 6, key("ArrowUp", true), SAME)?.points?.[6].y).toBeCloseTo(oak[6].y + 0.05, 3);
 	});
 
@@ -130,8 +130,8 @@ describe("a key", () => {
 	});
 
 	it("has words for a point", () => {
-		expect(pointInWords(oak, 6)).toBe("Point 6 of 49, rounded lobe tip: 18.6 right, 22.2 up");
-		expect(pointInWords(oak, 25)).toBe("Point 25 of 49, rounded lobe tip: in the middle, 100 up");
+		expect(pointInWords(oak, 6)).toBe("Point 6 of 49, rounded lobe tip: 18.6 % right, 22.2 % up");
+		expect(pointInWords(oak, 25)).toBe("Point 25 of 49, rounded lobe tip: in the middle, 100 % up");
 	});
 });
 

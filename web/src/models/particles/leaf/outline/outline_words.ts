@@ -8,14 +8,14 @@ export const KIND_WORDS: Readonly<Record<Kind, string>> = {
 	pointed: "pointed lobe tip",
 };
 
-/** "31 right, 45 up", in hundredths of the leaf's length. */
+/** "31 % right, 45 % up", of the leaf's length. */
 export function placeInWords({ x, y }: OutlinePoint): string {
 	const [across, up] = [x, y].map((value) => Math.round(1000 * value) / 10);
-	const aside = across === 0 ? "in the middle" : `${Math.abs(across)} ${across > 0 ? "right" : "left"}`;
-	return `${aside}, ${Math.abs(up)} ${up < 0 ? "below" : "up"}`;
+	const aside = across === 0 ? "in the middle" : `${Math.abs(across)} % ${across > 0 ? "right" : "left"}`;
+	return `${aside}, ${Math.abs(up)} % ${up < 0 ? "below" : "up"}`;
 }
 
-/** "Point 5 of 36, corner: 31 right, 45 up". */
+/** "Point 5 of 36, corner: 31 % right, 45 % up". */
 export function pointInWords(points: readonly OutlinePoint[], index: number): string {
 	const point = points[index];
 	return `Point ${index} of ${points.length - 1}, ${KIND_WORDS[point.kind]}: ${placeInWords(point)}`;

@@ -1,0 +1,67 @@
+/**
+ * `npm run bench -- service [REQUESTS]`: how many bunches of 120 berries a second of one processor's time the model service answers as
+ * JSON, and what memory the process holds on the way: after as many requests as are asked for (100,000 say) it is to be what it was.
+ */
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { build } from "vite";
+import { buildFolder, modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
+import { printTable } from "./statistics.mjs";
+
+const BUNCH = "http://localhost/specimens/long-conical.json?count=120";
+
+export async function benchService(requests = 2000) {
+	const { makeService, loadCoreFromBytes } = await bundled();
+	const loadCore = async (wasm) => loadCoreFromBytes(await readFile(join(modulesFolder, wasm)));
+	const service = makeService({ release: "bench", loadCore });
+	let seed = 0;
+	const ask = async (address, count) => {
+		for (let i = 0; i < count; i++) {
+			const answer = await service(new Request(`${address}&seed=${++seed}`));
+			if (answer.status !== 200) throw new Error(await answer.text());
+			await answer.arrayBuffer();
+		}
+	};
+	const perSecond = async (address, count) => {
+		const from = process.cpuUsage();
+		await ask(address, count);
+		const { user, system } = process.cpuUsage(from);
+		return (1e6 * count) / (user + system);
+	};
+	await ask(BUNCH, 200);
+	const rows = [["JSON", "a second of processor time"]];
+	rows.push(["without measures", (await perSecond(`${BUNCH}&file-measures=0`, 300)).toFixed(0)]);
+	rows.push(["with measures", (await perSecond(BUNCH, 300)).toFixed(0)]);
+	printTable("Bunches of 120 berries, answered by the model service", rows);
+	const memory = [["requests", "MB"]];
+	for (let part = 0; part < 5; part++) {
+		await ask(`${BUNCH}&file-measures=0`, Math.ceil(requests / 5));
+		globalThis.gc?.();
+		memory.push([`${seed}`, (process.memoryUsage().rss / 1e6).toFixed(0)]);
+	}
+	printTable("Memory that the process holds", memory);
+}
+
+/** As it runs: models come by lazy imports, which a bundle resolves. */
+async function bundled() {
+	const outDir = join(buildFolder, "node/bench");
+	const entry = (path) => join(repository, "web/src", path);
+	await build({
+		root: repository,
+		configFile: false,
+		publicDir: false,
+		logLevel: "silent",
+		build: {
+			ssr: true,
+			outDir,
+			target: "node20",
+			rolldownOptions: {
+				input: { service: entry("service/service.ts"), loader: entry("core/loader.ts") },
+				output: { entryFileNames: "[name].mjs" },
+			},
+		},
+	});
+	const at = (name) => import(pathToFileURL(join(outDir, `${name}.mjs`)).href);
+	return { ...(await at("service")), ...(await at("loader")) };
+}

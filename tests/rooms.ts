@@ -1,0 +1,25 @@
+/** Which room may use which: what tests/architecture.test.ts holds the sources to. */
+
+/** Rooms of the core, each after those it may include. */
+export const coreRooms = ["foundation", "geometry", "environment", "lsystem", "plant", "models", "boundary"];
+
+/** What each room of web/src may import besides itself. `models` is the interface and the index. */
+export const beforeModels = ["core", "specimen", "plant", "controls", "scene", "export"];
+export const webRooms: Record<string, string[]> = {
+	core: [],
+	specimen: ["core"],
+	plant: ["core"],
+	controls: ["core", "specimen", "plant"],
+	scene: ["core", "plant"],
+	export: ["core", "specimen", "plant"],
+	models: beforeModels,
+	files: [...beforeModels, "models"],
+	batch: [...beforeModels, "models", "files"],
+	service: [...beforeModels, "models", "files", "batch"],
+	element: [...beforeModels, "models", "files"],
+	studio: [...beforeModels, "models", "files", "batch", "element"],
+	cli: ["core", "specimen", "plant", "export", "models", "files", "batch"],
+};
+
+/** Rooms that say where the built core lies; the others get it from them. */
+export const knowBuild = ["core", "element", "studio", "cli", "service"];

@@ -1,0 +1,89 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { OWN_ATTRIBUTES, readAttributes, saysSpecimen } from "../../../web/src/element/attributes";
+import { modelNamed, modelNames } from "../../../web/src/models/index";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { encodeLink } from "../../../web/src/specimen/link";
+import { isKnown } from "../../../web/src/specimen/restore";
+
+const read = (said: Record<string, string>) =>
+	readAttributes(Object.entries(said).map(([name, value]) => ({ name, value })));
+const textsOf = ({ notes }: Awaited<ReturnType<typeof read>>) => notes.map(({ text }) => text);
+
+describe("the specimen that attributes say", () => {
+	it("is the default where they say nothing", async () => {
+		const model = await modelNamed();
+		expect(await read({})).toEqual({ model, specimen: fromPreset(model), notes: [] });
+	});
+
+	it("is a preset with what is changed of it, of the model that is named", async () => {
+		const { model, specimen, notes } = await read({ model: "leaf", preset: "oak", seed: "7", length: "90" });
+		expect(notes).toEqual([]);
+		expect([model.name, specimen]).toMatchObject(["leaf", { preset: "oak", seed: 7, parameters: { length: 90 } }]);
+	});
+
+	it.each([
+		"?v=2&preset=merlot&age=60",
+		"https://any.example/plants/?v=2&preset=merlot&age=60#",
+		"?preset=merlot&age=60&v=2",
+	])("is the link %s, and what other attributes change of it", async (link) => {
+		const { specimen, notes } = await read({ link, seed: "3" });
+		expect(notes).toEqual([]);
+		expect(specimen).toMatchObject({ preset: "merlot", seed: 3, parameters: { age: 60 } });
+	});
+
+	it("is a link’s model, and a text in its fragment", async () => {
+		expect((await read({ link: "?v=2&model=root&preset=carrot" })).model.name).toBe("root");
+		const bunch = await modelNamed();
+		const own = { ...fromPreset(bunch), grammar: "axiom: F(0.1)\n" };
+		expect((await read({ link: await encodeLink(bunch, own as never) })).specimen).toEqual(own);
+	});
+
+	it("comes with a note for what cannot be used", async () => {
+		expect(textsOf(await read({ preset: "nettle" }))).toEqual([expect.stringMatching(/^preset: .*nettle/)]);
+		expect(textsOf(await read({ age: "900" }))).toEqual(["age: 900 is above the greatest value, 125; 125 is used."]);
+		expect(textsOf(await read({ model: "fern" }))).toEqual([
+			"model: there is none called “fern”; the default is used.",
+		]);
+		expect(textsOf(await read({ colour: "red" }))).toEqual([
+			"colour: no parameter of the bunch has that name; it is passed over.",
+		]);
+	});
+
+	it("is not changed by what is every element’s, a framework’s or the element’s own", async () => {
+		const others = [
+			"class",
+			"style",
+			"id",
+			"aria-busy",
+			"data-x",
+			"_ngcontent-c1",
+			"onclick",
+			"v-on:x",
+			...OWN_ATTRIBUTES,
+		];
+		expect(others.filter(saysSpecimen)).toEqual([]);
+		expect((await read(Object.fromEntries(others.map((name) => [name, "x"])))).notes).toEqual([]);
+	});
+
+	it("leaves every parameter of every model in reach of an attribute", async () => {
+		for (const model of await Promise.all(modelNames().map(modelNamed))) {
+			const keys = [...model.table.links.keys()];
+			expect(keys.filter((key) => !saysSpecimen(key) || key !== key.toLowerCase())).toEqual([]);
+			expect(OWN_ATTRIBUTES.filter((key) => isKnown(model, key))).toEqual([]);
+		}
+	});
+
+	it("is one, whatever comes in", () =>
+		fc.assert(
+			fc.asyncProperty(
+				fc.dictionary(fc.constantFrom("link", "model", "preset", "seed", "age", "thin", "x"), fc.string()),
+				async (said) => {
+					const { model, specimen } = await read(said);
+					expect(specimen.model).toBe(model.name);
+					expect(model.presets.named(specimen.preset)).toBeDefined();
+				},
+			),
+			{ numRuns: 200 },
+		));
+});

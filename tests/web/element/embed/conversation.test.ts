@@ -1,0 +1,131 @@
+import fc from "fast-check";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { Conversation, type Plant, PROTOCOL } from "../../../../web/src/element/embed/conversation";
+import { FRAME_KEYS, frameSettings } from "../../../../web/src/element/embed/frame_settings";
+import { modelNamed, modelNames } from "../../../../web/src/models/index";
+import { isKnown } from "../../../../web/src/specimen/restore";
+
+const HOST = "https://host.example";
+const grown = { link: "?v=2" } as never;
+let plant: { [Key in keyof Plant]: Key extends "specimen" ? unknown : ReturnType<typeof vi.fn> };
+const source = { postMessage: vi.fn() };
+beforeEach(() => {
+	source.postMessage.mockReset();
+	plant = {
+		specimen: { preset: "merlot" },
+		set: vi.fn(async () => grown),
+		open: vi.fn(async () => grown),
+		grow: vi.fn(async () => grown),
+		toFile: vi.fn(async () => "file"),
+		toBlob: vi.fn(async () => "picture"),
+		resetView: vi.fn(),
+	};
+});
+
+async function asked(message: object, { allowed, origin = HOST }: { allowed?: string[]; origin?: string } = {}) {
+	const conversation = new Conversation(plant as unknown as Plant, allowed);
+	await conversation.hear({ data: { panicle: PROTOCOL, id: 1, ...message }, origin, source });
+	return { conversation, answers: source.postMessage.mock.calls };
+}
+const answered = (more: object, origin = HOST) => [[{ panicle: PROTOCOL, id: 1, ...more }, { targetOrigin: origin }]];
+
+describe("what a host page may ask", () => {
+	it.each([
+		[{ method: "specimen" }, { preset: "merlot" }],
+		[{ method: "grow" }, grown],
+		[{ method: "set", values: { age: 60, skin: "ff0000" } }, grown],
+		[{ method: "open", values: { link: "?v=2" } }, grown],
+		[{ method: "file", values: { format: "glb-low", triangles: 900 } }, "file"],
+		[{ method: "picture", values: { width: 40.4, height: 60 } }, "picture"],
+		[{ method: "reset" }, undefined],
+	])("%j is answered to its origin alone", async (message, result) => {
+		expect((await asked(message)).answers).toEqual(answered({ result }));
+	});
+
+	it("hands over what was asked", async () => {
+		await asked({ method: "set", values: { age: 60, skin: "ff0000" } });
+		await asked({ method: "file", values: { format: "glb-low", triangles: 900, other: 1 } });
+		await asked({ method: "picture", values: { width: 40.4 } });
+		await asked({ method: "open", values: { link: "?v=2&seed=3" } });
+		expect(plant.set).toHaveBeenCalledWith({ age: 60, skin: "ff0000" });
+		expect(plant.toFile).toHaveBeenCalledWith("glb-low", { triangles: 900 });
+		expect(plant.toBlob).toHaveBeenCalledWith({ width: 40 });
+		expect(plant.open).toHaveBeenCalledWith("?v=2&seed=3");
+	});
+
+	it.each([
+		[{ method: "constructor" }, /^there is no method "constructor"; there are listen, specimen/],
+		[{ method: 7 }, /^there is no method 7/],
+		[{ method: "set", values: [1] }, /^values: an object/],
+		[{ method: "set", values: { age: [60] } }, /^age: a text is wanted/],
+		[{ method: "set", values: { age: Number.NaN } }, /^age: a number/],
+		[
+			{ method: "set", values: Object.fromEntries(Array.from({ length: 300 }, (_, i) => [`k${i}`, 1])) },
+			/more than 200/,
+		],
+		[{ method: "open", values: {} }, /^link: a text/],
+		[{ method: "picture", values: { width: 1e6 } }, /^width: 1 to 8192/],
+		[{ method: "file", values: { format: "glb", triangles: "many" } }, /^triangles: a number/],
+	])("%j is refused in words", async (message, error) => {
+		const { answers } = await asked(message);
+		expect(answers).toEqual(answered({ error: expect.stringMatching(error) }));
+	});
+
+	it("says what went wrong", async () => {
+		plant.grow.mockRejectedValueOnce(new Error("no room"));
+		expect((await asked({ method: "grow" })).answers).toEqual(answered({ error: "no room" }));
+	});
+
+	it("is heeded of allowed origins only, where some are named", async () => {
+		const other = await asked({ method: "set", values: { age: 1 } }, { allowed: ["https://other.example"] });
+		expect(other.answers).toEqual(answered({ error: `pages of ${HOST} may not ask this frame` }));
+		expect(plant.set).not.toHaveBeenCalled();
+		source.postMessage.mockReset();
+		expect((await asked({ method: "specimen" }, { allowed: [HOST] })).answers).toHaveLength(1);
+	});
+
+	it("is never answered to a page without an origin", async () => {
+		expect((await asked({ method: "grow" }, { origin: "null" })).answers).toEqual([]);
+		expect(plant.grow).not.toHaveBeenCalled();
+	});
+
+	it("tells what happens to those who listen, at their origins", async () => {
+		const { conversation } = await asked({ method: "listen" });
+		conversation.tell("grown", grown);
+		const told = { panicle: PROTOCOL, event: "grown", detail: grown };
+		expect(source.postMessage.mock.calls[1]).toEqual([told, { targetOrigin: HOST }]);
+	});
+
+	it("passes over whatever is no message of ours, and breaks at nothing", () =>
+		fc.assert(
+			fc.asyncProperty(fc.anything(), fc.anything(), async (data, values) => {
+				source.postMessage.mockReset();
+				const conversation = new Conversation(plant as unknown as Plant);
+				await conversation.hear({ data, origin: HOST, source });
+				expect(source.postMessage).not.toHaveBeenCalled();
+				const ours = { panicle: PROTOCOL, id: 1, method: "set", values };
+				await conversation.hear({ data: ours, origin: HOST, source });
+				expect(source.postMessage).toHaveBeenCalledOnce();
+			}),
+		));
+});
+
+describe("a frame’s address", () => {
+	it("is a link, with what is the element’s and who may ask", () => {
+		const search = "?v=2&preset=merlot&autorotate=&theme=dark&allow=https://a.example,https://b.example";
+		expect(frameSettings({ search, hash: "#g=x" })).toEqual({
+			link: "?v=2&preset=merlot#g=x",
+			attributes: [
+				["autorotate", ""],
+				["theme", "dark"],
+			],
+			allowed: ["https://a.example", "https://b.example"],
+		});
+		expect(frameSettings({ search: "", hash: "" })).toEqual({ link: "?", attributes: [], allowed: undefined });
+	});
+
+	it("has keys of its own that no link has", async () => {
+		for (const model of await Promise.all(modelNames().map(modelNamed)))
+			expect([...FRAME_KEYS, "allow"].filter((key) => isKnown(model, key))).toEqual([]);
+	});
+});

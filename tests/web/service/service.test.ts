@@ -1,0 +1,204 @@
+import { strFromU8, unzipSync } from "fflate";
+import { validateBytes } from "gltf-validator";
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { CoreTrap } from "../../../web/src/core/errors";
+import { modelNamed, modelNames } from "../../../web/src/models/index";
+import { FILE_KEYS } from "../../../web/src/service/address";
+import { Known } from "../../../web/src/service/known";
+import { makeService } from "../../../web/src/service/service";
+import { compressText } from "../../../web/src/specimen/compressed_text";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import { isKnown } from "../../../web/src/specimen/restore";
+import { grow } from "../cli/world";
+import { freshCore } from "../core/wasm";
+
+const loadCore = vi.fn(freshCore);
+const service = makeService({ loadCore, release: "1" });
+afterEach(() => void loadCore.mockClear());
+
+const ask = (address: string, init?: RequestInit) => service(new Request(`http://plants.example/${address}`, init));
+const small = "specimens/redcurrant.json?count=5";
+
+async function refused(address: string, init?: RequestInit): Promise<string> {
+	const answer = await ask(address, init);
+	const text = await answer.text();
+	expect(answer.headers.get("content-type")).toBe("text/plain; charset=utf-8");
+	expect(answer.headers.get("access-control-allow-origin")).toBe("*");
+	expect(text).toMatch(/^[^\n]{1,600}\n$/);
+	return `${answer.status} ${text.trim()}`;
+}
+
+describe("the address of a specimen’s file", () => {
+	it("names a preset, and in the query what is otherwise", async () => {
+		const answer = await ask("specimens/redcurrant.json?seed=7&count=5");
+		expect(answer.status).toBe(200);
+		const { json } = await grow(["redcurrant", "--seed", "7", "--set", "count=5"]);
+		expect(await answer.json()).toEqual({ ...json, timings: { grow: 0 } });
+	});
+
+	it("names another model’s preset, or a model alone", async () => {
+		const of = async (address: string) => (await (await ask(address)).json()).specimen;
+		expect(await of("specimens/root/carrot.json?n=200")).toMatchObject({ model: "root", preset: "carrot" });
+		const { presets } = await modelNamed("root");
+		expect(await of("specimens/root.json?n=200")).toMatchObject({ model: "root", preset: presets.standard });
+	});
+
+	it("is a link under any name, in the query or as a folder", async () => {
+		const [one, other] = await Promise.all(
+			[
+				"a/b/specimens/mine.json?v=2&preset=redcurrant&count=5&seed=9",
+				"specimens/v=2&preset=redcurrant&count=5/mine.json?seed=9",
+			].map(async (address) => (await ask(address)).json()),
+		);
+		expect(one.specimen).toMatchObject({ preset: "redcurrant", seed: 9, parameters: { count: 5 } });
+		expect(other).toEqual(one);
+	});
+
+	it("takes the text of a link’s fragment in the query", async () => {
+		const text = "axiom: F(0.1)\n";
+		const answer = await ask(`specimens/own.json?v=2&g=${await compressText(text)}`);
+		expect(await answer.json()).toMatchObject({ specimen: { grammar: text } });
+	});
+
+	it("brings a link into range with a note, and refuses what was typed", async () => {
+		const { notes } = await (await ask("specimens/x.json?v=2&preset=redcurrant&count=5&age=900")).json();
+		expect(notes).toContainEqual(expect.stringMatching(/^age: 900 is above/));
+		expect(await refused("specimens/redcurrant.json?age=900")).toMatch(/^400 age: 900 is above/);
+		expect(await refused("specimens/redcurrant.json?colour=red")).toMatch(/^400 colour: no parameter of the bunch/);
+	});
+
+	it.each([
+		["gallery/riesling.glb", "404 nothing is here; write specimens/PRESET.glb"],
+		["specimens/riesling", "404 “riesling” is no file’s name"],
+		["specimens/nettle.glb", "404 the bunch has no preset “nettle”; there are short-conical, "],
+		["specimens/fern/oak.glb", "404 there is no model “fern”"],
+		["specimens/riesling.doc", "404 there is no .doc of a bunch; there are .glb, .web.glb"],
+		["specimens/riesling.png", "501 pictures are drawn by graphics cards"],
+		["specimens/%E0%A4%A.glb", "400 “%E0%A4%A.glb” is not written as addresses are"],
+		["specimens/riesling.low.glb?file-triangles=many", "400 file-triangles: a whole number from 100 to"],
+		["specimens/riesling.stl?file-thickness=0.01", "400 file-thickness: a number from 0.2 to 20"],
+		["specimens/riesling.json?file-measures=yes", "400 file-measures: 0 or 1"],
+		[`specimens/riesling.glb?seed=${"1".repeat(30_000)}`, "414 the address is longer than"],
+	])("%.40s is refused in a line", async (address, words) => expect(await refused(address)).toContain(words));
+
+	it("has keys for the file that no model’s links have", async () => {
+		for (const model of await Promise.all(modelNames().map(modelNamed)))
+			expect(FILE_KEYS.filter((key) => isKnown(model, `file-${key}`))).toEqual([]);
+	});
+});
+
+describe("the files", () => {
+	it("are those that the command writes", async () => {
+		const answer = await ask("specimens/redcurrant.low.glb?count=5&file-triangles=900");
+		const bytes = new Uint8Array(await answer.arrayBuffer());
+		expect(answer.headers.get("content-type")).toBe("model/gltf-binary");
+		expect(answer.headers.get("content-length")).toBe(`${bytes.length}`);
+		const call = ["redcurrant", "--set", "count=5", "--form", "low", "--triangles", "900", "--out", "x.glb"];
+		const { written } = await grow(call);
+		expect(Buffer.from(bytes).equals(Buffer.from(written.get("x.glb") as Uint8Array))).toBe(true);
+		const { issues } = await validateBytes(bytes);
+		expect(issues.numErrors + issues.numWarnings).toBe(0);
+	});
+
+	it("are an OBJ, its materials beside it, and both in an archive", async () => {
+		const folder = "specimens/v=2&preset=redcurrant&count=5";
+		const [obj, mtl, zip] = await Promise.all(
+			["obj", "mtl", "obj.zip"].map(async (ending) => (await ask(`${folder}/bunch.${ending}`)).arrayBuffer()),
+		);
+		const entries = unzipSync(new Uint8Array(zip));
+		expect(strFromU8(new Uint8Array(obj))).toContain("mtllib bunch.mtl");
+		expect(strFromU8(entries["bunch.obj"])).toBe(strFromU8(new Uint8Array(obj)));
+		expect(strFromU8(entries["bunch.mtl"])).toBe(strFromU8(new Uint8Array(mtl)));
+	});
+
+	it("are a model’s own too, and USDZ", async () => {
+		const csv = await ask("specimens/redcurrant.csv?count=5");
+		expect(csv.headers.get("content-type")).toContain("text/csv");
+		expect((await csv.text()).split("\n").length).toBeGreaterThan(5);
+		const usdz = await ask("specimens/redcurrant.usdz?count=5");
+		expect(
+			Buffer.from(await usdz.arrayBuffer())
+				.subarray(0, 2)
+				.toString(),
+		).toBe("PK");
+	});
+
+	it("leave measures out where they are not wanted", async () => {
+		const [all, none] = [await (await ask(small)).json(), await (await ask(`${small}&file-measures=0`)).json()];
+		expect(Object.keys(all.measures).length).toBeGreaterThan(10);
+		expect(none.measures).toEqual({});
+		expect(none.fingerprint).toBe(all.fingerprint);
+	});
+});
+
+describe("what HTTP asks", () => {
+	it("has a tag for what does not change, and says so without growing it again", async () => {
+		const answer = await ask(small);
+		const tag = answer.headers.get("etag") as string;
+		const { fingerprint } = await answer.json();
+		expect(tag).toMatch(new RegExp(`^"${fingerprint}-[0-9a-f]{8}"$`));
+		const fresh = makeService({ loadCore, release: "1" });
+		const again = new Request(`http://plants.example/${small}`, { headers: { "if-none-match": `W/"x", ${tag}` } });
+		loadCore.mockClear();
+		expect((await fresh(again.clone())).status).toBe(304);
+		expect(loadCore).toHaveBeenCalledTimes(1);
+		const grown = vi.spyOn((await loadCore.mock.results[0].value) as Awaited<ReturnType<typeof freshCore>>, "grow");
+		const third = await fresh(again);
+		expect([third.status, third.headers.get("etag"), await third.text()]).toEqual([304, tag, ""]);
+		expect(grown).not.toHaveBeenCalled();
+		const others = [
+			`${small}&file-measures=0`,
+			"specimens/redcurrant.obj?count=5",
+			"specimens/redcurrant.json?count=6",
+		];
+		for (const other of others) expect((await ask(other)).headers.get("etag")).not.toBe(tag);
+		const newer = await makeService({ loadCore, release: "2" })(new Request(`http://plants.example/${small}`));
+		expect(newer.headers.get("etag")).not.toBe(tag);
+	});
+
+	it("answers HEAD without the file, OPTIONS with what there is, and no other method", async () => {
+		const head = await ask(small, { method: "HEAD" });
+		expect([head.status, await head.text()]).toEqual([200, ""]);
+		expect(Number(head.headers.get("content-length"))).toBeGreaterThan(1000);
+		const options = await ask(small, { method: "OPTIONS" });
+		expect([options.status, options.headers.get("allow")]).toEqual([204, "GET, HEAD, OPTIONS"]);
+		expect(await refused(small, { method: "POST", body: "x" })).toBe("405 POST is not for plants");
+	});
+
+	it("says where a grammar is wrong", async () => {
+		const packed = await compressText("axiom: F(\n");
+		expect(await refused(`specimens/own.json?v=2&g=${packed}`)).toMatch(/^422 grammar:\d+:\d+: /);
+	});
+
+	it("goes on with another core after one that broke", async () => {
+		const broken = makeService({
+			release: "1",
+			loadCore: async (wasm) => {
+				const core = await loadCore(wasm);
+				if (loadCore.mock.calls.length === 1) vi.spyOn(core, "grow").mockThrow(new CoreTrap("broke"));
+				return core;
+			},
+		});
+		const request = () => new Request(`http://plants.example/${small}`);
+		const first = await broken(request());
+		expect([first.status, await first.text()]).toEqual([500, "the core broke over this plant\n"]);
+		expect((await broken(request())).status).toBe(200);
+	});
+});
+
+describe("tags that are known", () => {
+	it("are as many as it was told, those asked for last", () => {
+		const known = new Known(2);
+		known.keep("a", "1");
+		known.keep("b", "2");
+		expect(known.tag("a")).toBe("1");
+		known.keep("c", "3");
+		expect(["a", "b", "c"].map((each) => known.tag(each))).toEqual(["1", undefined, "3"]);
+	});
+});
+
+it("the standard preset needs no words", async () => {
+	const bunch = await modelNamed();
+	const { specimen } = await (await ask("specimens/x.json?v=2&file-measures=0")).json();
+	expect(specimen.preset).toBe(fromPreset(bunch).preset);
+});

@@ -1,0 +1,140 @@
+/**
+ * What a host page and the plant in its frame say to each other (docs/embed.md). Every message is looked at before it is heeded; an
+ * answer goes to the origin that asked, and to nobody else. Messages of other programs pass without a word.
+ */
+import type { FileOptions } from "../../export/plant_files";
+import type { GrownDetail } from "../panicle_specimen";
+
+/** In every message of ours. */
+export const PROTOCOL = "panicle/1";
+
+/** What is asked of the plant. */
+export interface Plant {
+	readonly specimen: unknown;
+	set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail>;
+	open(link: string): Promise<GrownDetail>;
+	grow(): Promise<GrownDetail>;
+	toFile(format: string, options?: FileOptions): Promise<Blob>;
+	toBlob(size?: { width?: number; height?: number }): Promise<Blob>;
+	resetView(): void;
+}
+
+/** Of a MessageEvent. */
+export interface Heard {
+	readonly data: unknown;
+	readonly origin: string;
+	readonly source: { postMessage(message: unknown, options: { targetOrigin: string }): void } | null;
+}
+
+type Values = Readonly<Record<string, unknown>>;
+type Method = (plant: Plant, values: Values, heard: Heard) => unknown;
+
+/** A request that cannot be heeded: its words are the answer. */
+class Unfit extends Error {}
+
+const MOST_VALUES = 200;
+const LONGEST_TEXT = 512 * 1024;
+
+export class Conversation {
+	readonly #plant: Plant;
+	readonly #allowed: readonly string[] | undefined;
+	/** Who wants to be told of what happens, by where from. */
+	readonly #listeners = new Map<NonNullable<Heard["source"]>, string>();
+
+	/** @param allowed origins that may ask; undefined: all */
+	constructor(plant: Plant, allowed?: readonly string[]) {
+		this.#plant = plant;
+		this.#allowed = allowed;
+	}
+
+	/** Answers what is a message of ours; never throws. */
+	async hear(heard: Heard): Promise<void> {
+		const { data, origin, source } = heard;
+		if (!isRecord(data) || data.panicle !== PROTOCOL || !source) return;
+		const { id } = data;
+		if (typeof id !== "number" && typeof id !== "string") return;
+		const answer = (more: object) => send(source, origin, { id, ...more });
+		try {
+			answer({ result: await this.#heed(data, heard) });
+		} catch (error) {
+			answer({ error: error instanceof Error ? error.message : String(error) });
+		}
+	}
+
+	/** Tells those who listen. */
+	tell(event: "grown" | "change" | "error", detail: unknown): void {
+		for (const [source, origin] of this.#listeners) send(source, origin, { event, detail });
+	}
+
+	async #heed(data: Values, heard: Heard): Promise<unknown> {
+		const { origin, source } = heard;
+		// A page without an origin of its own (a sandbox, a file) cannot be answered alone.
+		if (origin === "null" || (this.#allowed && !this.#allowed.includes(origin)))
+			throw new Unfit(`pages of ${origin} may not ask this frame`);
+		const { method } = data;
+		if (method === "listen" && source) {
+			this.#listeners.set(source, origin);
+			return true;
+		}
+		const known = typeof method === "string" && Object.hasOwn(METHODS, method) ? METHODS[method] : undefined;
+		if (!known)
+			throw new Unfit(`there is no method ${JSON.stringify(method)?.slice(0, 60)}; there are ${NAMES.join(", ")}`);
+		const { values = {} } = data;
+		if (!isRecord(values)) throw new Unfit("values: an object is wanted");
+		return known(this.#plant, values, heard);
+	}
+}
+
+const METHODS: Readonly<Record<string, Method>> = {
+	specimen: (plant) => plant.specimen ?? null,
+	grow: (plant) => plant.grow(),
+	set: (plant, values) => plant.set(settings(values)),
+	open: (plant, { link }) => plant.open(text("link", link)),
+	file: (plant, { format, triangles, thickness, points }) =>
+		plant.toFile(text("format", format), {
+			...(triangles === undefined ? {} : { triangles: number("triangles", triangles) }),
+			...(thickness === undefined ? {} : { thickness: number("thickness", thickness) }),
+			...(points === undefined ? {} : { points: number("points", points) }),
+		}),
+	picture: (plant, { width, height }) =>
+		plant.toBlob({
+			...(width === undefined ? {} : { width: side("width", width) }),
+			...(height === undefined ? {} : { height: side("height", height) }),
+		}),
+	reset: (plant) => plant.resetView(),
+};
+const NAMES = ["listen", ...Object.keys(METHODS)];
+
+function settings(values: Values): Record<string, number | string> {
+	const entries = Object.entries(values);
+	if (entries.length > MOST_VALUES) throw new Unfit(`values: more than ${MOST_VALUES}`);
+	return Object.fromEntries(
+		entries.map(([key, value]) => [key, typeof value === "number" ? number(key, value) : text(key, value)]),
+	);
+}
+
+function text(key: string, value: unknown): string {
+	if (typeof value !== "string" || value.length > LONGEST_TEXT)
+		throw new Unfit(`${key.slice(0, 60)}: a text is wanted`);
+	return value;
+}
+
+function number(key: string, value: unknown): number {
+	if (typeof value !== "number" || !Number.isFinite(value)) throw new Unfit(`${key.slice(0, 60)}: a number is wanted`);
+	return value;
+}
+
+function side(key: string, value: unknown): number {
+	const pixels = number(key, value);
+	if (pixels < 1 || pixels > 8192) throw new Unfit(`${key}: 1 to 8192 pixels`);
+	return Math.round(pixels);
+}
+
+function isRecord(value: unknown): value is Values {
+	return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+function send(source: NonNullable<Heard["source"]>, origin: string, message: object): void {
+	// Nobody but a page of that origin hears it, even where another page stands there now.
+	if (origin !== "null") source.postMessage({ panicle: PROTOCOL, ...message }, { targetOrigin: origin });
+}

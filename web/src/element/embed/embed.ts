@@ -1,0 +1,33 @@
+/** `embed.html?v=2&…`: the plant of a link fills a frame, and talks with the page around it. */
+import { PanicleSpecimen } from "../panicle";
+import { Conversation } from "./conversation";
+import { frameSettings } from "./frame_settings";
+
+const { link, attributes, allowed } = frameSettings(location);
+const plant = new PanicleSpecimen();
+plant.setAttribute("link", link);
+for (const [name, value] of attributes) plant.setAttribute(name, value);
+
+const conversation = new Conversation(
+	{
+		get specimen() {
+			return plant.specimen;
+		},
+		set: (values) => plant.set(values),
+		open: (to) => {
+			plant.setAttribute("link", to);
+			return plant.grow();
+		},
+		grow: () => plant.grow(),
+		toFile: (format, options) => plant.toFile(format, options),
+		toBlob: (size) => plant.toBlob(size),
+		resetView: () => plant.resetView(),
+	},
+	allowed,
+);
+addEventListener("message", ({ data, origin, source }) => {
+	void conversation.hear({ data, origin, source: source as Window | null });
+});
+for (const type of ["grown", "change", "error"] as const)
+	plant.addEventListener(type, (event) => conversation.tell(type, (event as unknown as CustomEvent).detail));
+document.body.append(plant);

@@ -1,0 +1,34 @@
+/** What draws plants: scripts that come when they are first asked for. */
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import type { FigureMaker } from "../scene/figure";
+import type { Specimen } from "../specimen/specimen";
+
+type SceneModule = typeof import("../scene/viewer");
+type Maker = FigureMaker<Specimen, Plant>;
+
+let loading: Promise<SceneModule> | undefined;
+const figures = new Map<Model, Promise<Maker>>();
+
+/** Starts loading the scene's script, the largest of the page; asked for again, it is the same one, unless it failed. */
+export function loadScene(): Promise<SceneModule> {
+	if (loading) return loading;
+	const scene = import("../scene/viewer");
+	loading = scene;
+	scene.catch(() => {
+		loading = undefined;
+	});
+	return scene;
+}
+
+/** Starts loading what draws a model's plants: its own figure, or the one that draws any parts. */
+export function loadFigure(model: Model): Promise<Maker> {
+	const before = figures.get(model);
+	if (before) return before;
+	const figure =
+		model.figure?.() ??
+		import("../scene/part_figure").then(({ partFigure }) => partFigure((grown, from) => model.parts(grown, from)));
+	figures.set(model, figure);
+	figure.catch(() => figures.delete(model));
+	return figure;
+}

@@ -1,0 +1,27 @@
+/** What is inside the element: a canvas, a picture until that is drawn, and words for when it is not. */
+import { ORBIT_KEYS } from "../scene/orbit_keys";
+import { ELEMENT_STYLE } from "./element_style";
+
+export interface ShadowTree {
+	readonly canvas: HTMLCanvasElement;
+	readonly poster: HTMLImageElement;
+	readonly message: HTMLElement;
+}
+
+export function shadowTree(host: HTMLElement): ShadowTree {
+	const root = host.attachShadow({ mode: "open", delegatesFocus: true });
+	const style = new CSSStyleSheet();
+	style.replaceSync(ELEMENT_STYLE);
+	root.adoptedStyleSheets = [style];
+	const canvas = Object.assign(document.createElement("canvas"), { tabIndex: 0, role: "application" });
+	canvas.setAttribute("aria-roledescription", "3-D view");
+	canvas.setAttribute("aria-describedby", "keys");
+	const poster = Object.assign(document.createElement("img"), { alt: "" });
+	const message = Object.assign(document.createElement("p"), { hidden: true, role: "alert" });
+	const keys = Object.assign(document.createElement("p"), { id: "keys", className: "unseen", textContent: ORBIT_KEYS });
+	canvas.part.add("view");
+	poster.part.add("poster");
+	message.part.add("message");
+	root.append(canvas, poster, message, keys);
+	return { canvas, poster, message };
+}

@@ -1,0 +1,139 @@
+/** The picture of an element's plant: a viewer on the page's one context of the graphics card, turned by hand, by keys or by itself. */
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import { turnedBy } from "../scene/orbit_keys";
+import type { Viewer } from "../scene/viewer";
+import type { Specimen } from "../specimen/specimen";
+import type { Commons } from "./commons";
+import { loadFigure, loadScene } from "./figures";
+
+/** Degrees a second, where `autorotate` says no number. */
+const TURNING = 20;
+
+export class SpecimenView {
+	readonly #canvas: HTMLCanvasElement;
+	readonly #viewer: Viewer<Specimen, Plant>;
+	readonly #ended = new AbortController();
+	#figured: Model | undefined;
+	#seen = false;
+	/** Degrees a second; 0 stands still. */
+	#turning = 0;
+	#frame = 0;
+	#grasped = false;
+	readonly #reduced: MediaQueryList;
+
+	private constructor(canvas: HTMLCanvasElement, viewer: Viewer<Specimen, Plant>, reduced: MediaQueryList) {
+		this.#canvas = canvas;
+		this.#viewer = viewer;
+		this.#reduced = reduced;
+		const { signal } = this.#ended;
+		const listen = (type: string, listener: (event: Event) => void) =>
+			canvas.addEventListener(type, listener, { signal });
+		listen("keydown", (event) => {
+			if (turnedBy(viewer, event as KeyboardEvent)) event.preventDefault();
+		});
+		listen("pointerdown", () => this.#grasp(true));
+		for (const end of ["pointerup", "pointercancel"]) listen(end, () => this.#grasp(false));
+		// A page scrolls past: only a plant that has been chosen takes the wheel.
+		canvas.addEventListener("wheel", (event) => this.#passWheel(event), { signal, capture: true });
+		reduced.addEventListener("change", () => this.#followMotion(), { signal });
+	}
+
+	/** @throws NoWebGL2Error where the browser has none, and what the loading of scripts throws */
+	static async create(canvas: HTMLCanvasElement, commons: Commons, events: { drawn(): void }): Promise<SpecimenView> {
+		const [{ Viewer }, renderer] = await Promise.all([loadScene(), commons.renderer()]);
+		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
+		const viewer = new Viewer<Specimen, Plant>(canvas, {
+			renderer,
+			reducedMotion: reduced.matches,
+			events: { firstDraw: () => events.drawn() },
+		});
+		// The turntable keeps all touches to itself; here those that go up and down are the page's.
+		canvas.style.touchAction = "pan-y";
+		return new SpecimenView(canvas, viewer, reduced);
+	}
+
+	/** Shows a plant in place of the last. */
+	async show(model: Model, grown: Plant, specimen: Specimen): Promise<void> {
+		if (model !== this.#figured) {
+			const figure = await loadFigure(model);
+			if (this.#ended.signal.aborted) return;
+			this.#viewer.use(figure);
+			this.#figured = model;
+		}
+		this.#viewer.show(grown, specimen);
+	}
+
+	setDark(dark: boolean): void {
+		this.#viewer.setTheme(dark ? "dark" : "light");
+	}
+
+	/** Whether any of it is on screen: what is not turns no further. */
+	setSeen(seen: boolean): void {
+		this.#seen = seen;
+		this.#turn();
+	}
+
+	/** @param said the attribute: null for a plant that stands, a number of degrees a second, or anything else for a slow one */
+	setTurning(said: string | null): void {
+		const speed = Number(said || TURNING);
+		this.#turning = said === null ? 0 : Number.isFinite(speed) ? speed : TURNING;
+		this.#turn();
+	}
+
+	reset(): void {
+		this.#viewer.resetView();
+	}
+
+	resize(): void {
+		this.#viewer.resize();
+	}
+
+	/** The present view as a PNG of so many pixels. */
+	picture(width: number, height: number): Promise<Blob> {
+		return this.#viewer.snapshot(width, height);
+	}
+
+	/** Settles when nothing is left to draw. */
+	whenIdle(): Promise<void> {
+		return this.#viewer.whenIdle();
+	}
+
+	dispose(): void {
+		this.#ended.abort();
+		cancelAnimationFrame(this.#frame);
+		this.#viewer.dispose();
+	}
+
+	#followMotion(): void {
+		this.#viewer.reducedMotion = this.#reduced.matches;
+		this.#turn();
+	}
+
+	#grasp(grasped: boolean): void {
+		this.#grasped = grasped;
+		this.#turn();
+	}
+
+	#passWheel(event: WheelEvent): void {
+		const { activeElement } = this.#canvas.getRootNode() as ShadowRoot;
+		if (activeElement !== this.#canvas) event.stopPropagation();
+	}
+
+	/** Begins or ends turning by itself. */
+	#turn(): void {
+		const turns = this.#turning !== 0 && this.#seen && !this.#grasped && !this.#reduced.matches;
+		cancelAnimationFrame(this.#frame);
+		this.#frame = 0;
+		if (!turns) return;
+		let last: number | undefined;
+		const step = (now: number) => {
+			// A page that was hidden goes on where it was.
+			const seconds = Math.min((now - (last ?? now)) / 1000, 0.1);
+			last = now;
+			this.#viewer.orbit((this.#turning * seconds * Math.PI) / 180, 0);
+			this.#frame = requestAnimationFrame(step);
+		};
+		this.#frame = requestAnimationFrame(step);
+	}
+}

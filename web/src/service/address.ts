@@ -1,0 +1,149 @@
+/**
+ * The address of a specimen's file. Two ways to write one:
+ *
+ * - `specimens/riesling.glb?seed=7&age=80`, `specimens/leaf/oak.low.glb?file-triangles=5000`, `specimens/tree.json`: a preset, and in the query what is to be
+ *   otherwise. Typed by hand: what cannot be used is refused.
+ * - `specimens/any-name.glb?v=2&preset=riesling&seed=7`, `specimens/v=2&preset=riesling&seed=7/any-name.glb`: a link, in the query or as
+ *   a folder, so that a file's neighbours (an OBJ's materials) have addresses beside it. Links are for ever: what cannot be used
+ *   is brought into range as everywhere, with a note. Texts that a link has in its fragment, which no server is sent, come as
+ *   further keys: `g=…`.
+ */
+import type { FileOptions } from "../export/plant_files";
+import { isModel, modelNamed } from "../models/index";
+import type { Model } from "../models/model";
+import { decodeLink, modelInQuery } from "../specimen/link";
+import type { Note } from "../specimen/notes";
+import { isKnown } from "../specimen/restore";
+import { SPECIMEN_VERSION, type Specimen } from "../specimen/specimen";
+import { Refused } from "./refused";
+
+/** What is asked for. */
+export interface Asked {
+	readonly model: Model;
+	readonly specimen: Specimen;
+	/** Of a link that could not be used as it was. */
+	readonly notes: readonly Note[];
+	/** The file's name up to its first dot. */
+	readonly name: string;
+	/** What follows that dot, lower case: `low.glb`. */
+	readonly ending: string;
+	readonly options: FileOptions;
+	/** Whether measures are to be worked out for a JSON document. */
+	readonly measures: boolean;
+}
+
+/** Longer ones are not read. */
+export const LONGEST_ADDRESS = 24 * 1024;
+/** The folder that holds all plants there are. */
+const FOLDER = "/specimens/";
+const HOW = "write specimens/PRESET.glb?seed=7, or specimens/NAME.glb?v=2&… with a link’s query";
+
+/** What a query says of the file, not of the specimen, as `file-triangles` and so on. */
+export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "measures"] as const;
+type FileKey = (typeof FILE_KEYS)[number];
+
+/** @throws Refused where it means no file of a specimen */
+export async function readAddress({ pathname, search, href }: URL): Promise<Asked> {
+	if (href.length > LONGEST_ADDRESS) throw new Refused(414, `the address is longer than ${LONGEST_ADDRESS} characters`);
+	const at = pathname.lastIndexOf(FOLDER);
+	if (at < 0) throw new Refused(404, `nothing is here; ${HOW}`);
+	const folders = pathname
+		.slice(at + FOLDER.length)
+		.split("/")
+		.map(decoded);
+	const file = folders.pop() ?? "";
+	const dot = file.indexOf(".");
+	if (dot < 1 || folders.length > 1) throw new Refused(404, `“${file.slice(0, 60)}” is no file’s name; ${HOW}`);
+	const [name, ending] = [file.slice(0, dot), file.slice(dot + 1).toLowerCase()];
+	const [folder] = folders;
+	const query = new URLSearchParams(folder?.includes("=") ? `${folder}&${search.slice(1)}` : search);
+	const own = new Map(FILE_KEYS.map((key) => [key, taken(query, `file-${key}`)]));
+	const read = query.has("v") ? await readLink(query) : await readPreset(folder, name, query);
+	return {
+		...read,
+		name,
+		ending,
+		options: optionsOf(own),
+		measures: readSwitch("measures", own.get("measures")) ?? true,
+	};
+}
+
+type Read = Pick<Asked, "model" | "specimen" | "notes">;
+
+async function readLink(query: URLSearchParams): Promise<Read> {
+	const model = await modelNamed(modelInQuery(`?${query}`));
+	return { model, ...(await decode(model, query)) };
+}
+
+async function readPreset(folder: string | undefined, preset: string, query: URLSearchParams): Promise<Read> {
+	if (folder !== undefined && !isModel(folder)) throw new Refused(404, `there is no model “${folder.slice(0, 60)}”`);
+	const bare = folder === undefined && isModel(preset);
+	const model = await modelNamed(bare ? preset : folder);
+	if (!bare && !model.presets.named(preset))
+		throw new Refused(404, `the ${model.noun} has no preset “${preset.slice(0, 60)}”; there are ${presetsOf(model)}`);
+	const unknown = [...query.keys()].find((key) => !isKnown(model, key) && !packedKeys(model).includes(key));
+	if (unknown !== undefined)
+		throw new Refused(400, `${unknown.slice(0, 60)}: no parameter of the ${model.noun} has that key`);
+	const start = [
+		["v", `${SPECIMEN_VERSION}`],
+		["model", model.name],
+		["preset", bare ? model.presets.standard : preset],
+	];
+	const named = new URLSearchParams([...start, ...query]);
+	const { specimen, notes } = await decode(model, named);
+	if (notes.length > 0) throw new Refused(400, `${notes[0].key}: ${notes[0].problem}`);
+	return { model, specimen, notes };
+}
+
+/** A link whose fragment came in the query. */
+function decode(model: Model, query: URLSearchParams) {
+	const packed = packedKeys(model).flatMap((key) => {
+		const text = taken(query, key);
+		return text === undefined ? [] : [`${key}=${text}`];
+	});
+	return decodeLink(model, `?${query}`, packed.length > 0 ? `#${packed.join("&")}` : "");
+}
+
+const packedKeys = ({ details }: Model): string[] => details.flatMap(({ packed }) => packed?.link ?? []);
+
+const presetsOf = ({ presets }: Model): string => presets.list.map(({ name }) => name).join(", ");
+
+/** The last value of a key, which is taken out. */
+function taken(query: URLSearchParams, key: string): string | undefined {
+	const value = query.getAll(key).at(-1);
+	query.delete(key);
+	return value;
+}
+
+function decoded(part: string): string {
+	try {
+		return decodeURIComponent(part);
+	} catch {
+		throw new Refused(400, `“${part.slice(0, 60)}” is not written as addresses are`);
+	}
+}
+
+function optionsOf(own: ReadonlyMap<FileKey, string | undefined>): FileOptions {
+	const translucent = readSwitch("translucent", own.get("translucent"));
+	return {
+		...readNumber("triangles", own.get("triangles"), 100, 2_000_000),
+		...readNumber("thickness", own.get("thickness"), 0.2, 20),
+		...readNumber("points", own.get("points"), 1, 2_000_000),
+		...(translucent === undefined ? {} : { translucent }),
+	};
+}
+
+function readNumber(key: FileKey, text: string | undefined, least: number, most: number) {
+	if (text === undefined) return {};
+	const value = /^\d+(\.\d+)?$/.test(text) ? Number(text) : Number.NaN;
+	const whole = key === "thickness" || Number.isInteger(value);
+	if (!whole || !(value >= least && value <= most))
+		throw new Refused(400, `file-${key}: a ${key === "thickness" ? "" : "whole "}number from ${least} to ${most}`);
+	return { [key]: value };
+}
+
+function readSwitch(key: FileKey, text: string | undefined): boolean | undefined {
+	if (text === undefined) return undefined;
+	if (text !== "0" && text !== "1") throw new Refused(400, `file-${key}: 0 or 1`);
+	return text === "1";
+}

@@ -1,0 +1,72 @@
+/** `npm run serve`: the service under Node, bundled into one file by wasm-core/tools/serve.mjs. Does its work when it is loaded. */
+import { availableParallelism } from "node:os";
+import { parseArgs } from "node:util";
+import { isMainThread, Worker } from "node:worker_threads";
+import { version } from "../../../../package.json";
+import { makeServer } from "./server";
+import { answerQuestions } from "./thread";
+import { Threads } from "./threads";
+
+const USAGE = `npm run serve -- [--port 8765] [--host 127.0.0.1] [--threads N] [--seconds 20]
+Answers /specimens/PRESET.ENDING?… with the plant's file. --host 0.0.0.0 lets other machines ask too.
+`;
+
+if (isMainThread) await serve();
+else answerQuestions(version);
+
+async function serve(): Promise<void> {
+	const { port, host, threads, seconds, help } = options();
+	if (help) {
+		process.stdout.write(USAGE);
+		return;
+	}
+	const own = new URL(import.meta.url);
+	const pool = new Threads({
+		start: () => new Worker(own),
+		threads: number("threads", threads, availableParallelism(), 1, 256),
+		patience: 1000 * number("seconds", seconds, 20, 0.1, 3600),
+		waiting: 256,
+	});
+	const server = makeServer(pool);
+	server.on("error", ({ message }) => {
+		process.stderr.write(`serve: ${message}\n`);
+		process.exitCode = 1;
+		void pool.close();
+	});
+	server.listen(number("port", port, 8765, 0, 65535), host, () => {
+		const address = server.address();
+		const at = typeof address === "object" && address ? address.port : address;
+		process.stdout.write(`Specimens at http://${host}:${at}/specimens/\n`);
+	});
+	const end = () => {
+		server.close();
+		server.closeAllConnections();
+		void pool.close();
+	};
+	process.once("SIGINT", end);
+	process.once("SIGTERM", end);
+}
+
+function options() {
+	try {
+		const text = { type: "string" } as const;
+		const { values } = parseArgs({
+			options: { port: text, host: text, threads: text, seconds: text, help: { type: "boolean", short: "h" } },
+		});
+		return { host: "127.0.0.1", ...values };
+	} catch (error) {
+		return refuse((error as Error).message.split("\n")[0]);
+	}
+}
+
+function number(name: string, text: string | undefined, otherwise: number, least: number, most: number): number {
+	if (text === undefined) return otherwise;
+	const value = text.trim() === "" ? Number.NaN : Number(text);
+	if (value >= least && value <= most && (name === "seconds" || Number.isInteger(value))) return value;
+	return refuse(`--${name} ${text}: a number from ${least} to ${most}`);
+}
+
+function refuse(why: string): never {
+	process.stderr.write(`serve: ${why}\n${USAGE}`);
+	process.exit(2);
+}

@@ -1,0 +1,157 @@
+/**
+ * Specimens by their addresses: a request of HTTP → the plant's file. Keeps nothing: the same address gives the same plant anywhere,
+ * be it a server, a service worker or a test that answers.
+ */
+import { crc32 } from "../batch/crc32";
+import type { Core } from "../core/core";
+import { CoreError, CoreTrap } from "../core/errors";
+import { aboutPlant } from "../export/about_plant";
+import { exportJson } from "../export/json";
+import { exportObj } from "../export/obj";
+import { PLANT_FILES } from "../export/plant_files";
+import { makeFile } from "../files/make";
+import type { Plant } from "../plant/plant";
+import { encodeLink } from "../specimen/link";
+import { type Asked, readAddress } from "./address";
+import { Known } from "./known";
+import { Refused } from "./refused";
+
+/** What the service needs of the world outside. */
+export interface Surroundings {
+	/** @param wasm the file of a model's core: `bunch.wasm` */
+	loadCore(wasm: string): Promise<Core>;
+	/** What the files are made by: files of the same plant may differ from one release to the next. */
+	readonly release: string;
+}
+
+/** Answers a request; never throws. */
+export type Service = (request: Request) => Promise<Response>;
+
+/** A core that took more than this for a plant is given up for a small one. */
+const MOST_MEMORY = 256 * 1024 * 1024;
+const METHODS = "GET, HEAD, OPTIONS";
+/** Any page may ask: what is answered is public, and the same for all. */
+const FOR_ALL = {
+	"access-control-allow-origin": "*",
+	"access-control-expose-headers": "etag, content-disposition",
+	"cross-origin-resource-policy": "cross-origin",
+	"x-content-type-options": "nosniff",
+};
+/** A plant stays what it is, its files may be made better: asked again after an hour, and meanwhile the old one does. */
+const CACHING = "public, max-age=3600, stale-while-revalidate=86400";
+/** Besides those of every plant and those of a model: an OBJ alone, the materials that it names, and both in an archive with their pictures. */
+const OTHERS = ["json", "obj", "mtl", "zip-obj"];
+const encoder = new TextEncoder();
+
+export function makeService({ loadCore, release }: Surroundings): Service {
+	const cores = new Map<string, Promise<Core>>();
+	const known = new Known(4096);
+
+	async function grow(
+		{ model, specimen, notes }: Asked,
+		options: { meshes: boolean; measures: boolean },
+	): Promise<Plant> {
+		await model.prepare?.(specimen);
+		const loading = cores.get(model.wasm) ?? loadCore(model.wasm);
+		cores.set(model.wasm, loading);
+		try {
+			const core = await loading;
+			const grown = model.read(core.grow(model.encode(specimen, options)), specimen);
+			if (core.memoryBytes > MOST_MEMORY) cores.delete(model.wasm);
+			// How long it took is the machine's, and no part of what is the same everywhere.
+			return { ...grown, notes: [...grown.notes, ...notes.map(({ text }) => text)], timings: { grow: 0 } };
+		} catch (error) {
+			if (error instanceof CoreError) throw new Refused(422, placed(error));
+			cores.delete(model.wasm);
+			throw error;
+		}
+	}
+
+	async function answer(request: Request): Promise<Response> {
+		const { method } = request;
+		if (method === "OPTIONS") return new Response(null, { status: 204, headers: { ...FOR_ALL, allow: METHODS } });
+		if (method !== "GET" && method !== "HEAD")
+			throw new Refused(405, `${method} is not for plants`, { allow: METHODS });
+		const asked = await readAddress(new URL(request.url));
+		const format = formatOf(asked);
+		const link = await encodeLink(asked.model, asked.specimen);
+		const address = JSON.stringify([link, format, asked.options, asked.measures, release]);
+		const before = known.tag(address);
+		if (before && matches(request, before)) return unchanged(before);
+		const plant = await grow(asked, { meshes: format !== "json", measures: asked.measures });
+		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
+		known.keep(address, tag);
+		if (matches(request, tag)) return unchanged(tag);
+		const file = await fileOf(asked, format, plant);
+		const headers = {
+			...FOR_ALL,
+			etag: tag,
+			"cache-control": CACHING,
+			"content-type": file.type,
+			"content-length": `${file.size}`,
+		};
+		return new Response(method === "HEAD" ? null : file, { headers });
+	}
+
+	return async (request) => {
+		try {
+			return await answer(request);
+		} catch (error) {
+			return refusal(error);
+		}
+	};
+}
+
+/** The key of the kind of file that an ending means: `low.glb` is `glb-low`. */
+function formatOf({ model, ending }: Asked): string {
+	const key = ending.split(".").reverse().join("-");
+	const all = [...PLANT_FILES.map((file) => file.key), ...OTHERS, ...(model.formats ?? []).map((each) => each.key)];
+	if (all.includes(key)) return key;
+	if (/^(png|jpe?g|webp|avif|gif)$/.test(ending))
+		throw new Refused(
+			501,
+			"pictures are drawn by graphics cards, and there is none here; the page’s Download has them",
+		);
+	const endings = all.map((each) => `.${each.split("-").reverse().join(".")}`).join(", ");
+	throw new Refused(404, `there is no .${ending.slice(0, 20)} of a ${model.noun}; there are ${endings}`);
+}
+
+async function fileOf({ model, specimen, name, options }: Asked, format: string, grown: Plant): Promise<Blob> {
+	if (format === "json") {
+		const text = JSON.stringify(exportJson(model, grown, specimen));
+		return new Blob([text], { type: "application/json" });
+	}
+	const link = await encodeLink(model, specimen);
+	if (format === "obj" || format === "mtl") {
+		const about = await aboutPlant(model, grown, specimen, link);
+		return new Blob([exportObj(model.parts(grown, specimen), about, name)[format]], { type: `model/${format}` });
+	}
+	const key = format === "zip-obj" ? "obj" : format;
+	return makeFile(model, { model: model.name, format: key, grown, specimen, link, name, options });
+}
+
+/** What the core says of a grammar has the place, as compilers write it. */
+function placed({ line, column, message }: CoreError): string {
+	return line > 0 ? `grammar:${line}:${column}: ${message}` : message;
+}
+
+function matches(request: Request, tag: string): boolean {
+	const tags = request.headers.get("if-none-match")?.split(",") ?? [];
+	return tags.some((each) => ["*", tag].includes(each.trim().replace(/^W\//, "")));
+}
+
+function unchanged(tag: string): Response {
+	return new Response(null, { status: 304, headers: { ...FOR_ALL, etag: tag, "cache-control": CACHING } });
+}
+
+function refusal(error: unknown): Response {
+	const refused = error instanceof Refused ? error : undefined;
+	const broke = error instanceof CoreTrap ? "the core broke over this plant" : "something here broke over this plant";
+	const headers = {
+		...FOR_ALL,
+		"content-type": "text/plain; charset=utf-8",
+		"cache-control": "no-store",
+		...refused?.headers,
+	};
+	return new Response(`${refused?.message ?? broke}\n`, { status: refused?.status ?? 500, headers });
+}
