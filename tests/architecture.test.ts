@@ -25,10 +25,11 @@ function read(file: string): string {
 const coreRooms = ["foundation", "geometry", "environment", "lsystem", "plant", "models", "boundary"];
 
 /** What each room of web/src may import besides itself. `models` is the interface and the index; `element` is to come. */
-const beforeModels = ["core", "specimen", "plant", "controls", "scene", "export"];
+const beforeModels = ["core", "specimen", "targets", "plant", "controls", "scene", "export"];
 const webRooms: Record<string, string[]> = {
 	core: [],
 	specimen: ["core"],
+	targets: ["specimen"],
 	plant: ["core"],
 	controls: ["core", "specimen", "plant"],
 	scene: ["core", "plant"],
@@ -38,7 +39,7 @@ const webRooms: Record<string, string[]> = {
 	batch: [...beforeModels, "models", "files"],
 	element: [...beforeModels, "models", "files"],
 	studio: [...beforeModels, "models", "files", "batch", "element"],
-	cli: ["core", "specimen", "plant", "export", "models", "files", "batch"],
+	cli: ["core", "specimen", "targets", "plant", "export", "models", "files", "batch"],
 };
 
 /** Rooms that say where the built core lies; the others get it from them. */
