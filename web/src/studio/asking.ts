@@ -1,9 +1,10 @@
 /** Asking for numbers: the page's side of targets/. Loaded when a measure that can be asked for is first unfolded. */
+import { aimed } from "../batch/aimed";
 import type { Stateful } from "../controls/desk";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import type { Aim } from "../targets/aim";
-import { type Answer, MOST_GROWTHS, solve } from "../targets/solve";
+import { type Answer, MOST_GROWTHS } from "../targets/solve";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import type { Studio } from "./studio";
 
@@ -41,15 +42,11 @@ export async function askFor(studio: Studio, aim: Aim): Promise<void> {
 	});
 	say(0);
 	try {
-		const levers = (await model.targets.levers())(
-			from,
-			aims.map(({ measure }) => measure),
-		);
-		const measure = (specimen: Specimen) => {
+		const measured = async (specimen: Specimen) => {
 			ending.signal.throwIfAborted();
-			return studio.measure(model, specimen, ending.signal);
+			return { measures: await studio.measure(model, specimen, ending.signal) };
 		};
-		const answer = await solve({ table: model.table, from, aims, levers }, { measure, progress: say });
+		const answer = await aimed(model, from, aims, measured, say);
 		ending.signal.throwIfAborted();
 		end();
 		take(studio, from, aims, answer);
