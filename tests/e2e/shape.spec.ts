@@ -103,18 +103,21 @@ test("sliders work by keyboard, say their unit, and a held key is one step", asy
 
 test("typed values are taken, clamped with a word, or refused with one", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
-	const field = page.getByRole("textbox", { name: "Length in pixels" });
-	await field.fill("300");
+	const field = page.getByRole("textbox", { name: "Length in millimetres" });
+	await field.fill("150");
 	await field.press("Enter");
-	await expect(studio.slider("Length")).toHaveValue("300");
+	await expect(studio.slider("Length")).toHaveValue("348");
+	await expect(studio.slider("Length")).toHaveAttribute("aria-valuetext", "150 millimetres");
+	await page.getByRole("switch", { name: "The paper’s pixels too" }).check();
+	await expect(page.locator("[data-key=l] label")).toContainText("348 px");
 	await field.fill("900");
 	await field.press("Enter");
-	await expect(field).toHaveValue("580");
-	await expect(page.getByText("Length takes 29 … 580 px. 900 became 580.")).toBeVisible();
+	await expect(field).toHaveValue("250");
+	await expect(page.getByText("Length takes 12.5 … 250 mm. 900 became 250.")).toBeVisible();
 	await field.fill("wide");
 	await field.press("Enter");
-	await expect(field).toHaveValue("580");
-	await expect(page.getByText("“wide” is not a number; Length stays 580.")).toBeVisible();
+	await expect(field).toHaveValue("250");
+	await expect(page.getByText("“wide” is not a number; Length stays 250.")).toBeVisible();
 });
 
 test("a double click on a slider's name brings the preset's value back", async ({ page }) => {

@@ -2,15 +2,8 @@
 import type { Specimen } from "./specimen";
 import type { Entry } from "./table";
 
-/** The unit of lengths that is a model's own. */
-export interface OwnLengths<S extends Specimen = Specimen> {
-	/** As the table writes it: `px`. */
-	readonly unit: string;
-	/** What it is called beside the millimetres: "pixels of the paper". */
-	readonly title: string;
-	/** Millimetres to one of it. */
-	millimetres(specimen: S): number;
-}
+/** Millimetres to one of each unit that a model counts lengths in besides, as its table writes them: `px`. */
+export type OwnLengths = Readonly<Record<string, number>>;
 
 /** A parameter as it is read and typed. */
 export interface Scale {
@@ -21,15 +14,18 @@ export interface Scale {
 	readonly decimals: number;
 }
 
+/** Steps of less than this many millimetres are read to a hundredth. */
+const FINE = 0.3;
+
 /** How a specimen's values of a parameter are read. */
 export function scaleOf<S extends Specimen>(
-	{ lengths }: { readonly lengths?: OwnLengths<S> },
+	species: { lengths?(specimen: S): OwnLengths },
 	specimen: S,
 	{ unit }: Pick<Entry, "unit">,
 ): Scale {
-	return lengths && unit === lengths.unit
-		? { per: lengths.millimetres(specimen), unit: "mm", decimals: 1 }
-		: { per: 1, unit, decimals: 2 };
+	const per = species.lengths?.(specimen)[unit];
+	if (per === undefined) return { per: 1, unit, decimals: 2 };
+	return { per, unit: "mm", decimals: per < FINE ? 2 : 1 };
 }
 
 /** A value as it is read, without its unit: no more digits than the scale has, and none that say nothing. */

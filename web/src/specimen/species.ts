@@ -65,6 +65,6 @@ export interface Species<S extends Specimen = Specimen> {
 	readonly table: Table;
 	readonly presets: Presets;
 	readonly details: readonly Detail<S>[];
-	/** The unit of its own that some of its parameters are lengths in, where there is one. */
-	readonly lengths?: OwnLengths<S>;
+	/** Units of its own that some of its parameters are lengths in, where there are such. */
+	lengths?(specimen: S): OwnLengths;
 }

@@ -17,11 +17,7 @@ export const BUNCH: Species<BunchSpecimen> = {
 	unnamed: true,
 	table: BUNCH_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	lengths: {
-		unit: "px",
-		title: "pixels of the paper",
-		millimetres: ({ parameters }) => 1000 * metresPerPixel(parameters.unit),
-	},
+	lengths: ({ parameters: { unit } }) => ({ px: 1000 * metresPerPixel(unit), u: unit }),
 	details: [thinnedBerries, grammarInputs, grammarText(), radii],
 };
 

@@ -27,6 +27,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		berries: { attribute: false },
 		initial: { attribute: false },
 		extent: { type: Number },
+		pixels: { type: Boolean },
 	};
 	declare view: View;
 	declare parameters: Parameters | undefined;
@@ -37,6 +38,8 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	declare initial: Parameters | undefined;
 	/** Side of the square shown, in pixels of the profile; chosen to suit the parameters where it is not given. */
 	declare extent: number | undefined;
+	/** Whether the numbers of a handle say the paper's pixels too. */
+	declare pixels: boolean;
 
 	protected readonly help =
 		"Drag, or use the arrow keys: one pixel a step, ten with Shift. Enter says where it stands. Escape calls off a drag.";
@@ -54,6 +57,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	constructor() {
 		super();
 		this.view = "front";
+		this.pixels = false;
 		this.locks = { leftRight: false, frontBack: false };
 	}
 
@@ -89,7 +93,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 			>
 				${drawScale(this.#steady.extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, frame)}
-				${shown.map((handle) => drawGuides(parameters, handle, frame))}
+				${shown.map((handle) => drawGuides(parameters, handle, frame, this.pixels))}
 			</svg>
 			${this.#handles().map((handle) => {
 				const content = drawName(parameters, handle, frame);

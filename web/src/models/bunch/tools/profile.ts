@@ -2,6 +2,7 @@ import { html } from "lit";
 import type { View } from "../profile/handles";
 import type { ProfileEvent } from "../profile/profile_event";
 import type { BunchDesk, BunchTool } from "./desk";
+import { pixels } from "./pixels";
 import { sides } from "./sides";
 import "../profile/profile_view";
 
@@ -14,7 +15,7 @@ function draw(desk: BunchDesk, view: View): unknown {
 	const { specimen, grown } = desk.state;
 	return html`<panicle-profile
 		view=${view} .parameters=${specimen.parameters} .locks=${desk.toolState(sides)} .berries=${grown}
-		.initial=${desk.preset.parameters}
+		.initial=${desk.preset.parameters} .pixels=${desk.toolState(pixels)}
 		@profile-input=${({ detail }: ProfileEvent) => desk.edit(detail)}
 		@profile-change=${() => desk.settle()}
 	></panicle-profile>`;
