@@ -24,7 +24,8 @@ export function changesInWords<S extends Specimen>(
 	from: S,
 	to: S,
 ): string {
-	const changes = species.table.core.flatMap((entry) => {
+	const heeded = species.table.core.filter((entry) => species.table.heeds(to, entry));
+	const changes = heeded.flatMap((entry) => {
 		const values = [from, to].map((each) => {
 			const scale = scaleOf(species, each, entry);
 			return { scale, exact: scale.per * each.parameters[entry.key], read: readIn(scale, each.parameters[entry.key]) };

@@ -2,9 +2,10 @@
  * `<panicle-profile view="front|side">`: one view of the octahedral profile with its handles (paper section 4.2,
  * figures 5 and 8). It draws what it is given and tells what a person does to it; the document stays with the page.
  */
-import { html, type PropertyValues } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { HandleView } from "../../../controls/handles/handle_view";
 import type { Point } from "../../../controls/handles/point";
+import type { Photo } from "../photo/photo";
 import type { BunchSpecimen } from "../specimen";
 import { nudgeHandle } from "./drag";
 import { type ProfileKeys, profileDrags } from "./drag_session";
@@ -28,6 +29,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		initial: { attribute: false },
 		extent: { type: Number },
 		pixels: { type: Boolean },
+		photo: { attribute: false },
 	};
 	declare view: View;
 	declare parameters: Parameters | undefined;
@@ -40,6 +42,8 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	declare extent: number | undefined;
 	/** Whether the numbers of a handle say the paper's pixels too. */
 	declare pixels: boolean;
+	/** Lies below all; its element comes with it (photo/photo_view.ts). */
+	declare photo: Photo | undefined;
 
 	protected readonly help =
 		"Drag, or use the arrow keys: one pixel a step, ten with Shift. Enter says where it stands. Escape calls off a drag.";
@@ -95,6 +99,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 				${drawOutline(parameters, view, frame)}
 				${shown.map((handle) => drawGuides(parameters, handle, frame, this.pixels))}
 			</svg>
+			${this.photo ? html`<panicle-photo .photo=${this.photo} .frame=${frame}></panicle-photo>` : nothing}
 			${this.#handles().map((handle) => {
 				const content = drawName(parameters, handle, frame);
 				return this.drawHandle(handle, handlePlace(parameters, handle, frame), {

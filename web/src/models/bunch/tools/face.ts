@@ -9,6 +9,7 @@ import { age } from "./age";
 import { asPrinted } from "./as_printed";
 import { inputs } from "./inputs";
 import { octahedron } from "./octahedron";
+import { photo } from "./photo";
 import { pixels } from "./pixels";
 import { front, side } from "./profile";
 import { readout, skinRow } from "./readout";
@@ -28,6 +29,7 @@ export const face: Face<BunchSpecimen, Grown> = {
 		inputs,
 		sides,
 		pixels,
+		photo,
 		asPrinted,
 		grammarTool("branching", "bunch"),
 	],
