@@ -98,7 +98,7 @@ export class LifeBar extends ControlElement {
 	}
 
 	#edit(age: number): void {
-		this.desk.edit({ parameters: { [this.life.parameter]: age } });
+		this.desk.edit({ parameters: { [this.life.parameter]: age }, run: this.#held.run });
 	}
 
 	readonly #toggle = (): void => {

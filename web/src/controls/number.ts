@@ -74,8 +74,12 @@ export class NumberControl extends EntryElement<NumberEntry> {
 
 	#slide(event: Event): void {
 		this.#message = undefined;
-		this.desk.edit(this.change(Number((event.target as HTMLInputElement).value)));
+		this.#edit(Number((event.target as HTMLInputElement).value));
 		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
+	}
+
+	#edit(value: number): void {
+		this.desk.edit({ ...this.change(value), run: this.#held.run });
 	}
 
 	#keyDown(event: KeyboardEvent): void {
@@ -92,7 +96,7 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		if (by === undefined) return;
 		event.preventDefault();
 		this.#message = undefined;
-		this.desk.edit(this.change(Number(this.value) + by));
+		this.#edit(Number(this.value) + by);
 	}
 
 	#fieldKey(event: KeyboardEvent): void {

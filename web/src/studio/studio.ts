@@ -70,7 +70,7 @@ export class Studio implements Desk {
 	// The document.
 
 	edit(change: Change, gesture = DRAG): void {
-		this.#go(histories.change(this.#state.history, this.#changed(change), gesture));
+		this.#go(histories.change(this.#state.history, this.#changed(change), gesture, change.run));
 	}
 
 	settle(gesture?: string): void {
