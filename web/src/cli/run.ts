@@ -10,7 +10,7 @@ import type { Aim } from "../targets/aim";
 import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import { type Call, readArguments } from "./arguments";
 import { askedModel, askedSpecimen, reasonOf } from "./asked_specimen";
-import { endingOf, endingsOf, filesOf, jsonOf } from "./outputs";
+import { endingOf, endingsOf, filesOf, jsonOf, ownFormat } from "./outputs";
 import { growSeries } from "./series";
 import type { Surroundings } from "./surroundings";
 import { readTargets } from "./targets";
@@ -34,9 +34,10 @@ export async function run(words: readonly string[], world: Surroundings): Promis
 /** Every model with its title and the names of its presets, as JSON. */
 async function listed(): Promise<string> {
 	const models = await Promise.all(modelNames().map(modelNamed));
-	const rows = models.map(({ name, title, presets }) => ({
+	const rows = models.map(({ name, title, preview, presets }) => ({
 		model: name,
 		title,
+		...(preview ? { preview } : {}),
 		presets: presets.list.map((preset) => preset.name),
 	}));
 	return `${JSON.stringify(rows)}\n`;
@@ -52,7 +53,10 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const core = await world.loadCore(model.wasm);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
-	const [meshes, measures] = [!json, json || plantFile(ending)?.form !== undefined];
+	const [meshes, measures] = [
+		!json,
+		json || plantFile(ending)?.form !== undefined || ownFormat(model, ending)?.measured === true,
+	];
 	const text = "grammar" in from ? "the link's grammar" : undefined;
 	const grow = async (each: Specimen, wanted: GrowthOptions) => {
 		await model.prepare?.(each);

@@ -45,6 +45,8 @@ export interface Format<S extends Specimen = Specimen, G extends Plant = Plant> 
 	readonly suffix: string;
 	/** The media type of the file. */
 	readonly type: string;
+	/** Whether it is of what was measured. */
+	readonly measured?: true;
 	/** Whether it suits this growth; absent where it suits all. */
 	applies?(grown: G): boolean;
 	/** @param link the address that brings the specimen back */
@@ -52,6 +54,8 @@ export interface Format<S extends Specimen = Specimen, G extends Plant = Plant> 
 }
 
 export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> extends Species<S> {
+	/** Whether what its links mean is not yet frozen: the page and `--list` say so. */
+	readonly preview?: true;
 	/** What a person calls it, as a heading: "Grape bunch". */
 	readonly title: string;
 	/** What sentences call one: "the last bunch stays". */

@@ -38,7 +38,7 @@ export class Readout extends StudioPart {
 			${face?.readout ? face.readout(grown, specimen) : counts(grown.counts)}
 			<h3>This ${model.noun}</h3>
 			<dl class="made">
-				${term("Grown in", `${timings.grow.toFixed(timings.grow < 10 ? 1 : 0)} ms`)} ${term("Version", VERSION)}
+				${term("Grown in", `${timings.grow.toFixed(timings.grow < 10 ? 1 : 0)} ms`)} ${term("Version", model.preview ? `${VERSION}, preview` : VERSION)}
 				<dt>Fingerprint</dt><dd class="fingerprint" data-fingerprint>${fingerprint}</dd>
 			</dl>
 			${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}

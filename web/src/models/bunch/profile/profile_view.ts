@@ -9,7 +9,16 @@ import type { Photo } from "../photo/photo";
 import type { BunchSpecimen } from "../specimen";
 import { nudgeHandle } from "./drag";
 import { type ProfileKeys, profileDrags } from "./drag_session";
-import { type Handle, handleKeys, handleLabel, handleValue, type Locks, VIEW_SIDES, type View } from "./handles";
+import {
+	HANDLES,
+	type Handle,
+	handleKeys,
+	handleLabel,
+	handleValue,
+	type Locks,
+	VIEW_SIDES,
+	type View,
+} from "./handles";
 import { drawGuides, drawName, drawOutline, drawScale, handlePlace } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
@@ -50,6 +59,8 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	readonly #silhouette = new SilhouetteDrawing();
 	readonly #steady = new SteadyExtent();
 	#asking?: ReturnType<typeof setTimeout>;
+	/** What a drag here left, while its pointer has not gone: the handle stays below it. */
+	#left: Parameters | undefined;
 	protected readonly drags = profileDrags<Parameters>({
 		handles: () => this.#handles(),
 		locks: () => this.locks,
@@ -60,6 +71,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 
 	constructor() {
 		super();
+		this.addEventListener("pointerleave", this.#gone);
 		this.view = "front";
 		this.pixels = false;
 		this.locks = { leftRight: false, frontBack: false };
@@ -81,7 +93,9 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	protected override willUpdate(changed: PropertyValues): void {
 		if (!this.parameters) return;
 		const wanted = this.extent ?? viewExtent(this.parameters, this.size.width, this.size.height);
-		const motion = this.drags.active ? "held" : changed.has("parameters") ? "moved" : "still";
+		if (this.drags.active) this.#left = this.parameters;
+		else if (this.#left && !sameShape(this.#left, this.parameters)) this.#left = undefined;
+		const motion = this.#left ? "held" : changed.has("parameters") ? "moved" : "still";
 		const later = this.#steady.follow(wanted, motion, performance.now());
 		clearTimeout(this.#asking);
 		if (later !== undefined) this.#asking = setTimeout(() => this.requestUpdate(), later);
@@ -150,6 +164,13 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		this.#step(parameters);
 	}
 
+	/** The pointer that let go of a handle has left, or its finger was lifted. */
+	readonly #gone = (): void => {
+		if (this.drags.active || !this.#left) return;
+		this.#left = undefined;
+		this.requestUpdate();
+	};
+
 	#handles(): Handle[] {
 		return ["p2", ...VIEW_SIDES[this.view]];
 	}
@@ -167,6 +188,10 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		this.#input(parameters);
 		this.tell("profile-change");
 	}
+}
+
+function sameShape(one: Parameters, other: Parameters): boolean {
+	return HANDLES.flatMap(handleKeys).every((key) => one[key] === other[key]);
 }
 
 customElements.define("panicle-profile", ProfileView);
