@@ -4,10 +4,11 @@
 export const coreRooms = ["foundation", "geometry", "environment", "lsystem", "plant", "models", "boundary"];
 
 /** What each room of web/src may import besides itself. `models` is the interface and the index. */
-export const beforeModels = ["core", "specimen", "plant", "controls", "scene", "export"];
+export const beforeModels = ["core", "specimen", "targets", "plant", "controls", "scene", "export"];
 export const webRooms: Record<string, string[]> = {
 	core: [],
 	specimen: ["core"],
+	targets: ["specimen"],
 	plant: ["core"],
 	controls: ["core", "specimen", "plant"],
 	scene: ["core", "plant"],
@@ -18,7 +19,7 @@ export const webRooms: Record<string, string[]> = {
 	service: [...beforeModels, "models", "files", "batch"],
 	element: [...beforeModels, "models", "files"],
 	studio: [...beforeModels, "models", "files", "batch", "element"],
-	cli: ["core", "specimen", "plant", "export", "models", "files", "batch"],
+	cli: ["core", "specimen", "targets", "plant", "export", "models", "files", "batch"],
 };
 
 /** Rooms that say where the built core lies; the others get it from them. */

@@ -52,6 +52,9 @@ test("berries as CSV: one line each, in millimetres", async ({ page }) => {
 	const [header, ...lines] = bytes.toString().trimEnd().split("\r\n");
 	expect(header.split(",")).toEqual(expect.arrayContaining(["x_mm", "width_mm", "exposure"]));
 	expect(lines).toHaveLength(Number(await studio.readout("Berries").innerText()));
+	const measures = await studio.download("csv-measures");
+	expect(measures.name).toBe("pinot-noir-1-measures.csv");
+	expect(measures.bytes.toString()).toContain(`,berry_count,Berries,${lines.length},`);
 });
 
 test("JSON: the numbers of the page, and it restores its bunch from the picker", async ({ page }) => {

@@ -69,20 +69,20 @@ test("two tabs keep each other's settings, and have the theme in common", async 
 test("a number is typed from its slider, by Enter or by its digits, and the keys go back to it", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const slider = studio.slider("Length");
-	const field = page.getByRole("textbox", { name: "Length in pixels" });
+	const field = page.getByRole("textbox", { name: "Length in millimetres" });
 	await slider.focus();
 	await page.keyboard.press("Enter");
 	await expect(field).toBeFocused();
-	await page.keyboard.type("300");
+	await page.keyboard.type("150");
 	await page.keyboard.press("Enter");
 	await expect(slider).toBeFocused();
-	await expect(slider).toHaveValue("300");
+	await expect(slider).toHaveValue("348");
 	await page.keyboard.type("41");
 	await expect(field).toHaveValue("41");
 	await page.keyboard.press("Escape");
 	await expect(slider).toBeFocused();
-	await expect(slider).toHaveValue("300");
-	await expect(field).toHaveValue("300");
+	await expect(slider).toHaveValue("348");
+	await expect(field).toHaveValue("150");
 	// What is half typed stays when the page is drawn anew meanwhile, as when a bunch comes.
 	await studio.slider("Age").focus();
 	await page.keyboard.type("3");
@@ -123,8 +123,8 @@ test("a handle says where it stands: after a key step, and when it is pressed, e
 	await expect(said).toHaveText("");
 	await handle.focus();
 	await studio.regrown(() => page.keyboard.press("ArrowRight"));
-	const width = await studio.slider("Right width").inputValue();
-	await expect(said).toHaveText(new RegExp(`^${width} px wide, \\d+ px down$`));
+	const width = await page.getByRole("textbox", { name: "Right width in millimetres" }).inputValue();
+	await expect(said).toHaveText(new RegExp(`^${width} mm wide, [\\d.]+ mm down$`));
 	const words = await said.textContent();
 	await page.keyboard.press("Enter");
 	expect(await said.textContent()).toBe(`${words}\u00a0`);

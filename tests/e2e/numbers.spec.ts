@@ -14,6 +14,27 @@ test("measures are told in words, with unit, descriptor and class, each explaine
 	await expect(page.getByText("NaN")).toHaveCount(0);
 });
 
+test("a number is asked for where it stands, and the plant follows, as one step", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=riesling");
+	const row = studio.measure("bunch_length");
+	await row.locator(".value").click();
+	const field = row.getByRole("textbox", { name: "Ask for" });
+	await expect(field).toBeFocused();
+	await studio.regrown(async () => {
+		await page.keyboard.type("160");
+		await page.keyboard.press("Enter");
+	});
+	await expect(studio.notices).toContainText(/Bunch length: 160 mm (reached|asked, 1\d\d(\.\d)? mm reached)/);
+	await expect(studio.notices).toContainText(/Length 115\.1 → 1\d\d(\.\d)? mm/);
+	await expect(row.locator(".value")).toHaveText(/^1(59|60|61) mm$/);
+	await expect(row).toContainText("160 mm asked");
+	await studio.button("Undo").click();
+	await expect(studio.button("Undo")).toBeDisabled();
+	await field.fill("high");
+	await field.press("Enter");
+	await expect(row.getByRole("alert")).toHaveText("“high” is no number that can be asked for.");
+});
+
 test("while a hand moves, what was last measured stays; it is measured anew on release", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=pinot-noir");
 	const length = studio.measure("bunch_length").locator(".value");

@@ -18,7 +18,7 @@ async function touchDrag(page: Page, from: { x: number; y: number }, dx: number,
 test.describe("to the eye", () => {
 	test.use({ drawn: true });
 
-	test("one view at a time, chosen by a switch", async ({ page }) => {
+	test("one flat view at a time, chosen by a switch, the plant beside it", async ({ page }) => {
 		const studio = await new StudioPage(page).open();
 		const front = page.getByRole("region", { name: "Front view" });
 		const side = page.getByRole("region", { name: "Side view" });
@@ -27,7 +27,8 @@ test.describe("to the eye", () => {
 		await page.getByRole("radio", { name: "Front" }).check();
 		await expect(front).toBeVisible();
 		await expect(side).toBeHidden();
-		await expect(studio.canvas).toBeHidden();
+		await expect.poll(async () => (await studio.canvas.boundingBox())?.width).toBeLessThan(150);
+		await expect.poll(() => studio.inkOnCanvas()).toBeGreaterThan(0.02);
 		await page.getByRole("radio", { name: "Side" }).check();
 		await expect(side).toBeVisible();
 		await page.getByRole("radio", { name: "3-D" }).check();

@@ -29,6 +29,94 @@ test("dragging a handle regrows the bunch and is one step, in the address and in
 	await expect(page).toHaveURL(/[?&]p3=\d+,\d+/);
 });
 
+test("a handle stays below the pointer that lets go of it, and the view suits the bunch once it leaves", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=long-conical");
+	const view = page.getByRole("region", { name: "Front view" });
+	const { x, y } = await studio.grip("Front", "p2");
+	const field = await view.locator("panicle-profile").boundingBox();
+	if (!field) throw new Error("no view");
+	const to = field.y + 0.25 * field.height;
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	await studio.regrown(() => page.mouse.move(x, to, { steps: 6 }));
+	await page.mouse.up();
+	// Longer than the view waits before it suits a bunch that has come to rest.
+	await page.waitForTimeout(700);
+	const at = async () => {
+		const box = await studio.handle("Front", "p2").boundingBox();
+		return box ? box.y + box.height / 2 : Number.NaN;
+	};
+	expect(Math.abs((await at()) - to)).toBeLessThan(4);
+	await page.mouse.move(field.x + field.width + 200, to);
+	await expect.poll(at).toBeGreaterThan(to + 20);
+});
+
+test("presses of an arrow key that follow each other are one step", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	const first = await studio.fingerprint.innerText();
+	await studio.handle("Front", "p3").focus();
+	for (let press = 0; press < 3; press++) await studio.regrown(() => page.keyboard.press("ArrowRight"));
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("a photograph lies behind the front view, is shifted by hand and keys, and stays out of the link", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
+	const address = page.url();
+	const picture = await page.evaluate(async () => {
+		const canvas = new OffscreenCanvas(100, 300);
+		const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+		pen.fillStyle = "#f0f";
+		pen.fillRect(0, 0, 100, 300);
+		return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())];
+	});
+	await studio.drop("bunch.png", Buffer.from(picture));
+	const photo = page.getByRole("application", { name: /^Photograph\./ });
+	await expect(photo).toBeVisible();
+	/** Where the picture begins and ends on its canvas, as shares of the canvas' width. */
+	const extent = () =>
+		page.locator("panicle-photo canvas").evaluate((canvas) => {
+			const { width, height } = canvas as HTMLCanvasElement;
+			const row = (canvas as HTMLCanvasElement)
+				.getContext("2d")
+				?.getImageData(0, Math.round(height / 2), width, 1).data;
+			const inked = Array.from({ length: width }, (_, x) => x).filter((x) => (row?.[4 * x + 3] ?? 0) > 0);
+			return [inked[0] / width, (inked.at(-1) ?? 0) / width];
+		});
+	const [left, right] = await extent();
+	expect(left + right).toBeCloseTo(1, 1);
+	const box = await photo.boundingBox();
+	if (!box) throw new Error("no photograph");
+	const [x, y] = [box.x + 0.7 * box.width, box.y + 0.95 * box.height];
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	await page.mouse.move(x + 0.2 * box.width, y, { steps: 4 });
+	await page.mouse.up();
+	await expect.poll(async () => (await extent())[0]).toBeGreaterThan(left + 0.15);
+	const dragged = await extent();
+	await photo.focus();
+	for (let press = 0; press < 3; press++) await page.keyboard.press("Shift+ArrowLeft");
+	await expect.poll(async () => (await extent())[0]).toBeLessThan(dragged[0]);
+	const width = ([from, to]: number[]) => to - from;
+	await page.keyboard.press("Shift++");
+	await expect.poll(async () => width(await extent())).toBeGreaterThan(width(dragged));
+	await studio.button("Shift photograph").click();
+	await expect(photo).toHaveCount(0);
+	await studio.regrown(() => dragBy(studio, "p3", 20, 0));
+	await studio.button("Undo").click();
+	await expect(page.locator("panicle-photo")).toHaveCount(1);
+	expect(page.url()).toBe(address);
+	await studio.drop("no.png", Buffer.from("no picture"));
+	await expect(studio.notices).toContainText("The file is no picture that this browser reads");
+	await studio.button("Remove photograph").click();
+	await expect(page.locator("panicle-photo")).toHaveCount(0);
+});
+
 test("a pen drags a handle, and that is one undo step", async ({ page, context }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const { x, y } = await studio.grip("Front", "p4");
@@ -83,7 +171,7 @@ test("the tip's handle makes the bunch longer under the mouse, before it is let 
 test("sliders work by keyboard, say their unit, and a held key is one step", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&preset=cylindrical");
 	const slider = studio.slider("Length");
-	await expect(slider).toHaveAttribute("aria-valuetext", "523 pixels");
+	await expect(slider).toHaveAttribute("aria-valuetext", "225.4 millimetres");
 	await slider.focus();
 	await page.keyboard.down("ArrowLeft");
 	for (let repeat = 0; repeat < 5; repeat++) await page.keyboard.down("ArrowLeft");
@@ -103,18 +191,21 @@ test("sliders work by keyboard, say their unit, and a held key is one step", asy
 
 test("typed values are taken, clamped with a word, or refused with one", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
-	const field = page.getByRole("textbox", { name: "Length in pixels" });
-	await field.fill("300");
+	const field = page.getByRole("textbox", { name: "Length in millimetres" });
+	await field.fill("150");
 	await field.press("Enter");
-	await expect(studio.slider("Length")).toHaveValue("300");
+	await expect(studio.slider("Length")).toHaveValue("348");
+	await expect(studio.slider("Length")).toHaveAttribute("aria-valuetext", "150 millimetres");
+	await page.getByRole("switch", { name: "The paper’s pixels too" }).check();
+	await expect(page.locator("[data-key=l] label")).toContainText("348 px");
 	await field.fill("900");
 	await field.press("Enter");
-	await expect(field).toHaveValue("580");
-	await expect(page.getByText("Length takes 29 … 580 px. 900 became 580.")).toBeVisible();
+	await expect(field).toHaveValue("250");
+	await expect(page.getByText("Length takes 12.5 … 250 mm. 900 became 250.")).toBeVisible();
 	await field.fill("wide");
 	await field.press("Enter");
-	await expect(field).toHaveValue("580");
-	await expect(page.getByText("“wide” is not a number; Length stays 580.")).toBeVisible();
+	await expect(field).toHaveValue("250");
+	await expect(page.getByText("“wide” is not a number; Length stays 250.")).toBeVisible();
 });
 
 test("a double click on a slider's name brings the preset's value back", async ({ page }) => {

@@ -23,6 +23,7 @@ import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
 import studio from "./studio.mjs";
 import swelling from "./swelling.mjs";
+import targets from "./targets.mjs";
 import webCore from "./web_core.mjs";
 import wood from "./wood.mjs";
 
@@ -37,6 +38,7 @@ export const groups = [
 	...bunchCore,
 	...bunchNatural,
 	...swelling,
+	...targets,
 	...bunchRipening,
 	...bunchSurfaces,
 	...bunchMeasures,

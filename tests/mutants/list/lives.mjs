@@ -54,8 +54,8 @@ export default [
 			},
 			{
 				id: "command-line-unmeasured",
-				find: "json || plantFile(ending)?.form !== undefined]",
-				replace: "false]",
+				find: "json || plantFile(ending)?.form !== undefined || ownFormat(model, ending)?.measured === true,",
+				replace: "false,",
 				breaks: "files of the command hold no measures",
 			},
 		],

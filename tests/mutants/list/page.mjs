@@ -64,8 +64,8 @@ export default [
 		faults: [
 			{
 				id: "number-clamped-unsaid",
-				find: "if (Math.abs(typed - taken) < 1e-9) return undefined;",
-				replace: "return undefined;",
+				find: "if (Math.abs(typed - scale.per * value) <",
+				replace: "return undefined;\n\tif (Math.abs(typed - scale.per * value) <",
 				breaks: "a typed number changes without a word",
 			},
 		],
@@ -76,7 +76,7 @@ export default [
 		faults: [
 			{
 				id: "held-key-a-step-each",
-				find: "if (MOVING_KEYS.test(key)) this.#held = true;",
+				find: "this.#held = true;",
 				replace: "",
 				breaks: "a held key leaves an undo step for each repeat",
 			},

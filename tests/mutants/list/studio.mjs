@@ -21,8 +21,8 @@ export default [
 			},
 			{
 				id: "studio-notes-unsaid",
-				find: "if (notes.length === 0) return;",
-				replace: "return;",
+				find: "if (texts.length > 0) this.notify(",
+				replace: "if (texts.length > 99) this.notify(",
 				breaks: "nothing says what of a link could not be used",
 			},
 			{

@@ -52,6 +52,13 @@ describe("a series as one archive", () => {
 		expect(strFromU8(archive["plants.csv"]).split("\r\n")[1]).toMatch(/^1,,,,.*,no room$/);
 	});
 
+	it("is refused where none could be grown, with why", async () => {
+		const make = () => Promise.reject(new Error("no room."));
+		await expect(zipOf(series, [1, 2], { ...means, make }, watching())).rejects.toThrow(
+			"none of the 2 plants could be grown: no room",
+		);
+	});
+
 	it("is refused where it would hold too many", async () => {
 		const seeds = Array.from({ length: 1001 }, (_, seed) => seed);
 		await expect(zipOf(series, seeds, means, watching())).rejects.toThrow(/an archive holds 1000/);

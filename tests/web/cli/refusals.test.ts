@@ -55,7 +55,7 @@ describe("what cannot be used", () => {
 
 	it("is said in one line: files", async () => {
 		expect(await complaint(["--out", "bunch.fbx"])).toBe(
-			"--out bunch.fbx: the name must end in .glb, .usdz, .ply, .3mf, .stl, .obj, .json or .csv",
+			"--out bunch.fbx: the name must end in .glb, .usdz, .ply, .3mf, .stl, .obj, .json, .csv or .measures.csv",
 		);
 		expect(await complaint(["--out", "x.glb", "--form", "tiny"])).toBe(
 			"--form tiny: the forms are detailed, web, low, instanced, growth",

@@ -245,6 +245,14 @@ describe("files", () => {
 		expect(rows).toHaveLength((await grow(["rubus"])).json.berries.length);
 	});
 
+	it("are a table of the measures", async () => {
+		const { written } = await grow(["rubus", "--out", "rubus.measures.csv"]);
+		const { berries, measures } = (await grow(["rubus"])).json;
+		const rows = (written.get("rubus.measures.csv") as string).trimEnd().split("\r\n");
+		expect(rows).toHaveLength(1 + Object.keys(measures).length);
+		expect(rows.find((row) => row.includes(",berry_count,"))).toContain(`,${berries.length},`);
+	});
+
 	it("leave notes to standard error", async () => {
 		const { status, said } = await grow(["?l=1", "--out", "x.json"]);
 		expect(status).toBe(0);

@@ -223,7 +223,7 @@ describe("what of a series cannot be used", () => {
 		[["--seeds", "1", "--vary", "age=1..2,age=3..4"], /age is given twice/],
 		[
 			["--seeds", "1", "--as", "fbx"],
-			/“fbx” is no kind of file of a bunch; there are glb, glb-web, glb-low, .*, obj, json, csv/,
+			/“fbx” is no kind of file of a bunch; there are glb, glb-web, glb-low, .*, obj, json, csv, csv-measures/,
 		],
 		[["--seeds", "1", "--triangles", "300"], /--triangles is for one plant’s file; of a series, --as says the kind/],
 		[["--seeds", "1", "--boundary", "box.obj"], /--boundary is for one plant: links do not hold meshes/],

@@ -42,6 +42,24 @@ describe("history", () => {
 		expect(undo(undo(history)).present).toEqual(long(100));
 	});
 
+	it("takes a run of presses as one step, though each comes to rest; another run is another", () => {
+		let history = startHistory(long(100));
+		for (const l of [101, 102, 103]) history = settle(change(history, long(l), "key", "right"));
+		expect(lengths(history)).toEqual([100, 103]);
+		history = settle(change(history, long(90), "key", "left"));
+		history = settle(change(history, long(91), "drag"));
+		history = settle(change(history, long(92), "key", "left"));
+		expect(lengths(history)).toEqual([100, 103, 90, 91, 92]);
+		history = settle(change(undo(history), long(93), "key", "left"));
+		expect(lengths(history)).toEqual([100, 103, 90, 91, 93]);
+	});
+
+	it("keeps no step of a run that comes back, and goes on from there", () => {
+		let history = startHistory(long(100));
+		for (const l of [101, 100, 101, 102]) history = settle(change(history, long(l), "key", "run"));
+		expect(lengths(history)).toEqual([100, 102]);
+	});
+
 	it("undoes a drag that has not ended, as a whole", () => {
 		const history = change(change(startHistory(long(100)), long(110), "p2"), long(120), "p2");
 		expect(lengths(undo(history))).toEqual([100, 120]);

@@ -14,6 +14,18 @@ describe("restore", () => {
 		}
 	});
 
+	it("says what it assumes of a preset that is younger than a record without a version", () => {
+		const assumed =
+			"v: none is given, and Riesling is of version 2; read as version 1; v=2 is Riesling as it is shown here.";
+		expect(texts({ preset: "riesling" })).toEqual([assumed]);
+		expect(parameters({ preset: "riesling" }).procedure).toBe(0);
+		expect(texts({ preset: "riesling", v: 2 })).toEqual([]);
+		expect(texts({ preset: "riesling", v: 1 })).toEqual([]);
+		expect(texts({ preset: "lychee" })).toEqual([]);
+		expect(texts({ l: 300 })).toEqual([]);
+		expect(texts({ preset: "riesling" }, specimenFromPreset())).toEqual([]);
+	});
+
 	it("gives a written specimen back as it is", () => {
 		fc.assert(
 			fc.property(anySpecimen, (specimen) => {

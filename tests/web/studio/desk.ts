@@ -5,13 +5,20 @@ import type { BunchDesk } from "../../../web/src/models/bunch/tools/desk";
 import type { Model } from "../../../web/src/models/model";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { Studio } from "../../../web/src/studio/studio";
+import type { Surroundings } from "../../../web/src/studio/surroundings";
 import { FIRST_VISIT } from "../../../web/src/studio/ui_state";
 
 export const bunchModel = bunch as unknown as Model;
 
 /** A studio with a specimen of a model before it, the model's tools included, and what it does outside itself. */
 export async function studioWith(specimen: Specimen, model: Model = bunchModel, ui = FIRST_VISIT) {
-	const surroundings = { grow: vi.fn(), cancel: vi.fn(), settled: vi.fn(), remember: vi.fn() };
+	const surroundings = {
+		grow: vi.fn(),
+		cancel: vi.fn(),
+		measure: vi.fn<Surroundings["measure"]>(async () => new Float32Array()),
+		settled: vi.fn(),
+		remember: vi.fn(),
+	};
 	const studio = new Studio({ model, specimen, ui, systemDark: false }, surroundings);
 	await vi.waitFor(
 		() => {

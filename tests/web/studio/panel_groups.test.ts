@@ -43,5 +43,11 @@ describe("the panel's groups", () => {
 		expect(keysOf(shown(2))).toContain("age");
 		expect(entriesOf(shown(2))).not.toContain("age");
 		expect(entriesOf(shown(2))).toContain("sun");
+		// The switch between the procedures is in sight, before the numbers.
+		for (const version of [1, 2]) {
+			const procedure = shown(version).find(({ group }) => group.key === "procedure");
+			expect(procedure?.group).toMatchObject({ everyday: true });
+			expect(procedure?.group.closed).toBeUndefined();
+		}
 	});
 });

@@ -7,6 +7,9 @@ import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
+import type { Aim } from "../targets/aim";
+import { reachedInWords } from "../targets/words";
+import { aimed } from "./aimed";
 import { crc32 } from "./crc32";
 import { Unusable } from "./unusable";
 import { drawn, type Varied } from "./vary";
@@ -16,6 +19,8 @@ export interface Series {
 	/** What all plants have but for seed and what is varied. */
 	readonly from: Specimen;
 	readonly varied: readonly Varied[];
+	/** Measures asked of each: its parameters are found for its seed. */
+	readonly aims?: readonly Aim[];
 	/** What files there are of each: a key of `formatsOf`. */
 	readonly format: string;
 }
@@ -34,6 +39,8 @@ export interface Member {
 
 export interface Grown {
 	readonly plant: Plant;
+	/** Query and fragment that bring it back; the member's own where nothing was asked of its measures. */
+	readonly link: string;
 	readonly bytes: Uint8Array<ArrayBuffer>;
 	/** CRC-32 of the file. */
 	readonly sum: string;
@@ -76,14 +83,31 @@ export interface Means {
 }
 
 /** Grows one and makes its file; throws what these throw. */
-export async function growMember({ model, format }: Series, member: Member, means: Means): Promise<Grown> {
-	const { specimen, link, file } = member;
+export async function growMember(series: Series, asked: Member, means: Means): Promise<Grown> {
+	const { model, format, aims = [] } = series;
+	const { specimen, link, file, short } =
+		aims.length > 0 ? await foundFor(series, asked, aims, means) : { ...asked, short: [] };
 	const options = { meshes: format !== "json", measures: true };
 	// How long it took is the machine's, and no part of what is the same everywhere.
 	const plant = { ...(await means.grow(model, specimen, options)), timings: { grow: 0 } };
+	const notes = [...plant.notes, ...short];
 	const name = file.slice(0, -suffixOf(model, format).length);
 	const request = { model: model.name, format, grown: plant, specimen, link, name };
 	const blob = await means.make(model, request);
 	const bytes = new Uint8Array(await blob.arrayBuffer());
-	return { plant, bytes, sum: crc32(bytes) };
+	return { plant: { ...plant, notes }, link, bytes, sum: crc32(bytes) };
+}
+
+/** The member whose measures are what is asked, and what is to be said of those that are not. */
+async function foundFor(
+	{ model }: Series,
+	member: Member,
+	aims: readonly Aim[],
+	{ grow }: Means,
+): Promise<Member & { short: string[] }> {
+	const { specimen, reached } = await aimed(model, member.specimen, aims, (each) =>
+		grow(model, each, { meshes: false, measures: true }),
+	);
+	const short = reached.filter(({ there }) => !there).map((each) => `${reachedInWords(each)}.`);
+	return { ...member, specimen, link: await encodeLink(model, specimen), short };
 }

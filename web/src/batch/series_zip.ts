@@ -18,7 +18,7 @@ export interface Watch {
 
 /**
  * Grows plant after plant and packs them with their table. One that cannot be grown has its line, which says why.
- * @throws Unusable where it comes to more than one archive holds, and the signal's reason
+ * @throws Unusable where none can be grown, and where it comes to more than one archive holds, and the signal's reason
  */
 export async function zipOf(series: Series, seeds: readonly number[], means: Means, watch: Watch): Promise<Blob> {
 	const { signal, progress } = watch;
@@ -27,6 +27,8 @@ export async function zipOf(series: Series, seeds: readonly number[], means: Mea
 	}
 	const archive = new ZipStream();
 	const lines = [written(columnsOf(series))];
+	let whole = 0;
+	let why = "";
 	for (const seed of seeds) {
 		signal.throwIfAborted();
 		const member = await memberOf(series, seed);
@@ -34,15 +36,18 @@ export async function zipOf(series: Series, seeds: readonly number[], means: Mea
 			const grown = await growMember(series, member, means);
 			archive.add({ name: member.file, bytes: grown.bytes });
 			lines.push(written(rowOf(series, member, grown)));
+			whole++;
 		} catch (error) {
 			signal.throwIfAborted();
-			lines.push(written(failedRow(series, member, error instanceof Error ? error.message : String(error))));
+			why = error instanceof Error ? error.message : String(error);
+			lines.push(written(failedRow(series, member, why)));
 		}
 		if (archive.size > LARGEST) {
 			throw new Unusable(`after ${lines.length - 1} plants the archive is larger than 2 GB; ask for fewer`);
 		}
 		progress(lines.length - 1);
 	}
+	if (whole === 0) throw new Unusable(`none of the ${seeds.length} plants could be grown: ${why.replace(/\.$/, "")}`);
 	archive.add({ name: "plants.csv", bytes: new TextEncoder().encode(lines.join("")) });
 	return archive.end();
 }

@@ -6,20 +6,32 @@ import type { Grown, Member, Series } from "./series";
 /** What stands before the values and the measures. */
 const FIRST = ["seed", "file", "bytes", "crc32", "fingerprint", "link"] as const;
 
-/** Names of the columns: a varied parameter's is `set_age`, since measures may be called like parameters. */
-export function columnsOf({ model, varied }: Series): string[] {
+/**
+ * Names of the columns: a varied parameter's is `set_age`, since measures may be called like parameters. Where measures are asked for, `from` is
+ * the link without that, and `target_bunch_length` what is asked.
+ */
+export function columnsOf({ model, varied, aims = [] }: Series): string[] {
 	const measures = model.table.measures.map(({ key }) => key);
-	return [...FIRST, ...varied.map(({ entry }) => `set_${entry.key}`), ...measures, "notes"];
+	const asked = aims.map(({ measure }) => `target_${measure}`);
+	const from = aims.length > 0 ? ["from"] : [];
+	return [...FIRST, ...from, ...asked, ...varied.map(({ entry }) => `set_${entry.key}`), ...measures, "notes"];
 }
 
+/** What stands in `from` and `target_…`. */
+const askedCells = ({ aims = [] }: Series, { link }: Member): Cell[] =>
+	aims.length > 0 ? [link, ...aims.map(({ value }) => value)] : [];
+
 /** A grown plant's line. */
-export function rowOf({ model }: Series, { seed, file, link, values }: Member, { plant, bytes, sum }: Grown): Cell[] {
-	const measures = measureValues(model.table, plant).map(([, value]) => value);
-	return [seed, file, bytes.length, sum, plant.fingerprint, link, ...values, ...measures, plant.notes.join(" ")];
+export function rowOf(series: Series, member: Member, { plant, link, bytes, sum }: Grown): Cell[] {
+	const { seed, file, values } = member;
+	const measures = measureValues(series.model.table, plant).map(([, value]) => value);
+	const marks = [seed, file, bytes.length, sum, plant.fingerprint, link];
+	return [...marks, ...askedCells(series, member), ...values, ...measures, plant.notes.join(" ")];
 }
 
 /** The line of a plant that could not be grown: no file, and why. */
-export function failedRow({ model }: Series, { seed, link, values }: Member, why: string): Cell[] {
+export function failedRow(series: Series, member: Member, why: string): Cell[] {
+	const { seed, link, values } = member;
 	return [
 		seed,
 		null,
@@ -27,8 +39,9 @@ export function failedRow({ model }: Series, { seed, link, values }: Member, why
 		null,
 		null,
 		link,
+		...askedCells(series, member),
 		...values,
-		...model.table.measures.map(() => null),
+		...series.model.table.measures.map(() => null),
 		why.replaceAll(/\s+/g, " "),
 	];
 }
@@ -40,6 +53,7 @@ export interface Line {
 	readonly file: string;
 	readonly bytes: number;
 	readonly sum: string;
+	/** The member's link, as it is without what is asked of its measures. */
 	readonly link: string;
 	/** As it was read, to be written again. */
 	readonly text: string;
@@ -53,11 +67,13 @@ export function readLines(series: Series, text: string): Map<string, Line> | und
 	const [header, ...rows] = splitRows(text);
 	const columns = columnsOf(series);
 	if (header !== undefined && header !== written(columns)) return undefined;
+	const { aims = [] } = series;
 	const lines = rows.map((row) => {
-		const [, file, bytes, sum, , link] = cellsOf(row);
-		return { file, bytes: Number(bytes), sum, link, text: row };
+		const [, file, bytes, sum, , link, from, ...more] = cellsOf(row);
+		const same = aims.every(({ value }, at) => Number(more[at]) === value);
+		return { file, bytes: Number(bytes), sum, link: aims.length > 0 ? from : link, text: row, same };
 	});
-	return new Map(lines.filter(({ file }) => file !== "").map((line) => [line.file, line]));
+	return new Map(lines.filter(({ file, same }) => file !== "" && same).map((line) => [line.file, line]));
 }
 
 /** Rows with the CRLF that ends them: none within quotation marks does. */

@@ -13,6 +13,8 @@ export interface Call {
 	seed: string | undefined;
 	/** By key; where a key is given twice, the last value. */
 	set: Record<string, string>;
+	/** Measures asked for, still unread: `bunch_length=160`. */
+	targets: readonly string[];
 	grammarFile: string | undefined;
 	boundaryFile: string | undefined;
 	/** Which of the files that end like `out`. */
@@ -42,6 +44,7 @@ export function readArguments(words: readonly string[]): Call {
 		source: positionals[0],
 		seed: last(values.seed),
 		set: Object.fromEntries((values.set ?? []).map(readSetting)),
+		targets: values.target ?? [],
 		grammarFile: last(values.grammar),
 		boundaryFile: last(values.boundary),
 		out: last(values.out),
@@ -61,6 +64,7 @@ const OPTIONS = {
 	list: { type: "boolean" },
 	seed: { type: "string", multiple: true },
 	set: { type: "string", multiple: true },
+	target: { type: "string", multiple: true },
 	grammar: { type: "string", multiple: true },
 	boundary: { type: "string", multiple: true },
 	out: { type: "string", short: "o", multiple: true },

@@ -32,6 +32,11 @@ export function endingOf(model: Pick<Model, "formats">, file: string): string | 
 	return found.sort((one, other) => other.length - one.length)[0];
 }
 
+/** What a model of its own gives by that ending. */
+export function ownFormat({ formats }: Pick<Model, "formats">, ending: string) {
+	return formats?.find(({ key }) => endingFor(key) === ending);
+}
+
 /**
  * The files of a plant by the ending of the name that was asked for; an OBJ has its materials and their pictures beside it.
  * @param aged the same plant at other ages, where it has any
@@ -46,7 +51,7 @@ export async function filesOf(
 	aged?: Aged,
 ): Promise<File[]> {
 	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
-	const format = model.formats?.find(({ key }) => endingFor(key) === ending);
+	const format = ownFormat(model, ending);
 	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
 	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
 	const meshes = plantFile(ending, form);

@@ -1,14 +1,20 @@
 /** The command: grows one specimen of any model and writes it. */
+import { aimed } from "../batch/aimed";
 import { CoreError } from "../core/errors";
 import { FORMS, plantFile } from "../export/plant_files";
 import { agedOf, hasAges } from "../files/aged";
 import { modelNamed, modelNames } from "../models/index";
+import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+import type { Aim } from "../targets/aim";
+import { changesInWords, growthsInWords, reachedInWords } from "../targets/words";
 import { type Call, readArguments } from "./arguments";
 import { askedModel, askedSpecimen, reasonOf } from "./asked_specimen";
-import { endingOf, endingsOf, filesOf, jsonOf } from "./outputs";
+import { endingOf, endingsOf, filesOf, jsonOf, ownFormat } from "./outputs";
 import { growSeries } from "./series";
 import type { Surroundings } from "./surroundings";
+import { readTargets } from "./targets";
 import { UsageError, usage } from "./usage";
 
 /** @returns the exit status: 0 grown, 1 the core broke or is missing or some of a series did not grow, 2 something in the call cannot be used */
@@ -29,29 +35,36 @@ export async function run(words: readonly string[], world: Surroundings): Promis
 /** Every model with its title and the names of its presets, as JSON. */
 async function listed(): Promise<string> {
 	const models = await Promise.all(modelNames().map(modelNamed));
-	const rows = models.map(({ name, title, presets }) => ({
+	const rows = models.map(({ name, title, preview, presets }) => ({
 		model: name,
 		title,
+		...(preview ? { preview } : {}),
 		presets: presets.list.map((preset) => preset.name),
 	}));
 	return `${JSON.stringify(rows)}\n`;
 }
 
 async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
-	const { model, specimen, notes } = await askedSpecimen(call, world);
+	const { model, specimen: from, notes } = await askedSpecimen(call, world);
+	const aims = readTargets(model, from, call.targets);
 	const { out } = call;
 	const ending = out === undefined ? "json" : endingOf(model, out);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
-	checkForm(call, ending, hasAges(model, specimen));
+	checkForm(call, ending, hasAges(model, from));
 	const core = await world.loadCore(model.wasm);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
-	const [meshes, measures] = [!json, json || plantFile(ending)?.form !== undefined];
-	await model.prepare?.(specimen);
-	const text = "grammar" in specimen ? "the link's grammar" : undefined;
-	const grown = growing(call.grammarFile ?? text, () =>
-		model.read(core.grow(model.encode(specimen, { meshes, measures })), specimen),
-	);
+	const [meshes, measures] = [
+		!json,
+		json || plantFile(ending)?.form !== undefined || ownFormat(model, ending)?.measured === true,
+	];
+	const text = "grammar" in from ? "the link's grammar" : undefined;
+	const grow = async (each: Specimen, wanted: GrowthOptions) => {
+		await model.prepare?.(each);
+		return growing(call.grammarFile ?? text, () => model.read(core.grow(model.encode(each, wanted)), each));
+	};
+	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
+	const grown = await grow(specimen, { meshes, measures });
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (out === undefined) {
 		world.print(jsonOf(model, all, specimen));
@@ -67,6 +80,21 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		});
 	}
 	for (const note of all.notes) world.say(`note: ${note}`);
+}
+
+/** The specimen that measures what is asked; says how near it comes and what it changed. */
+async function found(
+	model: Model,
+	from: Specimen,
+	aims: readonly Aim[],
+	grow: (specimen: Specimen, wanted: GrowthOptions) => Promise<Plant>,
+	{ say }: Surroundings,
+): Promise<Specimen> {
+	const answer = await aimed(model, from, aims, (each) => grow(each, { meshes: false, measures: true }));
+	for (const each of answer.reached) say(`target: ${reachedInWords(each)}`);
+	const changes = changesInWords(model, from, answer.specimen);
+	if (changes) say(`target: ${changes}; ${growthsInWords(answer)}`);
+	return answer.specimen;
 }
 
 /** @throws UsageError where there is no such form of the file, or the plant has no ages for it to show */

@@ -17,6 +17,7 @@ import type { Call } from "./arguments";
 import { askedSpecimen, reasonOf } from "./asked_specimen";
 import type { BatchCall } from "./batch_arguments";
 import type { Surroundings } from "./surroundings";
+import { readTargets } from "./targets";
 import { UsageError } from "./usage";
 
 /** How often it says how far it is, in milliseconds. */
@@ -66,6 +67,7 @@ export async function growSeries(call: Call, batch: BatchCall, world: Surroundin
 async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Promise<Asked> {
 	const { model, specimen: from, notes } = await askedSpecimen(call, world);
 	for (const note of notes) world.say(`note: ${note.text}`);
+	const aims = readTargets(model, from, call.targets);
 	const all = typed("--seeds", batch.seeds, readSeeds);
 	const varied = batch.vary === undefined ? [] : typed("--vary", batch.vary, (text) => readVary(model, text, from));
 	const shard =
@@ -73,7 +75,7 @@ async function readSeries(call: Call, batch: BatchCall, world: Surroundings): Pr
 	typed("--as", batch.format, (format) => checkFormat(model, format));
 	const folder = call.out ?? ".";
 	return {
-		series: { model, from, varied, format: batch.format },
+		series: { model, from, varied, aims, format: batch.format },
 		seeds: shard ? partOf(all, shard) : all,
 		folder,
 		table: join(folder, tableName(shard)),

@@ -6,6 +6,7 @@ import { FORMS, LOW_TRIANGLES, POINTS, THICKNESS } from "../export/plant_files";
 
 import { DEFAULT_MODEL } from "../models/index";
 import type { Model } from "../models/model";
+import { fromPreset } from "../specimen/from_preset";
 import { endingsOf } from "./outputs";
 
 /** A mistake in how the command was called: one line, and exit status 2. */
@@ -14,21 +15,21 @@ export class UsageError extends Error {
 }
 
 /** The text of --help: of one model, with the names of the others. */
-export function usage(
-	{ name, title, noun, table, presets, details, formats }: Model,
-	models: readonly string[],
-): string {
+export function usage(model: Model, models: readonly string[]): string {
+	const { name, title, noun, table, presets, details, formats, targets } = model;
 	const keys = [...table.links].map(([key, entries]) => {
 		const [entry, ...others] = entries;
 		if (others.length > 0) return `${key}=${entries.map((_, index) => String.fromCharCode(65 + index)).join()}`;
 		return entry.kind === "choice" ? `${key}=${entry.options.join("|")}` : key;
 	});
+	const asked = targets?.measures(fromPreset(model)) ?? [];
 	const prefix = name === DEFAULT_MODEL ? "" : `${name}/`;
 	const others = models.filter((each) => each !== name).map((each) => `${each} --help`);
 	return `Grows a plant; here: ${title.toLowerCase()}.
 
-  npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--boundary FILE]
-                     [--out FILE] [--form FORM] [--triangles N] [--translucent] [--thickness MM] [--points N]
+  npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--target MEASURE=VALUE …]
+                     [--grammar FILE] [--boundary FILE] [--out FILE] [--form FORM] [--triangles N]
+                     [--translucent] [--thickness MM] [--points N]
   npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND] --out DIR
   npm run -s grow -- --list
 
@@ -39,7 +40,13 @@ export function usage(
   --seed N         0 … 4294967295; another seed is another ${noun} of the same shape
   --set KEY=VALUE  as often as needed; KEY is one of
                    ${wrapped([...keys, ...details.flatMap(({ settings = [] }) => settings)])}
-  --grammar FILE   grammar text in place of the model's own
+${
+	asked.length > 0
+		? `  --target M=VALUE finds the parameters that measure so, as near as they can; as often as needed; M is one of
+                   ${wrapped(asked)}
+`
+		: ""
+}  --grammar FILE   grammar text in place of the model's own
   --boundary FILE  a closed mesh, .obj or .glb, that a tree or a root grows in
   --out FILE       ${endingsOf({ formats })} (an .obj has its
                    .mtl beside it); without it, JSON goes to standard output

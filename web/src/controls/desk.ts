@@ -10,6 +10,8 @@ export interface Change {
 	look?: Readonly<Partial<Record<string, number | string>>>;
 	/** Fields of the specimen that are its details', by name, each in the form that its detail keeps; absent where undefined. */
 	details?: Readonly<Record<string, unknown>>;
+	/** The run of key presses that it is of: changes of one run are one undo step, though each comes to rest. */
+	run?: string | undefined;
 }
 
 export interface DeskState<S extends Specimen = Specimen, G extends Plant = Plant> {

@@ -1,8 +1,12 @@
+import { KeyRuns } from "./key_runs";
+
 const MOVING_KEYS = /^(Arrow|Page|Home|End)/;
 
-/** A slider's run of a held key, told from its drags: a run is one step, which ends when the key comes up. */
+/** A slider's keys, told from its drags: a press ends when the key comes up, and presses that follow each other are one step. */
 export class HeldKey {
 	#held = false;
+	#run = "";
+	readonly #runs = new KeyRuns();
 	readonly #settle: () => void;
 
 	/** @param settle called at the end of a run, and of a drag */
@@ -12,7 +16,14 @@ export class HeldKey {
 
 	/** A key went down. */
 	down({ key }: KeyboardEvent): void {
-		if (MOVING_KEYS.test(key)) this.#held = true;
+		if (!MOVING_KEYS.test(key)) return;
+		this.#held = true;
+		this.#run = this.#runs.press("slider");
+	}
+
+	/** The run that a change belongs to; undefined where it is a drag's. */
+	get run(): string | undefined {
+		return this.#held ? this.#run : undefined;
 	}
 
 	/** The key came up, or the focus went. */

@@ -1,3 +1,4 @@
+import type { SVGTemplateResult } from "lit";
 import type { Plant } from "../plant/plant";
 
 /** The life of a plant as one parameter runs through it, with names for its stages. */
@@ -8,6 +9,8 @@ export interface Stage {
 	/** From where on it is called so; from `at` where absent. */
 	readonly from?: number;
 	readonly name: string;
+	/** A line drawing of it (icons.ts), where it is easily overlooked. */
+	readonly icon?: SVGTemplateResult;
 }
 
 export interface Life {

@@ -51,11 +51,12 @@ export class LifeBar extends ControlElement {
 					@keydown=${this.#keyDown} @keyup=${this.#held.up} @blur=${this.#held.up}
 				>
 				<div class="stages" role="group" aria-label="Stages">${life.stages.map(
-					({ at, name: words }) => html`<button
+					({ at, name: words, icon: drawn }) => html`<button
 						class="stage-name" type="button" tabindex="-1" aria-current=${words === stage.name} .style=${`--at: ${(at - min) / (max - min)}`}
 						@click=${() => this.#set(at)}
-					>${words}</button>`,
+					>${drawn ? icon(drawn) : nothing}${words}</button>`,
 				)}</div>
+				${life.stages[0].icon && stage !== life.stages[0] ? html`<span class="stage-first">${icon(life.stages[0].icon)}</span>` : nothing}
 				<p class="stage-now" aria-hidden="true">${stage.name}</p>
 			</div>
 			<input
@@ -98,7 +99,7 @@ export class LifeBar extends ControlElement {
 	}
 
 	#edit(age: number): void {
-		this.desk.edit({ parameters: { [this.life.parameter]: age } });
+		this.desk.edit({ parameters: { [this.life.parameter]: age }, run: this.#held.run });
 	}
 
 	readonly #toggle = (): void => {

@@ -1,10 +1,12 @@
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
+import { readIn, type Scale, scaleOf } from "../specimen/lengths";
 import { type NumberEntry, nearestWithin } from "../specimen/table";
 import { coarseStep } from "./coarse_step";
 import type { Change } from "./desk";
 import { EntryElement } from "./entry_element";
 import { HeldKey } from "./held_key";
+import { OWN_LENGTHS } from "./own_lengths";
 import { symbol } from "./symbol";
 import { handBack, handOver, isForField, readTyped } from "./typed";
 
@@ -17,26 +19,40 @@ export class NumberControl extends EntryElement<NumberEntry> {
 	#message: { text: string | undefined; value: number } | undefined;
 	readonly #held = new HeldKey(() => this.desk.settle());
 
+	protected override shows(): readonly unknown[] {
+		return [...super.shows(), this.#scale.per, this.desk.toolState(OWN_LENGTHS)];
+	}
+
+	/** How its value is read: lengths in millimetres. */
+	get #scale(): Scale {
+		const { model, specimen } = this.desk.state;
+		return scaleOf(model, specimen, this.entry);
+	}
+
 	protected override draw(): unknown {
 		const { entry } = this;
 		const value = Number(this.value);
-		const { key, label, unit } = entry;
+		const scale = this.#scale;
+		const { key, label } = entry;
+		const { unit } = scale;
+		const read = readIn(scale, value);
+		const own = unit !== entry.unit && this.desk.toolState(OWN_LENGTHS);
 		const [slide, help] = [this.idOf("slide"), this.idOf("help")];
 		return html`<div class="control ${value === this.published ? "" : "changed"}" data-key=${key}>
-			<label for=${slide} @dblclick=${this.reset}>${label}${symbol(entry.symbol)}</label>
+			<label for=${slide} @dblclick=${this.reset}>${label}${symbol(entry.symbol)}${own ? html` <small>${value} ${entry.unit}</small>` : nothing}</label>
 			<input
 				type="range" id=${slide} min=${entry.min} max=${entry.max} step=${entry.step} .value=${live(String(value))}
-				aria-valuetext=${`${value} ${spoken(unit)}`.trim()} aria-describedby=${help}
+				aria-valuetext=${`${read} ${spoken(unit)}`.trim()} aria-describedby=${help}
 				@input=${this.#slide} @change=${this.#held.slid} @dblclick=${this.reset}
 				@keydown=${this.#keyDown} @keyup=${this.#held.up} @blur=${this.#held.up}
 			>
 			<input
-				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${String(value)}
+				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${String(read)}
 				aria-label=${unit ? `${label} in ${spoken(unit)}` : `${label}, typed`} aria-describedby=${help}
 				@change=${this.#type} @keydown=${this.#fieldKey} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
 			>
 			<span class="unit" aria-hidden="true">${unit}</span>
-			<span class="unseen" id=${help}>${entry.help} ${range(entry)} Shift goes ten steps. Enter types a number.</span>
+			<span class="unseen" id=${help}>${entry.help} ${rangeInWords(entry, scale)} Shift goes ten steps. Enter types a number.</span>
 			</div>
 			${this.#message?.text && this.#message.value === value ? html`<p class="clamped" role="status">${this.#message.text}</p>` : nothing}`;
 	}
@@ -58,8 +74,12 @@ export class NumberControl extends EntryElement<NumberEntry> {
 
 	#slide(event: Event): void {
 		this.#message = undefined;
-		this.desk.edit(this.change(Number((event.target as HTMLInputElement).value)));
+		this.#edit(Number((event.target as HTMLInputElement).value));
 		this.requestUpdate(); // Where the value taken is another, the slider goes there too.
+	}
+
+	#edit(value: number): void {
+		this.desk.edit({ ...this.change(value), run: this.#held.run });
 	}
 
 	#keyDown(event: KeyboardEvent): void {
@@ -76,34 +96,38 @@ export class NumberControl extends EntryElement<NumberEntry> {
 		if (by === undefined) return;
 		event.preventDefault();
 		this.#message = undefined;
-		this.desk.edit(this.change(Number(this.value) + by));
+		this.#edit(Number(this.value) + by);
 	}
 
 	#fieldKey(event: KeyboardEvent): void {
-		handBack(event, Number(this.value), this.querySelector("input[type=range]"));
+		handBack(event, readIn(this.#scale, Number(this.value)), this.querySelector("input[type=range]"));
 	}
 
 	#type(event: Event): void {
 		const field = event.target as HTMLInputElement;
 		const typed = readTyped(field.value);
-		if (Number.isFinite(typed)) this.desk.set(this.change(typed));
-		const taken = Number(this.value);
-		this.#message = { text: complaint(this.entry, field.value, typed, taken), value: taken };
-		field.value = String(taken);
+		const scale = this.#scale;
+		if (Number.isFinite(typed)) this.desk.set(this.change(typed / scale.per));
+		const value = Number(this.value);
+		this.#message = { text: complaint(this.entry, scale, field.value, typed, value), value };
+		field.value = String(readIn(scale, value));
 		this.requestUpdate();
 	}
 }
 
 /** What to say where the number taken is not the one typed. */
-export function complaint(entry: NumberEntry, text: string, typed: number, taken: number): string | undefined {
+function complaint(entry: NumberEntry, scale: Scale, text: string, typed: number, value: number): string | undefined {
+	const taken = readIn(scale, value);
 	if (!Number.isFinite(typed)) return `“${text.slice(0, 20)}” is not a number; ${entry.label} stays ${taken}.`;
-	if (Math.abs(typed - taken) < 1e-9) return undefined;
-	return `${entry.label} takes ${range(entry)} ${typed} became ${taken}.`;
+	// What is typed finer than it is read was taken all the same.
+	if (Math.abs(typed - scale.per * value) < (scale.per === 1 ? 1e-9 : 10 ** -scale.decimals)) return undefined;
+	return `${entry.label} takes ${rangeInWords(entry, scale)} ${typed} became ${taken}.`;
 }
 
-/** "29 … 580 px." */
-function range({ min, max, unit, kind }: NumberEntry): string {
-	return `${kind === "integer" ? "whole numbers " : ""}${min} … ${max}${unit ? ` ${unit}` : ""}.`;
+/** "12.5 … 250 mm." */
+function rangeInWords({ min, max, kind }: NumberEntry, scale: Scale): string {
+	const { unit } = scale;
+	return `${kind === "integer" && scale.per === 1 ? "whole numbers " : ""}${readIn(scale, min)} … ${readIn(scale, max)}${unit ? ` ${unit}` : ""}.`;
 }
 
 const SPOKEN: Readonly<Record<string, string>> = {

@@ -14,6 +14,7 @@ import type { Plant } from "../plant/plant";
 import type { FigureMaker } from "../scene/figure";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
+import type { Levers } from "../targets/lever";
 
 /** What of a growth is wanted. */
 export interface GrowthOptions {
@@ -23,6 +24,14 @@ export interface GrowthOptions {
 	measures?: boolean;
 	/** Whether the next is on its way, for a hand moves: what a figure can do without for so long may be left out. */
 	passing?: boolean;
+}
+
+/** Measures that a person may ask for. */
+export interface Targets<S extends Specimen = Specimen> {
+	/** Their keys; those of a specimen. */
+	measures(specimen: S): readonly string[];
+	/** What moves them, of a specimen and of all that is asked at once; from a module of its own. */
+	levers(): Promise<(specimen: S, asked: readonly string[]) => Levers<S>>;
 }
 
 /** Something that `Download` and the command line's `--out` give besides what every plant has. */
@@ -36,6 +45,8 @@ export interface Format<S extends Specimen = Specimen, G extends Plant = Plant> 
 	readonly suffix: string;
 	/** The media type of the file. */
 	readonly type: string;
+	/** Whether it is of what was measured. */
+	readonly measured?: true;
 	/** Whether it suits this growth; absent where it suits all. */
 	applies?(grown: G): boolean;
 	/** @param link the address that brings the specimen back */
@@ -43,6 +54,8 @@ export interface Format<S extends Specimen = Specimen, G extends Plant = Plant> 
 }
 
 export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> extends Species<S> {
+	/** Whether what its links mean is not yet frozen: the page and `--list` say so. */
+	readonly preview?: true;
 	/** What a person calls it, as a heading: "Grape bunch". */
 	readonly title: string;
 	/** What sentences call one: "the last bunch stays". */
@@ -82,6 +95,9 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	extras?(grown: G, specimen: S): Record<string, unknown>;
 	/** Files besides those of every plant. */
 	readonly formats?: readonly Format<S, G>[];
+
+	/** What can be asked of its measures, where something can. */
+	readonly targets?: Targets<S>;
 
 	/** Where parts are not enough, the model's own way of being drawn: from the module with three.js in it. */
 	figure?(): Promise<FigureMaker<S, G>>;

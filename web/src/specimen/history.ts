@@ -10,6 +10,8 @@ export interface History<S extends Specimen = Specimen> {
 	readonly future: readonly S[];
 	/** The drag that made the present, while it lasts. */
 	readonly gesture?: string | undefined;
+	/** The run of key presses that made the present, be it at rest: the next press of it is the same step. */
+	readonly run?: string | undefined;
 }
 
 /** Steps that can be undone; the oldest are forgotten. */
@@ -22,22 +24,24 @@ export function startHistory<S extends Specimen>(present: S): History<S> {
 /**
  * Goes on to another specimen.
  * @param gesture names a drag; all changes of one gesture in a row are one step. Without it every change is a step.
+ * @param run names what goes on through several gestures
  */
-export function change<S extends Specimen>(history: History<S>, next: S, gesture?: string): History<S> {
-	if (gesture !== undefined && gesture === history.gesture) return { ...history, present: next };
+export function change<S extends Specimen>(history: History<S>, next: S, gesture?: string, run?: string): History<S> {
+	if (gesture !== undefined && gesture === history.gesture) return { ...history, present: next, run };
 	const settled = settle(history);
+	if (run !== undefined && run === settled.run) return { ...settled, present: next, gesture };
 	if (sameSpecimen(settled.present, next)) return settled;
 	const past = [...settled.past, settled.present].slice(-LONGEST_HISTORY);
-	return { past, present: next, future: gesture === undefined ? [] : settled.future, gesture };
+	return { past, present: next, future: gesture === undefined ? [] : settled.future, gesture, run };
 }
 
 /** Ends a drag: what follows is a new step. A drag that ended where it began leaves none. */
 export function settle<S extends Specimen>(history: History<S>): History<S> {
 	if (history.gesture === undefined) return history;
-	const { past, present, future } = history;
+	const { past, present, future, run } = history;
 	const before = past.at(-1);
 	if (before && sameSpecimen(before, present)) return { past: past.slice(0, -1), present: before, future };
-	return { past, present, future: [] };
+	return { past, present, future: [], run };
 }
 
 export function canUndo(history: History): boolean {

@@ -21,6 +21,8 @@ export interface Preset {
 	readonly title: string;
 	/** The paper's figure, where it has one. */
 	readonly figure?: string;
+	/** The link version that first knew it; the first where absent. */
+	readonly since?: number;
 	/** One line about it. */
 	readonly about: string;
 	readonly parameters: Readonly<Partial<Record<string, number>>>;

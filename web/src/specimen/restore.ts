@@ -46,6 +46,7 @@ export function restore<S extends Specimen>(species: Species<S>, record: unknown
 	// Links from before versions were written are version 1; they name no model. What says nothing of a specimen is no link.
 	const isOld = from === undefined && !named.has("model") && parts.some(([key]) => isKnown(species, key));
 	const version = readVersion(named.get("v"), isOld ? 1 : SPECIMEN_VERSION, notes);
+	if (isOld && !named.has("v")) noteYounger(species, named.get("preset"), notes);
 	readModel(species.name, named.get("model"), notes);
 	const specimen = readPreset(species, named.get("preset"), version, from, notes);
 	for (const [key, value] of parts) {
@@ -86,6 +87,17 @@ function readVersion(value: unknown, silent: number, notes: Notes): number {
 		notes.add("v", `made by a newer version (${version})`, "read as far as it is known here");
 	}
 	return version;
+}
+
+/** What says no version is read as the first, in which some presets never were. */
+function noteYounger<S extends Specimen>({ presets }: Species<S>, value: unknown, notes: Notes): void {
+	const { title, since = 1 } = (typeof value === "string" && presets.named(value)) || {};
+	if (since > 1)
+		notes.add(
+			"v",
+			`none is given, and ${title} is of version ${since}`,
+			`read as version 1; v=${since} is ${title} as it is shown here`,
+		);
 }
 
 function readModel(name: string, value: unknown, notes: Notes): void {

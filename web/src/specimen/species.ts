@@ -1,4 +1,5 @@
 /** What a specimen is a specimen of: the document's side of a model (models/model.ts). Plain data and pure functions. */
+import type { OwnLengths } from "./lengths";
 import type { Notes } from "./notes";
 import type { Presets } from "./presets";
 import type { Specimen } from "./specimen";
@@ -64,4 +65,6 @@ export interface Species<S extends Specimen = Specimen> {
 	readonly table: Table;
 	readonly presets: Presets;
 	readonly details: readonly Detail<S>[];
+	/** Units of its own that some of its parameters are lengths in, where there are such. */
+	lengths?(specimen: S): OwnLengths;
 }

@@ -1,6 +1,8 @@
 /** One sentence about whatever of the panel is under the pointer or in focus: a parameter or a measure. */
+import { readIn, type Scale, scaleOf } from "../specimen/lengths";
+import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
-import { type Entry, type Table, valueIn } from "../specimen/table";
+import { type Entry, valueIn } from "../specimen/table";
 
 export interface Explained {
 	readonly key: string;
@@ -13,21 +15,30 @@ export interface Explained {
 export const FIRST_WORDS = "Drag a handle or a slider. Double-click a slider to bring its preset's value back.";
 
 /** What the panel's `data-key` stands for; measures have `measure-` before their key. */
-export function explainedBy(table: Table, key: string): Explained | undefined {
+export function explainedBy(species: Species, specimen: Specimen, key: string): Explained | undefined {
+	const { table } = species;
 	const entry = table.entry(key);
-	if (entry) return { key, label: entry.label, symbol: entry.symbol, text: `${entry.help} ${range(entry)}` };
+	if (entry)
+		return {
+			key,
+			label: entry.label,
+			symbol: entry.symbol,
+			text: `${entry.help} ${range(entry, scaleOf(species, specimen, entry))}`,
+		};
 	const measure = table.measures.find((each) => `measure-${each.key}` === key);
 	return measure && { key, label: measure.label, symbol: "", text: measure.help };
 }
 
 /** The preset's value of a parameter as a person reads it; undefined for what is no parameter. */
-export function presetInWords(table: Table, preset: Specimen, key: string): string | undefined {
-	const entry = table.entry(key);
+export function presetInWords(species: Species, preset: Specimen, key: string): string | undefined {
+	const entry = species.table.entry(key);
 	if (!entry) return undefined;
 	const value = valueIn(preset, entry);
-	return entry.kind === "choice" ? entry.options[Number(value)] : String(value);
+	if (entry.kind === "choice") return entry.options[Number(value)];
+	return typeof value === "number" ? String(readIn(scaleOf(species, preset, entry), value)) : value;
 }
 
-function range(entry: Entry): string {
-	return entry.kind === "colour" || entry.kind === "choice" ? "" : `${entry.min} … ${entry.max} ${entry.unit}. `;
+function range(entry: Entry, scale: Scale): string {
+	if (entry.kind === "colour" || entry.kind === "choice") return "";
+	return `${readIn(scale, entry.min)} … ${readIn(scale, entry.max)} ${scale.unit}. `;
 }

@@ -68,6 +68,8 @@ function start(model: Model): void {
 		{ model, specimen, ui, systemDark: isSystemDark() },
 		{
 			grow: (of, each, options) => void growing.grow(of, each, options),
+			measure: async (of, each, signal) =>
+				(await cores.grow(of, each, { meshes: false, measures: true, signal })).measures ?? new Float32Array(),
 			cancel: () => growing.cancel(),
 			settled: (of, each) => void bar.write(of, each),
 			remember: (next, before) => {

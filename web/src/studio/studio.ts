@@ -26,6 +26,8 @@ const DRAG = "drag";
  */
 export class Studio implements Desk {
 	#state: StudioState;
+	/** What a specimen measures, without showing it. */
+	readonly measure: Surroundings["measure"];
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
 	/** Models of all specimens there have been. */
@@ -42,6 +44,7 @@ export class Studio implements Desk {
 
 	constructor(opening: Opening, surroundings: Surroundings) {
 		this.#surroundings = surroundings;
+		this.measure = surroundings.measure;
 		this.#models.set(opening.model.name, opening.model);
 		this.#state = opened(opening);
 		void this.#bringFace(opening.model);
@@ -67,7 +70,7 @@ export class Studio implements Desk {
 	// The document.
 
 	edit(change: Change, gesture = DRAG): void {
-		this.#go(histories.change(this.#state.history, this.#changed(change), gesture));
+		this.#go(histories.change(this.#state.history, this.#changed(change), gesture, change.run));
 	}
 
 	settle(gesture?: string): void {
@@ -230,12 +233,9 @@ export class Studio implements Desk {
 
 	/** Says what could not be used of a document. */
 	#report({ notes }: Restored, from: string): void {
-		if (notes.length === 0) return;
-		this.notify(
-			`Not everything in the ${from} could be used`,
-			notes.map((note) => note.text),
-			{ topic: from, untouched: true },
-		);
+		const texts = notes.map(({ text }) => text);
+		const options = { topic: from, untouched: true };
+		if (texts.length > 0) this.notify(`Not everything in the ${from} could be used`, texts, options);
 	}
 
 	/** The document with a change in it, and with what the tools let follow from it. */

@@ -6,6 +6,8 @@ import type { UiState } from "./ui_state";
 export interface Surroundings {
 	/** Asks for growth, measured or not; the newest request wins. */
 	grow(model: Model, specimen: Specimen, options: { passing: boolean }): void;
+	/** What a specimen measures, without showing it; rejects as growing does, and with the signal's reason. */
+	measure(model: Model, specimen: Specimen, signal: AbortSignal): Promise<Float32Array>;
 	/** Ends a long growth. */
 	cancel(): void;
 	/** The document came to rest: the address bar is to hold it. */

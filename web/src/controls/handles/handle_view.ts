@@ -4,6 +4,7 @@
  */
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { classMap } from "lit/directives/class-map.js";
+import { KeyRuns } from "../key_runs";
 import type { DragSession } from "./drag_session";
 import { EscapeKey } from "./escape_key";
 import { handleStyle } from "./handle_style";
@@ -40,6 +41,9 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	/** Whether the focus came from a pointer, which needs no ring nor numbers to be seen. */
 	#pointed = false;
 	#observed: Element | null = null;
+	readonly #runs = new KeyRuns();
+	/** The run of key presses that is being told of. */
+	#run: string | undefined;
 	readonly #escape = new EscapeKey(() => this.cancel());
 	readonly #resized = new ResizeObserver(([{ contentRect }]) => {
 		const { width, height } = contentRect;
@@ -132,8 +136,10 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 		>${content}</button>`;
 	}
 
+	/** What it tells of a key says of which run of presses it is (desk.ts). */
 	protected tell(type: string, detail?: unknown): void {
-		this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
+		const told = this.#run !== undefined && detail instanceof Object ? { ...detail, run: this.#run } : detail;
+		this.dispatchEvent(new CustomEvent(type, { detail: told, bubbles: true, composed: true }));
 	}
 
 	/** What is said twice is told apart by a space at its end, or the second time would not be heard. */
@@ -230,7 +236,10 @@ export abstract class HandleView<H extends string, K = undefined> extends LitEle
 	#onKey(event: KeyboardEvent): void {
 		const handle = handleOf<H>(event);
 		if (handle === undefined || this.drags.active || event.ctrlKey || event.metaKey) return;
-		if (!this.key(handle, event)) return;
+		this.#run = this.#runs.press(handle);
+		const done = this.key(handle, event);
+		this.#run = undefined;
+		if (!done) return;
 		event.preventDefault();
 		this.#pointed = false;
 		this.show(handle);

@@ -12,4 +12,14 @@ export const BUNCH_FORMATS: readonly Format<BunchSpecimen, Grown>[] = [
 		type: "text/csv",
 		make: async (grown, specimen) => (await import("./tables")).berriesCsv(grown, specimen),
 	},
+	{
+		key: "csv-measures",
+		title: "Measures as CSV",
+		about: "One line a measure: value, unit, class of its OIV descriptor",
+		suffix: "-measures.csv",
+		type: "text/csv",
+		measured: true,
+		applies: ({ measures }) => measures !== undefined,
+		make: async (grown, specimen) => (await import("./tables")).measuresCsv(grown, specimen),
+	},
 ];

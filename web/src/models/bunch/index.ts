@@ -9,6 +9,7 @@ import { bunchRecord } from "./record";
 import { encodeRequest } from "./request";
 import { BUNCH } from "./species";
 import type { BunchSpecimen } from "./specimen";
+import { bunchTargets } from "./targets";
 import { bunchInWords } from "./words";
 
 export const model = {
@@ -25,6 +26,7 @@ export const model = {
 	record: bunchRecord,
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),
 	formats: BUNCH_FORMATS,
+	targets: bunchTargets,
 	figure: async () => (await import("./figure/bunch_figure")).bunchFigure,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<BunchSpecimen, Grown>;

@@ -954,6 +954,13 @@ export const GROUPS: readonly Group[] = [
 		title: "Shape",
 		help: "The octahedral profile, in pixels of the paper's 600 × 600 view (section 4.2).",
 	},
+	{
+		key: "procedure",
+		everyday: true,
+		plain: true,
+		title: "Procedure",
+		help: "How berries come by their places: swelling against each other, or as the paper has it.",
+	},
 	{ key: "berries", everyday: true, title: "Berries", help: "How many, how large, how close and of what form." },
 	{
 		key: "age",
@@ -974,12 +981,6 @@ export const GROUPS: readonly Group[] = [
 		closed: true,
 		title: "Look",
 		help: "Colour, bloom and texture of the skin, and what hangs around the bunch.",
-	},
-	{
-		key: "procedure",
-		closed: true,
-		title: "Procedure",
-		help: "How berries come by their places: swelling against each other, or as the paper has it.",
 	},
 	{
 		key: "interaction",

@@ -8,6 +8,7 @@ import { radii } from "./details/radii";
 import { thinnedBerries } from "./details/thinned";
 import { PROCEDURES, type Procedure } from "./grown";
 import { DEFAULT_PRESET, PRESET_KINDS, PRESETS } from "./presets/presets";
+import { metresPerPixel } from "./profile/handles";
 import type { BunchSpecimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
@@ -16,6 +17,7 @@ export const BUNCH: Species<BunchSpecimen> = {
 	unnamed: true,
 	table: BUNCH_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	lengths: ({ parameters: { unit } }) => ({ px: 1000 * metresPerPixel(unit), u: unit }),
 	details: [thinnedBerries, grammarInputs, grammarText(), radii],
 };
 

@@ -1,5 +1,6 @@
 import { html, nothing } from "lit";
 import { icon } from "../../controls/icons";
+import type { Plant } from "../../plant/plant";
 import type { Asked, Download } from "../files/formats";
 import type { MadeAhead } from "../files/made_ahead";
 import type { Studio } from "../studio";
@@ -29,6 +30,8 @@ export class DownloadMenu extends StudioPart {
 	/** What the sizes are of, while the menu is open. */
 	#asked: Asked | undefined;
 	#ahead: MadeAhead | undefined;
+	/** The plant that sizes were last asked of. */
+	#toldOf: Plant | undefined;
 
 	protected override shows({ state: { shown, picture } }: Studio): readonly unknown[] {
 		return [picture, this.#offered ? shown : shown !== undefined];
@@ -41,7 +44,7 @@ export class DownloadMenu extends StudioPart {
 				class="button wine" type="button" aria-label="Download" aria-haspopup="menu" aria-expanded=${offered !== undefined}
 				?disabled=${!shown} @click=${this.#toggle}
 			>${icon("download")}<span class="words">Download</span></button>
-			${this.#making?.slow ? progress(this.#making) : nothing}
+			${this.#making?.slow ? progress(this.#making, () => this.#cancel()) : nothing}
 			${offered && shown ? this.#menu(offered, offered.formatsOf(shown, studio.state.picture)) : nothing}
 			<panicle-many .desk=${studio}></panicle-many>`;
 	}
@@ -61,6 +64,20 @@ export class DownloadMenu extends StudioPart {
 		return html`<button type="button" role="menuitem" data-format=${format.key} @click=${() => this.#download(offered, format)}>
 			${format.title}${format.sized ? html` <span class="size">${file ? offered.sizeInWords(file.size) : "…"}</span>` : nothing}<small>${format.about}</small>
 		</button>`;
+	}
+
+	/** Sizes are those of the plant in view: they follow it while the menu is open. */
+	protected override updated(): void {
+		const grown = this.desk.state.shown?.grown;
+		if (!this.#offered || grown === this.#toldOf) return;
+		this.#toldOf = grown;
+		void this.#tellSizes(this.#offered);
+	}
+
+	/** The button with Cancel on it goes: the focus stays near. */
+	#cancel(): void {
+		this.#making?.cancel.abort();
+		this.querySelector<HTMLElement>("button")?.focus();
 	}
 
 	/** Makes what the menu offers, to tell how large it is. */
@@ -100,12 +117,12 @@ export class DownloadMenu extends StudioPart {
 		const { face } = this.desk.state;
 		for (const tool of face?.tools ?? []) tool.rest?.(this.desk);
 		void this.updateComplete.then(() => this.#items()[0]?.focus());
-		void this.#tellSizes(offered);
 		window.addEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
 	#close(): void {
 		this.#offered = undefined;
+		this.#toldOf = undefined;
 		this.#ahead?.stop();
 		this.requestUpdate();
 		window.removeEventListener("pointerdown", this.#outside, { capture: true });
@@ -195,10 +212,10 @@ function manyItem(open: () => Promise<void>): unknown {
 	</button>`;
 }
 
-function progress({ title, cancel }: Making): unknown {
+function progress({ title }: Making, cancel: () => void): unknown {
 	return html`<div class="making" role="status">
 		<span>Making the ${title}</span><progress aria-label="Making the file"></progress>
-		<button class="button quiet" type="button" aria-label="Cancel the download" @click=${() => cancel.abort()}>Cancel</button>
+		<button class="button quiet" type="button" aria-label="Cancel the download" @click=${cancel}>Cancel</button>
 	</div>`;
 }
 

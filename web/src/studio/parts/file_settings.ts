@@ -9,16 +9,17 @@ type Options = Asked["options"];
 export function fileSettings(options: Options, changed: (options: Options) => void): unknown {
 	const number = ({ target }: Event) => {
 		const field = target as HTMLInputElement;
-		if (field.checkValidity() && field.value !== "") changed({ ...options, [field.name]: field.valueAsNumber });
+		// The browser says what is wrong with a number that cannot be used.
+		if (field.reportValidity()) changed({ ...options, [field.name]: field.valueAsNumber });
 	};
 	const check = ({ target }: Event) => changed({ ...options, translucent: (target as HTMLInputElement).checked });
 	return html`<fieldset class="file-settings">
 		<legend>For these files</legend>
 		<label>Triangles, low
-			<input type="number" name="triangles" min="100" max="10000000" step="1" .value=${String(options.triangles ?? LOW_TRIANGLES)} @change=${number}>
+			<input type="number" name="triangles" required min="100" max="10000000" step="1" .value=${String(options.triangles ?? LOW_TRIANGLES)} @change=${number}>
 		</label>
 		<label>Least thickness, printers (mm)
-			<input type="number" name="thickness" min="0.2" max="20" step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
+			<input type="number" name="thickness" required min="0.2" max="20" step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
 		</label>
 		<label>Light through pale flesh
 			<input type="checkbox" name="translucent" .checked=${options.translucent ?? false} @change=${check}>

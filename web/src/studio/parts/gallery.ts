@@ -72,7 +72,7 @@ export class Gallery extends StudioPart {
 		const { model, kind, presets } = section;
 		const id = this.idOf(`kind-${kindKey(section).replace(" ", "-")}`);
 		return html`<section aria-labelledby=${id} data-model=${model.name}>
-			<h2 id=${id}>${many ? html`<b>${model.title}</b> ` : nothing}${kind.title}</h2>
+			<h2 id=${id}>${many ? html`<b>${model.title}</b> ${model.preview ? html`<small>preview</small> ` : nothing}` : nothing}${kind.title}</h2>
 			<ul>${repeat(
 				presets,
 				({ name }) => name,
@@ -90,6 +90,7 @@ export class Gallery extends StudioPart {
 				@click=${() => studio.choosePreset(preset.name, model)}
 			>
 				${model.pictures === false ? html`<span class="no-picture"></span>` : picture(pictureOf(model, preset, dark))}${preset.title}
+				${preset.figure === undefined ? nothing : html`<small aria-hidden="true">Fig. ${preset.figure}</small>`}
 			</button>
 		</li>`;
 	}

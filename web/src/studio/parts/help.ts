@@ -1,4 +1,4 @@
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { shortcuts } from "../shortcuts";
 import type { Studio } from "../studio";
 import { VERSION } from "../version";
@@ -15,6 +15,7 @@ export class Help extends StudioPart {
 			<h2 id=${this.idOf("title")}>Panicle</h2>
 			${state.face?.about}
 			<p>The address bar always holds the ${state.model.noun}: the link is the file. What you export is yours.</p>
+			${state.model.preview ? html`<p>The ${state.model.noun} is a preview: what its links mean may still change.</p>` : nothing}
 			<h3>Keys</h3>
 			<dl>${shortcuts(state).map(({ keys, does }) => html`<dt>${keys.map((key) => html`<kbd>${key}</kbd> `)}</dt><dd>${does}</dd>`)}</dl>
 			<label class="toggle">

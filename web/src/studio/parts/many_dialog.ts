@@ -29,7 +29,7 @@ export class ManyDialog extends StudioPart {
 			<form @submit=${this.#submit}>
 				<label>Seeds <input name="seeds" required autocomplete="off" value="${specimen.seed}-${last}"></label>
 				<label>Vary <input name="vary" autocomplete="off" placeholder=${exampleFor(studio)} aria-describedby=${this.idOf("vary")}></label>
-				<small id=${this.idOf("vary")}>Keys as in links: one value to another, or one of a few (a|b). Nothing: the seed alone.</small>
+				<small id=${this.idOf("vary")}>Parameters by their keys in links: from one value to another, or one of a few (a|b); commas between several. Nothing: the seed alone.</small>
 				<label>Files <select name="format">${formatsOf(shown, undefined).map(({ key, title }) => html`<option value=${key}>${title}</option>`)}</select></label>
 				<p role="alert">${this.#problem}</p>
 				${this.#making ? progress(this.#making) : nothing}
@@ -72,6 +72,9 @@ export class ManyDialog extends StudioPart {
 			const asked = readMany(this.desk.state, many);
 			const making: Making = { cancel, total: asked.seeds.length, done: 0 };
 			this.#say("", making);
+			// The button that was pressed has gone.
+			await this.updateComplete;
+			this.querySelector<HTMLElement>(".choices button")?.focus();
 			const archive = await growMany(asked, {
 				signal: cancel.signal,
 				progress: (done) => {

@@ -68,7 +68,8 @@ export class Panel extends StudioPart {
 
 	#explain(event: Event): void {
 		const key = (event.target as Element).closest<HTMLElement>("[data-key]")?.dataset.key;
-		const found = key === undefined ? undefined : explainedBy(this.desk.state.model.table, key);
+		const { model, specimen } = this.desk.state;
+		const found = key === undefined ? undefined : explainedBy(model, specimen, key);
 		if (!found || found.key === this.#explained?.key) return;
 		this.#explained = found;
 		this.requestUpdate();
@@ -90,7 +91,7 @@ function sectionOf(studio: Studio, { group, entries, above, below }: PanelGroup)
 }
 
 function explanation({ key, label, symbol: sign, text }: Explained, { state, preset }: Studio): unknown {
-	const published = presetInWords(state.model.table, preset, key);
+	const published = presetInWords(state.model, preset, key);
 	return html`<strong>${label}</strong>${symbol(sign)}: ${text} ${published === undefined ? nothing : `Double-click for ${published}.`}`;
 }
 

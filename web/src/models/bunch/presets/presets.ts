@@ -88,7 +88,9 @@ export const PRESETS: readonly Preset[] = [
 ];
 
 function ofKind(kind: (typeof PRESET_KINDS)[number]["key"], files: readonly PresetFile[]): Preset[] {
-	return files.map((file) => ({ ...file, kind, parameters: numbersIn(BUNCH_TABLE, file.parameters) }));
+	// Varieties came with the natural procedure.
+	const since = kind === "variety" ? { since: 2 } : {};
+	return files.map((file) => ({ ...file, ...since, kind, parameters: numbersIn(BUNCH_TABLE, file.parameters) }));
 }
 
 /** The preset a link without `preset` means. */

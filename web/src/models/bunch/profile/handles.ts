@@ -71,14 +71,23 @@ export function handlePosition(shape: Shape, handle: Handle): Point {
 	return { x: SIDES[handle].sign * shape[`${handle}w`] + 0, y: shape[`${handle}r`] };
 }
 
-/** What a handle says of itself: "p3, right: 150 px wide, 150 px down". */
-export function handleLabel(shape: Shape, handle: Handle): string {
+/** A profile with the millimetres of its unit. */
+export type ScaledShape = Shape & Record<"unit", number>;
+
+/** What a handle says of itself: "p3, right: 64.7 mm wide, 64.7 mm down". */
+export function handleLabel(shape: ScaledShape, handle: Handle): string {
 	return isSide(handle)
 		? `${handle}, ${SIDES[handle].name}: ${handleValue(shape, handle)}`
 		: `p2, length: ${handleValue(shape, handle)}`;
 }
 
-/** The numbers of a handle in words: "150 px wide, 150 px down". */
-export function handleValue(shape: Shape, handle: Handle): string {
-	return isSide(handle) ? `${shape[`${handle}w`]} px wide, ${shape[`${handle}r`]} px down` : `${shape.l} px`;
+/** The numbers of a handle in words: "64.7 mm wide, 64.7 mm down". */
+export function handleValue(shape: ScaledShape, handle: Handle): string {
+	const text = (key: ShapeKey) => `${inMillimetres(shape, key)} mm`;
+	return isSide(handle) ? `${text(`${handle}w`)} wide, ${text(`${handle}r`)} down` : text("l");
+}
+
+/** A length of the profile as it is read: millimetres to a tenth. */
+export function inMillimetres(shape: ScaledShape, key: ShapeKey): number {
+	return Math.round(shape[key] * metresPerPixel(shape.unit) * 10_000) / 10;
 }

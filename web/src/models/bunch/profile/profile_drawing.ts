@@ -4,7 +4,18 @@ import type { Point } from "../../../controls/handles/point";
 import { drawScaleBar } from "../../../controls/handles/scale_bar";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";
-import { type Handle, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
+import {
+	type Handle,
+	handlePosition,
+	inMillimetres,
+	isSide,
+	type ScaledShape,
+	type Shape,
+	type ShapeKey,
+	SIDES,
+	VIEW_SIDES,
+	type View,
+} from "./handles";
 import { scaleBar, type ViewFrame } from "./view_frame";
 
 /** Puts content that keeps its size on the screen at a point of the profile. */
@@ -40,18 +51,19 @@ export function drawName(shape: Shape, handle: Handle, frame: ViewFrame): Templa
 		><span class="symbol">p</span><sub>${handle.slice(1)}</sub></span>`;
 }
 
-/** The numbers of a handle on lines from the axis and from the level of p1. */
-export function drawGuides(shape: Shape, handle: Handle, frame: ViewFrame): TemplateResult {
+/** The numbers of a handle on lines from the axis and from the level of p1; those of the paper beside them where `pixels` says. */
+export function drawGuides(shape: ScaledShape, handle: Handle, frame: ViewFrame, pixels: boolean): TemplateResult {
 	const { x, y } = handlePosition(shape, handle);
+	const text = (key: ShapeKey) => `${inMillimetres(shape, key)} mm${pixels ? ` · ${shape[key]} px` : ""}`;
 	if (!isSide(handle)) {
-		const text = drawValue("l", "", shape.l, -6, 4, "end");
+		const words = drawValue("l", "", text("l"), -6, 4, "end");
 		return svg`<line class="guide" x1="0" y1="0" x2="0" y2=${y}></line>
-			<g transform=${pin(frame, 0, y * 0.62)}>${text}</g>`;
+			<g transform=${pin(frame, 0, y * 0.62)}>${words}</g>`;
 	}
 	const { sign } = SIDES[handle];
 	const index = handle.slice(1);
-	const w = drawValue("w", index, shape[`${handle}w`], 0, 13, "middle");
-	const r = drawValue("r", index, shape[`${handle}r`], -6 * sign, 4, sign > 0 ? "end" : "start");
+	const w = drawValue("w", index, text(`${handle}w`), 0, 13, "middle");
+	const r = drawValue("r", index, text(`${handle}r`), -6 * sign, 4, sign > 0 ? "end" : "start");
 	return svg`<line class="guide" x1="0" y1=${y} x2=${x} y2=${y}></line>
 		<line class="guide" x1="0" y1="0" x2=${x} y2="0"></line>
 		<line class="guide" x1=${x} y1="0" x2=${x} y2=${y}></line>
@@ -59,7 +71,7 @@ export function drawGuides(shape: Shape, handle: Handle, frame: ViewFrame): Temp
 		<g transform=${pin(frame, x, y / 2)}>${r}</g>`;
 }
 
-function drawValue(symbol: string, index: string, value: number, x: number, y: number, anchor: string): TemplateResult {
+function drawValue(symbol: string, index: string, value: string, x: number, y: number, anchor: string): TemplateResult {
 	return svg`<text class="value" x=${x} y=${y} text-anchor=${anchor}><tspan class="symbol">${symbol}</tspan><tspan class="subscript" dy="2"
 		>${index}</tspan><tspan dy=${index ? -2 : 0}> ${value}</tspan></text>`;
 }

@@ -4,6 +4,7 @@ import { css } from "lit";
 export const profileStyle = css`
 	:host {
 		aspect-ratio: 1;
+		isolation: isolate;
 	}
 	svg.drawing {
 		overflow: visible;

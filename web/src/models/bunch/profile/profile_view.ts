@@ -2,13 +2,23 @@
  * `<panicle-profile view="front|side">`: one view of the octahedral profile with its handles (paper section 4.2,
  * figures 5 and 8). It draws what it is given and tells what a person does to it; the document stays with the page.
  */
-import { html, type PropertyValues } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { HandleView } from "../../../controls/handles/handle_view";
 import type { Point } from "../../../controls/handles/point";
+import type { Photo } from "../photo/photo";
 import type { BunchSpecimen } from "../specimen";
 import { nudgeHandle } from "./drag";
 import { type ProfileKeys, profileDrags } from "./drag_session";
-import { type Handle, handleKeys, handleLabel, handleValue, type Locks, VIEW_SIDES, type View } from "./handles";
+import {
+	HANDLES,
+	type Handle,
+	handleKeys,
+	handleLabel,
+	handleValue,
+	type Locks,
+	VIEW_SIDES,
+	type View,
+} from "./handles";
 import { drawGuides, drawName, drawOutline, drawScale, handlePlace } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
@@ -27,6 +37,8 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		berries: { attribute: false },
 		initial: { attribute: false },
 		extent: { type: Number },
+		pixels: { type: Boolean },
+		photo: { attribute: false },
 	};
 	declare view: View;
 	declare parameters: Parameters | undefined;
@@ -37,12 +49,18 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	declare initial: Parameters | undefined;
 	/** Side of the square shown, in pixels of the profile; chosen to suit the parameters where it is not given. */
 	declare extent: number | undefined;
+	/** Whether the numbers of a handle say the paper's pixels too. */
+	declare pixels: boolean;
+	/** Lies below all; its element comes with it (photo/photo_view.ts). */
+	declare photo: Photo | undefined;
 
 	protected readonly help =
 		"Drag, or use the arrow keys: one pixel a step, ten with Shift. Enter says where it stands. Escape calls off a drag.";
 	readonly #silhouette = new SilhouetteDrawing();
 	readonly #steady = new SteadyExtent();
 	#asking?: ReturnType<typeof setTimeout>;
+	/** What a drag here left, while its pointer has not gone: the handle stays below it. */
+	#left: Parameters | undefined;
 	protected readonly drags = profileDrags<Parameters>({
 		handles: () => this.#handles(),
 		locks: () => this.locks,
@@ -53,7 +71,9 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 
 	constructor() {
 		super();
+		this.addEventListener("pointerleave", this.#gone);
 		this.view = "front";
+		this.pixels = false;
 		this.locks = { leftRight: false, frontBack: false };
 	}
 
@@ -73,7 +93,9 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 	protected override willUpdate(changed: PropertyValues): void {
 		if (!this.parameters) return;
 		const wanted = this.extent ?? viewExtent(this.parameters, this.size.width, this.size.height);
-		const motion = this.drags.active ? "held" : changed.has("parameters") ? "moved" : "still";
+		if (this.drags.active) this.#left = this.parameters;
+		else if (this.#left && !sameShape(this.#left, this.parameters)) this.#left = undefined;
+		const motion = this.#left ? "held" : changed.has("parameters") ? "moved" : "still";
 		const later = this.#steady.follow(wanted, motion, performance.now());
 		clearTimeout(this.#asking);
 		if (later !== undefined) this.#asking = setTimeout(() => this.requestUpdate(), later);
@@ -89,8 +111,9 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 			>
 				${drawScale(this.#steady.extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, frame)}
-				${shown.map((handle) => drawGuides(parameters, handle, frame))}
+				${shown.map((handle) => drawGuides(parameters, handle, frame, this.pixels))}
 			</svg>
+			${this.photo ? html`<panicle-photo .photo=${this.photo} .frame=${frame}></panicle-photo>` : nothing}
 			${this.#handles().map((handle) => {
 				const content = drawName(parameters, handle, frame);
 				return this.drawHandle(handle, handlePlace(parameters, handle, frame), {
@@ -141,6 +164,13 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		this.#step(parameters);
 	}
 
+	/** The pointer that let go of a handle has left, or its finger was lifted. */
+	readonly #gone = (): void => {
+		if (this.drags.active || !this.#left) return;
+		this.#left = undefined;
+		this.requestUpdate();
+	};
+
 	#handles(): Handle[] {
 		return ["p2", ...VIEW_SIDES[this.view]];
 	}
@@ -158,6 +188,10 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 		this.#input(parameters);
 		this.tell("profile-change");
 	}
+}
+
+function sameShape(one: Parameters, other: Parameters): boolean {
+	return HANDLES.flatMap(handleKeys).every((key) => one[key] === other[key]);
 }
 
 customElements.define("panicle-profile", ProfileView);

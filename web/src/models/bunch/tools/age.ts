@@ -2,13 +2,14 @@ import type { Life } from "../../../controls/life";
 import { lifeTool } from "../../../controls/life_tool";
 import { FRUIT_SET } from "../words";
 import { isNatural } from "./desk";
+import { FLOWER } from "./icons";
 
 /** The stages of a bunch's life. Past ripe, a bunch is named for where it goes from there on. */
 export const LIFE: Life = {
 	parameter: "age",
 	label: "Age",
 	stages: [
-		{ at: 0, name: "Flowering" },
+		{ at: 0, name: "Flowering", icon: FLOWER },
 		{ at: FRUIT_SET, name: "Fruit set" },
 		{ at: 30, name: "Green" },
 		{ at: 60, name: "Colouring" },

@@ -9,6 +9,8 @@ import { age } from "./age";
 import { asPrinted } from "./as_printed";
 import { inputs } from "./inputs";
 import { octahedron } from "./octahedron";
+import { photo } from "./photo";
+import { pixels } from "./pixels";
 import { front, side } from "./profile";
 import { readout, skinRow } from "./readout";
 import { sides } from "./sides";
@@ -17,7 +19,20 @@ import { thinning } from "./thinning";
 import "./thinning_panel";
 
 export const face: Face<BunchSpecimen, Grown> = {
-	tools: [front, side, stems, octahedron, thinning, age, inputs, sides, asPrinted, grammarTool("branching", "bunch")],
+	tools: [
+		front,
+		side,
+		stems,
+		octahedron,
+		thinning,
+		age,
+		inputs,
+		sides,
+		pixels,
+		photo,
+		asPrinted,
+		grammarTool("branching", "bunch"),
+	],
 	readout,
 	rows: (specimen) => [skinRow(specimen)],
 	caption: (grown, desk) => {

@@ -13,6 +13,7 @@ import { leafInWords } from "./words";
 export const model = {
 	...LEAF,
 	title: "Leaf",
+	preview: true,
 	noun: "leaf",
 	wasm: "particles.wasm",
 	encode: encodeLeaf,

@@ -13,6 +13,7 @@ import { rootInWords } from "./words";
 export const model = {
 	...ROOT,
 	title: "Root",
+	preview: true,
 	noun: "root",
 	wasm: "particles.wasm",
 	bounded: (specimen, file) => boundedBy(ROOT, specimen, file, "reach"),

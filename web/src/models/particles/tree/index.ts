@@ -15,6 +15,7 @@ import { treeInWords } from "./words";
 export const model = {
 	...TREE,
 	title: "Tree",
+	preview: true,
 	noun: "tree",
 	wasm: "particles.wasm",
 	prepare: fetchLeafOf,

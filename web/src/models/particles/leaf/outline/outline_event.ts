@@ -5,7 +5,7 @@ import type { OutlinePoint } from "./points";
  * stepped, a point came or went. `outline-mirror`: the lock was pressed. `outline-refused`:
  * something would have made it cross itself, and was not done.
  */
-export type OutlineEvent = CustomEvent<{ outline: OutlinePoint[] }>;
+export type OutlineEvent = CustomEvent<{ outline: OutlinePoint[]; run?: string }>;
 
 declare global {
 	interface HTMLElementEventMap {

@@ -29,7 +29,7 @@ function draw(desk: LeafDesk): unknown {
 	return html`<panicle-outline
 		.points=${specimen.outline} .veins=${grown && veinsOf(grown, (grownFrom ?? specimen).parameters.length)}
 		.millimetres=${specimen.parameters.length} .mirror=${desk.toolState(outline)}
-		@outline-input=${({ detail }: OutlineEvent) => desk.edit({ details: detail }, GESTURE)}
+		@outline-input=${({ detail: { outline, run } }: OutlineEvent) => desk.edit({ details: { outline }, run }, GESTURE)}
 		@outline-change=${() => desk.settle(GESTURE)} @outline-mirror=${() => toggleMirror(desk)}
 		@outline-refused=${() => desk.notify(`${CROSSES} there`, ["It stays where it last did not."], { brief: true, topic: GESTURE })}
 	></panicle-outline>`;

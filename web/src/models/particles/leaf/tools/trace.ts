@@ -1,5 +1,6 @@
 import { html } from "lit";
 import type { Change } from "../../../../controls/desk";
+import { isPicture, PICTURES, PictureError } from "../../../../controls/read_bitmap";
 import { sameDocument } from "../../../../controls/same_document";
 import { FILE_TOPIC } from "../../../../controls/tool";
 import type { LeafSpecimen } from "../specimen";
@@ -13,14 +14,10 @@ export const trace: LeafTool = {
 	panel: { group: "shape", place: "below", draw },
 	drop: {
 		words: "a picture of a leaf is traced",
-		takes: ({ name, type }) => type.startsWith("image/") || NAMES.test(name),
+		takes: isPicture,
 		take: (desk, file) => void traceFile(desk, file),
 	},
 };
-
-const PICTURES = "image/png,image/jpeg,image/webp";
-/** Where the system does not know the type. */
-const NAMES = /\.(png|jpe?g|webp)$/i;
 
 function draw(desk: LeafDesk): unknown {
 	const altered = desk.state.specimen.outline !== desk.preset.outline;
@@ -64,7 +61,7 @@ export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 		desk.set(change);
 		desk.notify(`An outline of ${traced.outline.length} points was traced`, said, { topic: FILE_TOPIC, brief: true });
 	} catch (error) {
-		if (!(error instanceof words.TraceError)) throw error;
+		if (!(error instanceof words.TraceError || error instanceof PictureError)) throw error;
 		desk.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
 	}
 }

@@ -1,0 +1,86 @@
+import { describe, expect, it } from "vitest";
+import { encodeQuery, restore } from "../bunch";
+import { complaint, grow } from "./world";
+
+const target = (...texts: string[]) => texts.flatMap((text) => ["--target", text]);
+
+describe("a target", () => {
+	it("is met by other parameters, which the file holds, and said how near", async () => {
+		const { status, json, said } = await grow(["riesling", ...target("bunch_length=160")]);
+		expect(status).toBe(0);
+		expect(json.measures.bunch_length).toBeGreaterThan(157);
+		expect(json.measures.bunch_length).toBeLessThan(163);
+		expect(said).toEqual([
+			expect.stringMatching(/^target: Bunch length: 160 mm (reached|asked, 1\d\d(\.\d)? mm reached)$/),
+			expect.stringMatching(/^target: Length 115\.1 → [\d.]+ mm, .* and \d more; in \d+ growths?$/),
+		]);
+		const { specimen } = restore(json.specimen);
+		const again = await grow([encodeQuery(specimen)]);
+		expect(again.json.fingerprint).toBe(json.fingerprint);
+	});
+
+	it("stands beside others, and beside what is set", async () => {
+		const words = ["merlot", "--set", "age=90", ...target("bunch_length=200", "berry_width=16")];
+		const { json, said } = await grow(words);
+		expect(json.specimen.parameters.age).toBe(90);
+		expect(Math.abs(json.measures.bunch_length - 200)).toBeLessThan(5);
+		expect(Math.abs(json.measures.berry_width - 16)).toBeLessThan(0.4);
+		expect(said).toHaveLength(3);
+	});
+
+	it("out of reach gives the nearest", async () => {
+		const { status, json, said } = await grow(["riesling", ...target("pedicel_length=500")]);
+		expect(status).toBe(0);
+		expect(json.specimen.parameters.pedicel).toBe(60);
+		expect(said[0]).toMatch(/500\.0 mm asked, [\d.]+ mm reached; what moves it goes no further$/);
+	});
+
+	it("that cannot be used is refused", async () => {
+		const refused = (...texts: string[]) => complaint(["riesling", ...target(...texts)]);
+		expect(await refused("160")).toBe("--target 160: write MEASURE=VALUE, as in --target bunch_length=160");
+		expect(await refused("wings=2")).toMatch(/^--target wings: no measure of this bunch that can be asked for/);
+		expect(await refused("density=high")).toBe("--target density: “high” is no number from 0 on");
+		expect(await refused("density=-1")).toMatch(/no number from 0 on$/);
+		expect(await refused("density=3", "density=4")).toBe("--target density: given twice");
+		expect(await complaint(["root", ...target("depth=3")])).toMatch(/of a root no measure can be asked for/);
+		const paper = ["riesling", "--set", "procedure=paper", ...target("density=3")];
+		expect(await complaint(paper)).toMatch(/no measure of this bunch that can be asked for/);
+	});
+
+	it("is in the help of models that have some", async () => {
+		const { printed } = await grow(["--help"]);
+		expect(printed[0]).toMatch(/--target M=VALUE[^-]*bunch_length bunch_width/);
+		expect((await grow(["root", "--help"])).printed[0]).not.toContain("--target M=");
+	});
+});
+
+describe("a series with a target", () => {
+	const words = ["redcurrant", "--seeds", "1-2", "--as", "json", "--out", "d", ...target("berry_width=10")];
+	const cells = (text: unknown) => {
+		const [header, ...rows] = String(text)
+			.trimEnd()
+			.split("\r\n")
+			.map((row) => [...row.matchAll(/(?:^|,)(?:"([^"]*)"|([^,]*))/g)].map(([, quoted, plain]) => quoted ?? plain));
+		return rows.map((row) => Object.fromEntries(row.map((cell, at) => [header[at], cell])));
+	};
+
+	it("finds parameters for every seed; each comes back from its line", async () => {
+		const { status, written } = await grow(words);
+		expect(status).toBe(0);
+		const rows = cells(written.get("d/plants.csv"));
+		expect(rows.map(({ target_berry_width }) => target_berry_width)).toEqual(["10", "10"]);
+		for (const { link, from, fingerprint, berry_width } of rows) {
+			expect(Number(berry_width)).toBeCloseTo(10, 0);
+			expect(link).not.toBe(from);
+			expect((await grow([link])).json.fingerprint).toBe(fingerprint);
+		}
+	});
+
+	it("is not grown again where it is there, but for another target it is", async () => {
+		const { written } = await grow(words);
+		const there = Object.fromEntries(written);
+		expect((await grow(words, there)).said).toEqual(["2 plants: 0 grown, 2 there before; d/plants.csv"]);
+		const other = [...words.slice(0, -1), "berry_width=8"];
+		expect((await grow(other, there)).said).toEqual(["2 plants: 2 grown, 0 there before; d/plants.csv"]);
+	});
+});

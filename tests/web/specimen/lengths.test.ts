@@ -1,0 +1,26 @@
+import { describe, expect, it } from "vitest";
+import { readIn, scaleOf } from "../../../web/src/specimen/lengths";
+import type { Entry } from "../../../web/src/specimen/table";
+import { explainedBy, presetInWords } from "../../../web/src/studio/explained";
+import { BUNCH, entryOf, specimenFromPreset, withParameters } from "../bunch";
+
+const scale = (key: string, unit = 0.25) =>
+	scaleOf(BUNCH, withParameters(specimenFromPreset(), { unit }), entryOf(key) as Entry);
+
+describe("lengths in units of the paper", () => {
+	it("are read in millimetres, by the specimen's scale", () => {
+		expect(readIn(scale("l"), 348)).toBe(150);
+		expect(readIn(scale("l", 0.5), 348)).toBe(300);
+		expect(readIn(scale("wi"), 15)).toBe(3.75);
+		expect(scale("p3w")).toMatchObject({ unit: "mm", decimals: 1 });
+	});
+
+	it("are so where the panel explains them; what is in millimetres or no length stays what it is", () => {
+		const specimen = specimenFromPreset();
+		expect(explainedBy(BUNCH, specimen, "l")?.text).toMatch(/12\.5 … 250 mm\. $/);
+		expect(presetInWords(BUNCH, specimen, "l")).toBe("220.7");
+		expect(explainedBy(BUNCH, specimen, "size")?.text).toMatch(/3 … 60 mm\. $/);
+		expect(presetInWords(BUNCH, specimen, "density")).toBe("7");
+		expect(presetInWords(BUNCH, specimen, "procedure")).toBe("natural");
+	});
+});

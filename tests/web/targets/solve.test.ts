@@ -1,0 +1,118 @@
+import { describe, expect, it, vi } from "vitest";
+import { specimenFromPreset } from "../../../web/src/models/bunch/species";
+import type { BunchSpecimen } from "../../../web/src/models/bunch/specimen";
+import { together } from "../../../web/src/targets/lever";
+import { type Means, MOST_GROWTHS, solve } from "../../../web/src/targets/solve";
+import { changesInWords, reachedInWords } from "../../../web/src/targets/words";
+import { BUNCH } from "../bunch";
+
+const KEYS = BUNCH.table.measures.map(({ key }) => key);
+const place = (key: string) => KEYS.indexOf(key);
+
+/** A plant of which everything is known: as long as `l`, as heavy as `size` cubed and `l` say. */
+const measure: Means<BunchSpecimen>["measure"] = async ({ parameters: { l, size, count } }) => {
+	const values = new Float32Array(KEYS.length).fill(Number.NaN);
+	values[place("bunch_length")] = 0.4 * l + 10;
+	values[place("bunch_weight")] = 0.0001 * l * size ** 3;
+	values[place("berry_count")] = count > 0 ? count : 90;
+	return values;
+};
+
+const levers = {
+	bunch_length: [together(BUNCH, 1, "l", "p3r")],
+	bunch_weight: [together(BUNCH, 3, "size")],
+	berry_count: [together(BUNCH, 1, "count")],
+	spill: [together(BUNCH, 1, "unit")],
+};
+
+const from = specimenFromPreset("long-conical");
+const asked = (aims: Record<string, number>, means: Partial<Means<BunchSpecimen>> = {}) =>
+	solve(
+		{ table: BUNCH.table, from, levers, aims: Object.entries(aims).map(([key, value]) => ({ measure: key, value })) },
+		{ measure, ...means },
+	);
+
+describe("solve", () => {
+	it("finds the parameter of a measure, and moves what goes with it in proportion", async () => {
+		const { specimen, reached, growths } = await asked({ bunch_length: 160 });
+		expect(reached).toMatchObject([{ measure: "bunch_length", there: true, spent: false }]);
+		expect(specimen.parameters.l).toBeGreaterThan(373);
+		expect(specimen.parameters.l).toBeLessThan(377);
+		expect(specimen.parameters.p3r / from.parameters.p3r).toBeCloseTo(specimen.parameters.l / from.parameters.l, 3);
+		expect(growths).toBeLessThanOrEqual(4);
+	});
+
+	it("finds several at once, though one depends on the other's parameter", async () => {
+		const { reached, growths } = await asked({ bunch_length: 160, bunch_weight: 400 });
+		expect(reached.map(({ there }) => there)).toEqual([true, true]);
+		expect(growths).toBeLessThanOrEqual(8);
+	});
+
+	it("sets a parameter that is not set to what is asked", async () => {
+		const { specimen, growths } = await asked({ berry_count: 120 });
+		expect(from.parameters.count).toBe(0);
+		expect(specimen.parameters.count).toBe(120);
+		expect(growths).toBe(2);
+	});
+
+	it("stays within the table's limits, and says that they are in the way", async () => {
+		const { specimen, reached } = await asked({ bunch_length: 500 });
+		expect(specimen.parameters.l).toBe(580);
+		expect(reached).toMatchObject([{ there: false, spent: true }]);
+		expect(reachedInWords(reached[0])).toBe(
+			"Bunch length: 500 mm asked, 242 mm reached; what moves it goes no further",
+		);
+	});
+
+	it("goes on with the next lever where one comes to its end", async () => {
+		const two = { ...levers, bunch_weight: [together(BUNCH, 1, "l"), together(BUNCH, 3, "size")] };
+		const aims = [{ measure: "bunch_weight", value: 900 }];
+		const { specimen, reached } = await solve({ table: BUNCH.table, from, levers: two, aims }, { measure });
+		expect(reached).toMatchObject([{ there: true }]);
+		expect(specimen.parameters.l).toBe(580);
+		expect(specimen.parameters.size).toBeGreaterThan(from.parameters.size);
+	});
+
+	it("takes one growth for what is there already, and none but that changes", async () => {
+		const { specimen, growths } = await asked({ bunch_length: 0.4 * from.parameters.l + 10 });
+		expect(growths).toBe(1);
+		expect(specimen).toBe(from);
+	});
+
+	it("ends after so many growths at the most, with the best of them, however the plant behaves", async () => {
+		let calls = 0;
+		const progress = vi.fn();
+		const wild = async (specimen: BunchSpecimen) => {
+			const values = await measure(specimen);
+			values[place("bunch_length")] += 40 * Math.sin(calls++ * 12.9);
+			values[place("bunch_weight")] *= 1 + 0.5 * Math.cos(calls * 7.7);
+			return values;
+		};
+		const { growths } = await asked({ bunch_length: 160, bunch_weight: 300 }, { measure: wild, progress });
+		expect(calls).toBe(growths);
+		expect(growths).toBeLessThanOrEqual(MOST_GROWTHS);
+		expect(progress.mock.calls.map(([count]) => count)).toEqual(Array.from({ length: growths }, (_, i) => i + 1));
+	});
+
+	it("leaves a plant alone that has no such measure", async () => {
+		const { specimen, reached } = await asked({ spill: 0.1 });
+		expect(specimen).toBe(from);
+		expect(reachedInWords(reached[0])).toBe("Spill: this has none");
+	});
+
+	it("lets what the growth throws through", async () => {
+		const failing = () => Promise.reject(new Error("no room"));
+		await expect(asked({ bunch_length: 160 }, { measure: failing })).rejects.toThrow("no room");
+	});
+});
+
+it("says what changed in the lengths that people read", async () => {
+	const { specimen } = await asked({ bunch_length: 160 });
+	expect(changesInWords(BUNCH, from, specimen)).toMatch(
+		/^Length 220\.7 → 16[12](\.\d)? mm, Right drop [\d.]+ → [\d.]+ mm$/,
+	);
+	const { l, unit } = from.parameters;
+	const same = { ...from, parameters: { ...from.parameters, l: l / 2, unit: 2 * unit } };
+	expect(changesInWords(BUNCH, from, same)).toMatch(/^Right width .* and \d more$/);
+	expect(changesInWords(BUNCH, from, same)).not.toContain("Length");
+});

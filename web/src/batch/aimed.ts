@@ -1,0 +1,28 @@
+/** A plant for which measures are asked: its parameters are found anew for every one. */
+import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+import type { Aim } from "../targets/aim";
+import { type Answer, type Means, solve } from "../targets/solve";
+
+/** Grows a specimen without meshes, measured. */
+export type Measuring = (specimen: Specimen) => Promise<Pick<Plant, "measures">>;
+
+/** @throws what growing throws */
+export async function aimed(
+	model: Model,
+	from: Specimen,
+	aims: readonly Aim[],
+	grow: Measuring,
+	progress?: Means["progress"],
+): Promise<Answer> {
+	const levers = (await model.targets?.levers())?.(
+		from,
+		aims.map(({ measure }) => measure),
+	);
+	const measure = async (specimen: Specimen) => (await grow(specimen)).measures ?? new Float32Array();
+	return solve(
+		{ table: model.table, from, aims, levers: levers ?? {} },
+		{ measure, ...(progress ? { progress } : {}) },
+	);
+}

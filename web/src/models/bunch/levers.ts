@@ -1,0 +1,111 @@
+/** Which parameters move which measure of a bunch (targets/). */
+import { withParameters } from "../../specimen/edit";
+import { nearestWithin } from "../../specimen/table";
+import { type Lever, type Levers, together } from "../../targets/lever";
+import type { MeasureKey } from "./measures.generated";
+import type { NumberKey } from "./parameters.generated";
+import { metresPerPixel, type ShapeKey } from "./profile/handles";
+import { BUNCH, procedureOf } from "./species";
+import type { BunchSpecimen } from "./specimen";
+
+type BunchLever = Lever<BunchSpecimen>;
+
+const lever = (power: number, ...keys: NumberKey[]): BunchLever => together(BUNCH, power, ...keys);
+
+const HEIGHTS: readonly ShapeKey[] = ["l", "p3r", "p4r", "p5r", "p6r"];
+const WIDTHS: readonly ShapeKey[] = ["p3w", "p4w", "p5w", "p6w"];
+
+/**
+ * The outline bears what is asked of the whole bunch, the berries what is asked of them.
+ * @param asked measures that are asked for at once: what one of them needs, the others leave alone
+ */
+export function leversOf(specimen: BunchSpecimen, asked: readonly string[]): Levers<BunchSpecimen> {
+	return procedureOf(specimen) === "paper" ? paper(specimen) : natural(specimen, asked);
+}
+
+/** The paper's berries have radii in units of the paper, so that they grow with its scale. */
+function paper(specimen: BunchSpecimen): Levers<BunchSpecimen> {
+	const radii = [lever(1, "rmax", "rmin")];
+	const scale = (power: number) => lever(power, "unit");
+	return {
+		bunch_length: [lever(1, ...(HEIGHTS as NumberKey[])), scale(1)],
+		bunch_width: [lever(1, ...widestFirst(specimen)), scale(1)],
+		bunch_weight: [scale(3)],
+		diameter: radii,
+		berry_width: radii,
+		berry_length: radii,
+	};
+}
+
+function natural(specimen: BunchSpecimen, asked: readonly string[]): Levers<BunchSpecimen> {
+	const isAsked = (...keys: MeasureKey[]) => keys.some((key) => asked.includes(key));
+	const counted = specimen.parameters.count > 0 || isAsked("berry_count");
+	const sized = isAsked("bunch_length", "bunch_width", "hull_volume", "outline_volume");
+	const widths = widestFirst(specimen);
+	const outline = (power: number) => outlineLever(power, ...HEIGHTS, ...widths);
+	const close = (power: number) => [lever(power, counted ? "count" : "density")];
+	// A number that is given stays, and so does an outline: then berries make up the weight.
+	const byCrowd = counted || isAsked("density") ? [] : [lever(1, "density")];
+	const weight = [...(sized || counted ? [] : [outline(3)]), ...byCrowd, lever(3, "size")];
+	const size = [lever(1, "size")];
+	return {
+		bunch_length: [outlineLever(1, ...HEIGHTS)],
+		bunch_width: [outlineLever(1, ...widths)],
+		bunch_weight: weight,
+		berry_volume: weight,
+		hull_volume: [outline(3)],
+		outline_volume: [outline(3)],
+		density: close(1),
+		fill_ratio: close(0.7),
+		compactness: close(1),
+		gap: close(-2),
+		contacts: close(1),
+		berry_count: [lever(1, "count"), ...(sized ? [] : [outline(3)])],
+		diameter: size,
+		diameter_spread: [lever(1, "spread")],
+		berry_width: size,
+		berry_length: isAsked("berry_width", "diameter") ? [lever(1, "elongation")] : size,
+		berry_weight: [lever(3, "size")],
+		pedicel_length: [lever(1, "pedicel")],
+	};
+}
+
+/** The half-widths, the widest first: it can go the least further. */
+function widestFirst({ parameters }: BunchSpecimen): ShapeKey[] {
+	return [...WIDTHS].sort((one, other) => parameters[other] - parameters[one]);
+}
+
+/**
+ * Lengths of the outline in proportion, in millimetres by the first: where pixels come to their limit, `unit` goes on and the pixels of all lengths
+ * follow, so that those which are not moved stay what they are.
+ */
+function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
+	const [lead] = keys;
+	const [{ min, max }, unit] = [lead, "unit"].map((key) => BUNCH.table.entry(key) as { min: number; max: number });
+	const millimetres = ({ parameters }: Pick<BunchSpecimen, "parameters">) => 1000 * metresPerPixel(parameters.unit);
+	return {
+		power,
+		from: Math.max(min, 0.01) * 1000 * metresPerPixel(unit.min),
+		to: max * 1000 * metresPerPixel(unit.max),
+		of: (specimen) => specimen.parameters[lead] * millimetres(specimen),
+		set: (specimen, value) => {
+			const { parameters } = specimen;
+			const before = parameters.unit;
+			const factor = value / (parameters[lead] * millimetres(specimen));
+			const longest = Math.max(...keys.map((key) => (parameters[key] * factor) / limitOf(key)));
+			const after = longest > 1 ? wider(before * longest) : before;
+			const changes = [...HEIGHTS, ...WIDTHS].map((key) => {
+				const pixels = (parameters[key] * before) / after;
+				return [key, keys.includes(key) ? factor * pixels : pixels];
+			});
+			return withParameters(BUNCH, specimen, { ...Object.fromEntries(changes), unit: after });
+		},
+	};
+}
+
+const limitOf = (key: ShapeKey) => (BUNCH.table.entry(key) as { max: number }).max;
+
+/** The next greater `unit` that a link can hold. */
+function wider(unit: number): number {
+	return nearestWithin(BUNCH.table.entry("unit") as Parameters<typeof nearestWithin>[0], Math.ceil(unit * 100) / 100);
+}

@@ -1,0 +1,109 @@
+import { css, html, LitElement } from "lit";
+import type { Point } from "../../../controls/handles/point";
+import type { ViewFrame } from "../profile/view_frame";
+import { nudged, type Photo, type Placement, pinched, shifted, zoomed } from "./photo";
+
+/** `<panicle-photo>`: a photograph on a canvas below a flat view, moved by hands and keys while it is loose. */
+export class PhotoView extends LitElement {
+	static override styles = css`
+		:host {
+			position: absolute;
+			inset: 0;
+			pointer-events: none;
+		}
+		canvas {
+			position: absolute;
+			inset: 0;
+			z-index: -1;
+			width: 100%;
+			height: 100%;
+			pointer-events: none;
+		}
+		div {
+			position: absolute;
+			inset: 0;
+			outline-offset: -2px;
+			cursor: move;
+			pointer-events: auto;
+			touch-action: none;
+		}
+	`;
+	static override properties = { photo: { attribute: false }, frame: { attribute: false } };
+	declare photo: Photo;
+	declare frame: ViewFrame;
+	/** Fingers that hold it, by pointer, in pixels of the profile. */
+	readonly #held = new Map<number, Point>();
+
+	protected override render(): unknown {
+		const grip = html`<div
+			tabindex="0" role="application" aria-label="Photograph. Arrow keys shift it, plus and minus scale it, Shift goes further."
+			@pointerdown=${this.#down} @pointermove=${this.#move} @pointerup=${this.#up} @lostpointercapture=${this.#up}
+			@wheel=${this.#wheel} @keydown=${this.#key}
+		></div>`;
+		return html`<canvas aria-hidden="true"></canvas>${this.photo.loose ? grip : ""}`;
+	}
+
+	protected override updated(): void {
+		const { frame, photo } = this;
+		const canvas = this.renderRoot.querySelector("canvas");
+		const pen = canvas?.getContext("2d");
+		if (!canvas || !pen) return;
+		const zoom = frame.scale * devicePixelRatio;
+		canvas.width = Math.round(frame.width * zoom);
+		canvas.height = Math.round(frame.height * zoom);
+		pen.setTransform(zoom, 0, 0, zoom, -frame.left * zoom, -frame.top * zoom);
+		pen.globalAlpha = photo.opacity;
+		pen.imageSmoothingQuality = "high";
+		const { picture, x, y, scale } = photo;
+		pen.drawImage(picture, x, y, picture.width * scale, picture.height * scale);
+	}
+
+	#at({ clientX, clientY }: MouseEvent): Point {
+		const { left, top } = this.getBoundingClientRect();
+		const { frame } = this;
+		return { x: frame.left + (clientX - left) / frame.scale, y: frame.top + (clientY - top) / frame.scale };
+	}
+
+	#tell(placement: Placement): void {
+		this.dispatchEvent(new CustomEvent("photo-input", { detail: placement, bubbles: true, composed: true }));
+	}
+
+	#down(event: PointerEvent): void {
+		if (event.button !== 0 || this.#held.size > 1) return;
+		// A handle beside it has its own reach; this is not for it.
+		event.stopPropagation();
+		(event.currentTarget as Element).setPointerCapture(event.pointerId);
+		this.#held.set(event.pointerId, this.#at(event));
+	}
+
+	#move(event: PointerEvent): void {
+		const before = this.#held.get(event.pointerId);
+		if (!before) return;
+		event.stopPropagation();
+		const at = this.#at(event);
+		const [other] = [...this.#held].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+		this.#held.set(event.pointerId, at);
+		if (other) this.#tell(pinched(this.photo, [before, other], [at, other]));
+		else this.#tell(shifted(this.photo, { x: at.x - before.x, y: at.y - before.y }));
+	}
+
+	#up(event: PointerEvent): void {
+		this.#held.delete(event.pointerId);
+	}
+
+	#wheel(event: WheelEvent): void {
+		event.preventDefault();
+		this.#tell(zoomed(this.photo, Math.exp(-event.deltaY / 600), this.#at(event)));
+	}
+
+	#key(event: KeyboardEvent): void {
+		if (event.ctrlKey || event.metaKey || event.altKey) return;
+		const placement = nudged(this.photo, event);
+		if (!placement) return;
+		event.preventDefault();
+		event.stopPropagation();
+		this.#tell(placement);
+	}
+}
+
+customElements.define("panicle-photo", PhotoView);

@@ -1,0 +1,169 @@
+/**
+ * Finds where residuals vanish, few evaluations at a time: Broyden's method (1965, "A class of methods for solving nonlinear simultaneous
+ * equations") within bounds. What is searched may be noisy, as growth is: steps too short to tell a slope from noise teach none, the best point
+ * seen is kept, and with one unknown a change of sign is a bracket that is not left again (regula falsi).
+ */
+
+/** One unknown and the residual that it is there for. */
+export interface Unknown {
+	readonly from: number;
+	readonly to: number;
+	/** By how much the residual rises with it, roughly; not 0. */
+	readonly slope: number;
+}
+
+interface Point {
+	readonly at: readonly number[];
+	readonly residuals: readonly number[];
+}
+
+/** The longest step of an unknown. */
+const FAR = 1.2;
+/** Shorter steps teach no slope. */
+const NEAR = 0.004;
+/** Points that come no nearer, after which the search rests. */
+const PATIENCE = 5;
+/** Of the way to a bracket's ends, which is left to the point between. */
+const INSET = 0.08;
+
+export class Search {
+	readonly #unknowns: readonly Unknown[];
+	/** Residuals by unknowns. */
+	readonly #slopes: number[][];
+	readonly #seen: Point[] = [];
+	#best: Point;
+	#idle = 0;
+
+	constructor(unknowns: readonly Unknown[], at: readonly number[], residuals: readonly number[]) {
+		this.#unknowns = unknowns;
+		this.#slopes = unknowns.map(({ slope }, row) => unknowns.map((_, column) => (row === column ? slope : 0)));
+		this.#best = { at, residuals };
+		this.#seen.push(this.#best);
+	}
+
+	/** Where the sum of squared residuals was the least. */
+	get best(): Point {
+		return this.#best;
+	}
+
+	/** Unknowns that stand at a bound while what they are there for lies beyond it. */
+	get spent(): number[] {
+		return this.#unknowns.flatMap((_, i) => (this.#isSpent(i) ? [i] : []));
+	}
+
+	/** The next point to look at; undefined where no further one promises anything. */
+	next(): readonly number[] | undefined {
+		if (this.#idle >= PATIENCE) return undefined;
+		const free = this.#unknowns.flatMap((_, i) => (this.#isSpent(i) ? [] : [i]));
+		if (free.length === 0) return undefined;
+		const { at, residuals } = this.#best;
+		const steps = solved(
+			free.map((row) => free.map((column) => this.#slopes[row][column])),
+			free.map((i) => -residuals[i]),
+		);
+		const far = this.#reach();
+		const next = at.map((value, i) => {
+			const place = free.indexOf(i);
+			return place < 0 ? value : this.#within(i, value + far * clamped(steps?.[place] ?? 0, FAR));
+		});
+		return this.#unknowns.length === 1 ? [this.#bracketed(next[0])] : next;
+	}
+
+	/** What was found there, or as near to it as one can stand. */
+	tell(at: readonly number[], residuals: readonly number[]): void {
+		const last = this.#seen[this.#seen.length - 1];
+		this.#learn({ at, residuals }, last === this.#best ? last : this.#best);
+		const point = { at, residuals };
+		this.#seen.push(point);
+		const better = sumOfSquares(residuals) < sumOfSquares(this.#best.residuals);
+		this.#idle = better ? 0 : this.#idle + 1;
+		if (better) this.#best = point;
+	}
+
+	/** Nothing new stands where `next` points. */
+	pass(): void {
+		this.#idle++;
+	}
+
+	/** Whether a point has been looked at. */
+	knows(at: readonly number[]): boolean {
+		return this.#seen.some((point) => point.at.every((value, i) => Math.abs(value - at[i]) < 1e-9));
+	}
+
+	/**
+	 * How much of a step to go when nothing came of the last ones: with one unknown, whose goal lies beyond all that was seen, further and
+	 * further; with several less and less and to either side, for noise has no slope.
+	 */
+	#reach(): number {
+		if (this.#unknowns.length === 1) return 1 + this.#idle;
+		return this.#idle === 0 ? 1 : (this.#idle % 2 === 0 ? 1 : -1) / (1 + this.#idle);
+	}
+
+	#isSpent(i: number): boolean {
+		const { from, to, slope } = this.#unknowns[i];
+		const { at, residuals } = this.#best;
+		const onwards = -residuals[i] / slope;
+		return onwards > 0 ? at[i] >= to - 1e-9 : onwards < 0 && at[i] <= from + 1e-9;
+	}
+
+	#within(i: number, value: number): number {
+		const { from, to } = this.#unknowns[i];
+		return Math.min(Math.max(value, from), to);
+	}
+
+	/** Broyden's rank-one update, with slopes of the diagonal kept to their sign. */
+	#learn(to: Point, from: Point): void {
+		const step = to.at.map((value, i) => value - from.at[i]);
+		const length = sumOfSquares(step);
+		if (length < NEAR * NEAR) return;
+		for (const [row, slopes] of this.#slopes.entries()) {
+			const change = to.residuals[row] - from.residuals[row];
+			const miss = change - slopes.reduce((sum, slope, i) => sum + slope * step[i], 0);
+			for (const i of slopes.keys()) slopes[i] += (miss * step[i]) / length;
+			const { slope } = this.#unknowns[row];
+			const share = slopes[row] / slope;
+			slopes[row] = slope * Math.min(Math.max(share, 0.15), 6);
+		}
+	}
+
+	/** With points on both sides of the goal, a place between the two nearest of them. */
+	#bracketed(value: number): number {
+		const [{ slope }] = this.#unknowns;
+		const side = (sign: number) =>
+			this.#seen
+				.filter(({ residuals: [residual] }) => Math.sign(residual * slope) === sign)
+				.sort((a, b) => Math.abs(a.residuals[0]) - Math.abs(b.residuals[0]))[0];
+		const [below, above] = [side(-1), side(1)];
+		if (!below || !above) return value;
+		const [a, b] = [below.at[0], above.at[0]];
+		const [low, high] = [Math.min(a, b), Math.max(a, b)];
+		const inset = INSET * (high - low);
+		if (value > low + inset && value < high - inset && this.#idle < 2) return value;
+		if (this.#idle > 1) return (low + high) / 2;
+		const share = Math.abs(below.residuals[0]) / (Math.abs(below.residuals[0]) + Math.abs(above.residuals[0]));
+		return a + Math.min(Math.max(share, INSET), 1 - INSET) * (b - a);
+	}
+}
+
+const sumOfSquares = (values: readonly number[]) => values.reduce((sum, value) => sum + value * value, 0);
+
+const clamped = (value: number, most: number) => Math.min(Math.max(value, -most), most);
+
+/** The solution of a small linear system, by elimination with the largest pivots; undefined where there is none. */
+function solved(matrix: number[][], right: number[]): number[] | undefined {
+	const rows = matrix.map((row, i) => [...row, right[i]]);
+	const count = rows.length;
+	for (let column = 0; column < count; column++) {
+		const rest = rows.slice(column);
+		const pivot =
+			column + rest.reduce((best, row, i) => (Math.abs(row[column]) > Math.abs(rest[best][column]) ? i : best), 0);
+		if (Math.abs(rows[pivot][column]) < 1e-9) return undefined;
+		[rows[column], rows[pivot]] = [rows[pivot], rows[column]];
+		for (let row = 0; row < count; row++) {
+			if (row === column) continue;
+			const share = rows[row][column] / rows[column][column];
+			for (let i = column; i <= count; i++) rows[row][i] -= share * rows[column][i];
+		}
+	}
+	return rows.map((row, i) => row[count] / row[i]);
+}

@@ -1,0 +1,166 @@
+/**
+ * Finds the parameters that give the measures asked for. Knows no model: which parameters move which measure is the model's to say (Lever), how
+ * a specimen measures is the caller's (`measure`).
+ */
+import type { MeasureInfo } from "../specimen/measures";
+import type { Specimen } from "../specimen/specimen";
+import type { Table } from "../specimen/table";
+import { type Aim, toleranceOf } from "./aim";
+import type { Lever, Levers } from "./lever";
+import { Search } from "./search";
+
+/** Growths of one solution at the most. */
+export const MOST_GROWTHS = 15;
+
+export interface Question<S extends Specimen = Specimen> {
+	readonly table: Table;
+	readonly from: S;
+	/** Of different measures. */
+	readonly aims: readonly Aim[];
+	readonly levers: Levers<S>;
+}
+
+export interface Means<S extends Specimen = Specimen> {
+	/** Grows a specimen and gives its measures, in the table's order. What it throws ends the search. */
+	measure(specimen: S): Promise<Float32Array>;
+	/** Told after each growth. */
+	progress?(growths: number): void;
+}
+
+/** What came of one aim. */
+export interface Reached extends Aim {
+	readonly info: MeasureInfo;
+	/** What the specimen found measures; NaN where it has no such measure. */
+	readonly got: number;
+	/** Whether that is what was asked, but for what does not show. */
+	readonly there: boolean;
+	/** Whether its parameters stand at their ends, so that no nearer value can be had. */
+	readonly spent: boolean;
+}
+
+export interface Answer<S extends Specimen = Specimen> {
+	/** The one that came nearest; `from` itself where none came nearer. */
+	readonly specimen: S;
+	readonly reached: readonly Reached[];
+	readonly growths: number;
+}
+
+/** An aim, and where its measure stands. */
+interface Place extends Aim {
+	readonly info: MeasureInfo;
+	readonly index: number;
+	readonly tolerance: number;
+}
+
+/** With the levers that are left for it; the first is at work. */
+interface Task<S extends Specimen> extends Place {
+	levers: readonly Lever<S>[];
+}
+
+interface Sample<S> {
+	readonly specimen: S;
+	readonly values: Float32Array;
+}
+
+/** Solves for all aims at once. */
+export async function solve<S extends Specimen>(question: Question<S>, means: Means<S>): Promise<Answer<S>> {
+	return new Solver(question, means).run();
+}
+
+class Solver<S extends Specimen> {
+	readonly #means: Means<S>;
+	readonly #from: S;
+	readonly #tasks: readonly Task<S>[];
+	#best: Sample<S> | undefined;
+	#growths = 0;
+
+	constructor({ table, aims, levers, from }: Question<S>, means: Means<S>) {
+		this.#means = means;
+		this.#from = from;
+		const { measures } = table;
+		this.#tasks = aims.flatMap((aim) => {
+			const index = measures.findIndex(({ key }) => key === aim.measure);
+			const info = measures[index];
+			if (!info) return [];
+			return [{ ...aim, info, index, tolerance: toleranceOf(info, aim.value), levers: levers[aim.measure] ?? [] }];
+		});
+	}
+
+	async run(): Promise<Answer<S>> {
+		this.#best = await this.#grow(this.#from);
+		let spent: readonly number[] = [];
+		while (this.#growths < MOST_GROWTHS && !this.#isThere()) {
+			spent = await this.#searchOnce(this.#best);
+			const further = spent.filter((i) => this.#tasks[i].levers.length > 1);
+			if (further.length === 0) break;
+			for (const i of further) this.#tasks[i].levers = this.#tasks[i].levers.slice(1);
+		}
+		const { specimen, values } = this.#best;
+		const reached = this.#tasks.map((task, i) => {
+			const { measure, value, info, index } = task;
+			const there = isThere(task, values);
+			return { measure, value, info, got: values[index], there, spent: !there && spent.includes(i) };
+		});
+		return { specimen, reached, growths: this.#growths };
+	}
+
+	/** Searches from a specimen on with the levers that are at work. @returns the tasks whose levers came to an end */
+	async #searchOnce(start: Sample<S>): Promise<readonly number[]> {
+		const active = this.#tasks.flatMap(({ levers, index }, i) =>
+			levers.length > 0 && Number.isFinite(start.values[index]) ? [i] : [],
+		);
+		const tasks = active.map((i) => this.#tasks[i]);
+		const levers = tasks.map(({ levers: [lever] }) => lever);
+		const first = levers.every((lever) => lever.of(start.specimen) > 0)
+			? start
+			: await this.#grow(setAll(start.specimen, tasks));
+		const at = (specimen: S) => levers.map((lever) => Math.log(lever.of(specimen)));
+		const residuals = ({ values }: Sample<S>) => tasks.map((task) => residualOf(task, values));
+		const unknowns = levers.map(({ from, to, power }) => ({ from: Math.log(from), to: Math.log(to), slope: power }));
+		const search = new Search(unknowns, at(first.specimen), residuals(first));
+		while (this.#growths < MOST_GROWTHS && !this.#isThere()) {
+			if (search.spent.some((i) => tasks[i].levers.length > 1)) break;
+			const next = search.next();
+			if (!next) break;
+			const wanted = next.reduce((done, value, i) => levers[i].set(done, Math.exp(value)), first.specimen);
+			const place = at(wanted);
+			if (search.knows(place)) search.pass();
+			else search.tell(place, residuals(await this.#grow(wanted)));
+		}
+		return search.spent.map((i) => active[i]);
+	}
+
+	async #grow(specimen: S): Promise<Sample<S>> {
+		const sample = { specimen, values: await this.#means.measure(specimen) };
+		this.#growths++;
+		this.#means.progress?.(this.#growths);
+		if (!this.#best || this.#missOf(sample.values) < this.#missOf(this.#best.values)) this.#best = sample;
+		return sample;
+	}
+
+	#isThere(): boolean {
+		const values = this.#best?.values;
+		return values !== undefined && this.#tasks.every((task) => isThere(task, values));
+	}
+
+	#missOf(values: Float32Array): number {
+		return this.#tasks.reduce((sum, task) => sum + residualOf(task, values) ** 2, 0);
+	}
+}
+
+/** Levers that are not set are in the measure's unit: set to what is asked. */
+function setAll<S extends Specimen>(specimen: S, tasks: readonly Task<S>[]): S {
+	return tasks.reduce(
+		(done, { levers: [lever], value }) => (lever.of(done) > 0 ? done : lever.set(done, value)),
+		specimen,
+	);
+}
+
+const isThere = ({ index, value, tolerance }: Place, values: Float32Array) =>
+	Math.abs(values[index] - value) <= tolerance;
+
+/** Of logarithms where the measure is large, since lengths, volumes and weights grow by powers; straight near 0. */
+function residualOf({ index, value, tolerance }: Place, values: Float32Array): number {
+	const scaled = (measure: number) => Math.asinh(measure / (2 * tolerance));
+	return Number.isFinite(values[index]) ? scaled(values[index]) - scaled(value) : Number.POSITIVE_INFINITY;
+}

@@ -1,0 +1,49 @@
+/** What came of what was asked, in words. */
+import { readIn, scaleOf } from "../specimen/lengths";
+import { measureText } from "../specimen/measures";
+import type { Species } from "../specimen/species";
+import type { Specimen } from "../specimen/specimen";
+import { reachedText } from "./aim";
+import type { Answer, Reached } from "./solve";
+
+/** "Bunch length: 160 mm reached", or "Bunch length: 300 mm asked, 158.9 mm reached; nothing goes further". */
+export function reachedInWords({ info, value, got, there, spent }: Reached): string {
+	const asked = measureText(info, value);
+	if (there) return `${info.label}: ${asked} reached`;
+	if (!Number.isFinite(got)) return `${info.label}: this has none`;
+	const end = spent ? "; what moves it goes no further" : "";
+	return `${info.label}: ${asked} asked, ${reachedText(info, got, value)} reached${end}`;
+}
+
+/** Changes that are named; the others are counted. */
+const MOST_NAMED = 3;
+
+/** What differs between two specimens, the most changed first: "Length 120 → 143.4 mm, Density 6 → 7.1 and 3 more". */
+export function changesInWords<S extends Specimen>(
+	species: Pick<Species<S>, "table" | "lengths">,
+	from: S,
+	to: S,
+): string {
+	const heeded = species.table.core.filter((entry) => species.table.heeds(to, entry));
+	const changes = heeded.flatMap((entry) => {
+		const values = [from, to].map((each) => {
+			const scale = scaleOf(species, each, entry);
+			return { scale, exact: scale.per * each.parameters[entry.key], read: readIn(scale, each.parameters[entry.key]) };
+		});
+		const [before, after] = values;
+		// The same length in another unit is no change to those who read lengths.
+		if (before.read === after.read) return [];
+		const [least, most] = values.map(({ exact }) => Math.max(exact, 0.01));
+		// To one percent, so that what moves together stays in the table's order.
+		const share = Math.round(100 * Math.abs(Math.log(most / least)));
+		const { unit } = after.scale;
+		return [{ share, words: `${entry.label} ${before.read} → ${after.read}${unit ? ` ${unit}` : ""}` }];
+	});
+	const named = changes.sort((one, other) => other.share - one.share).slice(0, MOST_NAMED);
+	const more = changes.length > named.length ? ` and ${changes.length - named.length} more` : "";
+	return `${named.map(({ words }) => words).join(", ")}${more}`;
+}
+
+/** How many growths it took: "in 6 growths". */
+export const growthsInWords = ({ growths }: Pick<Answer, "growths">): string =>
+	`in ${growths} ${growths === 1 ? "growth" : "growths"}`;
