@@ -3,7 +3,7 @@ import { type FileOptions, PLANT_FILES } from "../../export/plant_files";
 import { hasAges } from "../../files/aged";
 import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
-import { coreAddress } from "../core_address";
+import { coreAddress } from "../../core/core_address";
 import type { Shown, StudioState } from "../studio_state";
 
 export interface Download {
