@@ -15,7 +15,7 @@ import { bunchFigure } from "../../../../../web/src/models/bunch/figure/bunch_fi
 import type { Grown } from "../../../../../web/src/models/bunch/grown";
 import { bunchParts } from "../../../../../web/src/models/bunch/parts/bunch_parts";
 import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
-import { HALO, SCAR, SEAT, WAX } from "../../../../../web/src/models/bunch/parts/skin_rules";
+import { AMBER, HALO, SCAR, SEAT, WAX } from "../../../../../web/src/models/bunch/parts/skin_rules";
 import { everyPart } from "../../../../../web/src/plant/part";
 import { PaperShadow } from "../../../../../web/src/scene/paper_shadow";
 import { StageLight } from "../../../../../web/src/scene/stage_light";
@@ -151,8 +151,8 @@ describe("the bunch's figure", () => {
 					double: said.doubleSided ?? false,
 				});
 		}
-		const skin = bunchSkin(grown, LOOK);
-		const { uniforms, fragmentShader } = part("berries").material;
+		const skin = bunchSkin(grown, { look: LOOK });
+		const { uniforms, vertexShader, fragmentShader } = part("berries").material;
 		expect([uniforms.scar.value, uniforms.bloom.value, uniforms.uneven.value]).toEqual([
 			skin.fruit.scar,
 			skin.bloom,
@@ -160,8 +160,26 @@ describe("the bunch's figure", () => {
 		]);
 		expect(uniforms.wax.value.toArray()).toEqual(skin.wax);
 		// The edge of the scar, the wax's depth, the seat's colour: the rules' own numbers.
+		for (const number of AMBER.colour) expect(vertexShader).toContain(String(number));
 		for (const number of [SCAR.edge, HALO.width, WAX.depth, ...SEAT.colour])
 			expect(fragmentShader).toContain(String(number));
+	});
+
+	it("tells the shader where the sun stands, as it tells the files", () => {
+		const grown = pressedBunch({ count: 3, exposure: 0.25 });
+		const look = { ...LOOK, skin: "c4bd66" };
+		const parameters = { sun: 90, sun_height: 30, sunlight: 0.5 };
+		const { figure, part, camera } = staged(grown);
+		figure.show(grown, { look, parameters });
+		figure.prepare(camera);
+		const { uniforms } = part("berries").material;
+		const { towards, amber } = bunchSkin(grown, { look, parameters }).sunned;
+		expect(amber).toBeGreaterThan(0.3);
+		expect(uniforms.amber.value).toBe(amber);
+		expect(uniforms.sunward.value.toArray()).toEqual(towards);
+		expect(towards[0]).toBeCloseTo(Math.cos(Math.PI / 6), 6);
+		expect(towards[1]).toBeCloseTo(0.5, 6);
+		expect(part("berries").geometry.getAttribute("nature").getZ(0)).toBe(0.25);
 	});
 
 	it("marks withered pedicels where stems stand bare, under an open sky", () => {

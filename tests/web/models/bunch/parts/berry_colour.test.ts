@@ -2,17 +2,20 @@ import { describe, expect, it } from "vitest";
 import type { BerrySurfaces, Fruit, Grown } from "../../../../../web/src/models/bunch/grown";
 import { paintedBerries, scarShare } from "../../../../../web/src/models/bunch/parts/berry_colour";
 import { FRUIT_SKINS } from "../../../../../web/src/models/bunch/parts/fruit_skin";
-import { bunchSkin } from "../../../../../web/src/models/bunch/parts/skin";
+import { bunchSkin, type Dress } from "../../../../../web/src/models/bunch/parts/skin";
 import type { Look } from "../../../bunch";
 import { type PressedOptions, pressedBunch } from "../pressed_bunch";
 import { LOOK } from "../sample_bunch";
 
 /** One berry, round and free, and its colours. */
-function one(look: Partial<Look>, options: PressedOptions = {}) {
+function one(look: Partial<Look>, options: PressedOptions = {}, parameters?: Dress["parameters"]) {
 	const grown: Grown = pressedBunch({ count: 1, ...options });
 	const surfaces = grown.surfaces as BerrySurfaces;
-	const skin = bunchSkin(grown, { ...LOOK, uneven: 0, bloom: 0, ...look });
-	const { colours, sky } = paintedBerries(grown, surfaces, skin);
+	const { colours, sky } = paintedBerries(
+		grown,
+		surfaces,
+		bunchSkin(grown, { look: { ...LOOK, uneven: 0, bloom: 0, ...look }, parameters }),
+	);
 	const vertices = Array.from({ length: surfaces.uvs.length / 2 }, (_, vertex) => vertex);
 	const mean = (wanted: (vertex: number) => boolean) => {
 		const those = vertices.filter(wanted);
@@ -32,7 +35,7 @@ describe("paintedBerries", () => {
 			const { mean, v } = one({ ...look, bloom });
 			return light(mean((vertex) => middle(v(vertex))));
 		};
-		const wax = light(bunchSkin(pressedBunch({ count: 1 }), { ...LOOK, ...look }).wax);
+		const wax = light(bunchSkin(pressedBunch({ count: 1 }), { look: { ...LOOK, ...look } }).wax);
 		const share = (shown(1) - shown(0)) / (wax - shown(0));
 		expect(share).toBeGreaterThan(0.12);
 		expect(share).toBeLessThan(0.2);
@@ -58,7 +61,7 @@ describe("paintedBerries", () => {
 			const look = { skin: "b2b262", unripe: "94ab58", glow, uneven: 1 };
 			const grown = pressedBunch({ count: 2, shrivel });
 			const surfaces = grown.surfaces as BerrySurfaces;
-			const { colours } = paintedBerries(grown, surfaces, bunchSkin(grown, { ...LOOK, bloom: 0, ...look }));
+			const { colours } = paintedBerries(grown, surfaces, bunchSkin(grown, { look: { ...LOOK, bloom: 0, ...look } }));
 			const half = colours.length / 2;
 			let sum = 0;
 			for (let i = 0; i < half; i++) sum += Math.abs(colours[i] - colours[half + i]);
@@ -89,7 +92,8 @@ describe("paintedBerries", () => {
 				if (before[3 * i] >= x) continue;
 				for (let k = 0; k < 3; k++) surfaces.positions[3 * i + k] = centre[k] + 0.75 * (before[3 * i + k] - centre[k]);
 			}
-			const { colours } = paintedBerries(grown, surfaces, bunchSkin(grown, { ...LOOK, bloom: 0, uneven: 0 }));
+			const skin = bunchSkin(grown, { look: { ...LOOK, bloom: 0, uneven: 0 } });
+			const { colours } = paintedBerries(grown, surfaces, skin);
 			const green = (inside: boolean) => {
 				const those = Array.from({ length: before.length / 3 }, (_, i) => i).filter((i) => sunk(i) === inside);
 				return those.reduce((sum, i) => sum + colours[3 * i + 1], 0) / those.length;
@@ -107,8 +111,32 @@ describe("paintedBerries", () => {
 			const tip = light(mean((vertex) => (v(vertex) > 0.999 || v(vertex) < 0.001 ? v(vertex) > 0.5 : false)));
 			const ring = light(mean((vertex) => middle(v(vertex))));
 			if (scar > 1) expect(tip).toBeGreaterThan(0.7 * ring);
-			else expect(tip).toBeLessThan(0.5 * ring);
+			// Corky, not black.
+			else expect(tip / ring).toSatisfy((share: number) => share > 0.3 && share < 0.6);
 		}
+	});
+
+	it("turn ripe pale skins amber towards the sun, and no others", () => {
+		const sun = { sun: 90, sun_height: 0, sunlight: 0.8 };
+		/** Blue beside red at the side in the sun, over the same on the other. */
+		const gilt = (skin: string, options: PressedOptions = {}, parameters = sun) => {
+			const { mean, surfaces, grown } = one({ skin, unripe: skin }, { exposure: 1, ...options }, parameters);
+			const side = (way: number) => {
+				const [red, , blue] = mean((v) => way * (surfaces.positions[3 * v] - grown.berries.spheres[0]) > 0.004);
+				return blue / red;
+			};
+			return side(1) / side(-1);
+		};
+		expect(gilt("c4bd66")).toBeLessThan(0.75);
+		expect(gilt("c4bd66", {}, { ...sun, sun: 270 })).toBeGreaterThan(1.3);
+		for (const even of [
+			gilt("43264f"),
+			gilt("9c3546"),
+			gilt("c4bd66", { turned: 0 }),
+			gilt("c4bd66", { exposure: 0 }),
+			gilt("c4bd66", {}, { ...sun, sunlight: 0 }),
+		])
+			expect(even).toSatisfy((share: number) => share > 0.85 && share < 1.2);
 	});
 });
 

@@ -86,7 +86,7 @@ describe("the colours of a natural bunch", () => {
 		);
 		const [raisin, berry] = named("Berry ");
 		const [middle] = around(berry, 0.5, 0.03);
-		expect(brightness(shade(berry, around(berry, 1, 0)[0]))).toBeLessThan(0.5 * brightness(shade(berry, middle)));
+		expect(brightness(shade(berry, around(berry, 1, 0)[0]))).toBeLessThan(0.75 * brightness(shade(berry, middle)));
 		expect(brightness(shade(raisin, middle))).toBeLessThan(0.6 * brightness(shade(berry, middle)));
 	});
 

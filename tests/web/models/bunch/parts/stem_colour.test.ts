@@ -45,6 +45,23 @@ describe("stemColours", () => {
 	});
 });
 
+describe("the nodes of a ripe stalk", () => {
+	it("are brown where they stand apart, and no rings where internodes are as short as they are thick", () => {
+		const grown = at(1);
+		const { ends, radii, kind } = grown.internodes;
+		const stout = { ...grown, internodes: { ...grown.internodes, radii: radii.slice() } };
+		for (let i = 0; i < kind.length; i++) {
+			const length = Math.hypot(...[0, 1, 2].map((k) => ends[6 * i + 3 + k] - ends[6 * i + k]));
+			stout.internodes.radii.fill(length, 2 * i, 2 * i + 2);
+		}
+		const redness = (each: Grown) => {
+			const [red, green] = mean(each, (i) => kind[i] === 3);
+			return red / green;
+		};
+		expect(redness(grown)).toBeGreaterThan(1.01 * redness(stout));
+	});
+});
+
 describe("woodOf", () => {
 	it("grows as berries turn and goes on as they dry; the paper's bunches are ripe", () => {
 		expect([woodOf(at(0)), woodOf(at(1)), woodOf(at(1, 1))]).toEqual([0, 0.55, 1]);

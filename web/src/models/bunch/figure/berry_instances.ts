@@ -12,7 +12,7 @@ const STRIDE = 4 * ATTRIBUTES.length;
 /**
  * What each berry has of its own, in the order in which they are drawn:
  *
- *     centre     x, y, z, reach of its vertices      nature     index, mean share of the sky, 0, 0
+ *     centre     x, y, z, reach of its vertices      nature     index, mean share of the sky, exposure, 0
  *     posed      direction, phase                    ripened    log of ripe colour, bloom
  *     unripened  log of unripe colour, turned        formed     half width, half length, shrivel, seeds
  */
@@ -33,7 +33,7 @@ export class BerryInstances {
 			const pose = [...berries.directions.subarray(3 * i, 3 * i + 3), phase];
 			const form = [...halvesOf(berries, i), traitOf(berries, i, "shrivel"), traitOf(berries, i, "seeds")];
 			records.set(centre, STRIDE * i);
-			records.set([i, skies[i], 0, 0], STRIDE * i + 4);
+			records.set([i, skies[i], traitOf(berries, i, "exposure"), 0], STRIDE * i + 4);
 			records.set(pose, STRIDE * i + 8);
 			records.set([...logarithmOf(ripe), bloom], STRIDE * i + 12);
 			records.set([...logarithmOf(unripe), traitOf(berries, i, "turned")], STRIDE * i + 16);

@@ -28,6 +28,8 @@ export function berryMaterial(shared: SharedUniforms): ShaderMaterial {
 			bloom: { value: 0 },
 			lenticels: { value: 0 },
 			uneven: { value: 0 },
+			sunward: { value: new Vector3() },
+			amber: { value: 0 },
 			rind: { value: 0 },
 			veins: { value: 0 },
 			seedsSeen: { value: 0 },
@@ -42,6 +44,8 @@ export function setSkin({ uniforms }: ShaderMaterial, skin: Skin): void {
 	uniforms.unripeAbsorption.value.fromArray(unripeFlesh.absorption);
 	uniforms.translucency.value.set(ripeFlesh.translucency, unripeFlesh.translucency);
 	uniforms.wax.value.fromArray(skin.wax);
+	uniforms.sunward.value.fromArray(skin.sunned.towards);
+	uniforms.amber.value = skin.sunned.amber;
 	uniforms.grooves.value.fromArray(fruit.grooves);
 	uniforms.grooveDepth.value.fromArray(fruit.depth);
 	for (const key of ["bloom", "lenticels", "uneven"] as const) uniforms[key].value = skin[key];

@@ -2,7 +2,7 @@ import { NOISE_CHUNK } from "../../../plant/noise";
 import { float, step, vec3 } from "../../../scene/glsl";
 import { LIGHT_CHUNK } from "../../../scene/light_shader";
 import { OUTPUT_CHUNK } from "../../../scene/output_shader";
-import { COARSE, CREVICE, HALO, MOTTLE, RIND, SCAR, SEAT, WAX } from "../parts/skin_rules";
+import { AMBER, COARSE, CREVICE, HALO, MOTTLE, RIND, SCAR, SEAT, WAX } from "../parts/skin_rules";
 import { VERTICES_PER_ROW } from "./berry_skins";
 import { FLESH_CHUNK } from "./flesh_shader";
 import { LAMP_CHUNK } from "./lamp_shader";
@@ -38,6 +38,8 @@ ${VARYINGS}
 uniform highp usampler2D vertexRecords;
 uniform int patternVertices;
 uniform float highlighted;
+uniform vec3 sunward;
+uniform float amber;
 ${LIGHT_CHUNK}
 ${LAMP_CHUNK}
 ${NOISE_CHUNK}
@@ -84,6 +86,8 @@ void main() {
 	// Its colour: turned or not. Pigment absorbs: colours mix as logarithms do.
 	float turned = turned_at(unripened.w, dot(at, pose.xyz), chart.w, 0.5);
 	hue = vec4(exp(mix(unripened.rgb, ripened.rgb, turned)), clearness(turned, form));
+	float gilt = amber * nature.z * turned * smoothstep(${float(AMBER.from)}, ${float(AMBER.to)}, dot(at, sunward) + ${float(AMBER.coarse)} * (chart.w - 0.5));
+	hue.rgb *= mix(vec3(1.0), ${vec3(AMBER.colour)}, gilt);
 
 	// The surroundings: gathered, and mirrored. Neighbours hide the sky from the horizon up: what they leave is taken for a
 	// cone about the normal.
@@ -95,10 +99,14 @@ void main() {
 	if (hue.w > 0.03) {
 		vec3 bent = refract(-v, n, 0.73);
 		Path path = path_inside(at, bent, pose.xyz, form);
-		vec3 absorption = mix(unripeAbsorption, ripeAbsorption, turned);
+		vec3 absorption = mix(unripeAbsorption, ripeAbsorption, turned) - gilt * ${vec3(AMBER.colour.map(Math.log))};
 		vec3 keyward = towards_in_ball(keyDirection, pose.xyz, form);
 		vec3 rimward = towards_in_ball(rimDirection, pose.xyz, form);
 		glow.rgb = 0.11 * mix(0.35, 1.0, sky) * scattered(path, absorption, keyward, key.irradiance * lamps.x, rimward, rim.irradiance * lamps.y);
+		// Light that has gone to and fro in the flesh comes out all round, in its colour: the berry glows, most where it is lit.
+		float facingKey = 0.5 + 0.5 * dot(n, keyDirection);
+		vec3 within = key.irradiance * (lamps.x * mix(0.15, 0.6, facingKey)) + rim.irradiance * (0.4 * lamps.y) + 3.2 * ambient.rgb * mix(0.7, 1.0, sky);
+		glow.rgb += 0.065 * within * exp(-1.2 * absorption);
 		// What stands behind is not looked for: the more is about a berry, the less is seen through it.
 		glow.rgb += gloss_surroundings(toView * bent) * exp(-absorption * path.run) * mix(0.03, 0.4, nature.y * nature.y);
 	}
@@ -177,7 +185,7 @@ void main() {
 	float lit = facing.w;
 	float nk = dot(n, keyDirection);
 	float nb = dot(n, rimDirection);
-	float clear = hue.w * (1.0 - marked);
+	float clear = hue.w * (1.0 - 0.6 * marked);
 	vec3 keyed = key.irradiance * (lit * 0.31831);
 	vec3 rimmed = rim.irradiance * (place.w * 0.31831);
 	vec3 white = keyed * clamp((nk + 0.1) * 0.90909, 0.0, 1.0) + rimmed * clamp((nb + 0.1) * 0.90909, 0.0, 1.0);
@@ -201,7 +209,7 @@ void main() {
 	// The mirror of the skin.
 	float aside = 1.0 - nv;
 	float fresnel = 0.035 + 0.6 * aside * aside * aside * aside * aside;
-	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - marked) * (1.0 - 0.6 * dots) * (1.0 - 0.85 * pressed) * (1.0 - 0.8 * halo);
+	float taut = (1.0 - 0.8 * waxed) * (1.0 - 0.75 * rind) * (1.0 - 0.7 * shrivel) * (1.0 - 0.7 * marked) * (1.0 - 0.6 * dots) * (1.0 - 0.85 * pressed) * (1.0 - 0.8 * halo);
 	vec3 r = reflect(-v, n);
 	float blur = dull + 0.3 * waxed;
 	vec3 mirror = around * mix(0.15 * skin, vec3(1.0), mirrored.w);

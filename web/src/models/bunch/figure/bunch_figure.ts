@@ -8,8 +8,7 @@ import { standardMaterial } from "../../../scene/standard_material";
 import type { Grown } from "../grown";
 import { tintOf } from "../parts/berry_tint";
 import { foliageMaterials, STAMENS, stemMaterial } from "../parts/materials";
-import { bunchSkin } from "../parts/skin";
-import type { BunchSpecimen as Specimen } from "../specimen";
+import { bunchSkin, type Dress } from "../parts/skin";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
 import { BunchSurface, type PartMaterials } from "./bunch_surface";
 import { CAST_RECORD, Casters } from "./casters";
@@ -32,7 +31,7 @@ const OF_FLOWER = "attribute float bearer;\nvec2 lamp_shares(vec3 point) { retur
 export const BUNCH_MODES = ["whole", "stems"] as const;
 
 /** A bunch with its berries' flesh, wax and shadows; `pick` and `mark` know berries by their ids. */
-export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
+export class BunchFigure implements Figure<Dress, Grown> {
 	readonly modes = BUNCH_MODES;
 	readonly #stage: FigureStage;
 	readonly #casterRecords = new RecordTexture(CAST_RECORD);
@@ -85,11 +84,12 @@ export class BunchFigure implements Figure<Pick<Specimen, "look">, Grown> {
 		this.show(REHEARSAL, { look: REHEARSAL_LOOK });
 	}
 
-	show(latest: Grown, { look }: Pick<Specimen, "look">): void {
+	show(latest: Grown, dress: Dress): void {
+		const { look } = dress;
 		const grown = this.#sky.of(latest);
 		this.#grown = grown;
 		this.mark(undefined);
-		const skin = bunchSkin(grown, look);
+		const skin = bunchSkin(grown, dress);
 		setSkin(this.#surface.materials.berry, skin);
 		this.#firstInternode.value = grown.berries.count;
 		this.#receivers = receiversOf(grown);

@@ -5,14 +5,13 @@ import { fromUp } from "../../../plant/orientation";
 import { type Extras, type Part, type PartMesh, type Shape, TRANSFORM } from "../../../plant/part";
 import type { Mesh } from "../../../plant/plant";
 import type { Berries, BerrySurfaces, Grown } from "../grown";
-import type { Look } from "../specimen";
 import { meanOf, traitOf } from "../traits";
 import { type Painted, paintedBerries, scarShare } from "./berry_colour";
 import { openFlowers } from "./flowers";
 import { ANTHER_V, STAMEN } from "./foliage_colour";
 import { naturalSkin, plainSkin, STAMENS } from "./materials";
 import { berryName, flowerName } from "./names";
-import { bunchSkin } from "./skin";
+import { bunchSkin, type Dress } from "./skin";
 
 const GROUP = "Berries";
 /** Ripeness is told in steps of this many percent where colours of vertices cannot be. */
@@ -21,7 +20,8 @@ const RIPENESS_STEP = 25;
 const SCAR_TINT: Colour = [0.42, 0.3, 0.2];
 
 /** The paper's berries: one mesh of unit radius, the scar towards +Y, an instance of it each. */
-export function sharedBerries(grown: Grown, berry: Mesh, look: Look): Part {
+export function sharedBerries(grown: Grown, berry: Mesh, dress: Dress): Part {
+	const { look } = dress;
 	const { berries } = grown;
 	const transforms = new Float32Array(TRANSFORM * berries.count);
 	for (let i = 0; i < berries.count; i++) transforms.set(placeOf(berries, i, 1), TRANSFORM * i);
@@ -29,17 +29,17 @@ export function sharedBerries(grown: Grown, berry: Mesh, look: Look): Part {
 	const mesh = {
 		...berry,
 		name: "Berry",
-		colours: scarred(berry, linear(look.skin), bunchSkin(grown, look).fruit.scar),
+		colours: scarred(berry, linear(look.skin), bunchSkin(grown, dress).fruit.scar),
 	};
 	return { name: GROUP, shape: { mesh, material: plainSkin(look), instances: { transforms, each } } };
 }
 
 /** Natural berries: each its own surface about its own centre, all of one pattern of texture coordinates and triangles. */
-export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, look: Look): Part {
+export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, dress: Dress): Part {
 	const { berries } = grown;
-	const skin = bunchSkin(grown, look);
+	const skin = bunchSkin(grown, dress);
 	const painted = paintedBerries(grown, surfaces, skin);
-	const material = naturalSkin(look, skin.fruit, meanColour(painted.colours), meanOf(berries, "width", 0));
+	const material = naturalSkin(dress.look, skin.fruit, meanColour(painted.colours), meanOf(berries, "width", 0));
 	const flowers = flowersOf(grown);
 	const children = Array.from({ length: berries.count }, (_, i): Part => {
 		const flower = flowers.get(i);

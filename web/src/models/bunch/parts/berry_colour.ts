@@ -9,6 +9,7 @@ import { halvesOf, traitOf } from "../traits";
 import { type BerryTint, tintOf } from "./berry_tint";
 import type { Skin } from "./skin";
 import {
+	AMBER,
 	COARSE,
 	CREVICE,
 	FLESH_ON_FACE,
@@ -82,6 +83,7 @@ function paint(
 	const turned = traitOf(berries, index, "turned");
 	const shrivel = traitOf(berries, index, "shrivel");
 	const { grooves, rind } = skin.fruit;
+	const gilded = skin.sunned.amber * traitOf(berries, index, "exposure");
 	const blotched = mix(1, RIND.least + RIND.span * FINE, rind);
 	const ball = new Ball(berries, index);
 	for (let vertex = 0; vertex < scar.length; vertex++) {
@@ -90,13 +92,14 @@ function paint(
 		const coarse = ball.noise(tint.phase);
 		const share = turnedAt(turned, ball.along, coarse, skin.uneven);
 		const mottle = mottleAt(coarse, skin.uneven) * blotched;
+		const gilt = gilded > 0 ? gilded * share * gildedAt(ball.towards(skin.sunned.towards), coarse) : 0;
 		const high = smoothstep(skin.fruit.depth[0], skin.fruit.depth[1], ball.height);
 		const bloom = skin.bloom * tint.bloom * (1 - scar[vertex]);
 		const rubbed = pressed[at / 3] / 255;
 		if (sky) sky[at / 3] = Math.round(sky[at / 3] * (1 - CREVICE.pressed * rubbed) * mix(1 - CREVICE.groove, 1, high));
 		const waxed = waxAt(bloom, coarse, normals[at + 1], rubbed, shrivel);
 		for (let k = 0; k < 3; k++) {
-			let colour = mottle * Math.exp(unripe[k] + (ripe[k] - unripe[k]) * share);
+			let colour = mottle * Math.exp(unripe[k] + (ripe[k] - unripe[k]) * share) * mix(1, AMBER.colour[k], gilt);
 			if (high < 1) colour *= mix(grooves[k], 1, high);
 			if (marked[vertex]) {
 				colour = mix(colour, HALO.skin * colour + HALO.light, halo[vertex]);
@@ -159,6 +162,11 @@ class Ball {
 		this.height = Math.sqrt(this.#x * this.#x + this.#y * this.#y + this.#z * this.#z);
 	}
 
+	/** How far the place looks along a direction. */
+	towards([x, y, z]: readonly [x: number, y: number, z: number]): number {
+		return this.#x * x + this.#y * y + this.#z * z;
+	}
+
 	/** The coarse pattern here, of a berry of that phase. */
 	noise(phase: number): number {
 		const shift = phase * COARSE.phase;
@@ -171,6 +179,11 @@ function turnedAt(turned: number, along: number, coarse: number, uneven: number)
 	const width = TURNING.width + TURNING.uneven * uneven;
 	const late = clamp(0.5 - TURNING.along * along + TURNING.coarse * uneven * (coarse - 0.5));
 	return smoothstep(0, 1, (turned * (1 + width) - late) / width);
+}
+
+/** How far the sun has gilded a place that looks so far `towards` it. */
+function gildedAt(towards: number, coarse: number): number {
+	return smoothstep(AMBER.from, AMBER.to, towards + AMBER.coarse * (coarse - 0.5));
 }
 
 function mottleAt(coarse: number, uneven: number): number {

@@ -3,25 +3,26 @@ import { linear, meanColour } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import { cut, type Part, type Shape } from "../../../plant/part";
 import type { Foliage, Grown, StemMesh } from "../grown";
-import type { Look, BunchSpecimen as Specimen } from "../specimen";
+import type { Look } from "../specimen";
 import { naturalBerries, sharedBerries } from "./berries";
 import { autumnOf, foliageColours } from "./foliage_colour";
 import { foliageMaterials, stemMaterial } from "./materials";
 import { foliageNames, stemName } from "./names";
+import type { Dress } from "./skin";
 import { stemColours } from "./stem_colour";
 
 /**
  * @param grown only read
  * @throws Error with a message for people where `grown` was asked for without meshes
  */
-export function* bunchParts(grown: Grown, { look }: Pick<Specimen, "look">): Generator<Part> {
+export function* bunchParts(grown: Grown, dress: Dress): Generator<Part> {
 	const { stem, berry, surfaces, berries, foliage } = grown;
 	if (!stem || (berries.count > 0 && !berry && !surfaces)) {
 		throw new Error("This growth has no meshes to export: grow it with meshes.");
 	}
-	yield* stemsOf(grown, stem, look);
-	if (berries.count > 0 && surfaces) yield naturalBerries(grown, surfaces, look);
-	else if (berries.count > 0 && berry) yield sharedBerries(grown, berry, look);
+	yield* stemsOf(grown, stem, dress.look);
+	if (berries.count > 0 && surfaces) yield naturalBerries(grown, surfaces, dress);
+	else if (berries.count > 0 && berry) yield sharedBerries(grown, berry, dress);
 	if (foliage) yield* foliageOf(grown, foliage);
 }
 

@@ -9,7 +9,7 @@ export interface FruitSkin {
 	grooves: Colour;
 	/** Where they lie: nearer the centre than the first of these (in radii) all groove, beyond the second none. */
 	depth: [groove: number, top: number];
-	/** 0 … 1: meridian veins seen in the flesh. */
+	/** 0 … 1: meridian veins seen in the flesh, as of currants; a grape's are not. */
 	veins: number;
 	/** From this v on lies the tip's scar or what is left of the flower; beyond 1 there is none. */
 	scar: number;
@@ -23,18 +23,18 @@ const SMOOTH: FruitSkin = {
 	rind: 0,
 	grooves: [1, 1, 1],
 	depth: [0, 0.01],
-	veins: 0.3,
+	veins: 0,
 	scar: 0.98,
 	flesh: 1,
 	gloss: 0.25,
 };
-const RIND: FruitSkin = { ...SMOOTH, veins: 0, gloss: 0 };
+const RIND: FruitSkin = { ...SMOOTH, gloss: 0 };
 
 /** Estimates by eye. The core gives the relief, these only dress it. */
 export const FRUIT_SKINS: Record<Fruit, FruitSkin> = {
 	grape: SMOOTH,
 	currant: { ...SMOOTH, veins: 0.6, scar: 0.955, flesh: 1.2, gloss: 0.9 },
-	bramble: { ...SMOOTH, grooves: [0.35, 0.2, 0.25], depth: [0.8, 0.95], veins: 0, scar: 1.1, flesh: 0.6, gloss: 0.7 },
+	bramble: { ...SMOOTH, grooves: [0.35, 0.2, 0.25], depth: [0.8, 0.95], scar: 1.1, flesh: 0.6, gloss: 0.7 },
 	lychee: { ...RIND, rind: 0.75, grooves: [1.5, 2.4, 1.9], depth: [0.955, 1.005], scar: 0.99, flesh: 0.08 },
 	longan: { ...RIND, rind: 0.9, scar: 0.99, flesh: 0.08 },
 	duku: { ...RIND, rind: 0.8, flesh: 0.12 },

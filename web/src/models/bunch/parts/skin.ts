@@ -1,6 +1,6 @@
 import { type Colour, clamp, fromLch, linear, mix, mixed, smoothstep, toLch } from "../../../plant/colour";
 import type { Fruit, Grown } from "../grown";
-import type { Look } from "../specimen";
+import type { BunchSpecimen, Look } from "../specimen";
 import { FRUIT_SKINS, type FruitSkin } from "./fruit_skin";
 
 /** Flesh under a skin of one colour. */
@@ -25,7 +25,21 @@ export interface Skin {
 	lenticels: number;
 	uneven: number;
 	fruit: FruitSkin;
+	sunned: Sunned;
 }
+
+/** Where the sun finds a skin, and what it makes of it. */
+export interface Sunned {
+	/** Unit vector towards the sun. */
+	towards: [x: number, y: number, z: number];
+	/** 0 … 1: how far skins that lie full in it turn amber. */
+	amber: number;
+}
+
+/** What a bunch is dressed by: its look, and the sun it grew in, where there is one. */
+export type Dress = Pick<BunchSpecimen, "look"> & {
+	parameters?: Pick<BunchSpecimen["parameters"], "sun" | "sun_height" | "sunlight">;
+};
 
 /** Rinds through which no flesh shines: tan and brown ones that are not vivid (duku, longan), and brick red (lychee). */
 function rindness(lightness: number, chroma: number, hue: number): number {
@@ -79,10 +93,29 @@ export function skinOf(look: Look, kind: Fruit = "grape", guess = false): Skin {
 		lenticels: clamp(look.lenticels),
 		uneven: clamp(look.uneven),
 		fruit,
+		sunned: NO_SUN,
 	};
 }
 
+/** Before anything is known of the sun: none. */
+const NO_SUN: Sunned = { towards: [0, 1, 0], amber: 0 };
+/** Full sunlight gilds this much more than a skin shows; sunlight is 0.4 unless one says otherwise. */
+const GILDING = 1.6;
+
+/** Clear pale skins turn amber; dark ones hide it, and so do rinds. */
+function sunnedBy(parameters: NonNullable<Dress["parameters"]>, { ripe, uneven, fruit }: Skin): Sunned {
+	const turn = (parameters.sun * Math.PI) / 180;
+	const height = (parameters.sun_height * Math.PI) / 180;
+	const flat = Math.cos(height);
+	const { lightness, hue } = toLch(ripe);
+	// From yellow on: a rosy skin reddens in the sun.
+	const golden = smoothstep(1.2, 1.6, hue) * smoothstep(0.55, 0.75, lightness);
+	const amber = clamp(GILDING * parameters.sunlight * (0.4 + uneven)) * golden * (1 - fruit.rind);
+	return { towards: [flat * Math.sin(turn), Math.sin(height), flat * Math.cos(turn)], amber };
+}
+
 /** The skin of a bunch's berries. */
-export function bunchSkin({ form, procedure }: Grown, look: Look): Skin {
-	return skinOf(look, form.fruit, procedure === "paper");
+export function bunchSkin({ form, procedure }: Pick<Grown, "form" | "procedure">, { look, parameters }: Dress): Skin {
+	const skin = skinOf(look, form.fruit, procedure === "paper");
+	return procedure === "natural" && parameters ? { ...skin, sunned: sunnedBy(parameters, skin) } : skin;
 }

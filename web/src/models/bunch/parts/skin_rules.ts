@@ -22,11 +22,17 @@ export const MOTTLE = { least: 0.86, span: 0.28, share: 0.4, uneven: 1.2 } as co
 /** About the pedicel's seat, up to v = `to`, little pigment reaches the skin. */
 export const SEAT = { from: 0.03, to: 0.13, share: 0.7, skin: 0.75, colour: [0.05, 0.055, 0.02] as Colour } as const;
 
-/** The brown of the tip scar and of what is left of the style, over what shows of the skin; its edge is so soft in v. */
-export const SCAR = { edge: 0.006, share: 0.85, skin: 0.12, colour: [0.14, 0.08, 0.04] as Colour } as const;
+/** The corky brown of the tip scar and of what is left of the style, over what shows of the skin; its edge is so soft in v. */
+export const SCAR = { edge: 0.016, share: 0.72, skin: 0.25, colour: [0.17, 0.105, 0.055] as Colour } as const;
 
 /** Before the scar, over so much of v, the skin is paler. */
-export const HALO = { width: 0.06, end: 0.005, share: 0.4, skin: 1.25, light: 0.02 } as const;
+export const HALO = { width: 0.06, end: 0.005, share: 0.4, skin: 1.2, light: 0.01 } as const;
+
+/**
+ * Pale ripe skins turn amber where the sun finds them: towards it (the cosine to its direction, and with it the coarse
+ * noise) from `from` to `to`, to `colour` times their own.
+ */
+export const AMBER = { from: 0.05, to: 1.05, coarse: 0.7, colour: [1.0, 0.77, 0.34] as Colour } as const;
 
 /** A rind is blotched: its factor goes from `least` by `span` with the fine noise. */
 export const RIND = { least: 0.72, span: 0.45 } as const;

@@ -9,6 +9,7 @@ export function stemColours(grown: Grown, { positions, uvs, internode }: StemMes
 	const wood = woodOf(grown);
 	const green = linear(hex);
 	const { kind, state } = grown.internodes;
+	const slender = slendernessOf(grown);
 	const withered = INTERNODE_STATES.indexOf("withered");
 	const colours = new Float32Array(positions.length);
 	for (let vertex = 0, at = 0; vertex < internode.length; vertex++, at += 3) {
@@ -20,7 +21,7 @@ export function stemColours(grown: Grown, { positions, uvs, internode }: StemMes
 		);
 		const aged = wood * (1 - LATER * kind[of]);
 		const dry = state[of] === withered ? 1 : 0;
-		const brown = brownAt(nodeShare(grown, of, positions, at), mottle, wood, aged, dry);
+		const brown = brownAt(nodeShare(grown, of, positions, at), slender[of], mottle, wood, aged, dry);
 		const shade = SHADE.least + SHADE.span * mottle;
 		for (let k = 0; k < 3; k++) {
 			const bark = mix(BARK.first[k], BARK.last[k], aged) * mix(BARK.light, BARK.dry, dry);
@@ -32,12 +33,21 @@ export function stemColours(grown: Grown, { positions, uvs, internode }: StemMes
 }
 
 /** The share of bark at a place that is so near a node. */
-function brownAt(near: number, mottle: number, wood: number, aged: number, dry: number): number {
+function brownAt(near: number, slender: number, mottle: number, wood: number, aged: number, dry: number): number {
 	const { node, streak, withered, wood: spread } = BROWN;
-	const nodes = node.share * smoothstep(node.from, 1, near) * mix(node.young, 1, wood);
+	const nodes = slender * node.share * smoothstep(node.from, 1, near) * mix(node.young, 1, wood);
 	const streaks = streak.share * smoothstep(streak.from, streak.to, mottle) * mix(streak.young, 1, wood);
 	const woody = spread.share * smoothstep(spread.from, spread.to, aged + spread.mottle * mottle);
 	return clamp(nodes + streaks + withered * dry + woody);
+}
+
+/** How far each internode is long enough for its nodes to stand apart, 0 … 1. */
+function slendernessOf({ internodes: { count, ends, radii } }: Grown): Float32Array {
+	const [stout, slender] = BROWN.node.slender;
+	return Float32Array.from({ length: count }, (_, i) => {
+		const length = Math.hypot(...[0, 1, 2].map((k) => ends[6 * i + 3 + k] - ends[6 * i + k]));
+		return smoothstep(stout, slender, length / Math.max(radii[2 * i] + radii[2 * i + 1], 1e-9));
+	});
 }
 
 /** How near a place is to its internode's ends: 0 in the middle, 1 at a node. */

@@ -22,13 +22,14 @@ export const BARK = {
 } as const;
 /** Where brown shows: at nodes, in streaks, on what has withered, and all over as wood spreads. */
 export const BROWN = {
-	node: { from: 0.72, share: 0.45, young: 0.3 },
+	/** Of an internode so many times as long as thick; shorter ones would be ringed. */
+	node: { from: 0.72, share: 0.45, young: 0.3, slender: [1.5, 4] },
 	streak: { from: 0.45, to: 0.85, share: 0.5, young: 0.4 },
 	withered: 0.75,
 	wood: { from: 0.35, to: 1.1, share: 0.9, mottle: 0.3 },
 } as const;
 /** The factor on the colour goes from `least` by `span` with the mottling. */
-export const SHADE = { least: 0.92, span: 0.42 } as const;
+export const SHADE = { least: 1.14, span: 0.42 } as const;
 
 /** The paper's bunches have no age; theirs is a ripe one's wood. */
 const PAPER_WOOD = 0.55;
