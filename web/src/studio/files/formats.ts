@@ -1,9 +1,10 @@
 /** What `Download` gives. Files are made in a worker (files/), which is loaded when the first is asked for. */
+
+import { coreAddress } from "../../core/core_address";
 import { type FileOptions, PLANT_FILES } from "../../export/plant_files";
 import { hasAges } from "../../files/aged";
 import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
-import { coreAddress } from "../../core/core_address";
 import type { Shown, StudioState } from "../studio_state";
 
 export interface Download {

@@ -50,7 +50,7 @@ describe("paintedBerries", () => {
 		surfaces.pressed.fill(0);
 		surfaces.pressed[5] = 255;
 		surfaces.sky = new Uint8Array(vertices).fill(200);
-		const { sky } = paintedBerries(grown, surfaces, bunchSkin(grown, LOOK));
+		const { sky } = paintedBerries(grown, surfaces, bunchSkin(grown, { look: LOOK }));
 		expect(sky?.[5]).toBe(90);
 		expect(sky?.filter((value) => value === 200)).toHaveLength(vertices - 1);
 		expect(surfaces.sky[5]).toBe(200);
