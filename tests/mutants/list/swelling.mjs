@@ -26,6 +26,12 @@ export default [
 				breaks: "berries rise",
 			},
 			{
+				id: "swelling-dry-berries-rise-again",
+				find: "sink(swollen_ / scale);",
+				replace: "sink(1);",
+				breaks: "raisins stand up from the bunch",
+			},
+			{
 				id: "swelling-outline-ignored",
 				find: "keep_within();",
 				replace: ";",

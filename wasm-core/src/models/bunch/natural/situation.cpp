@@ -6,6 +6,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/natural/luck.hpp"
+#include "models/bunch/natural/sagging.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -44,7 +45,10 @@ std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const 
   situations.reserve(flowers.size());
   for (const Flower& flower : flowers) {
     const Internode& bearer = internodes[static_cast<std::size_t>(flower.bearer)];
-    Situation one = situated(bearer.end + flower.heading * (0.5f * size), bounds[flower.bunch], sun);
+    const std::size_t first = beginning_of(internodes, static_cast<std::size_t>(flower.bearer));
+    const float stalk = glm::length(bearer.end - internodes[first].start);
+    const glm::vec3 way = drooping(flower.heading, 1);
+    Situation one = situated(internodes[first].start + way * (stalk + 0.5f * size), bounds[flower.bunch], sun);
     // A raceme is as wide as its pedicels are long, whatever was drawn.
     const std::int32_t foot = internodes[beginning_of(internodes, static_cast<std::size_t>(flower.bearer))].parent;
     const bool raceme = foot >= 0 && internodes[static_cast<std::size_t>(foot)].kind == Kind::rachis;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "foundation/random.hpp"
 #include "models/bunch/grammars.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/roles.hpp"
@@ -37,13 +38,13 @@ class Sower {
         std::shared_ptr<const lsystem::Program> program)
       : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
 
-  Result<Seedling> plant(const Profile& profile) {
-    auto seedling = plant_once(profile);
+  Result<Seedling> plant(const Profile& profile, std::uint64_t seed) {
+    auto seedling = plant_once(profile, seed);
     if (!seedling) return seedling;
     const TextConstants found = constants_of(*seedling->text, constants_);
     if (found == constants_) return seedling;
     constants_ = found;
-    return plant_once(profile);
+    return plant_once(profile, seed);
   }
 
   // Draws the bunch and the second where there is one.
@@ -81,8 +82,9 @@ class Sower {
   std::uint32_t loose_balls() const { return loose_balls_; }
 
  private:
-  Result<Seedling> plant_once(const Profile& profile) const {
-    NaturalPlan plan = make_natural_plan(profile, values_, static_cast<float>(limits_.bodies), constants_);
+  Result<Seedling> plant_once(const Profile& profile, std::uint64_t seed) const {
+    const float start = 360 * random_unit(seed, hash_text("first axis"), 0);
+    NaturalPlan plan = make_natural_plan(profile, values_, static_cast<float>(limits_.bodies), constants_, start);
     auto text = lsystem::bind(program_, inputs_for(plan, profile, values_), limits_);
     if (!text) return text.error();
     return Seedling{std::move(plan), std::move(text.value())};
@@ -90,7 +92,7 @@ class Sower {
 
   Diagnostic draw_one(const Profile& profile, std::uint64_t seed, float lean, SkeletonDrawing& drawing, Sprout& sprout,
                       std::vector<std::string>& notes) {
-    auto seedling = plant(profile);
+    auto seedling = plant(profile, seed);
     if (!seedling) return seedling.error();
     auto stock = derive_stock(std::move(seedling->text), seed, request_.steps, limits_);
     if (!stock) return stock.error();

@@ -20,7 +20,8 @@ struct Branch {
   glm::vec3 start{0}, end{0};  // before anything bends
   std::int32_t parent = -1;
   float radius = 0;
-  float give = 0;  // 0 … 1: how readily its end gives way against its start
+  float give = 0;     // 0 … 1: how readily its end gives way against its start
+  bool sags = false;  // under its berries; the rachis hangs as it is
 };
 
 struct Swelling {
