@@ -195,7 +195,7 @@ export default [
 		faults: [
 			{
 				id: "sagging-upright-pedicels-stand",
-				find: "(limp + limper * up * up)",
+				find: "(limp + limper * heading.y)",
 				replace: "limp",
 				breaks: "berries on top of a bunch stand up",
 			},

@@ -14,7 +14,7 @@ constexpr float softness = 1e-4f;  // radians a gram, mm of lever and of length,
 constexpr float most_bent = 0.5f;  // radians, which no branch reaches
 constexpr float turned_round = -0.9f;  // cosine: an axis that would have to grow so far up stays as it is
 constexpr float limp = 0.75f;          // how far down a level pedicel is drawn, over its own length
-constexpr float limper = 0.25f;        // more where it points up, so that hardly any does in the end
+constexpr float limper = 0.25f;               // more where it points up, less where it hangs already
 
 const glm::quat straight(1, 0, 0, 0);
 
@@ -110,8 +110,7 @@ std::span<const glm::quat> Sagging::turned(float size) {
 }
 
 glm::vec3 drooping(const glm::vec3& heading, float size) {
-  const float up = std::max(0.0f, heading.y);
-  const glm::vec3 way = heading - glm::vec3(0, (limp + limper * up * up) * size * size, 0);
+  const glm::vec3 way = heading - glm::vec3(0, (limp + limper * heading.y) * size * size, 0);
   const float far = glm::length(way);
   return far > 1e-3f ? way / far : glm::vec3(0, -1, 0);
 }
