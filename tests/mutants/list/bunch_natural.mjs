@@ -200,6 +200,12 @@ export default [
 				breaks: "berries on top of a bunch stand up",
 			},
 			{
+				id: "sagging-full-berries-swing-down",
+				find: "std::min(1.0f, size / hung_at)",
+				replace: "size",
+				breaks: "a pixel of the profile sends berries past each other",
+			},
+			{
 				id: "sagging-stout-axes-bend-as-thin-ones",
 				find: "/ (square * square)",
 				replace: "",

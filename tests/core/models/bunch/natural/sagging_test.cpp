@@ -38,7 +38,8 @@ float bend_of(const std::vector<Branch>& branches, const std::vector<Swelling>& 
 }  // namespace
 
 TEST_CASE(
-    "pedicels droop as their berries swell: level ones to 37 degrees, upright ones over, hanging ones not at all") {
+    "pedicels droop until their berries are half as wide as ripe: level ones to 37 degrees, upright ones over, hanging "
+    "ones not at all") {
   const glm::vec3 level(1, 0, 0), up(0, 1, 0), down(0, -1, 0);
   CHECK(drooping(level, 0) == level);
   CHECK(drooping(down, 1) == down);
@@ -46,12 +47,14 @@ TEST_CASE(
   CHECK(drooping(up, 1).y <= 0);
   CHECK(glm::length(drooping(up, 1)) == doctest::Approx(1));
   float before = 1;
-  for (float size = 0; size <= 1; size += 0.1f) {
-    const glm::vec3 way = drooping(glm::normalize(glm::vec3(1, 0.5f, 0)), size);
+  const glm::vec3 leaning = glm::normalize(glm::vec3(1, 0.5f, 0));
+  for (float size = 0; size <= 0.5f; size += 0.1f) {
+    const glm::vec3 way = drooping(leaning, size);
     CHECK(glm::length(way) == doctest::Approx(1));
     CHECK(way.y < before);
     before = way.y;
   }
+  CHECK(drooping(leaning, 0.5f) == drooping(leaning, 1));
 }
 
 TEST_CASE("a beam's law: twice the load bends twice as much, twice the radius a sixteenth") {
@@ -89,7 +92,9 @@ TEST_CASE("axes grow up against their load: ripe, their berries hang where the t
   const glm::vec3 ripe = glm::normalize(mean(1)), young = glm::normalize(mean(0));
   CHECK(std::abs(ripe.y) < 0.001f);
   CHECK(young.y > 0.05f);
-  CHECK(mean(0.5f).y > 0);
+  CHECK(mean(0.25f).y > 0);
+  CHECK(mean(0.25f).y < mean(0).y);
+  CHECK(mean(0.5f) == mean(1));
 }
 
 TEST_CASE("an axis sags towards the side it leans to, whichever that is") {

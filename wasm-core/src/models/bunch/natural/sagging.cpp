@@ -14,9 +14,12 @@ constexpr float softness = 1e-4f;  // radians a gram, mm of lever and of length,
 constexpr float most_bent = 0.5f;  // radians, which no branch reaches
 constexpr float turned_round = -0.9f;  // cosine: an axis that would have to grow so far up stays as it is
 constexpr float limp = 0.75f;          // how far down a level pedicel is drawn, over its own length
-constexpr float limper = 0.25f;               // more where it points up, less where it hangs already
+constexpr float limper = 0.25f;        // more where it points up, less where it hangs already
+constexpr float hung_at = 0.5f;        // size of a berry, over ripe, at which it has drawn its stem all the way down
 
 const glm::quat straight(1, 0, 0, 0);
+
+float drawn_down(float size) { return std::min(1.0f, size / hung_at); }
 
 float grams(const Swelling& berry) {
   return grams_per_volume * (4.0f / 3) * pi * berry.half_width * berry.half_width * berry.half_length;
@@ -100,7 +103,7 @@ void Sagging::brace(std::span<const Swelling> berries) {
 }
 
 std::span<const glm::quat> Sagging::turned(float size) {
-  const float weight = size * size * size;
+  const float much = drawn_down(size), weight = much * much * much;
   for (std::size_t k = 0; k < branches_.size(); ++k) {
     const Branch& branch = branches_[k];
     const glm::quat bearer = branch.parent < 0 ? straight : turned_[static_cast<std::size_t>(branch.parent)];
@@ -110,7 +113,8 @@ std::span<const glm::quat> Sagging::turned(float size) {
 }
 
 glm::vec3 drooping(const glm::vec3& heading, float size) {
-  const glm::vec3 way = heading - glm::vec3(0, (limp + limper * heading.y) * size * size, 0);
+  const float much = drawn_down(size);
+  const glm::vec3 way = heading - glm::vec3(0, (limp + limper * heading.y) * much * much, 0);
   const float far = glm::length(way);
   return far > 1e-3f ? way / far : glm::vec3(0, -1, 0);
 }

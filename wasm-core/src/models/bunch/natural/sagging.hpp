@@ -3,7 +3,8 @@
 // A branch is a beam that is held where it grows: what hangs beyond its foot turns it by moment × length / (E I), I
 // going as the fourth power of its radius (Euler and Bernoulli). Moments are those of the text's own pose and of ripe
 // berries, not of where berries have come to lie: that would feed back, and a pixel of the profile would move a bunch
-// by millimetres.
+// by millimetres. All hangs by the time berries are as large as peas (stage 31 of Coombe 1995), while there is still
+// room: berries that swung down when full would swing past each other, on this side or that.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>

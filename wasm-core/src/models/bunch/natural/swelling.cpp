@@ -15,7 +15,7 @@ namespace {
 // Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has what each does).
 constexpr float margin = 0.35f;       // of the widest berry: how far apart neighbours may be when they are looked for
 constexpr int projections = 2;        // of all constraints in a step
-constexpr int settling = 12;          // steps at the largest size, before any dries
+constexpr int settling = 6;           // steps at the largest size before the last thinning, and after; then some dry
 constexpr int refresh = 4;            // steps between two searches for neighbours
 constexpr float contact_give = 4.0f;  // compliance of two berries' skins: how much they flatten
 constexpr float bound_give = 4.0f;    // of the outline: berries may be pushed out a little
@@ -76,9 +76,8 @@ class Solver {
     if (index % refresh == 0) find_neighbours();
     std::fill(pushes_.begin(), pushes_.end(), 0.0f);
     std::fill(bound_pushes_.begin(), bound_pushes_.end(), 0.0f);
-    swollen_ = std::max(swollen_, scale);
-    turned_ = sagging_.turned(swollen_);
-    sink(swollen_ / scale);
+    turned_ = sagging_.turned(scale);
+    sink();
     for (int k = 0; k < projections; ++k) {
       hold_branches();
       hold_pedicels();
@@ -86,7 +85,7 @@ class Solver {
       part_stems();
       keep_within();
     }
-    if (scale >= thinning_from && young_.empty() && index % refresh == refresh - 1) thin();
+    if (scale >= thinning_from && young_.empty() && !settled_ && index % refresh == refresh - 1) thin();
   }
 
   // Until nobody is pressed harder than berries can be.
@@ -98,10 +97,9 @@ class Solver {
   void join(std::size_t wanted, float scale, int& index) {
     std::uint32_t next = 0;
     for (int lot = 0; lot < most_joinings; ++lot) {
-      thin_out();
-      const auto there = static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), Why{}));
-      if (static_cast<float>(there) >= near_enough * static_cast<float>(wanted)) return;
-      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - there)) + 1;
+      const std::size_t kept = there();
+      if (static_cast<float>(kept) >= near_enough * static_cast<float>(wanted)) return;
+      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - kept)) + 1;
       for (; next < berries_.size() && places > 0; ++next) {
         if (lost_[next] != Why::not_set) continue;
         begin(next);
@@ -113,11 +111,17 @@ class Solver {
         if (k == 1) index += (refresh - index % refresh) % refresh;  // they need their neighbours at once
         step(scale, index++);
       }
+      thin_out();
+      for (; !young_.empty() && there() > wanted; young_.pop_back())
+        if (!gone(young_.back())) lost_[young_.back()] = Why::not_set;
+      drop_pairs();
       young_.clear();
     }
   }
 
+  // Nobody is lost any more, so that the others are the same ones whoever is taken.
   void take_by_hand() {
+    settled_ = true;
     for (std::size_t i = 0; i < berries_.size(); ++i)
       if (berries_[i].taken && !gone(i)) lost_[i] = Why::by_hand;
     drop_pairs();
@@ -136,6 +140,8 @@ class Solver {
     centres_[i] = ends_[berry.branch] + berry.heading * (berry.stalk * stalk_at(youngest));
     young_.push_back(i);
   }
+
+  std::size_t there() const { return static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), Why{})); }
 
   bool gone(std::size_t i) const { return lost_[i] != Why{}; }
 
@@ -188,12 +194,11 @@ class Solver {
     return parent < 0 ? branches_[k].start : ends_[static_cast<std::size_t>(parent)];
   }
 
-  // What hung under its berries while they were full hangs on when they dry by so much.
-  void sink(float dried) {
+  void sink() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       const Swelling& berry = berries_[i];
       const Size& size = sizes_[i];
-      const float heavy = berry.half_width > 0 ? dried * size.half_width / berry.half_width : 0;
+      const float heavy = berry.half_width > 0 ? size.half_width / berry.half_width : 0;
       rests_[i] = drooping(turned_[berry.branch] * berry.heading, heavy);
       const glm::vec3 straight = ends_[berry.branch] + rests_[i] * (size.stalk + size.half_length);
       centres_[i] += (straight - centres_[i]) * straighten;
@@ -359,11 +364,11 @@ class Solver {
   std::vector<glm::vec3> ends_, centres_, headings_, rests_;
   Sagging sagging_;
   std::span<const glm::quat> turned_;  // the branches, at this step
-  float swollen_ = 0;                  // the largest scale yet
   std::vector<Size> sizes_;            // of the berries, at this step
   std::vector<std::uint32_t> young_;   // those that are catching up
   float young_share_ = 1;              // how far they have come
   std::vector<Why> lost_;
+  bool settled_ = false;
   std::vector<SinCos> turns_;
   TouchingSpheres nearby_;
   std::vector<SpherePair> pairs_;  // berries that may touch
@@ -384,8 +389,11 @@ Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berrie
   for (auto scale = scales.begin(); scale != scales.end(); ++scale) {
     solver.step(*scale, index++);
     if (scale != full) continue;
-    if (*scale >= thinning_from && wanted > 0) solver.join(wanted, *scale, index);
-    if (*scale >= thinning_from) solver.thin_out();
+    const bool crowded = *scale >= thinning_from;
+    if (crowded) solver.thin_out();
+    if (crowded && wanted > 0) solver.join(wanted, *scale, index);
+    for (int k = 0; k < settling; ++k) solver.step(*scale, index++);
+    if (crowded) solver.thin_out();
     solver.take_by_hand();
     for (int k = 0; k < settling; ++k) solver.step(*scale, index++);
   }
