@@ -159,8 +159,8 @@ export default [
 			},
 			{
 				id: "natural-plan-axes-beyond-the-outline",
-				find: "reach(plan.envelope, side, depth, angle) - end)",
-				replace: "reach(plan.envelope, side, depth, angle))",
+				find: "hung_from(plan, angle, end)));",
+				replace: "{}));",
 				breaks: "berries stand out of the profile",
 			},
 			{
@@ -170,10 +170,64 @@ export default [
 				breaks: "axes grow up past the peduncle",
 			},
 			{
+				id: "natural-plan-four-planes",
+				find: "start + text.turn * static_cast<float>(k)",
+				replace: "90.0f * static_cast<float>(k)",
+				breaks: "every view of a bunch shows columns and a seam",
+			},
+			{
+				id: "natural-plan-wide-sides-no-nearer",
+				find: "arc_tangent(along * way.sine, across * way.cosine)",
+				replace: "arc_tangent(way.sine, way.cosine)",
+				breaks: "a flat bunch has as many axes to its narrow sides",
+			},
+			{
 				id: "natural-plan-fill-in-steps",
 				find: "(place - static_cast<float>(below))",
 				replace: "0.0f",
 				breaks: "density moves in nine steps",
+			},
+		],
+	},
+	{
+		file: `${SRC}/sagging.cpp`,
+		suites: [`${TESTS}/sagging_test.cpp`],
+		faults: [
+			{
+				id: "sagging-upright-pedicels-stand",
+				find: "(limp + limper * heading.y)",
+				replace: "limp",
+				breaks: "berries on top of a bunch stand up",
+			},
+			{
+				id: "sagging-full-berries-swing-down",
+				find: "std::min(1.0f, size / hung_at)",
+				replace: "size",
+				breaks: "a pixel of the profile sends berries past each other",
+			},
+			{
+				id: "sagging-stout-axes-bend-as-thin-ones",
+				find: "/ (square * square)",
+				replace: "",
+				breaks: "a shoulder's axis bends like a twig",
+			},
+			{
+				id: "sagging-late-berries-weigh",
+				find: "if (berry.late) continue;",
+				replace: "",
+				breaks: "axes bend under berries that are not there",
+			},
+			{
+				id: "sagging-young-axes-not-braced",
+				find: "braced_[k] = least_turn(after[k], before[k]);",
+				replace: "continue;",
+				breaks: "ripe bunches hang out of their outline",
+			},
+			{
+				id: "sagging-moments-stay-on-twigs",
+				find: "moments[static_cast<std::size_t>(branch.parent)] += moments[k];",
+				replace: "",
+				breaks: "axes do not feel what their twigs bear",
 			},
 		],
 	},

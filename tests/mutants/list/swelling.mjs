@@ -65,7 +65,7 @@ export default [
 			},
 			{
 				id: "swelling-late-join-unasked",
-				find: "if (static_cast<float>(there) >= near_enough * static_cast<float>(wanted)) return;",
+				find: "if (static_cast<float>(kept) >= near_enough * static_cast<float>(wanted)) return;",
 				replace: "",
 				breaks: "more berries grow than were asked for",
 			},
@@ -74,6 +74,18 @@ export default [
 				find: "foot += heading * (off * give);",
 				replace: "",
 				breaks: "a berry's pull is not felt by the branch it hangs on",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/bunch/natural/swelling.cpp",
+		suites: [`${NATURAL}/natural_counts_test.cpp`],
+		faults: [
+			{
+				id: "swelling-all-that-join-stay",
+				find: "there() > wanted; young_.pop_back()",
+				replace: "false; young_.pop_back()",
+				breaks: "more berries than were asked for",
 			},
 		],
 	},

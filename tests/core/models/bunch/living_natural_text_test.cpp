@@ -166,7 +166,7 @@ TEST_CASE("three F in a row are three internodes of one pedicel, without gaps, w
 }
 
 TEST_CASE("a ball that hangs on nothing is left out with a note") {
-  const Grown bunch = grown(edited(4, "axiom: Ar1", "axiom: S(1) Ar1"));
+  const Grown bunch = grown(edited(4, "axiom: Ar", "axiom: S(1) Ar"));
   CHECK(bunch.counts.berries > 40);
   CHECK(says(bunch, "hangs on no line"));
   CHECK(as_it_stands().notes.empty());

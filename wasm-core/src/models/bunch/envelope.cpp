@@ -13,6 +13,11 @@ constexpr int slices = 64;  // of a numeric integral over the depth
 
 }  // namespace
 
+Azimuth azimuth_of(float degrees) {
+  const SinCos way = sincos_degrees(degrees);
+  return {way.cosine >= 0 ? 0u : 1u, way.sine <= 0 ? 2u : 3u, std::abs(way.cosine), std::abs(way.sine)};
+}
+
 Envelope::Envelope(const Profile& profile, float pixel, float end_reach) : length_(profile.length * pixel) {
   for (std::size_t i = 0; i < 4; ++i) {
     Side& side = sides_[i];
@@ -39,6 +44,12 @@ float Envelope::half_width(std::size_t i, float depth) const {
   if (into <= 0 || side.rounding <= 0) return side.narrow;
   const float share = into / side.rounding;
   return side.narrow * std::sqrt(std::max(0.0f, 1 - share * share));
+}
+
+float Envelope::radius(const Azimuth& round, float depth) const {
+  const float a = half_width(round.across, depth), b = half_width(round.along, depth);
+  const float far = std::sqrt(b * b * round.cosine * round.cosine + a * a * round.sine * round.sine);
+  return far > 0 ? a * b / far : 0;
 }
 
 float Envelope::section(float depth) const {

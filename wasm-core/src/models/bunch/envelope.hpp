@@ -9,6 +9,22 @@
 
 namespace panicle::bunch {
 
+// A way round the bunch's axis: between which two sides it goes, and how far towards each.
+struct Azimuth {
+  std::size_t across = 0, along = 2;  // sides of the x axis and of the z axis
+  float cosine = 1, sine = 0;         // towards each, none below 0
+
+  std::size_t nearest() const { return cosine >= sine ? across : along; }
+  // What the two sides have, in proportion to the squares of cosine and sine.
+  template <class Of>
+  float between(Of of) const {
+    return of(across) * cosine * cosine + of(along) * sine * sine;
+  }
+};
+
+// `degrees` as a turtle that hangs down rolls by `/`: from p3 over the back to p4.
+Azimuth azimuth_of(float degrees);
+
 class Envelope {
  public:
   // rd is taken before it is rounded, so that the outline moves with every pixel.
@@ -19,6 +35,8 @@ class Envelope {
   float length() const { return length_; }
   // Half-width of side i (p3 +x, p4 −x, p5 +z, p6 −z) at a depth below p1; 0 outside 0 … length.
   float half_width(std::size_t side, float depth) const;
+  // How far from the axis the outline is, that way round; 0 outside 0 … length.
+  float radius(const Azimuth& round, float depth) const;
   // Between two neighbouring sides the outline is a quarter ellipse at every depth. Area of such a slice and volume.
   float section(float depth) const;
   float volume() const;

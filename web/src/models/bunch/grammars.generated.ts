@@ -158,6 +158,7 @@ export const GRAPE_BUNCH_4 = `/* L-system 4: the natural bunch. The rachis, axes
 #input girth    /* width of the rachis at its top */
 #input fine     /* width of a pedicel */
 #input arm[]    /* arm[1] … from the top: lengths of the first-order axes; below 0 there is one pedicel in place of one */
+#input way[]    /* way[1] …: how far round the rachis they stand, from p3 by way of p6 */
 #input aim[]    /* aim[1] …: angles at which they leave the rachis */
 
 #define near 0.6    /* spacing at the tip, over that in the upper part */
@@ -165,30 +166,22 @@ export const GRAPE_BUNCH_4 = `/* L-system 4: the natural bunch. The rachis, axes
 #define r_w 0.98     /* width of an internode over the one before */
 #define r_a 0.62     /* width: rachis to first-order axis */
 #define r_t 0.7      /* width: axis to twig */
+#define turn 137.5  /* from one axis to the next, round the rachis */
 #define alpha_y 60   /* yaw of twigs and pedicels */
 #define vary 0.3     /* how much modules differ: at 1 by 15° of yaw, 25° of roll and a fifth of their length */
 
-#role rachis Ar1 Ar2 Ar3 Ar4
+#role rachis Ar
 #role axis Af Ag
 #role end Ae
 #role pedicel Ap
 
-axiom: Ar1(1, length, spacing, girth)
+axiom: Ar(1, length, spacing, girth)
 
-/* the rachis, its axes to the right, left, front and back in turn, as p1 … p4 of L-system 3; d is how far the next node
-   is. The last node is as far as is left, and its axis as strong. */
-Ar1(k,left,d,w) : left>0 --> ?E(0,0,0,min(left,d),w,0)
-  [ // Ar2(k+1, left-d, spacing*min(1,near+(1-near)*(left-d)/(tip*length)), w*r_w) ]
-  [ /(vary*(ran(50)-25)) +(aim[k]+vary*(ran(20)-10)) Af(arm[k], w*r_a, min(1,left/d)) ]
-Ar2(k,left,d,w) : left>0 --> ?E(0,0,0,min(left,d),w,0)
-  [ / Ar3(k+1, left-d, spacing*min(1,near+(1-near)*(left-d)/(tip*length)), w*r_w) ]
-  [ /(vary*(ran(50)-25)) +(aim[k]+vary*(ran(20)-10)) Af(arm[k], w*r_a, min(1,left/d)) ]
-Ar3(k,left,d,w) : left>0 --> ?E(0,0,0,min(left,d),w,0)
-  [ // Ar4(k+1, left-d, spacing*min(1,near+(1-near)*(left-d)/(tip*length)), w*r_w) ]
-  [ /(vary*(ran(50)-25)) +(aim[k]+vary*(ran(20)-10)) Af(arm[k], w*r_a, min(1,left/d)) ]
-Ar4(k,left,d,w) : left>0 --> ?E(0,0,0,min(left,d),w,0)
-  [ \\ Ar1(k+1, left-d, spacing*min(1,near+(1-near)*(left-d)/(tip*length)), w*r_w) ]
-  [ /(vary*(ran(50)-25)) +(aim[k]+vary*(ran(20)-10)) Af(arm[k], w*r_a, min(1,left/d)) ]
+/* the rachis: a node bears one axis, the next another \`turn\` round; d is how far that is. The last node is as far as is left,
+   and its axis as strong. */
+Ar(k,left,d,w) : left>0 --> ?E(0,0,0,min(left,d),w,0)
+  [ Ar(k+1, left-d, spacing*min(1,near+(1-near)*(left-d)/(tip*length)), w*r_w) ]
+  [ /(way[k]+vary*(ran(50)-25)) +(aim[k]+vary*(ran(20)-10)) Af(arm[k], w*r_a, min(1,left/d)) ]
 
 /* a first-order axis: an end structure at every node, weak at a node that is not far from the one before; in a raceme a
    single pedicel */

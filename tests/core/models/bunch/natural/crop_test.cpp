@@ -98,7 +98,7 @@ TEST_CASE(
   Wish wish = wish_of(84);
   wish.limit = 160;
   wish.most = 160;
-  wish.size = 18;
+  wish.size = 17;
   const Crop crop = crop_of(sprout, wish);
   const auto lost =
       static_cast<std::size_t>(std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), Why::no_room));

@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "foundation/mathematics.hpp"
+#include "models/bunch/natural/sagging.hpp"
 #include "models/bunch/specimens.hpp"
 
 using namespace panicle;
@@ -53,21 +55,65 @@ TEST_CASE("axes bring their berries to the outline, and none is longer than that
     const NaturalPlan plan = plan_for(row.profile());
     REQUIRE(plan.arm.size() == plan.aim.size());
     for (std::size_t k = 0; k < plan.arm.size(); ++k) {
+      const Azimuth round = azimuth_of(plan.way[k]);
       if (plan.arm[k] < 0) {
-        CHECK(row.profile().sides[k % 4].width < 12.5f);
+        CHECK(row.profile().sides[round.nearest()].width < 12.5f);
         continue;
       }
       if (plan.length - static_cast<float>(k + 1) * plan.spacing < 0.4f * plan.length) break;  // nodes draw together
       const float depth = static_cast<float>(k + 1) * plan.spacing;
       const SinCos way = sincos_degrees(plan.aim[k]);
-      const float reach = plan.arm[k] + plan.twig + plan.stalk + 0.75f * 18 * 1.04f;
+      // The axis and a twig go straight on; the pedicel and most of its berry hang.
+      const glm::vec3 hangs = drooping({way.sine, -way.cosine, 0}, 1) * (plan.stalk + 0.75f * 18 * 1.04f);
+      const float straight = plan.arm[k] + plan.twig;
       if (plan.arm[k] > 0.4f * plan.step + 0.01f)
-        CHECK(plan.envelope.half_width(k % 4, depth + reach * way.cosine) ==
-              doctest::Approx(reach * way.sine).epsilon(0.02));
+        CHECK(plan.envelope.radius(round, depth + straight * way.cosine - hangs.y) ==
+              doctest::Approx(straight * way.sine + hangs.x).epsilon(0.02));
       CHECK(plan.aim[k] <= 100);
       CHECK(plan.aim[k] > 0);
     }
   }
+}
+
+TEST_CASE("axes go round the rachis by the text's turn, nearer to the handles and to the sides that are wide") {
+  const auto apart = [](float a, float b) { return std::abs(std::remainder(a - b, 360.0f)); };
+  const NaturalPlan even = plan_for(Profile{500, {{{80, 60}, {80, 60}, {80, 60}, {80, 60}}}});
+  REQUIRE(even.way.size() == even.arm.size());
+  for (std::size_t k = 0; k < even.way.size(); ++k) CHECK(apart(even.way[k], 137.5f * static_cast<float>(k)) < 7.01f);
+  const auto near_x = [&](const NaturalPlan& plan) {
+    std::ptrdiff_t count = std::count_if(plan.way.begin(), plan.way.end(),
+                                         [&](float way) { return apart(way, 0) < 45 || apart(way, 180) < 45; });
+    return static_cast<float>(count) / static_cast<float>(plan.way.size());
+  };
+  const NaturalPlan flat = plan_for(Profile{500, {{{160, 60}, {160, 60}, {40, 60}, {40, 60}}}});
+  CHECK(near_x(even) == doctest::Approx(0.5).epsilon(0.1));
+  CHECK(near_x(flat) > 0.6f);
+}
+
+TEST_CASE("another start turns all axes of an even bunch, and no other length") {
+  const Profile profile{500, {{{80, 60}, {80, 60}, {80, 60}, {80, 60}}}};
+  const Request request = natural_request(profile);
+  std::vector<std::string> notes;
+  const Values values(request.parameters, notes);
+  const NaturalPlan plan = make_natural_plan(profile, values, 3000),
+                    turned = make_natural_plan(profile, values, 3000, {}, 90);
+  CHECK(plan.spacing == turned.spacing);
+  REQUIRE(plan.way.size() == turned.way.size());
+  for (std::size_t k = 0; k < plan.way.size(); ++k)
+    CHECK(std::abs(std::remainder(turned.way[k] - plan.way[k] - 90, 360.0f)) < 0.1f);
+}
+
+TEST_CASE("round the bunch the outline is the ellipse of the two sides it lies between") {
+  const Envelope envelope(Profile{400, {{{100, 100}, {60, 100}, {50, 100}, {80, 100}}}}, 1, 30);
+  // A turtle that hangs rolls from +x (p3) over −z (p6) to −x (p4) and +z (p5).
+  CHECK(envelope.radius(azimuth_of(0), 100) == doctest::Approx(100));
+  CHECK(envelope.radius(azimuth_of(90), 100) == doctest::Approx(80));
+  CHECK(envelope.radius(azimuth_of(180), 100) == doctest::Approx(60));
+  CHECK(envelope.radius(azimuth_of(-90), 100) == doctest::Approx(50));
+  const float r = envelope.radius(azimuth_of(-45), 100), x = r * std::sqrt(0.5f);
+  CHECK(x * x / 10000 + x * x / 2500 == doctest::Approx(1));
+  CHECK(envelope.radius(azimuth_of(45), -1) == 0);
+  CHECK(azimuth_of(30).between([](std::size_t side) { return side == 0 ? 4.0f : 8.0f; }) == doctest::Approx(5));
 }
 
 TEST_CASE("lengths and angles change smoothly with every pixel") {

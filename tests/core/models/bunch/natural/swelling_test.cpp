@@ -8,6 +8,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/natural/ripening.hpp"
+#include "models/bunch/natural/sagging.hpp"
 
 using namespace panicle;
 using namespace panicle::bunch;
@@ -30,7 +31,7 @@ Swelling berry_at(std::uint32_t branch, const glm::vec3& heading, float half = 8
 
 }  // namespace
 
-TEST_CASE("a berry alone hangs at its pedicel's end, straight ahead") {
+TEST_CASE("a berry alone hangs at its pedicel's end, which droops") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 2, 0}};
   const std::vector<Swelling> berries{berry_at(0, {1, 0, 0})};
   const Swollen one = swell(branches, berries, roomy, ripe);
@@ -38,14 +39,21 @@ TEST_CASE("a berry alone hangs at its pedicel's end, straight ahead") {
   const float far = glm::length(one.centres[0] - one.ends[0]);
   CHECK(far <= 16.01f);
   CHECK(far >= 0.6f * 8 + 8 - 0.01f);
-  CHECK(one.directions[0].x > 0.9f);
-  CHECK(one.centres[0].y < -100.0f);  // gravity
+  CHECK(glm::dot(one.directions[0], drooping({1, 0, 0}, 1)) > 0.99f);
+  CHECK(one.directions[0].y < -0.5f);
+}
+
+TEST_CASE("a berry that dries hangs on as it did when it was full") {
+  const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 2, 0}};
+  const std::vector<Swelling> berries{berry_at(0, {1, 0, 0})};
+  const Swollen full = swell(branches, berries, roomy, ripe), dry = swell(branches, berries, roomy, sizes_until(125));
+  CHECK(glm::dot(full.directions[0], dry.directions[0]) > 0.9999f);
 }
 
 TEST_CASE("two berries side by side part, and overlap by little") {
   const std::vector<Branch> branches{{{0, 0, 0}, {0, -100, 0}, -1, 1, 0}};
-  const std::vector<Swelling> berries{berry_at(0, glm::normalize(glm::vec3(1, 0.3f, 0))),
-                                      berry_at(0, glm::normalize(glm::vec3(1, -0.3f, 0)))};
+  const std::vector<Swelling> berries{berry_at(0, glm::normalize(glm::vec3(1, 0, 0.5f))),
+                                      berry_at(0, glm::normalize(glm::vec3(1, 0, -0.5f)))};
   const Swollen two = swell(branches, berries, roomy, ripe);
   CHECK(glm::length(two.centres[0] - two.centres[1]) > 0.8f * 16);
 }
@@ -63,11 +71,11 @@ TEST_CASE("fingers part by their sides, not by their middles") {
 TEST_CASE("a loaded branch gives way, a stiff one does not") {
   for (const float give : {0.0f, 0.8f}) {
     const std::vector<Branch> branches{{{0, 0, 0}, {0, -60, 0}, -1, 2, 0}, {{0, -60, 0}, {30, -60, 0}, 0, 1, give}};
-    // Two berries on two branches want one place.
+    // Two berries on two branches want one place: one presses the other down.
     const std::vector<Branch> all{branches[0], branches[1], {{0, -60, 0}, {30, -64, 0}, 0, 1, give}};
-    const std::vector<Swelling> berries{berry_at(1, {1, 0, 0}, 12), berry_at(2, {1, 0, 0}, 12)};
+    const std::vector<Swelling> berries{berry_at(1, {0, -1, 0}, 12), berry_at(2, {0, -1, 0}, 12)};
     const Swollen bent = swell(all, berries, roomy, ripe);
-    const float moved = glm::length(bent.ends[1] - all[1].end);
+    const float moved = glm::length(bent.ends[2] - all[2].end);
     CHECK((give > 0 ? moved > 0.01f : moved == 0));
   }
 }

@@ -46,8 +46,8 @@ Hanging hang(std::span<const Internode> internodes, std::span<const Flower> flow
     } else if (of_stem) {
       hanging.branch_of[i] = static_cast<std::int32_t>(hanging.branches.size());
       const std::int32_t above = internode.parent < 0 ? -1 : hanging.branch_of[parent];
-      hanging.branches.push_back(
-          {internode.start, internode.end, above, internode.radius, give_of(internode.kind) * bending});
+      hanging.branches.push_back({internode.start, internode.end, above, internode.radius,
+                                  give_of(internode.kind) * bending, internode.kind != Kind::rachis});
     }
   }
   return hanging;
@@ -70,7 +70,7 @@ std::vector<Swelling> hang_berries(std::span<const Fruitlet> fruitlets, std::spa
       berry.stalk = glm::length(internodes[bearer].end - first.start);
       const std::int32_t stem = first.parent < 0 ? -1 : hanging.branch_of[static_cast<std::size_t>(first.parent)];
       berry.branch = static_cast<std::uint32_t>(stem < 0 ? static_cast<std::int32_t>(branches.size()) : stem);
-      if (stem < 0) branches.push_back({first.start, first.start, -1, 0, 0});
+      if (stem < 0) branches.push_back({first.start, first.start, -1, 0, 0, false});
     }
     berry.heading = flower.heading;
     berry.half_width = fruitlet.half_width;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/mathematics.hpp"
+#include "models/bunch/natural/sagging.hpp"
 #include "models/bunch/shape.hpp"
 #include "models/bunch/units.hpp"
 
@@ -15,9 +16,9 @@ namespace {
 constexpr float most_upward = 100;         // degrees from straight down
 constexpr std::size_t most_nodes = 4096;   // of a rachis: no text has more, for each takes a step to derive
 constexpr float least_arm = 0.4f;          // of a first-order axis, in its steps
-constexpr float flowers_per_berry = 1.1f;  // at least: more to choose from than are needed, as in nature
+constexpr float flowers_per_berry = 1.2f;  // at least: more to choose from than are needed, as in nature
 constexpr float most_flowers = 10000;
-constexpr float least_nodes = 12;      // of a rachis: three axes to each side, however short it is
+constexpr float least_nodes = 16;      // of a rachis, however short it is
 constexpr float step_of_axis = 0.55f;  // between its nodes, in berry widths, where berries are middling
 constexpr float base_closer = 0.7f;    // times that
 constexpr float middling_size = 18;
@@ -35,8 +36,9 @@ constexpr float standard_width = 15;  // w_i of the table
 
 // Of where axes aim.
 constexpr float shoulder_height = 0.8f;  // of a side's drop: where its first axis points
-constexpr float most_above = 0.18f;      // how far above its node that may be, over how far out it reaches
+constexpr float most_above = 0.4f;       // how far above its node that may be, over how far out it reaches
 constexpr float shoulder_fades = 0.4f;   // from one axis of a side to the next
+constexpr float towards_handles = 7;     // degrees that axes midway between are nearer to the planes of the handles
 constexpr float hanging = 0.35f;         // of its angle left to an axis at the tip
 constexpr float hanging_nodes = 3;       // from the tip on which axes hang
 
@@ -44,10 +46,18 @@ constexpr float least_length = 0.3f;      // of the rachis, over the outline's
 constexpr float room_over_volume = 1.2f;  // berries there can be, over those that the outline's volume holds
 constexpr float least_room = 12;
 
-// How far along `angle` from a node at `depth` the outline of a side lies.
-float reach(const Envelope& envelope, std::size_t side, float depth, float angle) {
+// From the end of an axis to what hangs from it.
+struct Hung {
+  float out = 0, down = 0;
+};
+
+// How far along `angle` from a node at `depth` the outline lies, that way round; or, of an axis, how far it may go for
+// what hangs from its end to be inside.
+float reach(const Envelope& envelope, const Azimuth& round, float depth, float angle, const Hung& hung = {}) {
   const SinCos way = sincos_degrees(angle);
-  const auto inside = [&](float t) { return envelope.half_width(side, depth + t * way.cosine) > t * way.sine; };
+  const auto inside = [&](float t) {
+    return envelope.radius(round, depth + hung.down + t * way.cosine) > hung.out + t * way.sine;
+  };
   constexpr int probes = 48, halvings = 14;
   const float far = envelope.length() + 300;
   float high = 0;
@@ -66,13 +76,14 @@ float reach(const Envelope& envelope, std::size_t side, float depth, float angle
   return 0;
 }
 
-// The first axis of a side aims at its shoulder, however high that is; those below lean as the yaw says.
-float aim_at(const Envelope& envelope, float shoulder_depth, float yaw, std::size_t side, std::size_t turn, float depth,
-             float left, float spacing) {
-  const float far = reach(envelope, side, depth, yaw);
+// The first axes aim at the shoulders, however high these are, and higher by half of what hangs from them; those below
+// lean as the yaw says.
+float aim_at(const Envelope& envelope, float shoulder_depth, float yaw, const Azimuth& round, std::size_t turn,
+             float depth, float left, float spacing, float hung) {
+  const float far = reach(envelope, round, depth, yaw);
   const SinCos way = sincos_degrees(yaw);
   const float out = far * way.sine, low = far * way.cosine;
-  const float shoulder = std::max(shoulder_depth - depth, -most_above * out);
+  const float shoulder = std::max(shoulder_depth - depth - 0.5f * hung, -most_above * out);
   float weight = 1;
   for (std::size_t k = 0; k < turn; ++k) weight *= shoulder_fades;
   const float down = low + weight * (std::min(low, shoulder) - low);
@@ -81,11 +92,32 @@ float aim_at(const Envelope& envelope, float shoulder_depth, float yaw, std::siz
   return angle * std::clamp(hanging + (1 - hanging) * left / (hanging_nodes * spacing), hanging, 1.0f);
 }
 
+// How far round an axis stands that would stand at `degrees` were all sides alike: nearer to those that are wide, and
+// to the planes of the handles, so that the bunch reaches them.
+float way_round(const Profile& profile, float degrees) {
+  const Azimuth even = azimuth_of(degrees);
+  const SinCos way = sincos_degrees(degrees);
+  const float across = std::sqrt(profile.sides[even.across].width), along = std::sqrt(profile.sides[even.along].width);
+  const float round = arc_tangent(along * way.sine, across * way.cosine) * (180 / pi);
+  return round - towards_handles * sincos_degrees(4 * round).sine;
+}
+
+// What is beyond the end of an axis, `end` millimetres of it straight on: a twig, and a pedicel with most of its berry,
+// which hang.
+Hung hung_from(const NaturalPlan& plan, float angle, float end) {
+  const SinCos way = sincos_degrees(angle);
+  const glm::vec3 hangs = drooping({way.sine, -way.cosine, 0}, 1);
+  const float rest = end - plan.twig;
+  return {plan.twig * way.sine + rest * hangs.x, plan.twig * way.cosine - rest * hangs.y};
+}
+
 // Lays the axes for the spacings in `plan`; returns how many flowers they bear, an axis counting by how much of it
 // there is.
-float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text) {
+float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text,
+               float start) {
   plan.arm.clear();
   plan.aim.clear();
+  plan.way.clear();
   float flowers = 0;
   float left = plan.length, apart = plan.spacing;
   for (std::size_t k = 0;; ++k) {
@@ -95,13 +127,18 @@ float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end
     left -= apart;
     apart = plan.spacing *
             std::min(1.0f, text.tip_spacing + (1 - text.tip_spacing) * left / (text.tip_share * plan.length));
-    const std::size_t side = k % 4;
-    const float shoulder = profile.sides[side].drop * pixel * shoulder_height;
+    const float way = way_round(profile, start + text.turn * static_cast<float>(k));
+    plan.way.push_back(way);
+    const Azimuth round = azimuth_of(way);
+    const float drop = round.between([&](std::size_t side) { return profile.sides[side].drop; });
+    const float shoulder = drop * pixel * shoulder_height;
     const float angle =
-        aim_at(plan.envelope, shoulder, text.yaw, side, k / 4, depth, plan.length - depth, plan.spacing);
+        aim_at(plan.envelope, shoulder, text.yaw, round, k / 4, depth, plan.length - depth, plan.spacing, end);
     plan.aim.push_back(angle);
-    const bool raceme = plan.plan.sides[side].n == 0;
-    const float arm = raceme ? -1 : std::max(least_arm * plan.step, reach(plan.envelope, side, depth, angle) - end);
+    const bool raceme = plan.plan.sides[round.nearest()].n == 0;
+    const float arm = raceme ? -1
+                             : std::max(least_arm * plan.step,
+                                        reach(plan.envelope, round, depth, angle, hung_from(plan, angle, end)));
     plan.arm.push_back(arm);
     flowers += share * (raceme ? 1 : text.flowers_per_end * std::max(1.0f, arm / plan.step));
     if (share <= 0 || !(apart > 0) || k + 1 == most_nodes) return flowers;
@@ -130,12 +167,13 @@ TextConstants constants_of(const lsystem::Bound& text, const TextConstants& befo
   TextConstants found = before;
   found.tip_spacing = lsystem::constant(text, "near", standard.tip_spacing);
   found.tip_share = lsystem::constant(text, "tip", standard.tip_share);
+  found.turn = std::fmod(lsystem::constant(text, "turn", standard.turn), 360.0f);
   found.yaw = std::min(std::abs(lsystem::constant(text, "alpha_y", standard.yaw)), most_upward);
   return found;
 }
 
-NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float most_berries,
-                              const TextConstants& text) {
+NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float most_berries, const TextConstants& text,
+                              float start) {
   using enum Parameter;
   const float pixel = values[unit] * units_per_pixel;
   const float width = values[Parameter::size];
@@ -144,7 +182,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float end_reach = sincos_degrees(text.yaw).sine * (twig_length * width + values[pedicel]) + width;
   Plan counts = make_plan(drawn);
   Envelope envelope(profile, pixel, end_reach);
-  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, 0, 0, false};
+  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, {}, 0, 0, false};
   plan.twig = twig_length * width;
   plan.stalk = values[pedicel];
   plan.girth = values[wi] / standard_width * std::clamp(rachis_width * width, 1.2f, 7.0f);
@@ -172,7 +210,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   for (int tries = 0; tries < most_tries; ++tries) {
     plan.step = closer * step_of_axis * width;
     plan.spacing = std::min(plan.step, plan.length / least_nodes);
-    const float flowers = lay_axes(plan, profile, pixel, end, text);
+    const float flowers = lay_axes(plan, profile, pixel, end, text, start);
     if (!(asked || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
     closer *= closer_by;
   }
@@ -193,6 +231,7 @@ lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, cons
   std::vector<float> arms;
   for (const float arm : plan.arm) arms.push_back(arm * units);
   inputs.arrays.push_back(prolonged("arm", std::move(arms)));
+  inputs.arrays.push_back(prolonged("way", plan.way));
   inputs.arrays.push_back(prolonged("aim", plan.aim));
   return inputs;
 }

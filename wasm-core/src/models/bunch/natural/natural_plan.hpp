@@ -15,6 +15,7 @@ namespace panicle::bunch {
 struct TextConstants {
   float tip_spacing = 0.6f;   // `near`: spacing of the rachis's nodes at its tip, over that above
   float tip_share = 0.4f;     // `tip`: share of the rachis over which they draw together
+  float turn = 137.5f;        // `turn`: from one axis to the next, round the rachis; degrees
   float yaw = 60;             // `alpha_y`: of axes, twigs and pedicels; degrees, whichever way
   float flowers_per_end = 3;  // that an end structure bears; counted where it is drawn
   bool operator==(const TextConstants&) const = default;
@@ -34,14 +35,16 @@ struct NaturalPlan {
   float twig = 0, stalk = 0;
   float girth = 0, fine = 0;  // widths of the rachis and of a pedicel
   std::vector<float> arm;     // of each axis from the top; below 0 a raceme's single pedicel
+  std::vector<float> way;     // how far round the rachis it stands, degrees
   std::vector<float> aim;     // its angle to the rachis
   float berries = 0;          // how many there are to be: asked for, or that fill the outline to the density asked for
   float room = 0;             // more than so many can never be: somewhat more than the outline's volume
   bool overfull = false;      // whether the density would take more than there may be
 };
 
+// `start`: how far round the rachis its first axis would stand were all sides alike; degrees.
 NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries,
-                              const TextConstants& text = {});
+                              const TextConstants& text = {}, float start = 0);
 
 // The share of the outline's volume that berries of a density (OIV 204, 1 … 9) fill.
 float fill_of(float density);

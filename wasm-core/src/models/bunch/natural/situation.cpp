@@ -6,6 +6,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/natural/luck.hpp"
+#include "models/bunch/natural/sagging.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -15,14 +16,8 @@ constexpr float golden = 0.618034f;                 // of a turn: neighbours alo
 constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
 constexpr float own_luck = 0.15f;
 
-// A place in the frame of a bunch that leans.
-glm::vec3 upright(const glm::vec3& place, float lean) {
-  const SinCos turn = sincos_degrees(lean);
-  return {place.x * turn.cosine - place.y * turn.sine, place.x * turn.sine + place.y * turn.cosine, place.z};
-}
-
 Situation situated(const glm::vec3& place, const Bound& bound, const glm::vec3& sun) {
-  const glm::vec3 own = upright(place, bound.lean);
+  const glm::vec3 own = Uprighting(bound.stance).place(place);
   const float length = bound.envelope.length();
   const float depth = std::clamp(-own.y, 0.0f, length);
   const float x = std::max(1.0f, bound.envelope.half_width(own.x >= 0 ? 0 : 1, depth));
@@ -44,7 +39,10 @@ std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const 
   situations.reserve(flowers.size());
   for (const Flower& flower : flowers) {
     const Internode& bearer = internodes[static_cast<std::size_t>(flower.bearer)];
-    Situation one = situated(bearer.end + flower.heading * (0.5f * size), bounds[flower.bunch], sun);
+    const std::size_t first = beginning_of(internodes, static_cast<std::size_t>(flower.bearer));
+    const float stalk = glm::length(bearer.end - internodes[first].start);
+    const glm::vec3 way = drooping(flower.heading, 1);
+    Situation one = situated(internodes[first].start + way * (stalk + 0.5f * size), bounds[flower.bunch], sun);
     // A raceme is as wide as its pedicels are long, whatever was drawn.
     const std::int32_t foot = internodes[beginning_of(internodes, static_cast<std::size_t>(flower.bearer))].parent;
     const bool raceme = foot >= 0 && internodes[static_cast<std::size_t>(foot)].kind == Kind::rachis;

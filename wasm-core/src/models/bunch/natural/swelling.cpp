@@ -7,6 +7,7 @@
 #include "environment/touching.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/closest.hpp"
+#include "models/bunch/natural/sagging.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -14,15 +15,15 @@ namespace {
 // Tuned on the fifteen presets of the paper and 50 random profiles (docs/natural.md has what each does).
 constexpr float margin = 0.35f;       // of the widest berry: how far apart neighbours may be when they are looked for
 constexpr int projections = 2;        // of all constraints in a step
-constexpr int settling = 12;          // steps at the last size
+constexpr int settling = 6;           // steps at the largest size before the last thinning, and after; then some dry
 constexpr int refresh = 4;            // steps between two searches for neighbours
-constexpr float contact_give = 3.0f;  // compliance of two berries' skins: how much they flatten
+constexpr float contact_give = 4.0f;  // compliance of two berries' skins: how much they flatten
 constexpr float bound_give = 4.0f;    // of the outline: berries may be pushed out a little
 constexpr float bound_inset = 0.55f;  // how far inside it centres stay, in half-widths
 constexpr float core_inset = 0.8f;    // the same for the core of a long berry, in half-lengths of it
 constexpr float furthest_out = 1.0f;  // beyond that inset, in half-widths, and no further
+constexpr float straighten = 0.5f;    // share of the way back to where its pedicel hangs, a step: pedicels are springs
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
-constexpr float straighten = 0.4f;    // share of the way back to where its pedicel points, a step: pedicels are springs
 constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
 constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
 constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts: more and it is lost
@@ -31,8 +32,8 @@ constexpr int most_rounds = 64;         // of thinning, where far too many have 
 constexpr float parallel = 1e-5f;       // square of a sine: cores at less do not cross
 constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
 constexpr int joining = 8;              // steps in which those that join late catch up
-constexpr int most_joinings = 3;        // lots of them
-constexpr float over_missing = 1.6f;    // as many join as are missing, and more, for some of them will be lost too
+constexpr int most_joinings = 5;        // lots of them
+constexpr float over_missing = 2.0f;    // as many join as are missing, and more, for some of them will be lost too
 constexpr float near_enough = 0.98f;    // of the number that is wanted
 constexpr float youngest = 0.08f;       // size of one that joins
 
@@ -57,7 +58,7 @@ struct Leaning {
 class Solver {
  public:
   Solver(std::span<const Branch> branches, std::span<const Swelling> berries, std::span<const Bound> bounds)
-      : branches_(branches), berries_(berries), bounds_(bounds) {
+      : branches_(branches), berries_(berries), bounds_(bounds), sagging_(branches, berries) {
     for (const Branch& branch : branches) ends_.push_back(branch.end);
     for (const Swelling& berry : berries) {
       headings_.push_back(berry.heading);
@@ -65,7 +66,8 @@ class Solver {
     }
     for (const Swelling& berry : berries) lost_.push_back(berry.late ? Why::not_set : Why{});
     sizes_.resize(berries.size());
-    for (const Bound& bound : bounds) turns_.push_back(sincos_degrees(bound.lean));
+    rests_.resize(berries.size());
+    for (const Bound& bound : bounds) turns_.emplace_back(bound.stance);
   }
 
   void step(float scale, int index) {
@@ -74,6 +76,7 @@ class Solver {
     if (index % refresh == 0) find_neighbours();
     std::fill(pushes_.begin(), pushes_.end(), 0.0f);
     std::fill(bound_pushes_.begin(), bound_pushes_.end(), 0.0f);
+    turned_ = sagging_.turned(scale);
     sink();
     for (int k = 0; k < projections; ++k) {
       hold_branches();
@@ -82,7 +85,7 @@ class Solver {
       part_stems();
       keep_within();
     }
-    if (scale >= thinning_from && young_.empty() && index % refresh == refresh - 1) thin();
+    if (scale >= thinning_from && young_.empty() && !settled_ && index % refresh == refresh - 1) thin();
   }
 
   // Until nobody is pressed harder than berries can be.
@@ -94,10 +97,9 @@ class Solver {
   void join(std::size_t wanted, float scale, int& index) {
     std::uint32_t next = 0;
     for (int lot = 0; lot < most_joinings; ++lot) {
-      thin_out();
-      const auto there = static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), Why{}));
-      if (static_cast<float>(there) >= near_enough * static_cast<float>(wanted)) return;
-      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - there)) + 1;
+      const std::size_t kept = there();
+      if (static_cast<float>(kept) >= near_enough * static_cast<float>(wanted)) return;
+      auto places = static_cast<std::size_t>(over_missing * static_cast<float>(wanted - kept)) + 1;
       for (; next < berries_.size() && places > 0; ++next) {
         if (lost_[next] != Why::not_set) continue;
         begin(next);
@@ -109,11 +111,17 @@ class Solver {
         if (k == 1) index += (refresh - index % refresh) % refresh;  // they need their neighbours at once
         step(scale, index++);
       }
+      thin_out();
+      for (; !young_.empty() && there() > wanted; young_.pop_back())
+        if (!gone(young_.back())) lost_[young_.back()] = Why::not_set;
+      drop_pairs();
       young_.clear();
     }
   }
 
+  // Nobody is lost any more, so that the others are the same ones whoever is taken.
   void take_by_hand() {
+    settled_ = true;
     for (std::size_t i = 0; i < berries_.size(); ++i)
       if (berries_[i].taken && !gone(i)) lost_[i] = Why::by_hand;
     drop_pairs();
@@ -132,6 +140,8 @@ class Solver {
     centres_[i] = ends_[berry.branch] + berry.heading * (berry.stalk * stalk_at(youngest));
     young_.push_back(i);
   }
+
+  std::size_t there() const { return static_cast<std::size_t>(std::count(lost_.begin(), lost_.end(), Why{})); }
 
   bool gone(std::size_t i) const { return lost_[i] != Why{}; }
 
@@ -188,7 +198,9 @@ class Solver {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       const Swelling& berry = berries_[i];
       const Size& size = sizes_[i];
-      const glm::vec3 straight = ends_[berry.branch] + berry.heading * (size.stalk + size.half_length);
+      const float heavy = berry.half_width > 0 ? size.half_width / berry.half_width : 0;
+      rests_[i] = drooping(turned_[berry.branch] * berry.heading, heavy);
+      const glm::vec3 straight = ends_[berry.branch] + rests_[i] * (size.stalk + size.half_length);
       centres_[i] += (straight - centres_[i]) * straighten;
       centres_[i].y -= gravity * 2 * size.half_width;
     }
@@ -198,7 +210,7 @@ class Solver {
   void hold_branches() {
     for (std::size_t k = 0; k < branches_.size(); ++k) {
       const Branch& branch = branches_[k];
-      const glm::vec3 rest = start_of(k) + (branch.end - branch.start);
+      const glm::vec3 rest = start_of(k) + turned_[k] * (branch.end - branch.start);
       ends_[k] = rest + (ends_[k] - rest) * branch.give;
     }
   }
@@ -219,8 +231,8 @@ class Solver {
       const float give = 0.3f * branches_[berry.branch].give;
       centres_[i] -= heading * (off * (1 - give));
       foot += heading * (off * give);
-      const float turned = glm::dot(heading, berry.heading);
-      if (turned < most_bent) centres_[i] += berry.heading * (0.5f * far * (most_bent - turned));
+      const float turned = glm::dot(heading, rests_[i]);
+      if (turned < most_bent) centres_[i] += rests_[i] * (0.5f * far * (most_bent - turned));
     }
   }
 
@@ -276,9 +288,8 @@ class Solver {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       if (gone(i)) continue;
       const Bound& bound = bounds_[berries_[i].bunch];
-      const SinCos lean = turns_[berries_[i].bunch];
-      glm::vec3 c = centres_[i];
-      c = {c.x * lean.cosine - c.y * lean.sine, c.x * lean.sine + c.y * lean.cosine, c.z};
+      const Uprighting& turn = turns_[berries_[i].bunch];
+      glm::vec3 c = turn.place(centres_[i]);
       const glm::vec3 before = c;
       // A long berry reaches as far as its core leans.
       const Size& size = sizes_[i];
@@ -302,8 +313,7 @@ class Solver {
           {0.0f, (off - bound_give * bound_pushes_[i]) / (1 + bound_give), off - furthest_out * size.half_width});
       bound_pushes_[i] += push;
       way *= push / off;
-      centres_[i] +=
-          glm::vec3{way.x * lean.cosine + way.y * lean.sine, -way.x * lean.sine + way.y * lean.cosine, way.z};
+      centres_[i] += turn.way_back(way);
     }
   }
 
@@ -349,12 +359,15 @@ class Solver {
   std::span<const Branch> branches_;
   std::span<const Swelling> berries_;
   std::span<const Bound> bounds_;
-  std::vector<glm::vec3> ends_, centres_, headings_;
-  std::vector<Size> sizes_;           // of the berries, at this step
-  std::vector<std::uint32_t> young_;  // those that are catching up
-  float young_share_ = 1;             // how far they have come
+  std::vector<glm::vec3> ends_, centres_, headings_, rests_;
+  Sagging sagging_;
+  std::span<const glm::quat> turned_;  // the branches, at this step
+  std::vector<Size> sizes_;            // of the berries, at this step
+  std::vector<std::uint32_t> young_;   // those that are catching up
+  float young_share_ = 1;              // how far they have come
   std::vector<Why> lost_;
-  std::vector<SinCos> turns_;
+  bool settled_ = false;
+  std::vector<Uprighting> turns_;
   TouchingSpheres nearby_;
   std::vector<SpherePair> pairs_;  // berries that may touch
   std::vector<Leaning> leaning_;   // by stem
@@ -373,11 +386,15 @@ Swollen swell(std::span<const Branch> branches, std::span<const Swelling> berrie
   int index = 0;
   for (auto scale = scales.begin(); scale != scales.end(); ++scale) {
     solver.step(*scale, index++);
-    if (scale == full && *scale >= thinning_from && wanted > 0) solver.join(wanted, *scale, index);
+    if (scale != full) continue;
+    const bool crowded = *scale >= thinning_from;
+    if (crowded) solver.thin_out();
+    if (crowded && wanted > 0) solver.join(wanted, *scale, index);
+    for (int k = 0; k < settling; ++k) solver.step(*scale, index++);
+    if (crowded) solver.thin_out();
+    solver.take_by_hand();
+    for (int k = 0; k < settling; ++k) solver.step(*scale, index++);
   }
-  if (!scales.empty() && scales.back() >= thinning_from) solver.thin_out();
-  solver.take_by_hand();
-  for (int k = 0; k < settling && !scales.empty(); ++k) solver.step(scales.back(), index++);
   return solver.take();
 }
 

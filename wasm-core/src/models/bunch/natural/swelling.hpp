@@ -12,6 +12,7 @@
 
 #include "models/bunch/envelope.hpp"
 #include "models/bunch/grown.hpp"
+#include "models/bunch/stance.hpp"
 
 namespace panicle::bunch {
 
@@ -20,7 +21,8 @@ struct Branch {
   glm::vec3 start{0}, end{0};  // before anything bends
   std::int32_t parent = -1;
   float radius = 0;
-  float give = 0;  // 0 … 1: how readily its end gives way against its start
+  float give = 0;     // 0 … 1: how readily its end gives way against its start
+  bool sags = false;  // under its berries; the rachis hangs as it is
 };
 
 struct Swelling {
@@ -33,10 +35,10 @@ struct Swelling {
   bool late = false;                      // joins only where others found no room, in the order given
 };
 
-// An outline with the turn that takes the bunch's frame into its own.
+// An outline as it hangs; millimetres.
 struct Bound {
   Envelope envelope;
-  float lean = 0;  // degrees, as of its stock
+  Stance stance;
 };
 
 struct Swollen {

@@ -19,12 +19,12 @@ import {
 	VIEW_SIDES,
 	type View,
 } from "./handles";
-import { drawGuides, drawName, drawOutline, drawScale, handlePlace } from "./profile_drawing";
+import { drawGuides, drawName, drawOutline, drawOwn, drawScale, handlePlace } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
 import { SilhouetteDrawing } from "./silhouette_canvas";
 import { SteadyExtent } from "./steady_extent";
-import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
+import { type ViewFrame, viewExtent, viewFrame, withRoomFor } from "./view_frame";
 
 type Parameters = BunchSpecimen["parameters"];
 
@@ -92,7 +92,8 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 
 	protected override willUpdate(changed: PropertyValues): void {
 		if (!this.parameters) return;
-		const wanted = this.extent ?? viewExtent(this.parameters, this.size.width, this.size.height);
+		const shape = withRoomFor(this.parameters, this.berries?.profile);
+		const wanted = this.extent ?? viewExtent(shape, this.size.width, this.size.height);
 		if (this.drags.active) this.#left = this.parameters;
 		else if (this.#left && !sameShape(this.#left, this.parameters)) this.#left = undefined;
 		const motion = this.#left ? "held" : changed.has("parameters") ? "moved" : "still";
@@ -111,6 +112,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 			>
 				${drawScale(this.#steady.extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, frame)}
+				${this.drags.active ? nothing : drawOwn(parameters, this.berries?.profile, view)}
 				${shown.map((handle) => drawGuides(parameters, handle, frame, this.pixels))}
 			</svg>
 			${this.photo ? html`<panicle-photo .photo=${this.photo} .frame=${frame}></panicle-photo>` : nothing}

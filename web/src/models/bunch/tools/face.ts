@@ -7,6 +7,7 @@ import type { BunchSpecimen } from "../specimen";
 import { bunchInWords, stemsInWords } from "../words";
 import { age } from "./age";
 import { asPrinted } from "./as_printed";
+import { cane } from "./cane";
 import { inputs } from "./inputs";
 import { octahedron } from "./octahedron";
 import { photo } from "./photo";
@@ -22,6 +23,7 @@ export const face: Face<BunchSpecimen, Grown> = {
 	tools: [
 		front,
 		side,
+		cane,
 		stems,
 		octahedron,
 		thinning,
