@@ -28,7 +28,8 @@ export function usage(
 	return `Grows a plant; here: ${title.toLowerCase()}.
 
   npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--grammar FILE] [--boundary FILE]
-                     [--out FILE] [--form FORM] [--triangles N] [--translucent] [--thickness MM] [--points N]
+                     [--out FILE] [--form FORM] [--triangles N] [--translucent] [--textures]
+                     [--thickness MM] [--points N]
   npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND] --out DIR
   npm run -s grow -- --list
 
@@ -48,6 +49,7 @@ export function usage(
   --thickness MM   that nothing is thinner than in an .stl or .3mf (default: ${THICKNESS})
   --points N       of a .ply (default: ${POINTS})
   --translucent    light comes through pale skins in a .glb, which costs readers a pass
+  --textures       a detailed .glb's berries have pictures of colour and shade, not colours of vertices
   --seeds 1-100    a series: a file for each seed and a table, plants.csv, into the folder DIR;
                    what is there and whole is not grown again (docs/batch.md)
   --vary KEY=…     drawn by the seed: age=60..110, or one of a few: fruit=lychee|duku

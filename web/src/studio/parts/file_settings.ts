@@ -11,7 +11,10 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 		const field = target as HTMLInputElement;
 		if (field.checkValidity() && field.value !== "") changed({ ...options, [field.name]: field.valueAsNumber });
 	};
-	const check = ({ target }: Event) => changed({ ...options, translucent: (target as HTMLInputElement).checked });
+	const check = ({ target }: Event) => {
+		const { name, checked } = target as HTMLInputElement;
+		changed({ ...options, [name]: checked });
+	};
 	return html`<fieldset class="file-settings">
 		<legend>For these files</legend>
 		<label>Triangles, low
@@ -22,6 +25,9 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 		</label>
 		<label>Light through pale flesh
 			<input type="checkbox" name="translucent" .checked=${options.translucent ?? false} @change=${check}>
+		</label>
+		<label>Baked textures, GLB
+			<input type="checkbox" name="textures" .checked=${options.textures ?? false} @change=${check}>
 		</label>
 	</fieldset>`;
 }
