@@ -172,6 +172,30 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/parts/berry_classes.ts`,
+		suites: [`${TESTS}/parts/berry_classes.test.ts`],
+		faults: [
+			{
+				id: "classes-of-one-shade",
+				find: "Math.min(SHADES - 1, Math.floor(SHADES * skyOf(painted, surfaces, i)))",
+				replace: "0",
+				breaks: "instances are as light inside a bunch as outside",
+			},
+			{
+				id: "classes-turned-twice",
+				find: "rows({ x: -qx, y: -qy, z: -qz, w })",
+				replace: "rows({ x: qx, y: qy, z: qz, w })",
+				breaks: "instances point anywhere but where their berries do",
+			},
+			{
+				id: "classes-as-large-as-the-first",
+				find: "back, 1 / radius, ORIGIN",
+				replace: "back, 1, ORIGIN",
+				breaks: "instances are specks",
+			},
+		],
+	},
+	{
 		file: `${SRC}/parts/skin_rules.ts`,
 		suites: [`${TESTS}/parts/berry_colour.test.ts`],
 		faults: [

@@ -59,8 +59,8 @@ describe("what can be downloaded", () => {
 		const keys = (model: Partial<Model>, grown: Plant = { ...EMPTY_PLANT, organs }) =>
 			formatsOf({ ...shown([]), model: { ...shown([]).model, ...model }, grown }, undefined).map(({ key }) => key);
 		expect(keys({})).toContain("glb-instanced");
-		expect(keys({ instanced: () => false })).not.toContain("glb-instanced");
-		expect(keys({ instanced: () => true }, EMPTY_PLANT)).toContain("glb-instanced");
+		expect(keys({}, EMPTY_PLANT)).not.toContain("glb-instanced");
+		expect(keys({ sharing: () => [] }, EMPTY_PLANT)).toContain("glb-instanced");
 	});
 
 	it("is what the model makes besides, of what suits it", async () => {

@@ -23,8 +23,8 @@ export async function makeFile(model: Model, request: FileRequest): Promise<Blob
 	const own = model.formats?.find(({ key }) => key === format);
 	if (own) return new Blob([await own.make(grown, specimen, link)], { type: own.type });
 	const about = await aboutPlant(model, grown, specimen, link);
-	const parts = model.parts(grown, specimen);
 	const file = PLANT_FILES.find(({ key }) => key === format);
+	const parts = file?.shared && model.sharing ? model.sharing(grown, specimen) : model.parts(grown, specimen);
 	if (file) {
 		const aged = file.life && (await agedBy(model, request));
 		return new Blob([await file.make(parts, about, options ?? {}, aged)], { type: file.type });

@@ -64,7 +64,7 @@ function pictureBy(take: () => Promise<Blob>): Download {
 
 /** Whether some parts are one mesh many times, so that instances make the file another one. */
 function hasInstances({ model, grown }: Shown): boolean {
-	return model.instanced?.(grown) ?? grown.organs.mesh.some((mesh) => mesh >= 0);
+	return model.sharing !== undefined || grown.organs.mesh.some((mesh) => mesh >= 0);
 }
 
 /** "long-conical-7", or "long-conical-altered-7": what a file of this plant is called. */
