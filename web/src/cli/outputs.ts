@@ -50,7 +50,7 @@ export async function filesOf(
 	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
 	const about = await aboutPlant(model, grown, specimen);
 	const meshes = plantFile(ending, form);
-	const parts = meshes?.shared && model.sharing ? model.sharing(grown, specimen) : model.parts(grown, specimen);
+	const parts = model.parts(grown, specimen);
 	if (meshes) return [[file, await meshes.make(parts, about, options, aged)]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));

@@ -90,11 +90,13 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		key: "glb-instanced",
 		form: "instanced",
 		title: "GLB, instanced",
-		about: "Equal parts in one node; for readers of EXT_mesh_gpu_instancing",
+		about: "Parts that are alike in one node; for readers of EXT_mesh_gpu_instancing",
 		suffix: "-instanced.glb",
 		shared: true,
-		make: async (parts, about, { translucent = false }) =>
-			(await import("./glb")).exportGlb(parts, about, { instancing: true, translucent }),
+		make: async (parts, about, { translucent = false }) => {
+			const shared = [...parts].map((await import("./alike")).alike);
+			return (await import("./glb")).exportGlb(shared, about, { instancing: true, translucent });
+		},
 	},
 	{
 		...GLB,

@@ -3,7 +3,7 @@ import type { Model } from "../model";
 import { BUNCH_FORMATS } from "./formats";
 import type { Grown } from "./grown";
 import { fetchLeaf } from "./leaf";
-import { bunchParts, sharingParts } from "./parts/bunch_parts";
+import { bunchParts } from "./parts/bunch_parts";
 import { readGrown } from "./read_grown";
 import { bunchRecord } from "./record";
 import { encodeRequest } from "./request";
@@ -20,7 +20,7 @@ export const model = {
 	encode: encodeRequest,
 	read: readGrown,
 	parts: bunchParts,
-	sharing: sharingParts,
+	instanced: () => true,
 	words: bunchInWords,
 	record: bunchRecord,
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),

@@ -4,7 +4,7 @@ import { hasAges } from "../../files/aged";
 import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
 import { coreAddress } from "../core_address";
-import type { Shown, StudioState } from "../studio_state";
+import type { PictureOptions, Shown, StudioState } from "../studio_state";
 
 export interface Download {
 	readonly key: string;
@@ -26,7 +26,7 @@ export interface Asked {
 	readonly link: string;
 	/** Without extension. */
 	readonly name: string;
-	readonly options: FileOptions;
+	readonly options: FileOptions & Pick<PictureOptions, "height">;
 }
 
 type Listed = Pick<Download, "key" | "title" | "about" | "suffix" | "slow">;
@@ -55,16 +55,34 @@ export function formatsOf(shown: Shown, picture: StudioState["picture"], write =
 		};
 		return { key, title, about, suffix, slow, sized: true, make };
 	});
-	return [...written, ...(picture ? [pictureBy(picture)] : [])];
+	return [...written, ...(picture ? picturesBy(picture) : [])];
 }
 
-function pictureBy(take: () => Promise<Blob>): Download {
-	return { key: "png", title: "Picture", about: "The 3-D view as a PNG", suffix: ".png", sized: false, make: take };
+function picturesBy(take: NonNullable<StudioState["picture"]>): Download[] {
+	const sizeOf = ({ options: { height } }: Asked) => (height === undefined ? {} : { height });
+	return [
+		{
+			key: "png",
+			title: "Picture",
+			about: "The 3-D view as a PNG",
+			suffix: ".png",
+			sized: false,
+			make: (asked) => take(sizeOf(asked)),
+		},
+		{
+			key: "png-alone",
+			title: "Picture, cut out",
+			about: "The same with nothing behind the plant: a transparent PNG",
+			suffix: "-cut-out.png",
+			sized: false,
+			make: (asked) => take({ ...sizeOf(asked), alone: true }),
+		},
+	];
 }
 
 /** Whether some parts are one mesh many times, so that instances make the file another one. */
 function hasInstances({ model, grown }: Shown): boolean {
-	return model.sharing !== undefined || grown.organs.mesh.some((mesh) => mesh >= 0);
+	return model.instanced?.(grown) ?? grown.organs.mesh.some((mesh) => mesh >= 0);
 }
 
 /** "long-conical-7", or "long-conical-altered-7": what a file of this plant is called. */

@@ -23,6 +23,9 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 		<label>Least thickness, printers (mm)
 			<input type="number" name="thickness" min="0.2" max="20" step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
 		</label>
+		<label>Picture height (px)
+			<input type="number" name="height" min="16" max="8192" step="1" placeholder="as on the page" .value=${String(options.height ?? "")} @change=${number}>
+		</label>
 		<label>Light through pale flesh
 			<input type="checkbox" name="translucent" .checked=${options.translucent ?? false} @change=${check}>
 		</label>

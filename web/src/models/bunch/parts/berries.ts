@@ -14,7 +14,7 @@ import { naturalSkin, plainSkin, STAMENS } from "./materials";
 import { berryName, flowerName } from "./names";
 import { bunchSkin } from "./skin";
 
-export const GROUP = "Berries";
+const GROUP = "Berries";
 /** Ripeness is told in steps of this many percent where colours of vertices cannot be. */
 const RIPENESS_STEP = 25;
 /** What the scar and the dried style at the tip leave of the shared berry's colour: a brown over any skin. */
@@ -53,11 +53,6 @@ export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, look: Look
 	return { name: GROUP, children };
 }
 
-/** How ripe a berry is, in steps of so many percent. */
-export function ripenessStep(berries: Berries, index: number): number {
-	return RIPENESS_STEP * Math.round((100 * traitOf(berries, index, "turned")) / RIPENESS_STEP);
-}
-
 function berryShape(
 	{ berries }: Grown,
 	index: number,
@@ -68,7 +63,7 @@ function berryShape(
 	const [first, last] = [(index * 3 * uvs.length) / 2, ((index + 1) * 3 * uvs.length) / 2];
 	const [x, y, z] = berries.spheres.subarray(4 * index, 4 * index + 4);
 	const own = (all: Float32Array) => all.subarray(first, last);
-	const percent = ripenessStep(berries, index);
+	const percent = RIPENESS_STEP * Math.round((100 * traitOf(berries, index, "turned")) / RIPENESS_STEP);
 	return {
 		mesh: {
 			positions: own(positions),
@@ -80,6 +75,7 @@ function berryShape(
 		},
 		material,
 		centre: [x, y, z],
+		pose: Float32Array.from(placeOf(berries, index, 1)),
 		variant: percent === 100 ? "" : String(percent),
 	};
 }
@@ -118,14 +114,6 @@ function flowersOf({ flower, berries }: Grown): Map<number, Part> {
 		parts.set(open[i], { name: flowerName(open[i], berries.count), shape });
 	}
 	return parts;
-}
-
-/** All open flowers as one part, where there are any. */
-export function flowersTogether(grown: Grown): Part[] {
-	const flowers = [...flowersOf(grown).values()].flatMap(({ shape }) => shape ?? []);
-	if (flowers.length === 0) return [];
-	const transforms = Float32Array.from(flowers.flatMap(({ instances }) => [...(instances?.transforms ?? [])]));
-	return [{ name: "Flowers", shape: { ...flowers[0], instances: { transforms } } }];
 }
 
 /** Takes what is of unit radius and faces +Y to berry `index`, `scale` times its radius. */

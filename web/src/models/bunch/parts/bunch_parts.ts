@@ -5,7 +5,6 @@ import { cut, type Part, type Shape } from "../../../plant/part";
 import type { Foliage, Grown, StemMesh } from "../grown";
 import type { Look, BunchSpecimen as Specimen } from "../specimen";
 import { naturalBerries, sharedBerries } from "./berries";
-import { classedBerries } from "./berry_classes";
 import { autumnOf, foliageColours } from "./foliage_colour";
 import { foliageMaterials, stemMaterial } from "./materials";
 import { foliageNames, stemName } from "./names";
@@ -15,22 +14,13 @@ import { stemColours } from "./stem_colour";
  * @param grown only read
  * @throws Error with a message for people where `grown` was asked for without meshes
  */
-export function bunchParts(grown: Grown, specimen: Pick<Specimen, "look">): Generator<Part> {
-	return partsOf(grown, specimen, naturalBerries);
-}
-
-/** The same, berries that are alike sharing a mesh. */
-export function sharingParts(grown: Grown, specimen: Pick<Specimen, "look">): Generator<Part> {
-	return partsOf(grown, specimen, classedBerries);
-}
-
-function* partsOf(grown: Grown, { look }: Pick<Specimen, "look">, natural: typeof naturalBerries): Generator<Part> {
+export function* bunchParts(grown: Grown, { look }: Pick<Specimen, "look">): Generator<Part> {
 	const { stem, berry, surfaces, berries, foliage } = grown;
 	if (!stem || (berries.count > 0 && !berry && !surfaces)) {
 		throw new Error("This growth has no meshes to export: grow it with meshes.");
 	}
 	yield* stemsOf(grown, stem, look);
-	if (berries.count > 0 && surfaces) yield natural(grown, surfaces, look);
+	if (berries.count > 0 && surfaces) yield naturalBerries(grown, surfaces, look);
 	else if (berries.count > 0 && berry) yield sharedBerries(grown, berry, look);
 	if (foliage) yield* foliageOf(grown, foliage);
 }
