@@ -3,9 +3,6 @@ import { linear } from "../plant/colour";
 import { FullScreen } from "./full_screen";
 import type { LightRig } from "./light";
 
-/** Of the paper's grain, as a share of white. */
-const GRAIN = 0.006;
-
 /** Paper: a pool of light that comes from the key's side, the plant's shadow, a breath of grain against banding. */
 const FRAGMENT = /* glsl */ `
 varying vec2 place;
@@ -15,7 +12,6 @@ uniform vec3 pool;
 uniform vec3 shade;
 uniform float shadow;
 uniform float aspect;
-uniform float coarseness;
 float grain(vec2 at) {
 	uvec2 c = uvec2(at) * uvec2(0x9e3779b1u, 0x85ebca6bu);
 	uint h = (c.x ^ c.y) * 0x27d4eb2du;
@@ -31,7 +27,7 @@ void main() {
 	paper *= mix(vec3(1.0), shade, shadow * hidden * rim.x * rim.y);
 	gl_FragColor = vec4(paper, 1.0);
 	#include <colorspace_fragment>
-	gl_FragColor.rgb += grain(gl_FragCoord.xy) * coarseness;
+	gl_FragColor.rgb += grain(gl_FragCoord.xy) * (shadow > 0.0 ? 0.006 : 0.0);
 }
 `;
 
@@ -50,7 +46,6 @@ export class Backdrop {
 				shade: { value: new Vector3(0.42, 0.36, 0.34) },
 				shadow: { value: 0 },
 				aspect: { value: 1 },
-				coarseness: { value: 0 },
 			},
 			behind: true,
 		});
@@ -67,16 +62,14 @@ export class Backdrop {
 		uniforms.edge.value.fromArray(linear(rig.paper.edge));
 		uniforms.pool.value.fromArray(linear(rig.paper.pool));
 		uniforms.shadow.value = rig.shadow.depth;
-		uniforms.coarseness.value = GRAIN;
 	}
 
-	/** Flat black or white in place of the paper. */
+	/** Flat black or white in place of the paper, without shadow or grain. */
 	setFlat(grey: 0 | 1): void {
 		const { uniforms } = this.#paper;
 		uniforms.edge.value.setScalar(grey);
 		uniforms.pool.value.setScalar(grey);
 		uniforms.shadow.value = 0;
-		uniforms.coarseness.value = 0;
 	}
 
 	setAspect(aspect: number): void {
