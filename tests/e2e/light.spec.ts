@@ -99,3 +99,25 @@ test("a matt card is as bright as the lamps' own numbers make it", async ({ page
 		for (const [k, value] of expected.entries()) expect(Math.abs(seen[k] / value - 1)).toBeLessThan(0.05);
 	}
 });
+
+test("a plant that is cut out has nothing behind it, its own colours, and the paper is back after", async ({
+	page,
+}) => {
+	const { corner, berry, onPaper, after } = await page.evaluate(async () => {
+		const { view, pixels } = window.views;
+		const viewer = view("?v=2&preset=merlot", [96, 96]);
+		const all = async (picture: Blob) => (await pixels(picture)).data;
+		const before = await all(await viewer.snapshot(96, 96));
+		const cut = await all(await viewer.cutOut(96, 96));
+		const again = await all(await viewer.snapshot(96, 96));
+		viewer.dispose();
+		const opaque = Array.from({ length: 96 * 96 }, (_, i) => 4 * i).filter((at) => cut[at + 3] === 255);
+		const at = opaque[Math.floor(opaque.length / 2)];
+		const of = (data: Uint8ClampedArray, from: number) => [...data.subarray(from, from + 4)];
+		return { corner: of(cut, 0), berry: of(cut, at), onPaper: of(before, at), after: [of(before, 0), of(again, 0)] };
+	});
+	expect(corner[3]).toBe(0);
+	for (const [k, value] of berry.entries()) expect(Math.abs(value - onPaper[k])).toBeLessThan(3);
+	expect(after[1]).toEqual(after[0]);
+	expect(after[0][3]).toBe(255);
+});

@@ -172,6 +172,36 @@ export default [
 		],
 	},
 	{
+		file: "web/src/export/alike.ts",
+		suites: [`${TESTS}/parts/instances.test.ts`],
+		faults: [
+			{
+				id: "alike-of-one-shade",
+				find: "Math.min(SHADES - 1, Math.floor(SHADES * openOf(shape.mesh)))",
+				replace: "0",
+				breaks: "instances are as light inside a bunch as outside",
+			},
+			{
+				id: "alike-turned-twice",
+				find: "rows({ x: -qx, y: -qy, z: -qz, w: qw })",
+				replace: "rows({ x: qx, y: qy, z: qz, w: qw })",
+				breaks: "instances point anywhere but where their berries do",
+			},
+			{
+				id: "alike-as-large-as-the-first",
+				find: "back, 1 / size, ORIGIN",
+				replace: "back, 1, ORIGIN",
+				breaks: "instances are specks",
+			},
+			{
+				id: "alike-without-flowers",
+				find: "...others, ...joined(borne)]",
+				replace: "...others]",
+				breaks: "a flowering bunch of instances has no stamens",
+			},
+		],
+	},
+	{
 		file: `${SRC}/parts/skin_rules.ts`,
 		suites: [`${TESTS}/parts/berry_colour.test.ts`],
 		faults: [

@@ -136,6 +136,36 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/baked.ts`,
+		suites: [`${TESTS}/baked.test.ts`],
+		faults: [
+			{
+				id: "baked-black-at-the-seams",
+				find: "this.#spread(drawn, left, top);",
+				replace: "",
+				breaks: "berries with textures have a black line from seat to tip",
+			},
+			{
+				id: "baked-all-on-one-tile",
+				find: "const left = (tile % this.#columns) * side;",
+				replace: "const left = 0;",
+				breaks: "berries with textures wear each other's colours",
+			},
+			{
+				id: "baked-without-shade",
+				find: "texels[4 * vertex + 3] = sky ?",
+				replace: "texels[4 * vertex + 3] = !sky ?",
+				breaks: "a bunch with textures is as light inside as outside",
+			},
+			{
+				id: "baked-where-pictures-repeat",
+				find: "return uvs.every((value) => value >= 0 && value <= 1);",
+				replace: "return true;",
+				breaks: "stems with textures show the colours of berries",
+			},
+		],
+	},
+	{
 		file: `${SRC}/animation.ts`,
 		suites: [`${TESTS}/growth_glb.test.ts`],
 		faults: [

@@ -43,8 +43,8 @@ export default [
 		faults: [
 			{
 				id: "make-instances-everywhere",
-				find: "exportGlb(parts, about, { translucent })",
-				replace: "exportGlb(parts, about, { translucent, instancing: true })",
+				find: "exportGlb(shown, about, { translucent })",
+				replace: "exportGlb(shown, about, { translucent, instancing: true })",
 				breaks: "a plain GLB wants readers that know instances",
 			},
 		],

@@ -4,6 +4,18 @@ const TESTS = "tests/web/scene";
 
 export default [
 	{
+		file: "web/src/scene/cut_out.ts",
+		suites: ["tests/web/scene/cut_out.test.ts"],
+		faults: [
+			{
+				id: "cut-out-edges-dark",
+				find: "(255 * onBlack[at + k]) / cover",
+				replace: "onBlack[at + k]",
+				breaks: "a plant that is cut out has a dark rim",
+			},
+		],
+	},
+	{
 		file: `${SRC}/turntable.ts`,
 		suites: [`${TESTS}/turntable.test.ts`],
 		faults: [

@@ -57,6 +57,7 @@ describe("what cannot be used", () => {
 		expect(await complaint(["--out", "bunch.fbx"])).toBe(
 			"--out bunch.fbx: the name must end in .glb, .usdz, .ply, .3mf, .stl, .obj, .json, .csv or .measures.csv",
 		);
+		expect(await complaint(["--out", "x.PNG"])).toMatch(/^--out x.PNG: pictures take a graphics card/);
 		expect(await complaint(["--out", "x.glb", "--form", "tiny"])).toBe(
 			"--form tiny: the forms are detailed, web, low, instanced, growth",
 		);

@@ -1,5 +1,6 @@
 import { describe, expect, it, vi } from "vitest";
 import { makeFile } from "../../../web/src/files/make";
+import type { FileRequest } from "../../../web/src/files/messages";
 import type { Format, Model } from "../../../web/src/models/model";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
@@ -43,7 +44,17 @@ describe("what can be downloaded", () => {
 			"obj",
 			"json",
 			"png",
+			"png-alone",
 		]);
+	});
+
+	it("is pictures as high as is asked for, with the paper behind or nothing", async () => {
+		const take = vi.fn(async () => new Blob());
+		const pictures = formatsOf(shown([]), take).filter(({ key }) => key.startsWith("png"));
+		const asked = { plant: shown([]), link: "", name: "a", options: {} };
+		for (const { make } of pictures) await make({ ...asked, options: { height: 300 } });
+		await pictures[1].make(asked);
+		expect(take.mock.calls).toEqual([[{ height: 300 }], [{ height: 300, alone: true }], [{ alone: true }]]);
 	});
 
 	it("is its growth where it has an age and a core that is part of the page", () => {
@@ -65,7 +76,7 @@ describe("what can be downloaded", () => {
 
 	it("is what the model makes besides, of what suits it", async () => {
 		const plant = shown([format, { ...format, key: "no", applies: () => false }]);
-		const write = vi.fn(makeFile);
+		const write = vi.fn((model: Model, request: FileRequest) => makeFile(model, request));
 		const [own, ...others] = formatsOf(plant, undefined, write).filter(({ key }) => key === "txt" || key === "no");
 		expect(others).toEqual([]);
 		const blob = await own.make({ plant, link: "?v=2", name: "plain-1", options: { triangles: 500 } });

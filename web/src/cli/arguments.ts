@@ -33,7 +33,9 @@ export function readArguments(words: readonly string[]): Call {
 		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);
 	}
 	const batch = readBatch(values);
-	const alone = (["form", "triangles", "thickness", "points", "translucent"] as const).find((key) => values[key]);
+	const alone = (["form", "triangles", "thickness", "points", "translucent", "textures"] as const).find(
+		(key) => values[key],
+	);
 	if (batch && alone) throw new UsageError(`--${alone} is for one plant’s file; of a series, --as says the kind`);
 	// Each line of a series' table brings its plant back by its link alone, and links hold no meshes.
 	if (batch && values.boundary)
@@ -54,6 +56,7 @@ export function readArguments(words: readonly string[]): Call {
 			...numberOf("thickness", last(values.thickness), 0.2, 20),
 			...countOf("points", last(values.points), 1, 10_000_000),
 			...(values.translucent ? { translucent: true } : {}),
+			...(values.textures ? { textures: true } : {}),
 		},
 		batch,
 	};
@@ -73,6 +76,7 @@ const OPTIONS = {
 	thickness: { type: "string", multiple: true },
 	points: { type: "string", multiple: true },
 	translucent: { type: "boolean" },
+	textures: { type: "boolean" },
 	...BATCH_OPTIONS,
 } as const;
 

@@ -53,8 +53,9 @@ export async function filesOf(
 	if (ending === "json") return [[file, jsonOf(model, grown, specimen)]];
 	const format = ownFormat(model, ending);
 	if (format) return [[file, await format.make(grown, specimen, await encodeLink(model, specimen))]];
-	const [parts, about] = [model.parts(grown, specimen), await aboutPlant(model, grown, specimen)];
+	const about = await aboutPlant(model, grown, specimen);
 	const meshes = plantFile(ending, form);
+	const parts = model.parts(grown, specimen);
 	if (meshes) return [[file, await meshes.make(parts, about, options, aged)]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));

@@ -49,6 +49,8 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const aims = readTargets(model, from, call.targets);
 	const { out } = call;
 	const ending = out === undefined ? "json" : endingOf(model, out);
+	if (out?.toLowerCase().endsWith(".png"))
+		throw new UsageError(`--out ${out}: pictures take a graphics card; take them in the page, from its Download menu`);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
 	checkForm(call, ending, hasAges(model, from));
 	const core = await world.loadCore(model.wasm);

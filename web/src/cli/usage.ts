@@ -29,7 +29,7 @@ export function usage(model: Model, models: readonly string[]): string {
 
   npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--target MEASURE=VALUE …]
                      [--grammar FILE] [--boundary FILE] [--out FILE] [--form FORM] [--triangles N]
-                     [--translucent] [--thickness MM] [--points N]
+                     [--translucent] [--textures] [--thickness MM] [--points N]
   npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND] --out DIR
   npm run -s grow -- --list
 
@@ -55,6 +55,7 @@ ${
   --thickness MM   that nothing is thinner than in an .stl or .3mf (default: ${THICKNESS})
   --points N       of a .ply (default: ${POINTS})
   --translucent    light comes through pale skins in a .glb, which costs readers a pass
+  --textures       a detailed .glb has pictures of colour and shade, not colours of vertices
   --seeds 1-100    a series: a file for each seed and a table, plants.csv, into the folder DIR;
                    what is there and whole is not grown again (docs/batch.md)
   --vary KEY=…     drawn by the seed: age=60..110, or one of a few: fruit=lychee|duku

@@ -75,7 +75,9 @@ export class GltfDocument {
 	readonly #textures: Json[] = [];
 	readonly #samplers: Json[] = [];
 	readonly #animation = new Animation();
-	readonly #patterns = new Map<Float32Array, Pattern & { of: Uint32Array }>();
+	/** Accessors of texture coordinates and of triangles that were there before. */
+	readonly #charts = new Map<Float32Array, number>();
+	readonly #lists = new Map<Uint32Array, number>();
 	readonly #used = new Set<string>();
 	readonly #required = new Set<string>();
 
@@ -165,18 +167,21 @@ export class GltfDocument {
 	}
 
 	#pattern({ positions, uvs, indices }: Mesh): Pattern {
-		const known = this.#patterns.get(uvs);
-		if (known?.of === indices) return known;
-		const short = positions.length / 3 <= SHORT_INDEX_VERTICES;
-		const pattern = {
-			of: indices,
-			...(uvs.length > 0 ? { uvs: this.#textureCoordinates(uvs) } : {}),
-			indices: short
-				? this.#binary.add("shortIndices", Uint16Array.from(indices), "SCALAR")
-				: this.#binary.add("longIndices", indices, "SCALAR"),
-		};
-		this.#patterns.set(uvs, pattern);
+		const pattern: Pattern = { indices: this.#triangles(indices, positions.length / 3) };
+		if (uvs.length > 0) pattern.uvs = this.#charts.get(uvs) ?? this.#textureCoordinates(uvs);
+		if (pattern.uvs !== undefined) this.#charts.set(uvs, pattern.uvs);
 		return pattern;
+	}
+
+	#triangles(indices: Uint32Array, vertices: number): number {
+		const known = this.#lists.get(indices);
+		if (known !== undefined) return known;
+		const list =
+			vertices <= SHORT_INDEX_VERTICES
+				? this.#binary.add("shortIndices", Uint16Array.from(indices), "SCALAR")
+				: this.#binary.add("longIndices", indices, "SCALAR");
+		this.#lists.set(indices, list);
+		return list;
 	}
 
 	/** In compact meshes those that stay on one picture take half. */

@@ -13,6 +13,7 @@ interface TextureInfo {
 export interface TextureIndices {
 	colour?: number;
 	normal?: number;
+	occlusion?: number;
 	thickness?: number;
 }
 
@@ -20,6 +21,7 @@ export interface GltfMaterial {
 	name: string;
 	pbrMetallicRoughness: object;
 	normalTexture?: TextureInfo;
+	occlusionTexture?: TextureInfo;
 	doubleSided?: boolean;
 	extensions?: Record<string, object>;
 }
@@ -45,6 +47,7 @@ export function gltfMaterial(
 			roughnessFactor: one(roughness),
 		},
 		...(textures.normal === undefined ? {} : { normalTexture: { index: textures.normal } }),
+		...(textures.occlusion === undefined ? {} : { occlusionTexture: { index: textures.occlusion } }),
 		...(doubleSided ? { doubleSided } : {}),
 		...(Object.keys(extensions).length > 0 ? { extensions } : {}),
 	};

@@ -9,6 +9,8 @@ export interface FileOptions {
 	readonly triangles?: number;
 	/** Whether light comes through flesh in the *detailed* and the *instanced* form; readers take another pass for it. */
 	readonly translucent?: boolean;
+	/** Whether pictures say colours and shade in the *detailed* form, where vertices do otherwise. */
+	readonly textures?: boolean;
 	/** That nothing is thinner than in files for printers, millimetres. */
 	readonly thickness?: number;
 	/** Of a cloud. */
@@ -60,8 +62,10 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		title: "GLB",
 		about: "glTF, one node per part; opens everywhere",
 		suffix: ".glb",
-		make: async (parts, about, { translucent = false }) =>
-			(await import("./glb")).exportGlb(parts, about, { translucent }),
+		make: async (parts, about, { translucent = false, textures = false }) => {
+			const shown = textures ? (await import("./baked")).baked([...parts]) : parts;
+			return (await import("./glb")).exportGlb(shown, about, { translucent });
+		},
 	},
 	{
 		...GLB,
@@ -86,11 +90,13 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		key: "glb-instanced",
 		form: "instanced",
 		title: "GLB, instanced",
-		about: "Equal parts in one node; for readers of EXT_mesh_gpu_instancing",
+		about: "Parts that are alike in one node; for readers of EXT_mesh_gpu_instancing",
 		suffix: "-instanced.glb",
 		shared: true,
-		make: async (parts, about, { translucent = false }) =>
-			(await import("./glb")).exportGlb(parts, about, { instancing: true, translucent }),
+		make: async (parts, about, { translucent = false }) => {
+			const shared = [...parts].map((await import("./alike")).alike);
+			return (await import("./glb")).exportGlb(shared, about, { instancing: true, translucent });
+		},
 	},
 	{
 		...GLB,

@@ -1,6 +1,5 @@
 /** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
-import { Core } from "../core/core";
-import { compileCore } from "../core/loader";
+import type { Core } from "../core/core";
 import { aboutPlant } from "../export/about_plant";
 import type { Aged } from "../export/growth_glb";
 import { exportJson } from "../export/json";
@@ -13,20 +12,24 @@ import { zip } from "./zip";
 
 const encoder = new TextEncoder();
 
+/** Brings a core to life that lies there. */
+export type CoreAt = (address: string) => Promise<Core>;
+
 /**
  * Makes a file. The same request gives the same bytes.
+ * @param coreAt for files that show the plant at many ages
  * @throws RangeError where neither every plant nor the model has such a file, and what the making throws
  */
-export async function makeFile(model: Model, request: FileRequest): Promise<Blob> {
+export async function makeFile(model: Model, request: FileRequest, coreAt?: CoreAt): Promise<Blob> {
 	const { format, grown, specimen, link, name, options } = request;
 	if (format === "json") return json(model, request);
 	const own = model.formats?.find(({ key }) => key === format);
 	if (own) return new Blob([await own.make(grown, specimen, link)], { type: own.type });
 	const about = await aboutPlant(model, grown, specimen, link);
-	const parts = model.parts(grown, specimen);
 	const file = PLANT_FILES.find(({ key }) => key === format);
+	const parts = model.parts(grown, specimen);
 	if (file) {
-		const aged = file.life && (await agedBy(model, request));
+		const aged = file.life && (await agedBy(model, request, coreAt));
 		return new Blob([await file.make(parts, about, options ?? {}, aged)], { type: file.type });
 	}
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
@@ -40,9 +43,9 @@ export async function makeFile(model: Model, request: FileRequest): Promise<Blob
 }
 
 /** The plant at other ages, grown by a core of its own. */
-async function agedBy(model: Model, { specimen, core }: FileRequest): Promise<Aged | undefined> {
-	if (core === undefined) return undefined;
-	const instance = await Core.instantiate(await compileCore(core));
+async function agedBy(model: Model, { specimen, core }: FileRequest, coreAt?: CoreAt): Promise<Aged | undefined> {
+	if (core === undefined || !coreAt) return undefined;
+	const instance = await coreAt(core);
 	await model.prepare?.(specimen);
 	return agedOf(model, specimen, async (younger) => model.read(instance.grow(model.encode(younger)), younger));
 }

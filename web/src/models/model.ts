@@ -85,7 +85,7 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	read(answer: Answer, specimen: S): G;
 	/** What the plant is made of, for the scene and the exporters, which run in a worker: meshes or instances with their materials. */
 	parts(grown: G, specimen: S): Iterable<Part>;
-	/** Whether some parts are one mesh many times; where absent, whether organs are drawn with meshes says so. */
+	/** Whether some parts are one mesh many times, or alike; where absent, whether organs are drawn with meshes says so. */
 	instanced?(grown: G): boolean;
 	/** What grew in a few plain words, for people and screen readers: "73 berries, 22 cm long". */
 	words(grown: G, specimen: S): string;

@@ -21,6 +21,8 @@ export interface Textures {
 	 * normal × tangent points to −v, whoever makes the tangents.
 	 */
 	normal?: Picture;
+	/** How much light from all around reaches it, in the red channel: 255 all. Files alone have it. */
+	occlusion?: Picture;
 	/** Of the flesh, as a share of its thickness, in the green channel. Files alone have it. */
 	thickness?: Picture;
 }

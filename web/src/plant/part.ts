@@ -48,6 +48,11 @@ export interface Shape {
 	/** Where it is held and turned about; the origin where absent. Not with `instances`. */
 	centre?: readonly [x: number, y: number, z: number];
 	/**
+	 * Of a body like others of its material: what takes one of unit size that faces +Y to it (a transform, as of `Instances`).
+	 * Files with instances draw one for all that are alike.
+	 */
+	pose?: Float32Array;
+	/**
 	 * For readers that know no colours of vertices: parts of one material and one variant are written in the mean of their
 	 * colours. Without it they have the material's.
 	 */

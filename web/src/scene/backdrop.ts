@@ -27,7 +27,7 @@ void main() {
 	paper *= mix(vec3(1.0), shade, shadow * hidden * rim.x * rim.y);
 	gl_FragColor = vec4(paper, 1.0);
 	#include <colorspace_fragment>
-	gl_FragColor.rgb += grain(gl_FragCoord.xy) * 0.006;
+	gl_FragColor.rgb += grain(gl_FragCoord.xy) * (shadow > 0.0 ? 0.006 : 0.0);
 }
 `;
 
@@ -62,6 +62,14 @@ export class Backdrop {
 		uniforms.edge.value.fromArray(linear(rig.paper.edge));
 		uniforms.pool.value.fromArray(linear(rig.paper.pool));
 		uniforms.shadow.value = rig.shadow.depth;
+	}
+
+	/** Flat black or white in place of the paper, without shadow or grain. */
+	setFlat(grey: 0 | 1): void {
+		const { uniforms } = this.#paper;
+		uniforms.edge.value.setScalar(grey);
+		uniforms.pool.value.setScalar(grey);
+		uniforms.shadow.value = 0;
 	}
 
 	setAspect(aspect: number): void {

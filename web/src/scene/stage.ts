@@ -92,6 +92,12 @@ export class Stage<S, G> implements Drawable {
 		this.#shadow.setRig(this.#light.rig);
 	}
 
+	/** Has flat black or white behind the plant, or, without, the paper again. */
+	setGround(grey?: 0 | 1): void {
+		if (grey === undefined) this.#backdrop.setRig(this.#light.rig);
+		else this.#backdrop.setFlat(grey);
+	}
+
 	/**
 	 * Draws everything. What depends on where the viewer stands (light, shadows, order) is settled here.
 	 * @param paper distance of the paper from the eye

@@ -197,20 +197,39 @@ export class Viewer<S, G> {
 	/** The present view as a PNG of the given size in pixels. */
 	async snapshot(width: number, height: number): Promise<Blob> {
 		await this.#stage.whenFinished();
+		return this.#inSize({ width, height }, () => {
+			this.#draw(1);
+			// toBlob copies the pixels before it returns, so that the view can be put back at once.
+			return new Promise<Blob>((resolve, reject) => {
+				this.#canvas.toBlob((blob) => {
+					if (blob) resolve(blob);
+					else reject(new Error(`The browser made no picture of ${width} × ${height} pixels; try a smaller one.`));
+				});
+			});
+		});
+	}
+
+	/** The same of the plant alone, with nothing behind it. */
+	async cutOut(width: number, height: number): Promise<Blob> {
+		const { cutOutOf } = await import("./cut_out");
+		await this.#stage.whenFinished();
+		return this.#inSize({ width, height }, () =>
+			cutOutOf(this.#canvas, (ground) => {
+				this.#stage.setGround(ground);
+				this.#draw(1);
+			}),
+		);
+	}
+
+	/** Has the view be of that size while something is taken of it. */
+	#inSize<Taken>({ width, height }: Size, take: () => Taken): Taken {
 		if (this.#renderer.lost) throw new Error("The GPU has been lost; try again when the picture is back.");
 		const { width: shownWidth, height: shownHeight } = this.#size;
 		this.#setSize(width, height);
-		this.#draw(1);
-		const picture = new Promise<Blob>((resolve, reject) => {
-			// toBlob copies the pixels before it returns, so that the view can be put back at once.
-			this.#canvas.toBlob((blob) => {
-				if (blob) resolve(blob);
-				else reject(new Error(`The browser made no picture of ${width} × ${height} pixels; try a smaller one.`));
-			});
-		});
+		const taken = take();
 		this.#setSize(shownWidth, shownHeight);
 		this.#draw(this.#loop.rest);
-		return picture;
+		return taken;
 	}
 
 	/** Lets go of the graphics card; a canvas with a renderer of its own cannot be drawn on again. */

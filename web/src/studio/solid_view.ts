@@ -8,7 +8,7 @@ import { turnedBy } from "../scene/orbit_keys";
 import type { Viewer } from "../scene/viewer";
 import type { Specimen } from "../specimen/specimen";
 import type { Studio } from "./studio";
-import { lookOf, type Shown, type StudioState } from "./studio_state";
+import { lookOf, type PictureOptions, type Shown, type StudioState } from "./studio_state";
 import { TRY_AGAIN } from "./types";
 
 /** What the canvas has to tell besides the plant. */
@@ -88,10 +88,12 @@ export class SolidView implements ToolView {
 	}
 
 	/** The present view as a PNG. */
-	picture(): Promise<Blob> {
+	picture({ height, alone }: PictureOptions = {}): Promise<Blob> {
 		this.update(this.#studio.state);
 		const { clientWidth, clientHeight } = this.canvas;
-		return this.#view.snapshot(clientWidth * PICTURE_SCALE, clientHeight * PICTURE_SCALE);
+		const scale = height === undefined ? PICTURE_SCALE : height / clientHeight;
+		const [width, tall] = [Math.round(clientWidth * scale), Math.round(clientHeight * scale)];
+		return alone ? this.#view.cutOut(width, tall) : this.#view.snapshot(width, tall);
 	}
 
 	/** Turns, moves and zooms by keys; tells whether the key was one of them. */

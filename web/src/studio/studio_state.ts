@@ -36,9 +36,17 @@ export interface StudioState extends DeskState {
 	/** Models whose presets the gallery shows. */
 	readonly catalogue: readonly Model[];
 	/** Takes a picture of the 3-D view, as PNG, while there is one. */
-	readonly picture: (() => Promise<Blob>) | undefined;
+	readonly picture: ((options?: PictureOptions) => Promise<Blob>) | undefined;
 	/** Whether the system is dark. */
 	readonly systemDark: boolean;
+}
+
+/** What is wanted of a picture. */
+export interface PictureOptions {
+	/** Pixels; twice the page's where absent. */
+	readonly height?: number;
+	/** Whether nothing is to stand behind the plant. */
+	readonly alone?: boolean;
 }
 
 /** What the studio opens with. */

@@ -21,7 +21,7 @@ export const model = {
 	encode: encodeRequest,
 	read: readGrown,
 	parts: bunchParts,
-	instanced: ({ procedure }) => procedure === "paper",
+	instanced: () => true,
 	words: bunchInWords,
 	record: bunchRecord,
 	extras: ({ procedure, plan, second }) => ({ procedure, plan: { ...plan, second } }),

@@ -5,7 +5,7 @@ import { type FileOptions, PLANT_FILES } from "../../export/plant_files";
 import { hasAges } from "../../files/aged";
 import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
-import type { Shown, StudioState } from "../studio_state";
+import type { PictureOptions, Shown, StudioState } from "../studio_state";
 
 export interface Download {
 	readonly key: string;
@@ -27,7 +27,7 @@ export interface Asked {
 	readonly link: string;
 	/** Without extension. */
 	readonly name: string;
-	readonly options: FileOptions;
+	readonly options: FileOptions & Pick<PictureOptions, "height">;
 }
 
 type Listed = Pick<Download, "key" | "title" | "about" | "suffix" | "slow">;
@@ -56,11 +56,29 @@ export function formatsOf(shown: Shown, picture: StudioState["picture"], write =
 		};
 		return { key, title, about, suffix, slow, sized: true, make };
 	});
-	return [...written, ...(picture ? [pictureBy(picture)] : [])];
+	return [...written, ...(picture ? picturesBy(picture) : [])];
 }
 
-function pictureBy(take: () => Promise<Blob>): Download {
-	return { key: "png", title: "Picture", about: "The 3-D view as a PNG", suffix: ".png", sized: false, make: take };
+function picturesBy(take: NonNullable<StudioState["picture"]>): Download[] {
+	const sizeOf = ({ options: { height } }: Asked) => (height === undefined ? {} : { height });
+	return [
+		{
+			key: "png",
+			title: "Picture",
+			about: "The 3-D view as a PNG",
+			suffix: ".png",
+			sized: false,
+			make: (asked) => take(sizeOf(asked)),
+		},
+		{
+			key: "png-alone",
+			title: "Picture, cut out",
+			about: "The same with nothing behind the plant: a transparent PNG",
+			suffix: "-cut-out.png",
+			sized: false,
+			make: (asked) => take({ ...sizeOf(asked), alone: true }),
+		},
+	];
 }
 
 /** Whether some parts are one mesh many times, so that instances make the file another one. */

@@ -12,7 +12,10 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 		// The browser says what is wrong with a number that cannot be used.
 		if (field.reportValidity()) changed({ ...options, [field.name]: field.valueAsNumber });
 	};
-	const check = ({ target }: Event) => changed({ ...options, translucent: (target as HTMLInputElement).checked });
+	const check = ({ target }: Event) => {
+		const { name, checked } = target as HTMLInputElement;
+		changed({ ...options, [name]: checked });
+	};
 	return html`<fieldset class="file-settings">
 		<legend>For these files</legend>
 		<label>Triangles, low
@@ -21,8 +24,14 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 		<label>Least thickness, printers (mm)
 			<input type="number" name="thickness" required min="0.2" max="20" step="0.1" .value=${String(options.thickness ?? THICKNESS)} @change=${number}>
 		</label>
+		<label>Picture height (px)
+			<input type="number" name="height" min="16" max="8192" step="1" placeholder="as on the page" .value=${String(options.height ?? "")} @change=${number}>
+		</label>
 		<label>Light through pale flesh
 			<input type="checkbox" name="translucent" .checked=${options.translucent ?? false} @change=${check}>
+		</label>
+		<label>Baked textures, GLB
+			<input type="checkbox" name="textures" .checked=${options.textures ?? false} @change=${check}>
 		</label>
 	</fieldset>`;
 }

@@ -102,7 +102,7 @@ export class Stage extends StudioPart {
 			this.#leave = this.desk.subscribe(this.#follow);
 			this.#follow();
 			this.#resized.observe(this);
-			this.desk.showPicture(() => solid.picture());
+			this.desk.showPicture((options) => solid.picture(options));
 		} catch (error) {
 			const none = error instanceof Error && error.name === "NoWebGL2Error";
 			const again = () => {

@@ -75,6 +75,7 @@ function berryShape(
 		},
 		material,
 		centre: [x, y, z],
+		pose: Float32Array.from(placeOf(berries, index, 1)),
 		variant: percent === 100 ? "" : String(percent),
 	};
 }

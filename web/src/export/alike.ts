@@ -1,0 +1,68 @@
+/**
+ * Bodies that are alike, sharing meshes: of each material, variant and step of shade the one that sees most of the sky stands for
+ * all, as it stands in `pose`. What is lost: what each has of its own, where it is pressed, its tint and patches.
+ */
+import { placeVectors, rows } from "../plant/orientation";
+import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+
+/** Steps of shade, from the inside of a plant to its outside. */
+const SHADES = 4;
+const ORIGIN = [0, 0, 0] as const;
+
+type Posed = Shape & Required<Pick<Shape, "pose">>;
+
+/** The same parts, a group's posed bodies as a part a class, and what hangs on them beside. */
+export function alike(part: Part): Part {
+	const { children } = part;
+	if (!children) return part;
+	const posed = children.flatMap(({ shape }) => (shape?.pose ? [shape as Posed] : []));
+	const others = children.filter(({ shape }) => !shape?.pose).map(alike);
+	const borne = children.filter(({ shape }) => shape?.pose).flatMap((child) => child.children ?? []);
+	return { ...part, children: [...classesOf(part.name, posed), ...others, ...joined(borne)] };
+}
+
+function classesOf(group: string, shapes: readonly Posed[]): Part[] {
+	const classes = new Map<string, Posed[]>();
+	for (const shape of shapes) {
+		const step = Math.min(SHADES - 1, Math.floor(SHADES * openOf(shape.mesh)));
+		const key = `${group}${shape.variant ? `, ${shape.variant}` : ""}, ${step + 1} of ${SHADES} in light`;
+		classes.set(key, [...(classes.get(key) ?? []), shape]);
+	}
+	return [...classes].map(([name, members]) => {
+		const transforms = Float32Array.from(members.flatMap(({ pose }) => [...pose]));
+		return {
+			name,
+			shape: { mesh: { ...sharedMesh(members), name }, material: members[0].material, instances: { transforms } },
+		};
+	});
+}
+
+/** Instances of one mesh and material, of several parts, as one part. */
+function joined(parts: readonly Part[]): Part[] {
+	const byMesh = new Map<PartMesh, Shape[]>();
+	for (const { shape } of everyPart(parts)) {
+		if (shape?.instances) byMesh.set(shape.mesh, [...(byMesh.get(shape.mesh) ?? []), shape]);
+	}
+	return [...byMesh].map(([mesh, shapes]) => {
+		const transforms = Float32Array.from(shapes.flatMap(({ instances }) => [...(instances?.transforms ?? [])]));
+		return { name: `${mesh.name ?? "Shared"} of all`, shape: { ...shapes[0], instances: { transforms } } };
+	});
+}
+
+/** The most open one, of unit size and facing +Y, in the mean shade of all. */
+function sharedMesh(members: readonly Posed[]): PartMesh {
+	const { mesh, pose } = members.reduce((best, each) => (openOf(each.mesh) > openOf(best.mesh) ? each : best));
+	const [x, y, z, qx, qy, qz, qw, size] = pose.subarray(0, TRANSFORM);
+	const back = rows({ x: -qx, y: -qy, z: -qz, w: qw });
+	const about = mesh.positions.map((value, i) => value - [x, y, z][i % 3]);
+	const own = { positions: new Float32Array(about.length), normals: new Float32Array(about.length) };
+	placeVectors(about, back, 1 / size, ORIGIN, own.positions);
+	placeVectors(mesh.normals, back, 1, ORIGIN, own.normals);
+	const open = members.reduce((sum, each) => sum + openOf(each.mesh), 0) / members.length;
+	return { ...mesh, ...own, sky: new Uint8Array(about.length / 3).fill(Math.round(255 * open)) };
+}
+
+/** The share of the sky that a mesh sees in the mean. */
+function openOf({ sky }: PartMesh): number {
+	return sky ? sky.reduce((sum, value) => sum + value, 0) / (255 * sky.length) : 1;
+}

@@ -1,0 +1,37 @@
+/** A plant without what stands behind it, from two pictures of it: over black and over white (Porter & Duff 1984, "matting"). */
+
+/** 4 × pixels each, opaque; the same, with as much of it as covers the ground, 0 … 255. */
+export function cutOut(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): Uint8ClampedArray<ArrayBuffer> {
+	const cut = new Uint8ClampedArray(onBlack.length);
+	for (let at = 0; at < cut.length; at += 4) {
+		const ground =
+			(onWhite[at] - onBlack[at] + onWhite[at + 1] - onBlack[at + 1] + onWhite[at + 2] - onBlack[at + 2]) / 3;
+		const cover = Math.min(255, Math.max(0, 255 - ground));
+		for (let k = 0; k < 3; k++) cut[at + k] = cover > 0 ? (255 * onBlack[at + k]) / cover : 0;
+		cut[at + 3] = cover;
+	}
+	return cut;
+}
+
+/**
+ * What is drawn on a canvas, as a PNG with nothing behind it. All drawing is done when it returns.
+ * @param draw draws it over black (0), over white (1), or over its own ground again
+ */
+export function cutOutOf(canvas: HTMLCanvasElement, draw: (ground?: 0 | 1) => void): Promise<Blob> {
+	draw(0);
+	// Drawing has made the canvas as large as the picture.
+	const { width, height } = canvas;
+	const copy = new OffscreenCanvas(width, height);
+	const context = copy.getContext("2d", { willReadFrequently: true });
+	if (!context) throw new Error(`The browser has no room for ${width} × ${height} pixels; try a smaller picture.`);
+	const copied = () => {
+		context.drawImage(canvas, 0, 0);
+		return context.getImageData(0, 0, width, height).data;
+	};
+	const onBlack = copied();
+	draw(1);
+	const onWhite = copied();
+	draw();
+	context.putImageData(new ImageData(cutOut(onBlack, onWhite), width, height), 0, 0);
+	return copy.convertToBlob({ type: "image/png" });
+}
