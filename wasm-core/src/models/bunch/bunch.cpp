@@ -99,7 +99,7 @@ std::uint64_t mesh_fingerprint(const Grown& grown) {
   } else {
     add_mesh(print, *grown.berry);
   }
-  if (grown.flower) add_mesh(print, *grown.flower);
+  if (grown.flower) add_mesh(print, grown.flower->mesh);
   if (grown.foliage) add_mesh(print, grown.foliage->mesh);
   return print.value();
 }
