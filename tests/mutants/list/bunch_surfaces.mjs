@@ -13,6 +13,12 @@ export default [
 				replace: "receptacle",
 				breaks: "withered pedicels look like those that bear",
 			},
+			{
+				id: "stems-rings-where-nodes-crowd",
+				find: "stems.tapering = natural;",
+				replace: "",
+				breaks: "a lychee's stalk looks turned",
+			},
 		],
 	},
 	{

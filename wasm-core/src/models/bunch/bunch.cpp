@@ -81,7 +81,7 @@ void add_meshes(Grown& grown, const Request& request) {
     tubes.thin = thin_stem;
   }
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
-  grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f);
+  grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f, grown.natural);
   if (grown.natural) return;
   BerryOptions berry;
   if (request.berry_segments) berry.segments = std::clamp(request.berry_segments, 6u, 128u);
