@@ -50,6 +50,12 @@ export default [
 		suites: [`${TESTS}/parts/stem_colour.test.ts`],
 		faults: [
 			{
+				id: "stem-nodes-ring-stout-stalks",
+				find: "const nodes = slender * node.share",
+				replace: "const nodes = node.share",
+				breaks: "a stout stalk has a brown ring at each of its crowded nodes",
+			},
+			{
 				id: "files-withered-as-green",
 				find: "withered * dry + woody",
 				replace: "woody",
@@ -62,10 +68,10 @@ export default [
 		suites: [`${TESTS}/parts/glb_natural.test.ts`, `${TESTS}/parts/glb.test.ts`, `${TESTS}/parts/flowers.test.ts`],
 		faults: [
 			{
-				id: "flowers-do-not-unfold",
-				find: "Float32Array.from(placeOf(berries, open[i], open[i + 1]))",
-				replace: "Float32Array.from(placeOf(berries, open[i], 1))",
-				breaks: "flowers of files do not unfold",
+				id: "flowers-of-files-without-size",
+				find: "transforms.slice(at, at + TRANSFORM)",
+				replace: "[...transforms.slice(at, at + TRANSFORM - 1), 1]",
+				breaks: "flowers of files are a metre wide",
 			},
 			{
 				id: "berries-of-one-size",
@@ -87,9 +93,33 @@ export default [
 		faults: [
 			{
 				id: "stamens-on-berries",
-				find: '(1 - traitOf(berries, i, "set"))',
-				replace: "1",
+				find: "const out = opened * (1 - set);",
+				replace: "const out = opened;",
 				breaks: "ripe berries wear stamens",
+			},
+			{
+				id: "flowers-without-company",
+				find: "Math.floor(extra / flowers + hashFraction(berries.ids[berry], 40))",
+				replace: "0",
+				breaks: "an inflorescence has no more flowers than pedicels",
+			},
+			{
+				id: "flowers-of-the-fallen-forgotten",
+				find: "const flowers = berries.count + fallen;",
+				replace: "const flowers = berries.count;",
+				breaks: "as flowers fall, more of them stand about those that are left",
+			},
+			{
+				id: "caps-never-shed",
+				find: "if (clings ? set > CAP.gone : opened > CAP.off) return;",
+				replace: "",
+				breaks: "open flowers keep their caps",
+			},
+			{
+				id: "calyx-on-the-ovary",
+				find: 'put("calyx", seat, heading, unit);',
+				replace: 'put("calyx", centre, heading, unit);',
+				breaks: "a bramble's sepals are inside of it",
 			},
 		],
 	},
@@ -111,7 +141,7 @@ export default [
 			},
 			{
 				id: "tint-raisins-as-ripe",
-				find: "return mixed(colour, raisin, 0.8 * clamp(shrivel));",
+				find: "return mixed(colour, raisin, 0.93 * smoothstep(0, 0.8, shrivel));",
 				replace: "return colour;",
 				breaks: "raisins keep the colour of grapes",
 			},
@@ -127,6 +157,12 @@ export default [
 		file: `${SRC}/parts/berry_colour.ts`,
 		suites: [`${TESTS}/parts/berry_colour.test.ts`, `${TESTS}/parts/look.test.ts`],
 		faults: [
+			{
+				id: "colour-no-sun",
+				find: 'const gilded = skin.sunned.amber * traitOf(berries, index, "exposure");',
+				replace: "const gilded = 0;",
+				breaks: "pale berries of files are no more amber in the sun",
+			},
 			{
 				id: "files-without-wax",
 				find: "const depth = WAX.depth * bloom *",

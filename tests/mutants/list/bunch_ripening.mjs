@@ -32,9 +32,21 @@ export default [
 			},
 			{
 				id: "natural-no-flowers-drawn",
-				find: "if (flowers) grown.flower = make_flower();",
-				replace: "",
+				find: "if (flowers || grown.form.fruit == Fruit::bramble) {",
+				replace: "if (grown.form.fruit == Fruit::bramble) {",
 				breaks: "a bunch in flower shows no stamens",
+			},
+			{
+				id: "natural-ovaries-as-fine-as-berries",
+				find: "flowering ? ovary_segments : segments_for(bodies.size())",
+				replace: "segments_for(bodies.size())",
+				breaks: "an inflorescence has as many triangles as a ripe bunch",
+			},
+			{
+				id: "natural-calyx-in-millimetres",
+				find: "0.5f * ovary_width(values[size]) * metres_per_millimetre",
+				replace: "0.5f * ovary_width(values[size])",
+				breaks: "flowers and sepals are a thousand times too large",
 			},
 			{
 				id: "natural-foliage-never",
@@ -122,7 +134,7 @@ export default [
 			},
 			{
 				id: "ripening-never-shrinks",
-				find: "(1 - 0.13f * smooth_step(102, 125, age))",
+				find: "(1 - 0.2f * smooth_step(102, 125, age))",
 				replace: "1.0f",
 				breaks: "raisins are as large as grapes",
 			},
@@ -134,9 +146,21 @@ export default [
 			},
 			{
 				id: "ripening-no-seeds",
-				find: "constexpr float short_of_five = 4.99f",
-				replace: "constexpr float short_of_five = 0.99f",
+				find: "(most + short_of_one_more)",
+				replace: "short_of_one_more",
 				breaks: "no berry has a seed",
+			},
+			{
+				id: "ripening-seeds-in-the-seedless",
+				find: "(most + short_of_one_more)",
+				replace: "(4 + short_of_one_more)",
+				breaks: "seedless grapes have seeds",
+			},
+			{
+				id: "ripening-ovaries-with-relief",
+				find: "return smooth_step(8, 24, age);",
+				replace: "return 1;",
+				breaks: "a bramble's flower is a small bramble",
 			},
 		],
 	},

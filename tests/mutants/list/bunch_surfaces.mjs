@@ -13,6 +13,12 @@ export default [
 				replace: "receptacle",
 				breaks: "withered pedicels look like those that bear",
 			},
+			{
+				id: "stems-rings-where-nodes-crowd",
+				find: "stems.tapering = natural;",
+				replace: "",
+				breaks: "a lychee's stalk looks turned",
+			},
 		],
 	},
 	{
@@ -30,6 +36,42 @@ export default [
 				find: "if (!(ratio >= two_from)) {",
 				replace: "if (ratio > 0) {",
 				breaks: "fingers shade as balls do",
+			},
+		],
+	},
+	{
+		file: `${SRC}/fruit/berry_gauge.cpp`,
+		suites: [`${TESTS}/fruit/berry_surfaces_test.cpp`],
+		faults: [
+			{
+				id: "gauge-berries-unbent",
+				find: "const float bow = deepest_bow * form.curve;",
+				replace: "const float bow = 0 * form.curve;",
+				breaks: "horn-shaped berries are straight",
+			},
+			{
+				id: "gauge-raisins-do-not-cave-in",
+				find: "dent * dent * per_dent * (caved * shrivel)",
+				replace: "dent * dent * per_dent * (0 * caved * shrivel)",
+				breaks: "raisins are round, and only creased",
+			},
+		],
+	},
+	{
+		file: `${SRC}/fruit/fruit_skin.cpp`,
+		suites: [`${TESTS}/fruit/berry_surfaces_test.cpp`],
+		faults: [
+			{
+				id: "skin-rinds-fold",
+				find: "return 0.25f;",
+				replace: "return 1;",
+				breaks: "dry longans are walnuts",
+			},
+			{
+				id: "skin-scar-drilled",
+				find: "-0.012f * hill(from_tip / 0.30f)",
+				replace: "-0.040f * hill(from_tip / 0.30f)",
+				breaks: "tip scars are holes",
 			},
 		],
 	},

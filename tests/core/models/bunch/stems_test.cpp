@@ -50,3 +50,34 @@ TEST_CASE("the rachis and every first-order axis are groups of their own; each v
       REQUIRE(bunch[stem.segment[i]].axis == one.group);
   }
 }
+
+TEST_CASE("a natural stalk whose nodes crowd tapers evenly, without rings") {
+  std::vector<Internode> stalk;
+  for (int i = 0; i < 24; ++i) {
+    Internode one;
+    one.parent = i - 1;
+    one.kind = Kind::rachis;
+    one.axis = -1;
+    one.start = {0, -0.5f * static_cast<float>(i), 0};
+    one.end = {0, -0.5f * static_cast<float>(i + 1), 0};
+    one.radius = 1 - 0.02f * static_cast<float>(i);
+    one.radius_end = 1 - 0.02f * static_cast<float>(i + 1);
+    stalk.push_back(one);
+  }
+  // Between its fourth internode and its twentieth: by how much it is now thicker, now thinner than one that narrows
+  // evenly.
+  const auto unevenness = [&](bool natural) {
+    const Mesh mesh = sweep_internodes(stalk, {12}, 1, natural).mesh;
+    float least = 99, most = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+      const float y = mesh.positions[i + 1];
+      if (y > -2 || y < -10) continue;
+      const float share = std::hypot(mesh.positions[i], mesh.positions[i + 2]) / (1 + 0.04f * y);
+      least = std::min(least, share);
+      most = std::max(most, share);
+    }
+    return most - least;
+  };
+  CHECK(unevenness(true) < 0.012f);
+  CHECK(unevenness(false) > 0.035f);
+}

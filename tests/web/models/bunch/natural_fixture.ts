@@ -1,5 +1,5 @@
 /** Small growths as the natural procedure gives them, made without the core: pressed berries, flowers, foliage. */
-import type { BerrySurfaces, Foliage, Grown, Mesh } from "../../../../web/src/models/bunch/grown";
+import type { BerrySurfaces, FlowerMesh, Foliage, Grown, Mesh } from "../../../../web/src/models/bunch/grown";
 import { MEASURES } from "../../../../web/src/models/bunch/measures.generated";
 import { fromUp, rows } from "../../../../web/src/plant/orientation";
 import { fingerprintOf } from "./fingerprint";
@@ -42,9 +42,16 @@ export function makeNatural(sketch: GrownSketch, { traits = () => ({}), bare = f
 /** Stamens reach so many of their ovary's radii. */
 export const STAMENS_REACH = 1.75;
 
-function flower(): Mesh {
+function flower(): FlowerMesh {
 	const ball = makeBerry(8);
-	return { ...ball, positions: ball.positions.map((value) => STAMENS_REACH * value) };
+	const whole = {
+		firstVertex: 0,
+		vertexCount: ball.positions.length / 3,
+		firstIndex: 0,
+		indexCount: ball.indices.length,
+	};
+	const positions = ball.positions.map((value) => STAMENS_REACH * value);
+	return { ...ball, positions, unit: 0, pieces: [{ piece: "stamens", ...whole }] };
 }
 
 /** Ellipsoids along their directions, flat on one side where they are called pressed. */

@@ -81,7 +81,7 @@ void add_meshes(Grown& grown, const Request& request) {
     tubes.thin = thin_stem;
   }
   if (request.stem_sides) tubes.sides = std::clamp(request.stem_sides, 3u, 64u);
-  grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f);
+  grown.stem = sweep_internodes(grown.internodes, tubes, 1.0f, grown.natural);
   if (grown.natural) return;
   BerryOptions berry;
   if (request.berry_segments) berry.segments = std::clamp(request.berry_segments, 6u, 128u);
@@ -99,7 +99,7 @@ std::uint64_t mesh_fingerprint(const Grown& grown) {
   } else {
     add_mesh(print, *grown.berry);
   }
-  if (grown.flower) add_mesh(print, *grown.flower);
+  if (grown.flower) add_mesh(print, grown.flower->mesh);
   if (grown.foliage) add_mesh(print, grown.foliage->mesh);
   return print.value();
 }

@@ -10,6 +10,7 @@
 #include "geometry/tubes.hpp"
 #include "models/bunch/fruit/berry_body.hpp"
 #include "models/bunch/fruit/berry_surfaces.hpp"
+#include "models/bunch/fruit/flower.hpp"
 #include "models/bunch/plan.hpp"
 #include "models/bunch/skeleton.hpp"
 
@@ -85,7 +86,7 @@ struct Grown {
   std::optional<StemMesh> stem;
   std::optional<Mesh> berry;              // the shared berry, unit radius
   std::optional<BerrySurfaces> surfaces;  // the natural procedure's berries, each with its own surface
-  std::optional<Mesh> flower;             // the shared open flower, where a berry has not yet set
+  std::optional<FlowerMesh> flower;       // the shared flower, where a berry has not yet set or keeps its sepals
   std::optional<Foliage> foliage;         // leaves and cane, where they were asked for
   std::optional<SkyBytes> sky;            // where it was asked for
   std::vector<std::string> notes;

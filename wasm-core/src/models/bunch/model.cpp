@@ -98,6 +98,16 @@ PlantMesh stems_of(StemMesh stem) {
   return mesh;
 }
 
+PlantMesh flower_of(FlowerMesh flower) {
+  PlantMesh mesh{"flower", "petal", std::move(flower.mesh), {}, {}};
+  static constexpr const char* names[] = {"stamens", "cap", "pistil", "petals", "calyx"};
+  for (const FlowerPiece& piece : flower.pieces)
+    mesh.runs.push_back({names[static_cast<std::size_t>(piece.kind)], piece.first_vertex, piece.vertex_count,
+                         piece.first_index, piece.index_count});
+  mesh.columns.add("unit", Floats{flower.unit});
+  return mesh;
+}
+
 PlantMesh foliage_of(Foliage foliage) {
   PlantMesh mesh{"foliage", "blade", std::move(foliage.mesh), {}, {}};
   static constexpr const char* names[] = {"cane", "leaf", "petiole"};
@@ -176,7 +186,7 @@ Plant plant_of(Grown&& grown) {
   if (grown.stem) plant.meshes.push_back(stems_of(std::move(*grown.stem)));
   if (grown.berry) plant.meshes.push_back({"berry", "skin", std::move(*grown.berry), {}, {}});
   if (grown.surfaces) add_surfaces(columns, std::move(*grown.surfaces));
-  if (grown.flower) plant.meshes.push_back({"flower", "petal", std::move(*grown.flower), {}, {}});
+  if (grown.flower) plant.meshes.push_back(flower_of(std::move(*grown.flower)));
   if (grown.foliage) plant.meshes.push_back(foliage_of(std::move(*grown.foliage)));
   if (grown.sky) add_sky(plant, std::move(*grown.sky));
   const Counts& counts = grown.counts;

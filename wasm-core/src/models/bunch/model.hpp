@@ -25,7 +25,8 @@
 //   berries.positions        float32 × 3, berries.normals × 3, berries.pressed: uint8; of each berry's own surface
 //   berries.sky              uint8: of each vertex of each berry, the pattern's or the shared mesh's, berry by berry;
 //                            where `sky` is asked for
-// and the meshes `stems` (segment: uint32 per vertex; axis: int32 per run), `berry`, `flower` and `foliage`.
+// and the meshes `stems` (segment: uint32 per vertex; axis: int32 per run), `berry`, `flower` (unit: float32, metres to
+// one of its own; a run for each piece, fruit/flower.hpp) and `foliage`.
 #pragma once
 
 #include "models/bunch/bunch.hpp"

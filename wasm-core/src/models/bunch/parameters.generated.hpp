@@ -29,6 +29,8 @@ enum class Parameter : std::uint32_t {
   elongation,
   taper,
   blunt,
+  curve,
+  seeds,
   pedicel,
   fruit,
   age,
@@ -62,7 +64,7 @@ enum class Parameter : std::uint32_t {
   vary,
 };
 
-inline constexpr std::uint32_t parameter_count = 51;
+inline constexpr std::uint32_t parameter_count = 53;
 
 struct ParameterInfo {
   std::string_view key;
@@ -96,6 +98,8 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"elongation", "", "natural", 0.7f, 3.5f, 0.0f, 1.04f, false},
     {"taper", "", "natural", -1.0f, 1.0f, 0.0f, 0.0f, false},
     {"blunt", "", "natural", 0.0f, 1.0f, 0.0f, 0.0f, false},
+    {"curve", "", "natural", 0.0f, 1.0f, 0.0f, 0.0f, false},
+    {"seeds", "", "natural", 0.0f, 4.0f, 0.0f, 4.0f, true},
     {"pedicel", "", "natural", 1.0f, 60.0f, 0.0f, 8.0f, false},
     {"fruit", "", "natural", 0.0f, 5.0f, 0.0f, 0.0f, true},
     {"age", "", "natural", 0.0f, 125.0f, 0.0f, 100.0f, false},

@@ -13,7 +13,9 @@ namespace panicle::bunch {
 std::vector<Segment> segments_of(std::span<const Internode> skeleton);
 
 // A group of the mesh for the rachis (−1) and for each first-order axis with its pedicels (Internode::axis). A pedicel
-// widens under its berry; a withered one narrows to its tip. Positions come out in the skeleton's unit times `scale`.
-StemMesh sweep_internodes(std::span<const Internode> skeleton, const TubeOptions& options, float scale);
+// widens under its berry; a withered one narrows to its tip. Stems that grew `natural` taper evenly, and their nodes do
+// not swell where they crowd. Positions come out in the skeleton's unit times `scale`.
+StemMesh sweep_internodes(std::span<const Internode> skeleton, const TubeOptions& options, float scale,
+                          bool natural = false);
 
 }  // namespace panicle::bunch

@@ -4,6 +4,7 @@
  * wasm-core/src/models/bunch/model.hpp.
  */
 import type { Veins } from "../../plant/leaf";
+import type { Run } from "../../plant/part";
 import type { Mesh, Plant } from "../../plant/plant";
 
 export type { Mesh };
@@ -174,6 +175,17 @@ export interface StemMesh extends Mesh {
 	sky?: Uint8Array;
 }
 
+/** Pieces of a flower, each with a run of the flower's mesh (wasm-core/src/models/bunch/fruit/flower.hpp). */
+export const FLOWER_PIECES = ["stamens", "cap", "pistil", "petals", "calyx"] as const;
+export type FlowerPiece = (typeof FLOWER_PIECES)[number];
+
+/** About an ovary of unit radius facing +Y; a calyx about its berry's seat. */
+export interface FlowerMesh extends Mesh {
+	pieces: (Run & { piece: FlowerPiece })[];
+	/** Metres to one of the mesh: an ovary's radius. */
+	unit: number;
+}
+
 export interface Grown extends Plant {
 	procedure: Procedure;
 	form: BerryForm;
@@ -192,8 +204,8 @@ export interface Grown extends Plant {
 	berry?: SharedBerry;
 	/** Each berry's own surface; absent for the paper's procedure, whose berries are `berry` at their spheres. */
 	surfaces?: BerrySurfaces;
-	/** Stamens about an ovary of unit radius facing +Y, for berries whose trait `set` is below 1; absent without any. */
-	flower?: Mesh;
+	/** Where a berry's trait `set` is below 1, or fruits keep a calyx. */
+	flower?: FlowerMesh;
 	/** Leaves and cane, where they were asked for. */
 	foliage?: Foliage;
 	/** Berries that are not there, and why; of the natural procedure. */

@@ -7,6 +7,8 @@ import {
 	type Berries,
 	type BerrySurfaces,
 	type Counts,
+	type FlowerMesh,
+	type FlowerPiece,
 	type Foliage,
 	type FoliagePart,
 	FRUITS,
@@ -44,7 +46,7 @@ export function readGrown(answer: Answer): Grown {
 	const [stems, berry, flower, foliage] = ["stems", "berry", "flower", "foliage"].map(mesh);
 	if (stems) grown.stem = readStem(columns, stems);
 	if (berry) grown.berry = { ...berry, ...readSky(columns, "berries.") };
-	if (flower) grown.flower = flower;
+	if (flower) grown.flower = readFlower(columns, flower);
 	if (foliage) grown.foliage = readFoliage(foliage);
 	return grown;
 }
@@ -121,6 +123,11 @@ function readStem(columns: Columns, { runs, name: _, material: _kind, ...mesh }:
 	const internode = columns.words("mesh.stems.segment");
 	const parts = runs.map((run, index) => ({ axis: axis[index], ...placeOf(run) }));
 	return { ...mesh, internode, parts };
+}
+
+function readFlower(columns: Columns, { runs, name: _, material: _kind, ...mesh }: PlantMesh): FlowerMesh {
+	const pieces = runs.map((run) => ({ piece: run.name as FlowerPiece, ...placeOf(run) }));
+	return { ...mesh, pieces, unit: columns.floats("mesh.flower.unit")[0] };
 }
 
 function readFoliage({ runs, name: _, material: _kind, ...mesh }: PlantMesh): Foliage {

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+
 #include "models/bunch/fruit/packings.hpp"
 
 using namespace panicle;
@@ -220,7 +222,7 @@ TEST_CASE("shrivelled berries are furrowed, each its own way, and lose what the 
   };
   CHECK(roughness(0) > 0.12);
   CHECK(roughness(2) < 0.06);
-  CHECK(check_surface(mesh_of(surfaces, 0), bodies[0], {}, 0.02) == doctest::Approx(0.88).epsilon(0.005));
+  CHECK(check_surface(mesh_of(surfaces, 0), bodies[0], {}, 0.02) == doctest::Approx(0.75).epsilon(0.005));
   CHECK(check_surface(mesh_of(surfaces, 2), bodies[2], {}, 0) == doctest::Approx(1).epsilon(0.002));
   double differ = 0;
   const Mesh first = mesh_of(surfaces, 0), second = mesh_of(surfaces, 1);
@@ -229,6 +231,87 @@ TEST_CASE("shrivelled berries are furrowed, each its own way, and lose what the 
                                         glm::length(position_of(second, i) - glm::dvec3(30, 0, 0))));
   }
   CHECK(differ > 0.5);
+}
+
+TEST_CASE("raisins fold and cave in unevenly: some of the skin stays, some lies deep; rinds keep their form") {
+  BerryBody body = ball({0, 0, 0}, 8);
+  body.shrivel = 1;
+  double shallow = 99, deep = 0;
+  for (std::uint32_t id = 1; id <= 8; ++id) {
+    body.id = id;
+    const Mesh mesh = mesh_of(press_berries(std::vector{body}, {}, {}), 0);
+    // How rough each octant is.
+    std::array<double, 8> least, most;
+    least.fill(99);
+    most.fill(0);
+    for (std::uint32_t i = 0; i < mesh.positions.size() / 3; ++i) {
+      const glm::dvec3 p = position_of(mesh, i);
+      const std::size_t octant = (p.x > 0) + 2 * (p.y > 0) + 4 * (p.z > 0);
+      least[octant] = std::min(least[octant], glm::length(p));
+      most[octant] = std::max(most[octant], glm::length(p));
+    }
+    for (std::size_t k = 0; k < 8; ++k) {
+      shallow = std::min(shallow, (most[k] - least[k]) / 8);
+      deep = std::max(deep, (most[k] - least[k]) / 8);
+    }
+  }
+  CHECK(deep > 0.3);
+  CHECK(shallow < 0.5 * deep);
+  const auto held = [&](Fruit fruit) {
+    const BerryForm form{0, 0, fruit};
+    return check_surface(mesh_of(press_berries(std::vector{body}, form, {}), 0), body, form, 0.03);
+  };
+  CHECK(held(Fruit::grape) < 0.78);
+  CHECK(held(Fruit::longan) > 0.9);
+}
+
+TEST_CASE("bent berries bow sideways, keep their ends and their volume, and pass through nobody") {
+  const BerryForm straight{-0.2f, 0, Fruit::grape}, bent{-0.2f, 0, Fruit::grape, 1};
+  const BerryBody body{{0, 0, 0}, {0, -1, 0}, 8, 19, 0, 3};
+  // How far from the axis the middle of a slice lies, over the half width.
+  const auto bow = [&](const BerryForm& form, double from, double to) {
+    const Mesh mesh = mesh_of(press_berries(std::vector{body}, form, {}), 0);
+    glm::dvec3 low(99), high(-99);
+    for (std::uint32_t i = 0; i < mesh.positions.size() / 3; ++i) {
+      const glm::dvec3 p = position_of(mesh, i);
+      if (p.y / 19 < from || p.y / 19 > to) continue;
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    const glm::dvec3 middle = (low + high) * 0.5;
+    return std::hypot(middle.x, middle.z) / 8;
+  };
+  CHECK(bow(straight, -0.2, 0.2) < 0.05);
+  CHECK(bow(bent, -0.2, 0.2) > 0.45);
+  CHECK(bow(bent, -1, -0.95) < 0.3);
+  Heap heap{4, 16, 2.4f, 0.1f};
+  heap.overlap = 0.1f;
+  const Pressed pressed = check_pressed(heap_of(heap), bent, 0.03);
+  CHECK(pressed.deepest < 1e-4);
+  CHECK(pressed.worst_volume < 0.03);
+}
+
+TEST_CASE("an ovary is smooth, whatever its fruit will be") {
+  const BerryBody body = ball({0, 0, 0}, 8);
+  const auto roughness = [&](float relief) {
+    const Mesh mesh = mesh_of(press_berries(std::vector{body}, {0, 0, Fruit::lychee, 0, relief}, {}), 0);
+    double least = 99, most = 0;
+    for (std::uint32_t i = 0; i < mesh.positions.size() / 3; ++i) {
+      least = std::min(least, glm::length(position_of(mesh, i)));
+      most = std::max(most, glm::length(position_of(mesh, i)));
+    }
+    return (most - least) / 8;
+  };
+  CHECK(roughness(1) > 0.05);
+  CHECK(roughness(0) < 0.01);
+}
+
+TEST_CASE("the tip scar is a mark, not a hole") {
+  const Mesh mesh = mesh_of(press_berries(std::vector{ball({0, 0, 0}, 8)}, {}, {}), 0);
+  double least = 99;
+  for (std::uint32_t i = 0; i < mesh.positions.size() / 3; ++i)
+    if (position_of(mesh, i).y < -6) least = std::min(least, glm::length(position_of(mesh, i)));
+  CHECK(least > 0.985 * 8);
 }
 
 TEST_CASE("the same bodies give the same bytes, and a body knows only its neighbours") {

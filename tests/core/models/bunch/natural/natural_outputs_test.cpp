@@ -25,6 +25,35 @@ TEST_CASE("stamens come with flowers, and go when the last has set") {
   CHECK(!grown(with_meshes(Parameter::age, 60)).flower.has_value());
 }
 
+TEST_CASE("a bramble keeps its sepals, in the measure of its ovary") {
+  Request request = with_meshes(Parameter::fruit, static_cast<float>(Fruit::bramble));
+  set(request, Parameter::size, 16);
+  const Grown ripe = grown(request);
+  REQUIRE(ripe.flower.has_value());
+  CHECK(ripe.flower->unit == doctest::Approx(0.016 * 0.075 / 2));
+  CHECK(ripe.flower->pieces.back().kind == FlowerPiece::Kind::calyx);
+}
+
+TEST_CASE("in flower a bunch has a quarter of a ripe one's triangles") {
+  const auto triangles = [](float age) {
+    const Grown bunch = grown(with_meshes(Parameter::age, age));
+    return bunch.surfaces->indices.size() / 3;
+  };
+  CHECK(triangles(0) < triangles(100) / 4);
+  CHECK(triangles(12) == triangles(100));
+}
+
+TEST_CASE("a bunch has no more seeds in a berry than are asked for, and none of a seedless grape") {
+  const auto most = [](float seeds) {
+    float highest = 0;
+    for (const Traits& one : grown(with_meshes(Parameter::seeds, seeds)).traits) highest = std::max(highest, one.seeds);
+    return highest;
+  };
+  CHECK(most(4) >= 3);
+  CHECK(most(2) == 2);
+  CHECK(most(0) == 0);
+}
+
 TEST_CASE("a cane comes when asked for, and as many leaves as are") {
   CHECK(!grown(with_meshes(Parameter::leaves, 0)).foliage.has_value());
   const auto parts = [](const Request& request) {

@@ -11,8 +11,15 @@ TEST_CASE("a berry's width is a double sigmoid with a rest between, then shrinks
   CHECK(size_at(57) - size_at(49) < 0.01f);
   CHECK(size_at(28) - size_at(20) > 0.1f);
   CHECK(size_at(82) - size_at(74) > 0.05f);
-  CHECK(size_at(125) < 0.9f);
+  CHECK(size_at(125) < 0.82f);
   CHECK(size_at(101) <= 1);
+}
+
+TEST_CASE("a fruit's relief comes out as it sets") {
+  CHECK(relief_at(0) == 0);
+  CHECK(relief_at(8) == 0);
+  CHECK(relief_at(16) == doctest::Approx(0.5));
+  CHECK(relief_at(30) == 1);
 }
 
 TEST_CASE("sizes lead up to an age's own, whatever the age: the steps before are the same") {

@@ -48,12 +48,14 @@ TEST_CASE("a flower that will not set stays a flower; light hastens colouring; t
 TEST_CASE("seeds are whole, from none to four, and more by luck") {
   for (float a = 0; a < 1; a += 0.1f)
     for (float b = 0; b < 1; b += 0.1f) {
-      const float seeds = seeds_of(a, b);
+      const float seeds = seeds_of(a, b, 4);
       CHECK(seeds == static_cast<float>(static_cast<int>(seeds)));
       CHECK(seeds >= 0);
       CHECK(seeds <= 4);
-      CHECK(seeds_of(a + 0.1f, b) >= seeds);
+      CHECK(seeds_of(a + 0.1f, b, 4) >= seeds);
     }
-  CHECK(seeds_of(0, 0) == 0);
-  CHECK(seeds_of(1, 1) == 4);
+  CHECK(seeds_of(0, 0, 4) == 0);
+  CHECK(seeds_of(1, 1, 4) == 4);
+  CHECK(seeds_of(1, 1, 2) == 2);
+  CHECK(seeds_of(1, 1, 0) == 0);
 }

@@ -44,10 +44,10 @@ describe("the bunch's figure", () => {
 	it("shows berries and stems, and flowers and leaves where there are any", () => {
 		const { part } = staged(bunch);
 		expect(["berries", "stems", "foliage"].map((name) => part(name).visible)).toEqual([true, true, false]);
-		expect(part("flowers")).toBeUndefined();
+		expect(part("stamens")).toBeUndefined();
 		const blooming = staged(makeNatural(SKETCH, { traits: () => ({ opened: 1, set: 0 }) }));
-		expect(["flowers", "foliage"].map((name) => blooming.part(name).visible)).toEqual([true, true]);
-		expect((blooming.part("flowers") as unknown as InstancedMesh).count).toBe(3);
+		expect(["stamens", "foliage"].map((name) => blooming.part(name).visible)).toEqual([true, true]);
+		expect((blooming.part("stamens") as unknown as InstancedMesh).count).toBe(3);
 	});
 
 	it("knows berries by their ids, and has none to point at without them", () => {
@@ -141,7 +141,7 @@ describe("the bunch's figure", () => {
 			expect(written.length).toBeGreaterThan(9);
 			expect([...colourOf(name, mesh?.positions.length ?? 0)]).toEqual(written);
 		}
-		const drawn = [part("stems").material, part("flowers").material, ...[part("foliage").material].flat()];
+		const drawn = [part("stems").material, part("stamens").material, ...[part("foliage").material].flat()];
 		for (const { name, roughness, side } of drawn as unknown as MeshStandardMaterial[]) {
 			const said = parts.find(({ shape }) => shape?.material.name === name)?.shape?.material;
 			if (said)

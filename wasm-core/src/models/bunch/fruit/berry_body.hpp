@@ -14,6 +14,8 @@ struct BerryForm {
   float taper = 0;  // −1 … 1: below 0 the pedicel's end is the wider (ovoid), above 0 the tip's (obovoid)
   float blunt = 0;  // 0 … 1: from an ellipse to a cylinder with round ends
   Fruit fruit = Fruit::grape;
+  float curve = 0;   // 0 … 1: from straight to bent like a horn, each berry its own way
+  float relief = 1;  // 0 … 1: how far the fruit's skin has come out; an ovary's is smooth
 };
 
 struct BerryBody {

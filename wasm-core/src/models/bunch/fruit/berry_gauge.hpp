@@ -18,13 +18,25 @@ struct GaugeTable {
   explicit GaugeTable(std::size_t padded = 0) : value(padded), x(padded), y(padded), z(padded) {}
 };
 
+// A meridian's solid bent like a horn: what lies at height y is shifted sideways, along +X of unit space, its ends a
+// little the other way.
+struct BentForm {
+  const BerryMeridian& meridian;
+  float curve = 0;  // 0 … 1
+};
+
+// How much farther than its straight form a bent one may reach.
+float bow_reach(float curve);
+
 // Form and skin, which all berries of a bunch share.
-GaugeTable free_gauge(const BerryPattern& pattern, const BerryMeridian& meridian, const FruitSkin& skin);
+GaugeTable free_gauge(const BerryPattern& pattern, const BentForm& form, const FruitSkin& skin);
 
-// The share of a berry's volume that its furrows take when it is wholly shrivelled.
-inline constexpr float furrowed_volume = 0.12f;
+// The share of a berry's volume that its furrows and dents take when it is wholly shrivelled.
+inline constexpr float furrowed_volume = 0.25f;
 
-// Furrows of a drying berry: each berry mixes two fields by an angle of its own and is creased where the mix is 0.
+// Furrows and dents of a drying berry. Each berry mixes two fields of fine waves by an angle of its own and is creased
+// where the mix is 0, deeply in some places and hardly in others; two fields of broad waves say where, and where it
+// caves in.
 class Furrows {
  public:
   explicit Furrows(const BerryPattern& pattern);
@@ -33,7 +45,7 @@ class Furrows {
   void carve(const GaugeTable& free, std::uint32_t id, float shrivel, GaugeTable& result) const;
 
  private:
-  GaugeTable first_, second_;
+  GaugeTable first_, second_, broad_, other_broad_;
 };
 
 }  // namespace panicle::bunch

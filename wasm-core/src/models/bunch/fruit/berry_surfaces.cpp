@@ -29,12 +29,12 @@ class Pressing {
       : bodies_(bodies),
         furrowed_(std::any_of(bodies.begin(), bodies.end(), shrivelled)),
         meridian_(form),
-        skin_(form.fruit),
+        skin_(form.fruit, form.relief),
         pattern_(make_berry_pattern(std::max(skin_.meridians(segments), furrowed_ ? segments * 9 / 4 : 0))),
-        free_(free_gauge(pattern_, meridian_, skin_)),
+        free_(free_gauge(pattern_, {meridian_, form.curve}, skin_)),
         dried_(furrowed_ ? pattern_.padded() : 0),
         frames_(frames_of(bodies)),
-        contacts_(find_contacts(frames_, meridian_, BerryPress::most_bulge * skin_.highest())),
+        contacts_(find_contacts(frames_, meridian_, BerryPress::most_bulge * skin_.highest() * bow_reach(form.curve))),
         press_(pattern_) {
     if (furrowed_) furrows_.emplace(pattern_);
   }
@@ -57,7 +57,7 @@ class Pressing {
 
   void press_one(std::size_t i) {
     const BerryBody& body = bodies_[i];
-    const float shrivel = shrivelled(body) ? std::min(body.shrivel, 1.0f) : 0;
+    const float shrivel = shrivelled(body) ? std::min(body.shrivel, 1.0f) * skin_.folds() : 0;
     if (shrivel > 0) furrows_->carve(free_, body.id, shrivel, dried_);
     lacking_[i] =
         press_.fit(shrivel > 0 ? dried_ : free_, contacts_.of(i), meridian_.volume() * (1 - furrowed_volume * shrivel));

@@ -1,7 +1,5 @@
 #include "models/bunch/fruit/flower.hpp"
 
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -15,113 +13,160 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr int stamens = 5;
-constexpr std::uint32_t sides = 5;
+using Kind = FlowerPiece::Kind;
 
-// A station of a tube: where its middle is, how thick it is there, and v.
+// v of what has a colour of its own.
+constexpr float green = 0.1f, filament = 0.4f, anther = 0.6f, petal = 0.9f;
+
+// A station of a tube: how far out from the axis and how high its middle is, and how thick it is there. The first and
+// the last are poles.
 struct Station {
-  glm::vec3 centre;
-  float radius, v;
+  float out, up, radius;
 };
 
-// Closed tubes round a path, all into one mesh.
-class Tubes {
+// A tube: `flat` times as thick in the plane of its path as across it.
+struct Tubing {
+  std::span<const Station> path;
+  std::uint32_t sides;
+  float v, flat = 1;
+};
+
+constexpr Station stalk_path[] = {{-0.05f, -0.01f, 0}, {0.01f, 0.08f, 0.2f}, {0.3f, 0.47f, 0.15f}, {0.42f, 0.82f, 0}};
+constexpr Station head_path[] = {{0.14f, -0.5f, 0}, {0.06f, -0.2f, 0.34f}, {-0.06f, 0.3f, 0.32f}, {-0.14f, 0.55f, 0}};
+// Hardly longer than wide, the stigma a little wider than the style.
+constexpr Station style_path[] = {{0, 0.8f, 0}, {0, 0.9f, 0.36f}, {0, 1.25f, 0.2f}, {0, 1.45f, 0}};
+// A hood over the whole bud, blunt and widest above the middle.
+constexpr Station cap_path[] = {{0, -0.75f, 0}, {0, -0.6f, 1}, {0, 0.5f, 1.3f}, {0, 1.5f, 0.95f}, {0, 1.8f, 0}};
+constexpr Station pedicel_path[] = {{0, -6.2f, 0}, {0, -6, 0.3f}, {0, -0.9f, 0.34f}, {0, -0.6f, 0}};
+constexpr Station ovary_path[] = {{0, -1, 0}, {0, -0.75f, 0.75f}, {0, 0, 1}, {0, 0.7f, 0.65f}, {0, 1.05f, 0}};
+constexpr Station petal_path[] = {{1, -0.9f, 0}, {3, -0.7f, 2.2f}, {8, 0.6f, 4.6f}, {12, 2.2f, 3.4f}, {13.5f, 3, 0}};
+// Pointed, and bent back from the fruit.
+constexpr Station sepal_path[] = {
+    {0.3f, -0.4f, 0}, {2, -0.3f, 2.1f}, {5.5f, -1.2f, 1.9f}, {9, -3.4f, 0.7f}, {10.5f, -4.8f, 0}};
+
+constexpr Tubing stalk{stalk_path, 3, filament}, head{head_path, 3, anther}, style{style_path, 4, filament};
+constexpr Tubing cap{cap_path, 6, green}, pedicel{pedicel_path, 3, green}, ovary{ovary_path, 5, green};
+constexpr Tubing petal_blade{petal_path, 4, petal, 0.05f}, sepal{sepal_path, 4, green, 0.12f};
+
+// Where one of several stands round the axis: `out` of it and `aside` span the ground.
+struct Stand {
+  glm::vec3 out{1, 0, 0}, aside{0, 0, 1};
+};
+
+Stand stand_of(std::uint64_t i, float count, float uneven) {
+  constexpr std::uint64_t seed = 5;
+  const SinCos angle =
+      sincos_degrees((360 * static_cast<float>(i) + uneven * (random_unit(seed, 0, i) - 0.5f)) / count);
+  return {{angle.cosine, 0, angle.sine}, {-angle.sine, 0, angle.cosine}};
+}
+
+// Closed tubes, a piece after the other: few sides and few rings, since flowers come by the hundred.
+class Pieces {
  public:
-  // The first and last stations are the poles. `right` is at right angles to the whole path, which is flat.
-  void add(std::span<const Station> path, const glm::vec3& right) {
-    Tube& tube = tubes_.emplace_back();
+  // What is added from now on is of that kind.
+  void begin(Kind kind) { flower_.pieces.push_back({kind, vertices(), 0, indices(), 0}); }
+
+  // A tube where it stands, its path scaled and then moved by `from`.
+  void add(const Tubing& tubing, const Stand& stand = {}, float scale = 1, const Station& from = {}) {
+    Tube tube;
+    const std::span<const Station> path = tubing.path;
+    std::vector<glm::vec3> middles;
+    for (const Station& one : path)
+      middles.push_back(stand.out * (from.out + one.out * scale) + glm::vec3(0, from.up + one.up * scale, 0));
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-      const glm::vec3 way = path[i + 1].centre - path[i - 1].centre;
+      const glm::vec3 way = middles[i + 1] - middles[i - 1];
+      const float length = glm::length(way), gain = (path[i + 1].radius - path[i - 1].radius) / length;
       Ring& ring = tube.rings.emplace_back();
-      ring.centre = path[i].centre;
-      ring.tangent = glm::normalize(way);
-      ring.radius = path[i].radius;
-      ring.right = right * ring.radius;
-      ring.forward = glm::cross(ring.tangent, right) * ring.radius;
-      ring.slope = (path[i + 1].radius - path[i - 1].radius) / glm::length(way);
-      ring.v = path[i].v;
+      ring.centre = middles[i];
+      ring.tangent = way / length;
+      const glm::vec3 forward = glm::cross(ring.tangent, stand.aside) * tubing.flat;
+      ring.radius = path[i].radius * tubing.flat;
+      ring.slope = gain * tubing.flat;
+      ring.right = stand.aside * path[i].radius;
+      ring.forward = forward * path[i].radius;
+      ring.right_change = stand.aside * gain;
+      ring.forward_change = forward * gain;
+      ring.round = false;
+      ring.v = tubing.v;
     }
-    tube.first_pole = path.front().centre;
-    tube.last_pole = path.back().centre;
-    rings_ += tube.rings.size();
+    tube.first_pole = middles.front();
+    tube.last_pole = middles.back();
+    append(tube, tubing);
   }
 
-  Mesh mesh() const {
-    StemMesh stem;
-    const RingPattern pattern(sides);
-    TubeWriter writer(stem, TubeCount{rings_, tubes_.size()}.vertices(sides), std::uint64_t{2} * sides * rings_);
-    for (const Tube& tube : tubes_) writer.write(tube, pattern, 1);
-    writer.finish();
-    return stem.mesh;
-  }
+  FlowerMesh take() { return std::move(flower_); }
 
  private:
-  std::vector<Tube> tubes_;
-  std::size_t rings_ = 0;
+  std::uint32_t vertices() const { return static_cast<std::uint32_t>(flower_.mesh.uvs.size() / 2); }
+  std::uint32_t indices() const { return static_cast<std::uint32_t>(flower_.mesh.indices.size()); }
+
+  void append(const Tube& tube, const Tubing& tubing) {
+    StemMesh stem;
+    const std::size_t rings = tube.rings.size();
+    const RingPattern pattern(tubing.sides);
+    TubeWriter writer(stem, TubeCount{rings, 1}.vertices(tubing.sides), std::uint64_t{2} * tubing.sides * rings);
+    writer.write(tube, pattern, 1);
+    writer.finish();
+    Mesh& all = flower_.mesh;
+    const std::uint32_t first = vertices();
+    for (const float x : stem.mesh.positions) all.positions.push_back(x);
+    for (const float x : stem.mesh.normals) all.normals.push_back(x);
+    for (std::size_t i = 0; i < stem.mesh.uvs.size(); ++i) all.uvs.push_back(i % 2 == 0 ? stem.mesh.uvs[i] : tubing.v);
+    for (const std::uint32_t index : stem.mesh.indices) all.indices.push_back(first + index);
+    FlowerPiece& piece = flower_.pieces.back();
+    piece.vertex_count = vertices() - piece.first_vertex;
+    piece.index_count = indices() - piece.first_index;
+  }
+
+  FlowerMesh flower_;
 };
 
-// How a stamen stands: `out` of the axis and `aside` span the ground, `reach` scales its length.
-struct Stand {
-  glm::vec3 out, aside;
-  float reach;
-
-  glm::vec3 at(float outwards, float up, float sideways = 0) const {
-    return out * outwards + glm::vec3(0, up, 0) + aside * sideways;
-  }
+// Their length is in radii of the ovary.
+struct Stamens {
+  float count, length;
 };
 
-// From below the ovary, where the cap came off, outwards and up.
-void add_filament(Tubes& tubes, const Stand& stand) {
-  const float r = stand.reach;
-  const std::array path = {
-      Station{stand.at(0.70f, -0.80f), 0, 0},
-      Station{stand.at(0.90f, -0.66f), 0.105f, 0.05f},
-      Station{stand.at(1 + 0.42f * r, -0.66f + 0.90f * r), 0.085f, 0.2f},
-      Station{stand.at(1 + 0.66f * r, -0.66f + 1.85f * r), 0.065f, 0.36f},
-      Station{stand.at(1 + 0.72f * r, -0.66f + 2.60f * r), 0.045f, 0.48f},
-      Station{stand.at(1 + 0.72f * r, -0.66f + 2.68f * r), 0, 0.5f},
-  };
-  tubes.add(path, stand.aside);
+Stamens stamens_of(Fruit fruit) {
+  constexpr Stamens all[] = {{5, 3.8f}, {5, 1.6f}, {22, 4.5f}, {7, 4}, {7, 4}, {5, 1.6f}};  // by the fruits' numbers
+  return all[static_cast<std::size_t>(fruit)];
 }
 
-// Two lobes side by side on the filament's end, leaning inwards, where they open.
-void add_anther(Tubes& tubes, const Stand& stand) {
-  for (const float side : {-1.0f, 1.0f}) {
-    constexpr float lean = -0.22f, length = 0.80f, radius = 0.19f;
-    const auto station = [&](float along, float width) {
-      const float up = -0.66f + 2.60f * stand.reach + length * (along - 0.35f);
-      const float outwards = 1 + 0.72f * stand.reach - 0.06f + lean * (along - 0.35f);
-      return Station{stand.at(outwards, up, side * 0.155f), radius * width, 0.5f + 0.5f * along};
-    };
-    const std::array path = {station(0, 0), station(0.14f, 0.72f), station(0.5f, 1), station(0.86f, 0.68f),
-                             station(1, 0)};
-    tubes.add(path, stand.aside);
+// From below the ovary outwards and up, the anther across its end.
+void add_stamens(Pieces& pieces, const Stamens& stamens) {
+  for (std::uint64_t i = 0; static_cast<float>(i) < stamens.count; ++i) {
+    const Stand stand = stand_of(i, stamens.count, 80);
+    const float length = stamens.length * (0.85f + 0.3f * random_unit(5, 1, i));
+    pieces.add(stalk, stand, length, {1, -0.7f, 0});
+    pieces.add(head, stand, 1, {1 + 0.42f * length, 0.82f * length - 0.7f, 0});
   }
 }
 
-// Hardly longer than wide, the stigma a little wider than the style.
-void add_style(Tubes& tubes) {
-  const auto station = [](float up, float radius, float v) { return Station{{0, up, 0}, radius, v}; };
-  const std::array path = {station(0.80f, 0.4f, 0), station(0.94f, 0.32f, 0.1f), station(1.16f, 0.17f, 0.3f),
-                           station(1.32f, 0.22f, 0.45f), station(1.38f, 0, 0.5f)};
-  tubes.add(path, {1, 0, 0});
+void add_five(Pieces& pieces, const Tubing& blade) {
+  for (std::uint64_t i = 0; i < 5; ++i) pieces.add(blade, stand_of(i, 5, 60));
 }
 
 }  // namespace
 
-Mesh make_flower() {
-  constexpr std::uint64_t seed = 5;
-  Tubes tubes;
-  add_style(tubes);
-  for (std::uint64_t i = 0; i < stamens; ++i) {
-    const float turn = 360 * static_cast<float>(i) / stamens + 14 * (random_unit(seed, 0, i) - 0.5f);
-    const SinCos angle = sincos_degrees(turn);
-    const Stand stand{
-        {angle.cosine, 0, angle.sine}, {-angle.sine, 0, angle.cosine}, 0.92f + 0.16f * random_unit(seed, 1, i)};
-    add_filament(tubes, stand);
-    add_anther(tubes, stand);
+FlowerMesh make_flower(Fruit fruit) {
+  Pieces pieces;
+  pieces.begin(Kind::stamens);
+  pieces.add(style);
+  add_stamens(pieces, stamens_of(fruit));
+  if (fruit == Fruit::bramble) {
+    pieces.begin(Kind::petals);
+    add_five(pieces, petal_blade);
+    pieces.begin(Kind::calyx);
+    add_five(pieces, sepal);
+    return pieces.take();
   }
-  return tubes.mesh();
+  if (fruit == Fruit::grape) {
+    pieces.begin(Kind::cap);
+    pieces.add(cap);
+  }
+  pieces.begin(Kind::pistil);
+  pieces.add(pedicel);
+  pieces.add(ovary);
+  return pieces.take();
 }
 
 }  // namespace panicle::bunch

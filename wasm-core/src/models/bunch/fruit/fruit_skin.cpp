@@ -15,8 +15,8 @@ constexpr int tubercles = 110;
 
 // Angles from the tip and from the seat are in radians.
 float scar(float from_tip) {
-  const float dimple = -0.040f * hill(from_tip / 0.34f);
-  const float style = 0.026f * hill(from_tip / 0.11f);
+  const float dimple = -0.012f * hill(from_tip / 0.30f);
+  const float style = 0.010f * hill(from_tip / 0.10f);
   return dimple + style;
 }
 
@@ -62,7 +62,7 @@ float tubercle(float nearest, float next) {
 
 }  // namespace
 
-FruitSkin::FruitSkin(Fruit fruit) : fruit_(fruit), leather_(2, 12) {
+FruitSkin::FruitSkin(Fruit fruit, float relief) : fruit_(fruit), relief_(relief), leather_(2, 12) {
   if (fruit == Fruit::bramble) bumps_ = spiral(drupelets);
   if (fruit == Fruit::lychee) bumps_ = spiral(tubercles);
 }
@@ -77,7 +77,9 @@ float FruitSkin::bumps(const glm::vec3& direction) const {
   return fruit_ == Fruit::bramble ? drupelet(nearest) : 1 + tubercle(nearest, next);
 }
 
-float FruitSkin::height(const glm::vec3& direction) const {
+float FruitSkin::height(const glm::vec3& direction) const { return 1 + relief_ * (grown_height(direction) - 1); }
+
+float FruitSkin::grown_height(const glm::vec3& direction) const {
   const float across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
   const float from_tip = arc_tangent(across, direction.y), from_seat = pi - from_tip;
   switch (fruit_) {
@@ -109,6 +111,17 @@ float FruitSkin::highest() const {
       return 1.04f;
     default:
       return 1.01f;
+  }
+}
+
+float FruitSkin::folds() const {
+  switch (fruit_) {
+    case Fruit::lychee:
+    case Fruit::longan:
+    case Fruit::duku:
+      return 0.25f;
+    default:
+      return 1;
   }
 }
 

@@ -40,4 +40,6 @@ std::vector<float> balanced_widths(std::span<const float> shares, std::span<cons
   return widths;
 }
 
+float ovary_width(float ripe_width) { return 0.075f * ripe_width; }
+
 }  // namespace panicle::bunch

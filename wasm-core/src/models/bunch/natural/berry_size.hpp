@@ -24,4 +24,7 @@ float width_share(const Flower& flower, const Situation& situation, const Nurtur
 // have drawn; the others are those that may stand in. `volumes`, above 0, are those of the berries over full ones.
 std::vector<float> balanced_widths(std::span<const float> shares, std::span<const float> volumes, std::size_t regular);
 
+// Width of a flower's ovary beside a mean ripe berry's, in its unit.
+float ovary_width(float ripe_width);
+
 }  // namespace panicle::bunch

@@ -1,6 +1,7 @@
 #include "models/bunch/natural/harvest.hpp"
 
 #include "foundation/mathematics.hpp"
+#include "models/bunch/natural/berry_size.hpp"
 #include "models/bunch/natural/luck.hpp"
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/units.hpp"
@@ -8,8 +9,7 @@
 namespace panicle::bunch {
 namespace {
 
-constexpr float ovary_size = 0.075f;  // width of a flower's ovary over a ripe berry's
-constexpr float seat_depth = 0.96f;   // of a berry's half length, from its centre to where the pedicel ends
+constexpr float seat_depth = 0.96f;  // of a berry's half length, from its centre to where the pedicel ends
 
 void add(Harvest& harvest, std::uint32_t flower, std::uint32_t id, std::int32_t place, const BerryBody& body) {
   const float ball = body.half_width * cube_root(body.half_length / body.half_width);
@@ -52,7 +52,7 @@ Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, 
           {swollen.centres[k], swollen.directions[k], crop.half_width(k, size), crop.half_length(k, size), 0,
            flower.id});
   }
-  const float half = ripe_width / 2 * ovary_size;
+  const float half = ovary_width(ripe_width) / 2;
   for (std::uint32_t i = 0; i < outcomes.size(); ++i) {
     const Flower& flower = sprout.flowers[i];
     if (outcomes[i].fate == Fate::flower) {

@@ -102,9 +102,14 @@ std::uint32_t segments_for(std::span<const BerryBody> bodies) {
   return static_cast<std::uint32_t>(std::clamp(even, least, most));
 }
 
-BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& form, std::uint32_t segments) {
+// Ovaries are a millimetre wide, and there are hundreds: as few triangles as keep them round.
+constexpr std::uint32_t ovary_segments = 6;
+
+BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& form, std::uint32_t segments,
+                          bool flowering) {
   BerryOptions options;
-  options.segments = segments ? std::clamp(segments, 6u, 128u) : segments_for(bodies);
+  const std::uint32_t own = flowering ? ovary_segments : segments_for(bodies);
+  options.segments = segments ? std::clamp(segments, 6u, 128u) : own;
   BerrySurfaces surfaces = press_berries(bodies, form, options);
   for (float& x : surfaces.positions) x *= metres_per_millimetre;
   return surfaces;
@@ -141,9 +146,12 @@ std::optional<Foliage> foliage_for(const Request& request, const Values& values,
 
 void add_meshes(Grown& grown, const Request& request, const Values& values, const Envelope& envelope,
                 std::span<const BerryBody> bodies) {
-  grown.surfaces = surfaces_of(bodies, grown.form, request.berry_segments);
+  grown.surfaces = surfaces_of(bodies, grown.form, request.berry_segments, size_at(values[age]) <= size_at(0));
   const bool flowers = std::any_of(grown.traits.begin(), grown.traits.end(), [](const Traits& t) { return t.set < 1; });
-  if (flowers) grown.flower = make_flower();
+  if (flowers || grown.form.fruit == Fruit::bramble) {
+    grown.flower = make_flower(grown.form.fruit);
+    grown.flower->unit = 0.5f * ovary_width(values[size]) * metres_per_millimetre;
+  }
   grown.foliage = foliage_for(request, values, envelope, grown.internodes, grown.notes);
 }
 
@@ -190,7 +198,7 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
   Bent bent = bend_skeleton(bunch.internodes, flowers, hanging, outcomes, crop.swollen.ends, size_now);
   grown.second_root = hang_up(bent, bunch, values, request.seed);
   Harvest hung = harvest(crop, bunch, hanging, outcomes, bent, size_now, wish.size);
-  const Season season{values[age], values[sunlight], values[vigour]};
+  const Season season{values[age], values[sunlight], values[vigour], values[seeds]};
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 
   grown.profile = bunch.profile;
@@ -199,7 +207,8 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
   grown.internodes = std::move(bent.internodes);
   grown.berries = std::move(hung.berries);
   grown.thinned = std::move(hung.thinned);
-  grown.form = {values[taper], values[blunt], static_cast<Fruit>(static_cast<int>(values[fruit]))};
+  grown.form = {values[taper], values[blunt], static_cast<Fruit>(static_cast<int>(values[fruit])), values[curve],
+                relief_at(values[age])};
   if (request.meshes) add_meshes(grown, request, values, bunch.bounds[0].envelope, hung.bodies);
   if (request.measures) grown.measures = measures_of(grown, bunch.bounds);
   remark_crop(crop, wish, flowers.size(), grown.notes);

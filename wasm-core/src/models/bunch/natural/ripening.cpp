@@ -16,8 +16,10 @@ constexpr int steps_of_drying = 5;
 
 float size_at(float age) {
   const float fresh = flower_size + 0.56f * smooth_step(8, 48, age) + (0.44f - flower_size) * smooth_step(58, 100, age);
-  return fresh * (1 - 0.13f * smooth_step(102, 125, age));
+  return fresh * (1 - 0.2f * smooth_step(102, 125, age));
 }
+
+float relief_at(float age) { return smooth_step(8, 24, age); }
 
 std::vector<float> sizes_until(float age) {
   std::vector<float> sizes;
@@ -48,9 +50,9 @@ Stage stage_at(float age, const Fortune& fortune) {
   return stage;
 }
 
-float seeds_of(float ripening, float own) {
-  constexpr float short_of_five = 4.99f, least = 0.15f;
-  return std::floor(short_of_five * std::clamp(least + 0.5f * ripening + 0.3f * own, 0.0f, 1.0f));
+float seeds_of(float ripening, float own, float most) {
+  constexpr float short_of_one_more = 0.99f, least = 0.15f;
+  return std::floor((most + short_of_one_more) * std::clamp(least + 0.5f * ripening + 0.3f * own, 0.0f, 1.0f));
 }
 
 float falls_at(float luck) { return 8.5f + 3 * luck; }

@@ -11,6 +11,9 @@ namespace panicle::bunch {
 // Width of a berry over that of the ripe one: a double sigmoid, as berries grow (OENO One 2132), then drying.
 float size_at(float age);
 
+// How far the relief of a fruit's skin has come out, 0 … 1: ovaries are smooth.
+float relief_at(float age);
+
 // Sizes through which berries swell, step by step, up to that of an age.
 std::vector<float> sizes_until(float age);
 
@@ -33,7 +36,8 @@ Stage stage_at(float age, const Fortune& fortune);
 // The age at which a flower that does not set falls.
 float falls_at(float luck);
 
-// Seeds of a berry, 0 … 4: of `ripening`, its luck in when it colours, and a little of a luck of its own (0 … 1 each).
-float seeds_of(float ripening, float own);
+// Seeds of a berry, 0 … `most`: of `ripening`, its luck in when it colours, and a little of a luck of its own (0 … 1
+// each).
+float seeds_of(float ripening, float own, float most);
 
 }  // namespace panicle::bunch

@@ -16,7 +16,7 @@ Traits traits_of(const Ripener& berry, const Flower& flower, const Season& seaso
   traits.opened = stage.opened;
   traits.set = berry.sets ? stage.set : 0;
   traits.shrivel = stage.shrivel;
-  traits.seeds = seeds_of(luck, luck_of(flower, seed, "seeds"));
+  traits.seeds = seeds_of(luck, luck_of(flower, seed, "seeds"), season.seeds);
   return traits;
 }
 

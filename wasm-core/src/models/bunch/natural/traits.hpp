@@ -24,6 +24,7 @@ struct Season {
   float age = 100;     // percent
   float sunlight = 0;  // 0 … 1: how much exposure counts
   float vigour = 1;    // 0 … 1
+  float seeds = 4;     // of a berry, at the most
 };
 
 Traits traits_of(const Ripener& berry, const Flower& flower, const Season& season, std::uint64_t seed);

@@ -86,8 +86,11 @@ void main() {
 	// Its colour: turned or not. Pigment absorbs: colours mix as logarithms do.
 	float turned = turned_at(unripened.w, dot(at, pose.xyz), chart.w, 0.5);
 	hue = vec4(exp(mix(unripened.rgb, ripened.rgb, turned)), clearness(turned, form));
-	float gilt = amber * nature.z * turned * smoothstep(${float(AMBER.from)}, ${float(AMBER.to)}, dot(at, sunward) + ${float(AMBER.coarse)} * (chart.w - 0.5));
-	hue.rgb *= mix(vec3(1.0), ${vec3(AMBER.colour)}, gilt);
+	float gilt = 0.0;
+	if (amber > 0.0) {
+		gilt = amber * nature.z * turned * smoothstep(${float(AMBER.from)}, ${float(AMBER.to)}, dot(at, sunward) + ${float(AMBER.coarse)} * (chart.w - 0.5));
+		hue.rgb *= mix(vec3(1.0), ${vec3(AMBER.colour)}, gilt);
+	}
 
 	// The surroundings: gathered, and mirrored. Neighbours hide the sky from the horizon up: what they leave is taken for a
 	// cone about the normal.

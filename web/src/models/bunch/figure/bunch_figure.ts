@@ -7,7 +7,7 @@ import { StandardLights } from "../../../scene/standard_lights";
 import { standardMaterial } from "../../../scene/standard_material";
 import type { Grown } from "../grown";
 import { tintOf } from "../parts/berry_tint";
-import { foliageMaterials, STAMENS, stemMaterial } from "../parts/materials";
+import { FLOWERS, foliageMaterials, stemMaterial } from "../parts/materials";
 import { bunchSkin, type Dress } from "../parts/skin";
 import { berryMaterial, NONE, setSkin } from "./berry_material";
 import { BunchSurface, type PartMaterials } from "./bunch_surface";
@@ -71,7 +71,7 @@ export class BunchFigure implements Figure<Dress, Grown> {
 		return {
 			berry: berryMaterial(this.#shared),
 			stem: standardMaterial(stemMaterial([1, 1, 1]), { ...lit, shares: shares(OF_STEM) }),
-			flower: standardMaterial(STAMENS, { ...lit, shares: shares(OF_FLOWER) }),
+			flower: standardMaterial(FLOWERS, { ...lit, shares: shares(OF_FLOWER) }),
 			foliage: {
 				cane: standardMaterial(cane, lit),
 				leaf: standardMaterial(leaf, lit),

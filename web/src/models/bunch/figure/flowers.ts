@@ -6,16 +6,19 @@ import {
 	InstancedMesh,
 	type MeshStandardMaterial,
 } from "three";
+import { cut, TRANSFORM } from "../../../plant/part";
 import { matrixOf } from "../../../scene/part_meshes";
-import type { Grown } from "../grown";
-import { placeOf, stamenColours } from "../parts/berries";
-import { openFlowers } from "../parts/flowers";
+import type { FlowerMesh, FlowerPiece, Grown } from "../grown";
+import { flowersOf, type PlacedPieces } from "../parts/flowers";
+import { flowerColours } from "../parts/foliage_colour";
 
-/** The open flowers: instances of one mesh of stamens about their ovaries, which are the berries. */
+type Drawn = InstancedMesh<BufferGeometry, MeshStandardMaterial>;
+
+/** The flowers: of each kind of piece as many instances as there are of it. */
 export class Flowers {
 	readonly #group: Group;
 	readonly #material: MeshStandardMaterial;
-	#drawn: InstancedMesh<BufferGeometry, MeshStandardMaterial> | undefined;
+	#drawn: Drawn[] = [];
 
 	constructor(group: Group, material: MeshStandardMaterial) {
 		this.#group = group;
@@ -26,41 +29,53 @@ export class Flowers {
 	 * Puts a bunch's flowers in place of the last one's. They come and go with the age; nothing is kept of them.
 	 * @param skies share of the sky that each berry sees (skiesOf); all of it where absent
 	 */
-	show({ flower, berries }: Grown, skies?: Float32Array): void {
+	show(grown: Grown, skies?: Float32Array): void {
 		this.dispose();
-		const open = flower ? openFlowers(berries) : new Float32Array(0);
-		if (!flower || open.length === 0) return;
-		const count = open.length / 2;
-		const geometry = new BufferGeometry();
-		geometry.setAttribute("position", new BufferAttribute(flower.positions, 3));
-		geometry.setAttribute("normal", new BufferAttribute(flower.normals, 3));
-		geometry.setAttribute("color", new BufferAttribute(stamenColours(flower), 3));
-		geometry.setIndex(new BufferAttribute(flower.indices, 1));
-		const bearer = new Float32Array(count);
-		const sky = new Float32Array(count);
-		const drawn = new InstancedMesh(geometry, this.#material, count);
-		for (let i = 0; i < count; i++) {
-			const berry = open[2 * i];
-			drawn.setMatrixAt(i, matrixOf(Float32Array.from(placeOf(berries, berry, open[2 * i + 1])), 0));
-			bearer[i] = berry;
-			sky[i] = skies?.[berry] ?? 1;
+		const { flower } = grown;
+		if (!flower) return;
+		const all = flowersOf(grown);
+		for (const run of flower.pieces) {
+			const pieces = all.filter(({ piece }) => piece === run.piece);
+			if (pieces.length > 0) this.#drawn.push(this.#draw(run.piece, geometryOf(flower, run), pieces, skies));
 		}
-		geometry.setAttribute("bearer", new InstancedBufferAttribute(bearer, 1));
+		if (this.#drawn.length > 0) this.#group.add(...this.#drawn);
+	}
+
+	#draw(piece: FlowerPiece, geometry: BufferGeometry, pieces: PlacedPieces[], skies?: Float32Array): Drawn {
+		const transforms = Float32Array.from(pieces.flatMap((each) => each.transforms));
+		const bearers = pieces.flatMap((each) =>
+			each.transforms.slice(0, each.transforms.length / TRANSFORM).fill(each.berry),
+		);
+		const drawn = new InstancedMesh(geometry, this.#material, bearers.length);
+		for (let i = 0; i < bearers.length; i++) drawn.setMatrixAt(i, matrixOf(transforms, i));
+		geometry.setAttribute("bearer", new InstancedBufferAttribute(Float32Array.from(bearers), 1));
+		const sky = Float32Array.from(bearers, (berry) => skies?.[berry] ?? 1);
 		geometry.setAttribute("sky", new InstancedBufferAttribute(sky, 1));
-		drawn.name = "flowers";
+		drawn.name = piece;
 		drawn.frustumCulled = false;
-		this.#group.add(drawn);
-		this.#drawn = drawn;
+		return drawn;
 	}
 
 	set visible(visible: boolean) {
-		if (this.#drawn) this.#drawn.visible = visible;
+		for (const each of this.#drawn) each.visible = visible;
 	}
 
 	dispose(): void {
-		this.#drawn?.removeFromParent();
-		this.#drawn?.geometry.dispose();
-		this.#drawn?.dispose();
-		this.#drawn = undefined;
+		for (const each of this.#drawn) {
+			each.removeFromParent();
+			each.geometry.dispose();
+			each.dispose();
+		}
+		this.#drawn = [];
 	}
+}
+
+function geometryOf(flower: FlowerMesh, run: FlowerMesh["pieces"][number]): BufferGeometry {
+	const { positions, normals, uvs, indices } = cut(flower, run);
+	const geometry = new BufferGeometry();
+	geometry.setAttribute("position", new BufferAttribute(positions, 3));
+	geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+	geometry.setAttribute("color", new BufferAttribute(flowerColours(uvs), 3));
+	geometry.setIndex(new BufferAttribute(indices, 1));
+	return geometry;
 }

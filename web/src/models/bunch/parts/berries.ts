@@ -2,15 +2,15 @@
 import { type Colour, linear, meanColour } from "../../../plant/colour";
 import type { Material } from "../../../plant/material";
 import { fromUp } from "../../../plant/orientation";
-import { type Extras, type Part, type PartMesh, type Shape, TRANSFORM } from "../../../plant/part";
+import { cut, type Extras, type Part, type PartMesh, type Shape, TRANSFORM } from "../../../plant/part";
 import type { Mesh } from "../../../plant/plant";
-import type { Berries, BerrySurfaces, Grown } from "../grown";
+import type { Berries, BerrySurfaces, FlowerPiece, Grown } from "../grown";
 import { meanOf, traitOf } from "../traits";
 import { type Painted, paintedBerries, scarShare } from "./berry_colour";
-import { openFlowers } from "./flowers";
-import { ANTHER_V, STAMEN } from "./foliage_colour";
-import { naturalSkin, plainSkin, STAMENS } from "./materials";
-import { berryName, flowerName } from "./names";
+import { flowersOf } from "./flowers";
+import { flowerColours } from "./foliage_colour";
+import { FLOWERS, naturalSkin, plainSkin } from "./materials";
+import { berryName, pieceName, pieceTitle } from "./names";
 import { bunchSkin, type Dress } from "./skin";
 
 const GROUP = "Berries";
@@ -40,14 +40,14 @@ export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, dress: Dre
 	const skin = bunchSkin(grown, dress);
 	const painted = paintedBerries(grown, surfaces, skin);
 	const material = naturalSkin(dress.look, skin.fruit, meanColour(painted.colours), meanOf(berries, "width", 0));
-	const flowers = flowersOf(grown);
+	const flowers = flowersByBerry(grown);
 	const children = Array.from({ length: berries.count }, (_, i): Part => {
 		const flower = flowers.get(i);
 		return {
 			name: berryName(i, berries.count),
 			shape: berryShape(grown, i, surfaces, painted, material),
 			extras: berryExtras(grown, i),
-			...(flower ? { children: [flower] } : {}),
+			...(flower ? { children: flower } : {}),
 		};
 	});
 	return { name: GROUP, children };
@@ -102,16 +102,25 @@ function berryExtras(grown: Grown, index: number): Extras {
 	};
 }
 
-/** The flowers that are open, by their berries' indices; all one mesh, stamens about an ovary of unit radius facing +Y. */
-function flowersOf({ flower, berries }: Grown): Map<number, Part> {
-	const parts = new Map<number, Part>();
-	if (!flower || flower.indices.length === 0) return parts;
-	const mesh: PartMesh = { ...flower, name: "Flower", colours: stamenColours(flower) };
-	const open = openFlowers(berries);
-	for (let i = 0; i < open.length; i += 2) {
-		const transforms = Float32Array.from(placeOf(berries, open[i], open[i + 1]));
-		const shape = { mesh, material: STAMENS, instances: { transforms } };
-		parts.set(open[i], { name: flowerName(open[i], berries.count), shape });
+/** Flowers and calyces by their berries' indices; all pieces of a kind are one mesh. */
+function flowersByBerry(grown: Grown): Map<number, Part[]> {
+	const parts = new Map<number, Part[]>();
+	const { flower, berries } = grown;
+	if (!flower) return parts;
+	const meshes = new Map<FlowerPiece, PartMesh>();
+	for (const run of flower.pieces) {
+		const mesh = cut(flower, run);
+		meshes.set(run.piece, { ...mesh, name: pieceTitle(run.piece), colours: flowerColours(mesh.uvs) });
+	}
+	for (const { piece, berry, transforms } of flowersOf(grown)) {
+		const mesh = meshes.get(piece);
+		const own = parts.get(berry) ?? [];
+		parts.set(berry, own);
+		for (let at = 0; mesh && at < transforms.length; at += TRANSFORM) {
+			const instances = { transforms: Float32Array.from(transforms.slice(at, at + TRANSFORM)) };
+			const name = pieceName(piece, berry, berries.count, at / TRANSFORM);
+			own.push({ name, shape: { mesh, material: FLOWERS, instances } });
+		}
 	}
 	return parts;
 }
@@ -129,11 +138,6 @@ function scarred({ uvs }: Mesh, skin: Colour, scar: number): Float32Array {
 		const share = scarShare(v, scar);
 		return skin.map((value, k) => value * (1 + (SCAR_TINT[k] - 1) * share)) as Colour;
 	});
-}
-
-/** Of one open flower's mesh, 3 × vertices. */
-export function stamenColours({ uvs }: Pick<Mesh, "uvs">): Float32Array {
-	return eachVertex(uvs, (v) => (v > ANTHER_V ? STAMEN.anther : STAMEN.filament));
 }
 
 function eachVertex(uvs: Float32Array, colourAt: (v: number) => Colour): Float32Array {

@@ -2,7 +2,7 @@
  * How one berry's colours differ from the bunch's: by chance, which its id decides for ever, by the sun it had and by how
  * far it has dried.
  */
-import { type Colour, clamp, fromLch, linear, mixed, smoothstep, toLch } from "../../../plant/colour";
+import { type Colour, fromLch, linear, mixed, smoothstep, toLch } from "../../../plant/colour";
 import { hashFraction } from "../../../plant/noise";
 import type { Grown } from "../grown";
 import { traitOf } from "../traits";
@@ -59,8 +59,8 @@ export function berryTint(skin: Skin, id: number, { exposure, set, shrivel }: Co
 /** A raisin's colour: browner, and darker the paler it was. */
 function dried(colour: Colour, shrivel: number): Colour {
 	const { lightness, chroma } = toLch(colour);
-	const raisin = fromLch({ lightness: 0.2 + 0.3 * lightness, chroma: 0.03 + 0.4 * chroma, hue: 0.75 });
-	return mixed(colour, raisin, 0.8 * clamp(shrivel));
+	const raisin = fromLch({ lightness: 0.17 + 0.32 * lightness, chroma: 0.03 + 0.33 * chroma, hue: 0.8 });
+	return mixed(colour, raisin, 0.93 * smoothstep(0, 0.8, shrivel));
 }
 
 /** The paper's berries know no sun: none stands out. */

@@ -17,10 +17,13 @@ export const AUTUMN = [0.55, 0.95] as const;
 export const PETIOLE = linear("8c8f4a");
 /** A year old cane's bark. */
 export const CANE = linear("7a5a3c");
-/** Filaments, and anthers of pollen's colour. */
-export const STAMEN = { filament: linear("e3e6bd"), anther: linear("e6d37c") } as const;
-/** Where filaments end and anthers begin, as v (models/bunch/fruit/flower.hpp). */
-export const ANTHER_V = 0.5;
+/** What is green of a flower, filaments, anthers of pollen's colour, petals: each up to so far of v (models/bunch/fruit/flower.hpp). */
+export const FLOWER = [
+	{ to: 0.25, colour: linear("b6c67e") },
+	{ to: 0.5, colour: linear("eef1da") },
+	{ to: 0.75, colour: linear("efe8c0") },
+	{ to: 1, colour: linear("f3e9ee") },
+] as const;
 
 /** Noise cells to a metre, of broad patches and of mottling. */
 const BROAD = 45;
@@ -34,6 +37,16 @@ const BRIGHTEST = [1.25, 1.2] as const;
 
 /** So many shades of autumn there are: a leaf's picture is drawn anew for each, not for every moment of a life that plays. */
 const SHADES = 50;
+
+/** Of a flower's mesh or a piece of it: 3 × vertices, linear light. */
+export function flowerColours(uvs: Float32Array): Float32Array {
+	const colours = new Float32Array(1.5 * uvs.length);
+	for (let vertex = 0; vertex < uvs.length / 2; vertex++) {
+		const v = uvs[2 * vertex + 1];
+		colours.set((FLOWER.find(({ to }) => v < to) ?? FLOWER[FLOWER.length - 1]).colour, 3 * vertex);
+	}
+	return colours;
+}
 
 /** How far leaves have turned, 0 … 1: they turn as berries dry. */
 export function autumnOf(berries: Berries): number {

@@ -5,7 +5,7 @@ import { leafPicture } from "../../../plant/leaf_picture";
 import type { Material } from "../../../plant/material";
 import type { FoliagePart } from "../grown";
 import type { Look } from "../specimen";
-import { AUTUMN, brightestLeaf, CANE, LEAF, PETIOLE, STAMEN } from "./foliage_colour";
+import { AUTUMN, brightestLeaf, CANE, FLOWER, LEAF, PETIOLE } from "./foliage_colour";
 import type { FruitSkin } from "./fruit_skin";
 
 /** A smooth skin without wax; bloom scatters the highlight up to the second figure. */
@@ -101,10 +101,10 @@ export function foliageMaterials(autumn: number, veins?: Veins): Record<FoliageP
 	};
 }
 
-/** Stamens, thin and pale; anthers are told by the vertices' colours. */
-export const STAMENS: Material = {
-	name: "Stamen",
-	colour: STAMEN.filament,
+/** Flowers, thin and pale; what is what is told by the vertices' colours. */
+export const FLOWERS: Material = {
+	name: "Flower",
+	colour: FLOWER[1].colour,
 	roughness: 0.7,
 	doubleSided: true,
 	sheet: { through: [0.6, 0.6, 0.6], reverse: [1, 1, 1] },

@@ -2,7 +2,7 @@
  * The names a reader of an export sees in an outliner: the same in GLB and OBJ. Numbers start at 1, as people count,
  * and are padded so that sorting by name keeps their order.
  */
-import type { FoliagePart } from "../grown";
+import type { FlowerPiece, FoliagePart } from "../grown";
 
 /** Name of a part of the stem: `Rachis` for −1, else `Axis 01` for s = 0 (the top one) and so on. */
 export function stemName(axis: number): string {
@@ -14,9 +14,16 @@ export function berryName(index: number, count: number): string {
 	return `Berry ${berryNumber(index, count)}`;
 }
 
-/** Name of the flower of berry `index`: `Flower 001`. */
-export function flowerName(index: number, count: number): string {
-	return `Flower ${berryNumber(index, count)}`;
+const PIECE_TITLES = { stamens: "Flower", cap: "Cap", pistil: "Pistil", petals: "Petals", calyx: "Calyx" } as const;
+
+/** What a piece of a flower is called; a flower is known by its stamens. */
+export function pieceTitle(piece: FlowerPiece): string {
+	return PIECE_TITLES[piece];
+}
+
+/** Name of a piece of the flower of berry `index`: `Flower 001`, `Cap 001`; of those beside it `Flower 001.2` and so on. */
+export function pieceName(piece: FlowerPiece, index: number, count: number, beside: number): string {
+	return `${pieceTitle(piece)} ${berryNumber(index, count)}${beside > 0 ? `.${beside + 1}` : ""}`;
 }
 
 function berryNumber(index: number, count: number): string {

@@ -52,6 +52,9 @@ function rindness(lightness: number, chroma: number, hue: number): number {
 	);
 }
 
+/** How much of the light that a ripe berry of its colour would let through a hard unripe one does. */
+const HARD = 0.5;
+
 /** Pale or vivid skins let light through; dark ones, whose anthocyanins pass red last of all, redden it. */
 function fleshUnder(colour: Colour, passing: number): Flesh {
 	const { lightness, chroma } = toLch(colour);
@@ -87,7 +90,7 @@ export function skinOf(look: Look, kind: Fruit = "grape", guess = false): Skin {
 		ripe,
 		unripe,
 		ripeFlesh: fleshUnder(ripe, passing),
-		unripeFlesh: fleshUnder(unripe, passing),
+		unripeFlesh: fleshUnder(unripe, HARD * passing),
 		wax,
 		bloom: clamp(look.bloom),
 		lenticels: clamp(look.lenticels),
