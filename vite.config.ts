@@ -19,6 +19,17 @@ export default defineConfig({
 		// Nothing inline: the pages' policy allows no inline script and no data: address for a module.
 		assetsInlineLimit: 0,
 		modulePreload: { polyfill: false },
+		rolldownOptions: {
+			output: {
+				advancedChunks: {
+					// Each is needed whole, or nearly: by themselves these modules would be several scripts, which pack less well.
+					groups: [
+						{ name: "document", test: /web\/src\/specimen\// },
+						{ name: "three", test: /node_modules\/three\// },
+					],
+				},
+			},
+		},
 	},
 	server: { fs: { allow: [at(".")] } },
 	test: {
