@@ -62,7 +62,6 @@ describe("many models", () => {
 		const { status, printed, said } = await grow(["--list"]);
 		expect([status, said]).toEqual([0, []]);
 		const [bunch, ...others] = JSON.parse(printed[0]);
-		// What links of a preview mean may still change.
 		expect(bunch).not.toHaveProperty("preview");
 		for (const other of others) expect(other).toMatchObject({ preview: true });
 		expect(bunch).toMatchObject({ model: "bunch", title: "Grape bunch" });
