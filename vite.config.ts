@@ -21,9 +21,18 @@ export default defineConfig({
 		modulePreload: { polyfill: false },
 		rolldownOptions: {
 			input: { index: at("web/index.html"), embed: at("web/embed.html"), panicle: at("web/src/element/panicle.ts") },
-			// The element is a script for other pages: its name stays what it is.
-			output: { entryFileNames: ({ name }) => (name === "panicle" ? "panicle.js" : "assets/[name]-[hash].js") },
 			preserveEntrySignatures: "exports-only",
+			output: {
+				// The element is a script for other pages: its name stays what it is.
+				entryFileNames: ({ name }) => (name === "panicle" ? "panicle.js" : "assets/[name]-[hash].js"),
+				advancedChunks: {
+					// Each is needed whole, or nearly: by themselves these modules would be several scripts, which pack less well.
+					groups: [
+						{ name: "document", test: /web\/src\/specimen\// },
+						{ name: "three", test: /node_modules\/three\// },
+					],
+				},
+			},
 		},
 	},
 	server: { fs: { allow: [at(".")] } },

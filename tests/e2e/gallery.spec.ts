@@ -47,11 +47,13 @@ test("nothing found says so, and Escape or a button brings all of them back", as
 
 test("one kind is shown alone, and searched alone", async ({ page }) => {
 	await opened(page);
+	await expect(page.locator("section[data-model=leaf] h2").first()).toContainText("preview");
+	await expect(page.locator("section[data-model=bunch] h2").first()).not.toContainText("preview");
 	await kind(page).selectOption("Other fruits");
 	await expect(shown(page)).toHaveCount(5);
 	await expect(page.getByRole("region", { name: "Varieties" })).toHaveCount(0);
 	await search(page).fill("lych");
-	await expect(shown(page)).toHaveText(["Lychee"]);
+	await expect(shown(page)).toHaveText([/^\s*Lychee\s*Fig\. 16\(c\)\s*$/]);
 	await kind(page).press("Escape");
 	await expect(kind(page)).toHaveValue("");
 	await expect(search(page)).toHaveValue("");

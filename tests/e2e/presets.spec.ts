@@ -20,7 +20,7 @@ test("the gallery tells shapes, varieties and other fruits apart", async ({ page
 	const strip = page.getByRole("navigation", { name: "Presets" });
 	const names = (section: string) => strip.getByRole("region", { name: section }).getByRole("button");
 	await expect(names("Shapes")).toHaveCount(10);
-	await expect(names("Other fruits")).toHaveText(["Redcurrant", "Rubus", "Lychee", "Longan", "Duku"]);
+	await expect(names("Other fruits")).toHaveText([/Redcurrant/, /Rubus/, /Lychee/, /Longan/, /Duku/]);
 	expect(await names("Varieties").count()).toBeGreaterThanOrEqual(12);
 });
 

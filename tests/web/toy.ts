@@ -63,7 +63,6 @@ const MEASURES: readonly MeasureInfo[] = [
 		unit: "m",
 		decimals: 1,
 		help: "How long.",
-		source: "a rule",
 	},
 ];
 

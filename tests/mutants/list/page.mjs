@@ -159,7 +159,7 @@ export default [
 		file: "web/src/studio/parts/drop.ts",
 		suites: [`${E2E}/files.spec.ts: GLB: valid, and dropped back it restores its bunch`],
 		faults: [
-			{ id: "drop-nothing", find: "void openFile(this.desk, file);", replace: "", breaks: "dropped files do nothing" },
+			{ id: "drop-nothing", find: "void takeFile(this.desk, file);", replace: "", breaks: "dropped files do nothing" },
 		],
 	},
 ];

@@ -25,5 +25,11 @@ describe("runs of key presses", () => {
 		expect([held.run, settle.mock.calls.length]).toEqual([undefined, 1]);
 		down("ArrowRight");
 		expect(held.run).toBe(run);
+		held.up();
+		down("ArrowLeft");
+		expect(held.run).toBe(run);
+		held.up();
+		down("PageUp");
+		expect(held.run).not.toBe(run);
 	});
 });

@@ -4,7 +4,8 @@ import { model as leaf } from "../../../web/src/models/particles/leaf/index";
 import { model as tree } from "../../../web/src/models/particles/tree/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { writtenSpecimen } from "../../../web/src/specimen/written";
-import { dropsOf, openFile } from "../../../web/src/studio/files/open";
+import { dropsOf } from "../../../web/src/studio/files/drops";
+import { openFile } from "../../../web/src/studio/files/open";
 import { studioWith } from "./desk";
 
 const [leafModel, treeModel] = [leaf, tree] as unknown as Model[];

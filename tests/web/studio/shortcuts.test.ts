@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { shortcuts } from "../../../web/src/studio/shortcuts";
+import { shortcuts } from "../../../web/src/studio/shortcut_list";
 import { specimenFromPreset } from "../bunch";
 import { studioWith } from "./desk";
 

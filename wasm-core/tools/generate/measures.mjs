@@ -94,7 +94,7 @@ export type MeasureKey = (typeof MEASURE_KEYS)[number];
 
 /** Every measure, in the same order. */
 export const MEASURES: readonly MeasureInfo[] = [
-${measures.map((measure) => `\t${object(measure, 1)},\n`).join("")}];
+${measures.map(({ source, ...measure }) => `\t${object(measure, 1)},\n`).join("")}];
 
 /** The groups that panels and pages show, in order. */
 export const MEASURE_GROUPS: readonly MeasureGroup[] = [

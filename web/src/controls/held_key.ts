@@ -18,7 +18,8 @@ export class HeldKey {
 	down({ key }: KeyboardEvent): void {
 		if (!MOVING_KEYS.test(key)) return;
 		this.#held = true;
-		this.#run = this.#runs.press("slider");
+		// Arrows go to and fro in one run; what jumps is by itself.
+		this.#run = this.#runs.press(key.startsWith("Arrow") ? "arrows" : key);
 	}
 
 	/** The run that a change belongs to; undefined where it is a drag's. */

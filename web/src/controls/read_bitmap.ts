@@ -1,13 +1,4 @@
-/** Pictures that a person brings: what they may be, and how they are read. */
-
-/** For a file input's `accept`. */
-export const PICTURES = "image/png,image/jpeg,image/webp";
-
-/** Where the system does not know the type. */
-const NAMES = /\.(png|jpe?g|webp)$/i;
-
-export const isPicture = ({ name, type }: Pick<File, "name" | "type">): boolean =>
-	type.startsWith("image/") || NAMES.test(name);
+/** Pictures that a person brings, read. */
 
 /** The message is a sentence for the person. */
 export class PictureError extends Error {

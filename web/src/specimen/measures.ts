@@ -23,7 +23,6 @@ export interface MeasureInfo {
 	readonly oiv?: number;
 	/** One plain sentence. */
 	readonly help: string;
-	readonly source: string;
 	/** What of it was not compared with its source: the classes' limits, say. */
 	readonly unchecked?: string;
 	readonly classes?: readonly MeasureClass[];

@@ -16,13 +16,13 @@ import { listenForSkips } from "./skips";
 import { Studio } from "./studio";
 import { applyTheme, isSystemDark, onSystemTheme } from "./theme";
 import { titleOf } from "./title";
+import { TRY_AGAIN } from "./types";
 import { loadUi, pageOf, STORAGE_KEY, saveUi } from "./ui_state";
 import "./parts/stage";
 import "./parts/bars";
 import "./parts/drop";
 import "./parts/editors";
 import "./parts/gallery";
-import "./parts/help";
 import "./parts/history_bar";
 import "./parts/notices";
 import "./parts/panel";
@@ -90,9 +90,9 @@ function start(model: Model): void {
 
 function draw(studio: Studio): void {
 	for (const part of document.querySelectorAll<StudioPart>(PARTS)) part.desk = studio;
-	const help = document.querySelector<Help>("panicle-help");
-	document.addEventListener("panicle-help", () => help?.open());
-	listenForShortcuts(studio, () => help?.open());
+	const help = () => void openHelp(studio);
+	document.addEventListener("panicle-help", help);
+	listenForShortcuts(studio, help);
 	onSystemTheme((dark) => studio.setSystemDark(dark));
 	// Tabs and bookmarks are told apart by what they hold.
 	let named: readonly unknown[] | undefined;
@@ -105,6 +105,18 @@ function draw(studio: Studio): void {
 	};
 	nameTab();
 	studio.subscribe(nameTab);
+}
+
+/** The help comes when it is first asked for. */
+async function openHelp(studio: Studio): Promise<void> {
+	try {
+		await import("./parts/help");
+		const help = document.querySelector<Help>("panicle-help");
+		await help?.updateComplete;
+		help?.open();
+	} catch {
+		studio.notify("The help could not be fetched", [TRY_AGAIN], { again: () => void openHelp(studio) });
+	}
 }
 
 /** What one tab chooses of the page holds in all. */

@@ -26,6 +26,8 @@ export function changesInWords<S extends Specimen>(
 ): string {
 	const heeded = species.table.core.filter((entry) => species.table.heeds(to, entry));
 	const changes = heeded.flatMap((entry) => {
+		// A length that goes with the scale is the scale's.
+		if (from.parameters[entry.key] === to.parameters[entry.key]) return [];
 		const values = [from, to].map((each) => {
 			const scale = scaleOf(species, each, entry);
 			return { scale, exact: scale.per * each.parameters[entry.key], read: readIn(scale, each.parameters[entry.key]) };

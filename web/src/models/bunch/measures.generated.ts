@@ -49,7 +49,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much of the outline the bunch fills, seen from the front and from the side.",
-		source: "Panicle's own",
 	},
 	{
 		key: "spill",
@@ -59,7 +58,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much of the bunch lies more than a berry's radius outside the outline, seen from the front and from the side.",
-		source: "Panicle's own",
 	},
 	{
 		key: "coverage_front",
@@ -69,7 +67,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much of the outline the bunch fills, seen from the front.",
-		source: "Panicle's own",
 	},
 	{
 		key: "coverage_side",
@@ -79,7 +76,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much of the outline the bunch fills, seen from the side.",
-		source: "Panicle's own",
 	},
 	{
 		key: "spill_front",
@@ -89,7 +85,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much of the bunch lies more than a berry's radius outside the outline, seen from the front.",
-		source: "Panicle's own",
 	},
 	{
 		key: "spill_side",
@@ -99,7 +94,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much of the bunch lies more than a berry's radius outside the outline, seen from the side.",
-		source: "Panicle's own",
 	},
 	{
 		key: "bunch_length",
@@ -110,7 +104,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 202,
 		help: "From the uppermost berry's top to the lowest berry's bottom; the peduncle does not count.",
-		source: "OIV (2009) 202",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 80, words: "very short" },
@@ -129,7 +122,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 203,
 		help: "The greatest distance across between two berries' outer sides, from whichever direction it is greatest.",
-		source: "OIV (2009) 203",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 40, words: "very narrow" },
@@ -148,7 +140,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 206,
 		help: "From where the bunch hangs down to its first branch.",
-		source: "OIV (2009) 206",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 30, words: "very short" },
@@ -167,7 +158,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 208,
 		help: "Whether the bunch stays as wide as it begins, tapers evenly, or narrows early and goes on narrow.",
-		source: "OIV (2009) 208",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 1, words: "cylindrical" },
@@ -184,7 +174,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 209,
 		help: "How many sides of the bunch have a branch that stands out far beyond the rest of that side.",
-		source: "OIV (2009) 209",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, from: 0, words: "none" },
@@ -203,7 +192,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 502,
 		help: "Weight of all berries and stems, from their volumes at 1.08 and 1.0 grams to the cubic centimetre.",
-		source: "OIV (2009) 502; the densities are estimates",
 		unchecked: "limits and density",
 		classes: [
 			{ note: 1, at: 100, words: "very low" },
@@ -221,7 +209,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm³",
 		decimals: 0,
 		help: "Volume of all berries together: the water that they would displace.",
-		source: "Tello et al. (2015), as actual volume",
 	},
 	{
 		key: "hull_volume",
@@ -231,7 +218,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm³",
 		decimals: 0,
 		help: "Volume that the bunch takes up with the gaps between its berries, rebuilt from its front and side views.",
-		source: "Tello et al. (2016), as morphological volume from images",
 	},
 	{
 		key: "outline_volume",
@@ -241,7 +227,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm³",
 		decimals: 0,
 		help: "Volume within the outline that the handles draw.",
-		source: "Panicle's own",
 	},
 	{
 		key: "density",
@@ -252,7 +237,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 1,
 		oiv: 204,
 		help: "From very loose, berries apart and pedicels seen, to very dense, berries out of shape from pressing on each other.",
-		source: "OIV (2009) 204; how it is reckoned is Panicle's own",
 		unchecked: "words",
 		classes: [
 			{ note: 1, at: 1, words: "very loose" },
@@ -270,7 +254,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How much of the hull is berry and not the air between berries.",
-		source: "after Tello et al. (2015)",
 	},
 	{
 		key: "compactness",
@@ -280,7 +263,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "g/cm²",
 		decimals: 2,
 		help: "Bunch weight over the square of bunch length: a quick estimate of how compact a bunch is.",
-		source: "Tello & Ibáñez (2014), CI-12",
 		unchecked: "formula",
 	},
 	{
@@ -291,7 +273,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm",
 		decimals: 1,
 		help: "How far, on average, the three nearest berries are from a berry's skin; 0 where they touch.",
-		source: "Panicle's own",
 	},
 	{
 		key: "contacts",
@@ -301,7 +282,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How many other berries a berry touches, on average.",
-		source: "Panicle's own",
 	},
 	{
 		key: "berry_count",
@@ -311,7 +291,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many berries the bunch bears.",
-		source: "a count",
 	},
 	{
 		key: "diameter",
@@ -321,7 +300,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm",
 		decimals: 1,
 		help: "Mean diameter of the balls of the berries' volumes.",
-		source: "a mean",
 	},
 	{
 		key: "diameter_spread",
@@ -331,7 +309,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much the berries differ: the standard deviation of their diameters over the mean.",
-		source: "a coefficient of variation",
 	},
 	{
 		key: "berry_length",
@@ -342,7 +319,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 1,
 		oiv: 220,
 		help: "Mean length of a berry, from its pedicel to the scar at its tip.",
-		source: "OIV (2009) 220",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 8, words: "very short" },
@@ -361,7 +337,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 1,
 		oiv: 221,
 		help: "Mean width of a berry, across its length.",
-		source: "OIV (2009) 221",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 8, words: "very narrow" },
@@ -380,7 +355,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 222,
 		help: "Whether the berries are of one size: their diameters spread by no more than 15 percent.",
-		source: "OIV (2009) 222; the limit is Panicle's own",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 1, words: "not uniform" },
@@ -396,7 +370,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 0,
 		oiv: 223,
 		help: "The form of a berry, by its length over its width, its taper and its bluntness.",
-		source: "OIV (2009) 223; the limits are Panicle's own",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 1, words: "obloid" },
@@ -420,7 +393,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 1,
 		oiv: 238,
 		help: "Mean length of the stalks that bear berries.",
-		source: "OIV (2009) 238",
 		unchecked: "limits",
 		classes: [
 			{ note: 1, at: 4, words: "very short" },
@@ -439,7 +411,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		decimals: 2,
 		oiv: 503,
 		help: "Mean weight of a berry, from its volume at 1.08 grams to the cubic centimetre.",
-		source: "OIV (2009) 503; the density is an estimate",
 		unchecked: "limits and density",
 		classes: [
 			{ note: 1, at: 1, words: "very low" },
@@ -457,7 +428,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many of the berries are seen from the front, at least a twentieth of each.",
-		source: "Panicle's own",
 	},
 	{
 		key: "visible_side",
@@ -467,7 +437,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many of the berries are seen from the side, as the side view shows them, at least a twentieth of each.",
-		source: "Panicle's own",
 	},
 	{
 		key: "visible_mean",
@@ -477,7 +446,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many of the berries are seen, at least a twentieth of each, on average over 26 directions from all around.",
-		source: "Panicle's own",
 	},
 	{
 		key: "pedicels_seen",
@@ -487,7 +455,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How much of the pedicels' length berries leave to be seen, on average from front, back and both sides.",
-		source: "Panicle's own",
 	},
 ];
 

@@ -1,4 +1,4 @@
-import { FILE_TOPIC, type ToolDrop } from "../../controls/tool";
+import { FILE_TOPIC } from "../../controls/tool";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
 import { modelIn, restore } from "../../specimen/restore";
@@ -6,6 +6,7 @@ import { BARE } from "../faces";
 import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { TRY_AGAIN } from "../types";
+import { dropsOf } from "./drops";
 
 /**
  * Brings back the specimen of a GLB or JSON, of whatever model; a file without one goes to the tool that takes it. Whatever
@@ -44,11 +45,3 @@ async function elsewhere(studio: Studio, file: File): Promise<string[]> {
 	const words = await Promise.all(taken.map((one) => one.catch(() => undefined)));
 	return words.filter((one) => one !== undefined);
 }
-
-/** What tools of the model take of files, those that mean nothing to the specimen left out. */
-export function dropsOf({ state: { face, specimen } }: Studio): ToolDrop[] {
-	return applying(face?.tools, specimen).flatMap(({ drop }) => drop ?? []);
-}
-
-/** The files that the picker offers. */
-export const ACCEPT = ".glb,.json,model/gltf-binary,application/json";

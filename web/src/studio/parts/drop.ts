@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { dropsOf, openFile } from "../files/open";
+import { dropsOf, takeFile } from "../files/drops";
 import { applying } from "../panel_groups";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
@@ -55,7 +55,7 @@ export class Drop extends StudioPart {
 		// Some part of the page has taken it.
 		if (!file || event.defaultPrevented) return;
 		event.preventDefault();
-		void openFile(this.desk, file);
+		void takeFile(this.desk, file);
 	};
 }
 

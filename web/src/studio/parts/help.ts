@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { shortcuts } from "../shortcuts";
+import { shortcuts } from "../shortcut_list";
 import type { Studio } from "../studio";
 import { VERSION } from "../version";
 import { StudioPart } from "./studio_part";

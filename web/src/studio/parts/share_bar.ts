@@ -2,7 +2,7 @@ import { html } from "lit";
 import { icon } from "../../controls/icons";
 import { fromPreset } from "../../specimen/from_preset";
 import { linkOf } from "../address";
-import { ACCEPT, openFile } from "../files/open";
+import { ACCEPT, takeFile } from "../files/drops";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 import "./download_menu";
@@ -40,7 +40,7 @@ export class ShareBar extends StudioPart {
 	#picked(event: Event): void {
 		const input = event.target as HTMLInputElement;
 		const file = input.files?.[0];
-		if (file) void openFile(this.desk, file);
+		if (file) void takeFile(this.desk, file);
 		input.value = ""; // The same file may be chosen again.
 	}
 }

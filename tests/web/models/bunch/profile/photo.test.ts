@@ -8,7 +8,8 @@ import {
 	shifted,
 	zoomed,
 } from "../../../../../web/src/models/bunch/photo/photo";
-import { changePhoto, photo, placePhoto, removePhoto } from "../../../../../web/src/models/bunch/tools/photo";
+import { placePhoto, removePhoto } from "../../../../../web/src/models/bunch/photo/place_photo";
+import { changePhoto, photo } from "../../../../../web/src/models/bunch/tools/photo";
 import { specimenFromPreset } from "../../../bunch";
 import { bunchDesk, studioWith } from "../../../studio/desk";
 

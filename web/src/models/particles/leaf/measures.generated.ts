@@ -37,7 +37,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm²",
 		decimals: 1,
 		help: "Of the blade, teeth and all.",
-		source: "Panicle's own",
 	},
 	{
 		key: "perimeter",
@@ -47,7 +46,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm",
 		decimals: 0,
 		help: "Length of the margin, teeth and all.",
-		source: "Panicle's own",
 	},
 	{
 		key: "leaf_length",
@@ -57,7 +55,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm",
 		decimals: 1,
 		help: "Of the blade from its lowest to its highest place, along the midrib.",
-		source: "Panicle's own",
 	},
 	{
 		key: "leaf_width",
@@ -67,7 +64,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm",
 		decimals: 1,
 		help: "Of the blade across the midrib.",
-		source: "Panicle's own",
 	},
 	{
 		key: "slenderness",
@@ -77,7 +73,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 2,
 		help: "Length over width.",
-		source: "Ellis et al. (2009)",
 	},
 	{
 		key: "roundness",
@@ -87,7 +82,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 2,
 		help: "Area times 4π over the square of the perimeter: 1 for a disc, less the more the margin is lobed and toothed.",
-		source: "Cox (1927)",
 	},
 	{
 		key: "vein_length",
@@ -97,7 +91,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm",
 		decimals: 0,
 		help: "Length of all veins together.",
-		source: "Panicle's own",
 	},
 	{
 		key: "vein_density",
@@ -107,7 +100,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm/mm²",
 		decimals: 2,
 		help: "Length of all veins over the blade's area.",
-		source: "Sack and Scoffoni (2013)",
 	},
 	{
 		key: "vein_area",
@@ -117,7 +109,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 1,
 		help: "How much of the blade veins cover, where each is as wide as it is drawn and none hides another.",
-		source: "Panicle's own",
 	},
 	{
 		key: "ends",
@@ -127,7 +118,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Free ends of veins.",
-		source: "Panicle's own",
 	},
 	{
 		key: "forks",
@@ -137,7 +127,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Places where veins divide.",
-		source: "Panicle's own",
 	},
 	{
 		key: "orders",
@@ -147,7 +136,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many orders of veins there are.",
-		source: "Panicle's own",
 	},
 	{
 		key: "count_1",
@@ -157,7 +145,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Number of veins of the first order.",
-		source: "Ellis et al. (2009)",
 	},
 	{
 		key: "count_2",
@@ -167,7 +154,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Number of veins of the second order.",
-		source: "Ellis et al. (2009)",
 	},
 	{
 		key: "count_3",
@@ -177,7 +163,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Number of veins of the third order.",
-		source: "Ellis et al. (2009)",
 	},
 	{
 		key: "density_1",
@@ -187,7 +172,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm/cm²",
 		decimals: 2,
 		help: "Length of the veins of the first order over the blade's area.",
-		source: "Sack et al. (2012)",
 	},
 	{
 		key: "density_2",
@@ -197,7 +181,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm/cm²",
 		decimals: 2,
 		help: "Length of the veins of the second order over the blade's area.",
-		source: "Sack et al. (2012)",
 	},
 	{
 		key: "density_3",
@@ -207,7 +190,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm/cm²",
 		decimals: 2,
 		help: "Length of the veins of the third order over the blade's area.",
-		source: "Sack et al. (2012)",
 	},
 	{
 		key: "primary_angle",
@@ -217,7 +199,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "°",
 		decimals: 0,
 		help: "Mean angle between neighbouring primary veins where they leave the petiole; of one alone there is none.",
-		source: "OIV (2009), 607 to 609",
 	},
 	{
 		key: "secondary_angle",
@@ -227,7 +208,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "°",
 		decimals: 0,
 		help: "Mean angle at which secondary veins leave the primaries.",
-		source: "Ellis et al. (2009)",
 	},
 	{
 		key: "secondary_spacing",
@@ -237,7 +217,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "mm",
 		decimals: 1,
 		help: "Mean distance along a primary between secondary veins of the same side.",
-		source: "Ellis et al. (2009)",
 	},
 ];
 

@@ -32,7 +32,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m",
 		decimals: 2,
 		help: "From the ground down to the deepest root.",
-		source: "Panicle's own",
 	},
 	{
 		key: "spread",
@@ -42,7 +41,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m",
 		decimals: 2,
 		help: "The mean of the roots' widths along x and z.",
-		source: "Panicle's own",
 	},
 	{
 		key: "root_volume",
@@ -52,7 +50,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m³",
 		decimals: 2,
 		help: "Volume between the outer and the inner boundary, in which the roots' tips lie.",
-		source: "Panicle's own",
 	},
 	{
 		key: "wood_length",
@@ -62,7 +59,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m",
 		decimals: 1,
 		help: "Length of all roots together.",
-		source: "Panicle's own",
 	},
 	{
 		key: "wood_volume",
@@ -72,7 +68,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "dm³",
 		decimals: 2,
 		help: "Volume of all roots, as truncated cones.",
-		source: "Panicle's own",
 	},
 	{
 		key: "collar_width",
@@ -82,7 +77,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm",
 		decimals: 1,
 		help: "Thickness of the thickest root where it begins.",
-		source: "Panicle's own",
 	},
 	{
 		key: "surface",
@@ -92,7 +86,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m²",
 		decimals: 2,
 		help: "Surface of all roots, as truncated cones.",
-		source: "Panicle's own",
 	},
 	{
 		key: "density",
@@ -102,7 +95,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m/dm³",
 		decimals: 2,
 		help: "Root length over rooted volume.",
-		source: "Panicle's own",
 	},
 	{
 		key: "tips",
@@ -112,7 +104,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many roots end.",
-		source: "Panicle's own",
 	},
 	{
 		key: "forks",
@@ -122,7 +113,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Places where roots part.",
-		source: "Panicle's own",
 	},
 	{
 		key: "order",
@@ -132,7 +122,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Strahler's order of the main root: tips are 1, and where two of the highest order meet it is one more.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "order1",
@@ -142,7 +131,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Roots of order 1: runs from a tip to the first one of order 2.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "order2",
@@ -152,7 +140,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Roots of order 2.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "order3",
@@ -162,7 +149,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Roots of order 3.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "bifurcation",
@@ -172,7 +158,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 2,
 		help: "How many times more roots there are of one order than of the next: the geometric mean over all orders.",
-		source: "Horton (1945)",
 	},
 	{
 		key: "fork_angle",
@@ -182,7 +167,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "°",
 		decimals: 0,
 		help: "Mean angle between the two thickest roots of a fork.",
-		source: "Panicle's own",
 	},
 ];
 

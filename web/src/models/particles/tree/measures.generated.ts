@@ -34,7 +34,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m",
 		decimals: 1,
 		help: "From the ground to the highest branch.",
-		source: "Panicle's own",
 	},
 	{
 		key: "spread",
@@ -44,7 +43,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m",
 		decimals: 1,
 		help: "The mean of the crown's widths along x and z.",
-		source: "Panicle's own",
 	},
 	{
 		key: "crown_volume",
@@ -54,7 +52,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m³",
 		decimals: 1,
 		help: "Volume between the outer and the inner boundary, in which the twigs' tips lie.",
-		source: "Panicle's own",
 	},
 	{
 		key: "wood_length",
@@ -64,7 +61,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m",
 		decimals: 0,
 		help: "Length of all branches and trunks together.",
-		source: "Panicle's own",
 	},
 	{
 		key: "wood_volume",
@@ -74,7 +70,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "dm³",
 		decimals: 0,
 		help: "Volume of all branches and trunks, as truncated cones.",
-		source: "Panicle's own",
 	},
 	{
 		key: "trunk_width",
@@ -84,7 +79,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "cm",
 		decimals: 1,
 		help: "Thickness of the thickest trunk where it leaves the ground.",
-		source: "Panicle's own",
 	},
 	{
 		key: "leaf_count",
@@ -94,7 +88,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many leaves there are.",
-		source: "Panicle's own",
 	},
 	{
 		key: "leaf_area",
@@ -104,7 +97,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "m²",
 		decimals: 1,
 		help: "Area of all leaves, one side of each.",
-		source: "Panicle's own",
 	},
 	{
 		key: "leaf_index",
@@ -114,7 +106,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 2,
 		help: "Leaf area over the ground that the crown's box covers as an ellipse.",
-		source: "Watson (1947)",
 	},
 	{
 		key: "light",
@@ -124,7 +115,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Mean share of all light that comes to the twigs' tips.",
-		source: "Panicle's own",
 	},
 	{
 		key: "tips",
@@ -134,7 +124,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "How many branches end.",
-		source: "Panicle's own",
 	},
 	{
 		key: "forks",
@@ -144,7 +133,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Places where branches part.",
-		source: "Panicle's own",
 	},
 	{
 		key: "order",
@@ -154,7 +142,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Strahler's order of the trunk: tips are 1, and where two of the highest order meet it is one more.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "order1",
@@ -164,7 +151,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Branches of order 1: runs from a tip to the first one of order 2.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "order2",
@@ -174,7 +160,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Branches of order 2.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "order3",
@@ -184,7 +169,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 0,
 		help: "Branches of order 3.",
-		source: "Strahler (1957), as for streams",
 	},
 	{
 		key: "bifurcation",
@@ -194,7 +178,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "",
 		decimals: 2,
 		help: "How many times more branches there are of one order than of the next: the geometric mean over all orders.",
-		source: "Horton (1945)",
 	},
 	{
 		key: "fork_angle",
@@ -204,7 +187,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 		unit: "°",
 		decimals: 0,
 		help: "Mean angle between the two thickest branches of a fork.",
-		source: "Panicle's own",
 	},
 ];
 

@@ -1,6 +1,6 @@
 import { html } from "lit";
 import type { Change } from "../../../../controls/desk";
-import { isPicture, PICTURES, PictureError } from "../../../../controls/read_bitmap";
+import { isPicture, PICTURES } from "../../../../controls/picture_file";
 import { sameDocument } from "../../../../controls/same_document";
 import { FILE_TOPIC } from "../../../../controls/tool";
 import type { LeafSpecimen } from "../specimen";
@@ -42,12 +42,13 @@ function draw(desk: LeafDesk): unknown {
 export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 	const isStill = sameDocument(desk);
 	const again = () => void traceFile(desk, file);
-	const [reader, tracer, words] = await Promise.all([
+	const [reader, tracer, words, bitmaps] = await Promise.all([
 		import("../trace/read_picture"),
 		import("../trace/trace"),
 		import("../trace/picture"),
+		import("../../../../controls/read_bitmap"),
 	]).catch(() => []);
-	if (!reader || !tracer || !words) {
+	if (!reader || !tracer || !words || !bitmaps) {
 		desk.notify("The picture was not traced", ["Part of the page could not be fetched."], { topic: FILE_TOPIC, again });
 		return;
 	}
@@ -61,7 +62,7 @@ export async function traceFile(desk: LeafDesk, file: Blob): Promise<void> {
 		desk.set(change);
 		desk.notify(`An outline of ${traced.outline.length} points was traced`, said, { topic: FILE_TOPIC, brief: true });
 	} catch (error) {
-		if (!(error instanceof words.TraceError || error instanceof PictureError)) throw error;
+		if (!(error instanceof words.TraceError || error instanceof bitmaps.PictureError)) throw error;
 		desk.notify("The picture was not traced", [error.message], { topic: FILE_TOPIC });
 	}
 }

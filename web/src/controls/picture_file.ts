@@ -1,0 +1,10 @@
+/** Files that a person brings as pictures. */
+
+/** For a file input's `accept`. */
+export const PICTURES = "image/png,image/jpeg,image/webp";
+
+/** Where the system does not know the type. */
+const NAMES = /\.(png|jpe?g|webp)$/i;
+
+export const isPicture = ({ name, type }: Pick<File, "name" | "type">): boolean =>
+	type.startsWith("image/") || NAMES.test(name);

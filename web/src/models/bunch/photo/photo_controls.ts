@@ -1,0 +1,37 @@
+import { html, nothing } from "lit";
+import { ControlElement } from "../../../controls/control_element";
+import type { View } from "../profile/handles";
+import type { BunchDesk } from "../tools/desk";
+import { changePhoto, photo } from "../tools/photo";
+import { removePhoto } from "./place_photo";
+
+const VIEWS: readonly (readonly [View, string])[] = [
+	["front", "Front"],
+	["side", "Side"],
+];
+
+/** What there is to a photograph that has been laid: loose or fast, behind which view, how plain, away. */
+export class PhotoControls extends ControlElement<BunchDesk> {
+	protected override shows(desk: BunchDesk): readonly unknown[] {
+		return [desk.toolState(photo)];
+	}
+
+	protected override draw(desk: BunchDesk): unknown {
+		const laid = desk.toolState(photo);
+		if (!laid) return nothing;
+		const { view, opacity, loose } = laid;
+		return html`<button
+				class="button" type="button" aria-pressed=${loose} @click=${() => changePhoto(desk, { loose: !loose })}
+			>Shift photograph</button>
+			<button class="button" type="button" @click=${() => removePhoto(desk)}>Remove photograph</button>
+			<label>Behind <select @change=${(event: Event) => changePhoto(desk, { view: (event.target as HTMLSelectElement).value as View })}>
+				${VIEWS.map(([key, words]) => html`<option value=${key} ?selected=${key === view}>${words}</option>`)}
+			</select></label>
+			<label>Opacity <input
+				type="range" min="0.1" max="1" step="0.05" .value=${String(opacity)}
+				@input=${(event: Event) => changePhoto(desk, { opacity: Number((event.target as HTMLInputElement).value) })}
+			></label>`;
+	}
+}
+
+customElements.define("panicle-photo-controls", PhotoControls);

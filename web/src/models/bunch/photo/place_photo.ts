@@ -1,0 +1,36 @@
+/** Lays photographs behind flat views. */
+import { PictureError, readBitmap } from "../../../controls/read_bitmap";
+import { FILE_TOPIC } from "../../../controls/tool";
+import type { BunchDesk } from "../tools/desk";
+import { photo } from "../tools/photo";
+import { fitted } from "./photo";
+import "./photo_controls";
+import "./photo_view";
+
+/** The longer side that is kept, in pixels: as many as a view on a large screen shows. */
+const LONGEST = 2000;
+const OPACITY = 0.6;
+
+/** Lays a picture behind a view, as high as the bunch; what is wrong with it is said. */
+export async function placePhoto(desk: BunchDesk, file: Blob): Promise<void> {
+	try {
+		const picture = await readBitmap(file, LONGEST);
+		const before = desk.toolState(photo);
+		const place = fitted(picture, desk.state.specimen.parameters.l);
+		desk.setToolState(photo, { picture, ...place, view: before?.view ?? "front", opacity: OPACITY, loose: true });
+		before?.picture.close();
+		desk.notify(
+			"The photograph lies behind the view",
+			["Drag it to its place, scale it with the wheel or two fingers, then fasten it and fit the handles."],
+			{ topic: FILE_TOPIC, brief: true },
+		);
+	} catch (error) {
+		if (!(error instanceof PictureError)) throw error;
+		desk.notify("The photograph was not taken", [error.message], { topic: FILE_TOPIC });
+	}
+}
+
+export function removePhoto(desk: BunchDesk): void {
+	desk.toolState(photo)?.picture.close();
+	desk.setToolState(photo, undefined);
+}
