@@ -67,6 +67,7 @@ function natural(specimen: BunchSpecimen, asked: readonly string[]): Levers<Bunc
 		berry_length: isAsked("berry_width", "diameter") ? [lever(1, "elongation")] : size,
 		berry_weight: [lever(3, "size")],
 		pedicel_length: [lever(1, "pedicel")],
+		peduncle_length: [lever(1, "peduncle")],
 	};
 }
 

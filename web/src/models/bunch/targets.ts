@@ -26,6 +26,7 @@ const NATURAL: readonly MeasureKey[] = [
 	"diameter_spread",
 	"berry_weight",
 	"pedicel_length",
+	"peduncle_length",
 ];
 
 export const bunchTargets = {
