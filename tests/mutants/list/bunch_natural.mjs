@@ -4,6 +4,18 @@ const TESTS = "tests/core/models/bunch/natural";
 
 export default [
 	{
+		file: `${SRC}/natural.cpp`,
+		suites: [`${TESTS}/natural_berries_test.cpp`],
+		faults: [
+			{
+				id: "natural-berries-all-as-fine",
+				find: "const float pixels = view * width / std::max({extent.x, extent.y, extent.z});",
+				replace: "const float pixels = 40;",
+				breaks: "flowers of a millimetre have as many triangles as ripe berries",
+			},
+		],
+	},
+	{
 		file: `${SRC}/hanging.cpp`,
 		suites: [`${TESTS}/hanging_test.cpp`],
 		faults: [

@@ -32,7 +32,7 @@ export interface Document {
 		pbrMetallicRoughness: { baseColorFactor: number[]; baseColorTexture?: { index: number } };
 		extensions?: object;
 	}[];
-	textures?: { source: number; sampler: number }[];
+	textures?: { name: string; source: number; sampler: number }[];
 	images?: { mimeType: string; bufferView: number }[];
 	samplers?: object[];
 	accessors?: { bufferView: number; count: number; componentType: number; min?: number[]; max?: number[] }[];
