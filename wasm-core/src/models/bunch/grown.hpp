@@ -72,10 +72,12 @@ struct SkyBytes {
 struct Grown {
   bool natural = false;  // by which procedure
   BerryForm form;
-  Plan plan;
+  Profile profile;  // of the natural procedure: what its seed makes of the handles', and what it fills
+  Plan plan;        // of the handles
   std::optional<Plan> second;
   Counts counts;
   std::vector<Internode> internodes;  // parents first
+  std::int32_t second_root = -1;      // with which a second bunch begins that shares the first one's root
   std::vector<Berry> berries;
   std::vector<Traits> traits;    // one a berry
   std::vector<Thinned> thinned;  // the natural procedure's

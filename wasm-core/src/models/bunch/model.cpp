@@ -33,6 +33,12 @@ void add_plan(Columns& columns, const std::string& name, const Plan& plan) {
   columns.add(name + ".axes", std::move(axes));
 }
 
+void add_profile(Columns& columns, const Profile& profile) {
+  Floats numbers{profile.length};
+  for (const SidePoint& side : profile.sides) numbers.insert(numbers.end(), {side.width, side.drop});
+  columns.add("profile", std::move(numbers));
+}
+
 void add_skeleton(Plant& plant, const std::vector<Internode>& internodes) {
   plant.tags = {"rachis", "axis", "end", "pedicel"};
   plant.segments = segments_of(internodes);
@@ -162,6 +168,7 @@ Plant plant_of(Grown&& grown) {
   columns.add("procedure", std::string_view(grown.natural ? "natural" : "paper"));
   columns.add("form", Floats{grown.form.taper, grown.form.blunt});
   columns.add("fruit", Words{static_cast<std::uint32_t>(grown.form.fruit)});
+  if (grown.natural) add_profile(columns, grown.profile);
   add_plan(columns, "plan", grown.plan);
   if (grown.second) add_plan(columns, "second", *grown.second);
   add_berries(columns, grown);

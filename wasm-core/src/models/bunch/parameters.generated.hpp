@@ -19,6 +19,8 @@ enum class Parameter : std::uint32_t {
   p6w,
   p6r,
   unit,
+  peduncle,
+  variability,
   procedure,
   size,
   spread,
@@ -59,7 +61,7 @@ enum class Parameter : std::uint32_t {
   vary,
 };
 
-inline constexpr std::uint32_t parameter_count = 48;
+inline constexpr std::uint32_t parameter_count = 50;
 
 struct ParameterInfo {
   std::string_view key;
@@ -83,6 +85,8 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"p6w", "", "", 0.0f, 290.0f, 0.0f, 150.0f, false},
     {"p6r", "", "", 0.0f, 580.0f, 0.0f, 150.0f, false},
     {"unit", "", "", 0.05f, 2.0f, 0.0f, 0.25f, false},
+    {"peduncle", "", "natural", 0.0f, 150.0f, 0.0f, 45.0f, false},
+    {"variability", "", "natural", 0.0f, 2.0f, 0.0f, 1.0f, false},
     {"procedure", "", "", 0.0f, 1.0f, 0.0f, 1.0f, true},
     {"size", "", "natural", 3.0f, 60.0f, 0.0f, 18.0f, false},
     {"spread", "", "natural", 0.0f, 40.0f, 0.0f, 7.0f, false},

@@ -53,6 +53,9 @@ export interface Plan {
 	axes: number[];
 }
 
+/** The profile that a bunch fills, in pixels: what its seed makes of the handles'. */
+export type OwnProfile = Record<"l" | `p${3 | 4 | 5 | 6}${"w" | "r"}`, number>;
+
 /** By name; a type, so that it is a record as well. */
 export type Counts = {
 	endStructures: number;
@@ -174,6 +177,9 @@ export interface StemMesh extends Mesh {
 export interface Grown extends Plant {
 	procedure: Procedure;
 	form: BerryForm;
+	/** Of the natural procedure. */
+	profile?: OwnProfile;
+	/** Of the handles. */
 	plan: Plan;
 	/** The second bunch's plan, where there is one. */
 	second?: Plan;

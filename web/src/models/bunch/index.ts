@@ -7,7 +7,7 @@ import { bunchParts } from "./parts/bunch_parts";
 import { readGrown } from "./read_grown";
 import { bunchRecord } from "./record";
 import { encodeRequest } from "./request";
-import { BUNCH } from "./species";
+import { BUNCH, hasLeaves } from "./species";
 import type { BunchSpecimen } from "./specimen";
 import { bunchInWords } from "./words";
 
@@ -16,7 +16,7 @@ export const model = {
 	title: "Grape bunch",
 	noun: "bunch",
 	wasm: "bunch.wasm",
-	prepare: ({ parameters }) => (parameters.leaves > 0 ? fetchLeaf() : undefined),
+	prepare: (specimen) => (hasLeaves(specimen) ? fetchLeaf() : undefined),
 	encode: encodeRequest,
 	read: readGrown,
 	parts: bunchParts,

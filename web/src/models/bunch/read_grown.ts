@@ -12,6 +12,7 @@ import {
 	FRUITS,
 	type Grown,
 	type Internodes,
+	type OwnProfile,
 	type Plan,
 	type PlanSide,
 	type Procedure,
@@ -36,6 +37,7 @@ export function readGrown(answer: Answer): Grown {
 		berries: readBerries(columns),
 		thinned: readThinned(columns),
 	};
+	if (columns.has("profile")) grown.profile = readProfile(columns);
 	if (columns.has("second.axes")) grown.second = readPlan(columns, "second");
 	if (columns.has("berries.positions")) grown.surfaces = readSurfaces(columns);
 	const mesh = (name: string) => plant.meshes.find((each) => each.name === name);
@@ -45,6 +47,11 @@ export function readGrown(answer: Answer): Grown {
 	if (flower) grown.flower = flower;
 	if (foliage) grown.foliage = readFoliage(foliage);
 	return grown;
+}
+
+function readProfile(columns: Columns): OwnProfile {
+	const [l, p3w, p3r, p4w, p4r, p5w, p5r, p6w, p6r] = columns.floats("profile");
+	return { l, p3w, p3r, p4w, p4r, p5w, p5r, p6w, p6r };
 }
 
 function readPlan(columns: Columns, name: string): Plan {

@@ -8,6 +8,7 @@ import {
 	type InternodeKind,
 	type InternodeState,
 	type Internodes,
+	type OwnProfile,
 	type Plan,
 	type Procedure,
 	type Thinned,
@@ -66,6 +67,9 @@ export interface InternodeRecord {
 export interface BunchRecord {
 	procedure: Procedure;
 	form: BerryForm;
+	/** Of the natural procedure: what the bunch fills, in pixels. */
+	profile?: OwnProfile;
+	/** Of the handles. */
 	plan: Plan & { second?: Plan };
 	/** Of the natural procedure `NaturalBerryRecord`. */
 	berries: (BerryRecord | NaturalBerryRecord)[];
@@ -89,11 +93,12 @@ export interface BerryOrgan {
 
 /** `grown` is only read. Needs no meshes. */
 export function bunchRecord(grown: Grown): BunchRecord {
-	const { procedure, form, berries, thinned, internodes } = grown;
+	const { procedure, form, profile, berries, thinned, internodes } = grown;
 	const berry = procedure === "natural" ? naturalBerryRecord : berryRecord;
 	return {
 		procedure,
 		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt) },
+		...(profile && { profile: shortened(profile) }),
 		plan: grown.second ? { ...grown.plan, second: grown.second } : { ...grown.plan },
 		berries: Array.from({ length: berries.count }, (_, index) => berry(grown, index)),
 		thinned: thinned.map(({ id, why, place }) => {
@@ -103,6 +108,10 @@ export function bunchRecord(grown: Grown): BunchRecord {
 		internodes: Array.from({ length: internodes.count }, (_, index) => internodeRecord(internodes, index)),
 		organs: Array.from({ length: berries.count }, (_, index) => berryOrgan(grown, index)),
 	};
+}
+
+function shortened(profile: OwnProfile): OwnProfile {
+	return Object.fromEntries(Object.entries(profile).map(([key, value]) => [key, shortFloat(value)])) as OwnProfile;
 }
 
 function berryRecord({ berries: { spheres, parent } }: Grown, index: number): BerryRecord {

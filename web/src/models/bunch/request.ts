@@ -8,7 +8,7 @@ import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "./grammars.generated";
 import type { Procedure } from "./grown";
 import { caneLeafBlocks } from "./leaf";
 import type { NumberKey } from "./parameters.generated";
-import { procedureOf } from "./species";
+import { hasLeaves, procedureOf } from "./species";
 import type { BunchSpecimen as Specimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
@@ -58,7 +58,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		{ name: "stem_sides", data: words("stemSides", [stemSides]) },
 		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },
 	];
-	if (meshes && parameters.leaves > 0) blocks.push(...caneLeafBlocks());
+	if (meshes && hasLeaves(specimen)) blocks.push(...caneLeafBlocks());
 	if (inputs?.m !== undefined) blocks.push({ name: "m", data: Int32Array.of(whole("m", inputs.m)) });
 	if (inputs?.n) blocks.push({ name: "n", data: Int32Array.from(inputs.n, (value) => whole("n", value)) });
 	return blocks;

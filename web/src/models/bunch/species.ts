@@ -28,3 +28,8 @@ export function specimenFromPreset(name?: string, version?: number): BunchSpecim
 export function procedureOf({ parameters }: Pick<BunchSpecimen, "parameters">): Procedure {
 	return PROCEDURES[parameters.procedure];
 }
+
+/** Whether leaves grow with it: only a natural bunch hangs on a cane. */
+export function hasLeaves(specimen: Pick<BunchSpecimen, "parameters">): boolean {
+	return procedureOf(specimen) === "natural" && specimen.parameters.leaves > 0;
+}

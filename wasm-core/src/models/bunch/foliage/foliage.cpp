@@ -52,15 +52,14 @@ class Shoot {
         flat_(options.leaf),
         leaves_(flat_.points.empty() ? 0 : std::min(options.leaves, most_leaves)),
         age_(within(options.age, 0, 125)),
-        rachis_radius_(within(options.peduncle_radius, 0.0005f, 0.01f)),
         bunch_radius_(within(options.bunch_width, 0, 1) / 2),
+        foot_(within(options.foot.x, -1, 1), within(options.foot.y, -1, 1), within(options.foot.z, -1, 1)),
         mirror_(random_unit(seed_, hash_text("foliage side"), 0) < 0.5f ? -1.0f : 1.0f),
         grown_(0.62f + 0.38f * smooth_step(0, 50, age_)) {}
 
   Foliage grow() {
     lay_cane();
     for (std::uint32_t k = 0; k < leaves_; ++k) place_leaf(k);
-    lay_peduncle();
     sweep();
     for (std::uint32_t k = 0; k < leaves_; ++k) append(leaf_meshes_[k], FoliagePart::Kind::leaf);
     return std::move(foliage_);
@@ -79,7 +78,6 @@ class Shoot {
 
   // From one cut end to the other by three nodes, between which it goes a little to and fro, as shoots do.
   void lay_cane() {
-    const float height = between("cane", 0, 0.030f, 0.046f);
     const float rise = between("cane", 1, -0.06f, 0.12f);  // along x
     const float arch = between("cane", 2, 0.2f, 0.6f);     // down to both ends, per metre
     const float turn = between("cane", 3, -0.15f, 0.15f);
@@ -89,23 +87,13 @@ class Shoot {
     for (std::size_t i = 0; i < std::size(ends); ++i) {
       const float x = ends[i] * mirror_;
       const float zigzag = i % 2 == 0 ? -0.0015f : 0.0015f;
-      places_[i] = {x, height + rise * ends[i] - arch * x * x + zigzag, turn * x - 0.004f};
+      places_[i] = foot_ + glm::vec3(x, rise * ends[i] - arch * x * x + (i == 2 ? 0 : zigzag), turn * x);
     }
     for (std::size_t i = 0; i + 1 < std::size(ends); ++i) {
       const float taper = 1 - 0.05f * static_cast<float>(i);
       const float start = i == 0 ? 0.8f * radius : radius * taper;  // ends are drawn wider than nodes
       stem(static_cast<std::int32_t>(i) - 1, cane_group, places_[i], places_[i + 1], start, radius * (taper - 0.05f));
     }
-  }
-
-  // It comes out of the middle node and ends within the rachis, which is as thick there.
-  void lay_peduncle() {
-    const glm::vec3 from = places_[2];
-    const glm::vec3 to(0, -0.5f * rachis_radius_, 0);
-    const glm::vec3 middle = from + 0.5f * (to - from) + glm::vec3(between("peduncle", 0, -0.003f, 0.003f), 0, 0.003f);
-    const auto group = static_cast<std::int32_t>(leaves_);
-    stem(1, group, from, middle, 1.15f * rachis_radius_, 1.1f * rachis_radius_);
-    stem(static_cast<std::int32_t>(stems_.size()) - 1, group, middle, to, 1.1f * rachis_radius_, 1.1f * rachis_radius_);
   }
 
   void place_leaf(std::uint32_t k) {
@@ -193,12 +181,13 @@ class Shoot {
   const std::uint64_t seed_;
   const FlatLeaf flat_;
   const std::uint32_t leaves_;
-  const float age_, rachis_radius_, bunch_radius_;
+  const float age_, bunch_radius_;
+  const glm::vec3 foot_;
   const float mirror_;        // which way round the whole stands
   const float grown_;         // how large leaves are by now
   glm::vec3 places_[5] = {};  // cut end, three nodes, cut end
   std::vector<Segment> stems_;
-  std::vector<std::int32_t> groups_;  // the cane's, then a petiole's each, in the order of leaves; the peduncle's last
+  std::vector<std::int32_t> groups_;  // the cane's, then a petiole's each, in the order of leaves
   Mesh leaf_meshes_[most_leaves];
   Foliage foliage_;
 };

@@ -7,6 +7,7 @@
 
 #include "foundation/mathematics.hpp"
 #include "models/bunch/fruit/projection.hpp"
+#include "models/bunch/natural/peduncle.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -124,21 +125,8 @@ BunchForm bunch_form(const Subject& subject) {
 }
 
 float length_of_peduncle(const Grown& grown) {
-  std::vector<std::uint32_t> children(grown.internodes.size(), 0);
-  std::vector<std::size_t> child(grown.internodes.size(), 0);
-  for (std::size_t i = 0; i < grown.internodes.size(); ++i) {
-    const std::int32_t parent = grown.internodes[i].parent;
-    if (parent < 0) continue;
-    ++children[static_cast<std::size_t>(parent)];
-    child[static_cast<std::size_t>(parent)] = i;
-  }
-  float length = 0;
-  for (std::size_t i = 0; i < grown.internodes.size(); i = child[i]) {
-    length += length_between(grown.internodes[i].start, grown.internodes[i].end);
-    if (children[i] != 1) break;
-  }
   constexpr float millimetres = 1000;
-  return millimetres * length;
+  return millimetres * length_to_first_branch(grown.internodes);
 }
 
 BerryMeans berry_means(const Subject& subject) {

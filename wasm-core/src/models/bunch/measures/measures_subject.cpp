@@ -9,12 +9,15 @@ namespace {
 constexpr float millimetres = 1000;  // to a metre
 constexpr float unit_ball = 4 * pi / 3;
 
-// Which internodes hang from the first root; parents come before their children.
-std::vector<std::uint8_t> of_first_root(const std::vector<Internode>& internodes) {
+// Which internodes are of the first bunch: they hang from the first root, and not from the second bunch's. Parents come
+// before their children.
+std::vector<std::uint8_t> of_first_bunch(const Grown& grown) {
+  const std::vector<Internode>& internodes = grown.internodes;
   std::vector<std::uint8_t> first(internodes.size(), 0);
   for (std::size_t i = 0; i < internodes.size(); ++i) {
     const std::int32_t parent = internodes[i].parent;
     first[i] = parent < 0 ? i == 0 : first[static_cast<std::size_t>(parent)];
+    if (static_cast<std::int32_t>(i) == grown.second_root) first[i] = 0;
   }
   return first;
 }
@@ -25,7 +28,7 @@ Subject::Subject(const Grown& grown) {
   for (const Internode& one : grown.internodes)
     stems.push_back(
         {millimetres * one.start, millimetres * one.end, millimetres * one.radius, millimetres * one.radius_end});
-  const std::vector<std::uint8_t> of_first = of_first_root(grown.internodes);
+  const std::vector<std::uint8_t> of_first = of_first_bunch(grown);
   const bool natural = grown.traits.size() == grown.berries.size();
   const float form = form_volume(grown.form, 1, 1);
   for (std::size_t i = 0; i < grown.berries.size(); ++i) {

@@ -11,6 +11,8 @@
 #include "models/bunch/natural/crop.hpp"
 #include "models/bunch/natural/exposure.hpp"
 #include "models/bunch/natural/harvest.hpp"
+#include "models/bunch/natural/individual.hpp"
+#include "models/bunch/natural/peduncle.hpp"
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/natural/situation.hpp"
 #include "models/bunch/natural/traits.hpp"
@@ -40,11 +42,15 @@ Wish wish_for(const Request& request, const Values& values, const Limits& limits
   return wish;
 }
 
-std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situation> situations, std::uint64_t seed) {
+std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situation> situations, const Gaps& gaps,
+                         std::uint64_t seed) {
   std::vector<Bud> buds;
   buds.reserve(flowers.size());
-  for (std::size_t i = 0; i < flowers.size(); ++i)
-    buds.push_back({situations[i].place, turn_of(flowers[i], seed), situations[i].misplaced, flowers[i].strength});
+  for (std::size_t i = 0; i < flowers.size(); ++i) {
+    const glm::vec3& place = situations[i].place;
+    const float chance = turn_of(flowers[i], seed) / gaps.fill_at(place);
+    buds.push_back({place, chance, situations[i].misplaced, flowers[i].strength});
+  }
   return buds;
 }
 
@@ -87,20 +93,31 @@ BerrySurfaces surfaces_of(std::span<const BerryBody> bodies, const BerryForm& fo
   return surfaces;
 }
 
+bool on_cane(const Values& values) { return values[leaves] > 0 || values[cane] != 0; }
+
+// Puts the peduncle above what has been bent. Returns where the second bunch begins; -1 without one.
+std::int32_t hang_up(Bent& bent, const Sprout& bunch, const Values& values, std::uint64_t seed) {
+  constexpr float least_under_cane = 30;  // millimetres: berries and cane have room
+  const float length = std::max(values[peduncle], on_cane(values) ? least_under_cane : 0.0f);
+  const std::int32_t moved = add_peduncle(bent.internodes, length * metres_per_millimetre, seed);
+  for (std::int32_t& place : bent.place_of)
+    if (place >= 0) place += moved;
+  return bunch.second_root < 0 ? -1 : bent.place_of[static_cast<std::size_t>(bunch.second_root)];
+}
+
 // A cane for a bunch to hang from, with leaves as wide as the bunch's upper part.
 std::optional<Foliage> foliage_for(const Request& request, const Values& values, const Envelope& envelope,
                                    std::span<const Internode> internodes, std::vector<std::string>& notes) {
-  constexpr float thin_rachis = 0.002f;  // metres
   const auto leaves_asked = static_cast<std::uint32_t>(values[leaves]);
-  if (leaves_asked == 0 && values[cane] == 0) return std::nullopt;
+  if (!on_cane(values)) return std::nullopt;
   if (leaves_asked > 0 && request.leaf.points.empty())
     notes.emplace_back("The cane has no leaves: the request brings none to make them from.");
   float width = 0;
   for (std::size_t side = 0; side < 4; ++side)
     width = std::max(width, 2 * envelope.half_width(side, envelope.length() / 3));
-  const float girth = internodes.empty() ? thin_rachis : internodes[0].radius;
+  const glm::vec3 foot = internodes.empty() ? glm::vec3(0) : internodes[0].start;
   return grow_foliage(
-      {request.seed, leaves_asked, true, values[age], girth, width * metres_per_millimetre, request.leaf});
+      {request.seed, leaves_asked, true, values[age], foot, width * metres_per_millimetre, request.leaf});
 }
 
 void add_meshes(Grown& grown, const Request& request, const Values& values, const Envelope& envelope,
@@ -144,19 +161,22 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
   const glm::vec3 sunward = towards_sun(values[sun], values[sun_height]);
   const std::vector<Situation> situations = situate(flowers, bunch.internodes, bunch.bounds, values[size], sunward);
   const Wish wish = wish_for(request, values, limits, bunch.plans);
+  const Gaps gaps(request.seed, values[variability], values[size]);
   const Hanging hanging = hang(bunch.internodes, flowers, values[bend]);
-  const Crop crop = grow_crop(bunch, hanging, buds_of(flowers, situations, request.seed),
+  const Crop crop = grow_crop(bunch, hanging, buds_of(flowers, situations, gaps, request.seed),
                               shares_of(flowers, situations, values, request.seed), wish, sizes_until(values[age]));
 
   const float size_now = size_at(values[age]);
   const std::vector<Outcome> outcomes = outcomes_of(crop, flowers, request.seed, values[age], size_now);
   Bent bent = bend_skeleton(bunch.internodes, flowers, hanging, outcomes, crop.swollen.ends, size_now);
+  grown.second_root = hang_up(bent, bunch, values, request.seed);
   Harvest hung = harvest(crop, bunch, hanging, outcomes, bent, size_now, wish.size);
   const Season season{values[age], values[sunlight], values[vigour]};
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 
-  grown.plan = bunch.plans[0].plan;
-  if (bunch.plans.size() > 1) grown.second = bunch.plans[1].plan;
+  grown.profile = bunch.profile;
+  grown.plan = make_plan(values.profile());
+  if (bunch.plans.size() > 1) grown.second = make_plan(scaled(values.profile(), values[wing]));
   grown.internodes = std::move(bent.internodes);
   grown.berries = std::move(hung.berries);
   grown.thinned = std::move(hung.thinned);

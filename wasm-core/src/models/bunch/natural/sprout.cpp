@@ -6,6 +6,7 @@
 
 #include "foundation/random.hpp"
 #include "models/bunch/grammars.hpp"
+#include "models/bunch/natural/individual.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/roles.hpp"
 #include "models/bunch/skeleton_drawing.hpp"
@@ -49,20 +50,24 @@ class Sower {
 
   // Draws the bunch and the second where there is one.
   Result<Sprout> draw(SkeletonDrawing& drawing, std::vector<std::string>& notes) {
-    const Profile profile = values_.profile();
+    const Profile profile =
+        individual(values_.profile(), request_.seed, values_[Parameter::variability], values_[Parameter::count] > 0);
     const float wing = values_[Parameter::wing];
     Sprout sprout;
+    sprout.profile = profile;
     if (const Diagnostic trouble = draw_one(profile, request_.seed, 0, drawing, sprout, notes);
         trouble.reason != Reason::none)
       return trouble;
     const std::size_t second_from = drawing.borne();
     if (wing > 0) {
+      sprout.second_root = static_cast<std::int32_t>(drawing.segments.size());
       const Diagnostic trouble = draw_one(scaled(profile, wing), second_seed(request_.seed),
                                           values_[Parameter::wing_angle], drawing, sprout, notes);
       if (trouble.reason != Reason::none) return trouble;
     }
     loose_balls_ = drawing.finish();
     sprout.internodes = std::move(drawing.internodes);
+    if (sprout.second_root >= static_cast<std::int32_t>(sprout.internodes.size())) sprout.second_root = -1;
     sprout.flowers = flowers_of(sprout.internodes, drawing.balls, second_from);
     return sprout;
   }

@@ -1,7 +1,8 @@
 /** What a view draws, as templates: state in, templates out. Coordinates in the SVG are pixels of the profile. */
-import { html, svg, type TemplateResult } from "lit";
+import { html, nothing, svg, type TemplateResult } from "lit";
 import type { Point } from "../../../controls/handles/point";
 import { drawScaleBar } from "../../../controls/handles/scale_bar";
+import type { OwnProfile } from "../grown";
 import type { BunchSpecimen as Specimen } from "../specimen";
 import { envelopePath } from "./envelope";
 import { type Handle, handlePosition, isSide, type Shape, SIDES, VIEW_SIDES, type View } from "./handles";
@@ -24,6 +25,17 @@ export function drawOutline(parameters: Specimen["parameters"], view: View, fram
 			<circle class="root" r="2.5"></circle>
 			<text class="name" y="-6" text-anchor="middle"><tspan class="symbol">p</tspan><tspan class="subscript" dy="2">1</tspan></text>
 		</g>`;
+}
+
+/** The outline that the seed's own bunch fills, where it is not the handles'. */
+export function drawOwn(parameters: Specimen["parameters"], own: OwnProfile | undefined, view: View): unknown {
+	if (!own || !differs(parameters, own)) return nothing;
+	return svg`<path class="own" d=${envelopePath({ ...parameters, ...own }, view)}></path>`;
+}
+
+/** By half a pixel somewhere. */
+function differs(parameters: Shape, own: OwnProfile): boolean {
+	return Object.entries(own).some(([key, value]) => Math.abs(parameters[key as keyof OwnProfile] - value) > 0.5);
 }
 
 /** Where a handle is drawn, CSS pixels from the view's corner. */

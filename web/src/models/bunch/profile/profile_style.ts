@@ -23,6 +23,12 @@ export const profileStyle = css`
 		stroke-dasharray: 1 3;
 		stroke-linecap: round;
 	}
+	.own {
+		fill: none;
+		stroke: color-mix(in srgb, var(--grip) 80%, transparent);
+		stroke-width: 1px;
+		stroke-dasharray: 4 3;
+	}
 	.outline {
 		fill: none;
 		stroke: currentColor;

@@ -2,19 +2,19 @@
  * `<panicle-profile view="front|side">`: one view of the octahedral profile with its handles (paper section 4.2,
  * figures 5 and 8). It draws what it is given and tells what a person does to it; the document stays with the page.
  */
-import { html, type PropertyValues } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { HandleView } from "../../../controls/handles/handle_view";
 import type { Point } from "../../../controls/handles/point";
 import type { BunchSpecimen } from "../specimen";
 import { nudgeHandle } from "./drag";
 import { type ProfileKeys, profileDrags } from "./drag_session";
 import { type Handle, handleKeys, handleLabel, handleValue, type Locks, VIEW_SIDES, type View } from "./handles";
-import { drawGuides, drawName, drawOutline, drawScale, handlePlace } from "./profile_drawing";
+import { drawGuides, drawName, drawOutline, drawOwn, drawScale, handlePlace } from "./profile_drawing";
 import { profileStyle } from "./profile_style";
 import type { DrawnBunch } from "./silhouette";
 import { SilhouetteDrawing } from "./silhouette_canvas";
 import { SteadyExtent } from "./steady_extent";
-import { type ViewFrame, viewExtent, viewFrame } from "./view_frame";
+import { type ViewFrame, viewExtent, viewFrame, withRoomFor } from "./view_frame";
 
 type Parameters = BunchSpecimen["parameters"];
 
@@ -72,7 +72,8 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 
 	protected override willUpdate(changed: PropertyValues): void {
 		if (!this.parameters) return;
-		const wanted = this.extent ?? viewExtent(this.parameters, this.size.width, this.size.height);
+		const shape = withRoomFor(this.parameters, this.berries?.profile);
+		const wanted = this.extent ?? viewExtent(shape, this.size.width, this.size.height);
 		const motion = this.drags.active ? "held" : changed.has("parameters") ? "moved" : "still";
 		const later = this.#steady.follow(wanted, motion, performance.now());
 		clearTimeout(this.#asking);
@@ -89,6 +90,7 @@ export class ProfileView extends HandleView<Handle, ProfileKeys> {
 			>
 				${drawScale(this.#steady.extent, parameters.unit, frame)}
 				${drawOutline(parameters, view, frame)}
+				${this.drags.active ? nothing : drawOwn(parameters, this.berries?.profile, view)}
 				${shown.map((handle) => drawGuides(parameters, handle, frame))}
 			</svg>
 			${this.#handles().map((handle) => {

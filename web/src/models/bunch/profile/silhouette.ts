@@ -1,11 +1,13 @@
 /** The grown bunch as a line drawing behind a view: orthographic, in pixels of the profile. */
-import { type Berries, type Internodes, TRAITS } from "../grown";
+import { type Berries, type Internodes, type OwnProfile, TRAITS } from "../grown";
 import { metresPerPixel, type View } from "./handles";
 
 /** What is drawn of a growth; a whole `Grown` is one. */
 export interface DrawnBunch {
 	berries: Berries;
 	internodes: Internodes;
+	/** The outline it fills, where that is known. */
+	profile?: OwnProfile;
 }
 
 /** A berry's outline: half its axes, and by how much the first is turned clockwise on the page, in radians. */

@@ -32,6 +32,14 @@ function beyond({ procedure, rmax, size, unit }: Roomy): number {
 	return berry / UNITS_PER_PIXEL + 15;
 }
 
+/** The shape, as large as it must be to hold the seed's own as well. */
+export function withRoomFor(shape: Roomy, own: Partial<Shape> = {}): Roomy {
+	const { l = 0, ...sides } = own;
+	const larger = { ...shape, l: Math.max(shape.l, l) };
+	for (const side of SIDE_HANDLES) larger[`${side}w`] = Math.max(shape[`${side}w`], sides[`${side}w`] ?? 0);
+	return larger;
+}
+
 /**
  * The least of the extents at which an element of that size holds the whole bunch; in the paper's 600 pixels a lychee
  * of 65 would be a speck. Steps rather than a smooth fit: a view that rescaled after every drag would unsettle. Both

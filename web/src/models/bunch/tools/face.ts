@@ -7,6 +7,7 @@ import type { BunchSpecimen } from "../specimen";
 import { bunchInWords, stemsInWords } from "../words";
 import { age } from "./age";
 import { asPrinted } from "./as_printed";
+import { cane } from "./cane";
 import { inputs } from "./inputs";
 import { octahedron } from "./octahedron";
 import { front, side } from "./profile";
@@ -17,7 +18,7 @@ import { thinning } from "./thinning";
 import "./thinning_panel";
 
 export const face: Face<BunchSpecimen, Grown> = {
-	tools: [front, side, stems, octahedron, thinning, age, inputs, sides, asPrinted, grammarTool("branching", "bunch")],
+	tools: [front, side, cane, stems, octahedron, thinning, age, inputs, sides, asPrinted, grammarTool("branching", "bunch")],
 	readout,
 	rows: (specimen) => [skinRow(specimen)],
 	caption: (grown, desk) => {

@@ -5,3 +5,4 @@ export const STEMS = svg`<path d="M10 2.5V17M10 6l4.5 3M10 6 5.5 9M10 10.5l3.5 2
 export const OCTAHEDRON = svg`<path d="M10 2.5 16 9l-6 8.5L4 9zM4 9l6 2.5L16 9M10 2.5v9M10 11.5v6"/>`;
 export const MIRROR = svg`<path d="M10 3v14M7.5 6 3 10l4.5 4zM12.5 6l4.5 4-4.5 4z"/>`;
 export const THIN = svg`<circle cx="5" cy="5.5" r="2.2"/><circle cx="5" cy="14.5" r="2.2"/><path d="m6.9 6.8 9.6 7M6.9 13.2l9.6-7"/>`;
+export const LEAF = svg`<path d="M2.5 4.5h15M10 4.5v2.5M10 17.5c-3.5-1-5.5-3-6-6l2 .3c-.4-1.6-.2-3 .6-4.3L8.5 9 10 7l1.5 2 1.9-1.5c.8 1.3 1 2.7.6 4.3l2-.3c-.5 3-2.5 5-6 6z"/>`;

@@ -1,0 +1,38 @@
+// One seed's bunch unlike the next: what a seed makes of the profile that the handles draw, and of the fill.
+//
+// Every factor is the seed's alone, whatever the handles say, so that dragging moves a bunch and never redraws it; over
+// seeds each has the mean 1. Seeds counted up cover the spread evenly, and seed 1 is in the middle of it: its outline
+// is the handles'. What is spread how far is in docs/natural.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "models/bunch/plan.hpp"
+
+namespace panicle::bunch {
+
+// `variability`: 0 leaves the profile as it is, 1 is the spread of a variety. Where berries are `counted`, a longer
+// bunch is a narrower one, so that they have the same room.
+Profile individual(const Profile& drawn, std::uint64_t seed, float variability, bool counted);
+
+// Where a bunch is closer filled than in the mean and where it is looser: long waves through space.
+class Gaps {
+ public:
+  // `size`: a berry's width, millimetres.
+  Gaps(std::uint64_t seed, float variability, float size);
+
+  // Over the mean fill; always above 0.
+  float fill_at(const glm::vec3& place) const;
+
+ private:
+  struct Wave {
+    glm::vec3 turns{0};  // degrees to a millimetre
+    float phase = 0;
+  };
+  std::array<Wave, 4> waves_;
+  float height_ = 0;
+};
+
+}  // namespace panicle::bunch

@@ -1,0 +1,81 @@
+#include "models/bunch/natural/peduncle.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float shortest = 0.001f;                    // metres above p1 that are worth drawing
+constexpr float least_bow = 0.04f, most_bow = 0.14f;  // how far aside its upper end is, over its length
+constexpr float least_node = 0.4f, most_node = 0.6f;  // where its node is, over its length from p1
+constexpr float half_node = 0.0022f;                  // metres
+constexpr float most_half = 0.2f;                     // over its length
+constexpr float kink = 0.0006f;                       // metres by which the node is off its line
+
+// Heights over its length, from the upper end, and widths over the rachis's.
+struct Ring {
+  float height, width;
+};
+
+}  // namespace
+
+float length_to_first_branch(const std::vector<Internode>& internodes) {
+  std::vector<std::uint32_t> children(internodes.size(), 0);
+  std::vector<std::size_t> child(internodes.size(), 0);
+  for (std::size_t i = 0; i < internodes.size(); ++i) {
+    if (internodes[i].parent < 0) continue;
+    const auto parent = static_cast<std::size_t>(internodes[i].parent);
+    ++children[parent];
+    child[parent] = i;
+  }
+  float length = 0;
+  for (std::size_t i = 0; i < internodes.size(); i = child[i]) {
+    length += glm::length(internodes[i].end - internodes[i].start);
+    if (children[i] != 1) break;
+  }
+  return length;
+}
+
+std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed) {
+  const float above = length - length_to_first_branch(internodes);
+  if (internodes.empty() || above < shortest) return 0;
+  const auto luck = [seed](std::uint64_t which) { return random_unit(seed, hash_text("peduncle"), which); };
+  const SinCos way = sincos_degrees(360 * luck(0));
+  const float bow = above * (least_bow + (most_bow - least_bow) * luck(1));
+  const float node = least_node + (most_node - least_node) * luck(2), half = std::min(half_node / above, most_half);
+  const SinCos off = sincos_degrees(360 * luck(3));
+  const Ring rings[] = {
+      {1, 1.6f}, {0.9f, 1.35f}, {node + half, 1.28f}, {node, 1.6f}, {node - half, 1.25f}, {0.3f * node, 1.18f}, {0, 1}};
+  const float girth = internodes[0].radius;
+  std::vector<Internode> stalk;
+  for (const Ring& ring : rings) {
+    // Upright at p1, and away from it in a bow.
+    const float aside = bow * ring.height * ring.height, knee = ring.height == node ? kink : 0;
+    const glm::vec3 at(aside * way.cosine + knee * off.cosine, above * ring.height, aside * way.sine + knee * off.sine);
+    if (!stalk.empty()) {
+      stalk.back().end = at;
+      stalk.back().radius_end = girth * ring.width;
+    }
+    if (ring.height > 0) {
+      Internode piece;
+      piece.parent = static_cast<std::int32_t>(stalk.size()) - 1;
+      piece.start = at;
+      piece.radius = girth * ring.width;
+      piece.joint = !stalk.empty();
+      stalk.push_back(piece);
+    }
+  }
+  const auto moved = static_cast<std::int32_t>(stalk.size());
+  for (Internode& internode : internodes)
+    internode.parent = internode.parent < 0 ? moved - 1 : internode.parent + moved;
+  stalk.insert(stalk.end(), internodes.begin(), internodes.end());
+  internodes = std::move(stalk);
+  return moved;
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,19 @@
+// The stalk that a bunch hangs from: a shoot's, nearly straight, thicker where it leaves the cane and at its node.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "models/bunch/skeleton.hpp"
+
+namespace panicle::bunch {
+
+// From the root to where it first branches, in the internodes' unit; 0 without any.
+float length_to_first_branch(const std::vector<Internode>& internodes);
+
+// Puts a peduncle before the skeleton, whose roots then grow from its end: as much of it above p1 as makes it `length`
+// metres from its upper end to where the bunch first branches. `internodes` are in metres, parents first. Returns by
+// how many internodes the others have moved on; 0 where the bunch itself is as long before it branches.
+std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed);
+
+}  // namespace panicle::bunch
