@@ -109,9 +109,9 @@ describe("a link", () => {
 	});
 
 	it("says choices by name, and reads their numbers too", () => {
-		const chosen = withParameters(specimenFromPreset(), { procedure: 0, fruit: 3, cane: 1 });
-		expect(encodeQuery(chosen)).toBe("?v=2&procedure=paper&fruit=lychee&cane=on");
-		for (const link of ["?v=2&procedure=paper&fruit=lychee&cane=on", "?v=2&procedure=0&fruit=3&cane=1"]) {
+		const chosen = withParameters(specimenFromPreset(), { procedure: 0, fruit: 3, cane: 0 });
+		expect(encodeQuery(chosen)).toBe("?v=2&procedure=paper&fruit=lychee&cane=off");
+		for (const link of ["?v=2&procedure=paper&fruit=lychee&cane=off", "?v=2&procedure=0&fruit=3&cane=0"]) {
 			expect(decodeQuery(link)).toEqual({ specimen: chosen, notes: [] });
 		}
 	});
@@ -138,7 +138,7 @@ describe("a link", () => {
 			"seed: -1 is below the least value, 0; 0 is used.",
 			"skin: “blue” is not a colour of six hexadecimal digits; 43264f is used.",
 			"thin: “!” is not the id of a berry; left out.",
-			"cane: “x” is none of off, on; off is used.",
+			"cane: “x” is none of off, on; on is used.",
 		]);
 		expect(specimen.parameters.p5r).toBe(40);
 	});

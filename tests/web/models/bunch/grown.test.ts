@@ -16,7 +16,7 @@ const grow = (specimen: Specimen, meshes = false) => growBunch(core, specimen, {
 /** As links of version 1 mean it: by the paper's procedure. */
 const paper = (name?: string) => specimenFromPreset(name, 1);
 const PROCEDURES = [
-	["natural", (name?: string) => specimenFromPreset(name)],
+	["natural", (name = "short-conical") => specimenFromPreset(name)],
 	["paper", paper],
 ] as const;
 

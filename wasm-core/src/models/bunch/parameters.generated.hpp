@@ -41,6 +41,7 @@ enum class Parameter : std::uint32_t {
   cane,
   wing,
   wing_angle,
+  wing_side,
   rmin,
   rmax,
   delta,
@@ -61,7 +62,7 @@ enum class Parameter : std::uint32_t {
   vary,
 };
 
-inline constexpr std::uint32_t parameter_count = 50;
+inline constexpr std::uint32_t parameter_count = 51;
 
 struct ParameterInfo {
   std::string_view key;
@@ -107,6 +108,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"cane", "", "natural", 0.0f, 1.0f, 0.0f, 0.0f, true},
     {"wing", "", "", 0.0f, 1.0f, 0.3f, 0.0f, false},
     {"wing_angle", "", "", 25.0f, 120.0f, 0.0f, 55.0f, false},
+    {"wing_side", "", "natural", 0.0f, 3.0f, 0.0f, 1.0f, true},
     {"rmin", "r_min", "paper", 2.0f, 80.0f, 0.0f, 20.0f, true},
     {"rmax", "r_max", "paper", 2.0f, 80.0f, 0.0f, 30.0f, true},
     {"delta", "", "paper", 0.0f, 90.0f, 0.0f, 15.0f, false},

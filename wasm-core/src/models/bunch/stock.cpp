@@ -18,14 +18,19 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uin
                            std::optional<std::uint32_t> steps, const Limits& limits) {
   auto derived = lsystem::develop(*bound, seed, steps, limits);
   if (!derived) return derived.error();
-  return Stock{std::move(bound), std::move(derived->string), seed};
+  return Stock{std::move(bound), std::move(derived->string), seed, 0, {}};
 }
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
 
 Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener) {
   lsystem::Turtle turtle;
-  lsystem::turn(turtle, -stock.lean);
+  const auto& [lean, side, foot] = stock.stance;
+  turtle.position = foot;
+  if (side < 2)
+    lsystem::turn(turtle, side == 0 ? lean : -lean);
+  else
+    lsystem::pitch(turtle, side == 2 ? -lean : lean);
   const auto drawn = lsystem::interpret(*stock.bound, *stock.string, turtle, listener, stock.seed, limits);
   return drawn ? Diagnostic{} : drawn.error();
 }

@@ -9,6 +9,7 @@
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
 #include "models/bunch/bunch.hpp"
+#include "models/bunch/stance.hpp"
 
 namespace panicle::bunch {
 
@@ -17,7 +18,7 @@ struct Stock {
   std::shared_ptr<const lsystem::String> string;
   std::uint64_t seed = 0;
   std::int32_t first_axis = 0;
-  float lean = 0;  // degrees that the whole bunch leans to the left
+  Stance stance;  // of the whole bunch; in the grammar's unit
 };
 
 // The grammar that every bunch of a request is derived from: compiled before, or now; `built_in` where the request

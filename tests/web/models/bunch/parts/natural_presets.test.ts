@@ -56,7 +56,9 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 			);
 			expect(Math.max(0, ...apart)).toBeLessThan(1e-6);
 			const drawn = new Box3().setFromObject(scene, true);
-			const grew = new Box3().setFromArray([...(grown.stem?.positions ?? []), ...(grown.surfaces?.positions ?? [])]);
+			const grew = new Box3().setFromArray(
+				[grown.stem, grown.surfaces, grown.foliage].flatMap((mesh) => [...(mesh?.positions ?? [])]),
+			);
 			expect(drawn.min.distanceTo(grew.min) + drawn.max.distanceTo(grew.max)).toBeLessThan(1e-5);
 		}
 	});

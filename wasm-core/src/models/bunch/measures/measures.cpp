@@ -1,5 +1,6 @@
 #include "models/bunch/measures/measures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -63,7 +64,9 @@ void add_sizes(Table& table, const Subject& subject, const Grown& grown) {
   table[bunch_length] = form.length;
   table[bunch_width] = form.width;
   table[bunch_shape] = form.shape;
-  table[wings] = form.wings;
+  // A natural bunch that has a second one beside it.
+  const bool second = grown.second_root >= 0 && std::count(subject.first.begin(), subject.first.end(), 0) > 0;
+  table[wings] = form.wings + (second ? 1.0f : 0.0f);
   const BerryMeans means = berry_means(subject);
   table[diameter] = means.diameter;
   table[diameter_spread] = means.spread;

@@ -6,13 +6,14 @@
 
 #include "models/bunch/envelope.hpp"
 #include "models/bunch/grown.hpp"
+#include "models/bunch/stance.hpp"
 
 namespace panicle::bunch {
 
-// An outline as it hangs: the second bunch's leans to the left (about z), as its stock does.
+// An outline as it hangs; millimetres.
 struct HungEnvelope {
   Envelope envelope;
-  float lean = 0;  // degrees
+  Stance stance;
 };
 
 // All measures in the order of measures.generated.hpp; NaN where one does not apply. Reads internodes, berries and

@@ -16,13 +16,23 @@ constexpr float most_pixels = 1200;     // across the picture; coarser pixels be
 constexpr View front_view{};
 constexpr View side_view{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
 
-// How an outline hangs: a place of its own (x, z across, d down along its axis) is x · across + z · front + d · down.
-struct Hang {
-  explicit Hang(float lean) : turn(sincos_degrees(lean)) {}
-  SinCos turn;
+constexpr float upright = 0.1f;  // degrees; an outline that leans less is drawn as one that does not
 
-  glm::vec2 across() const { return {turn.cosine, -turn.sine}; }  // in (x, y)
-  glm::vec2 down() const { return {-turn.sine, -turn.cosine}; }
+glm::vec2 seen(const View& view, const glm::vec3& p) {
+  return {p.x * view.right.x + p.y * view.right.y + p.z * view.right.z, p.y};
+}
+
+// How an outline hangs that leans within a picture's plane, or in one that is seen on edge: a place d down along its
+// axis and x towards the even side of that plane is foot + x · across + d · down.
+struct Hang {
+  Hang(const Stance& stance, const View& view)
+      : turn(sincos_degrees(stance.lean)), sign(stance.side % 2 == 0 ? 1.0f : -1.0f), foot(seen(view, stance.foot)) {}
+  SinCos turn;
+  float sign;
+  glm::vec2 foot;
+
+  glm::vec2 across() const { return {turn.cosine, sign * turn.sine}; }
+  glm::vec2 down() const { return {sign * turn.sine, -turn.cosine}; }
 };
 
 struct Box {
@@ -33,10 +43,6 @@ struct Box {
     high = {std::max(high.x, centre.x + half.x), std::max(high.y, centre.y + half.y)};
   }
 };
-
-glm::vec2 seen(const View& view, const glm::vec3& p) {
-  return {p.x * view.right.x + p.y * view.right.y + p.z * view.right.z, p.y};
-}
 
 float widest(const Envelope& envelope, std::size_t side) {
   float most = 0;
@@ -62,9 +68,13 @@ Box box_of(const Subject& subject, std::span<const HungEnvelope> envelopes) {
   for (const HungEnvelope& hung : envelopes) {
     float reach = 0;
     for (std::size_t side = 0; side < 4; ++side) reach = std::max(reach, widest(hung.envelope, side));
-    box.add(glm::vec2(0), glm::vec2(reach));
-    box.add(hung.envelope.length() * Hang(hung.lean).down(), glm::vec2(reach));
-    box.add({0, hung.envelope.length() * Hang(hung.lean).down().y}, glm::vec2(reach));
+    for (const View& view : {front_view, side_view}) {
+      const Hang hang(hung.stance, view);
+      const glm::vec2 down = hung.envelope.length() * hang.down();
+      box.add(hang.foot, glm::vec2(reach));
+      box.add(hang.foot + down, glm::vec2(reach));
+      box.add(hang.foot + glm::vec2(0, down.y), glm::vec2(reach));
+    }
   }
   return box;
 }
@@ -80,29 +90,30 @@ bool all_finite(const Subject& subject) {
   return std::isfinite(sum);
 }
 
-void draw_upright(BitImage& image, const PixelGrid& grid, const Envelope& envelope, std::size_t side) {
+void draw_upright(BitImage& image, const PixelGrid& grid, const Envelope& envelope, glm::vec2 foot, std::size_t side) {
   for (std::int32_t row = 0; row < grid.rows; ++row) {
-    const float depth = -grid.row_height(row);
+    const float depth = foot.y - grid.row_height(row);
     if (depth < 0 || depth > envelope.length()) continue;
-    image.fill(row, grid.first_column(-envelope.half_width(side + 1, depth)),
-               grid.end_column(envelope.half_width(side, depth)));
+    image.fill(row, grid.first_column(foot.x - envelope.half_width(side + 1, depth)),
+               grid.end_column(foot.x + envelope.half_width(side, depth)));
   }
 }
 
-// A leaning outline from the front: every pixel is turned back and looked up by its depth.
-void draw_leaning_front(BitImage& image, const PixelGrid& grid, const HungEnvelope& hung) {
-  const Hang hang(hung.lean);
-  const float length = hung.envelope.length();
+// An outline that leans within the picture: every pixel is turned back and looked up by its depth. `side`: the first of
+// those seen.
+void draw_leaning_across(BitImage& image, const PixelGrid& grid, const Envelope& envelope, const Hang& hang,
+                         std::size_t side) {
+  const float length = envelope.length();
   const auto steps = static_cast<std::size_t>(2 * length / grid.pitch) + 2;
   std::vector<std::array<float, 2>> widths(steps);
   for (std::size_t k = 0; k < steps; ++k) {
     const float depth = std::min(length, static_cast<float>(k) * grid.pitch / 2);
-    widths[k] = {hung.envelope.half_width(0, depth), hung.envelope.half_width(1, depth)};
+    widths[k] = {envelope.half_width(side, depth), envelope.half_width(side + 1, depth)};
   }
   for (std::int32_t row = 0; row < grid.rows; ++row) {
-    const float y = grid.row_height(row);
+    const float y = grid.row_height(row) - hang.foot.y;
     for (std::int32_t column = 0; column < grid.columns; ++column) {
-      const float x = grid.left + (static_cast<float>(column) + 0.5f) * grid.pitch;
+      const float x = grid.left + (static_cast<float>(column) + 0.5f) * grid.pitch - hang.foot.x;
       const float depth = x * hang.down().x + y * hang.down().y;
       if (depth < 0 || depth > length) continue;
       const float across = x * hang.across().x + y * hang.across().y;
@@ -112,17 +123,18 @@ void draw_leaning_front(BitImage& image, const PixelGrid& grid, const HungEnvelo
   }
 }
 
-// A leaning outline from the side: its sections, of four quarter ellipses, are seen aslant and together cover it.
-void draw_leaning_side(BitImage& image, const PixelGrid& grid, const HungEnvelope& hung) {
-  const Hang hang(hung.lean);
-  const Envelope& envelope = hung.envelope;
+// An outline that leans towards the viewer or away: its sections, of four quarter ellipses, are seen aslant and
+// together cover it. `side`: the first of those seen, `hidden` of those that it leans to.
+void draw_leaning_away(BitImage& image, const PixelGrid& grid, const Envelope& envelope, const Hang& hang,
+                       std::size_t side, std::size_t hidden) {
   const float slant = hang.across().y;  // height gained to a step across
   const auto steps = static_cast<std::int32_t>(2 * envelope.length() / grid.pitch) + 1;
   for (std::int32_t k = 0; k < steps; ++k) {
     const float depth = (static_cast<float>(k) + 0.5f) * envelope.length() / static_cast<float>(steps);
-    const float right = envelope.half_width(0, depth), left = envelope.half_width(1, depth);
-    const float before = envelope.half_width(2, depth), behind = envelope.half_width(3, depth);
-    const float centre = depth * hang.down().y, ends[] = {centre + slant * right, centre - slant * left};
+    const float right = envelope.half_width(hidden, depth), left = envelope.half_width(hidden + 1, depth);
+    const float before = envelope.half_width(side, depth), behind = envelope.half_width(side + 1, depth);
+    const float centre = hang.foot.y + depth * hang.down().y;
+    const float ends[] = {centre + slant * right, centre - slant * left};
     const float high = std::max(ends[0], ends[1]), low = std::min(ends[0], ends[1]);
     const float half_pixel = grid.pitch / 2;
     for (std::int32_t row = grid.first_row(high + half_pixel); row < grid.end_row(low - half_pixel); ++row) {
@@ -131,21 +143,22 @@ void draw_leaning_side(BitImage& image, const PixelGrid& grid, const HungEnvelop
       const float across = (up > 0 ? beyond : -beyond) / slant;
       const float share = across / std::max(across > 0 ? right : left, 1e-6f);
       const float width = std::sqrt(std::max(0.0f, 1 - share * share));
-      image.fill(row, grid.first_column(-behind * width), grid.end_column(before * width));
+      image.fill(row, grid.first_column(hang.foot.x - behind * width), grid.end_column(hang.foot.x + before * width));
     }
   }
 }
 
-BitImage outline(const PixelGrid& grid, std::span<const HungEnvelope> envelopes, std::size_t side) {
+// `view`: 0 from the front, 1 from the side.
+BitImage outline(const PixelGrid& grid, std::span<const HungEnvelope> envelopes, std::size_t view) {
   BitImage image(grid.columns, grid.rows);
-  constexpr float upright = 0.1f;  // degrees
   for (const HungEnvelope& hung : envelopes) {
-    if (std::abs(hung.lean) < upright)
-      draw_upright(image, grid, hung.envelope, side);
-    else if (side == 0)
-      draw_leaning_front(image, grid, hung);
+    const Hang hang(hung.stance, view == 0 ? front_view : side_view);
+    if (std::abs(hung.stance.lean) < upright)
+      draw_upright(image, grid, hung.envelope, hang.foot, 2 * view);
+    else if (hung.stance.side / 2 == view)
+      draw_leaning_across(image, grid, hung.envelope, hang, 2 * view);
     else
-      draw_leaning_side(image, grid, hung);
+      draw_leaning_away(image, grid, hung.envelope, hang, 2 * view, 2 - 2 * view);
   }
   return image;
 }
@@ -153,7 +166,7 @@ BitImage outline(const PixelGrid& grid, std::span<const HungEnvelope> envelopes,
 float lowest_of(std::span<const HungEnvelope> envelopes) {
   float lowest = 0;
   for (const HungEnvelope& hung : envelopes)
-    lowest = std::min(lowest, hung.envelope.length() * Hang(hung.lean).down().y);
+    lowest = std::min(lowest, hung.stance.foot.y + hung.envelope.length() * Hang(hung.stance, front_view).down().y);
   return lowest;
 }
 
@@ -185,7 +198,7 @@ bool fit(const Subject& subject, std::span<const HungEnvelope> envelopes, Fitted
   for (std::size_t i = 0; i < 2; ++i) {
     const BitImage bunch = silhouette(subject, grid, i == 0 ? front_view : side_view, lowest);
     closed[i] = bunch.closed(radius);
-    const BitImage wanted = outline(grid, envelopes, 2 * i);
+    const BitImage wanted = outline(grid, envelopes, i);
     const auto area = [&](std::int64_t pixels) { return static_cast<float>(pixels) * pitch * pitch; };
     // The outermost pixels' centres lie half a pixel within the outline, on average.
     ViewFit& one = i == 0 ? fitted.front : fitted.side;

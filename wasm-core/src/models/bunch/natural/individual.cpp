@@ -11,20 +11,21 @@ namespace {
 
 // Standard deviations at a variability of 1, over the mean.
 constexpr float length_spread = 0.15f;
-constexpr float section_spread = 0.35f;  // of the area of its slices
-constexpr float together = 0.5f;        // how much of that goes with length: long bunches are wide ones
-constexpr float side_spread = 0.06f;    // of each half-width by itself
+constexpr float section_spread = 0.32f;  // of the area of its slices
+constexpr float together = 0.5f;         // how much of that goes with length: long bunches are wide ones
+constexpr float side_spread = 0.06f;     // of each half-width by itself
 constexpr float shoulder_spread = 0.12f;
-constexpr float gap_height = 0.09f;                          // of each wave
+constexpr float wing_spread = 0.4f;                          // of its weight
+constexpr float gap_height = 0.06f;                          // of each wave
 constexpr float gap_length = 7;                              // of a wave, in berry widths
-constexpr float least = 0.4f;                                // of any factor
+constexpr float least = 0.5f;                                // of any factor
 constexpr float raceme_below = pixels_per_axis_segment / 2;  // half-widths with a single pedicel at a node
 
 // Fractional parts of the golden ratio and of square roots of 3, 2, 5, 7 …, times 2^64: multiples of each are spread
 // evenly, and those of the first two have nothing to do with each other already over a few seeds.
 constexpr std::uint64_t strides[] = {0x9e3779b97f4a7c15u, 0xbb67ae8584caa73bu, 0x6a09e667f3bcc908u, 0x3c6ef372fe94f82bu,
                                      0xa54ff53a5f1d36f1u, 0x510e527fade682d1u, 0x9b05688c2b3e6c1fu, 0x5be0cd19137e2179u,
-                                     0xcbbb9d5dc1059ed8u, 0xae5f9156e7b6d99bu};
+                                     0xcbbb9d5dc1059ed8u, 0xae5f9156e7b6d99bu, 0x47b5481dbefa4fa4u};
 
 // The seed's place in the `which`-th spread: of mean 0 and standard deviation 1, from -2.45 to 2.45, 0 for seed 1.
 float place_of(std::uint64_t seed, std::size_t which) {
@@ -52,6 +53,10 @@ Profile individual(const Profile& drawn, std::uint64_t seed, float variability, 
     side.drop *= longer * factor(place_of(seed, 6 + i), variability * shoulder_spread);
   }
   return profile;
+}
+
+float wing_share(std::uint64_t seed, float variability) {
+  return cube_root(factor(place_of(seed, 10), variability * wing_spread));
 }
 
 Gaps::Gaps(std::uint64_t seed, float variability, float size) : height_(variability * gap_height) {

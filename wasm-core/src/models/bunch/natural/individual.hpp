@@ -17,6 +17,9 @@ namespace panicle::bunch {
 // bunch is a narrower one, so that they have the same room.
 Profile individual(const Profile& drawn, std::uint64_t seed, float variability, bool counted);
 
+// How large the seed's wing is over what was asked for; in weight its mean is 1.
+float wing_share(std::uint64_t seed, float variability);
+
 // Where a bunch is closer filled than in the mean and where it is looser: long waves through space.
 class Gaps {
  public:

@@ -16,6 +16,7 @@
 #include "models/bunch/natural/ripening.hpp"
 #include "models/bunch/natural/situation.hpp"
 #include "models/bunch/natural/traits.hpp"
+#include "models/bunch/natural/wing.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
@@ -99,10 +100,12 @@ bool on_cane(const Values& values) { return values[leaves] > 0 || values[cane] !
 std::int32_t hang_up(Bent& bent, const Sprout& bunch, const Values& values, std::uint64_t seed) {
   constexpr float least_under_cane = 30;  // millimetres: berries and cane have room
   const float length = std::max(values[peduncle], on_cane(values) ? least_under_cane : 0.0f);
-  const std::int32_t moved = add_peduncle(bent.internodes, length * metres_per_millimetre, seed);
+  const std::int32_t root = bunch.second_root < 0 ? -1 : bent.place_of[static_cast<std::size_t>(bunch.second_root)];
+  const Fork fork{root, fork_height(values[size]) * metres_per_millimetre};
+  const std::int32_t moved = add_peduncle(bent.internodes, length * metres_per_millimetre, seed, fork);
   for (std::int32_t& place : bent.place_of)
     if (place >= 0) place += moved;
-  return bunch.second_root < 0 ? -1 : bent.place_of[static_cast<std::size_t>(bunch.second_root)];
+  return root < 0 ? -1 : root + moved;
 }
 
 // A cane for a bunch to hang from, with leaves as wide as the bunch's upper part.
@@ -130,7 +133,7 @@ void add_meshes(Grown& grown, const Request& request, const Values& values, cons
 
 std::vector<float> measures_of(const Grown& grown, std::span<const Bound> bounds) {
   std::vector<HungEnvelope> envelopes;
-  for (const Bound& bound : bounds) envelopes.push_back({bound.envelope, bound.lean});
+  for (const Bound& bound : bounds) envelopes.push_back({bound.envelope, bound.stance});
   return measure(grown, envelopes);
 }
 

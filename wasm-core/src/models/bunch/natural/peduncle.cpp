@@ -14,8 +14,9 @@ constexpr float shortest = 0.001f;                    // metres above p1 that ar
 constexpr float least_bow = 0.04f, most_bow = 0.14f;  // how far aside its upper end is, over its length
 constexpr float least_node = 0.4f, most_node = 0.6f;  // where its node is, over its length from p1
 constexpr float half_node = 0.0022f;                  // metres
-constexpr float most_half = 0.2f;                     // over its length
-constexpr float kink = 0.0006f;                       // metres by which the node is off its line
+
+constexpr std::int32_t node_piece = 2;  // that ends at the node
+constexpr float kink = 0.0006f;         // metres by which the node is off its line
 
 // Heights over its length, from the upper end, and widths over the rachis's.
 struct Ring {
@@ -41,16 +42,19 @@ float length_to_first_branch(const std::vector<Internode>& internodes) {
   return length;
 }
 
-std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed) {
-  const float above = length - length_to_first_branch(internodes);
+std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed, const Fork& fork) {
+  const bool forks = fork.root >= 0;
+  const float above = forks ? std::max(length, shortest) + fork.height : length - length_to_first_branch(internodes);
   if (internodes.empty() || above < shortest) return 0;
   const auto luck = [seed](std::uint64_t which) { return random_unit(seed, hash_text("peduncle"), which); };
   const SinCos way = sincos_degrees(360 * luck(0));
   const float bow = above * (least_bow + (most_bow - least_bow) * luck(1));
-  const float node = least_node + (most_node - least_node) * luck(2), half = std::min(half_node / above, most_half);
+  const float node = forks ? fork.height / above : least_node + (most_node - least_node) * luck(2);
+  const float half = std::min({half_node / above, 0.5f * node, 0.5f * (1 - node)});
   const SinCos off = sincos_degrees(360 * luck(3));
-  const Ring rings[] = {
-      {1, 1.6f}, {0.9f, 1.35f}, {node + half, 1.28f}, {node, 1.6f}, {node - half, 1.25f}, {0.3f * node, 1.18f}, {0, 1}};
+  const Ring rings[] = {{1, 1.6f},    {1 - 0.3f * (1 - node), 1.35f}, {node + half, 1.28f},
+                        {node, 1.6f}, {node - half, 1.25f},           {0.3f * node, 1.18f},
+                        {0, 1}};
   const float girth = internodes[0].radius;
   std::vector<Internode> stalk;
   for (const Ring& ring : rings) {
@@ -71,8 +75,12 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
     }
   }
   const auto moved = static_cast<std::int32_t>(stalk.size());
-  for (Internode& internode : internodes)
-    internode.parent = internode.parent < 0 ? moved - 1 : internode.parent + moved;
+  if (forks) internodes[static_cast<std::size_t>(fork.root)].start = stalk[node_piece].end;
+  for (std::size_t i = 0; i < internodes.size(); ++i) {
+    std::int32_t& parent = internodes[i].parent;
+    const bool at_node = forks && static_cast<std::int32_t>(i) == fork.root;
+    parent = parent >= 0 ? parent + moved : at_node ? node_piece : moved - 1;
+  }
   stalk.insert(stalk.end(), internodes.begin(), internodes.end());
   internodes = std::move(stalk);
   return moved;

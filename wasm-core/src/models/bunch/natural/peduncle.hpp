@@ -11,9 +11,15 @@ namespace panicle::bunch {
 // From the root to where it first branches, in the internodes' unit; 0 without any.
 float length_to_first_branch(const std::vector<Internode>& internodes);
 
+// What branches from a peduncle at its node.
+struct Fork {
+  std::int32_t root = -1;  // the internode that grows there; -1: none does
+  float height = 0;        // metres above p1
+};
+
 // Puts a peduncle before the skeleton, whose roots then grow from its end: as much of it above p1 as makes it `length`
 // metres from its upper end to where the bunch first branches. `internodes` are in metres, parents first. Returns by
 // how many internodes the others have moved on; 0 where the bunch itself is as long before it branches.
-std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed);
+std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std::uint64_t seed, const Fork& fork = {});
 
 }  // namespace panicle::bunch

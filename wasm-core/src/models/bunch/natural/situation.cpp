@@ -16,14 +16,8 @@ constexpr float golden = 0.618034f;                 // of a turn: neighbours alo
 constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
 constexpr float own_luck = 0.15f;
 
-// A place in the frame of a bunch that leans.
-glm::vec3 upright(const glm::vec3& place, float lean) {
-  const SinCos turn = sincos_degrees(lean);
-  return {place.x * turn.cosine - place.y * turn.sine, place.x * turn.sine + place.y * turn.cosine, place.z};
-}
-
 Situation situated(const glm::vec3& place, const Bound& bound, const glm::vec3& sun) {
-  const glm::vec3 own = upright(place, bound.lean);
+  const glm::vec3 own = Uprighting(bound.stance).place(place);
   const float length = bound.envelope.length();
   const float depth = std::clamp(-own.y, 0.0f, length);
   const float x = std::max(1.0f, bound.envelope.half_width(own.x >= 0 ? 0 : 1, depth));

@@ -7,6 +7,8 @@
 #include "foundation/random.hpp"
 #include "models/bunch/grammars.hpp"
 #include "models/bunch/natural/individual.hpp"
+#include "models/bunch/natural/ripening.hpp"
+#include "models/bunch/natural/wing.hpp"
 #include "models/bunch/remarks.hpp"
 #include "models/bunch/roles.hpp"
 #include "models/bunch/skeleton_drawing.hpp"
@@ -27,6 +29,9 @@ class Inflorescence final : public SkeletonDrawing {
   }
 };
 
+// How wide a wing's rachis is over the first bunch's.
+float slender_of(float wing) { return 0.5f + 0.5f * wing; }
+
 // One bunch before it is drawn.
 struct Seedling {
   NaturalPlan plan;
@@ -39,35 +44,37 @@ class Sower {
         std::shared_ptr<const lsystem::Program> program)
       : request_(request), values_(values), limits_(limits), program_(std::move(program)) {}
 
-  Result<Seedling> plant(const Profile& profile, std::uint64_t seed) {
-    auto seedling = plant_once(profile, seed);
+  // `slender`: how wide its rachis is over what the berries ask for.
+  Result<Seedling> plant(const Profile& profile, std::uint64_t seed, float slender) {
+    auto seedling = plant_once(profile, seed, slender);
     if (!seedling) return seedling;
     const TextConstants found = constants_of(*seedling->text, constants_);
     if (found == constants_) return seedling;
     constants_ = found;
-    return plant_once(profile, seed);
+    return plant_once(profile, seed, slender);
   }
 
   // Draws the bunch and the second where there is one.
   Result<Sprout> draw(SkeletonDrawing& drawing, std::vector<std::string>& notes) {
     const Profile profile =
         individual(values_.profile(), request_.seed, values_[Parameter::variability], values_[Parameter::count] > 0);
-    const float wing = values_[Parameter::wing];
     Sprout sprout;
     sprout.profile = profile;
-    if (const Diagnostic trouble = draw_one(profile, request_.seed, 0, drawing, sprout, notes);
+    if (const Diagnostic trouble = draw_one(profile, request_.seed, 1, drawing, sprout, notes);
         trouble.reason != Reason::none)
       return trouble;
     const std::size_t second_from = drawing.borne();
-    if (wing > 0) {
+    if (values_[Parameter::wing] > 0) {
       sprout.second_root = static_cast<std::int32_t>(drawing.segments.size());
-      const Diagnostic trouble = draw_one(scaled(profile, wing), second_seed(request_.seed),
-                                          values_[Parameter::wing_angle], drawing, sprout, notes);
+      const float wing = values_[Parameter::wing] * wing_share(request_.seed, values_[Parameter::variability]);
+      const Diagnostic trouble =
+          draw_one(scaled(profile, wing), second_seed(request_.seed), slender_of(wing), drawing, sprout, notes);
       if (trouble.reason != Reason::none) return trouble;
     }
     loose_balls_ = drawing.finish();
     sprout.internodes = std::move(drawing.internodes);
     if (sprout.second_root >= static_cast<std::int32_t>(sprout.internodes.size())) sprout.second_root = -1;
+    if (sprout.second_root >= 0) hang_wing(sprout, drawing.balls);
     sprout.flowers = flowers_of(sprout.internodes, drawing.balls, second_from);
     return sprout;
   }
@@ -87,27 +94,61 @@ class Sower {
   std::uint32_t loose_balls() const { return loose_balls_; }
 
  private:
-  Result<Seedling> plant_once(const Profile& profile, std::uint64_t seed) const {
+  Result<Seedling> plant_once(const Profile& profile, std::uint64_t seed, float slender) const {
     const float start = 360 * random_unit(seed, hash_text("first axis"), 0);
     NaturalPlan plan = make_natural_plan(profile, values_, static_cast<float>(limits_.bodies), constants_, start);
+    plan.girth *= slender;
     auto text = lsystem::bind(program_, inputs_for(plan, profile, values_), limits_);
     if (!text) return text.error();
     return Seedling{std::move(plan), std::move(text.value())};
   }
 
-  Diagnostic draw_one(const Profile& profile, std::uint64_t seed, float lean, SkeletonDrawing& drawing, Sprout& sprout,
-                      std::vector<std::string>& notes) {
-    auto seedling = plant(profile, seed);
+  // What hangs from a wing's stalk, by now.
+  WingStalk stalk_of(const NaturalPlan& wing) const {
+    constexpr float grams = 1.05e-3f;  // a cubic millimetre of berries
+    const float now = size_at(values_[Parameter::age]);
+    const float load = grams * fill_of(values_[Parameter::density]) * wing.envelope.volume() * now * now * now;
+    return {fork_height(values_[Parameter::size]), values_[Parameter::wing_angle],
+            static_cast<std::size_t>(values_[Parameter::wing_side]), load};
+  }
+
+  // Puts the stalk between the peduncle and what was drawn of the second bunch.
+  void hang_wing(Sprout& sprout, std::vector<Ball>& balls) const {
+    const NaturalPlan& wing = sprout.plans[1];
+    std::vector<Internode> stalk =
+        wing_stalk(stalk_of(wing), sprout.bounds[1].stance, sprout.plans[0].girth, wing.girth);
+    const auto count = static_cast<std::int32_t>(stalk.size()), root = sprout.second_root;
+    const float units = 1 / values_[Parameter::unit];
+    for (Internode& piece : stalk) {
+      piece.start *= units;
+      piece.end *= units;
+      piece.radius *= units;
+      piece.radius_end *= units;
+      if (piece.parent >= 0) piece.parent += root;
+    }
+    std::vector<Internode>& all = sprout.internodes;
+    for (std::size_t i = static_cast<std::size_t>(root); i < all.size(); ++i)
+      all[i].parent = all[i].parent < 0 ? root + count - 1 : all[i].parent + count;
+    all.insert(all.begin() + root, stalk.begin(), stalk.end());
+    for (Ball& ball : balls)
+      if (ball.segment >= root) ball.segment += count;
+  }
+
+  Diagnostic draw_one(const Profile& profile, std::uint64_t seed, float slender, SkeletonDrawing& drawing,
+                      Sprout& sprout, std::vector<std::string>& notes) {
+    auto seedling = plant(profile, seed, slender);
     if (!seedling) return seedling.error();
     auto stock = derive_stock(std::move(seedling->text), seed, request_.steps, limits_);
     if (!stock) return stock.error();
     const bool first = sprout.plans.empty();
     stock->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());
-    stock->lean = lean;
+    const Stance stance =
+        first ? Stance{} : wing_stance(stalk_of(seedling->plan), sprout.bounds[0].envelope, seedling->plan.envelope);
+    stock->stance = {stance.lean, stance.side, stance.foot / values_[Parameter::unit]};
     if (first) remark_text(*stock->bound, values_, "natural", heeded_by_plan, notes);
     std::vector<std::string> said;
     drawing.begin(*stock->bound, roles_of(*program_, first ? notes : said), stock->first_axis);
-    sprout.bounds.push_back({seedling->plan.envelope, lean});
+    sprout.bounds.push_back({seedling->plan.envelope, stance});
     sprout.plans.push_back(std::move(seedling->plan));
     const Diagnostic trouble = interpret(stock.value(), limits_, drawing);
     return trouble.reason == Reason::none ? drawing.trouble() : trouble;

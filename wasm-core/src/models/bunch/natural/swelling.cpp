@@ -67,7 +67,7 @@ class Solver {
     for (const Swelling& berry : berries) lost_.push_back(berry.late ? Why::not_set : Why{});
     sizes_.resize(berries.size());
     rests_.resize(berries.size());
-    for (const Bound& bound : bounds) turns_.push_back(sincos_degrees(bound.lean));
+    for (const Bound& bound : bounds) turns_.emplace_back(bound.stance);
   }
 
   void step(float scale, int index) {
@@ -288,9 +288,8 @@ class Solver {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       if (gone(i)) continue;
       const Bound& bound = bounds_[berries_[i].bunch];
-      const SinCos lean = turns_[berries_[i].bunch];
-      glm::vec3 c = centres_[i];
-      c = {c.x * lean.cosine - c.y * lean.sine, c.x * lean.sine + c.y * lean.cosine, c.z};
+      const Uprighting& turn = turns_[berries_[i].bunch];
+      glm::vec3 c = turn.place(centres_[i]);
       const glm::vec3 before = c;
       // A long berry reaches as far as its core leans.
       const Size& size = sizes_[i];
@@ -314,8 +313,7 @@ class Solver {
           {0.0f, (off - bound_give * bound_pushes_[i]) / (1 + bound_give), off - furthest_out * size.half_width});
       bound_pushes_[i] += push;
       way *= push / off;
-      centres_[i] +=
-          glm::vec3{way.x * lean.cosine + way.y * lean.sine, -way.x * lean.sine + way.y * lean.cosine, way.z};
+      centres_[i] += turn.way_back(way);
     }
   }
 
@@ -369,7 +367,7 @@ class Solver {
   float young_share_ = 1;              // how far they have come
   std::vector<Why> lost_;
   bool settled_ = false;
-  std::vector<SinCos> turns_;
+  std::vector<Uprighting> turns_;
   TouchingSpheres nearby_;
   std::vector<SpherePair> pairs_;  // berries that may touch
   std::vector<Leaning> leaning_;   // by stem

@@ -12,6 +12,7 @@
 
 #include "models/bunch/envelope.hpp"
 #include "models/bunch/grown.hpp"
+#include "models/bunch/stance.hpp"
 
 namespace panicle::bunch {
 
@@ -34,10 +35,10 @@ struct Swelling {
   bool late = false;                      // joins only where others found no room, in the order given
 };
 
-// An outline with the turn that takes the bunch's frame into its own.
+// An outline as it hangs; millimetres.
 struct Bound {
   Envelope envelope;
-  float lean = 0;  // degrees, as of its stock
+  Stance stance;
 };
 
 struct Swollen {

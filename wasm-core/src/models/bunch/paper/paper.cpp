@@ -48,7 +48,7 @@ Result<Planned> plan_stocks(const Request& request, const Values& values, const 
   auto second = stock_for(smaller, values, program.value(), second_seed(request.seed), request.steps, limits);
   if (!second) return second.error();
   second->first_axis = grown.plan.m - 1;
-  second->lean = values[wing_angle];
+  second->stance.lean = values[wing_angle];
   grown.second = std::move(smaller.plan);
   planned.second = std::move(second.value());
   return planned;
@@ -114,9 +114,9 @@ std::vector<HungEnvelope> envelopes_of(const Planned& planned, const Values& val
   using enum Parameter;
   const Profile profile = values.profile();
   const float pixel = values[unit] * units_per_pixel, reach = end_reach(*planned.first.bound, values) * values[unit];
-  std::vector<HungEnvelope> envelopes{{Envelope(profile, pixel, reach), 0}};
+  std::vector<HungEnvelope> envelopes{{Envelope(profile, pixel, reach), {}}};
   if (planned.second)
-    envelopes.push_back({Envelope(scaled(profile, values[wing]), pixel, reach), planned.second->lean});
+    envelopes.push_back({Envelope(scaled(profile, values[wing]), pixel, reach), planned.second->stance});
   return envelopes;
 }
 

@@ -18,7 +18,19 @@ import { thinning } from "./thinning";
 import "./thinning_panel";
 
 export const face: Face<BunchSpecimen, Grown> = {
-	tools: [front, side, cane, stems, octahedron, thinning, age, inputs, sides, asPrinted, grammarTool("branching", "bunch")],
+	tools: [
+		front,
+		side,
+		cane,
+		stems,
+		octahedron,
+		thinning,
+		age,
+		inputs,
+		sides,
+		asPrinted,
+		grammarTool("branching", "bunch"),
+	],
 	readout,
 	rows: (specimen) => [skinRow(specimen)],
 	caption: (grown, desk) => {

@@ -1,0 +1,79 @@
+/** One seed's bunch unlike the next, of every grape preset: how far they spread, and that their mean stays. */
+
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import type { Grown } from "../../../../web/src/models/bunch/grown";
+import { measureOf } from "../../../../web/src/models/bunch/measures";
+import type { MeasureKey } from "../../../../web/src/models/bunch/measures.generated";
+import { PRESETS } from "../../../../web/src/models/bunch/presets/presets";
+import { exportJson, specimenFromPreset, withParameters } from "../../bunch";
+import { freshCore, growBunch } from "../../core/wasm";
+
+const SEEDS = 20;
+
+let core: Core;
+beforeAll(async () => {
+	core = await freshCore();
+});
+
+const bunch = (preset: string, seed: number, variability: number): Grown =>
+	growBunch(core, { ...withParameters(specimenFromPreset(preset), { variability }), seed }, { meshes: false });
+
+function spread(bunches: readonly Grown[], key: MeasureKey) {
+	const values = bunches.map(({ measures }) => measureOf(measures, key));
+	const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+	const variance = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length;
+	return { mean, variation: Math.sqrt(variance) / mean };
+}
+
+describe.each(PRESETS.filter(({ kind }) => kind !== "fruit").map(({ name }) => name))("%s", (preset) => {
+	let even: Grown[];
+	let varied: Grown[];
+	beforeAll(() => {
+		const seeds = Array.from({ length: SEEDS }, (_, index) => index + 1);
+		even = seeds.map((seed) => bunch(preset, seed, 0));
+		varied = seeds.map((seed) => bunch(preset, seed, 1));
+	});
+
+	it("weighs and is as long in the mean as without variability", () => {
+		expect(spread(varied, "bunch_weight").mean / spread(even, "bunch_weight").mean).toBeCloseTo(1, 1);
+		expect(Math.abs(spread(varied, "bunch_length").mean / spread(even, "bunch_length").mean - 1)).toBeLessThan(0.03);
+	});
+
+	it("spreads as bunches of one variety do; what is thinned to a count, in its form alone", () => {
+		const counted = specimenFromPreset(preset).parameters.count > 0;
+		expect(spread(even, "bunch_length").variation).toBeLessThan(0.04);
+		expect(spread(varied, "bunch_length").variation).toBeGreaterThan(0.1);
+		expect(spread(varied, "bunch_length").variation).toBeLessThan(0.18);
+		expect(spread(varied, "bunch_weight").variation).toBeGreaterThan(counted ? 0.01 : 0.15);
+		expect(spread(varied, "bunch_weight").variation).toBeLessThan(counted ? 0.08 : 0.35);
+	});
+
+	it("hangs from a peduncle of its own length, at least 25 mm", () => {
+		const asked = specimenFromPreset(preset).parameters.peduncle;
+		for (const { measures } of varied) {
+			expect(measureOf(measures, "peduncle_length")).toBeGreaterThanOrEqual(25);
+			expect(Math.abs(measureOf(measures, "peduncle_length") / asked - 1)).toBeLessThan(0.05);
+		}
+	});
+});
+
+it("says whose outline it fills: the handles' without variability and for seed 1, else the seed's", () => {
+	const { parameters } = specimenFromPreset("riesling");
+	const profileOf = (seed: number, variability: number) => bunch("riesling", seed, variability).profile;
+	expect(parameters).toMatchObject({ ...profileOf(1, 1) });
+	expect(parameters).toMatchObject({ ...profileOf(4, 0) });
+	expect(profileOf(4, 1)?.l).not.toBeCloseTo(parameters.l, 0);
+	const varied = bunch("riesling", 4, 1);
+	const specimen = { ...specimenFromPreset("riesling"), seed: 4 };
+	const document = exportJson(varied, specimen) as unknown as { profile: Record<string, number>; plan: Grown["plan"] };
+	expect(document.profile.p4w).toBeCloseTo(varied.profile?.p4w ?? Number.NaN, 3);
+	expect(document.plan.sides[1].w).toBe(parameters.p4w);
+});
+
+it("the paper's procedure knows nothing of it", () => {
+	const paper = withParameters(specimenFromPreset("riesling"), { procedure: 0, variability: 1, peduncle: 80 });
+	const fingerprint = (specimen: typeof paper) => growBunch(core, specimen, { meshes: false }).fingerprint;
+	expect(fingerprint(paper)).toBe(fingerprint(withParameters(paper, { variability: 0, peduncle: 0, wing_side: 2 })));
+	expect(growBunch(core, paper, { meshes: false }).profile).toBeUndefined();
+});

@@ -1,0 +1,75 @@
+#include "models/bunch/natural/wing.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace panicle::bunch {
+namespace {
+
+constexpr float fork_in_berries = 0.8f;
+constexpr float half_load = 20;     // grams under which a stalk comes halfway down
+constexpr float beside = 0.8f;      // of the first bunch's half-width that the stalk reaches beyond
+constexpr float own = 0.6f;         // and of its own
+constexpr float longest = 0.45f;    // of the first bunch's length
+constexpr float shortest = 6;       // millimetres
+constexpr float upper_part = 0.5f;  // of the first bunch's length, beside which a wing hangs
+constexpr int pieces = 6;
+
+glm::vec3 outward(std::size_t side) {
+  const float sign = side % 2 == 0 ? 1.0f : -1.0f;
+  return side < 2 ? glm::vec3(sign, 0, 0) : glm::vec3(0, 0, sign);
+}
+
+float widest(const Envelope& envelope, std::size_t side, float share) {
+  constexpr int samples = 24;
+  float most = 0;
+  for (int k = 0; k <= samples; ++k)
+    most = std::max(most, envelope.half_width(side, share * envelope.length() * static_cast<float>(k) / samples));
+  return most;
+}
+
+// A stalk that turns evenly from one angle to the other, `length` long: where it is after a share of that.
+glm::vec3 along(const WingStalk& stalk, float lean, float length, float share) {
+  constexpr int steps = 12;
+  glm::vec3 at(0, stalk.fork, 0);
+  for (int k = 0; k < steps; ++k) {
+    const float through = share * (static_cast<float>(k) + 0.5f) / steps;
+    const SinCos way = sincos_degrees(stalk.angle + (lean - stalk.angle) * through);
+    at += (share * length / steps) * (way.sine * outward(stalk.side) - glm::vec3(0, way.cosine, 0));
+  }
+  return at;
+}
+
+}  // namespace
+
+float fork_height(float berry_width) { return fork_in_berries * berry_width; }
+
+Stance wing_stance(const WingStalk& stalk, const Envelope& bunch, const Envelope& wing) {
+  const float lean = stalk.angle / (1 + stalk.load / half_load);
+  const std::size_t inner = stalk.side ^ 1;
+  const float wanted = beside * widest(bunch, stalk.side, upper_part) + own * widest(wing, inner, 1);
+  const glm::vec3 reach = along(stalk, lean, 1, 1) - glm::vec3(0, stalk.fork, 0);
+  const float out = std::max(0.05f, glm::dot(reach, outward(stalk.side)));
+  const float length = std::clamp(wanted / out, shortest, std::max(shortest, longest * bunch.length()));
+  return {lean, stalk.side, along(stalk, lean, length, 1)};
+}
+
+std::vector<Internode> wing_stalk(const WingStalk& stalk, const Stance& stance, float width, float width_end) {
+  const float unit = glm::dot(along(stalk, stance.lean, 1, 1), outward(stalk.side));
+  const float length = glm::dot(stance.foot, outward(stalk.side)) / unit;
+  std::vector<Internode> all;
+  for (int k = 0; k < pieces; ++k) {
+    const float from = static_cast<float>(k) / pieces, to = static_cast<float>(k + 1) / pieces;
+    Internode piece;
+    piece.parent = k - 1;
+    piece.start = all.empty() ? along(stalk, stance.lean, length, 0) : all.back().end;
+    piece.end = k + 1 == pieces ? stance.foot : along(stalk, stance.lean, length, to);
+    piece.radius = (width + (width_end - width) * from) / 2;
+    piece.radius_end = (width + (width_end - width) * to) / 2;
+    piece.joint = k > 0;
+    all.push_back(piece);
+  }
+  return all;
+}
+
+}  // namespace panicle::bunch

@@ -1,0 +1,34 @@
+// A second bunch beside the first: how it hangs, and the stalk that bends under it.
+//
+// The stalk leaves the peduncle's node at the angle asked for and bends down under what hangs from it, the more the
+// heavier that is: a small wing stands out, a large one hangs. It is as long as it takes for the second bunch to hang
+// beside the first and not in it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "models/bunch/envelope.hpp"
+#include "models/bunch/skeleton.hpp"
+#include "models/bunch/stance.hpp"
+
+namespace panicle::bunch {
+
+// Millimetres, degrees and grams.
+struct WingStalk {
+  float fork = 0;        // height of the peduncle's node above p1
+  float angle = 0;       // at which it leaves
+  std::size_t side = 1;  // as of a stance
+  float load = 0;        // what hangs from it, by now
+};
+
+// How far above p1 a wing leaves the peduncle, for berries of a width.
+float fork_height(float berry_width);
+
+// How `wing` hangs beside `bunch`.
+Stance wing_stance(const WingStalk& stalk, const Envelope& bunch, const Envelope& wing);
+
+// The stalk's pieces, the first with no parent; `width` at its foot, `width_end` at the other end.
+std::vector<Internode> wing_stalk(const WingStalk& stalk, const Stance& stance, float width, float width_end);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,50 @@
+// How a bunch hangs: where from, and how far to which side it leans.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle::bunch {
+
+// Lengths in whatever unit its owner has.
+struct Stance {
+  float lean = 0;        // degrees from straight down
+  std::size_t side = 1;  // towards which: right (p3), left, front, back
+  glm::vec3 foot{0};     // where it hangs from
+};
+
+// Turns the bunch's frame into the frame of one that hangs straight down from the origin, and back.
+class Uprighting {
+ public:
+  explicit Uprighting(const Stance& stance)
+      : turn_(sincos_degrees(stance.lean)),
+        axis_(stance.side < 2 ? 0 : 2),
+        sign_(stance.side % 2 == 0 ? 1.0f : -1.0f),
+        foot_(stance.foot) {}
+
+  glm::vec3 place(const glm::vec3& p) const { return way(p - foot_); }
+  glm::vec3 way(const glm::vec3& v) const {
+    const float across = sign_ * v[axis_];
+    return turned(v, across * turn_.cosine + v.y * turn_.sine, v.y * turn_.cosine - across * turn_.sine);
+  }
+  glm::vec3 way_back(const glm::vec3& v) const {
+    const float across = sign_ * v[axis_];
+    return turned(v, across * turn_.cosine - v.y * turn_.sine, v.y * turn_.cosine + across * turn_.sine);
+  }
+
+ private:
+  glm::vec3 turned(glm::vec3 v, float across, float up) const {
+    v[axis_] = sign_ * across;
+    v.y = up;
+    return v;
+  }
+
+  SinCos turn_;
+  glm::length_t axis_;
+  float sign_;
+  glm::vec3 foot_;
+};
+
+}  // namespace panicle::bunch
