@@ -62,12 +62,6 @@ export default [
 				breaks: "uniform bunches are said to be uneven",
 			},
 			{
-				id: "form-peduncle-of-everything",
-				find: "if (children[i] != 1) break;",
-				replace: "if (children[i] == 0) break;",
-				breaks: "the peduncle goes on down the rachis",
-			},
-			{
 				id: "form-never-a-cylinder",
 				find: "if (lower >= cylinder * upper) return 1;",
 				replace: "",
@@ -99,8 +93,8 @@ export default [
 		faults: [
 			{
 				id: "fit-lean-reversed",
-				find: "return {turn.cosine, -turn.sine}; }",
-				replace: "return {turn.cosine, turn.sine}; }",
+				find: "return {turn.cosine, sign * turn.sine}; }",
+				replace: "return {turn.cosine, -sign * turn.sine}; }",
 				breaks: "a leaning wing is compared with one that leans the other way",
 			},
 		],

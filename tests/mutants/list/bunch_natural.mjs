@@ -63,7 +63,7 @@ export default [
 			},
 			{
 				id: "situation-lean-ignored",
-				find: "const glm::vec3 own = upright(place, bound.lean);",
+				find: "const glm::vec3 own = Uprighting(bound.stance).place(place);",
 				replace: "const glm::vec3 own = place;",
 				breaks: "a wing's flowers count as outside of it",
 			},
@@ -87,8 +87,8 @@ export default [
 		faults: [
 			{
 				id: "sprout-wing-of-the-same-seed",
-				find: "draw_one(scaled(profile, wing), second_seed(request_.seed),",
-				replace: "draw_one(scaled(profile, wing), request_.seed,",
+				find: "draw_one(scaled(profile, wing), second_seed(request_.seed), slender",
+				replace: "draw_one(scaled(profile, wing), request_.seed, slender",
 				breaks: "the wing branches as the bunch does",
 			},
 			{

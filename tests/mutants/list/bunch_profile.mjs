@@ -172,6 +172,18 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/bunch/tools/cane.ts",
+		suites: ["tests/web/models/bunch/tools/cane.test.ts"],
+		faults: [
+			{
+				id: "cane-leaves-stay",
+				find: "{ cane: 0, leaves: 0 }",
+				replace: "{ cane: 0 }",
+				breaks: "the button takes a cane off that its leaves bring back",
+			},
+		],
+	},
+	{
 		file: "web/src/models/bunch/tools/sides.ts",
 		suites: ["tests/web/models/bunch/tools/sides.test.ts"],
 		faults: [

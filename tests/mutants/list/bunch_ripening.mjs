@@ -38,7 +38,7 @@ export default [
 			},
 			{
 				id: "natural-foliage-never",
-				find: "if (leaves_asked == 0 && values[cane] == 0) return std::nullopt;",
+				find: "if (!on_cane(values)) return std::nullopt;",
 				replace: "if (leaves_asked < 100) return std::nullopt;",
 				breaks: "no cane and no leaves, however many are asked for",
 			},

@@ -3,6 +3,7 @@ import boundary from "./boundary.mjs";
 import bunchCore from "./bunch_core.mjs";
 import bunchExport from "./bunch_export.mjs";
 import bunchFigure from "./bunch_figure.mjs";
+import bunchIndividual from "./bunch_individual.mjs";
 import bunchMeasures from "./bunch_measures.mjs";
 import bunchNatural from "./bunch_natural.mjs";
 import bunchProfile from "./bunch_profile.mjs";
@@ -39,6 +40,7 @@ export const groups = [
 	...swelling,
 	...bunchRipening,
 	...bunchSurfaces,
+	...bunchIndividual,
 	...bunchMeasures,
 	...webCore,
 	...specimen,
