@@ -172,6 +172,18 @@ export default [
 		],
 	},
 	{
+		file: "web/src/models/bunch/profile/profile_drawing.ts",
+		suites: ["tests/web/models/bunch/profile/profile_drawing.test.ts"],
+		faults: [
+			{
+				id: "profile-drawing-handles-for-own",
+				find: "envelopePath({ ...parameters, ...own }, view)",
+				replace: "envelopePath({ ...own, ...parameters }, view)",
+				breaks: "a seed's own outline is drawn as the handles'",
+			},
+		],
+	},
+	{
 		file: "web/src/models/bunch/tools/cane.ts",
 		suites: ["tests/web/models/bunch/tools/cane.test.ts"],
 		faults: [

@@ -14,7 +14,7 @@ using namespace panicle::tests;
 namespace {
 
 const Profile profile = table3[0].profile();
-const Envelope bunch(profile, 0.43f, 20), small(scaled(profile, 0.4f), 0.43f, 20);
+const Envelope large(profile, 0.43f, 20), small(scaled(profile, 0.4f), 0.43f, 20);
 
 Request winged(float wing, float side = 1, float age = 100) {
   Request request = natural_request(profile);
@@ -64,7 +64,7 @@ TEST_CASE("a wing's stalk leaves at its angle and bends down under its load, the
   float before = 81;
   for (const float load : {0.0f, 5.0f, 20.0f, 100.0f}) {
     const WingStalk stalk{10, 80, 1, load};
-    const Stance stance = wing_stance(stalk, bunch, small);
+    const Stance stance = wing_stance(stalk, large, small);
     CHECK(stance.lean < before);
     before = stance.lean;
     const std::vector<Internode> pieces = wing_stalk(stalk, stance, 3, 2);
@@ -82,7 +82,7 @@ TEST_CASE("a wing's stalk leaves at its angle and bends down under its load, the
     CHECK(angle(pieces.back()) == doctest::Approx(stance.lean + (80 - stance.lean) / 12).epsilon(0.05));
     for (std::size_t k = 1; k < pieces.size(); ++k) CHECK(angle(pieces[k]) <= angle(pieces[k - 1]) + 0.01f);
     // Beside the bunch and not in it.
-    CHECK(-stance.foot.x > 0.7f * bunch.half_width(1, profile.sides[1].drop * 0.43f));
+    CHECK(-stance.foot.x > 0.7f * large.half_width(1, profile.sides[1].drop * 0.43f));
   }
 }
 

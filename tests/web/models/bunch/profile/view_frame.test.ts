@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { PROCEDURES } from "../../../../../web/src/models/bunch/grown";
 import { HANDLES, handlePosition, UNITS_PER_PIXEL } from "../../../../../web/src/models/bunch/profile/handles";
-import { scaleBar, viewExtent, viewFrame } from "../../../../../web/src/models/bunch/profile/view_frame";
+import { scaleBar, viewExtent, viewFrame, withRoomFor } from "../../../../../web/src/models/bunch/profile/view_frame";
 import { evenly } from "../../../evenly";
 import { anyShape, DEFAULTS } from "./shape";
 
@@ -32,6 +32,13 @@ describe("viewExtent", () => {
 		}
 		// Ten pixels of the profile are not enough for it: a wider view is.
 		expect(viewExtent({ ...needle, l: 240 }, 300, 300)).toBe(300);
+	});
+
+	it("holds the seed's own bunch as well, be it longer than any handle goes", () => {
+		const own = { ...lychee, l: 90, p3w: 30, p5w: 110 };
+		expect(withRoomFor(lychee, own)).toEqual({ ...lychee, l: 90, p5w: 110 });
+		expect(withRoomFor(lychee)).toEqual(lychee);
+		expect(viewExtent(withRoomFor(DEFAULTS, { ...DEFAULTS, l: 745 }), 300, 300)).toBe(860);
 	});
 
 	it("uses an element's height where it is higher than wide", () => {

@@ -20,6 +20,9 @@ const MARGIN = 14;
 /** Sides of the square a view may show, in pixels of the profile: the paper's, and less for small bunches. */
 const EXTENTS = [150, 200, 250, 300, 400, 500, VIEW_PIXELS];
 
+/** Beyond them, for a seed's bunch that is longer than any that handles draw. */
+const LONGER = [720, 860, 1000, 1200];
+
 /** Room left below a side handle, in pixels of the profile. */
 const BELOW_SIDE = 20;
 
@@ -57,7 +60,11 @@ export function viewExtent(shape: Roomy, width: number, height: number): number 
 		const { scale } = viewFrame(width, height, extent);
 		return needWidth * scale <= width - 2 * MARGIN && needHeight * scale <= height - 2 * MARGIN;
 	};
-	return EXTENTS.find(fits) ?? VIEW_PIXELS;
+	return (
+		EXTENTS.find(fits) ??
+		(shape.l + reach > VIEW_PIXELS ? (LONGER.find(fits) ?? LONGER.at(-1)) : undefined) ??
+		VIEW_PIXELS
+	);
 }
 
 /** Fits a square of `extent` profile pixels into an element of CSS pixels, p1 at its top centre. */
