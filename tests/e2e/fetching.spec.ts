@@ -40,11 +40,12 @@ test("leaves are fetched when a bunch has some; where they did not come, a note 
 }) => {
 	const leaf = await failing(page, /assets\/grapevine-/);
 	const note = page.getByText("The cane has no leaves");
-	await new StudioPage(page).open();
+	const studio = await new StudioPage(page).open("?v=2&preset=riesling");
 	await page.waitForLoadState("networkidle");
 	expect(leaf.failed()).toBe(0);
-	await new StudioPage(page).open("?v=2&leaves=2");
+	await studio.button("On the vine").click();
 	await expect(note.first()).toBeVisible();
+	await expect(studio.button("On the vine")).toHaveAttribute("aria-pressed", "true");
 	expect(leaf.failed()).toBeGreaterThan(0);
 	leaf.allow();
 	await page.getByRole("button", { name: "New variation" }).click();
