@@ -68,7 +68,7 @@ TEST_CASE(
       node = std::max(node, internodes[i].radius_end);
       beside = std::min(beside, internodes[i].radius_end);
     }
-    CHECK(node > 1.2f * beside);
+    CHECK(node > 1.15f * beside);
   }
 }
 

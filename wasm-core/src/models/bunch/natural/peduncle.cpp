@@ -15,6 +15,7 @@ constexpr float least_bow = 0.04f, most_bow = 0.14f;  // how far aside its upper
 constexpr float least_node = 0.4f, most_node = 0.6f;  // where its node is, over its length from p1
 constexpr float half_node = 0.0022f;                  // metres
 
+constexpr float slim = 0.0013f;         // metres: radius from which a rachis is stout enough already
 constexpr std::int32_t node_piece = 2;  // that ends at the node
 constexpr float kink = 0.0006f;         // metres by which the node is off its line
 
@@ -55,7 +56,8 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
   const Ring rings[] = {{1, 1.6f},    {1 - 0.3f * (1 - node), 1.35f}, {node + half, 1.28f},
                         {node, 1.6f}, {node - half, 1.25f},           {0.3f * node, 1.18f},
                         {0, 1}};
-  const float girth = internodes[0].radius;
+  const float girth = internodes[0].radius, swell = std::min(1.0f, slim / girth);
+  const auto radius_at = [&](const Ring& ring) { return girth * (1 + swell * (ring.width - 1)); };
   std::vector<Internode> stalk;
   for (const Ring& ring : rings) {
     // Upright at p1, and away from it in a bow.
@@ -63,13 +65,13 @@ std::int32_t add_peduncle(std::vector<Internode>& internodes, float length, std:
     const glm::vec3 at(aside * way.cosine + knee * off.cosine, above * ring.height, aside * way.sine + knee * off.sine);
     if (!stalk.empty()) {
       stalk.back().end = at;
-      stalk.back().radius_end = girth * ring.width;
+      stalk.back().radius_end = radius_at(ring);
     }
     if (ring.height > 0) {
       Internode piece;
       piece.parent = static_cast<std::int32_t>(stalk.size()) - 1;
       piece.start = at;
-      piece.radius = girth * ring.width;
+      piece.radius = radius_at(ring);
       piece.joint = !stalk.empty();
       stalk.push_back(piece);
     }
