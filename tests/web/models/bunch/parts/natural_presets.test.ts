@@ -27,9 +27,10 @@ beforeAll(async () => {
 });
 
 const grow = (specimen: Specimen, options?: RequestOptions) => growBunch(core, specimen, options);
+/** Without the vine, unless it is asked for: leaves have pictures, which three.js loads in browsers alone. */
 const natural = (name: string, parameters: Partial<Record<NumberKey, number>> = {}): Specimen => {
 	const specimen = specimenFromPreset(name);
-	return { ...specimen, parameters: { ...specimen.parameters, ...parameters, procedure: 1 } };
+	return { ...specimen, parameters: { ...specimen.parameters, leaves: 0, cane: 0, ...parameters, procedure: 1 } };
 };
 /** Fewer triangles where only the way of writing them is looked at. */
 const COARSE: RequestOptions = { stemSides: 5, berrySegments: 8 };
@@ -56,9 +57,7 @@ describe.each(PRESETS.map(({ name }) => name))("%s", (name) => {
 			);
 			expect(Math.max(0, ...apart)).toBeLessThan(1e-6);
 			const drawn = new Box3().setFromObject(scene, true);
-			const grew = new Box3().setFromArray(
-				[grown.stem, grown.surfaces, grown.foliage].flatMap((mesh) => [...(mesh?.positions ?? [])]),
-			);
+			const grew = new Box3().setFromArray([...(grown.stem?.positions ?? []), ...(grown.surfaces?.positions ?? [])]);
 			expect(drawn.min.distanceTo(grew.min) + drawn.max.distanceTo(grew.max)).toBeLessThan(1e-5);
 		}
 	});
