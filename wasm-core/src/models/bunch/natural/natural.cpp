@@ -84,8 +84,8 @@ std::vector<Traits> ripen(Harvest& harvest, const Crop& crop, std::span<const Fl
   return traits;
 }
 
-// As fine a pattern as is seen where the bunch fills a view 700 pixels high: its outline is a third of a pixel off a round
-// one at the most, n = π / √(2 · 0.38 / r) at a radius of r pixels.
+// As fine a pattern as is seen where the bunch fills a view 700 pixels high: its outline is a third of a pixel off a
+// round one at the most, n = π / √(2 · 0.38 / r) at a radius of r pixels.
 std::uint32_t segments_for(std::span<const BerryBody> bodies) {
   constexpr float view = 700, per_root = 3.6f, least = 8, most = 24;
   if (bodies.empty()) return static_cast<std::uint32_t>(least);
