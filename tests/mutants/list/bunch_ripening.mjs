@@ -38,8 +38,8 @@ export default [
 			},
 			{
 				id: "natural-ovaries-as-fine-as-berries",
-				find: "flowering ? ovary_segments : segments_for(bodies.size())",
-				replace: "segments_for(bodies.size())",
+				find: "flowering ? ovary_segments : segments_for(bodies)",
+				replace: "segments_for(bodies)",
 				breaks: "an inflorescence has as many triangles as a ripe bunch",
 			},
 			{

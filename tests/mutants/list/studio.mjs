@@ -68,12 +68,6 @@ export default [
 				breaks: "the view moves away under a drag",
 			},
 			{
-				id: "solid-view-orbit-reversed",
-				find: "ArrowLeft: [-1, 0],",
-				replace: "ArrowLeft: [1, 0],",
-				breaks: "the left arrow turns to the right",
-			},
-			{
 				id: "solid-view-old-colours",
 				find: "|| look !== this.#look)",
 				replace: ")",
@@ -85,10 +79,22 @@ export default [
 				replace: "",
 				breaks: "the view stays light in the dark theme",
 			},
+		],
+	},
+	{
+		file: "web/src/scene/orbit_keys.ts",
+		suites: [`${TESTS}/solid_view.test.ts`],
+		faults: [
 			{
-				id: "solid-view-zoom-reversed",
-				find: "this.#view.zoom(1 / ZOOM_STEP);",
-				replace: "this.#view.zoom(ZOOM_STEP);",
+				id: "orbit-reversed",
+				find: "ArrowLeft: [-1, 0],",
+				replace: "ArrowLeft: [1, 0],",
+				breaks: "the left arrow turns to the right",
+			},
+			{
+				id: "zoom-reversed",
+				find: "view.zoom(1 / ZOOM_STEP);",
+				replace: "view.zoom(ZOOM_STEP);",
 				breaks: "minus goes nearer",
 			},
 		],

@@ -5,7 +5,6 @@ import { encodeLink, restore, specimenFromPreset, withParameters } from "../bunc
 import { documentOf } from "../export/reading";
 import { complaint, grow, memoryWorld } from "./world";
 
-/** The specimen that a document's own brings back. */
 const meant = (json: { specimen: unknown }) => restore(json.specimen).specimen;
 
 describe("the JSON", () => {
@@ -226,7 +225,7 @@ describe("files", () => {
 
 	it("are an OBJ with the MTL that it names beside it", async () => {
 		const { written } = await grow(["rubus", "--out", "a.b/Rubus.OBJ"]);
-		const pictures = ["Stem", "Skin"].map((material) => `a.b/Rubus-${material}-colour.png`);
+		const pictures = ["Stem", "Skin", "Flower"].map((material) => `a.b/Rubus-${material}-colour.png`);
 		expect([...written.keys()]).toEqual(["a.b/Rubus.OBJ", "a.b/Rubus.mtl", ...pictures]);
 		expect(written.get("a.b/Rubus.OBJ")).toContain("mtllib Rubus.mtl");
 		expect(written.get("a.b/Rubus.mtl")).toContain("newmtl");

@@ -103,10 +103,10 @@ class Sower {
     return Seedling{std::move(plan), std::move(text.value())};
   }
 
-  // What hangs from a wing's stalk, by now.
+  // The most that has hung from a wing's stalk so far: it does not rise as berries dry.
   WingStalk stalk_of(const NaturalPlan& wing) const {
     constexpr float grams = 1.05e-3f;  // a cubic millimetre of berries
-    const float now = size_at(values_[Parameter::age]);
+    const float now = size_at(std::min(values_[Parameter::age], 100.0f));
     const float load = grams * fill_of(values_[Parameter::density]) * wing.envelope.volume() * now * now * now;
     return {fork_height(values_[Parameter::size]), values_[Parameter::wing_angle],
             static_cast<std::size_t>(values_[Parameter::wing_side]), load};
