@@ -55,13 +55,25 @@ test("one script and one tag show a plant in a page of another origin, which tel
 		];
 		const picture = await createImageBitmap(png);
 		const document_ = JSON.parse(await json.text());
+		const same = document_.fingerprint === plant.plant?.fingerprint;
+		const { specimen } = plant;
+		const told = heard.map(([type, detail]) => [type, detail?.link, detail?.words]);
+		// One change does not undo another that is on its way, nor is one lost that comes while the plant is on no page.
+		await Promise.allSettled([plant.set({ seed: 12 }), plant.set({ age: 40 })]);
+		const both = plant.specimen;
+		plant.remove();
+		plant.setAttribute("count", "8");
+		document.body.append(plant);
+		await plant.grow();
 		return {
 			notes,
-			heard: heard.map(([type, detail]) => [type, detail?.link, detail?.words]),
-			specimen: plant.specimen,
+			heard: told,
+			specimen,
+			both,
+			after: plant.specimen,
 			magic: await glb.slice(0, 4).text(),
 			size: [picture.width, picture.height],
-			same: document_.fingerprint === plant.plant?.fingerprint,
+			same,
 		};
 	});
 	expect(told.notes).toEqual(["colour: no parameter of the bunch has that name; it is passed over."]);
@@ -70,6 +82,8 @@ test("one script and one tag show a plant in a page of another origin, which tel
 	expect(told.heard.map(([, link]) => link)).toEqual(["?v=2&preset=redcurrant&seed=7&count=9", link, link]);
 	expect(told.heard[0][2]).toMatch(/^9 berries/);
 	expect(told.specimen).toMatchObject({ seed: 11, parameters: { age: 50, count: 9 } });
+	expect(told.both).toMatchObject({ seed: 12, parameters: { age: 40, count: 9 } });
+	expect(told.after).toMatchObject({ seed: 7, parameters: { count: 8 } });
 	expect({ ...told, notes: 0, heard: 0, specimen: 0 }).toMatchObject({ magic: "glTF", size: [40, 60], same: true });
 	await close();
 });

@@ -127,8 +127,8 @@ test.describe("to the eye", () => {
 test("a file that is none of ours is refused with a word and the bunch stays", async ({ page }) => {
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
-	await studio.drop("holiday.jpg", readFileSync("public/icons/panicle-180.png"));
-	await expect(studio.notices).toContainText("holiday.jpg is neither a GLB nor readable JSON");
+	await studio.drop("holiday.doc", readFileSync("public/icons/panicle-180.png"));
+	await expect(studio.notices).toContainText("holiday.doc is neither a GLB nor readable JSON");
 	await studio.drop("other.json", Buffer.from('{"specimen": 3}'));
 	await expect(studio.notices).toContainText("other.json holds no specimen");
 	await expect(studio.fingerprint).toHaveText(first);

@@ -106,7 +106,7 @@ test("the view says that it takes keys, shows the focus, and its tools are one s
 	await page.keyboard.press("Tab");
 	await expect(studio.button("Reset view")).toBeFocused();
 	await page.keyboard.press("ArrowDown");
-	await expect(studio.button("Show stems only")).toBeFocused();
+	await expect(studio.button("On the vine")).toBeFocused();
 	await page.keyboard.press("End");
 	await expect(studio.button("Thin")).toBeFocused();
 	await page.keyboard.press("Tab");

@@ -196,7 +196,7 @@ test("a new variation is another bunch of the same shape; typing its seed brings
 	const first = await studio.fingerprint.innerText();
 	await studio.regrown(() => studio.button("New variation").click());
 	await expect(studio.readout("Rachis segments")).toHaveText("18");
-	const seed = page.getByRole("textbox", { name: "Seed" });
+	const seed = page.getByRole("textbox", { name: "Seed", exact: true });
 	await seed.fill("1");
 	await seed.press("Enter");
 	await expect(studio.fingerprint).toHaveText(first);

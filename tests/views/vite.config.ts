@@ -3,9 +3,11 @@ import { mergeConfig } from "vite";
 import application from "../../vite.config";
 
 /** Builds a page of nothing but views in build/views: for what is asked of the scene itself, without the studio. */
-export default mergeConfig(application, {
+const views = mergeConfig(application, {
 	root: fileURLToPath(new URL(".", import.meta.url)),
 	publicDir: false,
 	logLevel: "warn",
 	build: { outDir: fileURLToPath(new URL("../../build/views", import.meta.url)) },
 });
+// One page, and none of the application's.
+export default { ...views, build: { ...views.build, rolldownOptions: {} } };

@@ -123,6 +123,16 @@ describe("the files", () => {
 		).toBe("PK");
 	});
 
+	it("show the plant growing, where it has ages", async () => {
+		const answer = await ask("specimens/redcurrant.growth.glb?count=5");
+		const bytes = new Uint8Array(await answer.arrayBuffer());
+		const { info } = await validateBytes(bytes);
+		expect([answer.status, (info as unknown as { animationCount: number }).animationCount]).toEqual([200, 1]);
+		expect(await refused("specimens/redcurrant.growth.glb?v=2&preset=redcurrant&procedure=paper")).toBe(
+			"404 this plant has no ages to show",
+		);
+	});
+
 	it("leave measures out where they are not wanted", async () => {
 		const [all, none] = [await (await ask(small)).json(), await (await ask(`${small}&file-measures=0`)).json()];
 		expect(Object.keys(all.measures).length).toBeGreaterThan(10);

@@ -5,9 +5,7 @@
 import type { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { Superseded } from "../core/errors";
-import { measuresOf, type WrittenMeasures } from "../export/measures";
 import type { FileOptions } from "../export/plant_files";
-import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
@@ -15,34 +13,13 @@ import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { readAttributes, saysSpecimen } from "./attributes";
 import { commons } from "./commons";
+import { type Document, detailOf, type GrownDetail, type Shown } from "./grown_detail";
 import { shadowTree } from "./shadow_tree";
 import { SpecimenView } from "./specimen_view";
 
-/** What `grown` and `grow()` tell. */
-export interface GrownDetail {
-	/** Query and fragment that bring the specimen back. */
-	readonly link: string;
-	/** In a few plain words: "118 berries, 14 cm long". */
-	readonly words: string;
-	readonly counts: Plant["counts"];
-	readonly measures: WrittenMeasures;
-	readonly notes: readonly string[];
-	readonly fingerprint: string;
-}
-
-interface Document {
-	readonly model: Model;
-	readonly specimen: Specimen;
-	readonly notes: readonly string[];
-}
-
-/** A plant that grew. */
-interface Shown extends Document {
-	readonly grown: Plant;
-}
-
 /** How far off screen a lazy plant begins to grow. */
 const NEAR = "256px";
+const ON_NO_PAGE = "The plant is on no page; append it first.";
 
 export class PanicleSpecimen extends HTMLElement {
 	readonly #canvas: HTMLCanvasElement;
@@ -55,6 +32,9 @@ export class PanicleSpecimen extends HTMLElement {
 	#client: Client | undefined;
 	#view: Promise<SpecimenView> | undefined;
 	#near = false;
+	#seen = false;
+	/** The newest growth: only that ends being busy. */
+	#turn = 0;
 	/** Whether a growth is due as soon as the plant comes near. */
 	#due = false;
 	#growing: Promise<GrownDetail> | undefined;
@@ -66,6 +46,8 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#canvas = canvas;
 		this.#poster = poster;
 		this.#message = message;
+		// For as long as there is the element: what changes while it is on no page counts, too.
+		this.#attributes.observe(this, { attributes: true });
 		this.#say();
 	}
 
@@ -86,19 +68,21 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** Changes parameters, seed or look by their keys, as one change: `change` and then `grown` follow. */
 	async set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail> {
-		const { model, specimen } = await this.#read();
-		const { specimen: changed, notes } = restore(model, values, specimen);
-		this.#document = Promise.resolve({ model, specimen: changed, notes: notes.map(({ text }) => text) });
-		this.dispatchEvent(
-			new CustomEvent("change", { detail: { link: await encodeLink(model, changed) }, bubbles: true }),
-		);
+		this.#flush();
+		const document = this.#read().then(({ model, specimen: before }): Document => {
+			const { specimen, notes } = restore(model, values, before);
+			return { model, specimen, notes: notes.map(({ text }) => text) };
+		});
+		this.#document = document;
+		const { model, specimen } = await document;
+		const detail = { link: await encodeLink(model, specimen) };
+		this.dispatchEvent(new CustomEvent("change", { detail, bubbles: true }));
 		return this.grow();
 	}
 
 	/** Grows now, wherever it is, what has not grown yet. */
 	grow(): Promise<GrownDetail> {
-		// An attribute that was set just now is not told before the present task is through.
-		this.#changed(namesOf(this.#attributes.takeRecords()));
+		this.#flush();
 		this.#due = false;
 		const growing = this.#grow();
 		this.#growing = growing;
@@ -111,7 +95,10 @@ export class PanicleSpecimen extends HTMLElement {
 		const { model, specimen, grown } = await this.#whole();
 		const { exportFile } = await import("../files/exporter");
 		const link = await encodeLink(model, specimen);
-		return exportFile(model, { model: model.name, format, grown, specimen, link, name: specimen.preset, options });
+		const core = coreAddress(model.wasm);
+		const name = specimen.preset;
+		const request = { model: model.name, format, grown, specimen, link, name, options, ...(core ? { core } : {}) };
+		return exportFile(model, request);
 	}
 
 	/** The present view as a PNG; as large as the element, twice as fine, where nobody says. */
@@ -130,16 +117,18 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#life = life;
 		const leave = commons.enter();
 		this.#client = commons.client();
-		this.#attributes.observe(this, { attributes: true });
 		const sizes = new ResizeObserver(() => this.#withView((view) => view.resize()));
 		sizes.observe(this);
 		const near = new IntersectionObserver((entries) => this.#approach(entries), { rootMargin: NEAR });
-		const seen = new IntersectionObserver((entries) => this.#withView((view) => view.setSeen(isSeen(entries))));
+		const seen = new IntersectionObserver((entries) => {
+			this.#seen = isSeen(entries);
+			this.#withView((view) => view.setSeen(this.#seen));
+		});
 		for (const observer of [near, seen]) observer.observe(this);
 		const dark = matchMedia("(prefers-color-scheme: dark)");
 		dark.addEventListener("change", () => this.#follow("theme"), { signal: life.signal });
 		life.signal.addEventListener("abort", () => {
-			for (const observer of [this.#attributes, sizes, near, seen]) observer.disconnect();
+			for (const observer of [sizes, near, seen]) observer.disconnect();
 			this.#client?.close();
 			this.#view?.then((view) => view.dispose()).catch(() => {});
 			this.#view = undefined;
@@ -152,6 +141,11 @@ export class PanicleSpecimen extends HTMLElement {
 	disconnectedCallback(): void {
 		this.#life?.abort();
 		this.#life = undefined;
+	}
+
+	/** An attribute that was set just now is not told before the present task is through. */
+	#flush(): void {
+		this.#changed(namesOf(this.#attributes.takeRecords()));
 	}
 
 	#changed(names: readonly string[]): void {
@@ -197,7 +191,8 @@ export class PanicleSpecimen extends HTMLElement {
 	async #grow(): Promise<GrownDetail> {
 		const life = this.#life;
 		const client = this.#client;
-		if (!life || !client) throw new Error("The plant is on no page; append it first.");
+		if (!life || !client) throw new Error(ON_NO_PAGE);
+		const turn = ++this.#turn;
 		this.setAttribute("aria-busy", "true");
 		try {
 			const document = await this.#read();
@@ -215,7 +210,7 @@ export class PanicleSpecimen extends HTMLElement {
 			if (!life.signal.aborted && !(error instanceof Superseded)) this.#fail(error);
 			throw error;
 		} finally {
-			this.removeAttribute("aria-busy");
+			if (turn === this.#turn) this.removeAttribute("aria-busy");
 		}
 	}
 
@@ -230,15 +225,16 @@ export class PanicleSpecimen extends HTMLElement {
 	/** The view, made when it is first needed. */
 	#viewed(): Promise<SpecimenView> {
 		if (this.#view) return this.#view;
+		const life = this.#life;
+		if (!life) return Promise.reject(new Error(ON_NO_PAGE));
 		const view = SpecimenView.create(this.#canvas, commons, { drawn: () => this.#poster.removeAttribute("src") });
 		this.#view = view;
-		const life = this.#life;
 		view.then(
 			(made) => {
-				if (life?.signal.aborted) return made.dispose();
+				if (life.signal.aborted) return made.dispose();
 				made.setDark(this.#isDark());
 				made.setTurning(this.getAttribute("autorotate"));
-				made.setSeen(this.#near);
+				made.setSeen(this.#seen);
 			},
 			() => {
 				if (this.#view === view) this.#view = undefined;
@@ -253,6 +249,7 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** The plant as it is now, once it has grown. */
 	async #whole(): Promise<Shown> {
+		this.#flush();
 		if (this.#due) this.grow();
 		await this.#growing;
 		if (!this.#shown) throw new Error("No plant has grown yet.");
@@ -283,14 +280,3 @@ export class PanicleSpecimen extends HTMLElement {
 
 const namesOf = (changes: readonly MutationRecord[]) => changes.map(({ attributeName }) => attributeName ?? "");
 const isSeen = (entries: readonly IntersectionObserverEntry[]) => entries.at(-1)?.isIntersecting ?? false;
-
-async function detailOf({ model, specimen, grown, notes }: Shown): Promise<GrownDetail> {
-	return {
-		link: await encodeLink(model, specimen),
-		words: model.words(grown, specimen),
-		counts: grown.counts,
-		measures: measuresOf(model.table, grown).measures ?? {},
-		notes: [...notes, ...grown.notes],
-		fingerprint: grown.fingerprint,
-	};
-}

@@ -39,7 +39,7 @@ const FOLDER = "/specimens/";
 const HOW = "write specimens/PRESET.glb?seed=7, or specimens/NAME.glb?v=2&… with a link’s query";
 
 /** What a query says of the file, not of the specimen, as `file-triangles` and so on. */
-export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "measures"] as const;
+export const FILE_KEYS = ["triangles", "thickness", "points", "translucent", "textures", "measures"] as const;
 type FileKey = (typeof FILE_KEYS)[number];
 
 /** @throws Refused where it means no file of a specimen */
@@ -124,12 +124,15 @@ function decoded(part: string): string {
 }
 
 function optionsOf(own: ReadonlyMap<FileKey, string | undefined>): FileOptions {
-	const translucent = readSwitch("translucent", own.get("translucent"));
+	const switched = (["translucent", "textures"] as const).flatMap((key) => {
+		const on = readSwitch(key, own.get(key));
+		return on === undefined ? [] : [[key, on]];
+	});
 	return {
 		...readNumber("triangles", own.get("triangles"), 100, 2_000_000),
 		...readNumber("thickness", own.get("thickness"), 0.2, 20),
 		...readNumber("points", own.get("points"), 1, 2_000_000),
-		...(translucent === undefined ? {} : { translucent }),
+		...Object.fromEntries(switched),
 	};
 }
 

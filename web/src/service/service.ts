@@ -9,7 +9,8 @@ import { aboutPlant } from "../export/about_plant";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
-import { makeFile } from "../files/make";
+import { hasAges } from "../files/aged";
+import { type CoreAt, makeFile } from "../files/make";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import { type Asked, readAddress } from "./address";
@@ -82,7 +83,7 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
 		known.keep(address, tag);
 		if (matches(request, tag)) return unchanged(tag);
-		const file = await fileOf(asked, format, plant);
+		const file = await fileOf(asked, format, plant, loadCore);
 		const headers = {
 			...FOR_ALL,
 			etag: tag,
@@ -103,9 +104,11 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 }
 
 /** The key of the kind of file that an ending means: `low.glb` is `glb-low`. */
-function formatOf({ model, ending }: Asked): string {
+function formatOf({ model, specimen, ending }: Asked): string {
 	const key = ending.split(".").reverse().join("-");
 	const all = [...PLANT_FILES.map((file) => file.key), ...OTHERS, ...(model.formats ?? []).map((each) => each.key)];
+	const lives = PLANT_FILES.some((file) => file.key === key && file.life);
+	if (lives && !hasAges(model, specimen)) throw new Refused(404, "this plant has no ages to show");
 	if (all.includes(key)) return key;
 	if (/^(png|jpe?g|webp|avif|gif)$/.test(ending))
 		throw new Refused(
@@ -116,7 +119,12 @@ function formatOf({ model, ending }: Asked): string {
 	throw new Refused(404, `there is no .${ending.slice(0, 20)} of a ${model.noun}; there are ${endings}`);
 }
 
-async function fileOf({ model, specimen, name, options }: Asked, format: string, grown: Plant): Promise<Blob> {
+async function fileOf(
+	{ model, specimen, name, options }: Asked,
+	format: string,
+	grown: Plant,
+	coreAt: CoreAt,
+): Promise<Blob> {
 	if (format === "json") {
 		const text = JSON.stringify(exportJson(model, grown, specimen));
 		return new Blob([text], { type: "application/json" });
@@ -127,7 +135,8 @@ async function fileOf({ model, specimen, name, options }: Asked, format: string,
 		return new Blob([exportObj(model.parts(grown, specimen), about, name)[format]], { type: `model/${format}` });
 	}
 	const key = format === "zip-obj" ? "obj" : format;
-	return makeFile(model, { model: model.name, format: key, grown, specimen, link, name, options });
+	const request = { model: model.name, format: key, grown, specimen, link, name, options, core: model.wasm };
+	return makeFile(model, request, coreAt);
 }
 
 /** What the core says of a grammar has the place, as compilers write it. */

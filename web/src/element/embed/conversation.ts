@@ -3,7 +3,7 @@
  * answer goes to the origin that asked, and to nobody else. Messages of other programs pass without a word.
  */
 import type { FileOptions } from "../../export/plant_files";
-import type { GrownDetail } from "../panicle_specimen";
+import type { GrownDetail } from "../grown_detail";
 
 /** In every message of ours. */
 export const PROTOCOL = "panicle/1";
@@ -90,11 +90,13 @@ const METHODS: Readonly<Record<string, Method>> = {
 	grow: (plant) => plant.grow(),
 	set: (plant, values) => plant.set(settings(values)),
 	open: (plant, { link }) => plant.open(text("link", link)),
-	file: (plant, { format, triangles, thickness, points }) =>
+	file: (plant, { format, triangles, thickness, points, translucent, textures }) =>
 		plant.toFile(text("format", format), {
 			...(triangles === undefined ? {} : { triangles: number("triangles", triangles) }),
 			...(thickness === undefined ? {} : { thickness: number("thickness", thickness) }),
 			...(points === undefined ? {} : { points: number("points", points) }),
+			...(translucent === true ? { translucent } : {}),
+			...(textures === true ? { textures } : {}),
 		}),
 	picture: (plant, { width, height }) =>
 		plant.toBlob({

@@ -23,6 +23,8 @@ export interface ThreadsOptions {
 	readonly waiting: number;
 }
 
+const ENDS = "the service ends";
+
 type Asked = Omit<Question, "id">;
 
 interface Job {
@@ -43,6 +45,7 @@ export class Threads {
 	readonly #seats: Seat[];
 	readonly #queue: Job[] = [];
 	#asked = 0;
+	#closed = false;
 
 	constructor(options: ThreadsOptions) {
 		this.#options = options;
@@ -56,6 +59,7 @@ export class Threads {
 	/** @throws Refused where too many wait, it takes too long, or the thread broke */
 	ask(asked: Asked): Promise<Reply> {
 		return new Promise((answered, failed) => {
+			if (this.#closed) throw new Refused(503, ENDS);
 			if (this.#queue.length >= this.#options.waiting)
 				throw new Refused(503, "too many ask at once; try again in a moment", { "retry-after": "5" });
 			this.#queue.push({ asked, answered, failed });
@@ -64,7 +68,9 @@ export class Threads {
 	}
 
 	async close(): Promise<void> {
-		await Promise.all(this.#seats.map((seat) => this.#leave(seat, "the service ends")));
+		this.#closed = true;
+		for (const { failed } of this.#queue.splice(0)) failed(new Refused(503, ENDS));
+		await Promise.all(this.#seats.map((seat) => this.#leave(seat, ENDS)));
 	}
 
 	#next(): void {
