@@ -141,6 +141,19 @@ TEST_CASE("a wing's berries are the same at every age, but for those lost on the
   }
 }
 
+TEST_CASE("a stalk bends under as many berries as were asked for, whatever the density would take") {
+  const auto stalk_end = [](float count, float density) {
+    Request request = winged(0.4f);
+    set(request, Parameter::count, count);
+    set(request, Parameter::density, density);
+    const Grown one = grown(request);
+    return one.internodes[static_cast<std::size_t>(one.second_root) + 5].end;
+  };
+  const glm::vec3 few = stalk_end(30, 5), many = stalk_end(150, 5);
+  CHECK(few.y > many.y + 0.003f);
+  CHECK(glm::length(stalk_end(30, 9) - few) < 0.001f);
+}
+
 TEST_CASE("a pixel moves a wing by little") {
   Request request = winged(0.4f);
   const glm::vec3 before = middle_of_wing(grown(request));
