@@ -93,14 +93,14 @@ std::uint32_t segments_for(std::span<const BerryBody> bodies) {
   constexpr float view = 700, per_root = 3.6f, least = 8, most = 24;
   if (bodies.empty()) return static_cast<std::uint32_t>(least);
   glm::vec3 low = bodies[0].centre, high = low;
-  float width = 0;
+  float radius = 0;
   for (const BerryBody& body : bodies) {
     low = glm::min(low, body.centre);
     high = glm::max(high, body.centre);
-    width += body.half_width / static_cast<float>(bodies.size());
+    radius += body.half_width / static_cast<float>(bodies.size());
   }
-  const glm::vec3 extent = high - low + 2 * width;
-  const float pixels = view * width / std::max({extent.x, extent.y, extent.z});
+  const glm::vec3 extent = high - low + 2 * radius;
+  const float pixels = view * radius / std::max({extent.x, extent.y, extent.z});
   const float even = 2 * std::floor(per_root * std::sqrt(pixels) / 2 + 0.5f);
   return static_cast<std::uint32_t>(std::clamp(even, least, most));
 }
