@@ -14,6 +14,12 @@ export default [
 				breaks: "the page opens with a bunch that does not fill its handles",
 			},
 			{
+				id: "individual-lots-that-go-together",
+				find: "0x9159015a3070dd17u",
+				replace: "0x3c6ef372fe94f82bu",
+				breaks: "how long a seed's bunch is settles how wide its left side is",
+			},
+			{
 				id: "individual-counted-as-any",
 				find: "counted ? 1 / longer : ",
 				replace: "",

@@ -56,6 +56,12 @@ export default [
 		suites: [`${TESTS}/measures_form_test.cpp`],
 		faults: [
 			{
+				id: "form-no-horns",
+				find: "if (form.curve >= horn) return 9;",
+				replace: "",
+				breaks: "Pizzutello's berries are said to be fingers",
+			},
+			{
 				id: "form-uniform-reversed",
 				find: "spread <= uniform_spread ? 2 : 1",
 				replace: "spread <= uniform_spread ? 1 : 2",

@@ -75,9 +75,15 @@ export default [
 			},
 			{
 				id: "situation-lean-ignored",
-				find: "const glm::vec3 own = Uprighting(bound.stance).place(place);",
-				replace: "const glm::vec3 own = place;",
-				breaks: "a wing's flowers count as outside of it",
+				find: "upright.place(internodes[first].start)",
+				replace: "internodes[first].start",
+				breaks: "a wing's flowers count as outside of it, and others set as it comes down",
+			},
+			{
+				id: "situation-lit-as-if-upright",
+				find: "upright.way_back({own.x / x, 0, own.z / z})",
+				replace: "glm::vec3(own.x / x, 0, own.z / z)",
+				breaks: "a wing that stands out is lit as if it hung",
 			},
 		],
 	},

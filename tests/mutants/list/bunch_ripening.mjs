@@ -14,8 +14,8 @@ export default [
 		faults: [
 			{
 				id: "natural-flower-strength-unused",
-				find: "situations[i].misplaced, flowers[i].strength}",
-				replace: "situations[i].misplaced, 1}",
+				find: "situations[i].misplaced, flowers[i].strength,",
+				replace: "situations[i].misplaced, 1,",
 				breaks: "flowers at weak nodes set as if they were strong: bunches jump when a handle moves",
 			},
 			{

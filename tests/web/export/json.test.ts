@@ -105,7 +105,10 @@ describe("the JSON document of a natural bunch", () => {
 			expect([id, Math.fround(turned)]).toEqual([natural.berries.ids[i], Math.fround(i / 3)]);
 		});
 		expect(document.thinned[0]).toEqual({ id: 3, why: "no room", x: 0.001, y: -0.02, z: 0.003 });
-		expect(document).toMatchObject({ procedure: "natural", form: { fruit: "grape", taper: 0.1, blunt: 0 } });
+		expect(document).toMatchObject({
+			procedure: "natural",
+			form: { fruit: "grape", taper: 0.1, blunt: 0, curve: 0.3 },
+		});
 	});
 
 	it("tells berries from flowers that have not begun to set", () => {

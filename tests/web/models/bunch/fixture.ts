@@ -113,7 +113,7 @@ export function makeGrown({ axes, sides = 4, segments = 6, length = 0.012 }: Gro
 	return {
 		...EMPTY_PLANT,
 		procedure: "paper",
-		form: { fruit: "grape", taper: 0, blunt: 0 },
+		form: { fruit: "grape", taper: 0, blunt: 0, curve: 0 },
 		plan: { m: axes.length + 1, sides: [side(2, 1), side(3, 2), side(4, 3), side(5, 4)], axes: axes.map(() => 1) },
 		counts: {
 			endStructures: axes.length,

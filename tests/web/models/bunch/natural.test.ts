@@ -28,8 +28,8 @@ describe("a natural bunch", () => {
 			const { form } = growBunch(core, specimenFromPreset(name), { meshes: false });
 			expect(form.fruit).toBe(FRUITS[parameters.fruit]);
 		}
-		const { form } = grow(withParameters(small(), { taper: -0.5, blunt: 0.25 }));
-		expect(form).toEqual({ fruit: "grape", taper: -0.5, blunt: 0.25 });
+		const { form } = grow(withParameters(small(), { taper: -0.5, blunt: 0.25, curve: 0.75 }));
+		expect(form).toEqual({ fruit: "grape", taper: -0.5, blunt: 0.25, curve: 0.75 });
 	});
 
 	it("gives every berry its traits, in range", () => {

@@ -26,7 +26,7 @@ export function makeNatural(sketch: GrownSketch, { traits = () => ({}), bare = f
 	const natural: Grown = {
 		...grown,
 		procedure: "natural",
-		form: { fruit: "grape", taper: Math.fround(0.1), blunt: 0 },
+		form: { fruit: "grape", taper: Math.fround(0.1), blunt: 0, curve: Math.fround(0.3) },
 		surfaces: pressedSurfaces(grown, berry ?? makeBerry(6)),
 		flower: flower(),
 		measures: Float32Array.from(MEASURES, (_, i) => (i % 7 === 3 ? Number.NaN : 0.1 * i)),

@@ -34,7 +34,7 @@ export function pressedBunch(options: PressedOptions = {}): Grown {
 		berries.traits.set([width, width * elongation], at);
 		for (const [trait, value] of given) berries.traits[at + TRAITS.indexOf(trait)] = value;
 	}
-	const form = { fruit, taper: 0, blunt: 0 };
+	const form = { fruit, taper: 0, blunt: 0, curve: 0 };
 	return { ...bunch, procedure: "natural", form, surfaces: pressed(bunch) };
 }
 

@@ -78,7 +78,7 @@ export function sampleBunch(count = 90, seed = 1, length = 0.16): Grown {
 	return {
 		...EMPTY_PLANT,
 		procedure: "paper",
-		form: { fruit: "grape", taper: 0, blunt: 0 },
+		form: { fruit: "grape", taper: 0, blunt: 0, curve: 0 },
 		plan,
 		counts: { endStructures: 0, internodes: n, pedicels: n - steps, berries: spheres.length / 4, withered: 0, cut: 0 },
 		internodes,

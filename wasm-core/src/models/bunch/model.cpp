@@ -176,7 +176,7 @@ Plant plant_of(Grown&& grown) {
   add_skeleton(plant, grown.internodes);
   Columns& columns = plant.columns;
   columns.add("procedure", std::string_view(grown.natural ? "natural" : "paper"));
-  columns.add("form", Floats{grown.form.taper, grown.form.blunt});
+  columns.add("form", Floats{grown.form.taper, grown.form.blunt, grown.form.curve});
   columns.add("fruit", Words{static_cast<std::uint32_t>(grown.form.fruit)});
   if (grown.natural) add_profile(columns, grown.profile);
   add_plan(columns, "plan", grown.plan);

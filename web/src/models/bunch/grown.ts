@@ -34,6 +34,8 @@ export interface BerryForm {
 	taper: number;
 	/** 0 … 1: from an ellipse to a cylinder with round ends. */
 	blunt: number;
+	/** 0 … 1: from straight to bent like a horn. */
+	curve: number;
 }
 
 /** One side of the profile: what the person drew (pixels) and what the grammar gets (counts). */

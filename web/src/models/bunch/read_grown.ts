@@ -28,11 +28,11 @@ import { leafOnCane } from "./leaf";
 export function readGrown(answer: Answer): Grown {
 	const { columns } = answer;
 	const plant = readPlant(answer);
-	const [taper, blunt] = columns.floats("form");
+	const [taper, blunt, curve] = columns.floats("form");
 	const grown: Grown = {
 		...plant,
 		procedure: columns.text("procedure") as Procedure,
-		form: { fruit: FRUITS[columns.words("fruit")[0]], taper, blunt },
+		form: { fruit: FRUITS[columns.words("fruit")[0]], taper, blunt, curve },
 		plan: readPlan(columns, "plan"),
 		counts: plant.counts as Counts,
 		internodes: readInternodes(columns, plant),

@@ -97,7 +97,7 @@ export function bunchRecord(grown: Grown): BunchRecord {
 	const berry = procedure === "natural" ? naturalBerryRecord : berryRecord;
 	return {
 		procedure,
-		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt) },
+		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt), curve: shortFloat(form.curve) },
 		...(profile && { profile: shortened(profile) }),
 		plan: grown.second ? { ...grown.plan, second: grown.second } : { ...grown.plan },
 		berries: Array.from({ length: berries.count }, (_, index) => berry(grown, index)),

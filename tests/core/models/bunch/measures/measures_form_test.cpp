@@ -42,6 +42,9 @@ TEST_CASE("berries are named after their form") {
   CHECK(berry_shape_note({-0.5f, 0}, 1.3f) == 7);
   CHECK(berry_shape_note({0.5f, 0}, 1.3f) == 8);
   CHECK(berry_shape_note({0, 0.8f}, 3) == 10);
+  const auto bent = [](float curve) { return BerryForm{-0.2f, 0, Fruit::grape, curve}; };
+  CHECK(berry_shape_note(bent(0.9f), 2.4f) == 9);
+  CHECK(berry_shape_note(bent(0.3f), 2.4f) == 10);
   CHECK(uniformity_note(0.07f) == 2);
   CHECK(uniformity_note(0.3f) == 1);
 }

@@ -89,3 +89,10 @@ TEST_CASE("a crowd is of strength, not of heads: weak ones beside a strong one t
   CHECK(set(0.1f) < 0.5f * set(1));
   CHECK(set(0.001f) == doctest::Approx(0.5 * (1.0 / 6) / (32.0 / 105 * 1.3 * 1.3 * 1.3)).epsilon(0.02));
 }
+
+TEST_CASE("buds of another bunch are no crowd, wherever their own places are") {
+  std::vector<Bud> buds{{{0, 0, 0}, 0.5f}, {{1, 0, 0}, 0.5f}};
+  const float crowded = ranks_of(buds, 10)[0];
+  buds[1].bunch = 1;
+  CHECK(ranks_of(buds, 10)[0] < 0.6f * crowded);
+}

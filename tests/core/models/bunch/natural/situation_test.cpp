@@ -56,6 +56,29 @@ TEST_CASE("a bunch that leans is looked at in its own frame") {
   CHECK(leaning.along == doctest::Approx(0.53).epsilon(0.05));
 }
 
+TEST_CASE("a place is the bunch's own, and what it is lit by is the world's, however it hangs") {
+  const std::vector<Flower> flowers{flower_on(0, {0, 0, 1})};
+  const auto hung = [&](const Stance& stance, const glm::vec3& sun) {
+    const Uprighting upright(stance);
+    const glm::vec3 start = stance.foot + upright.way_back({10, -100, 40}), on = upright.way_back({0, 0, 10});
+    const std::vector<Internode> internodes{stem(-1, Kind::axis, start, start + on)};
+    std::vector<Flower> turned = flowers;
+    turned[0].heading = upright.way_back({0, 0, 1});
+    const std::vector<Bound> bounds{{drum, stance}};
+    return situate(turned, internodes, bounds, 10, sun)[0];
+  };
+  const Situation upright = hung({}, towards_sun(0, 0));
+  for (const Stance& stance : {Stance{80, 1, {-200, 5, 3}}, Stance{30, 3, {0, 0, -90}}}) {
+    const Situation one = hung(stance, towards_sun(0, 0));
+    CHECK(glm::length(one.place - upright.place) < 1e-3f);
+    CHECK(one.misplaced == doctest::Approx(upright.misplaced));
+  }
+  // Its foot is far to the left, and it leans: its front is as bright as any bunch's.
+  CHECK(hung({80, 1, {-200, 5, 3}}, towards_sun(0, 0)).lit == doctest::Approx(upright.lit).epsilon(0.02));
+  // Leaning to the front by a right angle it shows its front to the sky.
+  CHECK(hung({90, 2, {0, 0, 90}}, {0, 1, 0}).lit > 0.8f);
+}
+
 TEST_CASE("turns to set are spread evenly over an axis, and the second bunch has its own") {
   std::vector<float> turns;
   for (int depth = 0; depth < 34; ++depth) {

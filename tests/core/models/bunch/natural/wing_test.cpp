@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "models/bunch/measures/measures.generated.hpp"
 #include "models/bunch/specimens.hpp"
@@ -117,6 +119,39 @@ TEST_CASE(
   const auto girth_of = [&](std::int32_t root) { return ripe.internodes[static_cast<std::size_t>(root)].radius; };
   CHECK(girth_of(ripe.second_root + 6) < 0.8f * stalk.radius);
   CHECK(middle_of_wing(grown(winged(0.4f, 1, 30))).y > middle_of_wing(ripe).y + 0.001f);
+}
+
+TEST_CASE("a wing's berries are the same at every age, but for those lost on the way") {
+  const auto ids_at = [](float age) {
+    Request request = winged(0.4f, 1, age);
+    set(request, Parameter::variability, 1);
+    std::set<std::uint32_t> all;
+    const Grown one = grown(request);
+    for (std::size_t i = 0; i < one.berries.size(); ++i)
+      if (one.traits[i].set == 1) all.insert(one.berries[i].id);
+    return all;
+  };
+  std::set<std::uint32_t> before = ids_at(40);
+  for (const float age : {60.0f, 80.0f, 100.0f}) {
+    CAPTURE(age);
+    const std::set<std::uint32_t> now = ids_at(age);
+    CHECK(now.size() > 0.9f * static_cast<float>(before.size()));
+    CHECK(std::includes(before.begin(), before.end(), now.begin(), now.end()));
+    before = now;
+  }
+}
+
+TEST_CASE("a stalk bends under as many berries as were asked for, whatever the density would take") {
+  const auto stalk_end = [](float count, float density) {
+    Request request = winged(0.4f);
+    set(request, Parameter::count, count);
+    set(request, Parameter::density, density);
+    const Grown one = grown(request);
+    return one.internodes[static_cast<std::size_t>(one.second_root) + 5].end;
+  };
+  const glm::vec3 few = stalk_end(30, 5), many = stalk_end(150, 5);
+  CHECK(few.y > many.y + 0.003f);
+  CHECK(glm::length(stalk_end(30, 9) - few) < 0.001f);
 }
 
 TEST_CASE("a pixel moves a wing by little") {

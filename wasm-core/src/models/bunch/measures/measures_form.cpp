@@ -147,7 +147,8 @@ BerryMeans berry_means(const Subject& subject) {
 }
 
 float berry_shape_note(const BerryForm& form, float length_over_width) {
-  constexpr float tapered = 0.25f, blunt = 0.4f, finger = 2;
+  constexpr float tapered = 0.25f, blunt = 0.4f, finger = 2, horn = 0.4f;
+  if (form.curve >= horn) return 9;
   if (length_over_width >= finger) return 10;
   if (form.taper <= -tapered) return form.blunt >= blunt ? 6 : 7;
   if (form.taper >= tapered) return 8;

@@ -30,7 +30,7 @@ struct BerryMeans {
 BerryMeans berry_means(const Subject& subject);
 
 // OIV 223: 1 obloid, 2 globose, 3 broad ellipsoid, 4 narrow ellipsoid, 5 cylindrical, 6 obtuse ovoid, 7 ovoid,
-// 8 obovoid, 10 finger-shaped. No berry of the core's is curved, so none is 9, horn-shaped.
+// 8 obovoid, 9 horn-shaped, 10 finger-shaped.
 float berry_shape_note(const BerryForm& form, float length_over_width);
 
 // OIV 222: 1 not uniform, 2 uniform.

@@ -36,6 +36,7 @@ std::vector<float> ranks_of(std::span<const Bud> buds, float size) {
   for (std::size_t i = 0; i < buds.size(); ++i) {
     float crowd = 0;
     grid.visit(places[i], [&](std::uint32_t j) {
+      if (buds[j].bunch != buds[i].bunch) return;
       const glm::vec3 between = places[j] - places[i];
       const float within = 1 - glm::dot(between, between) / (reach * reach);
       if (within > 0) crowd += within * within * buds[j].strength;

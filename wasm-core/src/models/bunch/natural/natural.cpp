@@ -20,6 +20,7 @@
 #include "models/bunch/natural/situation.hpp"
 #include "models/bunch/natural/traits.hpp"
 #include "models/bunch/natural/wing.hpp"
+#include "models/bunch/stock.hpp"
 #include "models/bunch/units.hpp"
 
 namespace panicle::bunch {
@@ -46,14 +47,16 @@ Wish wish_for(const Request& request, const Values& values, const Limits& limits
   return wish;
 }
 
-std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situation> situations, const Gaps& gaps,
+std::vector<Bud> buds_of(std::span<const Flower> flowers, std::span<const Situation> situations, const Values& values,
                          std::uint64_t seed) {
+  const auto gaps_for = [&](std::uint64_t own) { return Gaps(own, values[variability], values[size]); };
+  const Gaps gaps[] = {gaps_for(seed), gaps_for(second_seed(seed))};
   std::vector<Bud> buds;
   buds.reserve(flowers.size());
   for (std::size_t i = 0; i < flowers.size(); ++i) {
     const glm::vec3& place = situations[i].place;
-    const float chance = turn_of(flowers[i], seed) / gaps.fill_at(place);
-    buds.push_back({place, chance, situations[i].misplaced, flowers[i].strength});
+    const float chance = turn_of(flowers[i], seed) / gaps[flowers[i].bunch].fill_at(place);
+    buds.push_back({place, chance, situations[i].misplaced, flowers[i].strength, flowers[i].bunch});
   }
   return buds;
 }
@@ -90,14 +93,14 @@ std::uint32_t segments_for(std::span<const BerryBody> bodies) {
   constexpr float view = 700, per_root = 3.6f, least = 8, most = 24;
   if (bodies.empty()) return static_cast<std::uint32_t>(least);
   glm::vec3 low = bodies[0].centre, high = low;
-  float width = 0;
+  float radius = 0;
   for (const BerryBody& body : bodies) {
     low = glm::min(low, body.centre);
     high = glm::max(high, body.centre);
-    width += body.half_width / static_cast<float>(bodies.size());
+    radius += body.half_width / static_cast<float>(bodies.size());
   }
-  const glm::vec3 extent = high - low + 2 * width;
-  const float pixels = view * width / std::max({extent.x, extent.y, extent.z});
+  const glm::vec3 extent = high - low + 2 * radius;
+  const float pixels = view * radius / std::max({extent.x, extent.y, extent.z});
   const float even = 2 * std::floor(per_root * std::sqrt(pixels) / 2 + 0.5f);
   return static_cast<std::uint32_t>(std::clamp(even, least, most));
 }
@@ -188,9 +191,8 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
   const glm::vec3 sunward = towards_sun(values[sun], values[sun_height]);
   const std::vector<Situation> situations = situate(flowers, bunch.internodes, bunch.bounds, values[size], sunward);
   const Wish wish = wish_for(request, values, limits, bunch.plans);
-  const Gaps gaps(request.seed, values[variability], values[size]);
   const Hanging hanging = hang(bunch.internodes, flowers, values[bend]);
-  const Crop crop = grow_crop(bunch, hanging, buds_of(flowers, situations, gaps, request.seed),
+  const Crop crop = grow_crop(bunch, hanging, buds_of(flowers, situations, values, request.seed),
                               shares_of(flowers, situations, values, request.seed), wish, sizes_until(values[age]));
 
   const float size_now = size_at(values[age]);

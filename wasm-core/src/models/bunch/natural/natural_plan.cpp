@@ -182,7 +182,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float end_reach = sincos_degrees(text.yaw).sine * (twig_length * width + values[pedicel]) + width;
   Plan counts = make_plan(drawn);
   Envelope envelope(profile, pixel, end_reach);
-  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, {}, 0, 0, false};
+  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, {}, 0, 0, 0, false};
   plan.twig = twig_length * width;
   plan.stalk = values[pedicel];
   plan.girth = values[wi] / standard_width * std::clamp(rachis_width * width, 1.2f, 7.0f);
@@ -192,6 +192,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
 
   const float spread_share = values[spread] / 100;
   const float berry = pi / 6 * width * width * width * values[elongation] * (1 + 3 * spread_share * spread_share);
+  plan.berry = berry;
   // A raceme's berries hang outside what is drawn.
   const bool raceme =
       std::any_of(plan.plan.sides.begin(), plan.plan.sides.end(), [](const SidePlan& side) { return side.n == 0; });

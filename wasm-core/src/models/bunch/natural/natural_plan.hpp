@@ -38,6 +38,7 @@ struct NaturalPlan {
   std::vector<float> way;     // how far round the rachis it stands, degrees
   std::vector<float> aim;     // its angle to the rachis
   float berries = 0;          // how many there are to be: asked for, or that fill the outline to the density asked for
+  float berry = 0;            // volume of one
   float room = 0;             // more than so many can never be: somewhat more than the outline's volume
   bool overfull = false;      // whether the density would take more than there may be
 };

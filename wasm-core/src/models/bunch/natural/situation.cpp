@@ -16,18 +16,18 @@ constexpr float golden = 0.618034f;                 // of a turn: neighbours alo
 constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
 constexpr float own_luck = 0.15f;
 
-Situation situated(const glm::vec3& place, const Bound& bound, const glm::vec3& sun) {
-  const glm::vec3 own = Uprighting(bound.stance).place(place);
-  const float length = bound.envelope.length();
+// `own` is a place in the frame of a bunch that hangs straight down.
+Situation situated(const glm::vec3& own, const Envelope& envelope, const Uprighting& upright, const glm::vec3& sun) {
+  const float length = envelope.length();
   const float depth = std::clamp(-own.y, 0.0f, length);
-  const float x = std::max(1.0f, bound.envelope.half_width(own.x >= 0 ? 0 : 1, depth));
-  const float z = std::max(1.0f, bound.envelope.half_width(own.z >= 0 ? 2 : 3, depth));
+  const float x = std::max(1.0f, envelope.half_width(own.x >= 0 ? 0 : 1, depth));
+  const float z = std::max(1.0f, envelope.half_width(own.z >= 0 ? 2 : 3, depth));
   const float out = std::sqrt(own.x / x * (own.x / x) + own.z / z * (own.z / z));
   const float beyond =
       std::max(0.0f, -own.y - depth) + std::max(0.0f, own.y) + std::max(0.0f, out - 1) * std::min(x, z);
-  const glm::vec3 outward = glm::vec3(place.x / x, open_sky, place.z / z);
+  const glm::vec3 outward = upright.way_back({own.x / x, 0, own.z / z}) + glm::vec3(0, open_sky, 0);
   const float facing = glm::dot(outward, sun) / std::max(1e-3f, glm::length(outward));
-  return {place, depth / std::max(1.0f, length), std::clamp(0.5f + 0.5f * facing * std::min(1.0f, out), 0.0f, 1.0f),
+  return {own, depth / std::max(1.0f, length), std::clamp(0.5f + 0.5f * facing * std::min(1.0f, out), 0.0f, 1.0f),
           beyond};
 }
 
@@ -41,10 +41,13 @@ std::vector<Situation> situate(std::span<const Flower> flowers, std::span<const 
     const Internode& bearer = internodes[static_cast<std::size_t>(flower.bearer)];
     const std::size_t first = beginning_of(internodes, static_cast<std::size_t>(flower.bearer));
     const float stalk = glm::length(bearer.end - internodes[first].start);
-    const glm::vec3 way = drooping(flower.heading, 1);
-    Situation one = situated(internodes[first].start + way * (stalk + 0.5f * size), bounds[flower.bunch], sun);
+    const Bound& bound = bounds[flower.bunch];
+    const Uprighting upright(bound.stance);
+    const glm::vec3 way = drooping(upright.way(flower.heading), 1);
+    const glm::vec3 own = upright.place(internodes[first].start) + way * (stalk + 0.5f * size);
+    Situation one = situated(own, bound.envelope, upright, sun);
     // A raceme is as wide as its pedicels are long, whatever was drawn.
-    const std::int32_t foot = internodes[beginning_of(internodes, static_cast<std::size_t>(flower.bearer))].parent;
+    const std::int32_t foot = internodes[first].parent;
     const bool raceme = foot >= 0 && internodes[static_cast<std::size_t>(foot)].kind == Kind::rachis;
     one.misplaced = raceme ? 0 : one.misplaced / size;
     situations.push_back(one);

@@ -1,4 +1,7 @@
 // Where every flower is: along the bunch, in its outline and towards the sun; and whose turn it is to set.
+//
+// Places are those of the bunch hung straight down from the origin: a wing comes down as it ripens, and which of its
+// flowers set must not hang on that.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +15,7 @@
 namespace panicle::bunch {
 
 struct Situation {
-  glm::vec3 place{0};   // where its berry would hang, millimetres
+  glm::vec3 place{0};   // where its berry would hang were its bunch upright, millimetres
   float along = 0;      // 0 at the base … 1 at the tip of its bunch
   float lit = 0;        // 0 … 1: how much its side of the outline faces the sun
   float misplaced = 0;  // how far outside the outline, in berry widths; 0 inside

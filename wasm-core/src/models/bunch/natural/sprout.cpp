@@ -103,20 +103,22 @@ class Sower {
     return Seedling{std::move(plan), std::move(text.value())};
   }
 
-  // The most that has hung from a wing's stalk so far: it does not rise as berries dry.
-  WingStalk stalk_of(const NaturalPlan& wing) const {
+  // The most that has hung from a wing's stalk so far: it does not rise as berries dry. Berries that are counted are
+  // those of both bunches, who have them as they have room.
+  WingStalk stalk_of(const NaturalPlan& wing, const NaturalPlan& bunch) const {
     constexpr float grams = 1.05e-3f;  // a cubic millimetre of berries
     const float now = size_at(std::min(values_[Parameter::age], 100.0f));
-    const float load = grams * fill_of(values_[Parameter::density]) * wing.envelope.volume() * now * now * now;
+    const bool counted = values_[Parameter::count] > 0;
+    const float share = counted ? wing.envelope.volume() / (wing.envelope.volume() + bunch.envelope.volume()) : 1;
+    const float load = grams * wing.berry * std::min(share * wing.berries, wing.room) * now * now * now;
     return {fork_height(values_[Parameter::size]), values_[Parameter::wing_angle],
             static_cast<std::size_t>(values_[Parameter::wing_side]), load};
   }
 
   // Puts the stalk between the peduncle and what was drawn of the second bunch.
   void hang_wing(Sprout& sprout, std::vector<Ball>& balls) const {
-    const NaturalPlan& wing = sprout.plans[1];
-    std::vector<Internode> stalk =
-        wing_stalk(stalk_of(wing), sprout.bounds[1].stance, sprout.plans[0].girth, wing.girth);
+    const NaturalPlan &bunch = sprout.plans[0], &wing = sprout.plans[1];
+    std::vector<Internode> stalk = wing_stalk(stalk_of(wing, bunch), sprout.bounds[1].stance, bunch.girth, wing.girth);
     const auto count = static_cast<std::int32_t>(stalk.size()), root = sprout.second_root;
     const float units = 1 / values_[Parameter::unit];
     for (Internode& piece : stalk) {
@@ -142,8 +144,9 @@ class Sower {
     if (!stock) return stock.error();
     const bool first = sprout.plans.empty();
     stock->first_axis = first ? 0 : static_cast<std::int32_t>(sprout.plans[0].arm.size());
-    const Stance stance =
-        first ? Stance{} : wing_stance(stalk_of(seedling->plan), sprout.bounds[0].envelope, seedling->plan.envelope);
+    const Stance stance = first ? Stance{}
+                                : wing_stance(stalk_of(seedling->plan, sprout.plans[0]), sprout.bounds[0].envelope,
+                                              seedling->plan.envelope);
     stock->stance = {stance.lean, stance.side, stance.foot / values_[Parameter::unit]};
     if (first) remark_text(*stock->bound, values_, "natural", heeded_by_plan, notes);
     std::vector<std::string> said;

@@ -16,7 +16,7 @@ const SPECK: Mesh = {
 export const REHEARSAL: Grown = {
 	...EMPTY_PLANT,
 	procedure: "natural",
-	form: { fruit: "grape", taper: 0, blunt: 0 },
+	form: { fruit: "grape", taper: 0, blunt: 0, curve: 0 },
 	plan: { m: 1, sides: [side, side, side, side], axes: [] },
 	counts: { endStructures: 0, internodes: 1, pedicels: 1, berries: 1, withered: 0, cut: 0 },
 	internodes: {
