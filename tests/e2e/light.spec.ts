@@ -103,19 +103,36 @@ test("a matt card is as bright as the lamps' own numbers make it", async ({ page
 test("a plant that is cut out has nothing behind it, its own colours, and the paper is back after", async ({
 	page,
 }) => {
-	const { corner, berry, onPaper, after } = await page.evaluate(async () => {
+	const { corner, berry, onPaper, after, refused, middle } = await page.evaluate(async () => {
 		const { view, pixels } = window.views;
 		const viewer = view("?v=2&preset=merlot", [96, 96]);
 		const all = async (picture: Blob) => (await pixels(picture)).data;
 		const before = await all(await viewer.snapshot(96, 96));
 		const cut = await all(await viewer.cutOut(96, 96));
+		const room = OffscreenCanvas.prototype.getContext;
+		OffscreenCanvas.prototype.getContext = () => null;
+		const refused = await viewer.cutOut(64, 32).catch(String);
+		OffscreenCanvas.prototype.getContext = room;
+		// In the middle of the view as it was before: a size that is left behind has it elsewhere.
+		const { x, y } = viewer.project(
+			viewer.camera.position.clone().set(0, 0, -1).applyMatrix4(viewer.camera.matrixWorld),
+		);
 		const again = await all(await viewer.snapshot(96, 96));
 		viewer.dispose();
 		const opaque = Array.from({ length: 96 * 96 }, (_, i) => 4 * i).filter((at) => cut[at + 3] === 255);
 		const at = opaque[Math.floor(opaque.length / 2)];
 		const of = (data: Uint8ClampedArray, from: number) => [...data.subarray(from, from + 4)];
-		return { corner: of(cut, 0), berry: of(cut, at), onPaper: of(before, at), after: [of(before, 0), of(again, 0)] };
+		return {
+			corner: of(cut, 0),
+			berry: of(cut, at),
+			onPaper: of(before, at),
+			after: [of(before, 0), of(again, 0)],
+			refused,
+			middle: [x, y],
+		};
 	});
+	expect(refused).toContain("no room for 64 × 32 pixels");
+	for (const at of middle) expect(at).toBeCloseTo(48, 3);
 	expect(corner[3]).toBe(0);
 	for (const [k, value] of berry.entries()) expect(Math.abs(value - onPaper[k])).toBeLessThan(3);
 	expect(after[1]).toEqual(after[0]);

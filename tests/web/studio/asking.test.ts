@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { ASKING, askFor, heldAims } from "../../../web/src/studio/asking";
 import type { Studio } from "../../../web/src/studio/studio";
 import { MOST_GROWTHS } from "../../../web/src/targets/solve";
@@ -80,6 +80,33 @@ describe("asking for a number", () => {
 			density: 2,
 			l: specimenFromPreset("riesling").parameters.l,
 		});
+	});
+
+	it("holds what was found though a search after it is cancelled", async () => {
+		await askFor(studio, { measure: "bunch_length", value: 160 });
+		surroundings.measure.mockImplementation(async () => {
+			studio.toolState(ASKING).now?.cancel();
+			throw new Error("cancelled");
+		});
+		await askFor(studio, { measure: "bunch_width", value: 90 });
+		expect(studio.toolState(ASKING).now).toBeUndefined();
+		expect(heldAims(studio)).toEqual([{ measure: "bunch_length", value: 160 }]);
+	});
+
+	it("leaves the progress of the search that took its place", async () => {
+		const waiting: ((values: Float32Array) => void)[] = [];
+		surroundings.measure.mockImplementation(() => new Promise((resolve) => waiting.push(resolve)));
+		const first = askFor(studio, { measure: "bunch_length", value: 160 });
+		await vi.waitFor(() => expect(waiting).toHaveLength(1));
+		const second = askFor(studio, { measure: "bunch_width", value: 90 });
+		waiting[0](new Float32Array(KEYS.length).fill(3));
+		await first;
+		expect(studio.toolState(ASKING).now).toMatchObject({ measure: "bunch_width" });
+		await vi.waitFor(() => expect(waiting).toHaveLength(2));
+		studio.toolState(ASKING).now?.cancel();
+		waiting[1](new Float32Array(KEYS.length).fill(3));
+		await second;
+		expect(studio.toolState(ASKING)).toEqual({});
 	});
 
 	it("says what went wrong", async () => {

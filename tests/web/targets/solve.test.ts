@@ -100,6 +100,21 @@ describe("solve", () => {
 		expect(reachedInWords(reached[0])).toBe("Spill: this has none");
 	});
 
+	it("finds the others where one cannot be had, and says which that is", async () => {
+		for (const [lost, words] of [
+			["spill", "Spill: this has none"],
+			["berry_weight", "Berry weight: 3.00 g asked, 2.00 g reached; nothing moves it"],
+		]) {
+			const twoGrams: typeof measure = async (each) =>
+				(await measure(each)).fill(2, place("berry_weight"), place("berry_weight") + 1);
+			const { specimen, reached, growths } = await asked({ [lost]: 3, bunch_length: 160 }, { measure: twoGrams });
+			expect(reached.map(({ there }) => there)).toEqual([false, true]);
+			expect(specimen.parameters.l).toBeCloseTo(375, -1);
+			expect(growths).toBeLessThanOrEqual(4);
+			expect(reachedInWords(reached[0])).toBe(words);
+		}
+	});
+
 	it("lets what the growth throws through", async () => {
 		const failing = () => Promise.reject(new Error("no room"));
 		await expect(asked({ bunch_length: 160 }, { measure: failing })).rejects.toThrow("no room");

@@ -37,16 +37,31 @@ function classesOf(group: string, shapes: readonly Posed[]): Part[] {
 	});
 }
 
-/** Instances of one mesh and material, of several parts, as one part. */
+/** Instances of one mesh and material, of several parts, as one part; what is no instance as it is. */
 function joined(parts: readonly Part[]): Part[] {
-	const byMesh = new Map<PartMesh, Shape[]>();
-	for (const { shape } of everyPart(parts)) {
-		if (shape?.instances) byMesh.set(shape.mesh, [...(byMesh.get(shape.mesh) ?? []), shape]);
+	const others: Part[] = [];
+	const alike: Shape[][] = [];
+	for (const { children: _, ...part } of everyPart(parts)) {
+		const { shape } = part;
+		if (!shape?.instances) {
+			if (shape) others.push(part);
+			continue;
+		}
+		const same = alike.find(([{ mesh, material }]) => mesh === shape.mesh && material === shape.material);
+		if (same) same.push(shape);
+		else alike.push([shape]);
 	}
-	return [...byMesh].map(([mesh, shapes]) => {
+	const shared = alike.map((shapes) => {
 		const transforms = Float32Array.from(shapes.flatMap(({ instances }) => [...(instances?.transforms ?? [])]));
-		return { name: `${mesh.name ?? "Shared"} of all`, shape: { ...shapes[0], instances: { transforms } } };
+		const [{ mesh, material }] = shapes;
+		const name = mesh.name ?? "Shared";
+		const worn = alike.filter(([other]) => other.mesh === mesh).length > 1;
+		return {
+			name: `${name}${worn ? `, ${material.name},` : ""} of all`,
+			shape: { ...shapes[0], instances: { transforms } },
+		};
 	});
+	return [...others, ...shared];
 }
 
 /** The most open one, of unit size and facing +Y, in the mean shade of all. */

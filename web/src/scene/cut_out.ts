@@ -15,23 +15,26 @@ export function cutOut(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): 
 
 /**
  * What is drawn on a canvas, as a PNG with nothing behind it. All drawing is done when it returns.
- * @param draw draws it over black (0), over white (1), or over its own ground again
+ * @param draw draws it over black (0), over white (1), or over its own ground again, which comes last even where it throws
  */
 export function cutOutOf(canvas: HTMLCanvasElement, draw: (ground?: 0 | 1) => void): Promise<Blob> {
-	draw(0);
-	// Drawing has made the canvas as large as the picture.
-	const { width, height } = canvas;
-	const copy = new OffscreenCanvas(width, height);
-	const context = copy.getContext("2d", { willReadFrequently: true });
-	if (!context) throw new Error(`The browser has no room for ${width} × ${height} pixels; try a smaller picture.`);
-	const copied = () => {
-		context.drawImage(canvas, 0, 0);
-		return context.getImageData(0, 0, width, height).data;
-	};
-	const onBlack = copied();
-	draw(1);
-	const onWhite = copied();
-	draw();
-	context.putImageData(new ImageData(cutOut(onBlack, onWhite), width, height), 0, 0);
-	return copy.convertToBlob({ type: "image/png" });
+	try {
+		draw(0);
+		// Drawing has made the canvas as large as the picture.
+		const { width, height } = canvas;
+		const copy = new OffscreenCanvas(width, height);
+		const context = copy.getContext("2d", { willReadFrequently: true });
+		if (!context) throw new Error(`The browser has no room for ${width} × ${height} pixels; try a smaller picture.`);
+		const copied = () => {
+			context.drawImage(canvas, 0, 0);
+			return context.getImageData(0, 0, width, height).data;
+		};
+		const onBlack = copied();
+		draw(1);
+		const onWhite = copied();
+		context.putImageData(new ImageData(cutOut(onBlack, onWhite), width, height), 0, 0);
+		return copy.convertToBlob({ type: "image/png" });
+	} finally {
+		draw();
+	}
 }

@@ -226,10 +226,12 @@ export class Viewer<S, G> {
 		if (this.#renderer.lost) throw new Error("The GPU has been lost; try again when the picture is back.");
 		const { width: shownWidth, height: shownHeight } = this.#size;
 		this.#setSize(width, height);
-		const taken = take();
-		this.#setSize(shownWidth, shownHeight);
-		this.#draw(this.#loop.rest);
-		return taken;
+		try {
+			return take();
+		} finally {
+			this.#setSize(shownWidth, shownHeight);
+			this.#draw(this.#loop.rest);
+		}
 	}
 
 	/** Lets go of the graphics card; a canvas with a renderer of its own cannot be drawn on again. */

@@ -35,7 +35,11 @@ export async function askFor(studio: Studio, aim: Aim): Promise<void> {
 	const aims = [...heldAims(studio).filter(({ measure }) => measure !== aim.measure), aim];
 	const ending = new AbortController();
 	const cancel = () => ending.abort();
-	const say = (growths: number) => studio.setToolState(ASKING, { now: { measure: aim.measure, growths, cancel } });
+	const say = (growths: number) => {
+		// Another may have taken its place.
+		if (ending.signal.aborted) return;
+		studio.setToolState(ASKING, { ...studio.toolState(ASKING), now: { measure: aim.measure, growths, cancel } });
+	};
 	// What a hand does meanwhile goes before.
 	const end = studio.subscribe(() => {
 		if (studio.state.model !== model || !growsAlike(studio.state.specimen, from)) cancel();
@@ -52,7 +56,8 @@ export async function askFor(studio: Studio, aim: Aim): Promise<void> {
 		take(studio, from, aims, answer);
 	} catch (error) {
 		end();
-		if (studio.state.model === model) studio.setToolState(ASKING, {});
+		const { now, ...others } = studio.toolState(ASKING);
+		if (studio.state.model === model && now?.cancel === cancel) studio.setToolState(ASKING, others);
 		if (!ending.signal.aborted) {
 			const text = error instanceof Error ? error.message : String(error);
 			studio.notify("What was asked for could not be looked for", [text], { topic: ASKED });

@@ -1,5 +1,6 @@
 /** The application's start: wires the store to the core, the address bar and the page, and nothing else. */
 import { changed } from "../controls/changed";
+import { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { loadFigure, loadScene } from "../element/figures";
 import { DEFAULT_MODEL, isModel, modelNamed, modelNames } from "../models/index";
@@ -60,6 +61,8 @@ modelNamed(asked).then(start, refuse);
 function start(model: Model): void {
 	cores.warm(model.wasm); // Of a family it is not named after the model.
 	loadFigure(model).catch(() => {}); // The stage asks again, and says why not.
+	// A core's client grows what it was asked last: what is looked for is not to take the place of what is shown.
+	const searching = new Cores(coreAddress, new Client());
 	const growing = new Growing(cores, () => studio);
 	const bar = new AddressBar();
 	const opened = readAddress(model, location);
@@ -69,7 +72,7 @@ function start(model: Model): void {
 		{
 			grow: (of, each, options) => void growing.grow(of, each, options),
 			measure: async (of, each, signal) =>
-				(await cores.grow(of, each, { meshes: false, measures: true, signal })).measures ?? new Float32Array(),
+				(await searching.grow(of, each, { meshes: false, measures: true, signal })).measures ?? new Float32Array(),
 			cancel: () => growing.cancel(),
 			settled: (of, each) => void bar.write(of, each),
 			remember: (next, before) => {

@@ -34,6 +34,8 @@ export interface Reached extends Aim {
 	readonly got: number;
 	/** Whether that is what was asked, but for what does not show. */
 	readonly there: boolean;
+	/** Whether there is a parameter that moves it. */
+	readonly moved: boolean;
 	/** Whether its parameters stand at their ends, so that no nearer value can be had. */
 	readonly spent: boolean;
 }
@@ -71,6 +73,8 @@ class Solver<S extends Specimen> {
 	readonly #means: Means<S>;
 	readonly #from: S;
 	readonly #tasks: readonly Task<S>[];
+	/** Those that can be had: the plant has the measure, and something moves it. The others are no reason to miss them. */
+	#sought: readonly Task<S>[] = [];
 	#best: Sample<S> | undefined;
 	#growths = 0;
 
@@ -87,7 +91,9 @@ class Solver<S extends Specimen> {
 	}
 
 	async run(): Promise<Answer<S>> {
-		this.#best = await this.#grow(this.#from);
+		const first = await this.#grow(this.#from);
+		this.#sought = this.#tasks.filter(({ levers, index }) => levers.length > 0 && Number.isFinite(first.values[index]));
+		this.#best = first;
 		let spent: readonly number[] = [];
 		while (this.#growths < MOST_GROWTHS && !this.#isThere()) {
 			spent = await this.#searchOnce(this.#best);
@@ -97,9 +103,17 @@ class Solver<S extends Specimen> {
 		}
 		const { specimen, values } = this.#best;
 		const reached = this.#tasks.map((task, i) => {
-			const { measure, value, info, index } = task;
+			const { measure, value, info, index, levers } = task;
 			const there = isThere(task, values);
-			return { measure, value, info, got: values[index], there, spent: !there && spent.includes(i) };
+			return {
+				measure,
+				value,
+				info,
+				got: values[index],
+				there,
+				moved: levers.length > 0,
+				spent: !there && spent.includes(i),
+			};
 		});
 		return { specimen, reached, growths: this.#growths };
 	}
@@ -140,11 +154,11 @@ class Solver<S extends Specimen> {
 
 	#isThere(): boolean {
 		const values = this.#best?.values;
-		return values !== undefined && this.#tasks.every((task) => isThere(task, values));
+		return values !== undefined && this.#sought.every((task) => isThere(task, values));
 	}
 
 	#missOf(values: Float32Array): number {
-		return this.#tasks.reduce((sum, task) => sum + residualOf(task, values) ** 2, 0);
+		return this.#sought.reduce((sum, task) => sum + residualOf(task, values) ** 2, 0);
 	}
 }
 

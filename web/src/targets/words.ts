@@ -7,11 +7,11 @@ import { reachedText } from "./aim";
 import type { Answer, Reached } from "./solve";
 
 /** "Bunch length: 160 mm reached", or "Bunch length: 300 mm asked, 158.9 mm reached; nothing goes further". */
-export function reachedInWords({ info, value, got, there, spent }: Reached): string {
+export function reachedInWords({ info, value, got, there, moved, spent }: Reached): string {
 	const asked = measureText(info, value);
 	if (there) return `${info.label}: ${asked} reached`;
 	if (!Number.isFinite(got)) return `${info.label}: this has none`;
-	const end = spent ? "; what moves it goes no further" : "";
+	const end = !moved ? "; nothing moves it" : spent ? "; what moves it goes no further" : "";
 	return `${info.label}: ${asked} asked, ${reachedText(info, got, value)} reached${end}`;
 }
 

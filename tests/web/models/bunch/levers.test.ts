@@ -41,6 +41,16 @@ describe("the levers of a bunch", () => {
 		expect(length.of(from)).toBeCloseTo(from.parameters.l * millimetres, 9);
 	});
 
+	it("set the widest where an outline has no width", () => {
+		const flat = withParameters(specimenFromPreset("riesling"), { p3w: 0, p4w: 0, p5w: 0, p6w: 0 });
+		const [width] = leversOf(flat, ["bunch_width"]).bunch_width;
+		expect(width.of(flat)).toBe(0);
+		const wide = width.set(flat, 20);
+		expect(width.of(wide)).toBeCloseTo(20, 0);
+		for (const value of Object.values(wide.parameters)) expect(value).not.toBeNaN();
+		expect(wide.parameters).toMatchObject({ l: flat.parameters.l, unit: flat.parameters.unit });
+	});
+
 	it("leave the outline to what is asked of it", () => {
 		const from = specimenFromPreset("riesling");
 		const lead = (asked: MeasureKey[]) => {

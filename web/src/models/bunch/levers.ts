@@ -92,7 +92,10 @@ function outlineLever(power: number, ...keys: readonly ShapeKey[]): BunchLever {
 		set: (specimen, value) => {
 			const { parameters } = specimen;
 			const before = parameters.unit;
-			const factor = value / (parameters[lead] * millimetres(specimen));
+			const stands = parameters[lead] * millimetres(specimen);
+			// From nothing there is no proportion: only the first is set.
+			if (!(stands > 0)) return withParameters(BUNCH, specimen, { [lead]: value / millimetres(specimen) });
+			const factor = value / stands;
 			const longest = Math.max(...keys.map((key) => (parameters[key] * factor) / limitOf(key)));
 			const after = longest > 1 ? wider(before * longest) : before;
 			const changes = [...HEIGHTS, ...WIDTHS].map((key) => {

@@ -1038,7 +1038,7 @@ export const GROUPS: readonly Group[] = [
 		everyday: true,
 		plain: true,
 		title: "Shape",
-		help: "The octahedral profile, in pixels of the paper's 600 × 600 view (section 4.2).",
+		help: "The octahedral profile, in millimetres (section 4.2; the paper has pixels).",
 	},
 	{
 		key: "procedure",

@@ -1,13 +1,14 @@
 /** Many plants of what is on the controls, as one archive: asked for in the words of the command line. */
 import { readSeeds } from "../../batch/seeds";
-import type { Series } from "../../batch/series";
+import { formatsOf as formatsOfSeries, type Series } from "../../batch/series";
 import { type Watch, zipOf } from "../../batch/series_zip";
 import { readVary } from "../../batch/vary";
 import { Client } from "../../core/client";
 import { coreAddress } from "../../core/core_address";
 import { exportFile } from "../../files/exporter";
 import { Cores } from "../cores";
-import type { StudioState } from "../studio_state";
+import type { Shown, StudioState } from "../studio_state";
+import { type Download, formatsOf } from "./formats";
 
 export interface Many {
 	/** As `--seeds` has them. */
@@ -16,6 +17,12 @@ export interface Many {
 	readonly vary: string;
 	/** The key of a kind of file. */
 	readonly format: string;
+}
+
+/** Which files there can be of many: of those of the plant that is shown, what a series makes. */
+export function formatsOfMany(shown: Shown): readonly Download[] {
+	const made = formatsOfSeries(shown.model);
+	return formatsOf(shown, undefined).filter(({ key }) => made.includes(key));
 }
 
 /**

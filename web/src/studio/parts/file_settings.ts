@@ -10,7 +10,10 @@ export function fileSettings(options: Options, changed: (options: Options) => vo
 	const number = ({ target }: Event) => {
 		const field = target as HTMLInputElement;
 		// The browser says what is wrong with a number that cannot be used.
-		if (field.reportValidity()) changed({ ...options, [field.name]: field.valueAsNumber });
+		if (!field.reportValidity()) return;
+		const { [field.name as keyof Options]: _, ...others } = options;
+		// An empty field is what nobody has said.
+		changed(field.value === "" ? others : { ...options, [field.name]: field.valueAsNumber });
 	};
 	const check = ({ target }: Event) => {
 		const { name, checked } = target as HTMLInputElement;

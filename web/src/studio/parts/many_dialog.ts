@@ -1,7 +1,7 @@
 import { html, nothing } from "lit";
 import { Unusable } from "../../batch/unusable";
-import { formatsOf, save } from "../files/formats";
-import { growMany, type Many, readMany } from "../files/many";
+import { save } from "../files/formats";
+import { formatsOfMany, growMany, type Many, readMany } from "../files/many";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
 
@@ -30,7 +30,7 @@ export class ManyDialog extends StudioPart {
 				<label>Seeds <input name="seeds" required autocomplete="off" value="${specimen.seed}-${last}"></label>
 				<label>Vary <input name="vary" autocomplete="off" placeholder=${exampleFor(studio)} aria-describedby=${this.idOf("vary")}></label>
 				<small id=${this.idOf("vary")}>Parameters by their keys in links: from one value to another, or one of a few (a|b); commas between several. Nothing: the seed alone.</small>
-				<label>Files <select name="format">${formatsOf(shown, undefined).map(({ key, title }) => html`<option value=${key}>${title}</option>`)}</select></label>
+				<label>Files <select name="format">${formatsOfMany(shown).map(({ key, title }) => html`<option value=${key}>${title}</option>`)}</select></label>
 				<p role="alert">${this.#problem}</p>
 				${this.#making ? progress(this.#making) : nothing}
 				<div class="choices">

@@ -5,6 +5,7 @@ import type { ReadoutRow } from "../../../controls/tool";
 import { type Grown, type Plan, THINNED_WHY } from "../grown";
 import { skinClass } from "../measures";
 import { SKIN_COLOUR } from "../measures.generated";
+import { metresPerPixel } from "../profile/handles";
 import type { BunchSpecimen } from "../specimen";
 
 const SIDES = [
@@ -24,7 +25,8 @@ const WHY: Readonly<Record<(typeof THINNED_WHY)[number], readonly [many: string,
 };
 
 /** The numbers of a bunch: what is not there and why, and the paper's own. */
-export function readout(grown: Grown, { parameters }: BunchSpecimen): unknown {
+export function readout(grown: Grown, { parameters: { l, unit } }: BunchSpecimen): unknown {
+	const scale = 1000 * metresPerPixel(unit);
 	const { counts, procedure, plan, second } = grown;
 	return html`${missing(grown)}
 		<h3>After the paper</h3>
@@ -32,9 +34,9 @@ export function readout(grown: Grown, { parameters }: BunchSpecimen): unknown {
 			${term("Berries", counts.berries)} ${procedure === "paper" ? term("Withered pedicels", counts.withered) : nothing}
 			${term("Pedicels", counts.pedicels)} ${term("Internodes", counts.internodes)}
 			${procedure === "paper" ? term("Internodes cut", counts.cut) : nothing}
-			${term("Length", `${parameters.l} px`, "l")} ${term("Rachis segments", plan.m, "m")}
+			${term("Length", `${tenths(l * scale)} mm`, "l")} ${term("Rachis segments", plan.m, "m")}
 		</dl>
-		${planTable(plan, "Each side")} ${second ? planTable(second, `Second bunch, m ${second.m}`) : nothing}`;
+		${planTable(plan, "Each side", scale)} ${second ? planTable(second, `Second bunch, m ${second.m}`, scale) : nothing}`;
 }
 
 /** The class of the skin's colour, which is of the look and not measured by the core. */
@@ -52,15 +54,17 @@ function missing({ thinned }: Grown): unknown {
 		<ul class="missing">${given.map(({ why, count }) => html`<li data-why=${why}><b>${count}</b> ${WHY[why][count === 1 ? 1 : 0]}</li>`)}</ul>`;
 }
 
-function planTable(plan: Plan, caption: string): unknown {
-	const round = (value: number) => Math.round(value * 100) / 100;
+const tenths = (value: number) => Math.round(10 * value) / 10;
+
+/** @param scale millimetres to one pixel of the outline */
+function planTable(plan: Plan, caption: string, scale: number): unknown {
 	return html`<table>
 		<caption>${caption}</caption>
-		<thead><tr><th></th><th scope="col" title="Half-width, pixels"><i class="symbol">w</i></th><th scope="col" title="Drop, pixels"><i class="symbol">r</i></th>
+		<thead><tr><th></th><th scope="col" title="Half-width, millimetres"><i class="symbol">w</i></th><th scope="col" title="Drop, millimetres"><i class="symbol">r</i></th>
 			<th scope="col" title="Segments of the longest axis"><i class="symbol">n</i></th><th scope="col" title="Axis at which the side has shrunk to one end structure"><i class="symbol">rd</i></th></tr></thead>
 		<tbody>${plan.sides.map(
 			({ w, r, n, rd }, side) =>
-				html`<tr><th scope="row">${SIDES[side][0]} ${symbol(SIDES[side][1])}</th><td>${round(w)}</td><td>${round(r)}</td><td>${n}</td><td>${rd}</td></tr>`,
+				html`<tr><th scope="row">${SIDES[side][0]} ${symbol(SIDES[side][1])}</th><td>${tenths(w * scale)}</td><td>${tenths(r * scale)}</td><td>${n}</td><td>${rd}</td></tr>`,
 		)}</tbody>
 	</table>`;
 }
