@@ -9,7 +9,7 @@ export default [
 		faults: [
 			{
 				id: "natural-berries-all-as-fine",
-				find: "const float pixels = view * width / std::max({extent.x, extent.y, extent.z});",
+				find: "const float pixels = view * radius / std::max({extent.x, extent.y, extent.z});",
 				replace: "const float pixels = 40;",
 				breaks: "flowers of a millimetre have as many triangles as ripe berries",
 			},
@@ -42,6 +42,12 @@ export default [
 				find: "/ std::max(1e-6f, buds[i].strength)",
 				replace: "",
 				breaks: "weak flowers set as readily as strong ones",
+			},
+			{
+				id: "fruit-set-other-bunch-crowds",
+				find: "if (buds[j].bunch != buds[i].bunch) return;",
+				replace: "",
+				breaks: "a wing and its bunch take each other's room where they have none in common",
 			},
 			{
 				id: "fruit-set-misplaced-as-good",
@@ -101,13 +107,19 @@ export default [
 	},
 	{
 		file: `${SRC}/sprout.cpp`,
-		suites: [`${TESTS}/sprout_test.cpp`],
+		suites: [`${TESTS}/sprout_test.cpp`, `${TESTS}/wing_test.cpp`],
 		faults: [
 			{
 				id: "sprout-wing-of-the-same-seed",
 				find: "draw_one(scaled(profile, wing), second_seed(request_.seed), slender",
 				replace: "draw_one(scaled(profile, wing), request_.seed, slender",
 				breaks: "the wing branches as the bunch does",
+			},
+			{
+				id: "sprout-stalk-without-counted",
+				find: "counted ? wing.envelope.volume() / (wing.envelope.volume() + bunch.envelope.volume()) : 1",
+				replace: "counted ? 0 : 1",
+				breaks: "a wing of a bunch with a given count stands out as if nothing hung from it",
 			},
 			{
 				id: "sprout-unit-ignored",
