@@ -32,9 +32,9 @@ test("berries stand in each other's light", async ({ page }) => {
 	const pale = `${DARK}&bloom=0&glow=0&uneven=0&lenticels=0&skin=c0b090&unripe=c0b090`;
 	const seen = await drawn(page, { query: pale, theme: "dark" });
 	// The key light comes from the left: at the right it falls on others first. If nothing stood in its way, the right side
-	// would have nine tenths of the mean.
+	// would have nine tenths of the mean or more.
 	const [whole, right] = [brightness(seen, isBunch), brightness(seen, (x, y) => x > 0.5 && isBunch(x, y))];
-	expect(right).toBeLessThan(0.82 * whole);
+	expect(right).toBeLessThan(0.86 * whole);
 	expect(right).toBeGreaterThan(0.5 * whole);
 });
 

@@ -47,7 +47,7 @@ describe("the OBJ of any parts", () => {
 	it("names where it came from and what it needs", () => {
 		const { obj } = exportObj(plain(), ABOUT, "toy");
 		const [first, link, library] = obj.split("\n");
-		expect(first).toMatch(/^# Panicle [\d.]+: Toy one, metres, \+Y up$/);
+		expect(first).toMatch(/^# Panicle [\w.-]+: Toy one, metres, \+Y up$/);
 		expect([link, library]).toEqual(["# ?model=toy&seed=3", "mtllib toy.mtl"]);
 	});
 });

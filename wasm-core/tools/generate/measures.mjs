@@ -75,7 +75,10 @@ const line = (properties) =>
 		.map(([key, value]) => `${key}: ${literal(value)}`)
 		.join(", ")} }`;
 
-/** An object as the formatter lays it out: one property a line, each class in a line of its own. */
+/**
+ * An object as the formatter lays it out: one property a line, each class in a line of its own.
+ * @param {any} measure with classes or without
+ */
 function object({ classes, ...properties }, indent) {
 	const tabs = "\t".repeat(indent);
 	const pairs = Object.entries(properties).map(([key, value]) => `${key}: ${literal(value)},`);

@@ -1,0 +1,104 @@
+import type { Page } from "@playwright/test";
+import type { PanicleSpecimen } from "../../web/src/element/panicle";
+import { grown, openHost, SMALL, serveLibrary } from "./element_page";
+import { expect, test } from "./fixtures";
+
+let library: Awaited<ReturnType<typeof serveLibrary>>;
+test.beforeAll(async () => {
+	library = await serveLibrary();
+});
+test.afterAll(() => library.close());
+const open = (page: Page, body: string, policy?: string) => openHost(page, library.address, body, policy);
+
+test("a hundred that come and go leave nothing behind, and ten share a context", async ({ page }) => {
+	await page.addInitScript(() => {
+		const counts = { workers: 0, contexts: 0, listeners: 0 };
+		Object.assign(window, { counts });
+		const Plain = window.Worker;
+		window.Worker = class extends Plain {
+			#ended = false;
+			constructor(...all: ConstructorParameters<typeof Worker>) {
+				super(...all);
+				counts.workers++;
+			}
+			override terminate() {
+				if (!this.#ended) counts.workers--;
+				this.#ended = true;
+				super.terminate();
+			}
+		};
+		const { getContext } = HTMLCanvasElement.prototype;
+		const known = new WeakSet<object>();
+		HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...all: unknown[]) {
+			const context = Reflect.apply(getContext, this, all);
+			if (all[0] === "webgl2" && context && !known.has(context)) {
+				known.add(context);
+				counts.contexts++;
+				const lose = context.getExtension.bind(context);
+				context.getExtension = (name: string) => {
+					const extension = lose(name);
+					if (name !== "WEBGL_lose_context" || !extension) return extension;
+					return {
+						restoreContext: () => extension.restoreContext(),
+						loseContext: () => {
+							counts.contexts--;
+							extension.loseContext();
+						},
+					};
+				};
+			}
+			return context;
+		} as typeof getContext;
+		for (const lasting of [window, document, MediaQueryList.prototype]) {
+			const { addEventListener } = lasting;
+			lasting.addEventListener = function (this: EventTarget, ...all: Parameters<typeof addEventListener>) {
+				const [, , options] = all;
+				const signal = typeof options === "object" ? options?.signal : undefined;
+				if (signal) {
+					counts.listeners++;
+					signal.addEventListener("abort", () => counts.listeners--);
+				}
+				return Reflect.apply(addEventListener, this, all);
+			} as typeof addEventListener;
+		}
+	});
+	const close = await open(page, "<main></main>");
+	const cycles = (count: number) =>
+		page.evaluate(async (times) => {
+			await customElements.whenDefined("panicle-specimen");
+			const main = document.querySelector("main") as HTMLElement;
+			for (let i = 0; i < times; i++) {
+				const plant = document.createElement("panicle-specimen") as PanicleSpecimen;
+				plant.setAttribute("preset", "redcurrant");
+				plant.setAttribute("count", "6");
+				plant.setAttribute("seed", `${i}`);
+				main.append(plant);
+				await plant.grow();
+				if (i % 3 === 0) plant.resetView();
+				plant.remove();
+			}
+		}, count);
+	/** After what lingers has gone. */
+	const left = async () => {
+		await page.waitForTimeout(1500);
+		const session = await page.context().newCDPSession(page);
+		await session.send("HeapProfiler.collectGarbage");
+		const { usedSize } = await session.send("Runtime.getHeapUsage");
+		await session.detach();
+		return { heap: usedSize, counts: await page.evaluate(() => (window as unknown as { counts: object }).counts) };
+	};
+	// Until what a browser makes of code that runs often is there, too.
+	await cycles(60);
+	const before = await left();
+	await cycles(100);
+	const after = await left();
+	expect(before.counts).toEqual({ workers: 0, contexts: 0, listeners: 0 });
+	expect(after.counts).toEqual(before.counts);
+	expect(after.heap / before.heap).toBeLessThan(1.05);
+	await page.evaluate((plant) => {
+		(document.querySelector("main") as HTMLElement).innerHTML = plant.repeat(10);
+	}, `<panicle-specimen style="width: 90px; height: 120px" autorotate ${SMALL}></panicle-specimen>`);
+	await grown(page);
+	expect(await page.evaluate(() => (window as unknown as { counts: object }).counts)).toMatchObject({ contexts: 1 });
+	await close();
+});
