@@ -200,8 +200,13 @@ TEST_CASE("a request gets its memory up to 16 MiB") {
 }
 
 TEST_CASE("a request may say how many steps a text is derived; else the text does, else all that it takes") {
-  const auto internodes = [](std::string_view text, int steps) {
+  // A text grows below its peduncle, which is no part of it.
+  std::vector<float> parameters;
+  for (const bunch::ParameterInfo& each : bunch::parameter_table) parameters.push_back(each.standard);
+  parameters[static_cast<std::size_t>(bunch::Parameter::peduncle)] = 0;
+  const auto internodes = [&parameters](std::string_view text, int steps) {
     Asked asked;
+    asked.writer.add("parameters", std::span<const float>(parameters));
     asked.writer.add("grammar", text);
     const auto number = static_cast<std::uint32_t>(steps);
     if (steps >= 0) asked.writer.add("steps", std::span<const std::uint32_t>(&number, 1));
