@@ -5,8 +5,8 @@
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { build } from "vite";
-import { buildFolder, modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
+import { bundleForNode } from "../../wasm-core/tools/node_bundle.mjs";
+import { buildFolder, modulesFolder } from "../../wasm-core/tools/repository.mjs";
 import { printTable } from "./statistics.mjs";
 
 const BUNCH = "http://localhost/specimens/long-conical.json?count=120";
@@ -45,23 +45,8 @@ export async function benchService(requests = 2000) {
 
 /** As it runs: models come by lazy imports, which a bundle resolves. */
 async function bundled() {
-	const outDir = join(buildFolder, "node/bench");
-	const entry = (path) => join(repository, "web/src", path);
-	await build({
-		root: repository,
-		configFile: false,
-		publicDir: false,
-		logLevel: "silent",
-		build: {
-			ssr: true,
-			outDir,
-			target: "node20",
-			rolldownOptions: {
-				input: { service: entry("service/service.ts"), loader: entry("core/loader.ts") },
-				output: { entryFileNames: "[name].mjs" },
-			},
-		},
-	});
-	const at = (name) => import(pathToFileURL(join(outDir, `${name}.mjs`)).href);
+	const folder = join(buildFolder, "node/bench");
+	await bundleForNode({ service: "service/service.ts", loader: "core/loader.ts" }, folder);
+	const at = (name) => import(pathToFileURL(join(folder, `${name}.mjs`)).href);
 	return { ...(await at("service")), ...(await at("loader")) };
 }

@@ -7,6 +7,7 @@ import { join, relative } from "node:path";
 import { pathToFileURL } from "node:url";
 import { buildCore } from "./core.mjs";
 import { withLock } from "./lock.mjs";
+import { bundleForNode } from "./node_bundle.mjs";
 import { buildFolder, repository } from "./repository.mjs";
 import { command, setUp } from "./setup.mjs";
 
@@ -34,20 +35,7 @@ function isFresh() {
 }
 
 async function bundle() {
-	const { build } = await import("vite");
-	await build({
-		root: repository,
-		configFile: false,
-		publicDir: false,
-		logLevel: "silent",
-		build: {
-			ssr: join(sources, "cli/main.ts"),
-			outDir: folder,
-			emptyOutDir: true,
-			target: "node20",
-			rolldownOptions: { output: { entryFileNames: "main.mjs" } },
-		},
-	});
+	await bundleForNode({ main: "cli/main.ts" }, folder);
 	writeFileSync(madeFrom, list);
 }
 

@@ -1,4 +1,5 @@
 import { html, nothing } from "lit";
+import { chooseFile } from "../../../controls/choose_file";
 import { isPicture, PICTURES } from "../../../controls/picture_file";
 import { FILE_TOPIC } from "../../../controls/tool";
 import type { Photo } from "../photo/photo";
@@ -36,16 +37,10 @@ export function changePhoto(desk: BunchDesk, change: Partial<Photo>): void {
 
 function draw(desk: BunchDesk): unknown {
 	const laid = desk.toolState(photo);
-	const choose = (event: Event) => (event.currentTarget as Element).parentElement?.querySelector("input")?.click();
-	const chosen = (event: Event) => {
-		const input = event.currentTarget as HTMLInputElement;
-		const file = input.files?.[0];
-		input.value = ""; // the same file may be chosen again
-		if (file) void takePhoto(desk, file);
-	};
+	const words = laid ? "Another photograph…" : "Photograph behind…";
+	const take = (file: File) => void takePhoto(desk, file);
 	return html`<div class="actions">
-		<input type="file" hidden accept=${PICTURES} aria-label="Photograph of a bunch" @change=${chosen}>
-		<button class="button" type="button" @click=${choose}>${laid ? "Another photograph…" : "Photograph behind…"}</button>
+		${chooseFile({ accept: PICTURES, label: "Photograph of a bunch", words, take })}
 		${laid ? html`<panicle-photo-controls class="actions" .desk=${desk}></panicle-photo-controls>` : nothing}
 	</div>`;
 }

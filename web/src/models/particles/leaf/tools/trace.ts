@@ -1,4 +1,5 @@
 import { html } from "lit";
+import { chooseFile } from "../../../../controls/choose_file";
 import type { Change } from "../../../../controls/desk";
 import { isPicture, PICTURES } from "../../../../controls/picture_file";
 import { sameDocument } from "../../../../controls/same_document";
@@ -21,16 +22,9 @@ export const trace: LeafTool = {
 
 function draw(desk: LeafDesk): unknown {
 	const altered = desk.state.specimen.outline !== desk.preset.outline;
-	const choose = (event: Event) => (event.currentTarget as Element).parentElement?.querySelector("input")?.click();
-	const chosen = (event: Event) => {
-		const input = event.currentTarget as HTMLInputElement;
-		const file = input.files?.[0];
-		input.value = ""; // the same file may be chosen again
-		if (file) void traceFile(desk, file);
-	};
+	const take = (file: File) => void traceFile(desk, file);
 	return html`<div class="actions">
-		<input type="file" hidden accept=${PICTURES} aria-label="Picture of a leaf" @change=${chosen} />
-		<button class="button" type="button" @click=${choose}>Trace a picture…</button>
+		${chooseFile({ accept: PICTURES, label: "Picture of a leaf", words: "Trace a picture…", take })}
 		<button
 			class="button" type="button" ?disabled=${!altered}
 			@click=${() => desk.set({ details: { outline: desk.preset.outline } })}

@@ -1,0 +1,24 @@
+import { html } from "lit";
+
+export interface FileChoice {
+	/** As an input's `accept`. */
+	readonly accept: string;
+	/** What the input is called for screen readers. */
+	readonly label: string;
+	/** On the button. */
+	readonly words: string;
+	take(file: File): void;
+}
+
+/** A button that asks for a file. */
+export function chooseFile({ accept, label, words, take }: FileChoice): unknown {
+	const choose = (event: Event) => ((event.currentTarget as Element).previousElementSibling as HTMLElement).click();
+	const chosen = (event: Event) => {
+		const input = event.currentTarget as HTMLInputElement;
+		const file = input.files?.[0];
+		input.value = ""; // the same file may be chosen again
+		if (file) take(file);
+	};
+	return html`<input type="file" hidden accept=${accept} aria-label=${label} @change=${chosen}>
+		<button class="button" type="button" @click=${choose}>${words}</button>`;
+}
