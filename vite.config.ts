@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { core } from "./wasm-core/tools/vite_plugin.mjs";
+import { leanThree } from "./web/lean_three.mjs";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -10,7 +11,7 @@ export default defineConfig({
 	publicDir: at("public"),
 	// Every address in the built pages is relative, so that dist/ works from any sub-path.
 	base: "./",
-	plugins: [core()],
+	plugins: [core(), leanThree()],
 	worker: { format: "es" },
 	build: {
 		outDir: at("dist"),
@@ -28,7 +29,11 @@ export default defineConfig({
 				advancedChunks: {
 					// Each is needed whole, or nearly: by themselves these modules would be several scripts, which pack less well.
 					groups: [
-						{ name: "document", test: /web\/src\/specimen\// },
+						{ name: "document", test: /web\/src\/(specimen\/|controls\/(change|handles\/(point|escape_key))\.ts)/ },
+						{
+							name: "lit",
+							test: /node_modules\/(@lit|lit|lit-element|lit-html)\/|web\/src\/controls\/(term|icons|desk_element)\.ts/,
+						},
 						{ name: "three", test: /node_modules\/three\// },
 					],
 				},
@@ -37,7 +42,7 @@ export default defineConfig({
 	},
 	server: { fs: { allow: [at(".")] } },
 	test: {
-		include: ["tests/{web,golden,fuzz,tools,toy}/**/*.test.ts", "tests/*.test.ts"],
+		include: ["tests/{web,golden,fuzz,tools,toy,package}/**/*.test.ts", "tests/*.test.ts"],
 		globalSetup: at("tests/core_module.ts"),
 		testTimeout: 20_000,
 		// Of two processors one would stand idle by default.

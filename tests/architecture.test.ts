@@ -220,14 +220,15 @@ describe("the repository", () => {
 		expect(naming).toEqual([]);
 	});
 
-	/** Addresses of links and pictures, less those of the web and places in the same page. */
+	/** Addresses of links and pictures, less those of the web, places in the same page, and what a page shows as code. */
 	const linksIn = (text: string) =>
-		[...text.matchAll(/\]\(([^)\s]+)(?:\s"[^"]*")?\)|(?:src|href)="([^"]+)"/g)]
+		[...text.replace(/^```[\s\S]*?^```$/gm, "").matchAll(/\]\(([^)\s]+)(?:\s"[^"]*")?\)|(?:src|href)="([^"]+)"/g)]
 			.map(([, written, tag]) => (written ?? tag).replace(/#.*$/, ""))
 			.filter((address) => address !== "" && !/^[a-z]+:/i.test(address));
 
 	it("links only to files that are there", () => {
-		expect(linksIn('[a](b.md#c) [d](https://e.f/) [g](#h) ![i](j/k.png "l") <img src="m.webp">')).toEqual([
+		const code = '\n```html\n<script src="n.js">\n```\n';
+		expect(linksIn(`[a](b.md#c) [d](https://e.f/) [g](#h) ![i](j/k.png "l")${code}<img src="m.webp">`)).toEqual([
 			"b.md",
 			"j/k.png",
 			"m.webp",

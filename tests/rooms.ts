@@ -16,10 +16,11 @@ export const webRooms: Record<string, string[]> = {
 	models: beforeModels,
 	files: [...beforeModels, "models"],
 	batch: [...beforeModels, "models", "files"],
+	library: [...beforeModels, "models", "files", "batch"],
 	service: [...beforeModels, "models", "files", "batch"],
 	element: [...beforeModels, "models", "files"],
 	studio: [...beforeModels, "models", "files", "batch", "element"],
-	cli: ["core", "specimen", "targets", "plant", "export", "models", "files", "batch"],
+	cli: ["core", "specimen", "targets", "plant", "export", "models", "files", "batch", "library"],
 };
 
 /** Rooms that say where the built core lies; the others get it from them. */

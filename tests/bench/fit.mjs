@@ -65,6 +65,8 @@ function randomSpecimen(index) {
 		parameters[`${side}w`] = Math.round(30 + 190 * draw(index, 1 + i));
 		parameters[`${side}r`] = Math.round(0.7 * parameters.l * draw(index, 5 + i));
 	}
+	// The octahedron is the handles'; so is the outline, then.
+	parameters.variability = 0;
 	return specimen;
 }
 

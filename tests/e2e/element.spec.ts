@@ -15,7 +15,7 @@ test("one script and one tag show a plant in a page of another origin, which tel
 	page,
 }) => {
 	const close = await open(page, `<panicle-specimen ${SMALL} seed="7" colour="red"></panicle-specimen>`);
-	const view = page.getByRole("application", { name: "Redcurrant: 6 berries" });
+	const view = page.getByRole("application", { name: "Redcurrant bunch: 6 berries" });
 	await expect(view).toBeVisible();
 	await grown(page);
 	const told = await page.evaluate(async () => {
@@ -154,7 +154,7 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 		page,
 		`<iframe title="A plant" src="${library.address}embed.html?v=2&preset=redcurrant&count=6&theme=dark" width="200" height="300"></iframe>`,
 	);
-	const view = page.frameLocator("iframe").getByRole("application", { name: "Redcurrant: 6 berries" });
+	const view = page.frameLocator("iframe").getByRole("application", { name: "Redcurrant bunch: 6 berries" });
 	await expect(view).toBeVisible();
 	expect(await view.evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight])).toEqual([200, 300]);
 	const told = await page.evaluate(async () => {
@@ -176,18 +176,25 @@ test("a frame holds a plant, and talks with its page alone", async ({ page }) =>
 		await asked(3, "open", { link: "?v=2&preset=redcurrant&count=7" });
 		const { result: file } = await asked(4, "file", { format: "json" });
 		const { error } = await asked(5, "dance");
+		const { error: unknown } = await asked(6, "file", { format: "dwg" });
+		await asked(7, "open", { link: "?v=2&model=leaf&preset=birch&n=200" });
+		await asked(8, "open", { link: "?v=2&model=root&preset=carrot&n=60" });
 		return {
 			events: heard.filter(({ event }) => event).map(({ event, detail }) => [event, detail?.words]),
 			file: JSON.parse(await (file as Blob).text()).counts,
 			error,
+			unknown,
 		};
 	});
 	expect(told.events).toEqual([
 		["change", undefined],
 		["grown", expect.stringMatching(/^9 berries/)],
 		["grown", expect.stringMatching(/^7 berries/)],
+		["grown", expect.stringMatching(/^Birch leaf, /)],
+		["grown", expect.stringMatching(/ deep, 60 root tips$/)],
 	]);
 	expect(told.file).toMatchObject({ berries: 7 });
+	expect(told.unknown).toMatch(/dwg/);
 	expect(told.error).toMatch(/^there is no method "dance"/);
 	await close();
 });

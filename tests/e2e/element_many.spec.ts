@@ -72,6 +72,7 @@ test("a hundred that come and go leave nothing behind, and ten share a context",
 				plant.setAttribute("preset", "redcurrant");
 				plant.setAttribute("count", "6");
 				plant.setAttribute("seed", `${i}`);
+				for (const extra of ["controls", "handles"]) plant.toggleAttribute(extra, i % 2 === 0);
 				main.append(plant);
 				await plant.grow();
 				if (i % 3 === 0) plant.resetView();
@@ -100,5 +101,82 @@ test("a hundred that come and go leave nothing behind, and ten share a context",
 	}, `<panicle-specimen style="width: 90px; height: 120px" autorotate ${SMALL}></panicle-specimen>`);
 	await grown(page);
 	expect(await page.evaluate(() => (window as unknown as { counts: object }).counts)).toMatchObject({ contexts: 1 });
+	await close();
+});
+
+test("ten visible ones are turned on one context that is not lost, and what comes and goes beside them leaves nothing on the card", async ({
+	page,
+}) => {
+	await page.addInitScript(() => {
+		const counts = { Buffer: 0, Texture: 0, Program: 0, Shader: 0, Framebuffer: 0, Renderbuffer: 0, VertexArray: 0 };
+		const seen = { lost: 0, draws: 0, counts };
+		Object.assign(window, { seen });
+		const { prototype } = WebGL2RenderingContext;
+		for (const kind of Object.keys(counts) as (keyof typeof counts)[]) {
+			const [create, remove] = [`create${kind}`, `delete${kind}`] as ["createBuffer", "deleteBuffer"];
+			const [made, gone] = [prototype[create], prototype[remove]];
+			prototype[create] = function (this: WebGL2RenderingContext, ...all: []) {
+				counts[kind]++;
+				return Reflect.apply(made, this, all);
+			};
+			prototype[remove] = function (this: WebGL2RenderingContext, what) {
+				if (what) counts[kind]--;
+				Reflect.apply(gone, this, [what]);
+			};
+		}
+		for (const type of ["drawElements", "drawElementsInstanced", "drawArrays"] as const) {
+			const draw = prototype[type] as () => void;
+			Object.assign(prototype, {
+				[type](this: WebGL2RenderingContext, ...all: unknown[]) {
+					seen.draws++;
+					Reflect.apply(draw, this, all);
+				},
+			});
+		}
+		for (const canvas of [HTMLCanvasElement.prototype, OffscreenCanvas.prototype]) {
+			const { getContext } = canvas;
+			Object.assign(canvas, {
+				getContext(this: HTMLCanvasElement, ...all: unknown[]) {
+					this.addEventListener("webglcontextlost", () => seen.lost++);
+					return Reflect.apply(getContext, this, all);
+				},
+			});
+		}
+	});
+	const plant = `<panicle-specimen style="width: 90px; height: 120px" ${SMALL}></panicle-specimen>`;
+	const close = await open(page, `<main>${plant.repeat(10)}</main><aside></aside>`);
+	await grown(page);
+	const seen = () =>
+		page.evaluate(() => (window as unknown as { seen: { lost: number; draws: number; counts: object } }).seen);
+	const cycles = (count: number) =>
+		page.evaluate(async (times) => {
+			for (let i = 0; i < times; i++) {
+				const plant = document.createElement("panicle-specimen") as PanicleSpecimen;
+				for (const [name, value] of Object.entries({ preset: "redcurrant", count: "6", seed: `${i}`, handles: "" }))
+					plant.setAttribute(name, value);
+				document.querySelector("aside")?.append(plant);
+				await plant.toBlob({ width: 30, height: 40 });
+				plant.remove();
+			}
+		}, count);
+	await cycles(3);
+	const before = await seen();
+	await cycles(10);
+	await page.evaluate(async () => {
+		const step = () => new Promise(requestAnimationFrame);
+		for (let i = 0; i < 12; i++) {
+			for (const { shadowRoot } of document.querySelectorAll("panicle-specimen"))
+				shadowRoot
+					?.querySelector("canvas")
+					?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", bubbles: true }));
+			await step();
+		}
+		await step();
+	});
+	const after = await seen();
+	expect(after.draws - before.draws).toBeGreaterThan(10 * 12);
+	// One that only asks whether there is a card is given up at once.
+	expect(after.lost).toBe(before.lost);
+	expect(after.counts).toEqual(before.counts);
 	await close();
 });

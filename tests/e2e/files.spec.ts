@@ -121,6 +121,11 @@ test.describe("to the eye", () => {
 		expect(bytes.subarray(1, 4).toString()).toBe("PNG");
 		const box = await studio.canvas.boundingBox();
 		expect(bytes.readUInt32BE(16)).toBe(2 * Math.round(box?.width ?? 0));
+		// It carries its link, and opens again when it is dropped; the front view's photograph it does not become.
+		const first = await studio.fingerprint.innerText();
+		await studio.regrown(() => studio.button("New variation").click());
+		await studio.drop("lychee.png", bytes);
+		await expect(studio.fingerprint).toHaveText(first);
 	});
 });
 
@@ -128,7 +133,9 @@ test("a file that is none of ours is refused with a word and the bunch stays", a
 	const studio = await new StudioPage(page).open();
 	const first = await studio.fingerprint.innerText();
 	await studio.drop("holiday.doc", readFileSync("public/icons/panicle-180.png"));
-	await expect(studio.notices).toContainText("holiday.doc is neither a GLB nor readable JSON");
+	await expect(studio.notices).toContainText("holiday.doc is a picture without a link");
+	await studio.drop("holiday.txt", Buffer.from("grapes"));
+	await expect(studio.notices).toContainText("holiday.txt is neither a GLB nor readable JSON");
 	await studio.drop("other.json", Buffer.from('{"specimen": 3}'));
 	await expect(studio.notices).toContainText("other.json holds no specimen");
 	await expect(studio.fingerprint).toHaveText(first);

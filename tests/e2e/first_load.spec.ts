@@ -35,11 +35,12 @@ test("what packs and writes files is no part of the first load", async ({ page }
 
 const dist = fileURLToPath(new URL("../../dist", import.meta.url));
 
-for (const { model, core, code } of [
-	{ model: "bunch", core: 147_000, code: 430_000 },
-	{ model: "leaf", core: 170_000, code: 400_000 },
-	{ model: "tree", core: 170_000, code: 400_000 },
-	{ model: "root", core: 170_000, code: 400_000 },
+for (const { model, core, code, later } of [
+	// Later also the leaves of the opening bunch, of which it shows a sketch.
+	{ model: "bunch", core: 143_000, code: 390_000, later: 76_000 },
+	{ model: "leaf", core: 150_000, code: 385_000, later: 58_000 },
+	{ model: "tree", core: 150_000, code: 385_000, later: 58_000 },
+	{ model: "root", core: 150_000, code: 385_000, later: 58_000 },
 ]) {
 	test(`the first load of a ${model} stays in its limits, and of other models only what the gallery says`, async ({
 		page,
@@ -64,7 +65,7 @@ for (const { model, core, code } of [
 		expect(sizes.fonts).toBeLessThan(30_000);
 		expect(sizes.pictures).toBeLessThan(60_000);
 		// The others' presets, once this one stands; their tools and cores when they are chosen.
-		expect(byKind(firstLoad(dist, of(true))).code).toBeLessThan(57_000);
+		expect(byKind(firstLoad(dist, of(true))).code).toBeLessThan(later);
 	});
 }
 

@@ -1,7 +1,6 @@
 /** Presets grown and drawn by the app's own core and scene, for the scripts that keep pictures of them. */
-import { createServer } from "vite";
 import { modulesFolder } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "./browser.mjs";
+import { openSources } from "./sources_page.mjs";
 
 /**
  * @typedef {object} Asked
@@ -65,17 +64,9 @@ async function listPresets(model) {
  * @param {(preset: object, drawn: { pictures: Record<string, Buffer>, measures: Record<string, number> }, asked: Asked) => void} keep
  */
 export async function drawPresets(model, asked, keep) {
-	// Nothing may load the page anew while it draws: no watching, no bundling of packages behind its back.
-	const server = await createServer({
-		server: { host: "localhost", port: 0, hmr: false, watch: null },
-		optimizeDeps: { noDiscovery: true, include: [] },
-		logLevel: "warn",
-	});
-	await server.listen();
-	const browser = await launch();
+	const sources = await openSources();
 	for (const each of asked) {
-		const page = await browser.newPage({ viewport: { width: 600, height: 600 } });
-		await page.goto(server.resolvedUrls.local[0]);
+		const page = await sources.page();
 		for (const preset of await page.evaluate(listPresets, model)) {
 			const { pictures, measures } = await page.evaluate(draw, {
 				cores: modulesFolder,
@@ -88,6 +79,5 @@ export async function drawPresets(model, asked, keep) {
 		}
 		await page.close();
 	}
-	await browser.close();
-	await server.close();
+	await sources.close();
 }

@@ -5,15 +5,16 @@
  */
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { createServer } from "vite";
 import { run } from "../../wasm-core/tools/process.mjs";
-import { modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
-import { launch } from "../e2e/browser.mjs";
-import { folder, install, must, python } from "./programs.mjs";
+import { buildFolder, modulesFolder, repository } from "../../wasm-core/tools/repository.mjs";
+import { openSources } from "../e2e/sources_page.mjs";
+import { installed, must } from "./programs.mjs";
 
 /** A dark variety, a red one and a pale one. */
 const PRESETS = ["merlot", "crimson-seedless", "riesling"];
 const SIZE = { width: 360, height: 480 };
+/** Blender's wheels are for this one alone. */
+const PYTHON = "python3.11";
 /** Of the ground that all stand before, as the app has it. */
 const GROUND = "#efece6";
 const QUALITY = 0.85;
@@ -97,18 +98,13 @@ const f3dWords = (glb, png, { width, height }) => {
 	];
 };
 
-await install();
+const python = await installed("readers", PYTHON);
+const folder = join(buildFolder, "readers");
 const out = join(repository, "docs/readers");
 mkdirSync(out, { recursive: true });
-const server = await createServer({
-	server: { host: "localhost", port: 0, hmr: false, watch: null },
-	optimizeDeps: { noDiscovery: true, include: [] },
-	logLevel: "warn",
-});
-await server.listen();
-const browser = await launch();
-const page = await browser.newPage({ viewport: { width: 600, height: 600 }, bypassCSP: true });
-await page.goto(server.resolvedUrls.local[0]);
+const sources = await openSources();
+// three's loader makes pictures of what the page's policy forbids.
+const page = await sources.page({ bypassCSP: true });
 const named = process.argv.slice(2);
 for (const name of named.length > 0 ? named : PRESETS) {
 	const path = (ending) => join(folder, `${name}${ending}`);
@@ -133,5 +129,4 @@ for (const name of named.length > 0 ? named : PRESETS) {
 	writeFileSync(join(out, `${name}.webp`), bytes);
 	console.log(`docs/readers/${name}.webp: ${(bytes.length / 1024).toFixed(0)} kB`);
 }
-await browser.close();
-await server.close();
+await sources.close();

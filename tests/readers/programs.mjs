@@ -1,11 +1,8 @@
-/** The programs in Python that read files (requirements.txt), installed from PyPI into build/readers. Takes Python 3.11 with its venv. */
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+/** Programs in Python that read files, installed from PyPI into build/ once: each list of them in an environment of its own. */
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { run } from "../../wasm-core/tools/process.mjs";
 import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
-
-export const folder = join(buildFolder, "readers");
-export const python = join(folder, "venv/bin/python");
 
 /** What a program says; throws where it fails. */
 export async function must(command, args) {
@@ -14,15 +11,41 @@ export async function must(command, args) {
 	return output;
 }
 
-/** Installs them unless they are there. */
-export async function install() {
-	mkdirSync(folder, { recursive: true });
-	const requirements = join(repository, "tests/readers/requirements.txt");
+/**
+ * Installs what is listed in tests/readers/NAME.txt into build/NAME, unless it is there; returns the Python that has it.
+ * @param {string} name
+ * @param {string} program a Python with its venv
+ */
+export async function installed(name, program) {
+	const folder = join(buildFolder, name);
+	const python = join(folder, "venv/bin/python");
+	const list = join(repository, `tests/readers/${name}.txt`);
 	const stamp = join(folder, "installed.txt");
-	const wanted = readFileSync(requirements, "utf8");
-	if (existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
-	console.log("Installing the readers …");
-	await must("python3.11", ["-m", "venv", join(folder, "venv")]);
-	await must(python, ["-m", "pip", "install", "--quiet", "--requirement", requirements]);
+	const wanted = readFileSync(list, "utf8");
+	if (existsSync(python) && existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return python;
+	console.log(`Installing ${name} for Python …`);
+	mkdirSync(folder, { recursive: true });
+	rmSync(stamp, { force: true });
+	try {
+		await must(program, ["-m", "venv", "--clear", join(folder, "venv")]);
+		await must(python, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement", list]);
+	} catch (error) {
+		throw new Error(
+			`What tests/readers/${name}.txt lists could not be installed into build/${name}; it takes ${program} and what pip fetches from PyPI.\n${error.message}`,
+		);
+	}
 	writeFileSync(stamp, wanted);
+	return python;
+}
+
+/**
+ * What a reader makes of files (read.py), in their order.
+ * @param {string} python that has the reader
+ * @param {"trimesh" | "blender" | "usd"} reader
+ * @param {readonly string[]} files
+ * @returns {Promise<{ count: number, bounds: [number[], number[]], closed?: boolean, complaints?: string[] }[]>}
+ */
+export async function readBy(python, reader, files) {
+	const output = await must(python, [join(repository, "tests/readers/read.py"), reader, ...files]);
+	return [...output.matchAll(/^READ (.*)$/gm)].map(([, found]) => JSON.parse(found));
 }

@@ -1,4 +1,4 @@
-"""What an independent reader makes of a file: one line of JSON with its triangles, or points, and its bounds in metres, +Y up."""
+"""What an independent reader makes of files: a line of JSON each with its triangles, or points, and its bounds in metres, +Y up."""
 
 import json
 import sys
@@ -9,7 +9,7 @@ import numpy
 def by_trimesh(path):
     import trimesh
 
-    scene = trimesh.load_scene(path)
+    scene = trimesh.load_scene(path, process=False)
     whole = scene.to_geometry()
     found = {"count": len(getattr(whole, "faces", whole.vertices)), "bounds": whole.bounds}
     if path.endswith((".stl", ".3mf")):
@@ -66,6 +66,7 @@ def from_printers(bounds):
     return numpy.array([[low[0], low[2], -high[1]], [high[0], high[2], -low[1]]])
 
 
-reader, path = sys.argv[1:]
-found = {"trimesh": by_trimesh, "blender": by_blender, "usd": by_usd}[reader](path)
-print("READ " + json.dumps({**found, "bounds": numpy.asarray(found["bounds"], float).tolist()}))
+reader, *paths = sys.argv[1:]
+for path in paths:
+    found = {"trimesh": by_trimesh, "blender": by_blender, "usd": by_usd}[reader](path)
+    print("READ " + json.dumps({**found, "bounds": numpy.asarray(found["bounds"], float).tolist()}))

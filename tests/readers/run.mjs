@@ -4,14 +4,18 @@
  */
 import { statSync } from "node:fs";
 import { join } from "node:path";
-import { repository } from "../../wasm-core/tools/repository.mjs";
-import { folder, install, must, python } from "./programs.mjs";
+import { buildFolder } from "../../wasm-core/tools/repository.mjs";
+import { installed, must, readBy } from "./programs.mjs";
+
+/** Blender's wheels are for this one alone. */
+const PYTHON = "python3.11";
+const folder = join(buildFolder, "readers");
 
 /** Plants small enough to be read soon. */
 const PLANTS = ["bunch/riesling", "leaf/oak", "root/carrot"];
 /**
  * Files, who reads them, and how far bounds may be from the detailed one's, as a share of the longest edge. Of triangles back to
- * back, which are what is left of the thinnest twigs, Blender keeps one: `fewer` is the share that may so be missing.
+ * back, which are what is left of the thinnest twigs, Blender keeps one: `fewer` is the share that may so be missing. `most` is of bytes.
  */
 const FILES = [
 	{ name: "detailed.glb", words: ["--form", "detailed"], readers: ["trimesh", "blender"], within: 1e-5 },
@@ -26,12 +30,8 @@ const FILES = [
 	{ name: "points.ply", words: ["--points", "20000"], readers: ["trimesh"], within: 0.05, count: 20000 },
 	{ name: "print.stl", words: ["--thickness", "1"], readers: ["trimesh", "blender"], within: 0.03 },
 	{ name: "print.3mf", words: ["--thickness", "1"], readers: ["trimesh"], within: 0.03 },
+	{ name: "growth.glb", words: ["--form", "growth"], readers: ["trimesh"], within: 0.03, most: 6e6 },
 ];
-
-async function read(reader, file) {
-	const output = await must(python, [join(repository, "tests/readers/read.py"), reader, file]);
-	return JSON.parse(/^READ (.*)$/m.exec(output)[1]);
-}
 
 /** How far boxes are apart, as a share of the second one's longest edge; prints may be to a scale. */
 function apart(bounds, [low, high], scale) {
@@ -52,7 +52,7 @@ function problems(found, { within, count, fewer = 0 }, first, detailed) {
 	return [...said, ...(found.complaints ?? [])];
 }
 
-await install();
+const python = await installed("readers", PYTHON);
 let failed = 0;
 for (const plant of PLANTS) {
 	let detailed;
@@ -61,10 +61,11 @@ for (const plant of PLANTS) {
 		await must(process.execPath, ["wasm-core/tools/grow.mjs", plant, "--out", path, ...file.words]);
 		let first;
 		for (const reader of file.readers) {
-			const found = await read(reader, path);
+			const [found] = await readBy(python, reader, [path]);
 			detailed ??= found;
 			first ??= found;
 			const said = problems(found, file, first, detailed);
+			if (statSync(path).size > (file.most ?? Number.POSITIVE_INFINITY)) said.push(`more than ${file.most} bytes`);
 			failed += Number(said.length > 0);
 			const size = (statSync(path).size / 1e6).toFixed(2);
 			console.log(`${plant} ${file.name} ${size} MB, ${reader}: ${found.count} ${said.join("; ") || "ok"}`);

@@ -61,6 +61,17 @@ describe("finding programs and headers", () => {
 	});
 });
 
+describe("finding Python", () => {
+	it("passes over one that makes no environments, as Debian's is without a package of its own", () => {
+		const bare = program("bare/python3", "#!/bin/sh\nexit 1\n");
+		expect(tools.python.find({ PATH: bare })).toBeNull();
+		const whole = program("whole/python3");
+		expect(tools.python.find({ PATH: whole })).toBe(join(whole, "python3"));
+		expect(tools.python.find({ PATH: bare, PYTHON: join(whole, "python3") })).toBe(join(whole, "python3"));
+		expect(tools.python.packages["apt-get"]).toEqual(["python3-venv"]);
+	});
+});
+
 describe("finding Emscripten", () => {
 	it("takes one on PATH before that of EMSDK", () => {
 		const path = emscripten("bin", "3.1.6");

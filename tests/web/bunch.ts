@@ -2,7 +2,7 @@
 
 import { aboutPlant } from "../../web/src/export/about_plant";
 import * as json from "../../web/src/export/json";
-import { recordInFile } from "../../web/src/export/restore";
+import { foundInFile } from "../../web/src/export/restore";
 import type { Grown } from "../../web/src/models/bunch/grown";
 import { model } from "../../web/src/models/bunch/index";
 import { BUNCH } from "../../web/src/models/bunch/species";
@@ -40,7 +40,12 @@ export const encodeQuery = (specimen: BunchSpecimen) => link.encodeQuery(BUNCH, 
 export const decodeLink = (search: string, hash?: string) => link.decodeLink(BUNCH, search, hash);
 export const decodeQuery = (search: string) => link.decodeQuery(BUNCH, search);
 
-export const specimenFromFile = async (name: string, file: Blob) => restore(await recordInFile(name, file));
+export const specimenFromFile = async (name: string, file: Blob) => {
+	const found = await foundInFile(name, file);
+	if ("record" in found) return restore(found.record);
+	const { query, fragment } = link.linkParts(found.link);
+	return decodeLink(query, fragment);
+};
 
 export const exportJson = (grown: Grown, specimen: BunchSpecimen) => json.exportJson(model, grown, specimen);
 export const aboutBunch = (grown: Grown, specimen: BunchSpecimen, link?: string) =>

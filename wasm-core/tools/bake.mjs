@@ -25,10 +25,10 @@ await command(async () => {
 		const { loadCoreFromBytes } = await at("core/loader.ts");
 		const { BAKED_LEAVES, bakeLeaf } = await at("models/particles/leaf/borne/bake.ts");
 		const core = await loadCoreFromBytes(readFileSync(join(buildFolder, "core/particles.wasm")));
-		for (const preset of BAKED_LEAVES) {
-			const text = `${JSON.stringify(bakeLeaf(core, preset), null, "\t")}\n`;
-			writeFileSync(join(repository, `web/src/plant/leaves/${preset}.json`), text);
-			console.log(`web/src/plant/leaves/${preset}.json: ${(gzipSync(text).length / 1000).toFixed(1)} kB gzipped`);
+		for (const name of BAKED_LEAVES) {
+			const text = `${JSON.stringify(bakeLeaf(core, name), null, "\t")}\n`;
+			writeFileSync(join(repository, `web/src/plant/leaves/${name}.json`), text);
+			console.log(`web/src/plant/leaves/${name}.json: ${(gzipSync(text).length / 1000).toFixed(1)} kB gzipped`);
 		}
 	} finally {
 		await server.close();

@@ -29,14 +29,19 @@ function reason(output) {
 	return errors.slice(0, help < 0 ? undefined : help).join("\n") || output.trim();
 }
 
+/** Runs npm: the one that runs this, where one does. */
+export function npm(words, cwd) {
+	const own = process.env.npm_execpath;
+	const [command, args] = own?.endsWith("js") ? [process.execPath, [own]] : ["npm", []];
+	return run(command, [...args, ...words], { cwd });
+}
+
 /** Runs `npm ci` where the packages are missing or stale. */
 export async function ensurePackages({ log = console.error } = {}) {
 	const lock = readJson(join(repository, "package-lock.json"));
 	const installed = readJson(join(repository, "node_modules/.package-lock.json"));
 	if (isInstalled(lock, installed)) return;
 	log("Installing npm packages …");
-	const npm = process.env.npm_execpath;
-	const [command, args] = npm?.endsWith("js") ? [process.execPath, [npm]] : ["npm", []];
-	const { status, output } = await run(command, [...args, "ci", "--no-audit", "--no-fund"], { cwd: repository });
+	const { status, output } = await npm(["ci", "--no-audit", "--no-fund"], repository);
 	if (status !== 0) throw new ToolchainError(`npm ci failed:\n${reason(output)}`);
 }

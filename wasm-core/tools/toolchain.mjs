@@ -70,6 +70,12 @@ function findChromium(env) {
 	return findProgram(names, env) ?? applications.map((path) => join("/Applications", path)).find(isProgram) ?? null;
 }
 
+/** A Python that can make environments: Debian has what that takes in a package by itself. */
+function findPython(env) {
+	const python = findProgram([...(env.PYTHON ? [env.PYTHON] : []), "python3", "python"], env);
+	return python && capture(python, ["-c", "import ensurepip, venv"], env) !== null ? python : null;
+}
+
 /**
  * Each tool: what people call it, how it is found (a path or null), which packages bring it, and the commands that do
  * where there is no package manager that we know.
@@ -120,6 +126,12 @@ export const tools = {
 		packages: { "apt-get": ["doctest-dev"], dnf: ["doctest-devel"], pacman: ["doctest"], brew: ["doctest"] },
 		elsewhere: ["git clone https://github.com/doctest/doctest", "export CPATH=$PWD/doctest"],
 	},
+	python: {
+		title: "Python 3 with its venv",
+		find: findPython,
+		packages: { "apt-get": ["python3-venv"], dnf: ["python3"], pacman: ["python"], brew: ["python"] },
+		elsewhere: ["export PYTHON=/path/to/python3"],
+	},
 	chromium: {
 		title: "Chromium",
 		find: findChromium,
@@ -136,6 +148,7 @@ export const needs = {
 	core: ["emscripten", "glm", "cmake", "ninja"],
 	format: [],
 	native: ["compiler", "glm", "cmake", "ninja"],
+	trimesh: ["python"],
 	test: Object.keys(tools),
 };
 

@@ -146,6 +146,12 @@ export default [
 				breaks: "raisins keep the colour of grapes",
 			},
 			{
+				id: "tint-pale-raisins-as-dark-ones",
+				find: "hue: 0.8 + 0.25 * pale,",
+				replace: "hue: 0.8,",
+				breaks: "raisins of pale grapes are the brown of dark ones",
+			},
+			{
 				id: "tint-sun-on-the-shade",
 				find: "const sunned = 2 * skin.uneven * (exposure - 0.5);",
 				replace: "const sunned = 2 * skin.uneven * (0.5 - exposure);",
@@ -164,21 +170,21 @@ export default [
 				breaks: "pale berries of files are no more amber in the sun",
 			},
 			{
-				id: "files-without-wax",
-				find: "const depth = WAX.depth * bloom *",
-				replace: "const depth = 0 * bloom *",
-				breaks: "berries of files have no bloom",
+				id: "colour-grey-among-clear-berries",
+				find: "visible < 1 ? colour * amongClear(colour, k, clear, visible) : colour",
+				replace: "colour",
+				breaks: "the inside of pale bunches is dull in files, and warm in the view",
 			},
 			{
-				id: "files-wax-not-rubbed-off",
-				find: "(1 - smoothstep(firm, gone, pressed)) *",
-				replace: "1 *",
-				breaks: "wax lies where berries touch",
+				id: "colour-green-flesh-in-raisins",
+				find: "value * Math.exp(-BROWNED[k] * shrivel)",
+				replace: "value",
+				breaks: "raisins of files are greener than those of the view",
 			},
 			{
 				id: "files-all-wax-on-the-face",
-				find: "(-WAX_ON_FACE * depth)",
-				replace: "-depth",
+				find: "hiddenBy(WAX_ON_FACE * waxDepth(",
+				replace: "hiddenBy(waxDepth(",
 				breaks: "dark skins of files are grey in light from all sides",
 			},
 			{
@@ -189,8 +195,8 @@ export default [
 			},
 			{
 				id: "files-raisins-of-flesh",
-				find: 'traitOf(berries, index, "set") * (1 - traitOf(berries, index, "shrivel"))',
-				replace: "1",
+				find: "FLESH_ON_FACE * set * (1 - shrivel)",
+				replace: "FLESH_ON_FACE * set",
 				breaks: "pale raisins have the colour of fresh flesh",
 			},
 			{

@@ -1,4 +1,4 @@
-/** The natural procedure until berries swell: plan, stems, flowers, crop. */
+/** The natural procedure until berries swell: plan, stems, flowers. */
 const SRC = "wasm-core/src/models/bunch/natural";
 const TESTS = "tests/core/models/bunch/natural";
 
@@ -12,6 +12,24 @@ export default [
 				find: "const float pixels = view * radius / std::max({extent.x, extent.y, extent.z});",
 				replace: "const float pixels = 40;",
 				breaks: "flowers of a millimetre have as many triangles as ripe berries",
+			},
+		],
+	},
+	{
+		file: `${SRC}/natural_plan.cpp`,
+		suites: [`${TESTS}/second_order_test.cpp`],
+		faults: [
+			{
+				id: "plan-shoulders-do-not-branch",
+				find: "if (turn.cosine < 0) return 0;",
+				replace: "return 0;",
+				breaks: "end structures of shoulders never go on as axes of second order",
+			},
+			{
+				id: "plan-no-lengths-beyond-its-nodes",
+				find: "beyonds.resize(beyonds.size() + most_nodes, 0);",
+				replace: "",
+				breaks: "a text whose axes are longer than the plan's asks for a length that is not there",
 			},
 		],
 	},
@@ -30,78 +48,6 @@ export default [
 				find: "internode.parent < 0 ? -1 : hanging.branch_of[parent];",
 				replace: "-1;",
 				breaks: "branches do not follow the branch that bears them",
-			},
-		],
-	},
-	{
-		file: `${SRC}/fruit_set.cpp`,
-		suites: [`${TESTS}/fruit_set_test.cpp`],
-		faults: [
-			{
-				id: "fruit-set-own-strength-unused",
-				find: "/ std::max(1e-6f, buds[i].strength)",
-				replace: "",
-				breaks: "weak flowers set as readily as strong ones",
-			},
-			{
-				id: "fruit-set-other-bunch-crowds",
-				find: "if (buds[j].bunch != buds[i].bunch) return;",
-				replace: "",
-				breaks: "a wing and its bunch take each other's room where they have none in common",
-			},
-			{
-				id: "fruit-set-misplaced-as-good",
-				find: "* (1 + 4 * buds[i].misplaced)",
-				replace: "",
-				breaks: "berries set outside the profile",
-			},
-			{
-				id: "fruit-set-crowd-counts-heads",
-				find: "crowd += within * within * buds[j].strength;",
-				replace: "crowd += within * within;",
-				breaks: "weak flowers crowd out strong ones",
-			},
-		],
-	},
-	{
-		file: `${SRC}/situation.cpp`,
-		suites: [`${TESTS}/situation_test.cpp`],
-		faults: [
-			{
-				id: "situation-sun-from-the-other-side",
-				find: "{up.cosine * turn.sine,",
-				replace: "{-up.cosine * turn.sine,",
-				breaks: "the shaded side colours first",
-			},
-			{
-				id: "situation-raceme-misplaced",
-				find: "one.misplaced = raceme ? 0 : one.misplaced / size;",
-				replace: "one.misplaced = one.misplaced / size;",
-				breaks: "currants lose their berries, which hang outside of what was drawn",
-			},
-			{
-				id: "situation-lean-ignored",
-				find: "upright.place(internodes[first].start)",
-				replace: "internodes[first].start",
-				breaks: "a wing's flowers count as outside of it, and others set as it comes down",
-			},
-			{
-				id: "situation-lit-as-if-upright",
-				find: "upright.way_back({own.x / x, 0, own.z / z})",
-				replace: "glm::vec3(own.x / x, 0, own.z / z)",
-				breaks: "a wing that stands out is lit as if it hung",
-			},
-		],
-	},
-	{
-		file: `${SRC}/luck.hpp`,
-		suites: [`${TESTS}/situation_test.cpp`, `${TESTS}/traits_test.cpp`],
-		faults: [
-			{
-				id: "luck-of-the-first-bunch",
-				find: "bunch ? second_seed(seed) : seed",
-				replace: "bunch ? seed : seed",
-				breaks: "the wing is the bunch's twin, berry by berry",
 			},
 		],
 	},
@@ -126,36 +72,6 @@ export default [
 				find: "internode.radius_end *= unit;",
 				replace: "",
 				breaks: "stems widen towards their ends as the scale shrinks",
-			},
-		],
-	},
-	{
-		file: `${SRC}/crop.cpp`,
-		suites: [`${TESTS}/crop_test.cpp`],
-		faults: [
-			{
-				id: "crop-thinning-by-hand-unheeded",
-				find: "std::binary_search(wish.taken.begin(), wish.taken.end(), flowers[i].id)",
-				replace: "false",
-				breaks: "berries that were taken off grow back",
-			},
-			{
-				id: "crop-stand-ins-set-already",
-				find: "if (!(volumes[i] > 0) && in_turn.size() < most)",
-				replace: "if (in_turn.size() < most)",
-				breaks: "a berry hangs there twice",
-			},
-			{
-				id: "crop-elongation-unheeded",
-				find: "fruitlets[k].half_width * wish.elongation",
-				replace: "fruitlets[k].half_width",
-				breaks: "fingers swell as balls",
-			},
-			{
-				id: "crop-beyond-the-room",
-				find: "std::min(wish.count, wish.most) : wish.most)",
-				replace: "wish.count : wish.most)",
-				breaks: "counts beyond the outline's room heap up",
 			},
 		],
 	},

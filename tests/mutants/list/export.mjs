@@ -15,8 +15,8 @@ export default [
 			},
 			{
 				id: "file-of-any-size-read",
-				find: "if (json.size > JSON_BYTES) {",
-				replace: "if (json.size < 0) {",
+				find: "if (read.size > JSON_BYTES)",
+				replace: "if (read.size < 0)",
 				breaks: "a dropped film fills the memory",
 			},
 			{
@@ -136,36 +136,6 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/baked.ts`,
-		suites: [`${TESTS}/baked.test.ts`],
-		faults: [
-			{
-				id: "baked-black-at-the-seams",
-				find: "this.#spread(drawn, left, top);",
-				replace: "",
-				breaks: "berries with textures have a black line from seat to tip",
-			},
-			{
-				id: "baked-all-on-one-tile",
-				find: "const left = (tile % this.#columns) * side;",
-				replace: "const left = 0;",
-				breaks: "berries with textures wear each other's colours",
-			},
-			{
-				id: "baked-without-shade",
-				find: "texels[4 * vertex + 3] = sky ?",
-				replace: "texels[4 * vertex + 3] = !sky ?",
-				breaks: "a bunch with textures is as light inside as outside",
-			},
-			{
-				id: "baked-where-pictures-repeat",
-				find: "return uvs.every((value) => value >= 0 && value <= 1);",
-				replace: "return true;",
-				breaks: "stems with textures show the colours of berries",
-			},
-		],
-	},
-	{
 		file: `${SRC}/animation.ts`,
 		suites: [`${TESTS}/growth_glb.test.ts`],
 		faults: [
@@ -195,8 +165,8 @@ export default [
 			},
 			{
 				id: "aged-heeded-by-all",
-				find: "entry !== undefined && table.heeds(specimen, entry)",
-				replace: "entry !== undefined",
+				find: "return table.heeds(specimen, entry) ? entry : undefined;",
+				replace: "return entry;",
 				breaks: "a growth is offered of the paper's bunches, which have no age",
 			},
 		],

@@ -1,6 +1,8 @@
 /** All faults, in the order of the house. @type {import("../mutants.mjs").Group[]} */
+import baked from "./baked.mjs";
 import boundary from "./boundary.mjs";
 import bunchCore from "./bunch_core.mjs";
+import bunchCrop from "./bunch_crop.mjs";
 import bunchExport from "./bunch_export.mjs";
 import bunchFigure from "./bunch_figure.mjs";
 import bunchIndividual from "./bunch_individual.mjs";
@@ -9,11 +11,13 @@ import bunchNatural from "./bunch_natural.mjs";
 import bunchProfile from "./bunch_profile.mjs";
 import bunchRipening from "./bunch_ripening.mjs";
 import bunchSurfaces from "./bunch_surfaces.mjs";
+import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
 import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
+import library from "./library.mjs";
 import light from "./light.mjs";
 import lives from "./lives.mjs";
 import lsystem from "./lsystem.mjs";
@@ -37,9 +41,11 @@ export const groups = [
 	...leafPictures,
 	...boundary,
 	...bunchCore,
+	...bunchCrop,
 	...bunchNatural,
 	...swelling,
 	...targets,
+	...library,
 	...bunchRipening,
 	...bunchSurfaces,
 	...bunchIndividual,
@@ -50,11 +56,13 @@ export const groups = [
 	...bunchProfile,
 	...bunchExport,
 	...exporting,
+	...baked,
 	...bunchFigure,
 	...scene,
 	...lives,
 	...studio,
 	...files,
+	...embed,
 	...light,
 	...page,
 ];

@@ -162,4 +162,22 @@ export default [
 			{ id: "drop-nothing", find: "void takeFile(this.desk, file);", replace: "", breaks: "dropped files do nothing" },
 		],
 	},
+	{
+		file: "web/lean_three.mjs",
+		suites: ["tests/tools/lean_three.test.ts"],
+		faults: [
+			{
+				id: "lean-three-draws-wrongly",
+				find: "if (wrong) this.error(",
+				replace: "if (!wrong) continue;\n\t\t\t\tif (false) this.error(",
+				breaks: "a material whose program is left out is built, and draws nothing",
+			},
+			{
+				id: "lean-three-nothing-left-out",
+				find: 'unused.has(file) ? "" : bare(glsl)',
+				replace: "bare(glsl)",
+				breaks: "every visitor fetches the programs of all of three's materials",
+			},
+		],
+	},
 ];

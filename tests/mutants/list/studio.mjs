@@ -122,6 +122,18 @@ export default [
 		suites: [`${TESTS}/growing.test.ts`],
 		faults: [
 			{
+				id: "growing-sketch-stays",
+				find: "if (model.sketch?.(specimen)) studio.growAgain();",
+				replace: "",
+				breaks: "the opening bunch keeps the few triangles of its first leaves",
+			},
+			{
+				id: "growing-sketches-for-ever",
+				find: "this.#opening = false;",
+				replace: "",
+				breaks: "leaves stay sketches after every change",
+			},
+			{
 				id: "growing-older-after-newer",
 				find: "if (turn < this.#shown) return;",
 				replace: "",
@@ -184,8 +196,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/change.ts`,
-		suites: [`${TESTS}/change.test.ts`],
+		file: "web/src/controls/change.ts",
+		suites: ["tests/web/controls/change.test.ts"],
 		faults: [
 			{
 				id: "change-same-seed-again",

@@ -89,4 +89,58 @@ export default [
 			},
 		],
 	},
+	{
+		file: "wasm-core/src/models/bunch/natural/thinning.cpp",
+		suites: [`${NATURAL}/thinning_test.cpp`],
+		faults: [
+			{
+				id: "thinning-neighbours-go-too",
+				find: "sizes.size(); ++i)\n    if (pressed[i] > most_pressed && !keeps[i])",
+				replace: "sizes.size(); ++i)\n    if (pressed[i] > most_pressed || !keeps[i])",
+				breaks: "berries are lost that have room once their neighbour is gone",
+			},
+			{
+				id: "thinning-fingers-as-balls",
+				find: "+ 6 * r * r * size.core",
+				replace: "",
+				breaks: "long berries are lost for contacts that take little of them",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/bunch/natural/spreading.cpp",
+		suites: [`${NATURAL}/spreading_test.cpp`],
+		faults: [
+			{
+				id: "spreading-lifts",
+				find: "glm::vec3(aside.x, -weight * berry.size.ball, aside.z)",
+				replace: "aside",
+				breaks: "pedicels push each other's berries up, and bunches do not hang",
+			},
+			{
+				id: "spreading-shot-berries-push",
+				find: "2 * all[i].mass / (all[i].mass + all[j].mass)",
+				replace: "1",
+				breaks: "a flower that only just sets moves its neighbours",
+			},
+			{
+				id: "spreading-room-for-the-late",
+				find: "berries[i].late ? -1 : ",
+				replace: "",
+				breaks: "berries make room for some that never grow",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/bunch/natural/swelling.cpp",
+		suites: ["tests/web/models/bunch/contacts.test.ts"],
+		faults: [
+			{
+				id: "swelling-nobody-slides",
+				find: "leans_ = spread(branches, berries, sagging_.turned(1));",
+				replace: "leans_.resize(berries.size());",
+				breaks: "berries that would hang in one place press deeply on each other",
+			},
+		],
+	},
 ];

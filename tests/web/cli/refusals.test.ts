@@ -4,7 +4,7 @@ import { complaint } from "./world";
 
 describe("what cannot be used", () => {
 	it("is said in one line: preset and options", async () => {
-		expect(await complaint(["plum"])).toBe("“plum” is neither a preset nor a link; --list lists the presets");
+		expect(await complaint(["plum"])).toBe("“plum” is neither a preset nor a link; --list lists them");
 		expect(await complaint(["duku", "rubus"])).toMatch(/“rubus” is one too many/);
 		expect(await complaint(["--sed", "3"])).toBe("Unknown option --sed; see --help");
 		expect(await complaint(["--seed"])).toMatch(/^Option --seed <value> argument missing; see --help$/);

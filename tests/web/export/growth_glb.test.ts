@@ -1,7 +1,9 @@
 import { AnimationMixer, Box3, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { growthGlb } from "../../../web/src/export/growth_glb";
+import { type Aged, growthGlb } from "../../../web/src/export/growth_glb";
+import { agedOf } from "../../../web/src/files/aged";
 import type { Part } from "../../../web/src/plant/part";
+import { grownParts } from "./grown_parts";
 import { complaints, documentOf, load, meshesOf } from "./reading";
 import { ABOUT, PULP, tetrahedron } from "./toy_parts";
 
@@ -42,4 +44,19 @@ describe("the growth of a plant as a GLB", () => {
 		expect(at(10.1)).toEqual(near([0, 2]));
 		expect(at(11.9)).toEqual(near([0, 2]));
 	});
+});
+
+describe.each(["bunch/long-conical", "leaf/oak", "tree/bonsai"])("the growth of %s", (source) => {
+	/** Of its ages, the first and the last among them; `npm run readers` makes all. */
+	const EVERY = 12;
+
+	it("takes 6 MB at the most, by the ages that are made here", async () => {
+		const { model, specimen, core, about } = await grownParts(source);
+		const grow: Parameters<typeof agedOf>[2] = async (younger) => model.read(core.grow(model.encode(younger)), younger);
+		const aged = agedOf(model, specimen, grow);
+		const ages = aged?.ages.filter((_, i) => i % EVERY === 0) ?? [];
+		expect(ages.at(-1)).toBe(aged?.ages.at(-1));
+		const bytes = (await growthGlb({ ...(aged as Aged), ages }, about)).length;
+		expect((bytes / ages.length) * (aged?.ages.length ?? 0)).toBeLessThan(6e6);
+	}, 60_000);
 });

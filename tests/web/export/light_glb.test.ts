@@ -3,28 +3,16 @@ import { MeshoptDecoder } from "meshoptimizer/decoder";
 import { Box3, type BufferAttribute, type InterleavedBufferAttribute, type Mesh, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { beforeAll, describe, expect, it } from "vitest";
-import { aboutPlant } from "../../../web/src/export/about_plant";
 import { exportGlb } from "../../../web/src/export/glb";
 import { lowGlb } from "../../../web/src/export/low_glb";
 import { LOW_TRIANGLES } from "../../../web/src/export/plant_files";
 import { webGlb } from "../../../web/src/export/web_glb";
-import { modelNamed } from "../../../web/src/models/index";
-import { fromPreset } from "../../../web/src/specimen/from_preset";
-import { freshCore } from "../core/wasm";
+import { grownParts } from "./grown_parts";
 import { complaints, documentOf, meshesOf, unpictured } from "./reading";
 import { silhouette, unlike } from "./silhouette";
 import { ABOUT, fruits, plain } from "./toy_parts";
 
 beforeAll(() => MeshoptDecoder.ready);
-
-async function plant(source: string) {
-	const [name, preset] = source.split("/");
-	const model = await modelNamed(name);
-	const specimen = fromPreset(model, preset);
-	await model.prepare?.(specimen);
-	const grown = model.read((await freshCore(model.wasm)).grow(model.encode(specimen)), specimen);
-	return { parts: () => model.parts(grown, specimen), about: await aboutPlant(model, grown, specimen) };
-}
 
 async function meshesIn(glb: Uint8Array): Promise<Mesh[]> {
 	const { scene } = await new GLTFLoader()
@@ -61,7 +49,7 @@ describe.each([
 	["root/carrot", 0.2e6, 0.01],
 ])("the light forms of %s", (source, mostBytes, leastAlike) => {
 	it("for the web: small, few draw calls, the same to look at, and valid where it can be looked into", async () => {
-		const { parts, about } = await plant(source);
+		const { parts, about } = await grownParts(source);
 		const detailed = await meshesIn(exportGlb(parts(), about));
 		const [web, twin] = [await webGlb(parts(), about), await webGlb(parts(), about, false)];
 		expect(web.length).toBeLessThan(mostBytes);
@@ -86,7 +74,7 @@ describe.each([
 	}, 60_000);
 
 	it("low: no more triangles than asked for, and the same outline", async () => {
-		const { parts, about } = await plant(source);
+		const { parts, about } = await grownParts(source);
 		const detailed = await meshesIn(exportGlb(parts(), about));
 		for (const budget of [LOW_TRIANGLES, 5000]) {
 			const low = await lowGlb(parts(), about, budget);

@@ -56,12 +56,13 @@ describe("a specimen out of a file", () => {
 		expect((await open("bunch.json", glb)).specimen).toEqual(specimen);
 	});
 
-	it("is read out of a GLB of any size, and nothing but its header and JSON are", async () => {
+	it("is read out of a GLB of any size, and nothing but its beginning and its JSON are", async () => {
 		const size = 4_000_000_000;
 		const file = new LargeFile([headed(size)], size);
 		expect((await specimenFromFile("large.glb", file)).specimen).toEqual(specimen);
 		const json = new DataView(glb.buffer).getUint32(12, true);
 		expect(file.read).toEqual([
+			[0, 8],
 			[0, 20],
 			[20, 20 + json],
 		]);
@@ -71,7 +72,7 @@ describe("a specimen out of a file", () => {
 		const size = JSON_BYTES + 1000;
 		for (const parts of [[headed(size, JSON_BYTES + 1)], ["{}"]]) {
 			const reading = specimenFromFile("large", new LargeFile(parts, size));
-			await expect(reading).rejects.toThrow("large is too large: drop a GLB or JSON exported by Panicle.");
+			await expect(reading).rejects.toThrow("large is too large: drop a GLB, JSON or PNG exported by Panicle.");
 		}
 	});
 

@@ -43,6 +43,13 @@ describe("a body for printers", () => {
 		expect(volumeOf(positions, indices) / (1e-6 / 3)).toBeLessThan(1.1);
 	});
 
+	it("is told from one that has a hole, or three faces at an edge", () => {
+		const { indices } = tetrahedron([0, 0, 0], 1);
+		expect(tornAt(indices).size).toBe(0);
+		expect([...tornAt(indices.slice(3))].sort()).toEqual([0, 1, 2]);
+		expect([...tornAt(Uint32Array.of(...indices, 0, 1, 2))].sort()).toEqual([0, 1, 2]);
+	});
+
 	it("gives a sheet the least thickness, and what is thin the same", async () => {
 		for (const least of [0.001, 0.002]) {
 			const { positions, indices, thickness } = await solidOf([part(sheet(0.02))], least);

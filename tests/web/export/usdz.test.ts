@@ -1,8 +1,12 @@
 import { strFromU8, unzipSync } from "fflate";
 import { describe, expect, it } from "vitest";
-import { paletteOf } from "../../../web/src/export/palette";
+import { lowGlb } from "../../../web/src/export/low_glb";
+import { paletted, paletteOf } from "../../../web/src/export/palette";
 import { usdz } from "../../../web/src/export/usdz";
 import { encoded, linear } from "../../../web/src/plant/colour";
+import type { Picture } from "../../../web/src/plant/material";
+import type { Shape } from "../../../web/src/plant/part";
+import { documentOf } from "./reading";
 import { ABOUT, fruits } from "./toy_parts";
 
 describe("USDZ", () => {
@@ -71,5 +75,34 @@ describe("colours as a picture", () => {
 		const palette = paletteOf(Float32Array.of(0.2, 0.3, 0.4, 0.2, 0.3, 0.4));
 		const expected = encoded([0.2, 0.3, 0.4]).map((value) => 255 * value);
 		for (const [k, value] of seen(palette, 1).entries()) expect(Math.abs(value - expected[k])).toBeLessThan(1);
+	});
+
+	it("take the place of those of the vertices, and of no picture that is there", async () => {
+		const [{ children: [first, second] = [] }] = paletted(fruits());
+		const [{ children: [before] = [] }] = fruits();
+		const { mesh, material } = first.shape as Shape;
+		expect(mesh.colours).toBeUndefined();
+		const picture = material.textures?.colour as Picture;
+		const colours = before.shape?.mesh.colours ?? [];
+		const wanted = encoded([colours[0], colours[1], colours[2]]).map((value) => 255 * value);
+		for (const [k, value] of seen({ picture, uvs: mesh.uvs }, 0).entries())
+			expect(Math.abs(value - wanted[k])).toBeLessThan(2);
+		// The tuft has instances.
+		expect(second.children?.[0]).toEqual(fruits()[0].children?.[1].children?.[0]);
+		const pictured = { ...(before.shape as Shape), material: { ...material, textures: { colour: picture } } };
+		expect(paletted([{ name: "Leaf", shape: pictured }])[0].shape).toBe(pictured);
+	});
+
+	it("are what the low form has, for readers that know no colours of vertices", async () => {
+		const { meshes = [], materials = [] } = documentOf(await lowGlb(fruits(), ABOUT, 100));
+		for (const { primitives } of meshes) {
+			expect(primitives[0].attributes).not.toHaveProperty("COLOR_0");
+			if (materials[primitives[0].material].name !== "Pulp") continue;
+			expect(primitives[0].attributes).toHaveProperty("TEXCOORD_0");
+			expect(materials[primitives[0].material].pbrMetallicRoughness).toMatchObject({
+				baseColorFactor: [1, 1, 1, 1],
+				baseColorTexture: { index: 0 },
+			});
+		}
 	});
 });

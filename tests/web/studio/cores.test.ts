@@ -51,6 +51,18 @@ describe("the cores", () => {
 		}
 	});
 
+	it("wait for the sketch alone where that does, of models that have one", async () => {
+		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
+		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn() };
+		const [prepare, sketch] = [vi.fn(async () => {}), vi.fn(async () => {})];
+		const cores = new Cores(address, client);
+		await cores.grow({ ...model, prepare, sketch }, fromPreset(model), { sketched: true });
+		expect([prepare, sketch].map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
+		await cores.grow({ ...model, prepare, sketch }, fromPreset(model));
+		await cores.grow({ ...model, prepare }, fromPreset(model), { sketched: true });
+		expect([prepare, sketch].map(({ mock }) => mock.calls.length)).toEqual([2, 1]);
+	});
+
 	it("do not begin an older growth after a newer one that had less to wait for", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));

@@ -1,4 +1,6 @@
 import { describe, expect, it, vi } from "vitest";
+import { png } from "../../../web/src/export/png";
+import { foundInFile } from "../../../web/src/export/restore";
 import { makeFile } from "../../../web/src/files/make";
 import type { FileRequest } from "../../../web/src/files/messages";
 import type { Format, Model } from "../../../web/src/models/model";
@@ -55,6 +57,15 @@ describe("what can be downloaded", () => {
 		for (const { make } of pictures) await make({ ...asked, options: { height: 300 } });
 		await pictures[1].make(asked);
 		expect(take.mock.calls).toEqual([[{ height: 300 }], [{ height: 300, alone: true }], [{ alone: true }]]);
+	});
+
+	it("is pictures that carry the plant’s link", async () => {
+		const taken = new Blob([png({ width: 1, height: 1, pixels: new Uint8Array(3) })]);
+		const pictures = formatsOf(shown([]), async () => taken).filter(({ key }) => key.startsWith("png"));
+		for (const { make } of pictures) {
+			const file = await make({ plant: shown([]), link: "https://a.example/?v=2", name: "a", options: {} });
+			expect(await foundInFile("a.png", file)).toEqual({ link: "https://a.example/?v=2" });
+		}
 	});
 
 	it("is its growth where it has an age and a core that is part of the page", () => {

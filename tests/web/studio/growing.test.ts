@@ -2,6 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { CoreError, CoreTrap, Superseded, UnsupportedError } from "../../../web/src/core/errors";
 import type { Model } from "../../../web/src/models/model";
 import type { Plant } from "../../../web/src/plant/plant";
+import type { GrowOptions } from "../../../web/src/studio/cores";
 import { Growing } from "../../../web/src/studio/growing";
 import type { Studio } from "../../../web/src/studio/studio";
 import { specimenFromPreset } from "../bunch";
@@ -16,10 +17,12 @@ describe("growing", () => {
 		resolve(grown: Plant): void;
 		reject(reason: unknown): void;
 		signal: AbortSignal;
+		sketched: boolean;
 	}
 	let calls: Call[];
 	const studio = {
-		state: { shown: undefined as { model: Model } | undefined },
+		state: { shown: undefined as { model: Model } | undefined, model: bunchModel as Model, specimen: specimen(1) },
+		growAgain: vi.fn(),
 		grew: vi.fn(),
 		caughtUp: vi.fn(),
 		setGrowing: vi.fn(),
@@ -33,10 +36,11 @@ describe("growing", () => {
 		vi.clearAllMocks();
 		calls = [];
 		studio.state.shown = { model: bunchModel };
+		studio.state.model = bunchModel;
 		const client = {
-			grow: (_model: unknown, _specimen: unknown, { signal }: { signal?: AbortSignal } = {}) =>
+			grow: (_model: unknown, _specimen: unknown, { signal, sketched = false }: GrowOptions = {}) =>
 				new Promise<Plant>((resolve, reject) => {
-					calls.push({ resolve, reject, signal: signal as AbortSignal });
+					calls.push({ resolve, reject, signal: signal as AbortSignal, sketched });
 					signal?.addEventListener("abort", () => reject(signal.reason));
 				}),
 		};
@@ -51,6 +55,18 @@ describe("growing", () => {
 		expect(studio.grew).toHaveBeenCalledExactlyOnceWith(bunch("a"), specimen(1));
 		await vi.advanceTimersByTimeAsync(1000);
 		expect(studio.setGrowing).not.toHaveBeenCalledWith(true);
+	});
+
+	it("makes do with sketches until the first picture, and then grows again what had one", () => {
+		for (const sketched of [true, false]) {
+			void growing.grow(bunchModel, specimen(1));
+			expect(calls.at(-1)?.sketched).toBe(sketched);
+			growing.finish();
+		}
+		expect(studio.growAgain).not.toHaveBeenCalled();
+		studio.state.model = { ...bunchModel, sketch: async () => {} } as Model;
+		growing.finish();
+		expect(studio.growAgain).toHaveBeenCalledOnce();
 	});
 
 	it("shows every answer of a drag, but never an older one after a newer", async () => {

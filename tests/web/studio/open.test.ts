@@ -1,4 +1,6 @@
 import { beforeAll, describe, expect, it, vi } from "vitest";
+import { png } from "../../../web/src/export/png";
+import { withLink } from "../../../web/src/export/png_link";
 import type { Model } from "../../../web/src/models/model";
 import { model as leaf } from "../../../web/src/models/particles/leaf/index";
 import { model as tree } from "../../../web/src/models/particles/tree/index";
@@ -69,6 +71,23 @@ describe("a file brought to the page", () => {
 		expect(studio.state.specimen).toMatchObject({ volume: { triangles: { length: 24 } } });
 		expect(await bring(new File([[...BALL, ...FACES.slice(1)].join("\n")], "open.obj"))).toEqual([
 			expect.stringMatching(/^The mesh was not read The mesh is not closed: 3 of its edges/),
+		]);
+	});
+
+	it("is opened by the link in a picture, whatever tools take pictures; one without goes to them", async () => {
+		const { studio, bring, said } = await brought(leafModel);
+		const bare = png({ width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) });
+		const picture = async (link: string) =>
+			new File([await withLink(new Blob([bare]), link)], "plant.png", { type: "image/png" });
+		await openFile(studio, await picture("https://else.example/app/?v=2&model=tree&preset=birch&seed=5"));
+		expect(studio.state.specimen).toMatchObject({ model: "tree", preset: "birch", seed: 5 });
+		expect(said()).toEqual([]);
+		// From outside: what it says is brought into range, and told.
+		await openFile(studio, await picture("javascript:alert(1)?v=9&model=leaf&seed=-3&__proto__=x"));
+		expect(studio.state.specimen).toMatchObject({ model: "leaf", seed: 0 });
+		expect(said()).toEqual([expect.stringMatching(/^Not everything in the file could be used.*newer version \(9\)/)]);
+		expect(await bring(new File([bare], "bare.png", { type: "image/png" }))).toEqual([
+			expect.stringMatching(/^The picture was not traced/),
 		]);
 	});
 

@@ -10,6 +10,7 @@ it("allows the page what it does and nothing else", () => {
 		"default-src 'none'",
 		"font-src 'self'",
 		"form-action 'none'",
+		"frame-src 'self'",
 		"img-src 'self'",
 		"manifest-src 'self'",
 		"script-src 'self' 'wasm-unsafe-eval'",

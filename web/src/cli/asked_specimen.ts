@@ -4,24 +4,18 @@
  */
 
 import { basename } from "node:path";
-import { isModel, modelNamed } from "../models/index";
+import { type Read as Asked, linkIn, readSource as readPresetOrLink, readTyped, SpecimenError } from "../library/asked";
+import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
-import { fromPreset } from "../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../specimen/limits";
-import { decodeLink, modelInQuery } from "../specimen/link";
+import { modelInQuery } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
 import { readNumbers } from "../specimen/read_values";
-import { type Restored, restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import { onStep } from "../specimen/table";
 import type { Call } from "./arguments";
 import type { Surroundings } from "./surroundings";
 import { UsageError } from "./usage";
-
-/** What is to be grown. */
-export interface Asked extends Restored {
-	model: Model;
-}
 
 /** @throws UsageError */
 export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings, "readFile">): Promise<Asked> {
@@ -49,34 +43,14 @@ export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings,
 /** The model that a call names, by its preset, its link or its own name; the default where it names none. */
 export async function askedModel(source: string | undefined): Promise<Model> {
 	const [model] = source?.split("/") ?? [];
-	return modelNamed(source?.includes("?") ? modelInQuery(source.slice(source.indexOf("?"))) : model);
+	const link = linkIn(source ?? "");
+	return modelNamed(link ? modelInQuery(link.query) : model);
 }
 
-/** A preset of the default model has its bare name, those of others their model's before it. */
 async function readSource(source: string | undefined): Promise<Asked> {
-	const standard = await modelNamed();
-	if (source === undefined || standard.presets.named(source)) return fresh(standard, source);
-	const [name, preset, ...rest] = source.split("/");
-	if (isModel(name) && rest.length === 0) {
-		const model = await modelNamed(name);
-		if (preset === undefined || model.presets.named(preset)) return fresh(model, preset);
-		throw new UsageError(`“${source}”: the ${model.noun} has no preset “${preset}”; --list lists them`);
-	}
-	const query = source.indexOf("?");
-	const hash = source.indexOf("#");
-	const end = hash < 0 ? source.length : hash;
-	if (query >= 0 && query < end) return readLink(source.slice(query, end), source.slice(end));
-	if (hash >= 0 || source.includes("://")) return readLink("", source.slice(end));
-	throw new UsageError(`“${source}” is neither a preset nor a link; --list lists the presets`);
-}
-
-function fresh(model: Model, preset: string | undefined): Asked {
-	return { model, specimen: fromPreset(model, preset), notes: [] };
-}
-
-async function readLink(query: string, hash: string): Promise<Asked> {
-	const model = await modelNamed(modelInQuery(query));
-	return { model, ...(await decodeLink(model, query, hash)) };
+	return readPresetOrLink(source, "--list lists them").catch((error: unknown) => {
+		throw inUsage(error, ({ message }) => message);
+	});
 }
 
 function readSettings(model: Model, settings: Call["set"], specimen: Specimen): Specimen {
@@ -142,11 +116,18 @@ function typed(
 	model: Model,
 	values: Readonly<Record<string, string | undefined>>,
 	from: Specimen,
-	message: (note: Note) => string,
+	message: (wrong: SpecimenError) => string,
 ): Specimen {
-	const { specimen, notes } = restore(model, values, from);
-	if (notes.length > 0) throw new UsageError(message(notes[0]));
-	return specimen;
+	try {
+		return readTyped(model, values, from);
+	} catch (error) {
+		throw inUsage(error, message);
+	}
+}
+
+/** What is wrong with what was typed, as a mistake in the call; all else stays what it is. */
+function inUsage(error: unknown, message: (wrong: SpecimenError) => string): unknown {
+	return error instanceof SpecimenError ? new UsageError(message(error)) : error;
 }
 
 async function readBoundary(

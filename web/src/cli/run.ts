@@ -3,7 +3,9 @@ import { aimed } from "../batch/aimed";
 import { CoreError } from "../core/errors";
 import { FORMS, plantFile } from "../export/plant_files";
 import { agedOf, hasAges } from "../files/aged";
-import { modelNamed, modelNames } from "../models/index";
+import { growPlant } from "../files/growth";
+import { models, presets } from "../library/catalogue";
+import { modelNames } from "../models/index";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
@@ -34,14 +36,13 @@ export async function run(words: readonly string[], world: Surroundings): Promis
 
 /** Every model with its title and the names of its presets, as JSON. */
 async function listed(): Promise<string> {
-	const models = await Promise.all(modelNames().map(modelNamed));
-	const rows = models.map(({ name, title, preview, presets }) => ({
+	const rows = (await models()).map(async ({ name, title, preview }) => ({
 		model: name,
 		title,
 		...(preview ? { preview } : {}),
-		presets: presets.list.map((preset) => preset.name),
+		presets: (await presets(name)).map((preset) => preset.name),
 	}));
-	return `${JSON.stringify(rows)}\n`;
+	return `${JSON.stringify(await Promise.all(rows))}\n`;
 }
 
 async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
@@ -61,10 +62,11 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		json || plantFile(ending)?.form !== undefined || ownFormat(model, ending)?.measured === true,
 	];
 	const text = "grammar" in from ? "the link's grammar" : undefined;
-	const grow = async (each: Specimen, wanted: GrowthOptions) => {
-		await model.prepare?.(each);
-		return growing(call.grammarFile ?? text, () => model.read(core.grow(model.encode(each, wanted)), each));
-	};
+	const grow = (each: Specimen, wanted: GrowthOptions) =>
+		growing(
+			call.grammarFile ?? text,
+			growPlant(model, each, wanted, async (_, blocks) => core.grow(blocks)),
+		);
 	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
 	const grown = await grow(specimen, { meshes, measures });
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
@@ -72,9 +74,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		world.print(jsonOf(model, all, specimen));
 		return;
 	}
-	const aged = agedOf(model, specimen, async (younger) =>
-		model.read(core.grow(model.encode(younger, { measures: false })), younger),
-	);
+	const aged = agedOf(model, specimen, (younger) => grow(younger, { measures: false }));
 	const options = { ...call.files, form: call.form };
 	for (const [file, data] of await filesOf(out, ending, model, all, specimen, options, aged)) {
 		await world.writeFile(file, data).catch((error: unknown) => {
@@ -113,9 +113,9 @@ function checkForm({ form, out }: Call, ending: string, ages: boolean): void {
  * What the core refuses was asked for in the call; a place in the grammar is given as compilers do.
  * @param grammar what messages call the grammar: its file; undefined for the built-in one
  */
-function growing(grammar: string | undefined, grow: () => Plant): Plant {
+async function growing(grammar: string | undefined, grown: Promise<Plant>): Promise<Plant> {
 	try {
-		return grow();
+		return await grown;
 	} catch (error) {
 		if (!(error instanceof CoreError)) throw error;
 		const { reason, line, column, message } = error;

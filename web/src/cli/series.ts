@@ -11,8 +11,8 @@ import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../b
 import { Unusable } from "../batch/unusable";
 import { readVary } from "../batch/vary";
 import type { Core } from "../core/core";
+import { growPlant } from "../files/growth";
 import { makeFile } from "../files/make";
-import type { Plant } from "../plant/plant";
 import type { Call } from "./arguments";
 import { askedSpecimen, reasonOf } from "./asked_specimen";
 import type { BatchCall } from "./batch_arguments";
@@ -137,10 +137,7 @@ class Grower {
 		try {
 			const grown = await growMember(series, member, {
 				make: makeFile,
-				grow: async (model, specimen, options): Promise<Plant> => {
-					await model.prepare?.(specimen);
-					return model.read(core.grow(model.encode(specimen, options)), specimen);
-				},
+				grow: (model, specimen, options) => growPlant(model, specimen, options, async (_, blocks) => core.grow(blocks)),
 			});
 			const path = join(folder, member.file);
 			await writing(path, () => this.#world.replaceFile(path, grown.bytes));

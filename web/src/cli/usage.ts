@@ -55,7 +55,8 @@ ${
   --thickness MM   that nothing is thinner than in an .stl or .3mf (default: ${THICKNESS})
   --points N       of a .ply (default: ${POINTS})
   --translucent    light comes through pale skins in a .glb, which costs readers a pass
-  --textures       a detailed .glb has pictures of colour and shade, not colours of vertices
+  --textures       a detailed .glb has pictures of colour, shade, roughness and relief, not
+                   colours of vertices
   --seeds 1-100    a series: a file for each seed and a table, plants.csv, into the folder DIR;
                    what is there and whole is not grown again (docs/batch.md)
   --vary KEY=…     drawn by the seed: age=60..110, or one of a few: fruit=lychee|duku

@@ -1,7 +1,10 @@
 /** What can go wrong on the way to a grown plant, by type. Every message is one plain sentence that can be shown. */
 
-/** Reasons that the core gives, by code (wasm-core/src/foundation/result.hpp). */
-export const CORE_REASONS = [
+/** Why the core could not grow a request. */
+export type CoreReason = "none" | "bad request" | "bad input" | "syntax" | "undefined name" | "evaluation" | "limit";
+
+/** The same by the codes that the core gives (wasm-core/src/foundation/result.hpp). */
+export const CORE_REASONS: readonly CoreReason[] = [
 	"none",
 	"bad request",
 	"bad input",
@@ -9,16 +12,18 @@ export const CORE_REASONS = [
 	"undefined name",
 	"evaluation",
 	"limit",
-] as const;
-export type CoreReason = (typeof CORE_REASONS)[number];
+];
 
 /** The core could not grow the request. Line and column count from 1 in the grammar's text; 0 where none is concerned. */
 export class CoreError extends Error {
 	override name = "CoreError";
 	constructor(
+		/** What kind of fault it is. */
 		readonly reason: CoreReason,
 		message: string,
+		/** In the grammar's text, from 1; 0 where no text is concerned. */
 		readonly line = 0,
+		/** In that line, from 1; 0 where no text is concerned. */
 		readonly column = 0,
 	) {
 		super(message);

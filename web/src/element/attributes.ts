@@ -1,12 +1,21 @@
 /** The specimen that an element's attributes say: `preset="riesling" seed="7" age="80"`, `model="leaf"`, `link="?v=2&…"`. */
 import { isModel, modelNamed } from "../models/index";
 import type { Model } from "../models/model";
-import { decodeLink, modelInQuery } from "../specimen/link";
+import { decodeLink, linkParts, modelInQuery } from "../specimen/link";
 import { Notes } from "../specimen/notes";
 import { isKnown, type Restored, restore } from "../specimen/restore";
 
 /** Attributes of the element that say what is done with the plant; no parameter is called so. */
-export const OWN_ATTRIBUTES = ["loading", "poster", "autorotate", "theme", "alt"] as const;
+export const OWN_ATTRIBUTES = [
+	"loading",
+	"poster",
+	"autorotate",
+	"controls",
+	"handles",
+	"app",
+	"theme",
+	"alt",
+] as const;
 /** Those that say where it starts from. */
 const STARTS = ["model", "link"];
 
@@ -32,7 +41,7 @@ export type Attributes = Iterable<{ readonly name: string; readonly value: strin
 export async function readAttributes(attributes: Attributes): Promise<Said> {
 	const said = Object.fromEntries([...attributes].map(({ name, value }) => [name, value]));
 	const notes = new Notes();
-	const link = said.link === undefined ? undefined : partsOf(said.link);
+	const link = said.link === undefined ? undefined : linkParts(said.link);
 	const named = said.model ?? (link && modelInQuery(link.query));
 	if (named !== undefined && !isModel(named))
 		notes.add("model", `there is none called “${named}”`, "the default is used");
@@ -51,12 +60,4 @@ export async function readAttributes(attributes: Attributes): Promise<Said> {
 /** Whether an attribute of that name is about what grows. */
 export function saysSpecimen(name: string): boolean {
 	return !(OWN_ATTRIBUTES.some((own) => own === name) || OF_PAGES.has(name) || OF_FRAMEWORKS.test(name));
-}
-
-/** Query and fragment of a whole address, or of a part that begins with one of them. */
-function partsOf(link: string): { query: string; fragment: string } {
-	const hash = link.indexOf("#");
-	const end = hash < 0 ? link.length : hash;
-	const query = link.lastIndexOf("?", end);
-	return { query: query < 0 ? "" : link.slice(query, end), fragment: link.slice(end) };
 }

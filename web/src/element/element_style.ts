@@ -18,11 +18,11 @@ export const ELEMENT_STYLE = `
 	:host([hidden]) { display: none; }
 	:host([theme="light"]) { color-scheme: light; }
 	:host([theme="dark"]) { color-scheme: dark; }
-	canvas, img {
+	canvas, img, .handles {
 		position: absolute;
-		inset: 0;
+		inset: 0 0 var(--panicle-bar, 0px);
 		width: 100%;
-		height: 100%;
+		height: calc(100% - var(--panicle-bar, 0px));
 	}
 	canvas { touch-action: pan-y; cursor: grab; }
 	canvas:active { cursor: grabbing; }

@@ -3,6 +3,7 @@ import { measuresOf, type WrittenMeasures } from "../export/measures";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
+import type { Restored } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 
 /** What `grown` and `grow()` tell. */
@@ -11,9 +12,13 @@ export interface GrownDetail {
 	readonly link: string;
 	/** In a few plain words: "118 berries, 14 cm long". */
 	readonly words: string;
+	/** How many of what there are, by name. */
 	readonly counts: Plant["counts"];
+	/** By key; null where one does not apply. */
 	readonly measures: WrittenMeasures;
+	/** What of the attributes could not be used, and what the core had to say. */
 	readonly notes: readonly string[];
+	/** 16 hexadecimal digits over segments and organs: the same plant has the same. */
 	readonly fingerprint: string;
 }
 
@@ -26,6 +31,18 @@ export interface Document {
 /** A plant that grew. */
 export interface Shown extends Document {
 	readonly grown: Plant;
+}
+
+export const documentOf = (model: Model, { specimen, notes }: Restored): Document => ({
+	model,
+	specimen,
+	notes: notes.map(({ text }) => text),
+});
+
+/** The document with its specimen changed; as it was where the change is of another model's, which a page has since replaced. */
+export function changedIn({ specimen, ...rest }: Document, change: (specimen: Specimen) => Specimen): Document {
+	const next = change(specimen);
+	return { ...rest, specimen: next.model === specimen.model ? next : specimen };
 }
 
 export async function detailOf({ model, specimen, grown, notes }: Shown): Promise<GrownDetail> {

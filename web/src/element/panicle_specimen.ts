@@ -6,21 +6,26 @@ import type { Client } from "../core/client";
 import { coreAddress } from "../core/core_address";
 import { Superseded } from "../core/errors";
 import type { FileOptions } from "../export/plant_files";
+import { withLink } from "../export/png_link";
+import type { GrowthOptions } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
+import { appAddress } from "./app_address";
 import { readAttributes, saysSpecimen } from "./attributes";
 import { commons } from "./commons";
-import { type Document, detailOf, type GrownDetail, type Shown } from "./grown_detail";
+import { Extras } from "./extras/extras";
+import { changedIn, type Document, detailOf, documentOf, type GrownDetail, type Shown } from "./grown_detail";
+import { plantInWords } from "./plant_in_words";
+import { isDark, type Presence, watchPresence } from "./presence";
 import { shadowTree } from "./shadow_tree";
 import { SpecimenView } from "./specimen_view";
 
-/** How far off screen a lazy plant begins to grow. */
-const NEAR = "256px";
 const ON_NO_PAGE = "The plant is on no page; append it first.";
 
+/** The element: what a page's scripts ask of it and it tells them. */
 export class PanicleSpecimen extends HTMLElement {
 	readonly #canvas: HTMLCanvasElement;
 	readonly #poster: HTMLImageElement;
@@ -39,13 +44,25 @@ export class PanicleSpecimen extends HTMLElement {
 	#due = false;
 	#growing: Promise<GrownDetail> | undefined;
 	readonly #attributes = new MutationObserver((changes) => this.#changed(namesOf(changes)));
+	readonly #extras: Extras;
 
 	constructor() {
 		super();
-		const { canvas, poster, message } = shadowTree(this);
+		const { root, canvas, poster, message } = shadowTree(this);
 		this.#canvas = canvas;
 		this.#poster = poster;
 		this.#message = message;
+		this.#extras = new Extras({
+			element: this,
+			root,
+			hands: {
+				edit: (change) => {
+					this.#put((document) => changedIn(document, change), { passing: true }).catch(() => {});
+				},
+				settle: () => void this.#put((document) => document).catch(() => {}),
+			},
+			view: () => this.#viewed(),
+		});
 		// For as long as there is the element: what changes while it is on no page counts, too.
 		this.#attributes.observe(this, { attributes: true });
 		this.#say();
@@ -67,27 +84,14 @@ export class PanicleSpecimen extends HTMLElement {
 	}
 
 	/** Changes parameters, seed or look by their keys, as one change: `change` and then `grown` follow. */
-	async set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail> {
-		this.#flush();
-		const document = this.#read().then(({ model, specimen: before }): Document => {
-			const { specimen, notes } = restore(model, values, before);
-			return { model, specimen, notes: notes.map(({ text }) => text) };
-		});
-		this.#document = document;
-		const { model, specimen } = await document;
-		const detail = { link: await encodeLink(model, specimen) };
-		this.dispatchEvent(new CustomEvent("change", { detail, bubbles: true }));
-		return this.grow();
+	set(values: Readonly<Record<string, number | string>>): Promise<GrownDetail> {
+		return this.#put(({ model, specimen: before }) => documentOf(model, restore(model, values, before)));
 	}
 
 	/** Grows now, wherever it is, what has not grown yet. */
 	grow(): Promise<GrownDetail> {
 		this.#flush();
-		this.#due = false;
-		const growing = this.#grow();
-		this.#growing = growing;
-		growing.catch(() => {});
-		return growing;
+		return this.#begin({});
 	}
 
 	/** A file of the plant, by the key of its kind: `glb`, `glb-web`, `usdz`, `obj` (a ZIP), `json`, … */
@@ -103,8 +107,9 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** The present view as a PNG; as large as the element, twice as fine, where nobody says. */
 	async toBlob({ width = 2 * this.clientWidth, height = 2 * this.clientHeight } = {}): Promise<Blob> {
-		await this.#whole();
-		return (await this.#viewed()).picture(width, height);
+		const { model, specimen } = await this.#whole();
+		const picture = await (await this.#viewed()).picture(width, height);
+		return withLink(picture, `${appAddress(this.getAttribute("app")) ?? ""}${await encodeLink(model, specimen)}`);
 	}
 
 	/** The whole plant, from the direction in which it is first seen. */
@@ -112,24 +117,28 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#view?.then((view) => view.reset()).catch(() => {});
 	}
 
+	/** Called by the browser when it comes to a page. */
 	connectedCallback(): void {
 		const life = new AbortController();
 		this.#life = life;
 		const leave = commons.enter();
 		this.#client = commons.client();
-		const sizes = new ResizeObserver(() => this.#withView((view) => view.resize()));
-		sizes.observe(this);
-		const near = new IntersectionObserver((entries) => this.#approach(entries), { rootMargin: NEAR });
-		const seen = new IntersectionObserver((entries) => {
-			this.#seen = isSeen(entries);
-			this.#withView((view) => view.setSeen(this.#seen));
-		});
-		for (const observer of [near, seen]) observer.observe(this);
-		const dark = matchMedia("(prefers-color-scheme: dark)");
-		dark.addEventListener("change", () => this.#follow("theme"), { signal: life.signal });
+		const presence: Presence = {
+			resized: () => this.#withView((view) => view.resize()),
+			near: (near) => {
+				this.#near = near;
+				if (near && this.#due) this.#ask();
+			},
+			seen: (seen) => {
+				this.#seen = seen;
+				this.#withView((view) => view.setSeen(seen));
+			},
+			darkened: () => this.#follow("theme"),
+		};
+		watchPresence(this, presence, life.signal);
 		life.signal.addEventListener("abort", () => {
-			for (const observer of [sizes, near, seen]) observer.disconnect();
 			this.#client?.close();
+			this.#extras.close();
 			this.#view?.then((view) => view.dispose()).catch(() => {});
 			this.#view = undefined;
 			leave();
@@ -138,6 +147,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#ask();
 	}
 
+	/** Called by the browser when it leaves its page. */
 	disconnectedCallback(): void {
 		this.#life?.abort();
 		this.#life = undefined;
@@ -162,8 +172,29 @@ export class PanicleSpecimen extends HTMLElement {
 			if (address !== null && !this.#shown) this.#poster.src = address;
 			else this.#poster.removeAttribute("src");
 		} else if (name === "alt") this.#say();
-		else if (name === "theme") this.#withView((view) => view.setDark(this.#isDark()));
+		else if (name === "theme") this.#withView((view) => view.setDark(isDark(this.getAttribute("theme"))));
 		else if (name === "autorotate") this.#withView((view) => view.setTurning(this.getAttribute("autorotate")));
+		this.#extras.follow();
+	}
+
+	/** Another document in place of this one; while a hand still moves (`passing`), `input` tells of it, else `change`. */
+	async #put(make: (before: Document) => Document, { passing = false } = {}): Promise<GrownDetail> {
+		this.#flush();
+		const document = this.#read().then(make);
+		this.#document = document;
+		const { model, specimen } = await document;
+		const detail = { link: await encodeLink(model, specimen) };
+		this.dispatchEvent(new CustomEvent(passing ? "input" : "change", { detail, bubbles: true }));
+		this.#withView((view) => view.hold(passing));
+		return this.#begin({ passing });
+	}
+
+	#begin(options: GrowthOptions): Promise<GrownDetail> {
+		this.#due = false;
+		const growing = this.#grow(options);
+		this.#growing = growing;
+		growing.catch(() => {});
+		return growing;
 	}
 
 	/** Grows as soon as it may. */
@@ -174,21 +205,12 @@ export class PanicleSpecimen extends HTMLElement {
 		if (!lazy || this.#near) queueMicrotask(() => this.#due && this.#life && void this.grow().catch(() => {}));
 	}
 
-	#approach(entries: readonly IntersectionObserverEntry[]): void {
-		this.#near = isSeen(entries);
-		if (this.#near && this.#due) this.#ask();
-	}
-
 	#read(): Promise<Document> {
-		this.#document ??= readAttributes(this.attributes).then(({ model, specimen, notes }) => ({
-			model,
-			specimen,
-			notes: notes.map(({ text }) => text),
-		}));
+		this.#document ??= readAttributes(this.attributes).then((said) => documentOf(said.model, said));
 		return this.#document;
 	}
 
-	async #grow(): Promise<GrownDetail> {
+	async #grow(options: GrowthOptions): Promise<GrownDetail> {
 		const life = this.#life;
 		const client = this.#client;
 		if (!life || !client) throw new Error(ON_NO_PAGE);
@@ -200,7 +222,7 @@ export class PanicleSpecimen extends HTMLElement {
 			await model.prepare?.(specimen)?.catch(() => {});
 			const wasm = coreAddress(model.wasm);
 			if (wasm === undefined) throw new Error(`The core of the ${model.noun} is not beside the script.`);
-			const answer = await client.grow({ wasm, blocks: model.encode(specimen) }, { signal: life.signal });
+			const answer = await client.grow({ wasm, blocks: model.encode(specimen, options) }, { signal: life.signal });
 			const shown: Shown = { ...document, grown: model.read(answer, specimen) };
 			await this.#show(shown);
 			const detail = await detailOf(shown);
@@ -220,6 +242,9 @@ export class PanicleSpecimen extends HTMLElement {
 		this.#say();
 		const view = await this.#viewed().catch((error: unknown) => this.#fail(error));
 		await view?.show(shown.model, shown.grown, shown.specimen);
+		// What is older than what hands have done since would undo it under them.
+		const newest = await this.#document;
+		if (view && this.#view && newest?.specimen === shown.specimen) this.#extras.show(shown);
 	}
 
 	/** The view, made when it is first needed. */
@@ -232,7 +257,7 @@ export class PanicleSpecimen extends HTMLElement {
 		view.then(
 			(made) => {
 				if (life.signal.aborted) return made.dispose();
-				made.setDark(this.#isDark());
+				made.setDark(isDark(this.getAttribute("theme")));
 				made.setTurning(this.getAttribute("autorotate"));
 				made.setSeen(this.#seen);
 			},
@@ -266,17 +291,9 @@ export class PanicleSpecimen extends HTMLElement {
 
 	/** What a screen reader says of the view. */
 	#say(): void {
-		const { model, specimen, grown } = this.#shown ?? {};
-		const title = model && specimen && (model.presets.named(specimen.preset)?.title ?? model.title);
-		const words = model && specimen && grown && `${title}: ${model.words(grown, specimen)}`;
+		const words = this.#shown && plantInWords(this.#shown);
 		this.#canvas.setAttribute("aria-label", this.getAttribute("alt") ?? words ?? "A plant, growing");
-	}
-
-	#isDark(): boolean {
-		const theme = this.getAttribute("theme");
-		return theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
 	}
 }
 
 const namesOf = (changes: readonly MutationRecord[]) => changes.map(({ attributeName }) => attributeName ?? "");
-const isSeen = (entries: readonly IntersectionObserverEntry[]) => entries.at(-1)?.isIntersecting ?? false;

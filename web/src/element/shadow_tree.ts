@@ -3,6 +3,7 @@ import { ORBIT_KEYS } from "../scene/orbit_keys";
 import { ELEMENT_STYLE } from "./element_style";
 
 export interface ShadowTree {
+	readonly root: ShadowRoot;
 	readonly canvas: HTMLCanvasElement;
 	readonly poster: HTMLImageElement;
 	readonly message: HTMLElement;
@@ -23,5 +24,5 @@ export function shadowTree(host: HTMLElement): ShadowTree {
 	poster.part.add("poster");
 	message.part.add("message");
 	root.append(canvas, poster, message, keys);
-	return { canvas, poster, message };
+	return { root, canvas, poster, message };
 }

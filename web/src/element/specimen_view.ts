@@ -1,6 +1,7 @@
 /** The picture of an element's plant: a viewer on the page's one context of the graphics card, turned by hand, by keys or by itself. */
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
+import type { Ray } from "../scene/figure";
 import { turnedBy } from "../scene/orbit_keys";
 import type { Viewer } from "../scene/viewer";
 import type { Specimen } from "../specimen/specimen";
@@ -21,8 +22,16 @@ export class SpecimenView {
 	#frame = 0;
 	#grasped = false;
 	readonly #reduced: MediaQueryList;
+	/** What lies over the picture, and is told when that has been drawn. */
+	readonly #above: Set<() => void>;
 
-	private constructor(canvas: HTMLCanvasElement, viewer: Viewer<Specimen, Plant>, reduced: MediaQueryList) {
+	private constructor(
+		canvas: HTMLCanvasElement,
+		viewer: Viewer<Specimen, Plant>,
+		reduced: MediaQueryList,
+		above: Set<() => void>,
+	) {
+		this.#above = above;
 		this.#canvas = canvas;
 		this.#viewer = viewer;
 		this.#reduced = reduced;
@@ -43,14 +52,18 @@ export class SpecimenView {
 	static async create(canvas: HTMLCanvasElement, commons: Commons, events: { drawn(): void }): Promise<SpecimenView> {
 		const [{ Viewer }, renderer] = await Promise.all([loadScene(), commons.renderer()]);
 		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
+		const above = new Set<() => void>();
+		const drawn = () => {
+			for (const listener of above) listener();
+		};
 		const viewer = new Viewer<Specimen, Plant>(canvas, {
 			renderer,
 			reducedMotion: reduced.matches,
-			events: { firstDraw: () => events.drawn() },
+			events: { firstDraw: () => events.drawn(), drawn },
 		});
 		// The turntable keeps all touches to itself; here those that go up and down are the page's.
 		canvas.style.touchAction = "pan-y";
-		return new SpecimenView(canvas, viewer, reduced);
+		return new SpecimenView(canvas, viewer, reduced, above);
 	}
 
 	/** Shows a plant in place of the last. */
@@ -79,6 +92,37 @@ export class SpecimenView {
 		const speed = Number(said || TURNING);
 		this.#turning = said === null ? 0 : Number.isFinite(speed) ? speed : TURNING;
 		this.#turn();
+	}
+
+	/** Whether it may turn by itself: less motion is wished for where not. */
+	get turnsByItself(): boolean {
+		return !this.#reduced.matches;
+	}
+
+	/** Turns the plant by degrees, once. */
+	turnBy(degrees: number): void {
+		this.#viewer.orbit((degrees * Math.PI) / 180, 0);
+	}
+
+	/** While a hand changes the plant, the view goes after it only where it outgrows that. */
+	hold(held: boolean): void {
+		this.#viewer.holdView(held);
+	}
+
+	/** Where a point of the plant, in metres, is on the canvas: CSS pixels from its top left corner. */
+	project([x, y, z]: readonly [number, number, number]): { x: number; y: number } {
+		return this.#viewer.project({ x, y, z });
+	}
+
+	/** The line of sight through a point of the canvas. */
+	sightThrough(x: number, y: number): Ray {
+		return this.#viewer.sightThrough(x, y);
+	}
+
+	/** Calls back after every draw. @returns what ends it */
+	onDrawn(listener: () => void): () => void {
+		this.#above.add(listener);
+		return () => this.#above.delete(listener);
 	}
 
 	reset(): void {

@@ -1,23 +1,20 @@
 /**
- * Colours and shade of vertices, baked into pictures: what programs that paint, and readers that know no colours of vertices, can
- * use. Parts of one material share one picture, a tile each; the shade is a picture by itself (glTF's occlusion), so that
- * colours are those under an open sky. Only of parts whose texture coordinates stay on one picture.
+ * Colours and shade of vertices and what of a surface is finer than they are, baked into pictures: what programs that paint, and
+ * readers that know no colours of vertices, can use. Parts of one material share pictures, a tile each: colours under an open sky,
+ * shade with roughness (and no metal) as glTF packs them, and normals where anything of the material has a relief. Only of parts
+ * whose texture coordinates stay on one picture.
  */
-import { encoded } from "../plant/colour";
-import type { Material, Picture } from "../plant/material";
-import { everyPart, type Part, type PartMesh, type Shape } from "../plant/part";
+import { type Colour, encoded } from "../plant/colour";
+import type { Material } from "../plant/material";
+import { everyPart, type Finer, type Part, type PartMesh, type Shape, type Vector } from "../plant/part";
 import { bounced } from "../plant/shade";
+import { Atlas, type Paint } from "./atlas";
+import { tangentsOf } from "./tangents";
 
-/** Pixels of a picture and of a tile along an edge, at the most. */
-const MOST_PIXELS = 2048;
-const MOST_TILE = 256;
-/** Round what is drawn in a tile, so that readers who blend neighbours find the same colour there. */
-const MARGIN = 4;
-/** Of a pixel, beyond a triangle's edge: what lies between two triangles belongs to one. */
-const EDGE = 0.02;
+type Kind = "colour" | "surface" | "normal";
 
 /** The same parts; what has been baked has neither colours nor shade in its vertices. */
-export function baked(parts: readonly Part[]): Part[] {
+export async function baked(parts: readonly Part[]): Promise<Part[]> {
 	const byMaterial = new Map<Material, Shape[]>();
 	for (const { shape } of everyPart(parts)) {
 		if (!shape || !isBakeable(shape)) continue;
@@ -25,11 +22,17 @@ export function baked(parts: readonly Part[]): Part[] {
 	}
 	const replaced = new Map<Shape, Shape>();
 	for (const [material, shapes] of byMaterial) {
-		const atlas = new Atlas(shapes.length);
-		const meshes = shapes.map(({ mesh }, tile) => atlas.draw(mesh, material, tile));
-		const textures = { colour: atlas.colour, occlusion: atlas.occlusion };
-		const dressed = { ...material, textures };
-		for (const [i, shape] of shapes.entries()) replaced.set(shape, { ...shape, mesh: meshes[i], material: dressed });
+		const finer = await Promise.all(shapes.map((shape) => shape.finer?.()));
+		const relief = finer.some((each) => each?.relief);
+		const atlas = new Atlas<Kind>(relief ? ["colour", "surface", "normal"] : ["colour", "surface"], shapes.length);
+		const dressed = { ...material, textures: atlas.pictures };
+		for (const [tile, shape] of shapes.entries()) {
+			const { colours: _, sky: __, ...bare } = shape.mesh;
+			const mesh = { ...bare, uvs: atlas.placed(bare.uvs, tile) };
+			atlas.draw(bare.uvs, bare.indices, tile, painted(shape, mesh, finer[tile]));
+			const { finer: ___, ...plain } = shape;
+			replaced.set(shape, { ...plain, mesh, material: dressed });
+		}
 	}
 	return parts.map((part) => withShapes(part, replaced));
 }
@@ -49,109 +52,57 @@ function isBakeable({ mesh, material, instances }: Shape): boolean {
 	return uvs.every((value) => value >= 0 && value <= 1);
 }
 
-/** Pictures of colour and shade in square tiles, row by row. */
-class Atlas {
-	readonly colour: Picture;
-	readonly occlusion: Picture;
-	readonly #tile: number;
-	readonly #columns: number;
+/** A normal that is the mesh's own. */
+const FLAT = [128, 128, 255];
 
-	constructor(tiles: number) {
-		// Powers of two, as graphics cards like them.
-		this.#columns = powerFrom(Math.sqrt(tiles));
-		this.#tile = Math.min(MOST_TILE, MOST_PIXELS / this.#columns);
-		const [width, height] = [this.#columns * this.#tile, powerFrom(tiles / this.#columns) * this.#tile];
-		this.colour = { width, height, pixels: new Uint8Array(3 * width * height) };
-		// Roughness and metal, if anyone looks for them in the other channels: all of the factor.
-		this.occlusion = { width, height, pixels: new Uint8Array(3 * width * height).fill(255) };
-	}
-
-	/** Draws a mesh on its tile; returns it with texture coordinates that lie there. */
-	draw(mesh: PartMesh, material: Material, tile: number): PartMesh {
-		const { colours: _, sky: __, ...bare } = mesh;
-		const side = this.#tile;
-		const left = (tile % this.#columns) * side;
-		const top = Math.floor(tile / this.#columns) * side;
-		const inner = side - 2 * MARGIN;
-		const local = mesh.uvs.map((value) => MARGIN + value * inner);
-		const drawn = new Uint8Array(side * side);
-		const texels = texelsOf(mesh, material);
-		for (let t = 0; t < mesh.indices.length; t += 3)
-			this.#fill(mesh.indices.subarray(t, t + 3), local, texels, left, top, drawn);
-		this.#spread(drawn, left, top);
-		const { width, height } = this.colour;
-		const uvs = local.map((value, i) => (i % 2 === 0 ? (left + value) / width : (top + value) / height));
-		return { ...bare, uvs };
-	}
-
-	/** Draws one triangle, in the tile's pixels. */
-	#fill(corners: Uint32Array, at: Float32Array, texels: Float32Array, left: number, top: number, drawn: Uint8Array) {
-		const [a, b, c] = corners;
-		const [ax, ay, bx, by, cx, cy] = [a, b, c].flatMap((corner) => [at[2 * corner], at[2 * corner + 1]]);
-		const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
-		if (area === 0) return;
-		const least = -EDGE;
-		for (let y = Math.floor(Math.min(ay, by, cy)); y <= Math.min(this.#tile - 1, Math.max(ay, by, cy)); y++) {
-			for (let x = Math.floor(Math.min(ax, bx, cx)); x <= Math.min(this.#tile - 1, Math.max(ax, bx, cx)); x++) {
-				const [px, py] = [x + 0.5 - ax, y + 0.5 - ay];
-				const second = (px * (cy - ay) - (cx - ax) * py) / area;
-				const third = ((bx - ax) * py - px * (by - ay)) / area;
-				const first = 1 - second - third;
-				if (first < least || second < least || third < least) continue;
-				drawn[y * this.#tile + x] = 1;
-				const to = (top + y) * this.colour.width + left + x;
-				const mixed = (k: number) => first * texels[4 * a + k] + second * texels[4 * b + k] + third * texels[4 * c + k];
-				this.#put(to, [mixed(0), mixed(1), mixed(2)], mixed(3));
-			}
-		}
-	}
-
-	#put(to: number, colour: [number, number, number], open: number): void {
-		encoded(colour).forEach((value, k) => {
-			this.colour.pixels[3 * to + k] = Math.round(255 * value);
-		});
-		this.occlusion.pixels[3 * to] = Math.round(255 * open);
-	}
-
-	/** What no triangle has covered takes the colour of a neighbour, until all of the tile is drawn. */
-	#spread(drawn: Uint8Array, left: number, top: number): void {
-		const side = this.#tile;
-		const { width } = this.colour;
-		let edge = [...drawn.keys()].filter((i) => drawn[i] === 1);
-		while (edge.length > 0) {
-			const next: number[] = [];
-			for (const from of edge) {
-				const [x, y] = [from % side, Math.floor(from / side)];
-				for (const [nx, ny] of [
-					[x - 1, y],
-					[x + 1, y],
-					[x, y - 1],
-					[x, y + 1],
-				]) {
-					if (nx < 0 || ny < 0 || nx >= side || ny >= side || drawn[ny * side + nx]) continue;
-					drawn[ny * side + nx] = 1;
-					next.push(ny * side + nx);
-					const source = 3 * ((top + y) * width + left + x);
-					const target = 3 * ((top + ny) * width + left + nx);
-					this.colour.pixels.copyWithin(target, source, source + 3);
-					this.occlusion.pixels.copyWithin(target, source, source + 3);
-				}
-			}
-			edge = next;
-		}
-	}
+/** What pictures show of a shape; `mesh` is it with the texture coordinates that it will have. */
+function painted({ mesh: { colours, sky }, material }: Shape, mesh: PartMesh, finer: Finer | undefined): Paint<Kind> {
+	const open = opennessOf(sky, material.colour);
+	const frame = finer?.relief ? frameOf(mesh) : undefined;
+	return (corners, weights) => {
+		const among = (values: ArrayLike<number>, width: number, k: number) =>
+			weights.reduce((sum, weight, i) => sum + weight * values[width * corners[i] + k], 0);
+		const colour = [0, 1, 2].map((k) => (colours ? among(colours, 3, k) : 0)) as Colour;
+		const { roughness, normal } = finer?.at(corners, weights) ?? { roughness: material.roughness };
+		return {
+			colour: encoded(colour).map(byte),
+			surface: [open ? byte(among(open, 1, 0)) : 255, byte(roughness), 0],
+			normal: frame && normal ? frame(among, normal) : FLAT,
+		};
+	};
 }
 
-/** The least power of two that is no smaller. */
-const powerFrom = (value: number) => 2 ** Math.ceil(Math.log2(value));
+const byte = (value: number) => Math.round(255 * value);
 
-/** 4 × vertices: colour, linear, and the share of light from all around that the shade leaves. */
-function texelsOf({ colours = new Float32Array(0), sky }: PartMesh, { colour }: Material): Float32Array {
-	const texels = new Float32Array((4 * colours.length) / 3);
+type Among = (values: ArrayLike<number>, width: number, k: number) => number;
+
+/** Normals in the frame of the tangents that the file has: 0 … 255 for −1 … 1, green up the picture. */
+function frameOf(mesh: PartMesh): (among: Among, normal: Vector) => number[] {
+	const tangents = tangentsOf(mesh);
+	return (among, normal) => {
+		const own = unit([among(mesh.normals, 3, 0), among(mesh.normals, 3, 1), among(mesh.normals, 3, 2)]);
+		const raw: Vector = [among(tangents, 4, 0), among(tangents, 4, 1), among(tangents, 4, 2)];
+		const out = dot(raw, own);
+		const right = unit(raw.map((value, k) => value - out * own[k]) as Vector);
+		const side = among(tangents, 4, 3) < 0 ? -1 : 1;
+		const up = cross(own, right).map((value) => side * value) as Vector;
+		return [right, up, own].map((axis) => Math.round(127.5 + 127.5 * dot(normal, axis)));
+	};
+}
+
+const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+function cross([ax, ay, az]: Vector, [bx, by, bz]: Vector): Vector {
+	return [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+}
+
+function unit(vector: Vector): Vector {
+	const length = Math.hypot(...vector) || 1;
+	return [vector[0] / length, vector[1] / length, vector[2] / length];
+}
+
+/** Of each vertex the share of light from all around that the shade leaves. */
+function opennessOf(sky: Uint8Array | undefined, colour: Colour): Float32Array | undefined {
 	const albedo = (colour[0] + colour[1] + colour[2]) / 3;
-	for (let vertex = 0; vertex < colours.length / 3; vertex++) {
-		texels.set(colours.subarray(3 * vertex, 3 * vertex + 3), 4 * vertex);
-		texels[4 * vertex + 3] = sky ? Math.min(1, bounced(sky[vertex] / 255, albedo)) : 1;
-	}
-	return texels;
+	return sky && Float32Array.from(sky, (value) => Math.min(1, bounced(value / 255, albedo)));
 }

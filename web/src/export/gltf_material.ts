@@ -13,7 +13,7 @@ interface TextureInfo {
 export interface TextureIndices {
 	colour?: number;
 	normal?: number;
-	occlusion?: number;
+	surface?: number;
 	thickness?: number;
 }
 
@@ -44,10 +44,11 @@ export function gltfMaterial(
 			baseColorFactor: [...short(colour), 1],
 			...(textures.colour !== undefined ? { baseColorTexture: { index: textures.colour } } : {}),
 			metallicFactor: 0,
-			roughnessFactor: one(roughness),
+			roughnessFactor: textures.surface === undefined ? one(roughness) : 1,
+			...(textures.surface === undefined ? {} : { metallicRoughnessTexture: { index: textures.surface } }),
 		},
 		...(textures.normal === undefined ? {} : { normalTexture: { index: textures.normal } }),
-		...(textures.occlusion === undefined ? {} : { occlusionTexture: { index: textures.occlusion } }),
+		...(textures.surface === undefined ? {} : { occlusionTexture: { index: textures.surface } }),
 		...(doubleSided ? { doubleSided } : {}),
 		...(Object.keys(extensions).length > 0 ? { extensions } : {}),
 	};

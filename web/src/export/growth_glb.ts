@@ -8,6 +8,7 @@ import type { About } from "./about";
 import type { Moment } from "./animation";
 import { exportGlb } from "./glb";
 import { lightParts } from "./light";
+import { paletted } from "./palette";
 
 /** A plant at other ages. */
 export interface Aged {
@@ -28,7 +29,7 @@ export async function growthGlb({ ages, at }: Aged, about: About): Promise<Uint8
 	const parts: Part[] = [];
 	const moments = new Map<string, Moment>();
 	for (const [i, age] of ages.entries()) {
-		const children = await lightParts(await at(age), { triangles: AGE_TRIANGLES, pixels: PIXELS });
+		const children = paletted(await lightParts(await at(age), { triangles: AGE_TRIANGLES, pixels: PIXELS }));
 		if (children.length === 0) continue;
 		const name = `Age ${age}`;
 		const time = (k: number) => (SECONDS * k) / (ages.length - 1);

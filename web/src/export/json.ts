@@ -10,7 +10,8 @@ import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { measuresOf, type WrittenMeasures } from "./measures";
 import { shortFloat } from "./numbers";
 
-type Vector = [x: number, y: number, z: number];
+/** A place in metres, +Y up. */
+export type Vector = [x: number, y: number, z: number];
 
 /** A drawn module. */
 export interface SegmentRecord {
@@ -18,10 +19,13 @@ export interface SegmentRecord {
 	parent: number;
 	/** By the model's own names. */
 	kind: string;
+	/** Where it begins. */
 	start: Vector;
+	/** Where it ends. */
 	end: Vector;
-	/** At the start. */
+	/** At the start, metres. */
 	radius: number;
+	/** At the end, metres. */
 	radiusEnd: number;
 }
 
@@ -31,9 +35,11 @@ export interface OrganRecord {
 	kind: string;
 	/** Index of the segment that bears it; −1 for none. */
 	segment: number;
+	/** Where it is held. */
 	position: Vector;
 	/** Unit quaternion x y z w. */
 	rotation: [x: number, y: number, z: number, w: number];
+	/** How many metres one unit of its mesh is. */
 	scale: number;
 }
 

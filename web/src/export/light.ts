@@ -59,11 +59,18 @@ export function shrunk(picture: Picture, most: number): Picture {
 	const channels = pixels.length / (width * height);
 	const [w, h] = [Math.max(1, width >> 1), Math.max(1, height >> 1)];
 	const half = new Uint8Array(channels * w * h);
-	for (let i = 0; i < half.length; i++) {
-		const [x, y, channel] = [Math.floor(i / channels) % w, Math.floor(i / channels / w), i % channels];
-		const at = (dx: number, dy: number) =>
-			pixels[channels * (Math.min(height - 1, 2 * y + dy) * width + Math.min(width - 1, 2 * x + dx)) + channel];
-		half[i] = Math.round((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1)) / 4);
+	for (let y = 0, to = 0; y < h; y++) {
+		const upper = channels * width * 2 * y;
+		const lower = channels * width * Math.min(height - 1, 2 * y + 1);
+		for (let x = 0; x < w; x++) {
+			const left = channels * 2 * x;
+			const right = channels * Math.min(width - 1, 2 * x + 1);
+			for (let k = 0; k < channels; k++, to++) {
+				const sum =
+					pixels[upper + left + k] + pixels[upper + right + k] + pixels[lower + left + k] + pixels[lower + right + k];
+				half[to] = Math.round(sum / 4);
+			}
+		}
 	}
 	return shrunk({ width: w, height: h, pixels: half }, most);
 }

@@ -1,8 +1,12 @@
-/** The *low* form: no more triangles than asked for, in plain glTF, which opens everywhere. */
+/**
+ * The *low* form: no more triangles than asked for, in plain glTF, which opens everywhere. Colours are pictures: game engines and
+ * simple readers leave colours of vertices out, or take them for sRGB.
+ */
 import type { Part } from "../plant/part";
 import type { About } from "./about";
 import { exportGlb } from "./glb";
 import { lightParts } from "./light";
+import { paletted } from "./palette";
 import { LOW_TRIANGLES } from "./plant_files";
 
 const PIXELS = 256;
@@ -12,5 +16,5 @@ export async function lowGlb(
 	about: About,
 	triangles = LOW_TRIANGLES,
 ): Promise<Uint8Array<ArrayBuffer>> {
-	return exportGlb(await lightParts(parts, { triangles, pixels: PIXELS }), about);
+	return exportGlb(paletted(await lightParts(parts, { triangles, pixels: PIXELS })), about);
 }

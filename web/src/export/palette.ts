@@ -5,15 +5,38 @@
  */
 import { type Colour, clamp, encoded } from "../plant/colour";
 import type { Picture } from "../plant/material";
+import type { Part, Shape } from "../plant/part";
 
 /** Pixels along an edge; eight bits have no more steps than a few of them tell apart. */
 const EDGE = 64;
 const ROUNDS = 60;
+/** Of all that colours spread, what is less beside the first axis is none. */
+const LEAST_SPREAD = 1e-9;
 
 export interface Palette {
 	picture: Picture;
 	/** 2 × vertices: u to the right, v down. */
 	uvs: Float32Array;
+}
+
+/**
+ * Parts that say by a picture what colours their vertices have, where no picture did before; texture coordinates of theirs go. What has
+ * instances stays as it is.
+ */
+export function paletted(parts: readonly Part[]): Part[] {
+	return parts.map(({ shape, children, ...part }) => ({
+		...part,
+		...(shape ? { shape: painted(shape) } : {}),
+		...(children ? { children: paletted(children) } : {}),
+	}));
+}
+
+function painted(shape: Shape): Shape {
+	const { mesh, material, instances } = shape;
+	if (!mesh.colours || instances || material.textures?.colour) return shape;
+	const { colours, ...bare } = mesh;
+	const { picture, uvs } = paletteOf(colours);
+	return { ...shape, mesh: { ...bare, uvs }, material: { ...material, textures: { colour: picture } } };
 }
 
 /** @param colours 3 × vertices, linear light */
@@ -23,8 +46,11 @@ export function paletteOf(colours: Float32Array): Palette {
 	const count = Math.max(1, colours.length / 3);
 	const mean = [0, 1, 2].map((k) => shown.reduce((sum, value, i) => (i % 3 === k ? sum + value : sum), 0) / count);
 	const spread = covariance(shown, mean);
+	const all = traceOf(spread);
 	const first = principal(spread);
-	const second = principal(without(spread, first));
+	const left = without(spread, first);
+	// What lies on a line has no second axis: rounding would name any.
+	const second: Colour = traceOf(left) > LEAST_SPREAD * all ? principal(left) : [0, 0, 0];
 	const axes = [first, second];
 	const places = new Float32Array(2 * count);
 	const [low, high] = [
@@ -62,6 +88,8 @@ function covariance(values: Float32Array, mean: readonly number[]): Matrix {
 	}
 	return sums;
 }
+
+const traceOf = (matrix: Matrix) => matrix[0][0] + matrix[1][1] + matrix[2][2];
 
 /** The axis along which values spread most, of unit length, by powers of the matrix. */
 function principal(matrix: Matrix): Colour {

@@ -9,13 +9,20 @@ export interface FileOptions {
 	readonly triangles?: number;
 	/** Whether light comes through flesh in the *detailed* and the *instanced* form; readers take another pass for it. */
 	readonly translucent?: boolean;
-	/** Whether pictures say colours and shade in the *detailed* form, where vertices do otherwise. */
+	/** Whether pictures say colours, shade, roughness and relief in the *detailed* form, where vertices and materials do otherwise. */
 	readonly textures?: boolean;
 	/** That nothing is thinner than in files for printers, millimetres. */
 	readonly thickness?: number;
 	/** Of a cloud. */
 	readonly points?: number;
 }
+
+/** What is taken of a number that comes from outside: from the least to the most. */
+export const FILE_RANGES = {
+	triangles: [100, 2_000_000],
+	thickness: [0.2, 20],
+	points: [1, 2_000_000],
+} as const satisfies Partial<Record<keyof FileOptions, readonly [least: number, most: number]>>;
 
 export interface PlantFile {
 	/** Its name for programs: `glb-web`. */
@@ -63,7 +70,7 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		about: "glTF, one node per part; opens everywhere",
 		suffix: ".glb",
 		make: async (parts, about, { translucent = false, textures = false }) => {
-			const shown = textures ? (await import("./baked")).baked([...parts]) : parts;
+			const shown = textures ? await (await import("./baked")).baked([...parts]) : parts;
 			return (await import("./glb")).exportGlb(shown, about, { translucent });
 		},
 	},

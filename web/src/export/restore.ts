@@ -1,17 +1,21 @@
 /**
- * A specimen out of a file that Panicle exported: a GLB (`asset.extras.specimen`) or the JSON document (`specimen`).
- * Files come from anywhere: sizes are checked before anything is read, of a GLB nothing but its JSON is read, and what is
- * found must go through specimen/restore.ts like everything from outside.
+ * A specimen out of a file that Panicle exported: a GLB (`asset.extras.specimen`), the JSON document (`specimen`), or a PNG with its link
+ * (png_link.ts). Files come from anywhere: sizes are checked before anything is read, of a GLB nothing but its JSON is read, and what is
+ * found must go through specimen/restore.ts or specimen/link.ts like everything from outside.
  */
 import { CHUNK_HEADER_BYTES, CHUNK_JSON, GLB_MAGIC, GLB_VERSION, HEADER_BYTES } from "./binary_gltf";
+import { FileError } from "./file_error";
+import { isPng, linkInPng } from "./png_link";
 
-/** A file that holds no specimen; the message names the file and says what to do. */
-export class FileError extends Error {
-	override name = "FileError";
-}
+export { FileError };
+
+/** What a file holds of a specimen. */
+export type Found = { readonly record: object } | { readonly link: string };
+
+const WANTED = "drop a GLB, JSON or PNG exported by Panicle.";
 
 /**
- * Most bytes of JSON that are read. A plant has at most 100 000 segments (wasm-core/src/foundation/limits.hpp), so no
+ * Most bytes of JSON or of a picture that are read. A plant has at most 100 000 segments (wasm-core/src/foundation/limits.hpp), so no
  * export comes to half of this; the meshes of a GLB, which may be far larger, do not count.
  */
 export const JSON_BYTES = 128 * 1024 * 1024;
@@ -19,20 +23,21 @@ export const JSON_BYTES = 128 * 1024 * 1024;
 /**
  * @param name what the file is called, for messages only: its kind is told from its first bytes
  * @param file the whole file, of any size
- * @returns the record of a specimen, of whatever model, as it stands in the file
- * @throws FileError when there is none in it
+ * @returns the record of a specimen as it stands in the file, or the link; of whatever model
+ * @throws FileError when there is neither in it
  */
-export async function recordInFile(name: string, file: Blob): Promise<object> {
+export async function foundInFile(name: string, file: Blob): Promise<Found> {
 	if (file.size === 0) throw new FileError(`${name} is empty.`);
-	const json = await jsonIn(name, file);
-	if (json.size > JSON_BYTES) {
-		throw new FileError(`${name} is too large: drop a GLB or JSON exported by Panicle.`);
-	}
-	const found = specimenIn(parse(name, await json.arrayBuffer()));
-	if (found === undefined) {
+	const picture = await isPng(file);
+	const read = picture ? file : await jsonIn(name, file);
+	if (read.size > JSON_BYTES) throw new FileError(`${name} is too large: ${WANTED}`);
+	const bytes = await read.arrayBuffer();
+	if (picture) return { link: linkInPng(name, new Uint8Array(bytes)) };
+	const record = specimenIn(parse(name, bytes));
+	if (record === undefined) {
 		throw new FileError(`${name} holds no specimen: only files exported by Panicle and not saved again elsewhere do.`);
 	}
-	return found;
+	return { record };
 }
 
 /** The JSON chunk of a GLB; any other file whole. */
@@ -55,7 +60,7 @@ function parse(name: string, bytes: ArrayBuffer): unknown {
 	try {
 		return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
 	} catch {
-		throw new FileError(`${name} is neither a GLB nor readable JSON: drop a GLB or JSON exported by Panicle.`);
+		throw new FileError(`${name} is neither a GLB nor readable JSON: ${WANTED}`);
 	}
 }
 

@@ -57,7 +57,8 @@ export async function simplified(pieces: readonly Piece[], { triangles = 0, erro
 /** Equal vertices as one. */
 function lean(mesh: PartMesh): PartMesh {
 	const { normals, uvs, colours } = mesh;
-	const steps = (values: Float32Array, step: number) => Int32Array.from(values, (value) => Math.round(value * step));
+	const steps = (values: Float32Array, step: number) =>
+		Int32Array.from(values.map((value) => Math.round(value * step)));
 	const rows = [steps(normals, NORMAL_STEPS), steps(uvs, PICTURE_STEPS)];
 	if (colours) rows.push(steps(colours, COLOUR_STEPS));
 	const { indices, from } = welded(mesh, ...rows);

@@ -107,16 +107,22 @@ function compacted(positions: Float32Array, indices: Uint32Array): Surface {
 
 /** The ends of edges that have not just two triangles, which run along them in opposite directions. */
 export function tornAt(indices: Uint32Array): Set<number> {
-	const edges = new Map<number, number>();
+	const next = (at: number) => indices[at % 3 === 2 ? at - 2 : at + 1];
+	// Where edges lead from each vertex, one vertex after the other.
+	const firsts = new Uint32Array(indices.reduce((most, vertex) => Math.max(most, vertex), 0) + 3);
+	for (const vertex of indices) firsts[vertex + 2]++;
+	for (let vertex = 2; vertex < firsts.length; vertex++) firsts[vertex] += firsts[vertex - 1];
+	const ends = new Uint32Array(indices.length);
+	for (let at = 0; at < indices.length; at++) ends[firsts[indices[at] + 1]++] = next(at);
+	const count = (from: number, to: number) => {
+		let found = 0;
+		for (let at = firsts[from]; at < firsts[from + 1]; at++) if (ends[at] === to) found++;
+		return found;
+	};
 	const torn = new Set<number>();
-	const vertices = indices.reduce((most, vertex) => Math.max(most, vertex + 1), 0);
 	for (let at = 0; at < indices.length; at++) {
-		const edge = indices[at] * vertices + indices[at % 3 === 2 ? at - 2 : at + 1];
-		edges.set(edge, (edges.get(edge) ?? 0) + 1);
-	}
-	for (const [edge, count] of edges) {
-		const [from, to] = [Math.floor(edge / vertices), edge % vertices];
-		if (count !== 1 || edges.get(to * vertices + from) !== 1) torn.add(from).add(to);
+		const [from, to] = [indices[at], next(at)];
+		if (count(from, to) !== 1 || count(to, from) !== 1) torn.add(from).add(to);
 	}
 	return torn;
 }

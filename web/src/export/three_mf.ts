@@ -11,7 +11,8 @@ import { ZIP_DATE } from "./zip_date";
 /** Of a millimetre: a micrometre. */
 const DECIMALS = 3;
 const QUOTE = 0x22;
-const LEVEL = 6;
+/** Beyond this, deflating takes longer than all the rest and saves three hundredths. */
+const LEVEL = 3;
 
 const TYPES = `<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>`;

@@ -4,13 +4,13 @@
  */
 import { type Zippable, zipSync } from "fflate";
 import { meanColour } from "../plant/colour";
-import type { Material, Picture } from "../plant/material";
+import type { Material } from "../plant/material";
 import type { Part, PartMesh } from "../plant/part";
 import type { About } from "./about";
 import { GENERATOR } from "./generator";
 import { lightParts } from "./light";
 import { rounded } from "./numbers";
-import { paletteOf } from "./palette";
+import { paletted } from "./palette";
 import { png } from "./png";
 import { TextBuffer } from "./text_buffer";
 import { ZIP_DATE } from "./zip_date";
@@ -26,7 +26,7 @@ const COMMA = 0x2c;
 const CLOSE = 0x29;
 
 export async function usdz(parts: Iterable<Part>, about: About): Promise<Uint8Array<ArrayBuffer>> {
-	const light = await lightParts(parts, { triangles: TRIANGLES, pixels: PIXELS });
+	const light = paletted(await lightParts(parts, { triangles: TRIANGLES, pixels: PIXELS }));
 	const out = new TextBuffer(1 << 20);
 	const pictures: [string, Uint8Array][] = [];
 	out.text(`#usda 1.0
@@ -51,19 +51,13 @@ def Xform "Plant" (
 	for (const [i, { shape }] of light.entries()) {
 		if (!shape) continue;
 		const { mesh, material } = shape;
-		const picture = pictureOf(mesh, material);
-		if (picture) pictures.push([`textures/colour_${i}.png`, png(picture.picture)]);
+		const picture = material.textures?.colour;
+		if (picture) pictures.push([`textures/colour_${i}.png`, png(picture)]);
 		writeMaterial(out, i, material, mesh, picture && `textures/colour_${i}.png`);
-		writeMesh(out, i, mesh, material, picture?.uvs);
+		writeMesh(out, i, mesh, material, picture && mesh.uvs);
 	}
 	out.text("}\n");
 	return zipped([["plant.usda", new TextEncoder().encode(out.toString())], ...pictures]);
-}
-
-/** The material's own picture, or one of the colours of vertices; none where one colour is all there is. */
-function pictureOf(mesh: PartMesh, { textures }: Material): { picture: Picture; uvs: Float32Array } | undefined {
-	if (textures?.colour) return { picture: textures.colour, uvs: mesh.uvs };
-	return mesh.colours && paletteOf(mesh.colours);
 }
 
 function writeMesh(

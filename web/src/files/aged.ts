@@ -4,16 +4,23 @@ import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
+import type { NumberEntry } from "../specimen/table";
 
 /** The parameter that a life runs by, and how many even steps are shown of it, to where it is grown up. */
 const AGE = "age";
 const STEPS = 24;
 const GROWN_UP = 100;
 
-/** Whether a specimen has ages. */
-export function hasAges({ table }: Pick<Model, "table">, specimen: Specimen): boolean {
+/** The parameter that is a specimen's age; undefined where it has none. */
+export function ageOf({ table }: Pick<Model, "table">, specimen: Specimen): NumberEntry | undefined {
 	const entry = table.entry(AGE);
-	return entry !== undefined && table.heeds(specimen, entry);
+	if (!entry || entry.kind === "colour" || entry.kind === "choice") return undefined;
+	return table.heeds(specimen, entry) ? entry : undefined;
+}
+
+/** Whether a specimen has ages. */
+export function hasAges(model: Pick<Model, "table">, specimen: Specimen): boolean {
+	return ageOf(model, specimen) !== undefined;
 }
 
 /**

@@ -1,26 +1,26 @@
 /** The files of a grown plant: what `Download` gives but for pictures. Runs in a worker, or anywhere. */
-import type { Core } from "../core/core";
 import { aboutPlant } from "../export/about_plant";
-import type { Aged } from "../export/growth_glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
 import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
 import { agedOf } from "./aged";
 import type { FileRequest } from "./messages";
 import { zip } from "./zip";
 
 const encoder = new TextEncoder();
 
-/** Brings a core to life that lies there. */
-export type CoreAt = (address: string) => Promise<Core>;
+/** Grows a specimen with its meshes. */
+export type Growing = (specimen: Specimen) => Promise<Plant>;
 
 /**
  * Makes a file. The same request gives the same bytes.
- * @param coreAt for files that show the plant at many ages
+ * @param grow for files that show the plant at many ages
  * @throws RangeError where neither every plant nor the model has such a file, and what the making throws
  */
-export async function makeFile(model: Model, request: FileRequest, coreAt?: CoreAt): Promise<Blob> {
+export async function makeFile(model: Model, request: FileRequest, grow?: Growing): Promise<Blob> {
 	const { format, grown, specimen, link, name, options } = request;
 	if (format === "json") return json(model, request);
 	const own = model.formats?.find(({ key }) => key === format);
@@ -29,7 +29,7 @@ export async function makeFile(model: Model, request: FileRequest, coreAt?: Core
 	const file = PLANT_FILES.find(({ key }) => key === format);
 	const parts = model.parts(grown, specimen);
 	if (file) {
-		const aged = file.life && (await agedBy(model, request, coreAt));
+		const aged = file.life && grow ? agedOf(model, specimen, grow) : undefined;
 		return new Blob([await file.make(parts, about, options ?? {}, aged)], { type: file.type });
 	}
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
@@ -40,14 +40,6 @@ export async function makeFile(model: Model, request: FileRequest, coreAt?: Core
 		...pictures,
 	];
 	return new Blob([zip(all)], { type: "application/zip" });
-}
-
-/** The plant at other ages, grown by a core of its own. */
-async function agedBy(model: Model, { specimen, core }: FileRequest, coreAt?: CoreAt): Promise<Aged | undefined> {
-	if (core === undefined || !coreAt) return undefined;
-	const instance = await coreAt(core);
-	await model.prepare?.(specimen);
-	return agedOf(model, specimen, async (younger) => model.read(instance.grow(model.encode(younger)), younger));
 }
 
 function json(model: Model, { grown, specimen }: FileRequest): Blob {

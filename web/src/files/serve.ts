@@ -2,10 +2,10 @@
 import { Core } from "../core/core";
 import { compileCore } from "../core/loader";
 import { isModel, modelNamed } from "../models/index";
-import { type CoreAt, makeFile } from "./make";
+import type { Model } from "../models/model";
+import { growPlant } from "./growth";
+import { type Growing, makeFile } from "./make";
 import type { FileRequest, FromExporter } from "./messages";
-
-const coreAt: CoreAt = async (address) => Core.instantiate(await compileCore(address));
 
 /** Never throws: whatever goes wrong is in the answer. */
 export async function answerTo(request: FileRequest): Promise<FromExporter> {
@@ -13,8 +13,19 @@ export async function answerTo(request: FileRequest): Promise<FromExporter> {
 	const model = await modelNamed(request.model).catch(() => undefined);
 	if (!model) return { type: "unfetched" };
 	try {
-		return { type: "made", file: await makeFile(model, request, coreAt) };
+		return { type: "made", file: await makeFile(model, request, growing(model, request)) };
 	} catch (error) {
 		return { type: "failed", message: error instanceof Error ? error.message : String(error) };
 	}
+}
+
+/** Grows with a core of its own; undefined where nobody says where that lies. */
+function growing(model: Model, { core: address }: FileRequest): Growing | undefined {
+	if (address === undefined) return undefined;
+	let core: Promise<Core> | undefined;
+	return (specimen) =>
+		growPlant(model, specimen, { measures: false }, async (_, blocks) => {
+			core ??= compileCore(address).then(Core.instantiate);
+			return (await core).grow(blocks);
+		});
 }

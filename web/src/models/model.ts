@@ -6,6 +6,7 @@
  * What is here at once is small: document, container, words. What needs Lit or three.js comes by `studio()` and
  * `figure()`, so that the command line and workers never load it.
  */
+import type { HandlesOf } from "../controls/handles/plant_handle";
 import type { Face } from "../controls/tool";
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
@@ -71,6 +72,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	 * Where that fails, or nobody waits, the plant is without it, and a note says so; the next call tries again.
 	 */
 	prepare?(specimen: S): Promise<void> | undefined;
+	/** Fetches what a first picture can do with in place of that, where there is such: the rest follows when it is drawn. */
+	sketch?(specimen: S): Promise<void> | undefined;
 	/**
 	 * Takes the closed mesh of a file as what bounds the plant, where something does.
 	 * @throws Error with the reason in plain words where the file holds none
@@ -101,6 +104,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 
 	/** Where parts are not enough, the model's own way of being drawn: from the module with three.js in it. */
 	figure?(): Promise<FigureMaker<S, G>>;
+	/** Handles on the plant itself, for pages that have it alone; from a module of its own. */
+	handles?(): Promise<HandlesOf<S>>;
 	/** The page's side: tools, flat views, panel sections, read-out, bars: the module with Lit in it. */
 	studio?(): Promise<Face<S, G>>;
 }

@@ -3,7 +3,9 @@ import { type Colour, linear } from "./colour";
 
 /** A picture that is laid on a surface by its uv: the first row is v = 0. */
 export interface Picture {
+	/** In pixels. */
 	width: number;
+	/** In pixels. */
 	height: number;
 	/** 3 × width × height: red, green, blue; 4 × where it is only to be drawn (plant/picture.ts). */
 	pixels: Uint8Array;
@@ -21,8 +23,11 @@ export interface Textures {
 	 * normal × tangent points to −v, whoever makes the tangents.
 	 */
 	normal?: Picture;
-	/** How much light from all around reaches it, in the red channel: 255 all. Files alone have it. */
-	occlusion?: Picture;
+	/**
+	 * How much light from all around reaches it in the red channel (255 all), roughness in the green one in place of the material's, no
+	 * metal in the blue one: as glTF packs them. Files alone have it.
+	 */
+	surface?: Picture;
 	/** Of the flesh, as a share of its thickness, in the green channel. Files alone have it. */
 	thickness?: Picture;
 }
@@ -50,6 +55,7 @@ export interface Material {
 	specular?: number;
 	/** A second, smooth mirror over the first. */
 	clearcoat?: { factor: number; roughness: number };
+	/** What is finer than the mesh, where something is. */
 	textures?: Textures;
 	/** Light through the flesh: its share; how thick it is; how long a way leaves how much of it (metres, linear colour). */
 	flesh?: { factor: number; thickness: number; colour: Colour; distance: number };

@@ -34,16 +34,36 @@ export interface Part {
 	name: string;
 	/** Absent for a mere group. */
 	shape?: Shape;
+	/** What is known of it besides. */
 	extras?: Extras;
 	/** Move with it. */
 	children?: readonly Part[];
+}
+
+export type Vector = [x: number, y: number, z: number];
+
+/** What of a surface is finer than its vertices, wherever one asks. */
+export interface Finer {
+	/** Whether its normals are finer, too. */
+	readonly relief: boolean;
+	/** What there is at a place among three of the mesh's vertices, by weights that sum to 1. */
+	at(corners: readonly number[], weights: readonly number[]): Fine;
+}
+
+export interface Fine {
+	/** 0 mirror … 1 matt. */
+	roughness: number;
+	/** In the mesh's frame, of unit length; of what has a relief. */
+	normal?: Vector;
 }
 
 /** What is to be seen of a part. */
 export interface Shape {
 	/** Where it stands, or, with `instances`, in its own frame. */
 	mesh: PartMesh;
+	/** What it is made of. */
 	material: Material;
+	/** Where it stands, where it does more than once. */
 	instances?: Instances;
 	/** Where it is held and turned about; the origin where absent. Not with `instances`. */
 	centre?: readonly [x: number, y: number, z: number];
@@ -52,6 +72,8 @@ export interface Shape {
 	 * Files with instances draw one for all that are alike.
 	 */
 	pose?: Float32Array;
+	/** For files that say it in pictures; what tells it is fetched then. */
+	finer?: () => Promise<Finer>;
 	/**
 	 * For readers that know no colours of vertices: parts of one material and one variant are written in the mean of their
 	 * colours. Without it they have the material's.

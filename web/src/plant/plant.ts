@@ -14,6 +14,7 @@ export interface Mesh {
 
 /** The modules that were drawn, one each, unmerged; parents come first. */
 export interface Segments {
+	/** How many there are. */
 	count: number;
 	/** Index of the segment it grows from, −1 at a root. */
 	parent: Int32Array;
@@ -29,9 +30,11 @@ export interface Segments {
 
 /** What is borne: leaves, fruits, flowers, one mesh many times. */
 export interface Organs {
+	/** How many there are. */
 	count: number;
 	/** Index into `tags`: what it is. */
 	tag: Uint8Array;
+	/** The model's names for what organs are. */
 	tags: readonly string[];
 	/** Index of the segment that bears it, −1 for none. */
 	segment: Int32Array;
@@ -45,19 +48,25 @@ export interface Organs {
 
 /** A contiguous run of a mesh with a name of its own. */
 export interface MeshRun {
+	/** As parts call it. */
 	name: string;
+	/** Counted from the mesh's first. */
 	firstVertex: number;
+	/** How many vertices it has. */
 	vertexCount: number;
 	/** Into `indices`; the indices themselves count from the whole mesh's first vertex. */
 	firstIndex: number;
+	/** Three for each triangle. */
 	indexCount: number;
 }
 
 /** A mesh of the plant: what it is made of, and what else is known at each vertex. */
 export interface PlantMesh extends Mesh {
+	/** What it is of. */
 	name: string;
 	/** Kind of material: stem, bark, blade, petal, skin … */
 	material: string;
+	/** What parts it has, where it has more than one. */
 	runs: MeshRun[];
 	/**
 	 * How much of the sky each vertex sees, 255 all, 0 none; of a sheet the better of its sides. Absent if not asked for, and
@@ -68,8 +77,11 @@ export interface PlantMesh extends Mesh {
 
 /** A grown plant of any model. Models add what is theirs by extending it. */
 export interface Plant {
+	/** What was drawn: internodes, branches, veins. */
 	segments: Segments;
+	/** What is borne. */
 	organs: Organs;
+	/** What it is drawn with; empty where no meshes were asked for. */
 	meshes: PlantMesh[];
 	/** By name, in the order of the model. */
 	counts: Record<string, number>;

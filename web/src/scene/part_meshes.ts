@@ -54,7 +54,7 @@ export class PartMeshes {
 	readonly #own: BufferGeometry[] = [];
 
 	/** @param wardrobe whose materials they wear; it stays whose it is */
-	constructor(parts: Iterable<Part>, wardrobe: Wardrobe) {
+	constructor(parts: Iterable<Part>, wardrobe: Pick<Wardrobe, "materialOf">) {
 		for (const { name, shape } of everyPart(parts)) {
 			if (!shape) continue;
 			const { mesh, instances } = shape;

@@ -22,37 +22,45 @@ export interface LampShares {
 	uniforms: Record<string, { value: unknown }>;
 }
 
-export interface StandardOptions {
-	light: LightUniforms;
+export interface PlainOptions {
 	/** Whether vertices have colours (`color`), in place of the material's. */
 	coloured?: boolean;
-	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
-	sky?: boolean;
-	shares?: LampShares;
 	/** What stands for the material's textures; geometries that wear it have `uv`. */
 	maps?: { colour?: Texture; normal?: Texture };
 }
 
-/**
- * What three's physically based material makes of one of ours, lit by `StandardLights`, with what those leave out: what is
- * hidden of the sky, the surroundings' mirror image, light through sheets. Light through flesh is left out.
- */
-export function standardMaterial(material: Material, options: StandardOptions): MeshStandardMaterial {
+export interface StandardOptions extends PlainOptions {
+	light: LightUniforms;
+	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
+	sky?: boolean;
+	shares?: LampShares;
+}
+
+/** What three's physically based material makes of one of ours in any scene. Light through sheets and flesh is left out. */
+export function plainMaterial(material: Material, { coloured = false, maps = {} }: PlainOptions): MeshStandardMaterial {
 	const made = isPlain(material) ? new MeshStandardMaterial() : physical(material);
 	made.name = material.name;
 	made.side = material.doubleSided ? DoubleSide : FrontSide;
-	const { colour: map, normal: normalMap } = options.maps ?? {};
-	const own = options.coloured || material.textures?.colour;
+	const own = coloured || material.textures?.colour;
 	made.color = own ? new Color(1, 1, 1) : new Color(...material.colour);
-	made.vertexColors = options.coloured ?? false;
-	if (map) made.map = map;
-	// It is laid already, and would be made a second time.
-	if (map) made.userData.picture = material.textures?.colour;
-	if (normalMap) made.normalMap = normalMap;
+	made.vertexColors = coloured;
+	if (maps.colour) made.map = maps.colour;
+	if (maps.normal) made.normalMap = maps.normal;
 	// three's frame is that of u and v, green of our normals points against v.
 	made.normalScale = new Vector2(1, -1);
 	made.roughness = material.roughness;
 	made.metalness = 0;
+	return made;
+}
+
+/**
+ * The same lit by `StandardLights`, with what those leave out: what is hidden of the sky, the surroundings' mirror image, light
+ * through sheets.
+ */
+export function standardMaterial(material: Material, options: StandardOptions): MeshStandardMaterial {
+	const made = plainMaterial(material, options);
+	// It is laid already, and would be made a second time.
+	if (made.map) made.userData.picture = material.textures?.colour;
 	const sheet = material.sheet && sheetUniforms();
 	made.userData.sheet = sheet;
 	setSheet(made, material);

@@ -24,6 +24,8 @@ export interface ViewerOptions {
 export interface ViewerEvents {
 	/** Once, when the first draw with a plant has been submitted. */
 	firstDraw?(): void;
+	/** After every draw: what lies over the canvas may have to follow the plant. */
+	drawn?(): void;
 	/** The GPU has dropped the page's pictures; the canvas is blank until `contextRestored`. */
 	contextLost?(): void;
 	contextRestored?(): void;
@@ -158,9 +160,9 @@ export class Viewer<S, G> {
 	}
 
 	/** Where a point of the plant is on the canvas, in CSS pixels from its top left corner. */
-	project(point: Vector3): { x: number; y: number } {
+	project({ x, y, z }: Pick<Vector3, "x" | "y" | "z">): { x: number; y: number } {
 		this.camera.updateMatrixWorld();
-		const at = new Vector3().copy(point).project(this.camera);
+		const at = new Vector3(x, y, z).project(this.camera);
 		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
 	}
 
@@ -169,7 +171,7 @@ export class Viewer<S, G> {
 	 * there is nothing.
 	 */
 	pick(x: number, y: number): number | undefined {
-		return this.#stage.pick(this.#rayThrough(x, y));
+		return this.#stage.pick(this.sightThrough(x, y));
 	}
 
 	/** Marks what is pointed at, by the number that `pick` gives; nothing where undefined. A new plant starts without. */
@@ -255,7 +257,8 @@ export class Viewer<S, G> {
 		this.#events.contextRestored?.();
 	};
 
-	#rayThrough(x: number, y: number): Ray {
+	/** The line of sight through a point of the canvas, CSS pixels from its top left corner. */
+	sightThrough(x: number, y: number): Ray {
 		this.camera.updateMatrixWorld();
 		const { width, height } = this.#size;
 		const eye = this.camera.position;
@@ -279,6 +282,7 @@ export class Viewer<S, G> {
 		this.camera.updateMatrixWorld();
 		this.#submit(this.#stage, ratio);
 		this.#rendered++;
+		this.#events.drawn?.();
 		if (!this.#stage.filled || this.#drawnFirst) return;
 		this.#drawnFirst = true;
 		this.#events.firstDraw?.();

@@ -8,7 +8,7 @@
  *   is brought into range as everywhere, with a note. Texts that a link has in its fragment, which no server is sent, come as
  *   further keys: `g=…`.
  */
-import type { FileOptions } from "../export/plant_files";
+import { FILE_RANGES, type FileOptions } from "../export/plant_files";
 import { isModel, modelNamed } from "../models/index";
 import type { Model } from "../models/model";
 import { decodeLink, modelInQuery } from "../specimen/link";
@@ -129,15 +129,16 @@ function optionsOf(own: ReadonlyMap<FileKey, string | undefined>): FileOptions {
 		return on === undefined ? [] : [[key, on]];
 	});
 	return {
-		...readNumber("triangles", own.get("triangles"), 100, 2_000_000),
-		...readNumber("thickness", own.get("thickness"), 0.2, 20),
-		...readNumber("points", own.get("points"), 1, 2_000_000),
+		...readNumber("triangles", own.get("triangles")),
+		...readNumber("thickness", own.get("thickness")),
+		...readNumber("points", own.get("points")),
 		...Object.fromEntries(switched),
 	};
 }
 
-function readNumber(key: FileKey, text: string | undefined, least: number, most: number) {
+function readNumber(key: keyof typeof FILE_RANGES, text: string | undefined) {
 	if (text === undefined) return {};
+	const [least, most] = FILE_RANGES[key];
 	const value = /^\d+(\.\d+)?$/.test(text) ? Number(text) : Number.NaN;
 	const whole = key === "thickness" || Number.isInteger(value);
 	if (!whole || !(value >= least && value <= most))

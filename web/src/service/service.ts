@@ -4,13 +4,15 @@
  */
 import { crc32 } from "../batch/crc32";
 import type { Core } from "../core/core";
+import { Cores } from "../core/cores";
 import { CoreError, CoreTrap } from "../core/errors";
 import { aboutPlant } from "../export/about_plant";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
 import { hasAges } from "../files/aged";
-import { type CoreAt, makeFile } from "../files/make";
+import { growPlant, untimed } from "../files/growth";
+import { type Growing, makeFile } from "../files/make";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
 import { type Asked, readAddress } from "./address";
@@ -28,8 +30,6 @@ export interface Surroundings {
 /** Answers a request; never throws. */
 export type Service = (request: Request) => Promise<Response>;
 
-/** A core that took more than this for a plant is given up for a small one. */
-const MOST_MEMORY = 256 * 1024 * 1024;
 const METHODS = "GET, HEAD, OPTIONS";
 /** Any page may ask: what is answered is public, and the same for all. */
 const FOR_ALL = {
@@ -45,25 +45,19 @@ const OTHERS = ["json", "obj", "mtl", "zip-obj"];
 const encoder = new TextEncoder();
 
 export function makeService({ loadCore, release }: Surroundings): Service {
-	const cores = new Map<string, Promise<Core>>();
+	const cores = new Cores(loadCore);
 	const known = new Known(4096);
+	const run = cores.grow.bind(cores);
 
 	async function grow(
 		{ model, specimen, notes }: Asked,
 		options: { meshes: boolean; measures: boolean },
 	): Promise<Plant> {
-		await model.prepare?.(specimen);
-		const loading = cores.get(model.wasm) ?? loadCore(model.wasm);
-		cores.set(model.wasm, loading);
 		try {
-			const core = await loading;
-			const grown = model.read(core.grow(model.encode(specimen, options)), specimen);
-			if (core.memoryBytes > MOST_MEMORY) cores.delete(model.wasm);
-			// How long it took is the machine's, and no part of what is the same everywhere.
-			return { ...grown, notes: [...grown.notes, ...notes.map(({ text }) => text)], timings: { grow: 0 } };
+			const grown = untimed(await growPlant(model, specimen, options, run));
+			return { ...grown, notes: [...grown.notes, ...notes.map(({ text }) => text)] };
 		} catch (error) {
 			if (error instanceof CoreError) throw new Refused(422, placed(error));
-			cores.delete(model.wasm);
 			throw error;
 		}
 	}
@@ -83,7 +77,9 @@ export function makeService({ loadCore, release }: Surroundings): Service {
 		const tag = `"${plant.fingerprint}-${crc32(encoder.encode(address))}"`;
 		known.keep(address, tag);
 		if (matches(request, tag)) return unchanged(tag);
-		const file = await fileOf(asked, format, plant, loadCore);
+		const file = await fileOf(asked, format, plant, (younger) =>
+			growPlant(asked.model, younger, { measures: false }, run),
+		);
 		const headers = {
 			...FOR_ALL,
 			etag: tag,
@@ -123,7 +119,7 @@ async function fileOf(
 	{ model, specimen, name, options }: Asked,
 	format: string,
 	grown: Plant,
-	coreAt: CoreAt,
+	growing: Growing,
 ): Promise<Blob> {
 	if (format === "json") {
 		const text = JSON.stringify(exportJson(model, grown, specimen));
@@ -135,8 +131,8 @@ async function fileOf(
 		return new Blob([exportObj(model.parts(grown, specimen), about, name)[format]], { type: `model/${format}` });
 	}
 	const key = format === "zip-obj" ? "obj" : format;
-	const request = { model: model.name, format: key, grown, specimen, link, name, options, core: model.wasm };
-	return makeFile(model, request, coreAt);
+	const request = { model: model.name, format: key, grown, specimen, link, name, options };
+	return makeFile(model, request, growing);
 }
 
 /** What the core says of a grammar has the place, as compilers write it. */

@@ -80,6 +80,14 @@ export function decodeQuery<S extends Specimen>(species: Species<S>, search: str
 	return restored(species, valuesOf(search, notes), notes);
 }
 
+/** Query and fragment of a whole address, or of a part that begins with one of them. */
+export function linkParts(address: string): { query: string; fragment: string } {
+	const hash = address.indexOf("#");
+	const end = hash < 0 ? address.length : hash;
+	const query = address.lastIndexOf("?", end);
+	return { query: query < 0 ? "" : address.slice(query, end), fragment: address.slice(end) };
+}
+
 /** The name of the model that a query says it is of; undefined where it says none. */
 export function modelInQuery(search: string): string | undefined {
 	return new URLSearchParams(search.slice(0, LONGEST_QUERY)).getAll("model").at(-1);

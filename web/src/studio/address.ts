@@ -1,4 +1,5 @@
 /** The address bar: always holds the specimen that is at rest. */
+import { fromPreset } from "../specimen/from_preset";
 import {
 	decodeLink,
 	decodeQuery,
@@ -38,6 +39,12 @@ export function readWholeAddress<S extends Specimen>(
 /** The whole link, for copying and for files. */
 export async function linkOf<S extends Specimen>(species: Species<S>, specimen: S): Promise<string> {
 	return `${location.origin}${location.pathname}${await encodeLink(species, specimen)}`;
+}
+
+/** What a link does not hold of a specimen, in words. */
+export function notInLink<S extends Specimen>(species: Species<S>, specimen: S): string[] {
+	const preset = fromPreset(species, specimen.preset);
+	return species.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, preset) ?? []);
 }
 
 /** Whether a fragment is none of a specimen's: an element's id, or whatever was typed. */

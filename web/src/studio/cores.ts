@@ -8,6 +8,8 @@ import type { Specimen } from "../specimen/specimen";
 export interface GrowOptions extends GrowthOptions {
 	/** Cancels: the promise rejects with the signal's reason. */
 	signal?: AbortSignal;
+	/** Whether a sketch does for what besides the core it needs. */
+	sketched?: boolean;
 }
 
 /** What grows specimens; rejects as `Client.grow` does. */
@@ -32,13 +34,14 @@ export class Cores implements Grower {
 		if (wasm !== undefined) this.#client.warm(wasm);
 	}
 
-	async grow(model: Model, specimen: Specimen, { signal, ...wanted }: GrowOptions = {}): Promise<Plant> {
+	async grow(model: Model, specimen: Specimen, { signal, sketched, ...wanted }: GrowOptions = {}): Promise<Plant> {
 		const wasm = this.#addressOf(model.wasm);
 		if (wasm === undefined)
 			throw new UnsupportedError("core", `The core of the ${model.noun} is not part of this page.`);
 		const call = ++this.#calls;
 		// What cannot be fetched is missing from the plant, and the core says so.
-		await model.prepare?.(specimen)?.catch(() => {});
+		const fetched = sketched && model.sketch ? model.sketch(specimen) : model.prepare?.(specimen);
+		await fetched?.catch(() => {});
 		// One that had less to wait for is under way: this would begin after it, and take its place.
 		if (call !== this.#calls) throw new Superseded();
 		const order = { wasm, blocks: model.encode(specimen, wanted) };

@@ -23,6 +23,8 @@ export class Growing {
 	#shown = 0;
 	#cancel: AbortController | undefined;
 	#timer: ReturnType<typeof setTimeout> | undefined;
+	/** Whether the first picture is yet to come: it waits for nothing that it can do without. */
+	#opening = true;
 
 	constructor(grower: Grower, studio: () => Studio) {
 		this.#grower = grower;
@@ -36,7 +38,8 @@ export class Growing {
 		this.#timer ??= this.#patience();
 		const start = performance.now();
 		try {
-			const grown = await this.#grower.grow(model, specimen, { ...options, signal: this.#cancel.signal });
+			const wanted = { ...options, sketched: this.#opening, signal: this.#cancel.signal };
+			const grown = await this.#grower.grow(model, specimen, wanted);
 			performance.clearMeasures(REGROW);
 			performance.measure(REGROW, { start });
 			if (turn < this.#shown) return;
@@ -51,6 +54,14 @@ export class Growing {
 			this.#explain(error, model.noun);
 			this.#studio().caughtUp();
 		}
+	}
+
+	/** The first plant has been drawn: what was a sketch follows. */
+	finish(): void {
+		this.#opening = false;
+		const studio = this.#studio();
+		const { model, specimen } = studio.state;
+		if (model.sketch?.(specimen)) studio.growAgain();
 	}
 
 	/** Ends what is under way; the last plant stays, if there is one. */

@@ -85,7 +85,7 @@ function start(model: Model): void {
 	if (opened.whole) studio.open(opened, "link");
 	else void readWholeAddress(model, location).then((whole) => studio.open(whole, "link"));
 	draw(studio);
-	listCatalogue(studio);
+	followFirst(studio, growing);
 	listenForSkips();
 	followOtherTabs(studio);
 	addEventListener("popstate", () => void follow(studio, bar));
@@ -130,13 +130,14 @@ function followOtherTabs(studio: Studio): void {
 	});
 }
 
-/** Once the first plant is drawn, or is known not to come, the gallery gets every model's presets. */
-function listCatalogue(studio: Studio): void {
+/** Once the first plant is drawn, or is known not to come, what was a sketch of it follows, and the gallery gets every model's presets. */
+function followFirst(studio: Studio, growing: Growing): void {
 	const end = studio.subscribe(async () => {
 		const { shown, failure } = studio.state;
 		if (!shown && !failure) return;
 		end();
 		if (shown) await drawn();
+		growing.finish();
 		void Promise.allSettled(modelNames().map((name) => modelNamed(name))).then((models) => {
 			studio.list(models.flatMap((model) => (model.status === "fulfilled" ? [model.value] : [])));
 		});

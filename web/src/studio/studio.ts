@@ -1,3 +1,4 @@
+import { apply, otherSeed } from "../controls/change";
 import type { Change, Desk, NoticeOptions, Stateful } from "../controls/desk";
 import type { Face } from "../controls/tool";
 import type { Model } from "../models/model";
@@ -7,7 +8,6 @@ import * as histories from "../specimen/history";
 import type { Restored } from "../specimen/restore";
 import { growsAlike, sameSpecimen } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
-import { apply, otherSeed } from "./change";
 import { BARE, Faces } from "./faces";
 import { afterChange, withNotice, withoutTopic } from "./notice_list";
 import { inStep, type Opening, opened, type StudioState } from "./studio_state";

@@ -66,6 +66,9 @@ describe("what a host page may ask", () => {
 		[{ method: "open", values: {} }, /^link: a text/],
 		[{ method: "picture", values: { width: 1e6 } }, /^width: 1 to 8192/],
 		[{ method: "file", values: { format: "glb", triangles: "many" } }, /^triangles: a number/],
+		[{ method: "file", values: { format: "stl", thickness: 0.001 } }, /^thickness: 0.2 to 20$/],
+		[{ method: "file", values: { format: "ply", points: 1e12 } }, /^points: 1 to 2000000$/],
+		[{ method: "file", values: { format: "glb-low", triangles: -1 } }, /^triangles: 100 to 2000000$/],
 	])("%j is refused in words", async (message, error) => {
 		const { answers } = await asked(message);
 		expect(answers).toEqual(answered({ error: expect.stringMatching(error) }));
@@ -96,6 +99,11 @@ describe("what a host page may ask", () => {
 		expect(source.postMessage.mock.calls[1]).toEqual([told, { targetOrigin: HOST }]);
 	});
 
+	it.each([Number.NaN, Number.POSITIVE_INFINITY, "x".repeat(201), null, {}])("passes over the id %s", async (id) => {
+		expect((await asked({ id, method: "grow" })).answers).toEqual([]);
+		expect(plant.grow).not.toHaveBeenCalled();
+	});
+
 	it("passes over whatever is no message of ours, and breaks at nothing", () =>
 		fc.assert(
 			fc.asyncProperty(fc.anything(), fc.anything(), async (data, values) => {
@@ -122,6 +130,11 @@ describe("a frame’s address", () => {
 			allowed: ["https://a.example", "https://b.example"],
 		});
 		expect(frameSettings({ search: "", hash: "" })).toEqual({ link: "?", attributes: [], allowed: undefined });
+		// Written as addresses are, they are the same origins; what is no address lets nobody in.
+		expect(frameSettings({ search: "?allow=https://A.example:443/page", hash: "" }).allowed).toEqual([
+			"https://a.example",
+		]);
+		expect(frameSettings({ search: "?allow=", hash: "" }).allowed).toEqual([]);
 	});
 
 	it("has keys of its own that no link has", async () => {

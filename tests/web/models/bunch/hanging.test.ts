@@ -1,4 +1,4 @@
-/** How bunches of every grape preset hang, and how their axes stand round the rachis, over many seeds. */
+/** How bunches of every grape preset hang, how their axes stand round the rachis, and where they are bare, over many seeds. */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../web/src/core/core";
@@ -11,6 +11,8 @@ import { freshCore, growBunch } from "../../core/wasm";
 
 const SEEDS = 20;
 const SECTORS = 16;
+/** Berry lengths of bare rachis that berries may hang below. */
+const MOST_BARE = 1.5;
 
 let core: Core;
 beforeAll(async () => {
@@ -22,7 +24,11 @@ const bunchesOf = (preset: string): Grown[] =>
 		growBunch(core, { ...specimenFromPreset(preset), seed: seed + 1 }, { meshes: false }),
 	);
 
-describe.each(PRESETS.filter(({ kind }) => kind !== "fruit").map(({ name }) => name))("%s", (preset) => {
+const GRAPES = PRESETS.filter(({ kind }) => kind !== "fruit").map(({ name }) => name);
+const coverages: number[] = [];
+const spills: number[] = [];
+
+describe.each(GRAPES)("%s", (preset) => {
 	let bunches: Grown[];
 	beforeAll(() => {
 		bunches = bunchesOf(preset);
@@ -36,13 +42,68 @@ describe.each(PRESETS.filter(({ kind }) => kind !== "fruit").map(({ name }) => n
 		expect(Math.min(...shares(bunches))).toBeGreaterThanOrEqual(0.01);
 	});
 
+	it("has no tuft below bare rachis", () => {
+		for (const bunch of bunches) expect(longestGap(bunch)).toBeLessThan(MOST_BARE);
+	});
+
 	it("keeps to its handles", () => {
 		const of = (key: (typeof MEASURE_KEYS)[number]) => bunches.map(({ measures }) => measureOf(measures, key));
 		expect(bunches[0].procedure).toBe("natural");
 		expect(Math.min(...of("coverage"))).toBeGreaterThanOrEqual(0.85);
 		expect(Math.max(...of("spill"))).toBeLessThanOrEqual(0.06);
+		coverages.push(...of("coverage"));
+		spills.push(...of("spill"));
 	});
 });
+
+it("keeps to the handles in the mean of presets and seeds", () => {
+	expect(coverages).toHaveLength(GRAPES.length * SEEDS);
+	expect(mean(coverages)).toBeGreaterThanOrEqual(0.92);
+	expect(mean(spills)).toBeLessThanOrEqual(0.03);
+});
+
+it("drawn profiles have no tuft below bare rachis, loose and various ones neither", () => {
+	const draws = new Draws(1);
+	for (let seed = 1; seed <= 200; seed++) {
+		const specimen = specimenFromPreset("long-conical");
+		const profile: Record<string, number> = { l: draws.between(150, 580) };
+		for (const side of ["p3", "p4", "p5", "p6"]) {
+			profile[`${side}w`] = draws.between(30, 220);
+			profile[`${side}r`] = draws.between(0, 0.7 * profile.l);
+		}
+		const loose = seed % 2 === 0 ? { variability: 2, density: draws.between(1, 5) } : {};
+		const parameters = { ...specimen.parameters, ...profile, ...loose };
+		const bunch = growBunch(core, { ...specimen, seed, parameters }, { meshes: false, measures: false });
+		expect(longestGap(bunch), JSON.stringify({ seed, ...profile, ...loose })).toBeLessThan(MOST_BARE);
+	}
+});
+
+const mean = (values: readonly number[]) => values.reduce((sum, value) => sum + value) / values.length;
+
+/** Whole numbers by a linear congruential generator (Numerical Recipes, section 7.1): the same on every run. */
+class Draws {
+	constructor(private state: number) {}
+
+	between(low: number, high: number): number {
+		this.state = (Math.imul(this.state, 1664525) + 1013904223) >>> 0;
+		return Math.round(low + ((high - low) * this.state) / 2 ** 32);
+	}
+}
+
+/** The longest stretch of the bunch's axis beside which no berry hangs while some do below it; in berry lengths. */
+function longestGap({ berries }: Grown): number {
+	const of = (trait: (typeof TRAITS)[number], i: number) => berries.traits[TRAITS.length * i + TRAITS.indexOf(trait)];
+	const set = Array.from({ length: berries.count }, (_, i) => i).filter((i) => of("set", i) === 1);
+	const mean = set.reduce((sum, i) => sum + of("length", i), 0) / set.length;
+	const spans = set.map((i) => ({ middle: berries.spheres[4 * i + 1], half: of("length", i) / 2 }));
+	spans.sort((a, b) => b.middle - a.middle);
+	let [low, longest] = [Number.POSITIVE_INFINITY, 0];
+	for (const { middle, half } of spans) {
+		if (low < Number.POSITIVE_INFINITY) longest = Math.max(longest, low - (middle + half));
+		low = Math.min(low, middle - half);
+	}
+	return longest / mean;
+}
 
 /** The share of berries that point upward, of those that set. */
 function upward({ berries }: Grown): number {

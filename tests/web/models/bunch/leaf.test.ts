@@ -36,6 +36,17 @@ describe("the leaf on the cane", () => {
 		expect(notes).toEqual([expect.stringMatching(/^The cane has no leaves/)]);
 	});
 
+	it("is a sketch until it has come, without petioles: the cane has its own", async () => {
+		expect(model.sketch(bare)).toBeUndefined();
+		await model.sketch(leafy);
+		const sketch = leafOnCane();
+		expect(asked(leafy).floats("leaf.points")).toEqual(sketch?.points);
+		expect(asked(leafy).has("leaf.petiole")).toBe(false);
+		expect(growBunch(core, leafy).notes).toEqual([]);
+		await model.prepare(leafy);
+		expect(leafOnCane()?.points.length).toBeGreaterThan(10 * (sketch?.points.length ?? 0));
+	});
+
 	it("goes with the request of a bunch that has leaves, and with no other", async () => {
 		await model.prepare(leafy);
 		const leaf = leafOnCane();

@@ -2,7 +2,7 @@
  * What a host page and the plant in its frame say to each other (docs/embed.md). Every message is looked at before it is heeded; an
  * answer goes to the origin that asked, and to nobody else. Messages of other programs pass without a word.
  */
-import type { FileOptions } from "../../export/plant_files";
+import { FILE_RANGES, type FileOptions } from "../../export/plant_files";
 import type { GrownDetail } from "../grown_detail";
 
 /** In every message of ours. */
@@ -33,6 +33,7 @@ type Method = (plant: Plant, values: Values, heard: Heard) => unknown;
 class Unfit extends Error {}
 
 const MOST_VALUES = 200;
+const LONGEST_ID = 200;
 const LONGEST_TEXT = 512 * 1024;
 
 export class Conversation {
@@ -52,7 +53,7 @@ export class Conversation {
 		const { data, origin, source } = heard;
 		if (!isRecord(data) || data.panicle !== PROTOCOL || !source) return;
 		const { id } = data;
-		if (typeof id !== "number" && typeof id !== "string") return;
+		if (!(typeof id === "string" ? id.length <= LONGEST_ID : Number.isFinite(id))) return;
 		const answer = (more: object) => send(source, origin, { id, ...more });
 		try {
 			answer({ result: await this.#heed(data, heard) });
@@ -62,7 +63,7 @@ export class Conversation {
 	}
 
 	/** Tells those who listen. */
-	tell(event: "grown" | "change" | "error", detail: unknown): void {
+	tell(event: "grown" | "input" | "change" | "error", detail: unknown): void {
 		for (const [source, origin] of this.#listeners) send(source, origin, { event, detail });
 	}
 
@@ -92,9 +93,9 @@ const METHODS: Readonly<Record<string, Method>> = {
 	open: (plant, { link }) => plant.open(text("link", link)),
 	file: (plant, { format, triangles, thickness, points, translucent, textures }) =>
 		plant.toFile(text("format", format), {
-			...(triangles === undefined ? {} : { triangles: number("triangles", triangles) }),
-			...(thickness === undefined ? {} : { thickness: number("thickness", thickness) }),
-			...(points === undefined ? {} : { points: number("points", points) }),
+			...ranged("triangles", triangles),
+			...ranged("thickness", thickness),
+			...ranged("points", points),
 			...(translucent === true ? { translucent } : {}),
 			...(textures === true ? { textures } : {}),
 		}),
@@ -124,6 +125,15 @@ function text(key: string, value: unknown): string {
 function number(key: string, value: unknown): number {
 	if (typeof value !== "number" || !Number.isFinite(value)) throw new Unfit(`${key.slice(0, 60)}: a number is wanted`);
 	return value;
+}
+
+/** A number of a file's, where one is given. */
+function ranged(key: keyof typeof FILE_RANGES, value: unknown): FileOptions {
+	if (value === undefined) return {};
+	const [least, most] = FILE_RANGES[key];
+	const given = number(key, value);
+	if (given < least || given > most) throw new Unfit(`${key}: ${least} to ${most}`);
+	return { [key]: given };
 }
 
 function side(key: string, value: unknown): number {

@@ -28,6 +28,6 @@ const conversation = new Conversation(
 addEventListener("message", ({ data, origin, source }) => {
 	void conversation.hear({ data, origin, source: source as Window | null });
 });
-for (const type of ["grown", "change", "error"] as const)
+for (const type of ["grown", "input", "change", "error"] as const)
 	plant.addEventListener(type, (event) => conversation.tell(type, (event as unknown as CustomEvent).detail));
 document.body.append(plant);

@@ -10,7 +10,7 @@ export interface FrameSettings {
 }
 
 /** Keys of the frame's query that go to the element; no parameter is called so. */
-export const FRAME_KEYS = ["autorotate", "theme", "alt", "loading"] as const;
+export const FRAME_KEYS = ["autorotate", "controls", "handles", "theme", "alt", "loading"] as const;
 
 export function frameSettings({ search, hash }: { search: string; hash: string }): FrameSettings {
 	const query = new URLSearchParams(search);
@@ -19,7 +19,12 @@ export function frameSettings({ search, hash }: { search: string; hash: string }
 		query.delete(key);
 		return value === undefined ? [] : [[key, value] as const];
 	});
-	const allowed = query.getAll("allow").flatMap((origins) => origins.split(","));
+	const allowed = query.has("allow") ? query.getAll("allow").flatMap((origins) => origins.split(",")) : undefined;
 	query.delete("allow");
-	return { link: `?${query}${hash}`, attributes, allowed: allowed.length > 0 ? allowed : undefined };
+	return { link: `?${query}${hash}`, attributes, allowed: allowed?.flatMap(originOf) };
+}
+
+/** An address's origin as messages have it; what is none allows nobody. */
+function originOf(address: string): string[] {
+	return URL.canParse(address) ? [new URL(address).origin] : [];
 }

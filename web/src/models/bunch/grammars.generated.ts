@@ -153,6 +153,7 @@ export const GRAPE_BUNCH_4 = `/* L-system 4: the natural bunch. The rachis, axes
 #input length   /* of the rachis */
 #input spacing  /* of the rachis's nodes, in its upper part */
 #input step     /* of the nodes of a first-order axis */
+#input stride   /* of those of a second-order axis */
 #input twig     /* the internode of an end structure */
 #input stalk    /* a pedicel */
 #input girth    /* width of the rachis at its top */
@@ -160,18 +161,22 @@ export const GRAPE_BUNCH_4 = `/* L-system 4: the natural bunch. The rachis, axes
 #input arm[]    /* arm[1] … from the top: lengths of the first-order axes; below 0 there is one pedicel in place of one */
 #input way[]    /* way[1] …: how far round the rachis they stand, from p3 by way of p6 */
 #input aim[]    /* aim[1] …: angles at which they leave the rachis */
+#input node[]   /* node[1] …: which is their first, counted over the nodes of all axes */
+#input beyond[]   /* beyond[1] …: how far an end structure at a node may go on as an axis of second order */
 
 #define near 0.6    /* spacing at the tip, over that in the upper part */
 #define tip 0.4      /* share of the rachis over which nodes draw together */
 #define r_w 0.98     /* width of an internode over the one before */
 #define r_a 0.62     /* width: rachis to first-order axis */
+#define stout 0.15   /* so much wider is an axis that bears axes */
 #define r_t 0.7      /* width: axis to twig */
+#define lateral 0.6  /* an axis of second order and a stride, over what is left of the one that bears it */
 #define turn 137.5  /* from one axis to the next, round the rachis */
 #define alpha_y 60   /* yaw of twigs and pedicels */
 #define vary 0.3     /* how much modules differ: at 1 by 15° of yaw, 25° of roll and a fifth of their length */
 
 #role rachis Ar
-#role axis Af Ag
+#role axis Af Ag Ab
 #role end Ae
 #role pedicel Ap
 
@@ -181,23 +186,29 @@ axiom: Ar(1, length, spacing, girth)
    and its axis as strong. */
 Ar(k,left,d,w) : left>0 --> ?E(0,0,0,min(left,d),w,0)
   [ Ar(k+1, left-d, spacing*min(1,near+(1-near)*(left-d)/(tip*length)), w*r_w) ]
-  [ /(way[k]+vary*(ran(50)-25)) +(aim[k]+vary*(ran(20)-10)) Af(arm[k], w*r_a, min(1,left/d)) ]
+  [ /(way[k]+vary*(ran(50)-25)) +(aim[k]+vary*(ran(20)-10)) Af(node[k], arm[k], w*r_a*(1+stout*min(1,max(beyond[node[k]],beyond[node[k]+1])/stride)), min(1,left/d)) ]
 
 /* a first-order axis: an end structure at every node, weak at a node that is not far from the one before; in a raceme a
-   single pedicel */
-Af(left,w,s) : left>0  --> ?E(0,0,0,min(left,step),w,0)
-  [ /(90+vary*(ran(50)-25)) Ag(left-step, w*r_w, s) ]
-  [ /(vary*(ran(50)-25)) +(alpha_y+vary*(ran(30)-15)) Ae(w*r_t, s) ]
-Ag(left,w,s) : left>0  --> ?E(0,0,0,min(left,step),w,0)
-  [ /(90+vary*(ran(50)-25)) Ag(left-step, w*r_w, s) ]
-  [ /(vary*(ran(50)-25)) +(alpha_y+vary*(ran(30)-15)) Ae(w*r_t, s*min(1,left/step)) ]
-Af(left,w,s) : left<=0 --> Ap(fine, s)
+   single pedicel. i is its node: the lower end structures of a long one go on as axes of second order. */
+Af(i,left,w,s) : left>0  --> ?E(0,0,0,min(left,step),w,0)
+  [ /(90+vary*(ran(50)-25)) Ag(i+1, left-step, w*r_w, s) ]
+  [ /(vary*(ran(50)-25)) +(alpha_y+vary*(ran(30)-15)) Ae(min(beyond[i],lateral*(left-step)-stride), w*r_t, s) ]
+Ag(i,left,w,s) : left>0  --> ?E(0,0,0,min(left,step),w,0)
+  [ /(90+vary*(ran(50)-25)) Ag(i+1, left-step, w*r_w, s) ]
+  [ /(vary*(ran(50)-25)) +(alpha_y+vary*(ran(30)-15)) Ae(min(beyond[i],lateral*(left-step)-stride), w*r_t, s*min(1,left/step)) ]
+Af(i,left,w,s) : left<=0 --> Ap(fine, s)
 
-/* three pedicels at the end of a twig, as p8 */
-Ae(w,s) --> ?E(0,0,0,twig*(1+vary*(ran(0.4)-0.2)),w,0)
-  [ Ap(fine, s) ]
+/* three pedicels at the end of a twig, as p8; where it goes on, the one in the middle stands aside */
+Ae(on,w,s) --> ?E(0,0,0,twig*(1+vary*(ran(0.4)-0.2)),w,0)
+  [ /(90) +(alpha_y*clamp(on/stride,0,1)) Ap(fine, s) ]
   [ /(vary*(ran(50)-25)) +(alpha_y+vary*(ran(30)-15)) Ap(fine, s) ]
   [ /(vary*(ran(50)-25)) -(alpha_y+vary*(ran(30)-15)) Ap(fine, s) ]
+  [ Ab(on, w*r_w, s) ]
+
+/* an axis of second order: it bears end structures only */
+Ab(left,w,s) : left>0  --> ?E(0,0,0,min(left,stride),w,0)
+  [ /(90+vary*(ran(50)-25)) Ab(left-stride, w*r_w, s) ]
+  [ /(270+vary*(ran(50)-25)) +(alpha_y+vary*(ran(30)-15)) Ae(0, w*r_t, s*min(1,left/stride)) ]
 
 /* a pedicel and its flower, as strong as what bears it; the berry's size is settled later */
 Ap(w,s) --> ?E(1,0,0,stalk*(1+vary*(ran(0.4)-0.2)),w,s)

@@ -2,7 +2,8 @@
 import type { Model } from "../model";
 import { BUNCH_FORMATS } from "./formats";
 import type { Grown } from "./grown";
-import { fetchLeaf } from "./leaf";
+import { fetchLeaf, fetchSketch } from "./leaf";
+import { ownTextNotes } from "./own_text";
 import { bunchParts } from "./parts/bunch_parts";
 import { readGrown } from "./read_grown";
 import { bunchRecord } from "./record";
@@ -18,8 +19,12 @@ export const model = {
 	noun: "bunch",
 	wasm: "bunch.wasm",
 	prepare: (specimen) => (hasLeaves(specimen) ? fetchLeaf() : undefined),
+	sketch: (specimen) => (hasLeaves(specimen) ? fetchSketch() : undefined),
 	encode: encodeRequest,
-	read: readGrown,
+	read: (answer, specimen) => {
+		const grown = readGrown(answer);
+		return { ...grown, notes: [...grown.notes, ...ownTextNotes(specimen)] };
+	},
 	parts: bunchParts,
 	instanced: () => true,
 	words: bunchInWords,
@@ -28,5 +33,6 @@ export const model = {
 	formats: BUNCH_FORMATS,
 	targets: bunchTargets,
 	figure: async () => (await import("./figure/bunch_figure")).bunchFigure,
+	handles: async () => (await import("./profile/plant_handles")).bunchHandles,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<BunchSpecimen, Grown>;

@@ -317,7 +317,7 @@ export const PARAMETERS: readonly Entry[] = [
 		min: 1,
 		max: 9,
 		default: 7,
-		step: 0.5,
+		step: 0.2,
 		where: { procedure: "natural" },
 		help: "As OIV 204 words it: 1 very loose, berries apart; 5 medium, pedicels hidden; 9 very dense, berries deformed.",
 		since: 2,

@@ -2,6 +2,7 @@
 
 import { coreAddress } from "../../core/core_address";
 import { type FileOptions, PLANT_FILES } from "../../export/plant_files";
+import { withLink } from "../../export/png_link";
 import { hasAges } from "../../files/aged";
 import { exportFile } from "../../files/exporter";
 import type { Specimen } from "../../specimen/specimen";
@@ -68,7 +69,7 @@ function picturesBy(take: NonNullable<StudioState["picture"]>): Download[] {
 			about: "The 3-D view as a PNG",
 			suffix: ".png",
 			sized: false,
-			make: (asked) => take(sizeOf(asked)),
+			make: async (asked) => withLink(await take(sizeOf(asked)), asked.link),
 		},
 		{
 			key: "png-alone",
@@ -76,7 +77,7 @@ function picturesBy(take: NonNullable<StudioState["picture"]>): Download[] {
 			about: "The same with nothing behind the plant: a transparent PNG",
 			suffix: "-cut-out.png",
 			sized: false,
-			make: (asked) => take({ ...sizeOf(asked), alone: true }),
+			make: async (asked) => withLink(await take({ ...sizeOf(asked), alone: true }), asked.link),
 		},
 	];
 }

@@ -1,6 +1,7 @@
 import { FILE_TOPIC } from "../../controls/tool";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
+import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
 import { BARE } from "../faces";
 import { applying } from "../panel_groups";
@@ -9,7 +10,7 @@ import { TRY_AGAIN } from "../types";
 import { dropsOf } from "./drops";
 
 /**
- * Brings back the specimen of a GLB or JSON, of whatever model; a file without one goes to the tool that takes it. Whatever
+ * Brings back the specimen of a GLB, a JSON or a picture with its link, of whatever model; a file without one goes to the tool that takes it. Whatever
  * is wrong with the file is said, and the plant stays.
  */
 export async function openFile(studio: Studio, file: File): Promise<void> {
@@ -21,9 +22,15 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 		return;
 	}
 	try {
-		const record = await reader.recordInFile(file.name, file);
-		const model = await modelNamed(modelIn(record));
-		studio.take(model, restore(model, record), FILE_TOPIC);
+		const found = await reader.foundInFile(file.name, file);
+		if ("link" in found) {
+			const { query, fragment } = linkParts(found.link);
+			const model = await modelNamed(modelInQuery(query));
+			studio.take(model, await decodeLink(model, query, fragment), FILE_TOPIC);
+		} else {
+			const model = await modelNamed(modelIn(found.record));
+			studio.take(model, restore(model, found.record), FILE_TOPIC);
+		}
 	} catch (error) {
 		const known = error instanceof reader.FileError;
 		const drop = known ? dropsOf(studio).find(({ takes }) => takes(file)) : undefined;

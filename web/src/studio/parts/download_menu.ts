@@ -6,7 +6,7 @@ import type { MadeAhead } from "../files/made_ahead";
 import type { Studio } from "../studio";
 import { isAltered } from "../title";
 import { TRY_AGAIN } from "../types";
-import type { ManyDialog } from "./many_dialog";
+import type { MenuAction } from "./menu_actions";
 import { StudioPart } from "./studio_part";
 
 /** What takes longer than this shows that it is being made, and can be cancelled; milliseconds. */
@@ -46,12 +46,12 @@ export class DownloadMenu extends StudioPart {
 			>${icon("download")}<span class="words">Download</span></button>
 			${this.#making?.slow ? progress(this.#making, () => this.#cancel()) : nothing}
 			${offered && shown ? this.#menu(offered, offered.formatsOf(shown, studio.state.picture)) : nothing}
-			<panicle-many .desk=${studio}></panicle-many>`;
+			<panicle-many .desk=${studio}></panicle-many><panicle-embed .desk=${studio}></panicle-embed>`;
 	}
 
 	#menu(offered: Offered, formats: readonly Download[]): unknown {
 		return html`<div class="menu" @keydown=${this.#keyDown} @focusout=${this.#focusOut}>
-			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}${manyItem(() => this.#many())}</div>
+			<div role="menu" aria-label="Download">${formats.map((format) => this.#item(offered, format))}${offered.menuActions(this.desk).map((action) => this.#action(action))}</div>
 			${offered.fileSettings(this.#options, (options) => {
 				this.#options = options;
 				void this.#tellSizes(offered);
@@ -63,6 +63,16 @@ export class DownloadMenu extends StudioPart {
 		const file = this.#asked && this.#ahead?.file(format, this.#asked);
 		return html`<button type="button" role="menuitem" data-format=${format.key} @click=${() => this.#download(offered, format)}>
 			${format.title}${format.sized ? html` <span class="size">${file ? offered.sizeInWords(file.size) : "…"}</span>` : nothing}<small>${format.about}</small>
+		</button>`;
+	}
+
+	#action(action: MenuAction): unknown {
+		const run = () => {
+			this.#leave();
+			void action.run(this.desk, this);
+		};
+		return html`<button type="button" role="menuitem" data-format=${action.key} @click=${run}>
+			${action.title}<small>${action.about}</small>
 		</button>`;
 	}
 
@@ -128,6 +138,12 @@ export class DownloadMenu extends StudioPart {
 		window.removeEventListener("pointerdown", this.#outside, { capture: true });
 	}
 
+	/** Closes the menu; the focus goes back to its button. */
+	#leave(): void {
+		this.#close();
+		this.querySelector<HTMLElement>("button")?.focus();
+	}
+
 	readonly #outside = (event: Event): void => {
 		if (!event.composedPath().includes(this)) this.#close();
 	};
@@ -140,12 +156,8 @@ export class DownloadMenu extends StudioPart {
 		const items = this.#items();
 		const at = items.indexOf(document.activeElement as HTMLElement);
 		const next = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
-		if (event.key === "Escape") {
-			this.#close();
-			this.querySelector<HTMLElement>("button")?.focus();
-		} else if (at < 0) {
-			return;
-		} else if (next !== undefined) {
+		if (event.key === "Escape") this.#leave();
+		else if (at >= 0 && next !== undefined) {
 			event.preventDefault();
 			items.at(next % items.length)?.focus();
 		}
@@ -156,8 +168,7 @@ export class DownloadMenu extends StudioPart {
 	}
 
 	async #download(offered: Offered, format: Download): Promise<void> {
-		this.#close();
-		this.querySelector<HTMLElement>("button")?.focus();
+		this.#leave();
 		this.#making?.cancel.abort();
 		const making: Making = { title: format.title, cancel: new AbortController(), slow: false };
 		this.#making = making;
@@ -181,22 +192,6 @@ export class DownloadMenu extends StudioPart {
 		}
 	}
 
-	/** Its dialog is loaded when it is first asked for. */
-	async #many(): Promise<void> {
-		this.#close();
-		const button = this.querySelector<HTMLElement>("button");
-		try {
-			await import("./many_dialog");
-			button?.focus();
-			await this.querySelector<ManyDialog>("panicle-many")?.open();
-		} catch {
-			const again = () => void this.#many();
-			this.desk.notify("The series could not be asked for", ["Part of the page could not be fetched.", TRY_AGAIN], {
-				again,
-			});
-		}
-	}
-
 	#explain(offered: Offered, error: unknown, format: Download): void {
 		const title = `The ${format.title} could not be made`;
 		const text = error instanceof Error ? error.message : String(error);
@@ -204,12 +199,6 @@ export class DownloadMenu extends StudioPart {
 			this.desk.notify(title, [text, TRY_AGAIN], { again: () => void this.#download(offered, format) });
 		else this.desk.notify(title, [text]);
 	}
-}
-
-function manyItem(open: () => Promise<void>): unknown {
-	return html`<button type="button" role="menuitem" data-format="many" @click=${open}>
-		Many in one ZIP…<small>A series of seeds, with what you vary, and a table</small>
-	</button>`;
 }
 
 function progress({ title }: Making, cancel: () => void): unknown {

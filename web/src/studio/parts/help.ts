@@ -22,7 +22,7 @@ export class Help extends StudioPart {
 				<input type="checkbox" role="switch" .checked=${state.ui.letters} @change=${this.#switchLetters}> Single letters are keys
 			</label>
 			<h3>Files</h3>
-			<p>Drop a GLB or JSON that Panicle made anywhere on the page, or choose <i>Open…</i>, and its plant comes back.</p>
+			<p>Drop a GLB, a JSON or a picture that Panicle made anywhere on the page, or choose <i>Open…</i>, and its plant comes back.</p>
 			<p>Version ${VERSION}. The program is free under the MIT licence; titles are set in EB Garamond (SIL Open Font License).</p>
 			<form method="dialog"><button class="button wine">Close</button></form>
 		</dialog>`;

@@ -1,7 +1,6 @@
 import { html } from "lit";
 import { icon } from "../../controls/icons";
-import { fromPreset } from "../../specimen/from_preset";
-import { linkOf } from "../address";
+import { linkOf, notInLink } from "../address";
 import { ACCEPT, takeFile } from "../files/drops";
 import type { Studio } from "../studio";
 import { StudioPart } from "./studio_part";
@@ -16,7 +15,7 @@ export class ShareBar extends StudioPart {
 	protected override draw(studio: Studio): unknown {
 		const { dark, model } = studio.state;
 		return html`<input type="file" hidden accept=${ACCEPT} @change=${this.#picked}>
-			<button class="button quiet" type="button" aria-label="Open…" title="Open a GLB or JSON made here" @click=${this.#pick}>
+			<button class="button quiet" type="button" aria-label="Open…" title="Open a GLB, JSON or PNG made here" @click=${this.#pick}>
 				${icon("open")}<span class="words">Open…</span>
 			</button>
 			<button class="button quiet" type="button" aria-label="Copy link" title="Copy the link that brings this ${model.noun} back" @click=${() => copyLink(studio)}>
@@ -49,8 +48,7 @@ export class ShareBar extends StudioPart {
 async function copyLink(studio: Studio): Promise<void> {
 	const { model, specimen } = studio.state;
 	const link = await linkOf(model, specimen);
-	const preset = fromPreset(model, specimen.preset);
-	const lost = model.details.flatMap(({ unlinked }) => unlinked?.keep(specimen, preset) ?? []);
+	const lost = notInLink(model, specimen);
 	try {
 		await navigator.clipboard.writeText(link);
 		studio.notify("Link copied", lost, { topic: "link", brief: lost.length === 0 });

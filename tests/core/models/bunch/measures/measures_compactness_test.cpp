@@ -36,8 +36,8 @@ double note_of(const std::vector<glm::vec3>& centres, double radius, double seen
   const auto share = [&](double sum, double whole) {
     return std::min(1.0, sum / static_cast<double>(centres.size()) / whole);
   };
-  return 1 + 2 * (1 - share(gap, 0.2 * d)) + 2 * (1 - std::min(1.0, seen / 0.4)) + 2 * share(contacts, 5.5) +
-         2 * share(pressed, 0.13);
+  return 1 + 2 * (1 - share(gap, 0.5 * d)) + 2 * (1 - std::min(1.0, seen / 0.7)) + 2 * share(contacts, 6) +
+         2 * share(pressed, 0.16);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ TEST_CASE("the note of density is what looking at every pair gives") {
 TEST_CASE("closer berries are denser, from the loosest note to the densest") {
   const Envelope envelope = block(40, 200);
   float before = 0;
-  for (const float radius : {4.0f, 6.0f, 7.0f, 7.49f, 8.0f, 8.5f}) {
+  for (const float radius : {4.0f, 6.0f, 7.0f, 7.49f, 8.0f, 8.5f, 9.0f}) {
     CAPTURE(radius);
     Subject subject(balls(lattice(15, within(envelope)), radius));
     const float seen = std::max(0.0f, 0.8f - radius / 10);

@@ -29,10 +29,10 @@ std::size_t setting(const FruitSet& set) {
 Wish wish_of(float count) {
   Wish wish;
   wish.count = count;
-  wish.fill = 50;
+  wish.density = 5;
   wish.most = 80;
   wish.limit = 100;
-  wish.size = 16;
+  wish.make.size = 16;
   return wish;
 }
 
@@ -70,22 +70,17 @@ Crop crop_of(const Sprout& sprout, const Wish& wish) {
 
 TEST_CASE("as many set as were asked for or as fill the space, and never more than there may be") {
   const std::vector<float> ranks = ranks_up_to(200);
-  CHECK(setting(set_fruit(ranks, wish_of(30))) == 30);
-  CHECK(setting(set_fruit(ranks, wish_of(90))) == 80);  // more than the outline holds
-  CHECK(setting(set_fruit(ranks, wish_of(0))) == 50);
-  CHECK(!set_fruit(ranks, wish_of(0)).full);
-  Wish crowded = wish_of(0);
-  crowded.fill = 150;
-  CHECK(setting(set_fruit(ranks, crowded)) == 80);
-  CHECK(set_fruit(ranks, crowded).full);
-  Wish overfull = wish_of(0);
-  overfull.overfull = true;
-  CHECK(set_fruit(ranks, overfull).full);
+  CHECK(setting(set_fruit(ranks, 0, wish_of(30))) == 30);
+  CHECK(setting(set_fruit(ranks, 0, wish_of(90))) == 80);  // more than the outline holds
+  CHECK(setting(set_fruit(ranks, 50, wish_of(0))) == 50);
+  CHECK(!set_fruit(ranks, 50, wish_of(0)).full);
+  CHECK(setting(set_fruit(ranks, 150, wish_of(0))) == 80);
+  CHECK(set_fruit(ranks, 150, wish_of(0)).full);
 }
 
 TEST_CASE("stand-ins are those whose turn is next, and none where no count was asked for") {
   const std::vector<float> ranks = ranks_up_to(200);
-  const FruitSet set = set_fruit(ranks, wish_of(30));
+  const FruitSet set = set_fruit(ranks, 0, wish_of(30));
   const std::vector<std::uint32_t> next = stand_ins(ranks, set.volumes, wish_of(30));
   REQUIRE(next.size() == 10);
   for (std::size_t k = 0; k < next.size(); ++k) CHECK(ranks[next[k]] == 30 + static_cast<float>(k));
@@ -98,7 +93,7 @@ TEST_CASE(
   Wish wish = wish_of(84);
   wish.limit = 160;
   wish.most = 160;
-  wish.size = 17;
+  wish.make.size = 17;
   const Crop crop = crop_of(sprout, wish);
   const auto lost =
       static_cast<std::size_t>(std::count(crop.swollen.lost.begin(), crop.swollen.lost.end(), Why::no_room));
@@ -129,7 +124,7 @@ TEST_CASE("berries taken off by hand are known by their ids") {
     CHECK(one.half_width == doctest::Approx(8));
     CHECK(one.half_length == doctest::Approx(8));
   }
-  wish.elongation = 1.5f;
+  wish.make.elongation = 1.5f;
   for (const Fruitlet& one : fruitlets_of(all, 12, volumes, shares, flowers, wish)) {
     CHECK(one.half_width == doctest::Approx(8));
     CHECK(one.half_length == doctest::Approx(12));

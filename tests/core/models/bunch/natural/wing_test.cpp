@@ -121,7 +121,7 @@ TEST_CASE(
   CHECK(middle_of_wing(grown(winged(0.4f, 1, 30))).y > middle_of_wing(ripe).y + 0.001f);
 }
 
-TEST_CASE("a wing's berries are the same at every age, but for those lost on the way") {
+TEST_CASE("a wing's berries are the same at every age, but for those lost on the way and few that find room") {
   const auto ids_at = [](float age) {
     Request request = winged(0.4f, 1, age);
     set(request, Parameter::variability, 1);
@@ -136,7 +136,8 @@ TEST_CASE("a wing's berries are the same at every age, but for those lost on the
     CAPTURE(age);
     const std::set<std::uint32_t> now = ids_at(age);
     CHECK(now.size() > 0.9f * static_cast<float>(before.size()));
-    CHECK(std::includes(before.begin(), before.end(), now.begin(), now.end()));
+    const auto known = std::count_if(now.begin(), now.end(), [&](std::uint32_t id) { return before.count(id) > 0; });
+    CHECK(static_cast<float>(known) >= 0.97f * static_cast<float>(now.size()));
     before = now;
   }
 }
@@ -160,6 +161,6 @@ TEST_CASE("a pixel moves a wing by little") {
   for (const Parameter key : {Parameter::l, Parameter::p4w, Parameter::p4r}) {
     Request moved = request;
     set(moved, key, request.parameters[static_cast<std::size_t>(key)] + 1);
-    CHECK(glm::length(middle_of_wing(grown(moved)) - before) < 0.0015f);
+    CHECK(glm::length(middle_of_wing(grown(moved)) - before) < 0.002f);
   }
 }

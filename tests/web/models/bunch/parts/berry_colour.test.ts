@@ -56,6 +56,39 @@ describe("paintedBerries", () => {
 		expect(surfaces.sky[5]).toBe(200);
 	});
 
+	it("are warmer and lighter among clear berries, as light goes to and fro there; dark ones as they are", () => {
+		const gained = (skin: string, glow: number) => {
+			const grown = pressedBunch({ count: 1 });
+			const surfaces = grown.surfaces as BerrySurfaces;
+			surfaces.pressed.fill(0);
+			const dress = bunchSkin(grown, { look: { ...LOOK, uneven: 0, bloom: 0, skin, unripe: skin, glow } });
+			const at = (sky: number) => {
+				const colours = paintedBerries(
+					grown,
+					{ ...surfaces, sky: new Uint8Array(surfaces.pressed.length).fill(sky) },
+					dress,
+				).colours;
+				return [0, 1, 2].map((k) => colours.reduce((sum, value, i) => sum + (i % 3 === k ? value : 0), 0));
+			};
+			const [open, deep] = [at(255), at(50)];
+			return deep.map((value, k) => value / open[k]);
+		};
+		const [red, green] = gained("b2b262", 1);
+		expect(green).toBeGreaterThan(1.04);
+		expect(red).toBeGreaterThan(green + 0.03);
+		for (const factor of gained("b2b262", 0)) expect(factor).toBeCloseTo(1, 5);
+		for (const factor of gained("241a38", 0.5)) expect(Math.abs(factor - 1)).toBeLessThan(0.06);
+	});
+
+	it("show flesh that browns as it dries", () => {
+		const warmth = (glow: number) => {
+			const { mean, v } = one({ skin: "b2b262", unripe: "b2b262", glow }, { shrivel: 0.3 });
+			const [red, green] = mean((vertex) => middle(v(vertex)));
+			return red / green;
+		};
+		expect(warmth(1)).toBeGreaterThan(warmth(0));
+	});
+
 	it("differ less where flesh of one colour is seen through their skins", () => {
 		const apart = (glow: number, shrivel: number) => {
 			const look = { skin: "b2b262", unripe: "94ab58", glow, uneven: 1 };

@@ -50,6 +50,14 @@ describe("berryTint", () => {
 		}
 	});
 
+	it("makes raisins of pale grapes amber, those of dark ones a redder brown", () => {
+		const raisin = (colour: string) => toLch(berryTint(of(colour), 8, { ...RIPE, shrivel: 1 }).ripe);
+		const [pale, dark] = [raisin("a9b04e"), raisin("43264f")];
+		expect(pale.hue - dark.hue).toBeGreaterThan(0.15);
+		expect(pale.hue).toBeLessThan(1.25);
+		expect(pale.chroma).toBeGreaterThan(dark.chroma);
+	});
+
 	it("lets a few berries ripen late, redder than chance makes any", () => {
 		const uneven = skinOf({ ...LOOK, skin: "43264f", uneven: 1 });
 		const own = toLch(uneven.ripe);

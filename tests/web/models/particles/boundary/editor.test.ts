@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { apply } from "../../../../../web/src/controls/change";
 import { boundaryPose } from "../../../../../web/src/models/particles/boundary/editor/boundary_pose";
 import { heaviest, inkBranches } from "../../../../../web/src/models/particles/boundary/editor/branches";
 import { FROM_ABOVE } from "../../../../../web/src/models/particles/boundary/editor/facing";
@@ -23,7 +24,6 @@ import { rootLay } from "../../../../../web/src/models/particles/root/lay";
 import { ROOT } from "../../../../../web/src/models/particles/root/species";
 import { treeLay } from "../../../../../web/src/models/particles/tree/lay";
 import { TREE } from "../../../../../web/src/models/particles/tree/species";
-import { apply } from "../../../../../web/src/studio/change";
 import { gripOf, root, tree } from "./particles";
 
 const poseOf = (specimen = tree("oak")) => boundaryPose(treeLay, specimen, tree(specimen.preset));

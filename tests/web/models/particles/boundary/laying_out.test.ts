@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
+import { apply } from "../../../../../web/src/controls/change";
 import { changed } from "../../../../../web/src/controls/changed";
 import type { Desk } from "../../../../../web/src/controls/desk";
 import { layingOut } from "../../../../../web/src/models/particles/boundary/editor/lay";
 import { TREE } from "../../../../../web/src/models/particles/tree/species";
 import type { TreeSpecimen } from "../../../../../web/src/models/particles/tree/specimen";
-import { apply } from "../../../../../web/src/studio/change";
 import { tree } from "./particles";
 
 describe("what lays out a boundary", () => {

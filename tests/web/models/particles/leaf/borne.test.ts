@@ -63,7 +63,25 @@ describe.each(BAKED_LEAVES)("the leaf of %s that other plants bear", (preset) =>
 	});
 });
 
-const onTrees = BAKED_LEAVES.filter((name) => name !== "grapevine");
+describe("the sketch of the leaf on a cane", () => {
+	it("is small, and as long and wide as the leaf, so that the view of both is one", async () => {
+		expect(gzipSync(await text("grapevine_sketch")).length).toBeLessThan(2000);
+		const [sketch, leaf] = await Promise.all(
+			["grapevine_sketch", "grapevine"].map(async (name) => (await readLeaf(await committed(name))).points),
+		);
+		const ends = (points: Float32Array, axis: number) => {
+			const along = points.filter((_, at) => at % 2 === axis);
+			return [Math.min(...along), Math.max(...along)];
+		};
+		for (const axis of [0, 1]) {
+			for (const [at, end] of ends(sketch, axis).entries()) {
+				expect(Math.abs(end - ends(leaf, axis)[at])).toBeLessThan(0.06);
+			}
+		}
+	});
+});
+
+const onTrees = BAKED_LEAVES.filter((name) => !name.startsWith("grapevine"));
 
 describe("the leaves that trees bear", () => {
 	it("are those of every kind that a tree can have, but needles", () => {

@@ -67,10 +67,11 @@ Compactness measure_compactness(const Subject& subject) {
 }
 
 float density_note(const Subject& subject, const Compactness& compactness, float pedicels_seen) {
-  constexpr float apart = 0.2f;      // gap over diameter at which berries are wholly apart
-  constexpr float bared = 0.4f;      // share of pedicels seen at which they count as all seen
-  constexpr float held = 5.5f;       // contacts that hold every berry fast; four can hold one
-  constexpr float deformed = 0.13f;  // pressure at which berries are out of shape
+  constexpr float apart = 0.5f;  // gap over diameter at which berries are wholly apart
+  constexpr float bared = 0.7f;  // share of pedicels seen at which they count as all seen
+  constexpr float held =
+      6;  // contacts that hold every berry fast, as in a heap of balls just jammed; four can hold one
+  constexpr float deformed = 0.16f;  // pressure at which berries are out of shape
   const float close = 1 - share(compactness.gap, apart * 2 * subject.mean_radius);
   const float hidden = 1 - share(pedicels_seen, bared);
   return 1 + 2 * close + 2 * hidden + 2 * share(compactness.contacts, held) + 2 * share(compactness.pressed, deformed);

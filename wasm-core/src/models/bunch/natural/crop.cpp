@@ -42,11 +42,10 @@ void settle(Crop& crop) {
 
 }  // namespace
 
-FruitSet set_fruit(std::span<const float> ranks, const Wish& wish) {
+FruitSet set_fruit(std::span<const float> ranks, float fill, const Wish& wish) {
   const std::vector<float> own(ranks.begin(), ranks.end());
-  if (wish.count > 0 || wish.overfull)
-    return {choose_count(own, wish.count > 0 ? std::min(wish.count, wish.most) : wish.most), wish.overfull};
-  std::vector<float> volumes = choose_set(own, wish.fill);
+  if (wish.count > 0) return {choose_count(own, std::min(wish.count, wish.most)), false};
+  std::vector<float> volumes = choose_set(own, fill);
   const auto setting = std::count_if(volumes.begin(), volumes.end(), [](float volume) { return volume > 0; });
   if (setting <= static_cast<std::ptrdiff_t>(wish.limit)) return {std::move(volumes), false};
   return {choose_count(own, wish.most), true};
@@ -74,8 +73,8 @@ std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::
   }
   const std::vector<float> widths = balanced_widths(own_shares, own_volumes, regular);
   for (std::size_t k = 0; k < fruitlets.size(); ++k) {
-    fruitlets[k].half_width = wish.size / 2 * widths[k];
-    fruitlets[k].half_length = fruitlets[k].half_width * wish.elongation;
+    fruitlets[k].half_width = wish.make.size / 2 * widths[k];
+    fruitlets[k].half_length = fruitlets[k].half_width * wish.make.elongation;
   }
   return fruitlets;
 }
@@ -83,9 +82,10 @@ std::vector<Fruitlet> fruitlets_of(std::span<const std::uint32_t> setting, std::
 Crop grow_crop(const Sprout& sprout, const Hanging& hanging, std::span<const Bud> buds, std::span<const float> shares,
                const Wish& wish, std::span<const float> sizes) {
   Crop crop;
-  crop.elongation = wish.elongation;
-  const std::vector<float> ranks = ranks_of(buds, wish.size);
-  crop.set = set_fruit(ranks, wish);
+  crop.elongation = wish.make.elongation;
+  const std::vector<float> ranks = ranks_of(buds, wish.make.size);
+  const float fill = wish.count > 0 ? 0 : fill_for(buds, ranks, wish.density, wish.make);
+  crop.set = set_fruit(ranks, fill, wish);
   std::vector<float>& volumes = crop.set.volumes;
   std::vector<std::uint32_t> setting;
   for (std::uint32_t i = 0; i < volumes.size(); ++i)

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "models/bunch/natural/crowding.hpp"
 #include "models/bunch/natural/fruit_set.hpp"
 #include "models/bunch/natural/hanging.hpp"
 #include "models/bunch/natural/sprout.hpp"
@@ -13,13 +14,11 @@ namespace panicle::bunch {
 
 // How many berries there are to be, and of what make.
 struct Wish {
-  float count = 0;                   // asked for; 0 leaves it to `fill`
-  float fill = 0;                    // share of the outline's space
-  float most = 0;                    // more there cannot be
-  std::uint32_t limit = 0;           // nor more than this, whatever the space
-  bool overfull = false;             // whether `fill` would take more than the limit
-  float size = 0;                    // mean width of a ripe berry, millimetres
-  float elongation = 1;              // length over width
+  float count = 0;          // asked for; 0 leaves it to the density
+  float density = 0;        // the note asked for, 1 … 9
+  float most = 0;           // more there cannot be
+  std::uint32_t limit = 0;  // nor more than this, whatever the space
+  Make make;
   std::vector<std::uint32_t> taken;  // ids of berries taken off by hand, in ascending order
 };
 
@@ -28,7 +27,8 @@ struct FruitSet {
   bool full = false;           // whether it is as many as there may be, and not what was wished
 };
 
-FruitSet set_fruit(std::span<const float> ranks, const Wish& wish);
+// `fill` is the share of space that the density takes.
+FruitSet set_fruit(std::span<const float> ranks, float fill, const Wish& wish);
 
 // Flowers that set where some of a count find no room, in their order: as many as could be wanted for that.
 std::vector<std::uint32_t> stand_ins(std::span<const float> ranks, std::span<const float> volumes, const Wish& wish);

@@ -18,6 +18,20 @@ std::vector<std::int32_t> depths_of(std::span<const Internode> internodes) {
   return depths;
 }
 
+// Per internode: how many organs on the way to it are of an axis that an end structure goes on in.
+std::vector<std::int32_t> onwards_of(std::span<const Internode> internodes) {
+  std::vector<std::int32_t> onwards;
+  onwards.reserve(internodes.size());
+  for (const Internode& one : internodes) {
+    const auto parent = static_cast<std::size_t>(one.parent);
+    const std::int32_t before = one.parent < 0 ? 0 : onwards[parent];
+    const bool goes_on = one.kind == Kind::axis && !one.joint &&
+                         (before > 0 || (one.parent >= 0 && internodes[parent].kind == Kind::end));
+    onwards.push_back(before + (goes_on ? 1 : 0));
+  }
+  return onwards;
+}
+
 }  // namespace
 
 std::size_t beginning_of(std::span<const Internode> internodes, std::size_t internode) {
@@ -33,6 +47,7 @@ std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<
   addresses = own_addresses(addresses);
   const std::vector<std::uint32_t> ids = berry_ids(addresses, second_from);
   const std::vector<std::int32_t> depths = depths_of(internodes);
+  const std::vector<std::int32_t> onwards = onwards_of(internodes);
   std::vector<std::int32_t> borne(internodes.size(), 0);
   std::vector<Flower> flowers;
   flowers.reserve(balls.size());
@@ -47,6 +62,7 @@ std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<
     flower.heading = balls[i].heading;
     flower.axis = internodes[bearer].axis;
     flower.depth = depths[bearer];
+    flower.onward = onwards[bearer];
     if (foot >= 0) flower.place = borne[static_cast<std::size_t>(foot)]++;
     flower.strength = std::clamp(balls[i].radius, least_strength, 1.0f);
     flowers.push_back(flower);

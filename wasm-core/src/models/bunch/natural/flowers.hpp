@@ -19,6 +19,7 @@ struct Flower {
   glm::vec3 heading{0, -1, 0};  // unit
   std::int32_t axis = -1;       // first-order axis it is of, as of its internode
   std::int32_t depth = 0;       // internodes from the root to it
+  std::int32_t onward = 0;      // those of them that an end structure went on in: along an axis of second order
   std::int32_t place = 0;       // among the flowers of its end structure
   float strength = 1;           // 0 … 1: how far what bears it has grown; the radius that the text gives to S
 };

@@ -33,15 +33,13 @@ constexpr float count_met = 0.97f;  // of a count: fewer want a note
 Wish wish_for(const Request& request, const Values& values, const Limits& limits, std::span<const NaturalPlan> plans) {
   Wish wish;
   wish.count = values[count];
-  wish.fill = fill_of(values[density]);
+  wish.density = values[density];
   wish.limit = limits.bodies;
   for (const NaturalPlan& plan : plans) {
     wish.most += plan.room;
-    wish.overfull |= plan.overfull;
   }
   wish.most = std::min(wish.most, static_cast<float>(wish.limit));
-  wish.size = values[size];
-  wish.elongation = values[elongation];
+  wish.make = {values[size], values[elongation]};
   wish.taken = request.thinned;
   std::sort(wish.taken.begin(), wish.taken.end());
   return wish;
@@ -199,7 +197,7 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
   const std::vector<Outcome> outcomes = outcomes_of(crop, flowers, request.seed, values[age], size_now);
   Bent bent = bend_skeleton(bunch.internodes, flowers, hanging, outcomes, crop.swollen.ends, size_now);
   grown.second_root = hang_up(bent, bunch, values, request.seed);
-  Harvest hung = harvest(crop, bunch, hanging, outcomes, bent, size_now, wish.size);
+  Harvest hung = harvest(crop, bunch, hanging, outcomes, bent, size_now, wish.make.size);
   const Season season{values[age], values[sunlight], values[vigour], values[seeds]};
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 

@@ -18,9 +18,10 @@ constexpr std::size_t most_nodes = 4096;   // of a rachis: no text has more, for
 constexpr float least_arm = 0.4f;          // of a first-order axis, in its steps
 constexpr float flowers_per_berry = 1.2f;  // at least: more to choose from than are needed, as in nature
 constexpr float most_flowers = 10000;
-constexpr float least_nodes = 16;      // of a rachis, however short it is
-constexpr float step_of_axis = 0.55f;  // between its nodes, in berry widths, where berries are middling
-constexpr float base_closer = 0.7f;    // times that
+constexpr float least_nodes = 16;         // of a rachis, however short it is
+constexpr float step_of_axis = 0.55f;     // between its nodes, in berry widths, where berries are middling
+constexpr float stride_over_step = 1.5f;  // of second-order axes
+constexpr float base_closer = 0.7f;       // times that
 constexpr float middling_size = 18;
 constexpr float middling_fill = 0.6f;
 constexpr float least_closer = 0.2f, most_closer = 1.4f;
@@ -42,6 +43,7 @@ constexpr float towards_handles = 7;     // degrees that axes midway between are
 constexpr float hanging = 0.35f;         // of its angle left to an axis at the tip
 constexpr float hanging_nodes = 3;       // from the tip on which axes hang
 
+constexpr float drawn_in = 1.5f;          // a second-order axis, by how far what hangs from its end would be outside
 constexpr float least_length = 0.3f;      // of the rachis, over the outline's
 constexpr float room_over_volume = 1.2f;  // berries there can be, over those that the outline's volume holds
 constexpr float least_room = 12;
@@ -111,6 +113,47 @@ Hung hung_from(const NaturalPlan& plan, float angle, float end) {
   return {plan.twig * way.sine + rest * hangs.x, plan.twig * way.cosine - rest * hangs.y};
 }
 
+// A first-order axis, where it leaves the rachis; degrees and millimetres.
+struct Axis {
+  Azimuth round;
+  float way = 0, depth = 0, angle = 0, length = 0;
+};
+
+// How far beyond its twig, `most` at most, the j-th end structure of an axis may go on for what hangs from its end to
+// be inside the outline: less by a multiple of what would be outside, for the very place where one leaves it moves far
+// with a pixel. Each is rolled a quarter further than the one before, as the text has them.
+float room_at(const NaturalPlan& plan, const Axis& axis, std::size_t j, float most, float end, float yaw) {
+  const float along = plan.step * static_cast<float>(j + 1);
+  const SinCos aim = sincos_degrees(axis.angle), way = sincos_degrees(axis.way), off = sincos_degrees(yaw);
+  // Ways of a bunch that hangs: out from the rachis, round it as it is rolled, and down.
+  constexpr SinCos quarters[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
+  const SinCos turn = quarters[j % 4];
+  if (turn.cosine < 0) return 0;  // the axes below are there
+  const glm::vec3 out(way.cosine, 0, -way.sine), round(-way.sine, 0, -way.cosine), down(0, -1, 0);
+  const glm::vec3 ahead = aim.sine * out + aim.cosine * down, lifted = aim.cosine * out - aim.sine * down;
+  const glm::vec3 heading = off.cosine * ahead + off.sine * (turn.cosine * lifted + turn.sine * round);
+  const glm::vec3 foot = axis.depth * down + along * ahead;
+  const glm::vec3 at = foot + (2 * plan.twig + most) * heading + (end - plan.twig) * drooping(heading, 1);
+  const float far = std::sqrt(at.x * at.x + at.z * at.z), share = far > 0 ? 1 / far : 0;
+  const Azimuth towards{at.x >= 0 ? 0u : 1u, at.z >= 0 ? 2u : 3u, std::abs(at.x) * share, std::abs(at.z) * share};
+  return std::clamp(most + drawn_in * (plan.envelope.radius(towards, -at.y) - far), 0.0f, most);
+}
+
+// Finds how far second-order axes may go at an axis's nodes; returns how many end structures it bears with theirs. A
+// node beyond the last is there for the text's rounding.
+float lay_nodes(NaturalPlan& plan, const Axis& axis, float end, const TextConstants& text) {
+  float ends = std::max(1.0f, axis.length / plan.step);
+  for (std::size_t j = 0;; ++j) {
+    const float left = axis.length - plan.step * static_cast<float>(j + 1);
+    const float most = text.lateral * left - plan.stride;
+    const bool grows = static_cast<float>(plan.beyond.size()) < most_flowers;  // more nodes have too many flowers
+    const float beyond = most > 0 && grows ? room_at(plan, axis, j, most, end, text.yaw) : 0;
+    plan.beyond.push_back(beyond);
+    ends += beyond / plan.stride;
+    if (left <= -plan.step) return ends;
+  }
+}
+
 // Lays the axes for the spacings in `plan`; returns how many flowers they bear, an axis counting by how much of it
 // there is.
 float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end, const TextConstants& text,
@@ -118,6 +161,8 @@ float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end
   plan.arm.clear();
   plan.aim.clear();
   plan.way.clear();
+  plan.node.clear();
+  plan.beyond.clear();
   float flowers = 0;
   float left = plan.length, apart = plan.spacing;
   for (std::size_t k = 0;; ++k) {
@@ -140,7 +185,9 @@ float lay_axes(NaturalPlan& plan, const Profile& profile, float pixel, float end
                              : std::max(least_arm * plan.step,
                                         reach(plan.envelope, round, depth, angle, hung_from(plan, angle, end)));
     plan.arm.push_back(arm);
-    flowers += share * (raceme ? 1 : text.flowers_per_end * std::max(1.0f, arm / plan.step));
+    plan.node.push_back(static_cast<float>(plan.beyond.size() + 1));
+    const float ends = lay_nodes(plan, {round, way, depth, angle, arm}, end, text);
+    flowers += share * (raceme ? 1 : text.flowers_per_end * ends);
     if (share <= 0 || !(apart > 0) || k + 1 == most_nodes) return flowers;
   }
 }
@@ -155,8 +202,8 @@ lsystem::Inputs::Array prolonged(const char* name, std::vector<float> values) {
 }  // namespace
 
 float fill_of(float density) {
-  // Loose bunches leave three quarters of their outline to air, the densest pack as spheres at random do (0.64).
-  constexpr float fills[] = {0.16f, 0.24f, 0.33f, 0.42f, 0.52f, 0.62f, 0.72f, 0.84f, 1.0f};
+  // Before any gives way: the densest bunches keep two thirds of it, as spheres packed at random do.
+  constexpr float fills[] = {0.13f, 0.19f, 0.25f, 0.31f, 0.38f, 0.48f, 0.62f, 0.84f, 1.0f};
   const float place = std::clamp(density - 1, 0.0f, 7.999f);
   const auto below = static_cast<std::size_t>(place);
   return fills[below] + (fills[below + 1] - fills[below]) * (place - static_cast<float>(below));
@@ -167,6 +214,7 @@ TextConstants constants_of(const lsystem::Bound& text, const TextConstants& befo
   TextConstants found = before;
   found.tip_spacing = lsystem::constant(text, "near", standard.tip_spacing);
   found.tip_share = lsystem::constant(text, "tip", standard.tip_share);
+  found.lateral = lsystem::constant(text, "lateral", standard.lateral);
   found.turn = std::fmod(lsystem::constant(text, "turn", standard.turn), 360.0f);
   found.yaw = std::min(std::abs(lsystem::constant(text, "alpha_y", standard.yaw)), most_upward);
   return found;
@@ -182,7 +230,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float end_reach = sincos_degrees(text.yaw).sine * (twig_length * width + values[pedicel]) + width;
   Plan counts = make_plan(drawn);
   Envelope envelope(profile, pixel, end_reach);
-  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, {}, {}, {}, 0, 0, 0, false};
+  NaturalPlan plan{std::move(counts), envelope, 0, 0, 0, 0, 0, 0, 0, 0, {}, {}, {}, {}, {}, 0, 0, 0, false};
   plan.twig = twig_length * width;
   plan.stalk = values[pedicel];
   plan.girth = values[wi] / standard_width * std::clamp(rachis_width * width, 1.2f, 7.0f);
@@ -210,6 +258,7 @@ NaturalPlan make_natural_plan(const Profile& drawn, const Values& values, float 
   const float end = plan.twig + plan.stalk + berry_beyond * width * std::max(1.0f, values[elongation]);
   for (int tries = 0; tries < most_tries; ++tries) {
     plan.step = closer * step_of_axis * width;
+    plan.stride = stride_over_step * plan.step;
     plan.spacing = std::min(plan.step, plan.length / least_nodes);
     const float flowers = lay_axes(plan, profile, pixel, end, text, start);
     if (!(asked || plan.overfull) || flowers >= flowers_per_berry * plan.berries || flowers > most_flowers) break;
@@ -225,6 +274,7 @@ lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, cons
   give("length", plan.length * units);
   give("spacing", plan.spacing * units);
   give("step", plan.step * units);
+  give("stride", plan.stride * units);
   give("twig", plan.twig * units);
   give("stalk", plan.stalk * units);
   give("girth", plan.girth * units);
@@ -234,6 +284,11 @@ lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, cons
   inputs.arrays.push_back(prolonged("arm", std::move(arms)));
   inputs.arrays.push_back(prolonged("way", plan.way));
   inputs.arrays.push_back(prolonged("aim", plan.aim));
+  inputs.arrays.push_back(prolonged("node", plan.node));
+  std::vector<float> beyonds;
+  for (const float far : plan.beyond) beyonds.push_back(far * units);
+  beyonds.resize(beyonds.size() + most_nodes, 0);
+  inputs.arrays.push_back({"beyond", std::move(beyonds)});
   return inputs;
 }
 

@@ -17,6 +17,7 @@ struct TextConstants {
   float tip_share = 0.4f;     // `tip`: share of the rachis over which they draw together
   float turn = 137.5f;        // `turn`: from one axis to the next, round the rachis; degrees
   float yaw = 60;             // `alpha_y`: of axes, twigs and pedicels; degrees, whichever way
+  float lateral = 0.6f;       // `lateral`: an axis of second order and a stride, over what is left of its bearer
   float flowers_per_end = 3;  // that an end structure bears; counted where it is drawn
   bool operator==(const TextConstants&) const = default;
 };
@@ -32,11 +33,14 @@ struct NaturalPlan {
   float length = 0;   // of the rachis
   float spacing = 0;  // between its nodes
   float step = 0;     // between the nodes of a first-order axis
+  float stride = 0;   // between those of a second-order axis
   float twig = 0, stalk = 0;
   float girth = 0, fine = 0;  // widths of the rachis and of a pedicel
   std::vector<float> arm;     // of each axis from the top; below 0 a raceme's single pedicel
   std::vector<float> way;     // how far round the rachis it stands, degrees
   std::vector<float> aim;     // its angle to the rachis
+  std::vector<float> node;    // which its first is of the nodes of all axes, from 1
+  std::vector<float> beyond;  // of each node: how far beyond its twig an axis of second order may go
   float berries = 0;          // how many there are to be: asked for, or that fill the outline to the density asked for
   float berry = 0;            // volume of one
   float room = 0;             // more than so many can never be: somewhat more than the outline's volume
@@ -47,11 +51,12 @@ struct NaturalPlan {
 NaturalPlan make_natural_plan(const Profile& profile, const Values& values, float most_berries,
                               const TextConstants& text = {}, float start = 0);
 
-// The share of the outline's volume that berries of a density (OIV 204, 1 … 9) fill.
+// The share of the outline's volume that berries of a density (OIV 204, 1 … 9) usually take; where fill_for begins.
 float fill_of(float density);
 
-// Inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`. `arm` and `aim` go on
-// beyond the plan's axes as they end, for texts that lay more nodes than it does.
+// Inputs of L-system 4, in the paper's unit; the paper's own texts find theirs too, from `plan`. `arm`, `way`,
+// `aim` and `node` go on beyond the plan's axes as they end, and `beyond` with 0, for texts that lay more nodes than it
+// does.
 lsystem::Inputs inputs_for(const NaturalPlan& plan, const Profile& profile, const Values& values);
 
 }  // namespace panicle::bunch

@@ -14,6 +14,7 @@ namespace {
 constexpr float open_sky = 0.3f;                    // how much what lies outside faces upwards as well
 constexpr float golden = 0.618034f;                 // of a turn: neighbours along an axis fall as far apart as can be
 constexpr float golden_axis = 2 * golden * golden;  // twice the square: axis and depth together, in a raceme, as well
+constexpr float second_order = 0.414214f - golden;  // and those of two axes that part, if they go as far
 constexpr float own_luck = 0.15f;
 
 // `own` is a place in the frame of a bunch that hangs straight down.
@@ -62,8 +63,8 @@ glm::vec3 towards_sun(float round, float height) {
 
 float turn_of(const Flower& flower, std::uint64_t seed) {
   const float sum = golden_axis * static_cast<float>(flower.axis + 1) + golden * static_cast<float>(flower.depth) +
-                    static_cast<float>(flower.place) / 3 + own_luck * luck_of(flower, seed, "set") +
-                    bunch_luck(seed, "set", 0, flower.bunch);
+                    second_order * static_cast<float>(flower.onward) + static_cast<float>(flower.place) / 3 +
+                    own_luck * luck_of(flower, seed, "set") + bunch_luck(seed, "set", 0, flower.bunch);
   return sum - std::floor(sum);
 }
 

@@ -8,6 +8,9 @@
 #include "foundation/mathematics.hpp"
 #include "geometry/closest.hpp"
 #include "models/bunch/natural/sagging.hpp"
+#include "models/bunch/natural/spreading.hpp"
+#include "models/bunch/natural/swollen_size.hpp"
+#include "models/bunch/natural/thinning.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -26,10 +29,7 @@ constexpr float straighten = 0.5f;    // share of the way back to where its pedi
 constexpr float gravity = 0.012f;     // berry widths that an unsupported berry sinks in a step
 constexpr float shortest = 0.6f;      // of a pedicel, from its foot to the seat: it bends
 constexpr float most_bent = -0.35f;   // cosine of a pedicel's turn at its foot
-constexpr float most_pressed = 0.3f;  // of a berry's volume, by caps beyond its contacts: more and it is lost
-constexpr std::size_t most_pairs = 64;  // neighbours of a berry, on average, that are looked at
-constexpr int most_rounds = 64;         // of thinning, where far too many have set
-constexpr float parallel = 1e-5f;       // square of a sine: cores at less do not cross
+constexpr int most_rounds = 64;       // of thinning, where far too many have set
 constexpr float thinning_from = 0.72f;  // size at which berries first press each other off
 constexpr int joining = 8;              // steps in which those that join late catch up
 constexpr int most_joinings = 5;        // lots of them
@@ -37,23 +37,17 @@ constexpr float over_missing = 2.0f;    // as many join as are missing, and more
 constexpr float near_enough = 0.98f;    // of the number that is wanted
 constexpr float youngest = 0.08f;       // size of one that joins
 
-// A berry at its present size.
-struct Size {
-  float half_width, half_length;
-  float ball;  // one longer than wide is a ball of this radius
-  float core;  // swept along its core, as far as this from the centre
-  float stalk;
-};
-
-Size size_of(const Swelling& berry, float scale) {
-  const float a = berry.half_width * scale, b = berry.half_length * scale;
-  return {a, b, b >= a ? a : (2 * a + b) / 3, std::max(0.0f, b - a), berry.stalk * stalk_at(scale)};
-}
-
 // A berry and a stem that it may lean on.
 struct Leaning {
   std::uint32_t berry, stem;
 };
+
+// The way that is left of a unit vector and what is added to it; unit.
+glm::vec3 leaning(const glm::vec3& heading, const glm::vec3& lean) {
+  const glm::vec3 way = heading + lean;
+  const float far = glm::length(way);
+  return far > 1e-3f ? way / far : heading;
+}
 
 class Solver {
  public:
@@ -68,11 +62,13 @@ class Solver {
     sizes_.resize(berries.size());
     rests_.resize(berries.size());
     for (const Bound& bound : bounds) turns_.emplace_back(bound.stance);
+    leans_ = spread(branches, berries, sagging_.turned(1));
   }
 
   void step(float scale, int index) {
-    for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = size_of(berries_[i], scale);
-    for (const std::uint32_t i : young_) sizes_[i] = size_of(berries_[i], youngest + (scale - youngest) * young_share_);
+    for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = swollen_size(berries_[i], scale);
+    for (const std::uint32_t i : young_)
+      sizes_[i] = swollen_size(berries_[i], youngest + (scale - youngest) * young_share_);
     if (index % refresh == 0) find_neighbours();
     std::fill(pushes_.begin(), pushes_.end(), 0.0f);
     std::fill(bound_pushes_.begin(), bound_pushes_.end(), 0.0f);
@@ -156,11 +152,7 @@ class Solver {
 
   // From the nearest point of one berry's core to that of another's.
   glm::vec3 between_cores(std::size_t i, std::size_t j) const {
-    const glm::vec3 between = centres_[j] - centres_[i];
-    const float p = sizes_[i].core, q = sizes_[j].core;
-    if (!(p + q > 0)) return between;
-    const auto [s, t] = closest_points(between, {headings_[i], p}, {headings_[j], q}, parallel);
-    return between + headings_[j] * t - headings_[i] * s;
+    return between_segments(centres_[j] - centres_[i], {headings_[i], sizes_[i].core}, {headings_[j], sizes_[j].core});
   }
 
   // What may meet before the next search: half a margin round every berry and stem. A stem is looked for along all of
@@ -168,7 +160,7 @@ class Solver {
   void find_neighbours() {
     aim();
     float widest = 0;
-    for (const Size& size : sizes_) widest = std::max(widest, size.ball + size.core);
+    for (const SwollenSize& size : sizes_) widest = std::max(widest, size.ball + size.core);
     const float half_margin = 0.5f * margin * widest;
     std::vector<Sphere> spheres;
     std::size_t there = 0;
@@ -197,9 +189,9 @@ class Solver {
   void sink() {
     for (std::size_t i = 0; i < berries_.size(); ++i) {
       const Swelling& berry = berries_[i];
-      const Size& size = sizes_[i];
+      const SwollenSize& size = sizes_[i];
       const float heavy = berry.half_width > 0 ? size.half_width / berry.half_width : 0;
-      rests_[i] = drooping(turned_[berry.branch] * berry.heading, heavy);
+      rests_[i] = leaning(drooping(turned_[berry.branch] * berry.heading, heavy), leans_[i] * std::min(1.0f, heavy));
       const glm::vec3 straight = ends_[berry.branch] + rests_[i] * (size.stalk + size.half_length);
       centres_[i] += (straight - centres_[i]) * straighten;
       centres_[i].y -= gravity * 2 * size.half_width;
@@ -225,7 +217,7 @@ class Solver {
       if (!(far > 1e-4f)) continue;
       const glm::vec3 heading = way / far;
       headings_[i] = heading;
-      const Size& size = sizes_[i];
+      const SwollenSize& size = sizes_[i];
       const float most = size.stalk + size.half_length, least = shortest * size.stalk + size.half_length;
       const float off = far > most ? far - most : far < least ? far - least : 0;
       const float give = 0.3f * branches_[berry.branch].give;
@@ -271,7 +263,7 @@ class Solver {
       if (!(length > 1e-4f)) continue;
       const glm::vec3 between = start + along * 0.5f - centres_[i];
       const auto [s, t] =
-          closest_points(between, {headings_[i], sizes_[i].core}, {along / length, length / 2}, parallel);
+          closest_points(between, {headings_[i], sizes_[i].core}, {along / length, length / 2}, parallel_cores);
       const glm::vec3 way = between + along * (t / length) - headings_[i] * s;
       const float reach = sizes_[i].ball + branches_[k].radius;
       const float square = glm::dot(way, way);
@@ -292,7 +284,7 @@ class Solver {
       glm::vec3 c = turn.place(centres_[i]);
       const glm::vec3 before = c;
       // A long berry reaches as far as its core leans.
-      const Size& size = sizes_[i];
+      const SwollenSize& size = sizes_[i];
       const float upright = headings_[i].y * headings_[i].y, inset = bound_inset * size.half_width;
       const float lying = inset + core_inset * size.core * (1 - upright);
       const float standing = inset + core_inset * size.core * upright, length = bound.envelope.length();
@@ -317,36 +309,17 @@ class Solver {
     }
   }
 
-  // Of what each berry would have to give up to its neighbours, as a share of its volume; the ball's cap is the
-  // measure.
   bool thin() {
-    pressed_.assign(berries_.size(), 0);
+    presses_.clear();
     for (const auto [i, j] : pairs_) {
       if (gone(i) || gone(j)) continue;
-      const glm::vec3 between = between_cores(i, j);
-      const float deep = (sizes_[i].ball + sizes_[j].ball - glm::length(between)) / 2;
-      if (deep <= 0) continue;
-      const auto cap = [deep](float r, float c) {
-        const float h = std::min(deep, r);
-        return h * h * (3 * r - h) / (4 * r * r * r + 6 * r * r * c);
-      };
-      pressed_[i] += cap(sizes_[i].ball, sizes_[i].core);
-      pressed_[j] += cap(sizes_[j].ball, sizes_[j].core);
+      const float deep = (sizes_[i].ball + sizes_[j].ball - glm::length(between_cores(i, j))) / 2;
+      presses_.push_back({i, j, deep});
     }
-    // The most pressed of a neighbourhood goes; its neighbours then have room.
-    keeps_.assign(berries_.size(), 0);
-    for (const auto [i, j] : pairs_) {
-      if (gone(i) || gone(j)) continue;
-      (pressed_[i] > pressed_[j] ? keeps_[j] : keeps_[i]) = 1;
-    }
-    bool any = false;
-    for (std::size_t i = 0; i < berries_.size(); ++i)
-      if (!gone(i) && pressed_[i] > most_pressed && !keeps_[i]) {
-        lost_[i] = Why::no_room;
-        any = true;
-      }
-    if (any) drop_pairs();
-    return any;
+    const std::vector<std::uint32_t> lost = crowded_out(presses_, sizes_);
+    for (const std::uint32_t i : lost) lost_[i] = Why::no_room;
+    if (!lost.empty()) drop_pairs();
+    return !lost.empty();
   }
 
   void drop_pairs() {
@@ -359,10 +332,10 @@ class Solver {
   std::span<const Branch> branches_;
   std::span<const Swelling> berries_;
   std::span<const Bound> bounds_;
-  std::vector<glm::vec3> ends_, centres_, headings_, rests_;
+  std::vector<glm::vec3> ends_, centres_, headings_, rests_, leans_;
   Sagging sagging_;
   std::span<const glm::quat> turned_;  // the branches, at this step
-  std::vector<Size> sizes_;            // of the berries, at this step
+  std::vector<SwollenSize> sizes_;     // of the berries, at this step
   std::vector<std::uint32_t> young_;   // those that are catching up
   float young_share_ = 1;              // how far they have come
   std::vector<Why> lost_;
@@ -371,8 +344,8 @@ class Solver {
   TouchingSpheres nearby_;
   std::vector<SpherePair> pairs_;  // berries that may touch
   std::vector<Leaning> leaning_;   // by stem
-  std::vector<float> pushes_, bound_pushes_, pressed_;
-  std::vector<std::uint8_t> keeps_;
+  std::vector<float> pushes_, bound_pushes_;
+  std::vector<Press> presses_;
 };
 
 }  // namespace

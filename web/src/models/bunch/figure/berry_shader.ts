@@ -2,7 +2,21 @@ import { NOISE_CHUNK } from "../../../plant/noise";
 import { float, step, vec3 } from "../../../scene/glsl";
 import { LIGHT_CHUNK } from "../../../scene/light_shader";
 import { OUTPUT_CHUNK } from "../../../scene/output_shader";
-import { AMBER, COARSE, CREVICE, HALO, MOTTLE, RIND, SCAR, SEAT, WAX } from "../parts/skin_rules";
+import {
+	AMBER,
+	AMONG_CLEAR,
+	BROWNED,
+	COARSE,
+	CREVICE,
+	FINE,
+	FURROWS,
+	HALO,
+	MOTTLE,
+	RIND,
+	SCAR,
+	SEAT,
+	WAX,
+} from "../parts/skin_rules";
 import { VERTICES_PER_ROW } from "./berry_skins";
 import { FLESH_CHUNK } from "./flesh_shader";
 import { LAMP_CHUNK } from "./lamp_shader";
@@ -102,7 +116,7 @@ void main() {
 	if (hue.w > 0.03) {
 		vec3 bent = refract(-v, n, 0.73);
 		Path path = path_inside(at, bent, pose.xyz, form);
-		vec3 absorption = mix(unripeAbsorption, ripeAbsorption, turned) - gilt * ${vec3(AMBER.colour.map(Math.log))};
+		vec3 absorption = mix(unripeAbsorption, ripeAbsorption, turned) - gilt * ${vec3(AMBER.colour.map(Math.log))} + form.z * ${vec3(BROWNED)};
 		vec3 keyward = towards_in_ball(keyDirection, pose.xyz, form);
 		vec3 rimward = towards_in_ball(rimDirection, pose.xyz, form);
 		glow.rgb = 0.11 * mix(0.35, 1.0, sky) * scattered(path, absorption, keyward, key.irradiance * lamps.x, rimward, rim.irradiance * lamps.y);
@@ -140,15 +154,15 @@ void main() {
 	vec3 v = normalize(toEye);
 	vec3 n = normalize(facing.xyz);
 	vec3 at = in_ball(place.xyz, axis, form);
-	float fine = noise(at * 9.0 + phase * 23.0);
+	float fine = noise(at * ${float(FINE.cells)} + phase * ${float(FINE.phase)});
 
 	// The skin's relief.
 	float high = grooveDepth.y > 0.5 ? smoothstep(grooveDepth.x, grooveDepth.y, length(at)) : 1.0;
-	float furrows = max(0.5 * rind, 0.15 * shrivel);
+	float furrows = max(${float(FURROWS.rind)} * rind, ${float(FURROWS.shrivel)} * shrivel);
 	vec3 sky = ambient.rgb;
 	vec3 around = mirrored.rgb;
-	if (furrows > 0.02) {
-		n = rough(n, at * mix(13.0, 7.0, step(rind, 0.1)) + phase * 41.0, furrows);
+	if (furrows > ${float(FURROWS.least)}) {
+		n = rough(n, at * mix(${float(FURROWS.onRinds.cells)}, ${float(FURROWS.onRaisins.cells)}, step(rind, ${float(RIND.from)})) + phase * ${float(FURROWS.onRinds.phase)}, furrows);
 		sky = diffuse_surroundings(mat3(viewMatrix) * n);
 		around = gloss_surroundings(mat3(viewMatrix) * reflect(-v, n));
 	}
@@ -178,7 +192,7 @@ void main() {
 	// Where wax lies: all over, thinner below, patchy, rubbed off where berries touch and where something brushed by.
 	float waxed = 0.0;
 	if (bloom > 0.0) {
-		float rubbed = (1.0 - ${step(WAX.pressed, "pressed + 0.25 * (fine - 0.5)")}) * ${step(WAX.brushed, `coarse + ${float(WAX.fine)} * fine`)};
+		float rubbed = (1.0 - ${step(WAX.pressed, `pressed + ${float(WAX.pressedFine)} * (fine - 0.5)`)}) * ${step(WAX.brushed, `coarse + ${float(WAX.fine)} * fine`)};
 		float patches = ${step(WAX.patches, `${float(WAX.coarseShare)} * coarse + ${float(WAX.fineShare)} * fine`)};
 		float depth = ${float(WAX.depth)} * bloom * dress.x * mix(${float(WAX.rubbed)}, 1.0, rubbed) * mix(${float(WAX.bare)}, 1.0, patches) * (${float(WAX.side)} + ${float(WAX.up)} * n.y);
 		waxed = (1.0 - exp(-depth / (${float(WAX.grazing)} + nv))) * (1.0 - marked) * (1.0 - ${float(WAX.dry)} * shrivel);
@@ -195,7 +209,8 @@ void main() {
 	vec3 soft = clear * (0.25 + 0.35 * sqrt(skin));
 	vec3 share = 1.0 / (1.0 + soft);
 	vec3 wrapped = keyed * clamp((nk + soft) * share, 0.0, 1.0) + rimmed * clamp((nb + soft) * share, 0.0, 1.0);
-	vec3 colour = skin * (wrapped + sky * bounced(open, skin));
+	vec3 albedo = mix(skin, sqrt(skin) * ${vec3(AMONG_CLEAR)}, clear);
+	vec3 colour = skin * (wrapped + sky * bounced(open, albedo));
 
 	// Light through the flesh, less where seeds stand in its way.
 	if (clear > 0.03) {

@@ -1,3 +1,6 @@
+import { float } from "../../../scene/glsl";
+import { FURROWS } from "../parts/skin_rules";
+
 /**
  * What the skin itself is like at a point, without light. `at` is the point in ball space (the berry scaled to the unit
  * ball), `chart` its u and v.
@@ -11,7 +14,7 @@ uniform float veins;
 vec3 rough(vec3 n, vec3 at, float height) {
 	vec3 slope = vec3(0.0);
 	for (int i = 0; i < 4; i++) {
-		vec3 step = 0.3 * vec3(i == 1, i == 2, i == 3);
+		vec3 step = ${float(FURROWS.step)} * vec3(i == 1, i == 2, i == 3);
 		slope += noise(at + step) * (i == 0 ? vec3(-1.0) : vec3(i == 1, i == 2, i == 3));
 	}
 	return normalize(n - height * (slope - n * dot(n, slope)));

@@ -45,7 +45,10 @@ export function naturalBerries(grown: Grown, surfaces: BerrySurfaces, dress: Dre
 		const flower = flowers.get(i);
 		return {
 			name: berryName(i, berries.count),
-			shape: berryShape(grown, i, surfaces, painted, material),
+			shape: {
+				...berryShape(grown, i, surfaces, painted, material),
+				finer: async () => (await import("./berry_finer")).berryFiner(grown, i, surfaces, skin),
+			},
 			extras: berryExtras(grown, i),
 			...(flower ? { children: flower } : {}),
 		};

@@ -2,15 +2,17 @@
  * The colours of natural berries, vertex by vertex: what the view shows of their skins, so that any viewer does. What is
  * finer than vertices (fine noise, lenticels) is taken at its mean.
  */
-import { clamp, mix, mixed, smoothstep } from "../../../plant/colour";
-import { noise } from "../../../plant/noise";
-import type { Berries, BerrySurfaces, Grown } from "../grown";
-import { halvesOf, traitOf } from "../traits";
+import { type Colour, clamp, mix, mixed, smoothstep } from "../../../plant/colour";
+import { bounced } from "../../../plant/shade";
+import type { BerrySurfaces, Grown } from "../grown";
+import { traitOf } from "../traits";
+import { Ball } from "./ball";
 import { type BerryTint, tintOf } from "./berry_tint";
 import type { Skin } from "./skin";
 import {
 	AMBER,
-	COARSE,
+	AMONG_CLEAR,
+	BROWNED,
 	CREVICE,
 	FLESH_ON_FACE,
 	HALO,
@@ -23,9 +25,10 @@ import {
 	WAX,
 	WAX_ON_FACE,
 } from "./skin_rules";
+import { hiddenBy, waxDepth } from "./wax";
 
 /** The mean of the fine noise. */
-const FINE = 0.5;
+const FINE_MEAN = 0.5;
 /** The scar's edge, as v: as soft as the pattern's rings lie apart there. */
 const SCAR_EDGE = 0.02;
 
@@ -77,14 +80,13 @@ function paint(
 ): void {
 	const { berries } = grown;
 	const tint = tintOf(grown, index, skin);
-	const { unripe, ripe } = pigments(
-		fleshed(tint, skin, traitOf(berries, index, "set") * (1 - traitOf(berries, index, "shrivel"))),
-	);
 	const turned = traitOf(berries, index, "turned");
 	const shrivel = traitOf(berries, index, "shrivel");
+	const { unripe, ripe } = pigments(fleshed(tint, skin, traitOf(berries, index, "set"), shrivel));
+	const clear = clearness(skin, turned, shrivel);
 	const { grooves, rind } = skin.fruit;
 	const gilded = skin.sunned.amber * traitOf(berries, index, "exposure");
-	const blotched = mix(1, RIND.least + RIND.span * FINE, rind);
+	const blotched = mix(1, RIND.least + RIND.span * FINE_MEAN, rind);
 	const ball = new Ball(berries, index);
 	for (let vertex = 0; vertex < scar.length; vertex++) {
 		const at = 3 * (index * scar.length + vertex);
@@ -97,6 +99,7 @@ function paint(
 		const bloom = skin.bloom * tint.bloom * (1 - scar[vertex]);
 		const rubbed = pressed[at / 3] / 255;
 		if (sky) sky[at / 3] = Math.round(sky[at / 3] * (1 - CREVICE.pressed * rubbed) * mix(1 - CREVICE.groove, 1, high));
+		const visible = sky ? Math.max(1, sky[at / 3]) / 255 : 1;
 		const waxed = waxAt(bloom, coarse, normals[at + 1], rubbed, shrivel);
 		for (let k = 0; k < 3; k++) {
 			let colour = mottle * Math.exp(unripe[k] + (ripe[k] - unripe[k]) * share) * mix(1, AMBER.colour[k], gilt);
@@ -106,72 +109,38 @@ function paint(
 				colour = mix(colour, SEAT.skin * colour + SEAT.colour[k], seat[vertex]);
 				colour = mix(colour, SCAR.colour[k] + SCAR.skin * colour, SCAR.share * scar[vertex]);
 			}
-			colours[at + k] = clamp(colour + (skin.wax[k] - colour) * waxed);
+			const skinned = visible < 1 ? colour * amongClear(colour, k, clear, visible) : colour;
+			colours[at + k] = clamp(skinned + (skin.wax[k] - skinned) * waxed);
 		}
 	}
 }
 
-/** A berry's colours with what shows of its flesh: of one colour in all, where it is `plump`, neither a flower nor a raisin. */
-function fleshed({ unripe, ripe }: BerryTint, skin: Skin, plump: number) {
+/** A berry's colours with what shows of its flesh: of one colour in all, where it is neither a flower nor a raisin. */
+function fleshed({ unripe, ripe }: BerryTint, skin: Skin, set: number, shrivel: number) {
+	const browned = (colour: Colour) => colour.map((value, k) => value * Math.exp(-BROWNED[k] * shrivel)) as Colour;
+	const shown = FLESH_ON_FACE * set * (1 - shrivel);
 	return {
-		unripe: mixed(unripe, skin.unripe, FLESH_ON_FACE * skin.unripeFlesh.translucency * plump),
-		ripe: mixed(ripe, skin.ripe, FLESH_ON_FACE * skin.ripeFlesh.translucency * plump),
+		unripe: mixed(unripe, browned(skin.unripe), shown * skin.unripeFlesh.translucency),
+		ripe: mixed(ripe, browned(skin.ripe), shown * skin.ripeFlesh.translucency),
 	};
+}
+
+/** How much of the flesh is seen through the skin. */
+function clearness({ ripeFlesh, unripeFlesh }: Skin, turned: number, shrivel: number): number {
+	return mix(unripeFlesh.translucency, ripeFlesh.translucency, turned) * (1 - 0.6 * shrivel);
+}
+
+/** How much more of channel `k` clear neighbours leave than the skin's own albedo would: what shade takes is taken later. */
+function amongClear(albedo: number, k: number, clear: number, visible: number): number {
+	return (
+		bounced(visible, mix(albedo, Math.sqrt(albedo) * AMONG_CLEAR[k], clear)) / Math.max(1e-3, bounced(visible, albedo))
+	);
 }
 
 /** Colours as depths of pigment. */
 function pigments({ unripe, ripe }: Pick<BerryTint, "unripe" | "ripe">) {
 	const depth = (value: number) => Math.log(value + LEAST_LIGHT);
 	return { unripe: unripe.map(depth), ripe: ripe.map(depth) };
-}
-
-/** The space where a berry is the unit ball, and a place in it. */
-class Ball {
-	readonly #centre: Float32Array;
-	readonly #axis: Float32Array;
-	readonly #width: number;
-	readonly #stretch: number;
-	#x = 0;
-	#y = 0;
-	#z = 0;
-	/** Along the berry's axis: −1 at the seat … 1 at the tip. */
-	along = 0;
-	/** From the centre. */
-	height = 0;
-
-	constructor(berries: Berries, index: number) {
-		const [width, length] = halvesOf(berries, index);
-		this.#centre = berries.spheres.subarray(4 * index, 4 * index + 3);
-		this.#axis = berries.directions.subarray(3 * index, 3 * index + 3);
-		this.#width = width;
-		this.#stretch = width / length - 1;
-	}
-
-	/** Goes to the place whose x, y and z stand from `at` on. */
-	enter(positions: Float32Array, at: number): void {
-		const centre = this.#centre;
-		const axis = this.#axis;
-		const x = positions[at] - centre[0];
-		const y = positions[at + 1] - centre[1];
-		const z = positions[at + 2] - centre[2];
-		const shift = (x * axis[0] + y * axis[1] + z * axis[2]) * this.#stretch;
-		this.#x = (x + axis[0] * shift) / this.#width;
-		this.#y = (y + axis[1] * shift) / this.#width;
-		this.#z = (z + axis[2] * shift) / this.#width;
-		this.along = this.#x * axis[0] + this.#y * axis[1] + this.#z * axis[2];
-		this.height = Math.sqrt(this.#x * this.#x + this.#y * this.#y + this.#z * this.#z);
-	}
-
-	/** How far the place looks along a direction. */
-	towards([x, y, z]: readonly [x: number, y: number, z: number]): number {
-		return this.#x * x + this.#y * y + this.#z * z;
-	}
-
-	/** The coarse pattern here, of a berry of that phase. */
-	noise(phase: number): number {
-		const shift = phase * COARSE.phase;
-		return noise(this.#x * COARSE.cells + shift, this.#y * COARSE.cells + shift, this.#z * COARSE.cells + shift);
-	}
 }
 
 /** How far the skin has turned at a place `along` the axis. */
@@ -190,12 +159,7 @@ function mottleAt(coarse: number, uneven: number): number {
 	return MOTTLE.least + MOTTLE.span * mix(0.5, coarse, MOTTLE.share + MOTTLE.uneven * uneven);
 }
 
-/** The share of the skin that wax hides, seen face on. */
+/** The share of the skin that wax hides in files' colours, seen face on. */
 function waxAt(bloom: number, coarse: number, up: number, pressed: number, shrivel: number): number {
-	const [firm, gone] = WAX.pressed;
-	const left =
-		(1 - smoothstep(firm, gone, pressed)) * smoothstep(WAX.brushed[0], WAX.brushed[1], coarse + WAX.fine * FINE);
-	const patches = smoothstep(WAX.patches[0], WAX.patches[1], WAX.coarseShare * coarse + WAX.fineShare * FINE);
-	const depth = WAX.depth * bloom * mix(WAX.rubbed, 1, left) * mix(WAX.bare, 1, patches) * (WAX.side + WAX.up * up);
-	return (1 - Math.exp((-WAX_ON_FACE * depth) / (WAX.grazing + 1))) * (1 - WAX.dry * shrivel);
+	return hiddenBy(WAX_ON_FACE * waxDepth(bloom, coarse, FINE_MEAN, up, pressed)) * (1 - WAX.dry * shrivel);
 }

@@ -56,10 +56,15 @@ export function berryTint(skin: Skin, id: number, { exposure, set, shrivel }: Co
 	};
 }
 
-/** A raisin's colour: browner, and darker the paler it was. */
+/** A raisin's colour: browner, and darker the paler it was; pale ones are amber. */
 function dried(colour: Colour, shrivel: number): Colour {
 	const { lightness, chroma } = toLch(colour);
-	const raisin = fromLch({ lightness: 0.17 + 0.32 * lightness, chroma: 0.03 + 0.33 * chroma, hue: 0.8 });
+	const pale = smoothstep(0.45, 0.75, lightness);
+	const raisin = fromLch({
+		lightness: 0.17 + 0.32 * lightness + 0.04 * pale,
+		chroma: 0.03 + 0.33 * chroma + 0.02 * pale,
+		hue: 0.8 + 0.25 * pale,
+	});
 	return mixed(colour, raisin, 0.93 * smoothstep(0, 0.8, shrivel));
 }
 

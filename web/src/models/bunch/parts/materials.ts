@@ -9,8 +9,8 @@ import { AUTUMN, brightestLeaf, CANE, FLOWER, LEAF, PETIOLE } from "./foliage_co
 import type { FruitSkin } from "./fruit_skin";
 
 /** A smooth skin without wax; bloom scatters the highlight up to the second figure. */
-const SKIN_ROUGHNESS: readonly [clean: number, bloomed: number] = [0.34, 0.46];
-const RIND_ROUGHNESS = 0.78;
+export const SKIN_ROUGHNESS: readonly [clean: number, bloomed: number] = [0.34, 0.46];
+export const RIND_ROUGHNESS = 0.78;
 const STEM_ROUGHNESS = 0.85;
 /** Wax crystals scatter a pale blue, strongest at grazing angles: what a sheen lobe describes. */
 const BLOOM_COLOUR: Colour = [0.17, 0.2, 0.26];

@@ -4,8 +4,15 @@
  */
 import type { Colour } from "../../../plant/colour";
 
-/** Noise cells to a berry's radius of the coarse pattern, and how far apart berries stand in it, by their phase. */
-export const COARSE = { cells: 1.7, phase: 61 } as const;
+/** Noise: cells to a berry's radius, and how far apart berries stand in it, by their phase. */
+export interface Pattern {
+	readonly cells: number;
+	readonly phase: number;
+}
+
+/** What vertices can show, and what they cannot. */
+export const COARSE: Pattern = { cells: 1.7, phase: 61 };
+export const FINE: Pattern = { cells: 9, phase: 23 };
 
 /** Pigment absorbs: colours mix as depths do, as logarithms, beside this least light. */
 export const LEAST_LIGHT = 0.004;
@@ -34,8 +41,17 @@ export const HALO = { width: 0.06, end: 0.005, share: 0.4, skin: 1.2, light: 0.0
  */
 export const AMBER = { from: 0.05, to: 1.05, coarse: 0.7, colour: [1.0, 0.77, 0.34] as Colour } as const;
 
-/** A rind is blotched: its factor goes from `least` by `span` with the fine noise. */
-export const RIND = { least: 0.72, span: 0.45 } as const;
+/** What drying adds to the absorption of flesh, per radius: raisins of pale grapes are amber, then brown. */
+export const BROWNED: Colour = [0.45, 0.8, 1.25];
+
+/**
+ * Between clear berries light goes through neighbours as well as off them, and so grows warm: of it comes back, in place of the
+ * skin's albedo, up to that one's root times this, the more the clearer they are.
+ */
+export const AMONG_CLEAR: Colour = [1, 0.88, 0.6];
+
+/** A rind is blotched: its factor goes from `least` by `span` with the fine noise. What is more of one than `from` has its relief. */
+export const RIND = { least: 0.72, span: 0.45, from: 0.1 } as const;
 
 /**
  * Wax lies thinner below and in patches, is rubbed off where berries touch and where something brushed by, and goes as a
@@ -46,6 +62,7 @@ export const WAX = {
 	grazing: 0.25,
 	rubbed: 0.12,
 	pressed: [0.02, 0.5],
+	pressedFine: 0.25,
 	brushed: [0.16, 0.34],
 	fine: 0.22,
 	bare: 0.35,
@@ -55,6 +72,19 @@ export const WAX = {
 	side: 0.6,
 	up: 0.4,
 	dry: 0.6,
+} as const;
+
+/**
+ * The relief of rinds and raisins: the slope of noise that is finer on rinds, `rind` and `shrivel` times as steep; what is lower than
+ * `least` is smooth. Slopes are differences over `step` of a cell.
+ */
+export const FURROWS = {
+	rind: 0.5,
+	shrivel: 0.15,
+	least: 0.02,
+	step: 0.3,
+	onRinds: { cells: 13, phase: 41 } as Pattern,
+	onRaisins: { cells: 7, phase: 41 } as Pattern,
 } as const;
 
 /** Light from all around is kept off by so much where a neighbour is pressed on, and from the grooves between drupelets. */

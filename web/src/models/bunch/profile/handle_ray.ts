@@ -30,7 +30,7 @@ const length = ([x, y, z]: Vector): number => Math.hypot(x, y, z);
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** The view's axis to the right: +X in front, +Z at the side. */
-function across(handle: Handle): Vector {
+export function across(handle: Handle): Vector {
 	return isSide(handle) && SIDES[handle].view === "side" ? [0, 0, 1] : [1, 0, 0];
 }
 

@@ -23,5 +23,6 @@ export const model = {
 	record: trailRecord,
 	formats: LEAF_FORMATS,
 	figure: async () => (await import("./figure/leaf_figure")).leafFigure,
+	handles: async () => (await import("./outline/plant_handles")).leafHandles,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<LeafSpecimen, Leaf>;

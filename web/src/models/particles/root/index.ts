@@ -24,5 +24,6 @@ export const model = {
 	record: trailRecord,
 	formats: woodFormats(rootInWords),
 	figure: async () => (await import("./cut_figure")).cutFigure,
+	handles: async () => (await import("./plant_handles")).rootHandles,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<RootSpecimen, WoodenPlant>;

@@ -30,5 +30,6 @@ export const model = {
 	record: trailRecord,
 	formats: woodFormats(treeInWords),
 	figure: async () => (await import("./tree_figure")).treeFigure,
+	handles: async () => (await import("./plant_handles")).treeHandles,
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<TreeSpecimen, TreePlant>;

@@ -10,6 +10,8 @@ import { type BorneOptions, borneLeaf } from "./borne_leaf";
 interface Baked extends BorneOptions {
 	/** Triangles of the blade before it is made light, against the core's own choice. */
 	detail: number;
+	/** Its preset; absent where that is its name. */
+	preset?: string;
 	/** In place of the preset's own. */
 	parameters?: LeafSpecimen["parameters"];
 }
@@ -17,9 +19,11 @@ interface Baked extends BorneOptions {
 /** As trees bear it: teeth are finer than its few triangles. */
 const onTree = (corners: number): Baked => ({ detail: 0.25, corners, pixels: 64, parameters: { teeth: 0 } });
 
-/** By preset. */
+/** By name. */
 const BAKED: Readonly<Record<string, Baked>> = {
 	grapevine: { detail: 0.25, cells: 20, pixels: 512 },
+	// What a first picture shows while that is on its way.
+	grapevine_sketch: { ...onTree(14), preset: "grapevine" },
 	beech: onTree(5),
 	birch: onTree(6),
 	lime: onTree(7),
@@ -28,12 +32,12 @@ const BAKED: Readonly<Record<string, Baked>> = {
 	willow: onTree(4),
 };
 
-/** The presets that are baked. */
+/** Their names, which are those of the files. */
 export const BAKED_LEAVES = Object.keys(BAKED);
 
 /** Grows a preset and bakes it: the same core gives the same file. */
-export function bakeLeaf(core: Core, preset: string): LeafFile {
-	const { detail, parameters, ...options } = BAKED[preset];
+export function bakeLeaf(core: Core, name: string): LeafFile {
+	const { detail, parameters, preset = name, ...options } = BAKED[name];
 	const own = leafFromPreset(preset);
 	const specimen = { ...own, parameters: { ...own.parameters, ...parameters } };
 	const leaf = readLeaf(core.grow(encodeLeaf(specimen, { detail, sky: false, measures: false })));

@@ -1,8 +1,9 @@
 /** The pure half of the store: what a control's change makes of the document. */
-import type { Change } from "../controls/desk";
+
 import { withLook, withParameters, withSeed } from "../specimen/edit";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
+import type { Change } from "./desk";
 
 /** The specimen with the change in it. */
 export function apply<S extends Specimen>(

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { apply, otherSeed } from "../../../web/src/studio/change";
+import { apply, otherSeed } from "../../../web/src/controls/change";
 import { BUNCH, specimenFromPreset } from "../bunch";
 
 const bunch = specimenFromPreset("grape-15c");

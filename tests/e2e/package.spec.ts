@@ -1,0 +1,77 @@
+/** The package in browsers, as docs/package.md shows it: bundled by Vite, and served as it is. */
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+import type { PanicleSpecimen } from "../../web/src/element/panicle";
+import { builtByVite, filesOfPage, type Project, projectWith } from "../package/project";
+import { grown } from "./element_page";
+import { expect, test } from "./fixtures";
+import { serveUnder } from "./static_server";
+
+/** Of scripts gzipped, three.js included. */
+const ELEMENT_BYTES = 300_000;
+/** What the page says is the least, and an icon. */
+const POLICY =
+	"default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:";
+
+let project: Project;
+let pages: Record<string, string>;
+/** Of the bunch that the examples grow, under Node. */
+let fingerprint: string;
+test.beforeAll(async () => {
+	pages = await filesOfPage();
+	project = await projectWith(pages);
+	fingerprint = project.run("many.mjs").match(/[0-9a-f]{16}/)?.[0] ?? "none";
+});
+test.afterAll(() => project.remove());
+
+const below = (folder: string) => pathToFileURL(folder).href;
+
+test("bundled by Vite it grows in a page under a strict policy, in its own workers and in a worker of the page’s", async ({
+	page,
+}) => {
+	await project.borrow("three");
+	const dist = await builtByVite(project);
+	const html = await readFile(join(dist, "index.html"), "utf8");
+	const host = await serveUnder("/", below(dist), { "index.html": { html, policy: POLICY } });
+	const workers: string[] = [];
+	page.on("worker", (worker) => workers.push(worker.url()));
+	await page.goto(new URL("index.html", host.address).href);
+	await expect(page.locator("#words")).toHaveText(
+		new RegExp(`^\\d+ berries, .*, ${fingerprint}, GLB, [1-9]\\d* meshes$`),
+	);
+	await expect(page.locator("#worker")).toHaveText(`${fingerprint}, model/vnd.usdz+zip`);
+	expect(workers.some((url) => /\/assets\/worker-[\w-]+\.js$/.test(url))).toBe(true);
+	expect(workers.filter((url) => !url.startsWith(host.address))).toEqual([]);
+	await page.goto("about:blank");
+	await host.close();
+});
+
+test("served as it is, it grows in a page with an import map, and its element is light", async ({ page }) => {
+	const scripts = new Map<string, Promise<Buffer>>();
+	page.on("response", (response) => {
+		if (/\.js$/.test(response.url())) scripts.set(response.url(), response.body());
+	});
+	const shown = Object.fromEntries(["plain.html", "element.html"].map((name) => [name, { html: pages[name] }]));
+	const folder = join(project.folder, "node_modules/panicle");
+	const host = await serveUnder("/vendor/panicle/", below(folder), shown);
+	await page.goto(new URL("/plain.html", host.address).href);
+	await expect(page.locator("#words")).toHaveText(/^Lime leaf, .* of veins, [0-9a-f]{16}$/);
+	expect([...scripts.keys()].filter((url) => url.includes("element"))).toEqual([]);
+	await page.goto("about:blank");
+	scripts.clear();
+	await page.goto(new URL("/element.html", host.address).href);
+	await grown(page);
+	expect(
+		await page.evaluate(() => document.querySelector<PanicleSpecimen>("panicle-specimen")?.plant?.fingerprint),
+	).toBe(fingerprint);
+	const sizes = await Promise.all([...scripts.values()].map(async (bytes) => gzipSync(await bytes).length));
+	const bytes = sizes.reduce((sum, size) => sum + size, 0);
+	test.info().annotations.push({ type: "size", description: `${bytes} bytes of scripts` });
+	expect(scripts.size).toBeGreaterThan(5);
+	// three.js alone is more than this: that scripts were counted at all.
+	expect(bytes).toBeGreaterThan(100_000);
+	expect(bytes).toBeLessThan(ELEMENT_BYTES);
+	await host.close();
+});

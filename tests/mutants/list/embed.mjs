@@ -1,0 +1,179 @@
+/** Plants in other pages: the element's extras, frames, code to be copied, pictures with links. */
+const EXTRAS = "tests/e2e/element_extras.spec.ts";
+
+export default [
+	{
+		file: "web/src/export/png_link.ts",
+		suites: ["tests/web/export/png_link.test.ts"],
+		faults: [
+			{
+				id: "png-link-believed-though-damaged",
+				find: "if (!whole) throw broken(name);",
+				replace: "",
+				breaks: "a picture whose link was damaged opens as another plant",
+			},
+			{
+				id: "png-link-before-the-header",
+				find: "const start = PNG_SIGNATURE.length + CHUNK_FRAME + 13;",
+				replace: "const start = PNG_SIGNATURE.length;",
+				breaks: "no other program opens the picture",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/files/open.ts",
+		suites: ["tests/web/studio/open.test.ts"],
+		faults: [
+			{
+				id: "picture-opens-without-its-model",
+				find: "await modelNamed(modelInQuery(query))",
+				replace: "await modelNamed()",
+				breaks: "the picture of a tree opens as a bunch",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/files/formats.ts",
+		suites: ["tests/web/studio/formats.test.ts"],
+		faults: [
+			{
+				id: "picture-without-its-link",
+				find: "withLink(await take(sizeOf(asked)), asked.link)",
+				replace: "take(sizeOf(asked))",
+				breaks: "a downloaded picture brings no plant back",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/files/embed_code.ts",
+		suites: ["tests/web/studio/embed_code.test.ts"],
+		faults: [
+			{
+				id: "embed-code-lets-quotes-out",
+				find: '.replaceAll(\'"\', "&quot;")',
+				replace: "",
+				breaks: "words with quotes end their attribute",
+			},
+			{
+				id: "embed-frame-keys-in-the-fragment",
+				find: "const { query, fragment } = linkParts(link);",
+				replace: 'const { query, fragment } = { query: link, fragment: "" };',
+				breaks: "a frame of a bunch with a text has no controls",
+			},
+		],
+	},
+	{
+		file: "web/src/element/extras/handle_ways.ts",
+		suites: ["tests/web/element/extras/handle_ways.test.ts"],
+		faults: [
+			{
+				id: "handle-goes-along-the-sight",
+				find: "one <= other ? along[0] : along[1]",
+				replace: "one <= other ? along[1] : along[0]",
+				breaks: "a handle whose plane is seen edge-on runs away from the pointer",
+			},
+			{
+				id: "handle-behind-the-eye",
+				find: "distance > 0 && Number.isFinite(distance)",
+				replace: "Number.isFinite(distance)",
+				breaks: "a handle behind the eye jumps",
+			},
+		],
+	},
+	{
+		file: "web/src/models/particles/leaf/outline/bent.ts",
+		suites: ["tests/web/models/particles/leaf/outline/bent.test.ts"],
+		faults: [
+			{
+				id: "leaf-handles-curl-the-other-way",
+				find: "(radius + z) * cosine - radius]",
+				replace: "radius - (radius + z) * cosine]",
+				breaks: "the handles of a curled leaf stand in the air",
+			},
+		],
+	},
+	{
+		file: "web/src/models/bunch/profile/plant_handles.ts",
+		suites: ["tests/web/models/plant_handles.test.ts"],
+		faults: [
+			{
+				id: "bunch-handles-drop-upwards",
+				find: "/ pixel, -y / pixel)",
+				replace: "/ pixel, y / pixel)",
+				breaks: "a handle drawn down goes up",
+			},
+		],
+	},
+	{
+		file: "web/src/element/plant_in_words.ts",
+		suites: ["tests/web/element/plant_in_words.test.ts"],
+		faults: [
+			{
+				id: "element-says-no-kind",
+				find: "title.toLowerCase().includes(model.noun) ?",
+				replace: "title ?",
+				breaks: "a screen reader does not hear whether an oak is a leaf or a tree",
+			},
+		],
+	},
+	{
+		file: "web/src/element/embed/conversation.ts",
+		suites: ["tests/web/element/embed/conversation.test.ts"],
+		faults: [
+			{
+				id: "frame-takes-any-number",
+				find: "given < least || given > most",
+				replace: "given < least",
+				breaks: "a page asks a frame for a million million points",
+			},
+		],
+	},
+	{
+		file: "web/src/element/embed/frame_settings.ts",
+		suites: ["tests/web/element/embed/conversation.test.ts"],
+		faults: [
+			{
+				id: "frame-origins-as-they-were-typed",
+				find: "[new URL(address).origin]",
+				replace: "[address]",
+				breaks: "an allowed page with a slash behind it is kept out",
+			},
+		],
+	},
+	{
+		file: "web/src/element/extras/bar.ts",
+		suites: [`${EXTRAS}: the bar turns, ages, seeds`],
+		faults: [
+			{
+				id: "bar-seed-forgotten",
+				find: "hands.edit((now) => withSeed(now, seed));",
+				replace: "",
+				breaks: "another seed in the bar grows nothing",
+			},
+		],
+	},
+	{
+		file: "web/src/element/extras/handles_layer.ts",
+		suites: [`${EXTRAS}: handles stand on the plant`],
+		faults: [
+			{
+				id: "element-handles-stay-behind",
+				find: "this.#undraw = view.onDrawn(() => this.#place());",
+				replace: "this.#undraw = () => {};",
+				breaks: "handles stand still while the plant turns",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/files/page_weight.ts",
+		suites: ["tests/e2e/embed.spec.ts: copied code shows the plant"],
+		faults: [
+			{
+				id: "embed-weight-unpacked",
+				find: '.pipeThrough(new CompressionStream("gzip"))',
+				replace: "",
+				breaks: "the dialog says twice what a visitor downloads",
+			},
+		],
+	},
+];

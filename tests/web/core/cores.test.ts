@@ -1,0 +1,62 @@
+import { afterEach, describe, expect, it, vi } from "vitest";
+import type { Core } from "../../../web/src/core/core";
+import { Cores } from "../../../web/src/core/cores";
+import { CoreError, CoreTrap } from "../../../web/src/core/errors";
+
+const SMALL = 1024;
+const LARGE = 512 * 1024 * 1024;
+
+/** Cores that do what they are told, one after the other. */
+function told(...doings: (() => unknown)[]) {
+	const grow = vi.fn(() => (doings.shift() ?? (() => "grown"))());
+	const memory = { bytes: SMALL };
+	const load = vi.fn(
+		async () =>
+			({
+				grow,
+				get memoryBytes() {
+					return memory.bytes;
+				},
+			}) as unknown as Core,
+	);
+	return { cores: new Cores(load), load, memory };
+}
+const fails = (error: Error) => () => {
+	throw error;
+};
+afterEach(() => void vi.restoreAllMocks());
+
+describe("cores of a thread", () => {
+	it("are loaded once for each module, also when asked at once", async () => {
+		const { cores, load } = told();
+		await Promise.all([cores.grow("a.wasm", []), cores.grow("a.wasm", []), cores.grow("b.wasm", [])]);
+		await cores.grow("a.wasm", []);
+		expect(load.mock.calls).toEqual([["a.wasm"], ["b.wasm"]]);
+	});
+
+	it("stay after a request that cannot be grown, and are replaced once broken", async () => {
+		const { cores, load } = told(fails(new CoreError("syntax", "No.")), fails(new CoreTrap("Broke.")));
+		await expect(cores.grow("a.wasm", [])).rejects.toThrow("No.");
+		expect(load).toHaveBeenCalledTimes(1);
+		await expect(cores.grow("a.wasm", [])).rejects.toThrow("Broke.");
+		expect(await cores.grow("a.wasm", [])).toBe("grown");
+		expect(load).toHaveBeenCalledTimes(2);
+	});
+
+	it("are given up with the memory of a very large plant", async () => {
+		const { cores, load, memory } = told();
+		memory.bytes = LARGE;
+		await cores.grow("a.wasm", []);
+		memory.bytes = SMALL;
+		await cores.grow("a.wasm", []);
+		await cores.grow("a.wasm", []);
+		expect(load).toHaveBeenCalledTimes(2);
+	});
+
+	it("that could not be loaded are asked for again", async () => {
+		const { cores, load } = told();
+		load.mockRejectedValueOnce(new Error("away"));
+		await expect(cores.grow("a.wasm", [])).rejects.toThrow("away");
+		expect(await cores.grow("a.wasm", [])).toBe("grown");
+	});
+});

@@ -1,0 +1,12 @@
+import { expect, it } from "vitest";
+import { changedIn } from "../../../web/src/element/grown_detail";
+import { modelNamed } from "../../../web/src/models/index";
+import { specimenFromPreset } from "../bunch";
+
+it("a hand's change is taken, but not one of a model that the page has replaced meanwhile", async () => {
+	const bunch = await modelNamed("bunch");
+	const document = { model: bunch, specimen: specimenFromPreset("riesling"), notes: [] };
+	expect(changedIn(document, (now) => ({ ...now, seed: 9 })).specimen.seed).toBe(9);
+	const other = { ...document.specimen, model: "leaf" };
+	expect(changedIn(document, () => other).specimen).toBe(document.specimen);
+});

@@ -1,0 +1,93 @@
+import { describe, expect, it } from "vitest";
+import { linkIn, readSource, readValues, SpecimenError } from "../../../web/src/library/asked";
+import { formatLink, grow, parseLink, type Values } from "./growing";
+
+const seen = async (read: Promise<{ specimen: { model: string; preset: string; seed: number } }>) => {
+	const { model, preset, seed } = (await read).specimen;
+	return [model, preset, seed];
+};
+
+describe("a text", () => {
+	it("is a preset’s name, a model’s, or a link", async () => {
+		expect(await seen(readSource("merlot"))).toEqual(["bunch", "merlot", 1]);
+		expect(await seen(readSource("leaf/oak"))).toEqual(["leaf", "oak", 1]);
+		expect((await seen(readSource("tree")))[0]).toBe("tree");
+		expect(await seen(readSource("?v=2&preset=merlot&seed=9"))).toEqual(["bunch", "merlot", 9]);
+		expect(await seen(readSource("https://a.example/b/?v=2&model=root&preset=carrot#x"))).toEqual([
+			"root",
+			"carrot",
+			1,
+		]);
+		// A link from the command line to another model's preset is a link all the same.
+		expect(await seen(readSource("https://leaf.example/oak"))).toEqual(["bunch", "long-conical", 1]);
+	});
+
+	it.each([
+		["nettle", "“nettle” is neither a preset nor a link; presets() lists them"],
+		["leaf/nettle", "“leaf/nettle”: the leaf has no preset “nettle”; presets() lists them"],
+		["leaf/oak/red", "“leaf/oak/red” is neither a preset nor a link; presets() lists them"],
+	])("is refused where it is none: %s", async (text, message) => {
+		const error = await readSource(text).catch((each) => each);
+		expect(error).toBeInstanceOf(SpecimenError);
+		expect([error.name, error.key, error.message]).toEqual(["SpecimenError", "preset", message]);
+	});
+
+	it("has its link where its query and fragment are", () => {
+		expect(linkIn("?a=1#g=2")).toEqual({ query: "?a=1", fragment: "#g=2" });
+		expect(linkIn("#g=2?a")).toEqual({ query: "", fragment: "#g=2?a" });
+		expect(linkIn("https://a.example/")).toEqual({ query: "", fragment: "" });
+		expect(linkIn("leaf/oak")).toBeUndefined();
+	});
+});
+
+describe("values by their keys", () => {
+	it("are of now, whatever version an old link would be of", async () => {
+		const { specimen } = await readValues({ preset: "short-conical" });
+		expect(specimen.parameters).toEqual((await readSource("short-conical")).specimen.parameters);
+		expect(await seen(readValues({ model: "leaf", seed: 3 }))).toEqual(["leaf", "grapevine", 3]);
+	});
+
+	it("may be a whole specimen, as a file has it", async () => {
+		const { specimen } = await grow(
+			{ preset: "merlot", seed: 3, age: 70, skin: "aa0000" },
+			{ meshes: false, measures: false },
+		);
+		const written = JSON.parse(JSON.stringify(specimen));
+		expect(written.parameters).toMatchObject({ age: 70, procedure: "natural" });
+		expect(await formatLink(written)).toBe("?v=2&preset=merlot&seed=3&age=70&skin=aa0000");
+	});
+
+	it.each([
+		[{ model: "fern" }, "model", "there is no model “fern”; there are bunch, leaf, root, tree"],
+		[{ preset: "nettle" }, "preset", "the bunch has no preset “nettle”; presets() lists them"],
+		[{ preset: 3 }, "preset", "the bunch has no preset 3; presets() lists them"],
+		[{ age: 900 }, "age", "900 is above the greatest value, 125"],
+		[{ age: "old" }, "age", "“old” is not a number"],
+		[{ seed: -1 }, "seed", "-1 is below the least value, 0"],
+		[{ ages: 9 }, "ages", "no parameter of the bunch has that key; parameters() lists them"],
+	])("are refused where they cannot be used: %o", async (values, key, problem) => {
+		const error = await grow(values as Values).catch((each) => each);
+		expect([error.name, error.key, error.problem, error.message]).toEqual([
+			"SpecimenError",
+			key,
+			problem,
+			`${key}: ${problem}`,
+		]);
+	});
+});
+
+describe("links", () => {
+	it("are read whatever they say, and written anew", async () => {
+		const { specimen, notes } = await parseLink("https://a.example/?v=2&preset=merlot&age=900&x=1");
+		expect(specimen).toMatchObject({ preset: "merlot", parameters: { age: 125, procedure: "natural" } });
+		expect(notes).toEqual(["age: 900 is above the greatest value, 125; 125 is used.", "x: not known here; ignored."]);
+		expect(await formatLink(specimen, "https://b.example/")).toBe("https://b.example/?v=2&preset=merlot&age=125");
+		expect(await formatLink("?v=1&preset=duku")).toMatch(/^\?v=2&preset=duku&.*procedure=paper/);
+	});
+
+	it("are asked for where there is none", async () => {
+		await expect(parseLink("merlot")).rejects.toThrow(
+			"link: “merlot” is no link; one looks like ?v=2&preset=merlot&seed=7",
+		);
+	});
+});

@@ -1,0 +1,21 @@
+/** Notes on bunches that grow by a text of one's own. */
+
+import { expect, it } from "vitest";
+import { model } from "../../../../web/src/models/bunch";
+import { GRAPE_BUNCH_3, GRAPE_BUNCH_4 } from "../../../../web/src/models/bunch/grammars.generated";
+import { type Specimen, specimenFromPreset, withParameters } from "../../bunch";
+import { freshCore } from "../../core/wasm";
+
+const STALK = "The stalk above the bunch is not the grammar's: Peduncle says how long it is, and 0 takes it away.";
+
+it("say that its stalk is the panel's, where there is one", async () => {
+	const core = await freshCore();
+	const notesOf = (specimen: Specimen) =>
+		model.read(core.grow(model.encode(specimen, { meshes: false })), specimen).notes;
+	const preset = withParameters(specimenFromPreset("short-conical"), { peduncle: 40 });
+	const own = { ...preset, grammar: GRAPE_BUNCH_4 };
+	expect(notesOf(preset)).toEqual([]);
+	expect(notesOf(own)).toEqual([STALK]);
+	expect(notesOf(withParameters(own, { peduncle: 0 }))).toEqual([]);
+	expect(notesOf({ ...withParameters(own, { procedure: 0 }), grammar: GRAPE_BUNCH_3 })).not.toContain(STALK);
+});

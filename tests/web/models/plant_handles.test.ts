@@ -1,0 +1,85 @@
+import { describe, expect, it } from "vitest";
+import { apply } from "../../../web/src/controls/change";
+import type { PlantHandle, PlantHandles, Vector } from "../../../web/src/controls/handles/plant_handle";
+import { modelNamed, modelNames } from "../../../web/src/models/index";
+import { fromPreset } from "../../../web/src/specimen/from_preset";
+import type { Specimen } from "../../../web/src/specimen/specimen";
+
+const models = await Promise.all(modelNames().map(modelNamed));
+/** Of each model the first presets and the last: a spline, other forms, leaves with and without lobes. */
+const cases = models.flatMap((model) =>
+	[...model.presets.list.slice(0, 2), ...model.presets.list.slice(-2)].map(({ name }) => ({
+		model,
+		preset: name,
+		of: model.name,
+	})),
+);
+
+const plus = (a: Vector, way: Vector, by: number): Vector => [
+	a[0] + by * way[0],
+	a[1] + by * way[1],
+	a[2] + by * way[2],
+];
+const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const far = (a: Vector, b: Vector) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+/** How large the plant is by its handles and lines. */
+function sizeOf({ handles, lines }: PlantHandles): number {
+	const places = [...handles.map(({ at }) => at), ...lines.flat()];
+	return Math.max(
+		...[0, 1, 2].map((k) => Math.max(...places.map((at) => at[k])) - Math.min(...places.map((at) => at[k]))),
+	);
+}
+const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+describe.each(cases)("the handles of $of $preset", ({ model, preset }) => {
+	const specimen = fromPreset(model, preset);
+	const of = async (now: Specimen) => (await model.handles?.())?.(now, specimen) as PlantHandles;
+	const same = (set: PlantHandles, { id }: PlantHandle) => set.handles.find((each) => each.id === id) as PlantHandle;
+
+	it("are there, each with a name, a value and ways of its own", async () => {
+		const { handles, lines } = await of(specimen);
+		expect(handles.length).toBeGreaterThan(1);
+		expect(new Set(handles.map(({ id }) => id)).size).toBe(handles.length);
+		expect(lines.flat().length).toBeGreaterThan(3);
+		for (const { label, value, along } of handles) {
+			expect(label).toMatch(/^[A-Z]/);
+			expect(value).toMatch(/\S/);
+			for (const way of along) expect(Math.hypot(...way)).toBeCloseTo(1, 6);
+			if (along.length === 2) expect(dot(along[0], along[1])).toBeCloseTo(0, 6);
+		}
+	});
+
+	/** A leaf has many that are much alike. */
+	const few = (handles: readonly PlantHandle[]) => handles.filter((_, i) => i % Math.ceil(handles.length / 10) === 0);
+
+	it("stay where they are when they are taken nowhere, and change nothing else", async () => {
+		const set = await of(specimen);
+		for (const handle of few(set.handles)) {
+			const again = await of(apply(model, specimen, handle.pull(handle.at)));
+			expect(far(same(again, handle).at, handle.at)).toBeLessThan(0.012 * sizeOf(set));
+		}
+	});
+
+	it("follow a hand some of the way along one of their ways, and arrow keys", async () => {
+		const set = await of(specimen);
+		// Less than that of some is none, and more than that is at their ends.
+		const steps = [0.015, 0.04, 0.09, 0.15].map((share) => share * sizeOf(set));
+		for (const handle of few(set.handles)) {
+			const goes = handle.along.flatMap((way) => steps.flatMap((step) => [step, -step].map((by) => ({ way, by }))));
+			const followed = await Promise.all(
+				goes.map(async ({ way, by }) => {
+					const moved = same(await of(apply(model, specimen, handle.pull(plus(handle.at, way, by)))), handle);
+					// Some are led along a line of their own, and come with part of the way.
+					return moved && dot(minus(moved.at, handle.at), way) / by > 0.25;
+				}),
+			);
+			expect(followed, handle.label).toContain(true);
+			const pressed = [[1, 0], [-1, 0], [0, 1], [0, -1]].map(([x, y]) => apply(model, specimen, handle.nudge(x, y, true))); // biome-ignore format: four arrows
+			const stepped = await Promise.all(pressed.map(async (now) => same(await of(now), handle)));
+			expect(
+				stepped.some((moved) => moved && far(moved.at, handle.at) > 0.002 * sizeOf(set)),
+				handle.label,
+			).toBe(true);
+		}
+	});
+});

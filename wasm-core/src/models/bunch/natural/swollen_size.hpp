@@ -1,0 +1,40 @@
+// A berry while it swells, as others meet it: a ball, swept along a core where it is longer than wide.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <glm/vec3.hpp>
+
+#include "geometry/closest.hpp"
+#include "models/bunch/natural/swelling.hpp"
+
+namespace panicle::bunch {
+
+// Millimetres.
+struct SwollenSize {
+  float half_width, half_length;
+  float ball;   // its radius
+  float core;   // how far it is swept from the centre, either way along the berry
+  float stalk;  // of the pedicel
+};
+
+// `scale`: over the ripe size.
+inline SwollenSize swollen_size(const Swelling& berry, float scale) {
+  const float a = berry.half_width * scale, b = berry.half_length * scale;
+  return {a, b, b >= a ? a : (2 * a + b) / 3, std::max(0.0f, b - a), berry.stalk * stalk_at(scale)};
+}
+
+// Neighbours of a berry, on average, that are looked at.
+inline constexpr std::size_t most_pairs = 64;
+
+// Square of a sine: cores at less do not cross.
+inline constexpr float parallel_cores = 1e-5f;
+
+// From the nearest point of one core to that of another, whose middle lies `between` from the first's.
+inline glm::vec3 between_segments(const glm::vec3& between, const Extent& one, const Extent& other) {
+  if (!(one.reach + other.reach > 0)) return between;
+  const auto [s, t] = closest_points(between, one, other, parallel_cores);
+  return between + other.way * t - one.way * s;
+}
+
+}  // namespace panicle::bunch

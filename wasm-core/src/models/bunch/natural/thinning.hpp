@@ -1,0 +1,22 @@
+// Which berries are lost for want of room while all swell.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/bunch/natural/swollen_size.hpp"
+
+namespace panicle::bunch {
+
+// Two berries that may press on each other.
+struct Press {
+  std::uint32_t a, b;
+  float deep;  // how far either would have to give way, millimetres; not above 0 where they are apart
+};
+
+// Those who would have to give up more of their volume to their neighbours than berries can, ascending: the most
+// pressed of each neighbourhood only, for the others then have room.
+std::vector<std::uint32_t> crowded_out(std::span<const Press> presses, std::span<const SwollenSize> sizes);
+
+}  // namespace panicle::bunch

@@ -1,0 +1,141 @@
+/** The package's scripts: the library for browsers, workers and Node, and the element, each with the cores beside it. */
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { repository } from "../repository.mjs";
+
+/** What models have of the page: the desk's tools, and what draws them, which is the element's alone. */
+const FACE = /\.\/tools\/face$/;
+const FIGURE = /^\.\/figure\/|_figure$/;
+
+/** Leaves out of models' folders what no entry of a bundle comes to: it would lie about as scripts that nobody loads. */
+function without(...parts) {
+	return {
+		name: "without-pages",
+		enforce: "pre",
+		resolveId(source, importer) {
+			const left = /\/models\/.*\/index\.ts$/.test(importer ?? "") && parts.some((part) => part.test(source));
+			return left ? "\0nothing" : undefined;
+		},
+		load: (id) => (id === "\0nothing" ? "export {};" : undefined),
+	};
+}
+
+/**
+ * Vite wraps every `import()` in what preloads styles. Here are none, Node has no document, and a bundler that is Vite too would
+ * wrap them again under the same name: its plugin for that goes.
+ */
+const withoutPreloading = {
+	name: "without-preloading",
+	configResolved({ plugins }) {
+		const at = plugins.findIndex(({ name }) => name === "native:import-analysis-build");
+		if (at < 0) throw new Error("Vite preloads in another way now; see wasm-core/tools/package/bundle.mjs.");
+		plugins.splice(at, 1);
+	},
+};
+
+/** Notes which packages of node_modules went in. */
+function noting(packages) {
+	return {
+		name: "noting-packages",
+		generateBundle(_, bundle) {
+			for (const { modules = {} } of Object.values(bundle)) {
+				for (const id of Object.keys(modules)) {
+					const name = /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(id)?.[1];
+					if (name) packages.add(name);
+				}
+			}
+		},
+	};
+}
+
+const source = (path) => join(repository, "web/src", path);
+
+/**
+ * @typedef {object} Bundle
+ * @property {Record<string, string>} input its entries
+ * @property {RegExp[]} left what it leaves out of models' folders
+ * @property {(string | RegExp)[]} [external] packages that are not in it
+ * @property {object} output how its scripts are called
+ * @property {false | "oxc"} minify
+ */
+
+/**
+ * @param {Bundle} wanted
+ * @param {string} folder
+ * @param {Set<string>} packages the packages of others that went in are added
+ */
+async function bundle({ input, left, external = [], output, minify }, folder, packages) {
+	const { build } = await import("vite");
+	await build({
+		root: repository,
+		configFile: false,
+		publicDir: false,
+		logLevel: "error",
+		// Every address is relative to the script that has it.
+		base: "./",
+		plugins: [without(...left), withoutPreloading, noting(packages)],
+		worker: {
+			format: "es",
+			plugins: () => [without(FACE, FIGURE), noting(packages)],
+			// Bundlers copy a worker's script as it is: it must need no other.
+			rolldownOptions: { output: { codeSplitting: false, entryFileNames: "workers/[name].js" } },
+		},
+		build: {
+			outDir: folder,
+			emptyOutDir: false,
+			target: "es2022",
+			assetsInlineLimit: 0,
+			modulePreload: false,
+			minify,
+			rolldownOptions: {
+				input,
+				external,
+				preserveEntrySignatures: "exports-only",
+				output: { entryFileNames: "[name].js", assetFileNames: "cores/[name][extname]", ...output },
+			},
+		},
+	});
+}
+
+/**
+ * Writes all scripts and cores into a folder that is empty.
+ * @returns {Promise<string>} the licences of what others have written and went in
+ */
+export async function bundlePackage(folder) {
+	const packages = new Set();
+	/** @type {Bundle} */
+	const library = {
+		input: {
+			browser: source("library/browser.ts"),
+			node: source("library/node.ts"),
+			three: source("library/three.ts"),
+		},
+		left: [FACE, FIGURE],
+		// three is the reader's own; Node's modules are asked for by Node's front door alone.
+		external: ["three", /^node:/],
+		output: { chunkFileNames: "library/[name].js" },
+		// Whoever ships it makes it small; until then its errors have lines that can be read.
+		minify: false,
+	};
+	/** @type {Bundle} */
+	const element = {
+		input: { element: source("element/panicle.ts") },
+		left: [FACE],
+		output: {
+			chunkFileNames: "element/[name].js",
+			codeSplitting: { groups: [{ name: "three", test: /node_modules\/three\// }] },
+		},
+		minify: "oxc",
+	};
+	await bundle(library, folder, packages);
+	await bundle(element, folder, packages);
+	return [...packages].sort().map(licence).join("\n");
+}
+
+function licence(name) {
+	const place = join(repository, "node_modules", name);
+	const file = readdirSync(place).find((each) => /^licen[cs]e/i.test(each));
+	const { version, license } = JSON.parse(readFileSync(join(place, "package.json"), "utf8"));
+	const text = file ? readFileSync(join(place, file), "utf8").trim() : license;
+	return `${name} ${version}\n\n${text}\n\n---\n`;
+}

@@ -1,0 +1,95 @@
+/** Makes the package: scripts, cores, types, its manifest and what goes with it, and of all that one tarball. */
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { buildCore } from "../core.mjs";
+import { filesIn, isFresh, remember } from "../fresh.mjs";
+import { withLock } from "../lock.mjs";
+import { npm } from "../npm_packages.mjs";
+import { buildFolder, modelFolders, moduleOf, repository } from "../repository.mjs";
+import { ToolchainError } from "../toolchain.mjs";
+import { bundlePackage } from "./bundle.mjs";
+import { pagesOf } from "./pages.mjs";
+import { writeTypes } from "./types.mjs";
+
+const place = join(buildFolder, "package");
+/** What is packed. */
+export const packageFolder = join(place, "panicle");
+const stamp = join(place, "made_from.txt");
+const pages = join(place, "pages.json");
+const docs = ["LICENSE", "CHANGELOG.md", "docs/package.md"];
+
+/** The published package's own; the repository's is the workspace's. */
+export function manifest() {
+	const { name, version, license, engines, devDependencies } = JSON.parse(
+		readFileSync(join(repository, "package.json"), "utf8"),
+	);
+	const door = (file, more = {}) => ({ types: `./${file}.d.ts`, ...more, default: `./${file}.js` });
+	return {
+		name,
+		version,
+		description:
+			"Grape bunches, leaves, trees and roots grown from botanical models: a library, and an element for any page",
+		keywords: ["procedural", "modeling", "plant", "grape", "l-system", "gltf", "three", "webassembly"],
+		license,
+		type: "module",
+		engines,
+		exports: {
+			".": {
+				types: "./panicle.d.ts",
+				node: "./node.js",
+				worker: "./browser.js",
+				browser: "./browser.js",
+				default: "./browser.js",
+			},
+			"./three": door("three"),
+			"./element": door("element"),
+			"./cores/*": "./cores/*",
+			"./package.json": "./package.json",
+		},
+		types: "./panicle.d.ts",
+		// Each of them says where plants grow, or defines the element.
+		sideEffects: ["./node.js", "./browser.js", "./element.js"],
+		peerDependencies: { three: `>=${devDependencies["@types/three"].replace("^", "")}` },
+		peerDependenciesMeta: { three: { optional: true } },
+	};
+}
+
+/**
+ * Makes what is not there as the sources are now.
+ * @returns {Promise<{ tarball: string, pages: Record<string, string> }>} the pages of docs/api as texts, by their names
+ */
+export async function makePackage() {
+	await buildCore();
+	return withLock(join(buildFolder, "package.lock"), async () => {
+		const { name, version } = manifest();
+		const tarball = join(place, `${name}-${version}.tgz`);
+		const inputs = [
+			...filesIn("web/src", "wasm-core/tools/package", "package.json", "package-lock.json", "tsconfig.json", ...docs),
+			...modelFolders().map(moduleOf),
+		];
+		if (!isFresh(tarball, stamp, inputs)) {
+			await write(tarball);
+			remember(stamp, inputs);
+		}
+		return { tarball, pages: JSON.parse(readFileSync(pages, "utf8")) };
+	});
+}
+
+async function write(tarball) {
+	rmSync(place, { recursive: true, force: true });
+	mkdirSync(packageFolder, { recursive: true });
+	const licences = await bundlePackage(packageFolder);
+	writeFileSync(pages, JSON.stringify(pagesOf(await writeTypes(packageFolder))));
+	writeFileSync(join(packageFolder, "package.json"), `${JSON.stringify(manifest(), null, "\t")}\n`);
+	writeFileSync(join(packageFolder, "THIRD-PARTY.txt"), licences);
+	writeFileSync(join(packageFolder, "README.md"), readme());
+	for (const file of ["LICENSE", "CHANGELOG.md"]) copyFileSync(join(repository, file), join(packageFolder, file));
+	const { status, output } = await npm(["pack", "--silent", "--pack-destination", place], packageFolder);
+	if (status !== 0 || !existsSync(tarball)) throw new ToolchainError(`npm pack failed:\n${output.trim()}`);
+}
+
+/** The page about the package, without links to its neighbours, which do not come along. */
+function readme() {
+	const text = readFileSync(join(repository, "docs/package.md"), "utf8");
+	return text.replace(/\[([^\]]+)\]\((?![a-z]+:)[^)]*\)/g, "$1");
+}

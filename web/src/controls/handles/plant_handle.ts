@@ -1,0 +1,31 @@
+/** Handles on the plant itself, in three dimensions: what a model says of them. Types only. */
+import type { Change } from "../desk";
+
+export type Vector = readonly [x: number, y: number, z: number];
+
+/** Something to take hold of, and what hands do to it: changes of the specimen that it was made of. */
+export interface PlantHandle {
+	readonly id: string;
+	/** What it is: "Length". */
+	readonly label: string;
+	/** Where it stands, in words: "14.2 mm". */
+	readonly value: string;
+	/** In the plant's metres. */
+	readonly at: Vector;
+	/** One or two directions, of length 1, in which it can go. */
+	readonly along: readonly Vector[];
+	/** Taken to a place by a pointer. */
+	pull(to: Vector): Change;
+	/** One press of an arrow key: 1, 0 or −1 to the right and up. */
+	nudge(right: number, up: number, large: boolean): Change;
+}
+
+/** All that is shown of them. */
+export interface PlantHandles {
+	readonly handles: readonly PlantHandle[];
+	/** Lines that show what they shape, from end to end. */
+	readonly lines: readonly (readonly Vector[])[];
+}
+
+/** The handles of a specimen; `preset` is its preset as published. */
+export type HandlesOf<S> = (specimen: S, preset: S) => PlantHandles;

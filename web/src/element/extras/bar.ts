@@ -1,0 +1,193 @@
+/** The bar below a plant: turning, age, seed, a file, and the way into the app. Every control has a name, a key and a place to be styled by. */
+import { ageOf } from "../../files/aged";
+import { withParameters, withSeed } from "../../specimen/edit";
+import { SEED } from "../../specimen/limits";
+import { encodeLink } from "../../specimen/link";
+import { appAddress } from "../app_address";
+import type { Shown } from "../grown_detail";
+import { plantInWords } from "../plant_in_words";
+import type { SpecimenView } from "../specimen_view";
+import { BAR_STYLE } from "./bar_style";
+import type { Extra, ExtrasHost } from "./extras";
+
+/** What one press turns the plant by where it may not turn by itself, degrees. */
+const TURN = 45;
+
+const DRAWINGS = {
+	turn: "M4 10.5C4 8 6.700 6.500 10 6.500s6 1.500 6 4-2.700 4-6 4M10 14.500 12.300 12.200M10 14.500l2.300 2.300",
+	download: "M10 3v9.500M6.500 9.500 10 13l3.500-3.500M4 16.500h12",
+	app: "M9 4.500H4.500v11h11V11M12 4h4v4M16 4l-6.500 6.500",
+};
+
+export class Bar implements Extra {
+	readonly #host: ExtrasHost;
+	readonly #view: SpecimenView;
+	readonly #bar = document.createElement("div");
+	readonly #turn = button("Turn", "turn");
+	readonly #age = field("range", "Age");
+	readonly #seed = field("number", "Seed");
+	readonly #download = button("Download GLB", "download");
+	readonly #app = drawn(
+		Object.assign(document.createElement("a"), { target: "_blank", rel: "noopener" }),
+		"Open in the app",
+		"app",
+	);
+	readonly #said = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
+	readonly #style = new CSSStyleSheet();
+	readonly #ended = new AbortController();
+	#shown: Shown | undefined;
+	/** Whether a hand has changed something since it was last said what grew. */
+	#touched = false;
+	/** `autorotate` as it was when it was last switched off. */
+	#speed = "";
+
+	constructor(host: ExtrasHost, view: SpecimenView) {
+		this.#host = host;
+		this.#view = view;
+		this.#style.replaceSync(BAR_STYLE);
+		host.root.adoptedStyleSheets.push(this.#style);
+		const space = Object.assign(document.createElement("span"), { className: "space" });
+		this.#bar.className = "bar";
+		this.#bar.role = "group";
+		this.#bar.ariaLabel = "Controls";
+		this.#bar.part.add("controls");
+		this.#bar.append(this.#turn, this.#age, space, this.#seed, this.#download, this.#app, this.#said);
+		Object.assign(this.#seed, { min: `${SEED.min}`, max: `${SEED.max}`, step: "1" });
+		this.#listen();
+		host.root.append(this.#bar);
+		view.resize();
+		this.follow();
+	}
+
+	show(shown: Shown): void {
+		this.#shown = shown;
+		const { model, specimen } = shown;
+		const age = ageOf(model, specimen);
+		this.#age.hidden = age === undefined;
+		if (age) {
+			const value = specimen.parameters[age.key];
+			Object.assign(this.#age, {
+				min: `${age.min}`,
+				max: `${age.max}`,
+				step: `${age.step}`,
+				ariaLabel: age.label,
+				title: age.label,
+			});
+			// A hand on it is ahead of what has grown.
+			if (!this.#age.matches(":active")) this.#age.value = `${value}`;
+			this.#age.ariaValueText = `${value} ${age.unit}`;
+		}
+		if (this.#seed !== this.#host.root.activeElement) this.#seed.value = `${specimen.seed}`;
+		if (this.#touched) this.#said.textContent = plantInWords(shown);
+		this.#touched = false;
+		void this.#leadTo(shown);
+	}
+
+	follow(): void {
+		const { element } = this.#host;
+		// Where it may not turn by itself there is nothing to switch on.
+		if (this.#view.turnsByItself) this.#turn.ariaPressed = `${element.hasAttribute("autorotate")}`;
+		else this.#turn.ariaPressed = null;
+		if (this.#shown) void this.#leadTo(this.#shown);
+	}
+
+	dispose(): void {
+		this.#ended.abort();
+		const { root } = this.#host;
+		this.#bar.remove();
+		root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => sheet !== this.#style);
+		this.#view.resize();
+	}
+
+	#listen(): void {
+		const { hands } = this.#host;
+		this.#turn.addEventListener("click", () => {
+			if (this.#view.turnsByItself) this.#switchTurning();
+			else this.#view.turnBy(TURN);
+		});
+		this.#age.addEventListener("input", () => {
+			const age = this.#shown && ageOf(this.#shown.model, this.#shown.specimen);
+			const { model } = this.#shown ?? {};
+			if (!age || !model) return;
+			hands.edit((now) => withParameters(model, now, { [age.key]: this.#age.valueAsNumber }));
+		});
+		this.#age.addEventListener("change", () => this.#rest());
+		this.#seed.addEventListener("change", () => {
+			const { valueAsNumber: seed, validity } = this.#seed;
+			if (!validity.valid || Number.isNaN(seed)) {
+				this.#seed.value = `${this.#shown?.specimen.seed ?? ""}`;
+				return;
+			}
+			hands.edit((now) => withSeed(now, seed));
+			this.#rest();
+		});
+		this.#download.addEventListener("click", () => void this.#save());
+		const { signal } = this.#ended;
+		matchMedia("(prefers-reduced-motion: reduce)").addEventListener("change", () => this.follow(), { signal });
+		// What pages hear of the element is told by it.
+		for (const type of ["input", "change"]) this.#bar.addEventListener(type, (event) => event.stopPropagation());
+	}
+
+	/** On again it turns as fast as before. */
+	#switchTurning(): void {
+		const { element } = this.#host;
+		const speed = element.getAttribute("autorotate");
+		if (speed === null) element.setAttribute("autorotate", this.#speed);
+		else {
+			this.#speed = speed;
+			element.removeAttribute("autorotate");
+		}
+	}
+
+	#rest(): void {
+		this.#touched = true;
+		this.#host.hands.settle();
+	}
+
+	async #leadTo({ model, specimen }: Shown): Promise<void> {
+		const app = appAddress(this.#host.element.getAttribute("app"));
+		this.#app.hidden = app === undefined;
+		const link = await encodeLink(model, specimen);
+		if (app !== undefined) this.#app.href = `${app}${link}`;
+	}
+
+	async #save(): Promise<void> {
+		this.#download.ariaBusy = "true";
+		try {
+			const file = await this.#host.element.toFile("glb");
+			const { preset, seed } = this.#shown?.specimen ?? { preset: "plant", seed: 1 };
+			const anchor = document.createElement("a");
+			anchor.href = URL.createObjectURL(file);
+			anchor.download = `${preset}-${seed}.glb`;
+			anchor.click();
+			// The download has taken its own hold of the data by then.
+			setTimeout(() => URL.revokeObjectURL(anchor.href), 60_000);
+		} catch (error) {
+			this.#said.textContent = `The GLB could not be made: ${error instanceof Error ? error.message : error}`;
+		} finally {
+			this.#download.ariaBusy = null;
+		}
+	}
+}
+
+function field(type: "range" | "number", label: string): HTMLInputElement {
+	const made = Object.assign(document.createElement("input"), { type, ariaLabel: label, title: label });
+	made.part.add("control");
+	return made;
+}
+
+const button = (label: string, drawing: keyof typeof DRAWINGS) =>
+	drawn(Object.assign(document.createElement("button"), { type: "button" }), label, drawing);
+
+function drawn<E extends HTMLElement>(control: E, label: string, drawing: keyof typeof DRAWINGS): E {
+	const [svg, path] = ["svg", "path"].map((tag) => document.createElementNS("http://www.w3.org/2000/svg", tag));
+	svg.setAttribute("viewBox", "0 0 20 20");
+	svg.setAttribute("aria-hidden", "true");
+	path.setAttribute("d", DRAWINGS[drawing]);
+	svg.append(path);
+	control.append(svg);
+	control.ariaLabel = label;
+	control.title = label;
+	control.part.add("control");
+	return control;
+}

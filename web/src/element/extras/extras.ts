@@ -1,0 +1,82 @@
+/** What an element has besides its plant where attributes ask for it, each from a script that comes when it is first wanted. */
+import type { Shown } from "../grown_detail";
+import type { SpecimenView } from "../specimen_view";
+import type { Hands } from "./hands";
+
+/** Something that follows the plant shown. */
+export interface Extra {
+	show(shown: Shown): void;
+	/** An attribute of the element is another one. */
+	follow?(): void;
+	dispose(): void;
+}
+
+export interface ExtrasHost {
+	readonly element: HTMLElement & { toFile(format: string): Promise<Blob> };
+	readonly root: ShadowRoot;
+	readonly hands: Hands;
+	/** The view of the plant; only ever asked for when one is shown. */
+	view(): Promise<SpecimenView>;
+}
+
+const MADE_BY: Readonly<Record<string, (host: ExtrasHost) => Promise<Extra>>> = {
+	controls: async (host) => new (await import("./bar")).Bar(host, await host.view()),
+	handles: async (host) => new (await import("./handles_layer")).HandlesLayer(host, await host.view()),
+};
+
+export class Extras {
+	readonly #host: ExtrasHost;
+	readonly #made = new Map<string, Promise<Extra | undefined>>();
+	#shown: Shown | undefined;
+
+	constructor(host: ExtrasHost) {
+		this.#host = host;
+	}
+
+	/** Brings what the attributes ask for, once there is a plant, and takes away what they do not. */
+	follow(): void {
+		for (const name of Object.keys(MADE_BY)) {
+			const wanted = this.#shown !== undefined && this.#host.element.hasAttribute(name);
+			if (wanted && !this.#made.has(name)) this.#make(name);
+			else if (!wanted) this.#drop(name);
+		}
+		this.#all((extra) => extra.follow?.());
+	}
+
+	show(shown: Shown): void {
+		this.#shown = shown;
+		this.#all((extra) => extra.show(shown));
+		this.follow();
+	}
+
+	/** The element has left its page. */
+	close(): void {
+		this.#shown = undefined;
+		for (const name of [...this.#made.keys()]) this.#drop(name);
+	}
+
+	/** Where its script does not come the plant is without it, and the next plant asks again. */
+	#make(name: string): void {
+		const making = MADE_BY[name](this.#host).then(
+			(extra) => {
+				if (this.#made.get(name) === making && this.#shown) extra.show(this.#shown);
+				return extra;
+			},
+			() => {
+				if (this.#made.get(name) === making) this.#made.delete(name);
+				return undefined;
+			},
+		);
+		this.#made.set(name, making);
+	}
+
+	#drop(name: string): void {
+		const making = this.#made.get(name);
+		this.#made.delete(name);
+		void making?.then((extra) => extra?.dispose());
+	}
+
+	#all(work: (extra: Extra) => void): void {
+		for (const making of this.#made.values()) void making.then((extra) => extra && work(extra));
+	}
+}

@@ -1,0 +1,11 @@
+import type { Shown } from "./grown_detail";
+
+/** What a plant is, for those who do not see it: "Riesling bunch: 99 berries, 12 cm long", "Oak leaf, 42 cm², …". */
+export function plantInWords({ model, specimen, grown }: Pick<Shown, "model" | "specimen" | "grown">): string {
+	const words = model.words(grown, specimen);
+	// Some models' words say of themselves what it is.
+	if (/^[^,:]*/.exec(words.toLowerCase())?.[0].includes(model.noun)) return words;
+	const title = model.presets.named(specimen.preset)?.title ?? model.title;
+	const named = title.toLowerCase().includes(model.noun) ? title : `${title} ${model.noun}`;
+	return `${named}: ${words}`;
+}

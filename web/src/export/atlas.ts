@@ -1,0 +1,121 @@
+/** Pictures of many meshes, in square tiles row by row: what is drawn in a tile is settled pixel by pixel by whoever asks for it. */
+import type { Picture } from "../plant/material";
+
+/** Pixels of a picture and of a tile along an edge, at the most. */
+const MOST_PIXELS = 2048;
+const MOST_TILE = 256;
+/** Round what is drawn in a tile, so that readers who blend neighbours find the same there. */
+const MARGIN = 4;
+/** Of a pixel, beyond a triangle's edge: what lies between two triangles belongs to one. */
+const EDGE = 0.02;
+
+/** What a pixel shows, by the pictures' names: red, green, blue, 0 … 255. */
+export type Paint<Kind extends string> = (
+	corners: readonly number[],
+	weights: readonly number[],
+) => Readonly<Record<Kind, readonly number[]>>;
+
+export class Atlas<Kind extends string> {
+	readonly pictures: Record<Kind, Picture>;
+	readonly #layers: [Kind, Uint8Array][];
+	readonly #width: number;
+	readonly #height: number;
+	readonly #tile: number;
+	readonly #columns: number;
+
+	constructor(kinds: readonly Kind[], tiles: number) {
+		// Powers of two, as graphics cards like them.
+		this.#columns = powerFrom(Math.sqrt(tiles));
+		this.#tile = Math.min(MOST_TILE, MOST_PIXELS / this.#columns);
+		this.#width = this.#columns * this.#tile;
+		this.#height = powerFrom(tiles / this.#columns) * this.#tile;
+		this.#layers = kinds.map((kind) => [kind, new Uint8Array(3 * this.#width * this.#height)]);
+		const size = { width: this.#width, height: this.#height };
+		this.pictures = Object.fromEntries(this.#layers.map(([kind, pixels]) => [kind, { ...size, pixels }])) as Record<
+			Kind,
+			Picture
+		>;
+	}
+
+	/** Texture coordinates of a mesh, 0 … 1, as they lie on a tile. */
+	placed(uvs: Float32Array, tile: number): Float32Array {
+		const { left, top } = this.#corner(tile);
+		const local = this.#local(uvs);
+		return local.map((value, i) => (i % 2 === 0 ? (left + value) / this.#width : (top + value) / this.#height));
+	}
+
+	/** Draws triangles on a tile, by their texture coordinates on a picture of their own. */
+	draw(uvs: Float32Array, indices: Uint32Array, tile: number, paint: Paint<Kind>): void {
+		const local = this.#local(uvs);
+		const drawn = new Uint8Array(this.#tile ** 2);
+		for (let t = 0; t < indices.length; t += 3) this.#fill([...indices.subarray(t, t + 3)], local, tile, paint, drawn);
+		this.#spread(drawn, tile);
+	}
+
+	#corner(tile: number): { left: number; top: number } {
+		return { left: (tile % this.#columns) * this.#tile, top: Math.floor(tile / this.#columns) * this.#tile };
+	}
+
+	#local(uvs: Float32Array): Float32Array {
+		const inner = this.#tile - 2 * MARGIN;
+		return uvs.map((value) => MARGIN + value * inner);
+	}
+
+	/** Draws one triangle, in the tile's pixels. */
+	#fill(corners: readonly number[], at: Float32Array, tile: number, paint: Paint<Kind>, drawn: Uint8Array): void {
+		const [ax, ay, bx, by, cx, cy] = corners.flatMap((corner) => [at[2 * corner], at[2 * corner + 1]]);
+		const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+		if (area === 0) return;
+		const { left, top } = this.#corner(tile);
+		for (let y = Math.floor(Math.min(ay, by, cy)); y <= Math.min(this.#tile - 1, Math.max(ay, by, cy)); y++) {
+			for (let x = Math.floor(Math.min(ax, bx, cx)); x <= Math.min(this.#tile - 1, Math.max(ax, bx, cx)); x++) {
+				const [px, py] = [x + 0.5 - ax, y + 0.5 - ay];
+				const second = (px * (cy - ay) - (cx - ax) * py) / area;
+				const third = ((bx - ax) * py - px * (by - ay)) / area;
+				const first = 1 - second - third;
+				if (drawn[y * this.#tile + x] || first < -EDGE || second < -EDGE || third < -EDGE) continue;
+				drawn[y * this.#tile + x] = 1;
+				const to = 3 * ((top + y) * this.#width + left + x);
+				const shown = paint(corners, within(first, second, third));
+				for (const [kind, pixels] of this.#layers) pixels.set(shown[kind], to);
+			}
+		}
+	}
+
+	/** What no triangle has covered takes what a neighbour shows, until all of the tile is drawn. */
+	#spread(drawn: Uint8Array, tile: number): void {
+		const side = this.#tile;
+		const { left, top } = this.#corner(tile);
+		let edge = [...drawn.keys()].filter((i) => drawn[i] === 1);
+		while (edge.length > 0) {
+			const next: number[] = [];
+			for (const from of edge) {
+				const [x, y] = [from % side, Math.floor(from / side)];
+				for (const [nx, ny] of [
+					[x - 1, y],
+					[x + 1, y],
+					[x, y - 1],
+					[x, y + 1],
+				]) {
+					if (nx < 0 || ny < 0 || nx >= side || ny >= side || drawn[ny * side + nx]) continue;
+					drawn[ny * side + nx] = 1;
+					next.push(ny * side + nx);
+					const source = 3 * ((top + y) * this.#width + left + x);
+					const target = 3 * ((top + ny) * this.#width + left + nx);
+					for (const [, pixels] of this.#layers) pixels.copyWithin(target, source, source + 3);
+				}
+			}
+			edge = next;
+		}
+	}
+}
+
+/** The weights of the nearest place in the triangle. */
+function within(...weights: number[]): number[] {
+	const inside = weights.map((weight) => Math.max(0, weight));
+	const sum = inside[0] + inside[1] + inside[2];
+	return inside.map((weight) => weight / sum);
+}
+
+/** The least power of two that is no smaller. */
+const powerFrom = (value: number) => 2 ** Math.ceil(Math.log2(value));

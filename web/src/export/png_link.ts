@@ -1,0 +1,102 @@
+/**
+ * The link of a picture's plant, in the picture's own file: a text chunk `tEXt` (ISO/IEC 15948, section 11.3.4.3) whose keyword is
+ * `Panicle` and whose text is the whole address. Programs that show or rename pictures keep it; most of those that save them again do not.
+ */
+import { FileError } from "./file_error";
+import { CHUNK_FRAME, checksum, PNG_SIGNATURE, pngChunk } from "./png_chunks";
+
+export const LINK_KEYWORD = "Panicle";
+
+const HEADER = "IHDR";
+const END = "IEND";
+const latin1 = new TextDecoder("latin1");
+
+/**
+ * The picture with its plant's link, before its first pixels.
+ * @param picture a PNG; anything else comes back as it is
+ * @param link an address, which has no other characters than ASCII
+ */
+export async function withLink(picture: Blob, link: string): Promise<Blob> {
+	if (!(await isPng(picture))) return picture;
+	// The first chunk is the header, of a fixed size.
+	const start = PNG_SIGNATURE.length + CHUNK_FRAME + 13;
+	const text = pngChunk("tEXt", new TextEncoder().encode(`${LINK_KEYWORD}\0${link}`));
+	return new Blob([picture.slice(0, start), text, picture.slice(start)], { type: "image/png" });
+}
+
+/** Whether a file begins as PNGs do. */
+export async function isPng(file: Blob): Promise<boolean> {
+	const start = new Uint8Array(await file.slice(0, PNG_SIGNATURE.length).arrayBuffer());
+	return start.length === PNG_SIGNATURE.length && start.every((byte, i) => byte === PNG_SIGNATURE[i]);
+}
+
+/**
+ * The link in a PNG, as it stands there: from outside, and never to be trusted.
+ * @param name what the file is called, for messages
+ * @throws FileError where there is none
+ */
+export function linkInPng(name: string, bytes: Uint8Array): string {
+	for (const { type, data, whole } of chunksOf(name, bytes)) {
+		const text = type === "tEXt" ? plainText(data) : type === "iTXt" ? internationalText(data) : undefined;
+		if (text === undefined) continue;
+		if (!whole) throw broken(name);
+		if (!/[?#]/.test(text)) throw new FileError(`${name} has other text where its link ought to be.`);
+		return text;
+	}
+	throw new FileError(
+		`${name} is a picture without a link: only those made by Panicle and not saved again elsewhere have one.`,
+	);
+}
+
+interface Chunk {
+	readonly type: string;
+	readonly data: Uint8Array;
+	/** Whether the checksum says so; worked out where asked for. */
+	readonly whole: boolean;
+}
+
+function* chunksOf(name: string, bytes: Uint8Array): Generator<Chunk> {
+	const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+	for (let at = PNG_SIGNATURE.length, first = true; ; first = false) {
+		const left = bytes.length - at - CHUNK_FRAME;
+		const length = left < 0 ? 0 : view.getUint32(at);
+		if (left < length) throw broken(name);
+		const [from, to] = [at + 8, at + 8 + length];
+		const type = latin1.decode(bytes.subarray(at + 4, from));
+		if (first && type !== HEADER) throw broken(name);
+		yield {
+			type,
+			data: bytes.subarray(from, to),
+			get whole() {
+				return checksum(bytes.subarray(from - 4, to)) === view.getUint32(to);
+			},
+		};
+		if (type === END) return;
+		at += length + CHUNK_FRAME;
+	}
+}
+
+/** What stands after our keyword in a `tEXt` chunk. */
+function plainText(data: Uint8Array): string | undefined {
+	const [keyword, text] = cut(data);
+	return keyword === LINK_KEYWORD ? latin1.decode(text) : undefined;
+}
+
+/** The same of an `iTXt` chunk, into which some programs turn the former; packed ones are passed over. */
+function internationalText(data: Uint8Array): string | undefined {
+	const [keyword, rest] = cut(data);
+	if (keyword !== LINK_KEYWORD || rest[0] !== 0) return undefined;
+	// Language, and the keyword in that language.
+	const [, translated] = cut(rest.subarray(2));
+	const [, text] = cut(translated);
+	return new TextDecoder().decode(text);
+}
+
+/** Text up to the first zero, and the bytes after it. */
+function cut(data: Uint8Array): [string, Uint8Array] {
+	const end = data.indexOf(0);
+	return end < 0 ? ["", data.subarray(0, 0)] : [latin1.decode(data.subarray(0, end)), data.subarray(end + 1)];
+}
+
+const broken = (name: string) =>
+	new FileError(`${name} is a damaged or unfinished PNG: save the picture or download it again.`);

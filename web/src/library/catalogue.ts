@@ -1,0 +1,167 @@
+/** What there is to grow: models, and of each its presets, parameters, measures and files. */
+import { PLANT_FILES } from "../export/plant_files";
+import { isModel, modelNamed, modelNames } from "../models/index";
+import type { Model } from "../models/model";
+import { quote } from "../specimen/notes";
+import { SpecimenError } from "./asked";
+
+/** A model. */
+export interface ModelInfo {
+	/** As links write it: `bunch`. */
+	readonly name: string;
+	/** As a heading: "Grape bunch". */
+	readonly title: string;
+	/** Whether what its links mean is not yet frozen. */
+	readonly preview: boolean;
+}
+
+/** A named specimen to start from. */
+export interface PresetInfo {
+	/** As in links: `long-conical`. */
+	readonly name: string;
+	/** As a heading. */
+	readonly title: string;
+	/** The sort that the gallery shows it with. */
+	readonly kind: string;
+	/** One line about it. */
+	readonly about: string;
+}
+
+/** A parameter of a model. */
+export interface ParameterInfo {
+	/** By which `grow` takes it. */
+	readonly key: string;
+	/** As panels call it. */
+	readonly label: string;
+	/** A choice's value is the name of one of its `options`, a colour's six hexadecimal digits. */
+	readonly kind: "number" | "integer" | "choice" | "colour";
+	/** Of numbers: `mm`, `%`, `°` …; `px` are the paper's pixels; empty where there is none. */
+	readonly unit: string;
+	/** What the model takes where neither preset nor caller says otherwise. */
+	readonly default: number | string;
+	/** Of numbers. */
+	readonly min?: number;
+	/** Of numbers. */
+	readonly max?: number;
+	/** Of choices. */
+	readonly options?: readonly string[];
+	/** One plain sentence. */
+	readonly help: string;
+}
+
+/** A measure of a grown plant. */
+export interface MeasureInfo {
+	/** By which `Grown.measures` and `GrowOptions.targets` name it. */
+	readonly key: string;
+	/** As tables call it. */
+	readonly label: string;
+	/** A share is 0 … 1; a note is the class of a descriptor. */
+	readonly kind: "number" | "share" | "whole" | "note";
+	/** Empty of shares, counts and notes. */
+	readonly unit: string;
+	/** Code of the descriptor of the OIV, the vine and wine organisation, where there is one. */
+	readonly oiv?: number;
+	/** One plain sentence. */
+	readonly help: string;
+}
+
+/** A kind of file. */
+export interface FormatInfo {
+	/** What `toFile` calls it: `glb-low`, `csv`. */
+	readonly key: string;
+	/** As menus call it. */
+	readonly title: string;
+	/** One line about it. */
+	readonly about: string;
+	/** What names of such files end in: `-low.glb`. */
+	readonly suffix: string;
+	/** The media type. */
+	readonly type: string;
+}
+
+/** All models, the one that a link means which names none at first. */
+export async function models(): Promise<ModelInfo[]> {
+	const all = await Promise.all(modelNames().map(modelNamed));
+	return all.map(({ name, title, preview = false }) => ({ name, title, preview }));
+}
+
+/**
+ * The presets of a model, in the order of the gallery.
+ *
+ * @param model - its name; the default model's where absent
+ * @throws SpecimenError where there is no such model
+ */
+export async function presets(model?: string): Promise<PresetInfo[]> {
+	const { presets: of } = await known(model);
+	return of.list.map(({ name, title, kind, about }) => ({ name, title, kind, about }));
+}
+
+/**
+ * The parameters of a model, in the order of its panel.
+ *
+ * @param model - its name; the default model's where absent
+ * @throws SpecimenError where there is no such model
+ */
+export async function parameters(model?: string): Promise<ParameterInfo[]> {
+	const { table } = await known(model);
+	return table.entries.map((entry) => {
+		const { key, label, kind, unit, help } = entry;
+		const said = { key, label, kind, unit, help };
+		if (entry.kind === "colour") return { ...said, default: entry.default };
+		if (entry.kind === "choice") return { ...said, default: entry.options[entry.default], options: entry.options };
+		return { ...said, default: entry.default, min: entry.min, max: entry.max };
+	});
+}
+
+/**
+ * The measures of a model's plants.
+ *
+ * @param model - its name; the default model's where absent
+ * @throws SpecimenError where there is no such model
+ */
+export async function measures(model?: string): Promise<MeasureInfo[]> {
+	const { table } = await known(model);
+	return table.measures.map(({ key, label, kind, unit, help, oiv }) => ({
+		key,
+		label,
+		kind,
+		unit,
+		help,
+		...(oiv === undefined ? {} : { oiv }),
+	}));
+}
+
+/**
+ * The kinds of file that `toFile` makes of a model's plants. Some suit not all of them: `glb-growth` those with an age.
+ *
+ * @param model - its name; the default model's where absent
+ * @throws SpecimenError where there is no such model
+ */
+export async function formats(model?: string): Promise<FormatInfo[]> {
+	const { formats: own = [] } = await known(model);
+	return [...PLANT_FILES, ...OTHERS, ...own].map(({ key, title, about, suffix, type }) => ({
+		key,
+		title,
+		about,
+		suffix,
+		type,
+	}));
+}
+
+/** Besides the files with meshes in one piece. */
+const OTHERS: readonly FormatInfo[] = [
+	{
+		key: "obj",
+		title: "OBJ",
+		about: "With its materials and their pictures in a ZIP; for older programs",
+		suffix: "-obj.zip",
+		type: "application/zip",
+	},
+	{ key: "json", title: "JSON", about: "Every part as numbers", suffix: ".json", type: "application/json" },
+];
+
+async function known(model: string | undefined): Promise<Model> {
+	if (model !== undefined && !isModel(model))
+		throw new SpecimenError("model", `there is no model ${quote(model)}; there are ${modelNames().join(", ")}`);
+	return modelNamed(model);
+}

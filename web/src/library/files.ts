@@ -1,0 +1,205 @@
+/** Files of grown specimens: all that the app's Download and the command line write, but for pictures. */
+import { aboutPlant } from "../export/about_plant";
+import { exportJson, type OrganRecord, type SegmentRecord } from "../export/json";
+import { exportObj } from "../export/obj";
+import { FILE_RANGES, type FileOptions } from "../export/plant_files";
+import { hasAges } from "../files/aged";
+import { makeFile } from "../files/make";
+import { modelNamed } from "../models/index";
+import type { Model } from "../models/model";
+import type { Part } from "../plant/part";
+import type { Specimen as Held } from "../specimen/specimen";
+import { readTyped, SpecimenError } from "./asked";
+import { formats } from "./catalogue";
+import { type Grown, growHeld, type Specimen } from "./grow";
+
+/** The forms of a GLB: docs/export.md says what is in each. */
+export type GlbForm = "detailed" | "web" | "low" | "instanced" | "growth";
+
+/** What may be said of a GLB. */
+export interface GlbOptions {
+	/** `detailed` where absent. `web` and `instanced` are for readers of extensions of glTF, `growth` is the plant's life as an animation. */
+	readonly form?: GlbForm;
+	/** Of the form `low`, at the most; 20,000 where absent. */
+	readonly triangles?: number;
+	/** Whether light comes through flesh in the forms `detailed` and `instanced`; readers take another pass for it. */
+	readonly translucent?: boolean;
+	/** Whether pictures say colours and shade in the form `detailed`, where vertices do otherwise. */
+	readonly textures?: boolean;
+}
+
+/** An OBJ with what lies beside it. */
+export interface ObjFiles {
+	/** The text of `NAME.obj`; it asks for `NAME.mtl`. */
+	readonly obj: string;
+	/** The text of `NAME.mtl`. */
+	readonly mtl: string;
+	/** The pictures that the MTL asks for, PNGs by the names of their files. */
+	readonly pictures: readonly { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> }[];
+}
+
+/** The JSON document of a plant: what docs/command-line.md describes. Lengths in metres; each number reads back as the float32 it was. */
+export interface PlantDocument {
+	/** What it grew from. */
+	readonly specimen: Specimen;
+	/** How many of what there are, by name. */
+	readonly counts: Readonly<Record<string, number>>;
+	/** By key; null where one does not apply. */
+	readonly measures: Readonly<Record<string, number | null>>;
+	/** One a drawn module, parents first; absent where nothing was drawn. A model may say them in other fields of its own. */
+	readonly segments?: readonly SegmentRecord[];
+	/** What is borne; absent where nothing is. */
+	readonly organs?: readonly OrganRecord[];
+	/** What there is to say of it, in plain sentences. */
+	readonly notes: readonly string[];
+	/** As `Grown` has it; it can be computed again from the document. */
+	readonly fingerprint: string;
+	/** What the model says besides. */
+	readonly [own: string]: unknown;
+}
+
+/**
+ * A GLB: glTF 2.0 in one file, metres, +Y up. The same plant and options give the same bytes.
+ *
+ * @param grown - a plant with meshes
+ * @param options - its form, and what may be said of that
+ * @throws SpecimenError where the plant was grown without meshes, or has no ages for the form `growth`
+ *
+ * @example
+ * ```js
+ * const light = await toGLB(bunch, { form: "low", triangles: 5000 });
+ * ```
+ */
+export function toGLB(grown: Grown, options: GlbOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
+	const { form = "detailed", ...others } = options;
+	return bytesOf(grown, form === "detailed" ? "glb" : `glb-${form}`, others);
+}
+
+/**
+ * A USDZ, which phones show in the room.
+ *
+ * @param grown - a plant with meshes
+ * @throws SpecimenError where the plant was grown without meshes
+ */
+export function toUSDZ(grown: Grown): Promise<Uint8Array<ArrayBuffer>> {
+	return bytesOf(grown, "usdz");
+}
+
+/**
+ * A 3MF for printers: one closed body in millimetres. Takes seconds.
+ *
+ * @param grown - a plant with meshes
+ * @param options - `thickness`: that nothing is thinner, in millimetres; 1 where absent
+ * @throws SpecimenError where the plant was grown without meshes
+ */
+export function to3MF(grown: Grown, options: { readonly thickness?: number } = {}): Promise<Uint8Array<ArrayBuffer>> {
+	return bytesOf(grown, "3mf", options);
+}
+
+/**
+ * An STL of the same body as `to3MF`'s, for older programs.
+ *
+ * @param grown - a plant with meshes
+ * @param options - `thickness`: that nothing is thinner, in millimetres; 1 where absent
+ * @throws SpecimenError where the plant was grown without meshes
+ */
+export function toSTL(grown: Grown, options: { readonly thickness?: number } = {}): Promise<Uint8Array<ArrayBuffer>> {
+	return bytesOf(grown, "stl", options);
+}
+
+/**
+ * A PLY of points spread evenly over the surface, with normals and colours.
+ *
+ * @param grown - a plant with meshes
+ * @param options - `points`: how many; 100,000 where absent
+ * @throws SpecimenError where the plant was grown without meshes
+ */
+export function toPLY(grown: Grown, options: { readonly points?: number } = {}): Promise<Uint8Array<ArrayBuffer>> {
+	return bytesOf(grown, "ply", options);
+}
+
+/**
+ * An OBJ, its MTL and their pictures: metres, +Y up.
+ *
+ * @param grown - a plant with meshes
+ * @param name - what the files will be called, without an ending; the preset's name where absent
+ * @throws SpecimenError where the plant was grown without meshes
+ */
+export async function toOBJ(grown: Grown, name = grown.specimen.preset): Promise<ObjFiles> {
+	const { model, held } = await heldOf(grown);
+	checkMeshes(grown);
+	const about = await aboutPlant(model, grown.plant, held, grown.link);
+	return exportObj(model.parts(grown.plant, held), about, name);
+}
+
+/**
+ * The plant as a document of plain JSON: every part as numbers, measures, what it grew from.
+ *
+ * @param grown - a plant, with or without meshes
+ */
+export async function toJSON(grown: Grown): Promise<PlantDocument> {
+	const { model, held } = await heldOf(grown);
+	return exportJson(model, { ...grown.plant, notes: [...grown.notes] }, held) as unknown as PlantDocument;
+}
+
+/**
+ * A file of any kind that `formats(model)` lists: those above, an OBJ with all that belongs to it in a ZIP, and what a model has of
+ * its own, such as a bunch's `csv` or a leaf's `svg`.
+ *
+ * @param grown - a plant; with meshes, but for `json` and tables
+ * @param format - the key of the kind
+ * @param options - what is not heeded by that kind changes nothing
+ * @returns the file, with its media type
+ * @throws SpecimenError where there is no such kind of this plant, or a number of `options` is out of its range
+ */
+export async function toFile(grown: Grown, format: string, options: FileOptions = {}): Promise<Blob> {
+	const { model, held } = await heldOf(grown);
+	if (!(await formats(model.name)).some(({ key }) => key === format))
+		throw new SpecimenError("format", `there is no ${format} of a ${model.noun}; formats() lists what there is`);
+	checkRanges(options);
+	const own = model.formats?.find(({ key }) => key === format);
+	if (!own && format !== "json") checkMeshes(grown);
+	if (own?.applies?.(grown.plant) === false) throw new SpecimenError("format", `this ${model.noun} has no ${format}`);
+	if (format === "glb-growth" && !hasAges(model, held))
+		throw new SpecimenError("format", `this ${model.noun} has no ages to show`);
+	const { link } = grown;
+	const plant = { ...grown.plant, notes: [...grown.notes] };
+	const request = { model: model.name, format, grown: plant, specimen: held, link, name: held.preset, options };
+	return makeFile(model, request, (younger) => growHeld(model, younger, { meshes: true, measures: false }));
+}
+
+/**
+ * What a plant is made of, as all files with meshes have it: named meshes or instances, each with its material.
+ *
+ * @param grown - a plant with meshes
+ * @returns the parts, which share meshes, arrays and materials by sharing the objects; nothing in them may be changed
+ * @throws SpecimenError where the plant was grown without meshes
+ */
+export async function partsOf(grown: Grown): Promise<Part[]> {
+	const { model, held } = await heldOf(grown);
+	checkMeshes(grown);
+	return [...model.parts(grown.plant, held)];
+}
+
+function checkRanges(options: FileOptions): void {
+	for (const [key, [least, most]] of Object.entries(FILE_RANGES)) {
+		const value = options[key as keyof typeof FILE_RANGES];
+		if (value !== undefined && !(value >= least && value <= most))
+			throw new SpecimenError(key, `has to be a number from ${least} to ${most}`);
+	}
+}
+
+async function bytesOf(grown: Grown, format: string, options: FileOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
+	return new Uint8Array(await (await toFile(grown, format, options)).arrayBuffer());
+}
+
+/** The specimen as the model has it: it may have come through a message, or from a file. */
+async function heldOf({ specimen }: Grown): Promise<{ model: Model; held: Held }> {
+	const model = await modelNamed(specimen.model);
+	return { model, held: readTyped(model, specimen) };
+}
+
+function checkMeshes({ meshes }: Grown): void {
+	if (meshes) return;
+	throw new SpecimenError("meshes", "the plant was grown without meshes; grow it again with them");
+}

@@ -1,0 +1,42 @@
+/**
+ * The library: grows specimens of every model, and makes their files, without a page.
+ *
+ * @packageDocumentation
+ */
+export { CoreError, type CoreReason, CoreTrap, UnsupportedError } from "../core/errors";
+export type { OrganRecord, SegmentRecord, Vector } from "../export/json";
+export type { FileOptions } from "../export/plant_files";
+export type { Colour } from "../plant/colour";
+export type { Material, Picture, Textures } from "../plant/material";
+export type { Extras, Instances, Part, PartMesh, Shape } from "../plant/part";
+export type { Mesh, MeshRun, Organs, Plant, PlantMesh, Segments } from "../plant/plant";
+export { SpecimenError } from "./asked";
+export {
+	type FormatInfo,
+	formats,
+	type MeasureInfo,
+	type ModelInfo,
+	measures,
+	models,
+	type ParameterInfo,
+	type PresetInfo,
+	parameters,
+	presets,
+} from "./catalogue";
+export {
+	type GlbForm,
+	type GlbOptions,
+	type ObjFiles,
+	type PlantDocument,
+	partsOf,
+	to3MF,
+	toFile,
+	toGLB,
+	toJSON,
+	toOBJ,
+	toPLY,
+	toSTL,
+	toUSDZ,
+} from "./files";
+export { type Asked, type Grown, type GrowOptions, grow, type Specimen, type Values } from "./grow";
+export { formatLink, type ParsedLink, parseLink } from "./links";

@@ -1,0 +1,39 @@
+/** Links as the library reads and writes them. */
+import { encodeLink } from "../specimen/link";
+import { quote } from "../specimen/notes";
+import { writtenSpecimen } from "../specimen/written";
+import { linkIn, readLink, SpecimenError } from "./asked";
+import { type Asked, readAsked, type Specimen } from "./grow";
+
+/** What a link says. */
+export interface ParsedLink {
+	/** Complete and in range, whatever the link was. */
+	readonly specimen: Specimen;
+	/** What of the link could not be used, and what is used in its place, in plain sentences. */
+	readonly notes: readonly string[];
+}
+
+/**
+ * Reads a link without growing it. Any link gives a specimen: links are for ever, and what of one cannot be used is told in notes.
+ *
+ * @param link - a whole address, or its part from the `?` on
+ * @throws SpecimenError where the text is no link at all: it has neither `?` nor `#` nor `://`
+ */
+export async function parseLink(link: string): Promise<ParsedLink> {
+	const parts = linkIn(link);
+	if (!parts) throw new SpecimenError("link", `${quote(link)} is no link; one looks like ?v=2&preset=merlot&seed=7`);
+	const { model, specimen, notes } = await readLink(parts.query, parts.fragment);
+	return { specimen: writtenSpecimen(model, specimen), notes: notes.map(({ text }) => text) };
+}
+
+/**
+ * The link of a specimen, by which the app, the element and the service bring it back.
+ *
+ * @param asked - a specimen, values by their keys, a preset's name, or a link, which is written anew
+ * @param page - the address of an app to open it in; without one, the link begins with its `?`
+ * @throws SpecimenError where a preset's name or a value cannot be used
+ */
+export async function formatLink(asked: Asked, page = ""): Promise<string> {
+	const { model, specimen } = await readAsked(asked);
+	return `${page}${await encodeLink(model, specimen)}`;
+}

@@ -1,0 +1,101 @@
+/**
+ * Plants as objects of three.js, without a way round by a file.
+ *
+ * @packageDocumentation
+ */
+import { Group, InstancedBufferAttribute, InstancedMesh, type MeshStandardMaterial } from "three";
+import { writtenColours } from "../export/vertex_colours";
+import type { Material } from "../plant/material";
+import { everyPart, type Part, type PartMesh, type Shape } from "../plant/part";
+import { everywhere, shaded } from "../plant/shade";
+import { PartMeshes } from "../scene/part_meshes";
+import { pictureTexture } from "../scene/picture_texture";
+import { plainMaterial } from "../scene/standard_material";
+import { partsOf } from "./files";
+import type { Grown } from "./grow";
+
+/**
+ * A plant as a group of three's meshes, for games and scenes that have a renderer of their own: the parts, names and physically based
+ * materials of the detailed GLB, colours of vertices in the shade in which they stand. Metres, +Y up; a bunch hangs from the origin, trees
+ * stand on it. What stands many times, such as a tree's leaves, is an `InstancedMesh`, each instance in the shade in which it stands.
+ *
+ * Geometries, materials and textures are the group's own: who takes it out of a scene for good disposes of them.
+ *
+ * @param grown - a plant with meshes
+ * @returns the group; `userData` has its link and its fingerprint
+ * @throws `SpecimenError` where the plant was grown without meshes
+ *
+ * @example
+ * ```js
+ * scene.add(await toObject3D(await grow("riesling")));
+ * ```
+ */
+export async function toObject3D(grown: Grown): Promise<Group> {
+	const shade = new Shade();
+	const parts = (await partsOf(grown)).map((part) => shade.on(part));
+	const shapes = [...everyPart(parts)].flatMap(({ shape }) => shape ?? []);
+	const group = new Group();
+	group.name = `${grown.specimen.model} ${grown.specimen.preset}`;
+	group.userData = { link: grown.link, fingerprint: grown.fingerprint };
+	for (const [index, object] of new PartMeshes(parts, new Clothes()).objects.entries()) {
+		object.geometry.deleteAttribute("sky");
+		object.frustumCulled = true;
+		if (object instanceof InstancedMesh) object.instanceColor = tintsOf(shapes[index]);
+		group.add(object);
+	}
+	return group;
+}
+
+/** Parts with what they see of the sky in their colours, as files have it; meshes stay shared. */
+class Shade {
+	readonly #known = new Map<PartMesh, PartMesh>();
+
+	on(part: Part): Part {
+		const { shape, children } = part;
+		return {
+			...part,
+			...(shape ? { shape: { ...shape, mesh: this.#mesh(shape) } } : {}),
+			...(children ? { children: children.map((child) => this.on(child)) } : {}),
+		};
+	}
+
+	#mesh({ mesh, material }: Shape): PartMesh {
+		const known = this.#known.get(mesh);
+		if (known) return known;
+		const colours = writtenColours(mesh, material);
+		const shaded = colours ? { ...mesh, colours } : mesh;
+		this.#known.set(mesh, shaded);
+		return shaded;
+	}
+}
+
+/** What the colours of instances are to be multiplied with, where each sees more or less of the sky; linear. */
+function tintsOf({ mesh, material, instances }: Shape): InstancedBufferAttribute | null {
+	if (!instances?.sky || mesh.sky) return null;
+	const open = everywhere([1, 1, 1], instances.sky.length);
+	return new InstancedBufferAttribute(shaded(open, instances.sky, material.colour), 3);
+}
+
+/** Each material once, with colours of vertices and without. */
+class Clothes {
+	readonly #made = {
+		coloured: new Map<Material, MeshStandardMaterial>(),
+		plain: new Map<Material, MeshStandardMaterial>(),
+	};
+
+	materialOf(material: Material, coloured: boolean): MeshStandardMaterial {
+		const kept = this.#made[coloured ? "coloured" : "plain"];
+		const made = kept.get(material) ?? dressed(material, coloured);
+		kept.set(material, made);
+		return made;
+	}
+}
+
+function dressed(material: Material, coloured: boolean): MeshStandardMaterial {
+	const { colour, normal, repeats } = material.textures ?? {};
+	const maps = {
+		...(colour ? { colour: pictureTexture(colour, true, repeats) } : {}),
+		...(normal ? { normal: pictureTexture(normal, false, repeats) } : {}),
+	};
+	return plainMaterial(material, { coloured, maps });
+}

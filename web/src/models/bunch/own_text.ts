@@ -1,0 +1,9 @@
+/** What there is to say of a bunch that a text of one's own grows; the core gets a text either way, and does not know. */
+import { procedureOf } from "./species";
+import type { BunchSpecimen } from "./specimen";
+
+export function ownTextNotes(specimen: BunchSpecimen): string[] {
+	const { grammar, parameters } = specimen;
+	if (grammar === undefined || procedureOf(specimen) !== "natural" || !(parameters.peduncle > 0)) return [];
+	return ["The stalk above the bunch is not the grammar's: Peduncle says how long it is, and 0 takes it away."];
+}

@@ -1,0 +1,59 @@
+/** The octahedron's handles on the bunch itself. */
+import type { Change } from "../../../controls/desk";
+import type { HandlesOf, PlantHandle, Vector } from "../../../controls/handles/plant_handle";
+import type { BunchSpecimen } from "../specimen";
+import { dragHandle } from "./drag";
+import { across, handleVector } from "./handle_ray";
+import {
+	HANDLES,
+	type Handle,
+	handleKeys,
+	handlePosition,
+	handleValue,
+	isSide,
+	metresPerPixel,
+	SIDES,
+} from "./handles";
+
+type Parameters = BunchSpecimen["parameters"];
+
+const VERTICAL: Vector = [0, 1, 0];
+/** Pixels of the profile to a press of an arrow key, and to one with Shift. */
+const STEP = 1;
+const LARGE_STEP = 10;
+
+export const bunchHandles: HandlesOf<BunchSpecimen> = ({ parameters }) => {
+	const place = (handle: Handle) => handleVector(parameters, handle, parameters.unit);
+	const top: Vector = [0, 0, 0];
+	const ring = (["p3", "p5", "p4", "p6"] as const).map(place);
+	return {
+		handles: HANDLES.map((handle) => handleOf(parameters, handle)),
+		lines: [[...ring, ring[0]], ...ring.map((corner) => [top, corner, place("p2")])],
+	};
+};
+
+function handleOf(parameters: Parameters, handle: Handle): PlantHandle {
+	const axis = across(handle);
+	const pixel = metresPerPixel(parameters.unit);
+	const from = handlePosition(parameters, handle);
+	const to = (x: number, y: number) => changed(dragHandle(parameters, handle, { x, y }), handle);
+	return {
+		id: handle,
+		label: isSide(handle) ? capital(SIDES[handle].name) : "Length",
+		value: handleValue(parameters, handle),
+		at: handleVector(parameters, handle, parameters.unit),
+		along: isSide(handle) ? [axis, VERTICAL] : [VERTICAL],
+		pull: ([x, y, z]) => to((axis[0] * x + axis[2] * z) / pixel, -y / pixel),
+		nudge: (right, up, large) => {
+			const step = large ? LARGE_STEP : STEP;
+			// What is not a number leaves its coordinate alone, a fraction of a pixel included.
+			return to(right ? from.x + right * step : Number.NaN, up ? from.y - up * step : Number.NaN);
+		},
+	};
+}
+
+function changed(parameters: Parameters, handle: Handle): Change {
+	return { parameters: Object.fromEntries(handleKeys(handle).map((key) => [key, parameters[key]])) };
+}
+
+const capital = (word: string) => word.charAt(0).toUpperCase() + word.slice(1);

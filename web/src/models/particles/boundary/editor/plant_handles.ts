@@ -1,0 +1,33 @@
+/** A boundary's grips on the plant itself: in the plane of the front view. */
+import type { HandlesOf, Vector } from "../../../../controls/handles/plant_handle";
+import type { BoundedSpecimen } from "../bounded";
+import { boundaryPose } from "./boundary_pose";
+import { type Lay, loopsIn } from "./lay";
+
+const ALONG: readonly Vector[] = [
+	[1, 0, 0],
+	[0, 1, 0],
+];
+
+export function boundaryHandles<S extends BoundedSpecimen>(lay: Lay<S>): HandlesOf<S> {
+	return (specimen, preset) => {
+		const { halfWidth, low, high } = lay.box(specimen);
+		const loops = loopsIn(lay, specimen).map((loop) => [...loop, loop[0]]);
+		return {
+			handles: boundaryPose(lay, specimen, preset).grips.map(({ id, at, label, part, value, pull, nudge }) => ({
+				id,
+				label: part ? `${label}, ${part}` : label,
+				value,
+				at: [at.x, at.y, 0],
+				along: ALONG,
+				pull: ([x, y]) => pull({ x, y }),
+				nudge,
+			})),
+			lines: lay
+				.axes(specimen)
+				.flatMap((axis) =>
+					loops.map((loop) => loop.map(({ x, y }): Vector => [axis + x * halfWidth, low + y * (high - low), 0])),
+				),
+		};
+	};
+}
