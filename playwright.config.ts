@@ -19,6 +19,8 @@ export default defineConfig({
 	// A test waits more than it works.
 	workers: 2,
 	forbidOnly: !!process.env.CI,
+	// Where nobody watches, what fails is tried once more; what passes then is named as flaky.
+	retries: process.env.CI ? 1 : 0,
 	timeout: 120_000,
 	expect: { timeout: 15_000 },
 	reporter: process.env.PANICLE_E2E_REPORT

@@ -71,6 +71,8 @@ async function bundle({ input, left, external = [], output, minify }, folder, pa
 		configFile: false,
 		publicDir: false,
 		logLevel: "error",
+		// What the element asks for: no app lies beside it (app_address.ts).
+		mode: "package",
 		// Every address is relative to the script that has it.
 		base: "./",
 		plugins: [without(...left), withoutPreloading, noting(packages)],

@@ -61,7 +61,11 @@ export class Growing {
 		this.#opening = false;
 		const studio = this.#studio();
 		const { model, specimen } = studio.state;
-		if (model.sketch?.(specimen)) studio.growAgain();
+		const sketch = model.sketch?.(specimen);
+		if (!sketch) return;
+		// Whether it came showed when it was asked for first.
+		sketch.catch(() => {});
+		studio.growAgain();
 	}
 
 	/** Ends what is under way; the last plant stays, if there is one. */

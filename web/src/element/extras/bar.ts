@@ -78,7 +78,8 @@ export class Bar implements Extra {
 			this.#age.ariaValueText = `${value} ${age.unit}`;
 		}
 		if (this.#seed !== this.#host.root.activeElement) this.#seed.value = `${specimen.seed}`;
-		if (this.#touched) this.#said.textContent = plantInWords(shown);
+		if (this.#touched) this.#say(plantInWords(shown));
+		else if (!this.#said.classList.contains("unseen")) this.#say("");
 		this.#touched = false;
 		void this.#leadTo(shown);
 	}
@@ -144,6 +145,12 @@ export class Bar implements Extra {
 		this.#host.hands.settle();
 	}
 
+	/** To screen readers; what went wrong is seen, too, until the next plant or file. */
+	#say(words: string, seen?: "seen"): void {
+		this.#said.textContent = words;
+		this.#said.classList.toggle("unseen", !seen);
+	}
+
 	async #leadTo({ model, specimen }: Shown): Promise<void> {
 		const app = appAddress(this.#host.element.getAttribute("app"));
 		this.#app.hidden = app === undefined;
@@ -153,6 +160,7 @@ export class Bar implements Extra {
 
 	async #save(): Promise<void> {
 		this.#download.ariaBusy = "true";
+		this.#say("");
 		try {
 			const file = await this.#host.element.toFile("glb");
 			const { preset, seed } = this.#shown?.specimen ?? { preset: "plant", seed: 1 };
@@ -163,7 +171,7 @@ export class Bar implements Extra {
 			// The download has taken its own hold of the data by then.
 			setTimeout(() => URL.revokeObjectURL(anchor.href), 60_000);
 		} catch (error) {
-			this.#said.textContent = `The GLB could not be made: ${error instanceof Error ? error.message : error}`;
+			this.#say(`The GLB could not be made: ${error instanceof Error ? error.message : error}`, "seen");
 		} finally {
 			this.#download.ariaBusy = null;
 		}

@@ -41,7 +41,7 @@ export const BAR_STYLE = `
 		color: inherit;
 	}
 	.bar .space { flex: 1; }
-	.bar .unseen { position: absolute; }
+	.bar p:not(.unseen) { bottom: var(--panicle-bar); }
 	@container (width < 210px) { .bar input[type="number"] { display: none; } }
 	@container (width < 150px) { .bar input[type="range"] { display: none; } }
 `;

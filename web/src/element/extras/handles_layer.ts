@@ -44,6 +44,8 @@ export class HandlesLayer implements Extra {
 	#shown: Shown | undefined;
 	/** Of the model shown; none where it has no handles. */
 	#handlesOf: HandlesOf<Specimen> | undefined;
+	/** Whether the model's handles could not be fetched: the next plant asks for them again. */
+	#missed = false;
 	/** As hands have it, ahead of what has grown. */
 	#specimen: Specimen | undefined;
 	#handles: readonly PlantHandle[] = [];
@@ -72,7 +74,7 @@ export class HandlesLayer implements Extra {
 	show(shown: Shown): void {
 		const another = shown.model !== this.#shown?.model;
 		this.#shown = shown;
-		if (another) void this.#use(shown);
+		if (another || this.#missed) void this.#use(shown);
 		else if (!this.#held) this.#lay(shown.specimen);
 	}
 
@@ -91,7 +93,11 @@ export class HandlesLayer implements Extra {
 		this.#cancel();
 		this.#handlesOf = undefined;
 		this.#lay(undefined);
-		const handlesOf = await model.handles?.().catch(() => undefined);
+		this.#missed = false;
+		const handlesOf = await model.handles?.().catch(() => {
+			this.#missed = this.#shown?.model === model;
+			return undefined;
+		});
 		if (this.#disposed || this.#shown?.model !== model) return;
 		this.#handlesOf = handlesOf;
 		this.#lay(this.#shown.specimen);

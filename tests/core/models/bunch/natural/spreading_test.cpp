@@ -41,8 +41,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "nobody is lifted: who hangs lower is not pushed up, and all hang a "
-    "little lower") {
+    "of two, one above the other, neither is lifted to speak of, and one "
+    "alone leans a little down") {
   const std::vector<Swelling> two{berry_towards({1, 0.6f, 0}), berry_towards({1, -0.1f, 0})};
   const auto leans = leans_of(two);
   for (const glm::vec3& lean : leans) CHECK(lean.y <= 0.02f);
