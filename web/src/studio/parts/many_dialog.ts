@@ -83,7 +83,7 @@ export class ManyDialog extends StudioPart {
 				},
 			});
 			cancel.signal.throwIfAborted();
-			save(archive, `${asked.series.from.preset}-${many.seeds.replaceAll(/[^\d-]+/g, "_")}.zip`);
+			save(archive, `${asked.series.from.preset}-${many.seeds.replaceAll(/[^\d-]+/g, "_").slice(0, 60)}.zip`);
 			this.#say("", undefined);
 			this.#close();
 		} catch (error) {
