@@ -30,7 +30,7 @@ const Case cases[] = {
     {"axiom: A\n --> B", "syntax 2:2"},
     {"axiom: A\nA --> B --> C", "syntax 2:9"},
     {"axiom: A\nA B --> C", "syntax 2:3"},
-    {"axiom: A\nA < B --> C", "syntax 2:3"},
+    {"axiom: A\nA < B < C --> C", "syntax 2:7"},
     {"axiom: A\nA(1) --> C", "syntax 2:3"},
     {"axiom: A\nA(x --> C", "syntax 2:2"},
     {"axiom: A\nA(x,x) --> C", "syntax 2:5"},
@@ -110,8 +110,7 @@ TEST_CASE("statements of cpfg are told what they mean and what to do") {
   says("Lsystem: 1\naxiom: A", "syntax 1:1", "a text is one L-system, so leave the line out");
   says("axiom: A\nA --> B\nendlsystem", "syntax 3:1", "the end of the text does");
   says("axiom: A\nderivation: 5", "syntax 2:1", "derivation length: 10");
-  says("axiom: A\nA --> B\nignore: + -", "syntax 3:1", "hand on as parameters what they would have seen");
-  says("axiom: A\n#consider A", "syntax 2:2", "cannot see their neighbours");
+  says("axiom: A\n#consider A", "syntax 2:2", "is written consider: A B here");
   says("axiom: A\nA --> B\nhomomorphism\nB --> F", "syntax 3:1", "write what is drawn into the successors");
   says("axiom: A\nA --> B\ndecomposition\nB --> F", "syntax 3:1", "in place of the whole");
   says("axiom: A\nA --> B\nmaximum depth: 5", "syntax 3:1", "bounds decomposition");

@@ -69,6 +69,10 @@ const std::vector<std::string> pool = {"A",
                                        "\nA(x) --> ",
                                        "\nB(x,i) : ",
                                        "\n?E(x) --> ",
+                                       "\nA(x) < B(i) > ",
+                                       "\nB > [A] C --> ",
+                                       "\nignore: + F",
+                                       "\nconsider: A",
                                        " --> F(x) ",
                                        "0",
                                        "1",
@@ -118,6 +122,9 @@ const std::vector<std::string> good = {
     "?E(x) ] B(x,2)\n"
     "?E(x) : x=0 --> ?E(1) %\nA(x) : ran(1)<0.3 --> F [ +(n[x]) A(x) ] : x\nA(x) --> B(x,x) : 1\nB(x,i) : ran(i)<1 --> "
     "?E(x)\n#input n[]\n",
+    "ignore: + -\naxiom: A(1) B [ + A(2) C ] B A(3) ?E(0)\nA(x) < B > [C] B --> A(x) [ - B ]\nB < A(y) > ?E(x) : x<y "
+    "--> C %\nC > A --> B : 2\nA(i) < C --> A(i) C : ran(i)\n",
+    "consider: A B\naxiom: A B C [ A B ] A\nA < B > A --> A F\nA > [ A B ] A --> B\n* < B > * --> B C\n",
     "axiom: A\nA --> A [ + A ] !(2) F(min(3,sqrt(2))) | ^ & \\ B\nB --> *\n"};
 
 // The n-th draw of one text.

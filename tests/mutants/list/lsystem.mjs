@@ -36,10 +36,42 @@ export default [
 				breaks: "the first of several weighted productions is always taken",
 			},
 			{
+				id: "machine-others-neighbours",
+				find: "if (drawn != nullptr && drawn->in_context && !failed()) matches(*drawn, count);",
+				replace: "",
+				suites: [`${TESTS}/lsystem/contexts_test.cpp`],
+				breaks: "the one drawn of several writes the parameters of another's neighbours",
+			},
+			{
 				id: "machine-chance-but-once",
 				find: "if (stepping_) sources_.address = hash_combine(address, step_);",
 				replace: "",
 				breaks: "a delay by chance fails for ever",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/neighbourhood.cpp`,
+		suites: [`${TESTS}/lsystem/contexts_test.cpp`],
+		faults: [
+			{
+				id: "neighbourhood-branch-not-left",
+				find: "path_length_ = open_.data()[--open_count_];",
+				replace: "--open_count_;",
+				breaks: "what stands in a branch is taken for the way to what stands behind it",
+			},
+			{
+				id: "neighbourhood-one-branch",
+				find: "if (follow(i + 1, wanted.closed, inside, registers, looked) != nullptr) break;",
+				replace:
+					"if (follow(i + 1, wanted.closed, inside, registers, looked) == nullptr) return nullptr;\n      break;",
+				breaks: "of several branches only the first is looked at",
+			},
+			{
+				id: "neighbourhood-look-for-free",
+				find: "  looked += static_cast<std::uint64_t>(at - from);\n  return nullptr;",
+				replace: "  return nullptr;",
+				breaks: "what looks in vain costs nothing",
 			},
 		],
 	},

@@ -51,7 +51,7 @@ class Compiler {
   }
 
   Result<std::shared_ptr<const Program>> run() {
-    const bool fine = declarations() && symbols() && roles() && axiom() && productions();
+    const bool fine = declarations() && symbols() && roles() && sight() && axiom() && productions();
     if (!fine) return trouble_;
     program_->once_bound = lowering_.finish();
     program_->remarks = remarks_on(grammar_);
@@ -90,7 +90,9 @@ class Compiler {
     for (const ProductionTree& production : grammar_.productions) {
       const std::uint32_t predecessor = add_symbol(production.predecessor);
       if (!is_rewritten(predecessor)) program_->predecessors.push_back(predecessor);
-      rewritten_[predecessor] |= std::uint64_t{1} << production.formals.size();
+      rewritten_[predecessor] |= std::uint64_t{1} << production.arity;
+      for (const NeighbourTree& neighbour : production.left) add_symbol(neighbour.name);
+      for (const NeighbourTree& neighbour : production.right) add_symbol(neighbour.name);
       for (const ModuleTree& module : production.successor) add_symbol(module.name);
     }
     if (program_->symbols.size() > most_symbols)
@@ -140,6 +142,22 @@ class Compiler {
     return true;
   }
 
+  // What contexts do not see.
+  bool sight() {
+    const SightTree& sight = grammar_.sight;
+    const bool consider = sight.kind == SightTree::Kind::consider;
+    program_->passed_over.assign(program_->symbols.size(), consider);
+    for (const Named& symbol : sight.symbols) {
+      const std::uint32_t number = numbers_.find(symbol.name);
+      if (number == Names::none)
+        return fail(Reason::undefined, symbol.place,
+                    "Nothing in this text has the symbol '%'; take it out of the list, or put spaces between several.",
+                    {symbol.name});
+      program_->passed_over[number] = !consider;
+    }
+    return true;
+  }
+
   bool axiom() {
     lowering_.begin_production({}, hash_text("axiom"));
     return successor(grammar_.axiom, false, program_->axiom);
@@ -156,7 +174,10 @@ class Compiler {
       if (!production(tree, program_->productions[rules.productions.end])) return false;
       ++rules.productions.end;
       rules.weighted |= tree.weight.given();
-      rules.by_chance |= rules.weighted || program_->productions[rules.productions.end - 1].by_chance;
+      const Production& added = program_->productions[rules.productions.end - 1];
+      rules.by_chance |= rules.weighted || added.by_chance;
+      rules.in_context |= added.in_context;
+      program_->in_context |= added.in_context;
     }
     return true;
   }
@@ -166,7 +187,7 @@ class Compiler {
     for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_.find(tree.predecessor)];
     std::uint32_t first = 0;
     for (const std::uint32_t count : counts) {
-      program_->rules.push_back({{first, first}, false, false});
+      program_->rules.push_back({{first, first}, false, false, false});
       first += count;
     }
     program_->productions.resize(first);
@@ -175,7 +196,11 @@ class Compiler {
   bool production(const ProductionTree& tree, Production& production) {
     production.predecessor = numbers_.find(tree.predecessor);
     production.place = tree.place;
-    production.arity = static_cast<std::uint32_t>(tree.formals.size());
+    production.arity = tree.arity;
+    std::uint32_t to = tree.arity;
+    if (!context(tree, tree.left, production.left, to) || !context(tree, tree.right, production.right, to))
+      return false;
+    production.in_context = production.left.size() + production.right.size() > 0;
     if (tree.condition.given() && !value(tree.condition, production.condition)) return false;
     if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
     if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
@@ -185,12 +210,38 @@ class Compiler {
     return true;
   }
 
+  // Its parameters go to registers from `to` on.
+  bool context(const ProductionTree& tree, const std::vector<NeighbourTree>& wanted, Range& range, std::uint32_t& to) {
+    std::vector<Neighbour>& neighbours = program_->neighbours;
+    std::vector<std::uint32_t> open;
+    range.begin = range.end = static_cast<std::uint32_t>(neighbours.size());
+    if (tree.predecessor == "?E" && !wanted.empty())
+      return fail(Reason::syntax, tree.place,
+                  "?E is answered by the environment and has no context; let its neighbour look at it, A > ?E(x).");
+    for (const NeighbourTree& neighbour : wanted) {
+      const std::uint32_t symbol = numbers_.find(neighbour.name);
+      if (is_turtle_symbol(symbol) && !takes(symbol, neighbour.arity, neighbour.place)) return false;
+      if (symbol == push_symbol) open.push_back(range.end);
+      if (symbol == pop_symbol) {
+        neighbours[open.back()].closed = range.end;
+        open.pop_back();
+      } else if (symbol != push_symbol && program_->passed_over[symbol] != 0) {
+        return fail(Reason::syntax, neighbour.place,
+                    "Contexts do not see '%'; take it out of ignore:, or put it into consider:.", {neighbour.name});
+      }
+      neighbours.push_back({symbol, neighbour.arity, to, 0});
+      to += neighbour.arity;
+      ++range.end;
+    }
+    return true;
+  }
+
   bool may_rewrite(const ProductionTree& tree, std::uint32_t predecessor) {
     if (!is_turtle_symbol(predecessor)) return true;
     const Action action = turtle_symbols[predecessor].action;
     if (action == Action::push || action == Action::pop || action == Action::cut)
       return fail(Reason::syntax, tree.place, "'%' cannot be rewritten; use a symbol of your own.", {tree.predecessor});
-    return takes(predecessor, tree.formals.size(), tree.place);
+    return takes(predecessor, tree.arity, tree.place);
   }
 
   bool takes(std::uint32_t symbol, std::size_t count, const Place& place) {

@@ -1,6 +1,7 @@
 // Derivation between two buffers. A list of the modules that may still be rewritten leads through the string; what lies
-// between two of them is copied in runs. A module that no production matches never will be, unless chance decides or it
-// is answered: productions see nothing but a module's own parameters and its address. It leaves the list.
+// between two of them is copied in runs. A module that no production matches never will be, unless chance decides, it
+// is answered or its productions look at its neighbours: others see nothing but a module's own parameters and its
+// address. It leaves the list.
 
 #include "lsystem/derivation.hpp"
 
@@ -14,8 +15,14 @@
 
 namespace panicle::lsystem {
 
-Derivation::Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits)
-    : bound_(bound), program_(*bound.program), limits_(limits), machine_(bound, seed, limits_) {
+Derivation::Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance)
+    : bound_(bound),
+      program_(*bound.program),
+      limits_(limits),
+      chance_(chance),
+      machine_(bound, seed, limits_),
+      neighbourhood_(program_) {
+  machine_.look_around(neighbourhood_);
   if (!begin()) now_ = {};
   at_rest_ = now_.active_count == 0;
 }
@@ -85,6 +92,7 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
   const std::uint32_t header = *module;
   if (symbol_of(header) == cut_symbol) return cut(at);
   const bool unanswered = symbol_of(header) == ask_symbol && !answered_;
+  if (program_.rules[symbol_of(header)].in_context && !look_around(at)) return false;
   const Production* const production = unanswered ? nullptr : machine_.choose(module);
   if (production == nullptr) return !machine_.failed() && (!stays_active(header) || keep_active(at));
   if (!make_room(at - copied_, production->successor) || !copy_up_to(at)) return false;
@@ -96,7 +104,8 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
 
 // One step from `now_` to `next_`, which then change places.
 bool Derivation::rewrite() {
-  machine_.decide_at(steps_);
+  if (chance_ == Chance::each_step) machine_.decide_at(steps_);
+  if (program_.in_context && !neighbourhood_.begin(now_.string)) return out_of_sight();
   next_.string.used = next_.active_count = copied_ = 0;
   next_.string.modules = now_.string.modules;
   make_ready();
@@ -115,14 +124,24 @@ bool Derivation::rewrite() {
 }
 
 bool Derivation::keep_active(std::uint64_t at) {
-  waiting_ |= symbol_of(now_.string.words.data()[at]) != ask_symbol;
+  const std::uint32_t header = now_.string.words.data()[at];
+  waiting_ |= symbol_of(header) != ask_symbol && machine_.tries_again(header);
   if (!machine_.make_room(next_.active, next_.active_count + 1)) return false;
   next_.active.data()[next_.active_count++] = static_cast<std::uint32_t>(next_.string.used + at - copied_);
   return true;
 }
 
 bool Derivation::stays_active(std::uint32_t header) const {
-  return symbol_of(header) == ask_symbol || machine_.tries_again(header);
+  return symbol_of(header) == ask_symbol || program_.rules[symbol_of(header)].in_context ||
+         machine_.tries_again(header);
+}
+
+bool Derivation::look_around(std::uint64_t at) { return neighbourhood_.go_to(at) || out_of_sight(); }
+
+bool Derivation::out_of_sight() {
+  return machine_.fail(error_at(Reason::limit, {},
+                                "There is no memory for the neighbours of % modules; let the grammar take fewer steps.",
+                                {std::to_string(now_.string.modules)}));
 }
 
 // Passes over the % at `at` and what it removes: up to the bracket that closes its branch, or to the end.
@@ -145,11 +164,8 @@ void Derivation::make_ready() {
 
 namespace {
 
-Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::uint32_t steps, const Limits& limits) {
-  if (steps > limits.steps)
-    return error_at(Reason::limit, {}, "The grammar is asked for % steps; the limit is %.",
-                    {std::to_string(steps), std::to_string(limits.steps)});
-  Derivation derivation(bound, seed, limits);
+// Takes steps until there are so many or it is at rest.
+Result<Derived> derive(Derivation& derivation, std::uint32_t steps) {
   Derived derived;
   while (derivation.steps() < steps && !derivation.at_rest()) {
     if (!derivation.step()) continue;
@@ -163,10 +179,22 @@ Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::uint32_t ste
 
 }  // namespace
 
+Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits) {
+  Derivation derivation(bound, seed, limits, Derivation::Chance::once);
+  Result<Derived> derived = derive(derivation, limits.steps);
+  if (!derived || derivation.at_rest()) return derived;
+  return Machine::too_many_steps(limits);
+}
+
 Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
                         const Limits& limits) {
   if (!steps) steps = derivation_length(bound);
-  return steps ? derive(bound, seed, *steps, limits) : unfold(bound, seed, limits);
+  if (!steps) return unfold(bound, seed, limits);
+  if (*steps > limits.steps)
+    return error_at(Reason::limit, {}, "The grammar is asked for % steps; the limit is %.",
+                    {std::to_string(*steps), std::to_string(limits.steps)});
+  Derivation derivation(bound, seed, limits);
+  return derive(derivation, *steps);
 }
 
 std::uint64_t length(const String& string) { return string.modules; }

@@ -13,14 +13,18 @@
 
 #include "lsystem/lsystem.hpp"
 #include "lsystem/machine.hpp"
+#include "lsystem/neighbourhood.hpp"
 #include "lsystem/words.hpp"
 
 namespace panicle::lsystem {
 
 class Derivation {
  public:
+  // When what decides whether a module is rewritten is drawn.
+  enum class Chance : std::uint8_t { each_step, once };
+
   // Begins with the axiom. `bound` must outlive the derivation.
-  Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits);
+  Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step);
 
   // Rewrites all modules once, those of ?E only where they have been answered since the last step. Whether anything was
   // rewritten; false also when something went wrong. A step in which nothing was rewritten is a step all the same: a
@@ -51,6 +55,8 @@ class Derivation {
   bool begin();
   bool rewrite();
   bool rewrite_module(std::uint64_t at);
+  bool look_around(std::uint64_t at);
+  bool out_of_sight();
   bool stays_active(std::uint32_t header) const;
   bool keep_active(std::uint64_t at);
   bool cut(std::uint64_t at);
@@ -62,7 +68,9 @@ class Derivation {
   const Bound& bound_;
   const Program& program_;
   Limits limits_;
+  Chance chance_;
   Machine machine_;
+  Neighbourhood neighbourhood_;
   Draft now_;
   Draft next_;
   std::uint64_t copied_ = 0;  // words of `now_` that this step is done with
@@ -72,5 +80,9 @@ class Derivation {
   bool answered_ = false;  // since the last step
   bool at_rest_ = false;
 };
+
+// The string that steps lead to until nothing is rewritten any more, for productions that see each other's work: what
+// `unfold` gives for those. A random condition draws the same in every step. Errors as there.
+Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits);
 
 }  // namespace panicle::lsystem

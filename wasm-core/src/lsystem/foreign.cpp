@@ -18,9 +18,6 @@ std::string_view find(std::span<const Entry> entries, std::string_view written) 
 
 constexpr std::string_view system_begins =
     "A numbered L-system begins with 'Lsystem:' in cpfg; here a text is one L-system, so leave the line out.";
-constexpr std::string_view neighbours =
-    "In cpfg this names symbols that contexts consider or pass over; here productions cannot see their neighbours, so "
-    "hand on as parameters what they would have seen, and leave the line out.";
 constexpr std::string_view seed = "The seed is given with the request here, not in the text; leave the line out.";
 constexpr std::string_view axiom = "The axiom is written axiom: here.";
 constexpr std::string_view polygon =
@@ -49,8 +46,6 @@ constexpr Entry statements[] = {
     {"maximum",
      "In cpfg 'maximum depth:' bounds decomposition or homomorphism; there are none here, so leave the line "
      "out."},
-    {"consider", neighbours},
-    {"ignore", neighbours},
     {"seed", seed},
     {"Seed", seed},
     {"ω", axiom},
@@ -61,8 +56,8 @@ constexpr Entry statements[] = {
 };
 
 constexpr Entry directives[] = {
-    {"ignore", neighbours},
-    {"consider", neighbours},
+    {"ignore", "What contexts pass over is written ignore: + - F here, without #."},
+    {"consider", "What contexts see is written consider: A B here, without #."},
     {"include", "There is no #include; put everything into one text."},
 };
 
@@ -87,8 +82,8 @@ constexpr Entry signs[] = {
 constexpr Entry modules[] = {
     {",", "In cpfg ',' changes the colour; the notation has no colours, so take it out."},
     {"#", wider},
-    {"<", "Productions cannot see their neighbours here; take out what stands beside < or >."},
-    {">", "Productions cannot see their neighbours here; take out what stands beside < or >."},
+    {"<", "A left context stands before the predecessor, A < B --> C; in a string < means nothing here."},
+    {">", "A right context stands behind the predecessor, A > B --> C; in a string > means nothing here."},
 };
 
 constexpr Entry queries[] = {{"P", place}, {"H", place}, {"U", place}, {"L", place}, {"V", place}};

@@ -43,12 +43,22 @@ struct Named {
   Place place;
 };
 
-// `predecessor(formals) : condition --> successor : weight`
+// `name(formals)` beside a predecessor. Its formals stand among the production's.
+struct NeighbourTree {
+  std::string_view name;
+  Place place;
+  std::uint32_t arity = 0;
+};
+
+// `left < predecessor(formals) > right : condition --> successor : weight`
 struct ProductionTree {
   std::string_view predecessor;
   Place place;
-  std::vector<Named> formals;
-  Expression condition;  // where given
+  std::uint32_t arity = 0;
+  std::vector<Named> formals;  // the predecessor's, then the left neighbours', then the right ones'
+  std::vector<NeighbourTree> left;
+  std::vector<NeighbourTree> right;  // brackets as well
+  Expression condition;              // where given
   std::vector<ModuleTree> successor;
   Expression weight;  // where given
 };
@@ -67,10 +77,18 @@ struct RoleTree {
   std::vector<Named> symbols;
 };
 
+// `ignore: symbols` or `consider: symbols`: what contexts see.
+struct SightTree {
+  enum class Kind : std::uint8_t { all, ignore, consider };
+  Kind kind = Kind::all;
+  std::vector<Named> symbols;
+};
+
 struct Grammar {
   std::vector<DefinitionTree> definitions;
   Expression steps;  // `derivation length: expression`, where given
   std::vector<RoleTree> roles;
+  SightTree sight;
   std::vector<ModuleTree> axiom;
   std::vector<ProductionTree> productions;
 };

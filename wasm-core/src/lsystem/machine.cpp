@@ -70,7 +70,15 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
     left -= weight;
     if (left < 0) break;
   }
+  // What was tried after it has put other neighbours' parameters into the registers.
+  if (drawn != nullptr && drawn->in_context && !failed()) matches(*drawn, count);
   return failed() ? nullptr : drawn;
+}
+
+bool Machine::sees(const Production& production) {
+  std::uint64_t looked = 0;
+  const bool fits = neighbourhood_ != nullptr && neighbourhood_->fits(production, registers_, looked);
+  return spend(looked / 32) && fits;
 }
 
 bool Machine::weigh(const Production& production, float& weight) {
@@ -118,11 +126,11 @@ bool Machine::grow(Words& string, std::uint64_t words) {
                        {std::to_string(words)}));
 }
 
-Diagnostic Machine::too_many_steps() const {
+Diagnostic Machine::too_many_steps(const Limits& limits) {
   return error_at(Reason::limit, {},
                   "The string is still rewritten after % steps, which is the limit; give the productions a condition "
                   "under which they stop.",
-                  {std::to_string(limits_.steps)});
+                  {std::to_string(limits.steps)});
 }
 
 }  // namespace panicle::lsystem

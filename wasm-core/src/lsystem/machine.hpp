@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lsystem/bound.hpp"
+#include "lsystem/neighbourhood.hpp"
 
 namespace panicle::lsystem {
 
@@ -52,6 +53,9 @@ class Machine {
     stepping_ = true;
   }
 
+  // From now on productions see what is around the module at which it stands; before, those in context match nothing.
+  void look_around(const Neighbourhood& neighbourhood) { neighbourhood_ = &neighbourhood; }
+
   // Whether a module that no production matched may be rewritten in a later step, by chance.
   bool tries_again(std::uint32_t header) const {
     return stepping_ && rules_[symbol_of(header)].by_chance && waits_for_chance(header);
@@ -68,7 +72,7 @@ class Machine {
     return (words <= string.capacity() && words <= limits_.words) || grow(string, words);
   }
 
-  Diagnostic too_many_steps() const;
+  static Diagnostic too_many_steps(const Limits& limits);
 
   bool fail(Diagnostic trouble) {
     trouble_ = std::move(trouble);
@@ -86,9 +90,11 @@ class Machine {
  private:
   bool matches(const Production& production, std::uint32_t count) {
     if (production.arity != count || !spend(production.cost)) return false;
+    if (production.in_context && !sees(production)) return false;
     if (!production.condition.given) return true;
     return evaluate(production.condition.code) && registers_[production.condition.source] != 0;
   }
+  [[gnu::noinline]] bool sees(const Production& production);
   bool evaluate(Range code) { return execute(program_.code, code.begin, code.end, registers_, sources_, trouble_); }
   [[gnu::noinline]] const Production* choose_by_chance(const Rules& rules, std::uint32_t count);
   const Production* first_that_matches(const Rules& rules, std::uint32_t count) {
@@ -119,6 +125,7 @@ class Machine {
   float* registers_;
   std::uint64_t choice_stream_;
   std::uint64_t spent_ = 0;
+  const Neighbourhood* neighbourhood_ = nullptr;
   std::uint32_t step_ = 0;
   bool stepping_ = false;
   Sources sources_;

@@ -1,5 +1,6 @@
 #include "lsystem/parser.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,8 @@
 
 namespace panicle::lsystem {
 namespace {
+
+constexpr std::size_t most_neighbours = 64;
 
 class GrammarParser {
  public:
@@ -60,11 +63,16 @@ class GrammarParser {
            tokens_[at + 2].is(':');
   }
 
-  // A line begins a statement when it begins with `#`, `axiom:` or `derivation length:` or holds an arrow; any other
-  // goes on with the one before.
+  bool is_sight(std::size_t at) const {
+    return (tokens_[at].is("ignore") || tokens_[at].is("consider")) && at + 1 < tokens_.size() &&
+           tokens_[at + 1].is(':') && arrow_of_line(at) == end_of_line(at);
+  }
+
+  // A line begins a statement when it begins with `#`, `axiom:`, `derivation length:`, `ignore:` or `consider:` or
+  // holds an arrow; any other goes on with the one before.
   bool begins_statement(std::size_t at) const {
-    return tokens_[at].is('#') || is_axiom(at) || is_length(at) || is_foreign_line(at) || foreign_arrow(at) != 0 ||
-           arrow_of_line(at) < end_of_line(at);
+    return tokens_[at].is('#') || is_axiom(at) || is_length(at) || is_sight(at) || is_foreign_line(at) ||
+           foreign_arrow(at) != 0 || arrow_of_line(at) < end_of_line(at);
   }
 
   // `Lsystem: 1`, `endlsystem` and the like. They would otherwise go on with the statement before them.
@@ -93,6 +101,7 @@ class GrammarParser {
     end_ = end_of_line(begin);
     if (tokens_[begin].is('#')) return directive();
     if (is_length(begin)) return length();
+    if (is_sight(begin)) return sight();
     arrow_ = arrow_of_line(begin);
     const bool production = arrow_ < end_;
     if (!production && !is_axiom(begin)) return no_statement(begin);
@@ -110,8 +119,8 @@ class GrammarParser {
     }
     if (is_comment(begin)) return wrong(place, "A comment is written /* … */ here; // is two rolls of the turtle.");
     return wrong(place,
-                 "This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation length: or "
-                 "a production with -->.");
+                 "This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation length:, "
+                 "ignore:, consider: or a production with -->.");
   }
 
   bool directive() {
@@ -164,6 +173,23 @@ class GrammarParser {
       return wrong(tokens_[at_].place, "There is a second derivation length; keep one of them.");
     at_ += 3;
     return expression_to(end_, grammar_.steps);
+  }
+
+  bool sight() {
+    const Token& keyword = tokens_[at_];
+    SightTree& sight = grammar_.sight;
+    if (sight.kind != SightTree::Kind::all)
+      return wrong(keyword.place, "What contexts see is said twice; keep one line with ignore: or consider:.");
+    sight.kind = keyword.is("ignore") ? SightTree::Kind::ignore : SightTree::Kind::consider;
+    at_ += 2;
+    while (at_ < end_) {
+      Named symbol{{}, here()};
+      if (!this->symbol(symbol.name)) return false;
+      if (symbol.name == "[" || symbol.name == "]")
+        return wrong(symbol.place, "Brackets are always seen; take '%' out of the list.", {symbol.name});
+      sight.symbols.push_back(symbol);
+    }
+    return !sight.symbols.empty() || wrong(here(), "Which symbols? Write them behind %:.", {keyword.text});
   }
 
   bool input_form(DefinitionTree& definition) {
@@ -257,16 +283,66 @@ class GrammarParser {
     return times_[words_.find(name)];
   }
 
+  // `left < predecessor > right`, up to the colon of a condition.
   bool predecessor(ProductionTree& production) {
-    const std::size_t end = std::exchange(end_, arrow_);
+    std::size_t end = at_;
+    while (end < arrow_ && !tokens_[end].is(':')) ++end;
+    const std::size_t after = std::exchange(end_, arrow_);
+    std::vector<Named> beside;
+    if (std::any_of(tokens_.begin() + at_, tokens_.begin() + end, [](const Token& token) { return token.is('<'); })) {
+      if (!neighbours(end, '<', production.left, beside)) return false;
+      ++at_;
+    }
     production.place = here();
     if (!symbol(production.predecessor) || !formals(production.formals)) return false;
-    if (at_ < end_ && !on_sign(':')) {
-      if (on_sign('<') || on_sign('>'))
-        return wrong(here(), "Productions cannot see their neighbours here; take out what stands beside < or >.");
-      return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
+    production.arity = static_cast<std::uint32_t>(production.formals.size());
+    if (on_sign('<')) return wrong(here(), "There is a second < here; a predecessor has one left context.");
+    if (on_sign('>')) {
+      ++at_;
+      if (!neighbours(end, '>', production.right, beside)) return false;
     }
-    end_ = end;
+    production.formals.insert(production.formals.end(), beside.begin(), beside.end());
+    if (at_ < end_ && !on_sign(':'))
+      return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
+    end_ = after;
+    return different(production.formals);
+  }
+
+  // The modules of a context: the left one up to its `<`, the right one up to `end`. A lone `*` is none.
+  bool neighbours(std::size_t end, char side, std::vector<NeighbourTree>& neighbours, std::vector<Named>& beside) {
+    if (on_sign('*')) return ++at_, true;
+    const Place began = here();
+    std::vector<Place> open;
+    while (at_ < end && !on_sign('<') && !on_sign('>')) {
+      NeighbourTree neighbour{{}, here(), 0};
+      const std::size_t before = beside.size();
+      if (!symbol(neighbour.name) || !formals(beside)) return false;
+      neighbour.arity = static_cast<std::uint32_t>(beside.size() - before);
+      const bool opens = neighbour.name == "[", closes = neighbour.name == "]";
+      if (side == '<' && (opens || closes))
+        return wrong(neighbour.place, "A left context is the way from the root to the module, which has no brackets.");
+      if (opens) open.push_back(neighbour.place);
+      if (closes && open.empty()) return wrong(neighbour.place, "This ] closes nothing.");
+      if (closes) open.pop_back();
+      neighbours.push_back(neighbour);
+      if (neighbours.size() > most_neighbours)
+        return fail(Reason::limit, neighbour.place, "A context has at most 64 modules; look less far.");
+    }
+    if (!open.empty()) return wrong(open.back(), "This [ is never closed.");
+    if (neighbours.empty())
+      return wrong(began, "A context is expected beside %; leave the sign out where there is none, or write *.",
+                   {std::string_view(side == '<' ? "<" : ">")});
+    return true;
+  }
+
+  bool different(const std::vector<Named>& formals) {
+    if (formals.size() > most_parameters)
+      return fail(Reason::limit, formals[most_parameters].place,
+                  "A predecessor and its context have at most 32 parameters together; leave some modules out.");
+    for (std::size_t i = 1; i < formals.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (formals[k].name == formals[i].name)
+          return wrong(formals[i].place, "The parameter '%' stands here twice.", {formals[i].name});
     return true;
   }
 
@@ -305,20 +381,20 @@ class GrammarParser {
     return wrong(token.place, "'%' cannot stand in a string of modules; docs/turtle.md lists what can.", {token.text});
   }
 
+  // Adds the names in parentheses, where there are any.
   bool formals(std::vector<Named>& formals) {
     if (!on_sign('(')) return true;
     const Place opened = here();
+    const std::size_t before = formals.size();
     ++at_;
     while (!on_sign(')')) {
       if (at_ >= end_) return wrong(opened, "This ( is never closed.");
-      if (!formals.empty()) {
+      if (formals.size() > before) {
         if (!on_sign(',')) return wrong(here(), "A comma is expected here, not '%'.", {found()});
         ++at_;
       }
       if (!on_name()) return wrong(here(), "A predecessor's parameters are names; here is '%'.", {found()});
-      for (const Named& earlier : formals)
-        if (earlier.name == found()) return wrong(here(), "The parameter '%' stands here twice.", {found()});
-      if (formals.size() == most_parameters) return too_many(opened);
+      if (formals.size() - before == most_parameters) return too_many(opened);
       formals.push_back({tokens_[at_].text, tokens_[at_].place});
       ++at_;
     }

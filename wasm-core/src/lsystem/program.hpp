@@ -63,13 +63,24 @@ struct Value {
   Place place;
 };
 
+// A module that a production wants beside the one that it rewrites, or a bracket of a branch that it wants there.
+struct Neighbour {
+  std::uint32_t symbol = 0;
+  std::uint32_t arity = 0;
+  std::uint32_t to = 0;      // register of its first parameter
+  std::uint32_t closed = 0;  // of an opening bracket: the place of the one that closes it
+};
+
 struct Production {
   std::uint32_t predecessor = 0;
   Place place;
   std::uint32_t arity = 0;
   Value condition;
   Value weight;
-  bool by_chance = false;  // whether its condition or weight draws
+  bool by_chance = false;   // whether its condition or weight draws
+  bool in_context = false;  // whether it wants neighbours
+  Range left;               // neighbours, from the root on
+  Range right;
   std::uint32_t cost = 0;  // units of Limits::evaluations that trying it takes
   Template successor;
 };
@@ -78,7 +89,8 @@ struct Production {
 struct Rules {
   Range productions;
   bool weighted = false;
-  bool by_chance = false;  // whether any is weighted or draws in its condition
+  bool by_chance = false;   // whether any is weighted or draws in its condition
+  bool in_context = false;  // whether any wants neighbours
 };
 
 // A `#define` or `#input` of the text.
@@ -100,8 +112,11 @@ class Program {
   std::vector<Patch> patches;
   std::vector<Patch> bound_patches;  // parameters that the inputs decide, in the order of the text
   std::vector<Birth> births;
-  std::vector<std::uint32_t> active;    // offsets in a template
-  std::uint32_t longest_successor = 0;  // words
+  std::vector<Neighbour> neighbours;
+  std::vector<std::uint8_t> passed_over;  // by symbol: whether contexts do not see it
+  bool in_context = false;                // whether any production wants neighbours
+  std::vector<std::uint32_t> active;      // offsets in a template
+  std::uint32_t longest_successor = 0;    // words
   Template axiom;
   bool lineages = false;
   Code code;

@@ -7,6 +7,7 @@
 
 #include "foundation/random.hpp"
 #include "lsystem/branch.hpp"
+#include "lsystem/derivation.hpp"
 #include "lsystem/machine.hpp"
 
 namespace panicle::lsystem {
@@ -56,7 +57,7 @@ class Unfolding {
     }
     if (const Production* const production = rewritable(header) ? machine_.choose(module) : nullptr) {
       const std::uint32_t generation = successor.generation + 1;
-      if (generation > limits_.steps) return machine_.fail(machine_.too_many_steps());
+      if (generation > limits_.steps) return machine_.fail(Machine::too_many_steps(limits_));
       derived_.steps = std::max(derived_.steps, generation);
       const Origin origin = has_lineage(header) ? origin_of(module) : Origin{};
       return open(production->successor, origin, symbol_of(header), generation);
@@ -102,6 +103,7 @@ class Unfolding {
 }  // namespace
 
 Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits) {
+  if (bound.program->in_context) return develop_to_rest(bound, seed, limits);
   return Unfolding(bound, seed, limits).run();
 }
 
