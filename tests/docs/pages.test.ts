@@ -9,7 +9,7 @@ import { examplesOf, LANGUAGES, linksOf, pages, patternOf, plainly, textOf } fro
 import { anchorsOf, targetsOf } from "./markdown";
 
 /** Examples that take a program which tests do not have: an engine, a cluster. */
-const NOT_RUN = 3;
+const NOT_RUN = 2;
 
 const read = (file: string) => readFileSync(join(repository, file), "utf8");
 
