@@ -42,7 +42,7 @@ export default defineConfig({
 	},
 	server: { fs: { allow: [at(".")] } },
 	test: {
-		include: ["tests/{web,golden,fuzz,tools,toy,package}/**/*.test.ts", "tests/*.test.ts"],
+		include: ["tests/{web,golden,fuzz,tools,toy,package,docs}/**/*.test.ts", "tests/*.test.ts"],
 		globalSetup: at("tests/core_module.ts"),
 		testTimeout: 20_000,
 		// Of two processors one would stand idle by default.

@@ -11,7 +11,7 @@ import { repository } from "../wasm-core/tools/repository.mjs";
 const WEB = ["tests/web", "tests/web/models"];
 const CORE = ["tests/core", "tests/core/models"];
 /** Folders beside those, whose tests vitest runs too. */
-const BESIDE = ["fuzz", "golden", "package", "tools", "toy"];
+const BESIDE = ["docs", "fuzz", "golden", "package", "tools", "toy"];
 
 const foldersIn = (place) =>
 	existsSync(join(repository, place))

@@ -1,22 +1,13 @@
 import { readdirSync } from "node:fs";
 import type { Locator, Page } from "@playwright/test";
 import type { PanicleSpecimen } from "../../web/src/element/panicle";
-import { MODEL_VIEWER } from "../../web/src/studio/files/embed_code";
 import { gzipped } from "../bench/sizes.mjs";
 import { expect, test } from "./fixtures";
+import { standInForModelViewer } from "./model_viewer";
 import { serveUnder } from "./static_server";
 import { StudioPage } from "./studio_page";
 
 const DIST = "dist/assets";
-
-/** What stands for Google's viewer: it fetches what it is told to, and says what that is. */
-const STAND_IN = `customElements.define("model-viewer", class extends HTMLElement {
-	async connectedCallback() {
-		const bytes = await (await fetch(this.getAttribute("src"))).arrayBuffer();
-		const json = new TextDecoder().decode(new Uint8Array(bytes, 20, new DataView(bytes).getUint32(12, true)));
-		this.gltf = JSON.parse(json);
-	}
-});`;
 
 async function openDialog(studio: StudioPage): Promise<Locator> {
 	await studio.button("Download").click();
@@ -91,9 +82,7 @@ test("copied code shows the plant in a page of another origin, as it was shown: 
 		[200, 400],
 	);
 	expect(await fingerprint(page.frames()[1])).toBe(first);
-	await page.route(MODEL_VIEWER, (route) =>
-		route.fulfill({ contentType: "text/javascript", body: STAND_IN, headers: { "access-control-allow-origin": "*" } }),
-	);
+	await standInForModelViewer(page);
 	await page.route("**/redcurrant-5.glb", (route) => route.fulfill({ contentType: "model/gltf-binary", path: glb }));
 	await open("viewer");
 	await page.waitForFunction(() => "gltf" in (document.querySelector("model-viewer") ?? {}));

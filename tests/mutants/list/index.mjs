@@ -11,6 +11,7 @@ import bunchNatural from "./bunch_natural.mjs";
 import bunchProfile from "./bunch_profile.mjs";
 import bunchRipening from "./bunch_ripening.mjs";
 import bunchSurfaces from "./bunch_surfaces.mjs";
+import docs from "./docs.mjs";
 import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
@@ -46,6 +47,7 @@ export const groups = [
 	...swelling,
 	...targets,
 	...library,
+	...docs,
 	...bunchRipening,
 	...bunchSurfaces,
 	...bunchIndividual,

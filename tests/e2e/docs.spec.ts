@@ -1,0 +1,50 @@
+/** Every example of the pages for people, in their order: commands, scripts, pages (tests/docs/ reads and runs them). */
+import { pathToFileURL } from "node:url";
+import { prepare } from "../../wasm-core/tools/toolchain.mjs";
+import { Desk } from "../docs/desk";
+import { examplesOf, pages, partOf, plainly, textOf } from "../docs/examples";
+import { freePort } from "../free_port.mjs";
+import { type Project, projectWith } from "../package/project";
+import { installed } from "../readers/programs.mjs";
+import { expect, test } from "./fixtures";
+import { standInForModelViewer } from "./model_viewer";
+import { serveUnder } from "./static_server";
+
+let project: Project;
+let python: string;
+test.beforeAll(async () => {
+	project = await projectWith({});
+	python = await installed("trimesh", (await prepare("trimesh")).python);
+});
+test.afterAll(() => project.remove());
+
+for (const name of pages()) {
+	test(`docs/${name}.md: its examples do what it says`, async ({ page }) => {
+		// Many programs, one after the other.
+		test.slow();
+		const desk = await Desk.at(project, python);
+		const host = await serveUnder("/", pathToFileURL(desk.folder).href);
+		await standInForModelViewer(page);
+		try {
+			// What stands for a port that another program may have.
+			const text = textOf(name).replaceAll("8765", String(await freePort()));
+			const problems: string[] = [];
+			for (const example of examplesOf(text)) {
+				if (example.how === "not-run") continue;
+				// All of them, so that what a page says can be mended at one go.
+				await test.step(`line ${example.line}`, () => desk.run(example).catch(({ message }) => problems.push(message)));
+				if (example.language !== "html") continue;
+				await page.goto(new URL(example.title ?? "", host.address).href);
+				// As a screen reader has it: texts, and the names of what is no text.
+				if (example.prints === undefined) await page.waitForLoadState("networkidle");
+				for (const line of plainly(example.prints ?? "").split("\n"))
+					await expect.poll(() => page.locator("body").ariaSnapshot(), { timeout: 60_000 }).toMatch(partOf(line));
+			}
+			expect(problems.join("\n\n")).toBe("");
+		} finally {
+			await page.goto("about:blank");
+			await host.close();
+			await desk.clear();
+		}
+	});
+}
