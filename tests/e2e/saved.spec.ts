@@ -215,6 +215,7 @@ test("what a full disk does not take is said, can be exported, and is kept when 
 	await inDialog(page, /^Save this/).click();
 	const alert = dialog(page).getByRole("alert");
 	await expect(alert).toContainText("the part of it that the browser grants this page, is full");
+	await expect(said(page)).toHaveText(/^\s*This bunch is saved already, as “Lychee/);
 	await expect(alert).toContainText("“Lychee 2” is here only until the page is closed");
 	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
 	const text = await exported(page, "Export what is not kept");

@@ -157,7 +157,7 @@ export class SavedDialog extends StudioPart {
 		event.preventDefault();
 		if (this.#busy) return;
 		this.#busy = true;
-		this.requestUpdate();
+		this.#say(SILENT);
 		try {
 			const asked = tidyName(this.#name) || titleOf(this.desk.state.specimen, this.desk.state.model);
 			const added = await this.#library.add(await savedOf(this.desk, asked));

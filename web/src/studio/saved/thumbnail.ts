@@ -1,7 +1,7 @@
 /** A small picture of what is in the 3-D view. */
 
-/** Pixels, as upright as the gallery's pictures. */
-export const THUMBNAIL = { width: 192, height: 240 };
+/** Pixels: square, so that neither what hangs nor what spreads is cut off. */
+export const THUMBNAIL = { width: 240, height: 240 };
 /** So much larger it is taken: what is drawn small has jagged edges. */
 const FINER = 2;
 const QUALITY = 0.85;
