@@ -7,7 +7,7 @@ test("letters in a list are the list's, and with a modifier they are nobody's", 
 	for (const key of ["s", "n", "o", "t", "k"]) await page.keyboard.press(key);
 	await page.keyboard.press("Escape");
 	await studio.slider("Length").focus();
-	for (const key of ["Alt+s", "Shift+S", "Control+s"]) await page.keyboard.press(key);
+	for (const key of ["Alt+s", "Shift+S", "Control+o"]) await page.keyboard.press(key);
 	for (const name of ["Show stems only", "Octahedron", "Thin"]) {
 		await expect(studio.button(name)).toHaveAttribute("aria-pressed", "false");
 	}

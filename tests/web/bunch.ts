@@ -43,6 +43,7 @@ export const decodeQuery = (search: string) => link.decodeQuery(BUNCH, search);
 export const specimenFromFile = async (name: string, file: Blob) => {
 	const found = await foundInFile(name, file);
 	if ("record" in found) return restore(found.record);
+	if ("library" in found) throw new Error(`${name} holds many.`);
 	const { query, fragment } = link.linkParts(found.link);
 	return decodeLink(query, fragment);
 };

@@ -25,6 +25,7 @@ import lsystem from "./lsystem.mjs";
 import page from "./page.mjs";
 import particles from "./particles.mjs";
 import rooms from "./rooms.mjs";
+import saved from "./saved.mjs";
 import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
 import studio from "./studio.mjs";
@@ -60,6 +61,7 @@ export const groups = [
 	...exporting,
 	...baked,
 	...bunchFigure,
+	...saved,
 	...scene,
 	...lives,
 	...studio,

@@ -6,6 +6,7 @@ const DRAWINGS = {
 	redo: svg`<path d="M16 8H7.5a4 4 0 0 0 0 8H11M16 8l-3.5-3.5M16 8l-3.5 3.5"/>`,
 	reset: svg`<path d="M4.5 10a5.5 5.5 0 1 0 1.6-3.9L4.5 7.7M4.5 4v3.7h3.7"/>`,
 	open: svg`<path d="M3 15.5v-11h5l2 2.5h6v2M3 15.5 5.5 9H18l-2.5 6.5z"/>`,
+	saved: svg`<path d="M5.5 3.5h9v13L10 13l-4.5 3.5z"/>`,
 	link: svg`<path d="M8.5 11.5 11.5 8.5M9.5 6.5l2-2a3.2 3.2 0 0 1 4.5 4.5l-2 2M10.5 13.5l-2 2A3.2 3.2 0 0 1 4 11l2-2"/>`,
 	download: svg`<path d="M10 3v9.5M6.5 9.5 10 13l3.5-3.5M4 16.5h12"/>`,
 	light: svg`<circle cx="10" cy="10" r="3.2"/><path d="M10 2.5v2M10 15.5v2M2.5 10h2M15.5 10h2M4.7 4.7l1.4 1.4M13.9 13.9l1.4 1.4M4.7 15.3l1.4-1.4M13.9 6.1l1.4-1.4"/>`,

@@ -1,6 +1,6 @@
 /**
  * A specimen out of a file that Panicle exported: a GLB (`asset.extras.specimen`), the JSON document (`specimen`), or a PNG with its link
- * (png_link.ts). Files come from anywhere: sizes are checked before anything is read, of a GLB nothing but its JSON is read, and what is
+ * (png_link.ts); or a file of many that are saved, as it stands. Files come from anywhere: sizes are checked before anything is read, of a GLB nothing but its JSON is read, and what is
  * found must go through specimen/restore.ts or specimen/link.ts like everything from outside.
  */
 import { CHUNK_HEADER_BYTES, CHUNK_JSON, GLB_MAGIC, GLB_VERSION, HEADER_BYTES } from "./binary_gltf";
@@ -10,7 +10,10 @@ import { isPng, linkInPng } from "./png_link";
 export { FileError };
 
 /** What a file holds of a specimen. */
-export type Found = { readonly record: object } | { readonly link: string };
+export type Found = { readonly record: object } | { readonly link: string } | { readonly library: object };
+
+/** What a file of saved specimens says it is, in its field `format` (docs/saved.md). */
+export const LIBRARY_FORMAT = "panicle-library";
 
 const WANTED = "drop a GLB, JSON or PNG exported by Panicle.";
 
@@ -23,7 +26,7 @@ export const JSON_BYTES = 128 * 1024 * 1024;
 /**
  * @param name what the file is called, for messages only: its kind is told from its first bytes
  * @param file the whole file, of any size
- * @returns the record of a specimen as it stands in the file, or the link; of whatever model
+ * @returns the record of a specimen as it stands in the file, or the link, of whatever model; or the document of a library
  * @throws FileError when there is neither in it
  */
 export async function foundInFile(name: string, file: Blob): Promise<Found> {
@@ -33,7 +36,9 @@ export async function foundInFile(name: string, file: Blob): Promise<Found> {
 	if (read.size > JSON_BYTES) throw new FileError(`${name} is too large: ${WANTED}`);
 	const bytes = await read.arrayBuffer();
 	if (picture) return { link: linkInPng(name, new Uint8Array(bytes)) };
-	const record = specimenIn(parse(name, bytes));
+	const document = parse(name, bytes);
+	if (field(document, "format") === LIBRARY_FORMAT) return { library: document as object };
+	const record = specimenIn(document);
 	if (record === undefined) {
 		throw new FileError(`${name} holds no specimen: only files exported by Panicle and not saved again elsewhere do.`);
 	}
@@ -59,10 +64,15 @@ async function jsonIn(name: string, file: Blob): Promise<Blob> {
 function parse(name: string, bytes: ArrayBuffer): unknown {
 	try {
 		return JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
-	} catch {
-		throw new FileError(`${name} is neither a GLB nor readable JSON: ${WANTED}`);
+	} catch (error) {
+		if (!startsAsJson(bytes)) throw new FileError(`${name} is neither a GLB nor readable JSON: ${WANTED}`);
+		// Engines say where.
+		const where = error instanceof Error ? error.message : error;
+		throw new FileError(`${name} is damaged or unfinished JSON: export or download it again. (${where})`);
 	}
 }
+
+const startsAsJson = (bytes: ArrayBuffer) => /^\s*[{[]/.test(new TextDecoder().decode(bytes.slice(0, 64)));
 
 /** The record at the place either format keeps it; glTF kept as text counts as well. */
 function specimenIn(document: unknown): object | undefined {

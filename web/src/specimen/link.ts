@@ -13,8 +13,8 @@ import { SPECIMEN_VERSION, type Specimen } from "./specimen";
 import { writtenIn } from "./table";
 
 /** Characters that are read of a query and of a fragment; the rest is not looked at. */
-const LONGEST_QUERY = 16 * 1024;
-const LONGEST_FRAGMENT = 512 * 1024;
+export const LONGEST_QUERY = 16 * 1024;
+export const LONGEST_FRAGMENT = 512 * 1024;
 
 /** `?v=2&…#g=…`: the whole specimen. */
 export async function encodeLink<S extends Specimen>(species: Species<S>, specimen: S): Promise<string> {

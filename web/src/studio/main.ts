@@ -10,14 +10,14 @@ import { AddressBar, isForeign, modelInAddress, readAddress, readWholeAddress } 
 import { Cores } from "./cores";
 import { Growing } from "./growing";
 import { runningBy } from "./panel_groups";
-import type { Help } from "./parts/help";
+import { HELP, SAVED } from "./parts/late_parts";
+import { openPart } from "./parts/open_part";
 import type { StudioPart } from "./parts/studio_part";
 import { listenForShortcuts } from "./shortcuts";
 import { listenForSkips } from "./skips";
 import { Studio } from "./studio";
 import { applyTheme, isSystemDark, onSystemTheme } from "./theme";
 import { titleOf } from "./title";
-import { TRY_AGAIN } from "./types";
 import { loadUi, pageOf, STORAGE_KEY, saveUi } from "./ui_state";
 import "./parts/stage";
 import "./parts/bars";
@@ -45,6 +45,7 @@ const PARTS = [
 	"panicle-panel",
 	"panicle-notices",
 	"panicle-drop",
+	"panicle-saved",
 	"panicle-help",
 	"panicle-speaker",
 ].join();
@@ -93,9 +94,9 @@ function start(model: Model): void {
 
 function draw(studio: Studio): void {
 	for (const part of document.querySelectorAll<StudioPart>(PARTS)) part.desk = studio;
-	const help = () => void openHelp(studio);
+	const help = () => void openPart(studio, HELP);
 	document.addEventListener("panicle-help", help);
-	listenForShortcuts(studio, help);
+	listenForShortcuts(studio, { help, saved: () => void openPart(studio, SAVED) });
 	onSystemTheme((dark) => studio.setSystemDark(dark));
 	// Tabs and bookmarks are told apart by what they hold.
 	let named: readonly unknown[] | undefined;
@@ -108,18 +109,6 @@ function draw(studio: Studio): void {
 	};
 	nameTab();
 	studio.subscribe(nameTab);
-}
-
-/** The help comes when it is first asked for. */
-async function openHelp(studio: Studio): Promise<void> {
-	try {
-		await import("./parts/help");
-		const help = document.querySelector<Help>("panicle-help");
-		await help?.updateComplete;
-		help?.open();
-	} catch {
-		studio.notify("The help could not be fetched", [TRY_AGAIN], { again: () => void openHelp(studio) });
-	}
 }
 
 /** What one tab chooses of the page holds in all. */

@@ -33,21 +33,27 @@ export function sectionsOf(models: readonly Model[]): readonly PresetSection[] {
  * @param kind the key of one kind; all where empty
  */
 export function findPresets(sections: readonly PresetSection[], query: string, kind = ""): readonly PresetSection[] {
-	const words = plain(query).split(/\s+/).filter(Boolean);
+	const words = wordsOf(query);
 	return sections
 		.filter((section) => kind === "" || kindKey(section) === kind)
 		.map((section) => ({
 			...section,
-			presets: section.presets.filter((preset) => {
-				const said = plain(saidOf(section, preset));
-				return words.every((word) => said.includes(word));
-			}),
+			presets: section.presets.filter((preset) => isIn(words, saidOf(section, preset))),
 		}))
 		.filter(({ presets }) => presets.length > 0);
 }
 
 function saidOf({ model, kind }: PresetSection, { name, title, about, figure = "" }: Preset): string {
 	return [title, name, about, kind.title, model.title, figure].join(" ");
+}
+
+/** What is looked for, word by word. */
+export const wordsOf = (query: string): string[] => plain(query).split(/\s+/).filter(Boolean);
+
+/** Whether each of the words is somewhere in a text. */
+export function isIn(words: readonly string[], text: string): boolean {
+	const said = plain(text);
+	return words.every((word) => said.includes(word));
 }
 
 /** Without case and accents: people do not type them. */

@@ -10,6 +10,7 @@ interface Shortcut {
 const FIRST: readonly Shortcut[] = [
 	{ keys: ["Ctrl+Z"], does: "Undo" },
 	{ keys: ["Ctrl+Shift+Z", "Ctrl+Y"], does: "Redo" },
+	{ keys: ["Ctrl+S"], does: "Save, and what is saved" },
 ];
 const NEW: Shortcut = { keys: ["N"], does: "New variation" };
 const HELP: Shortcut = { keys: ["?"], does: "This help" };

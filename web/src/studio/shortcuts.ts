@@ -1,11 +1,17 @@
 import { applying } from "./panel_groups";
 import type { Studio } from "./studio";
 
+/** What keys open. */
+export interface Opens {
+	help(): void;
+	saved(): void;
+}
+
 /** Keys for the whole page. While text is typed or a list is open, they are the field's. Returns what ends it. */
-export function listenForShortcuts(studio: Studio, openHelp: () => void): () => void {
+export function listenForShortcuts(studio: Studio, opens: Opens): () => void {
 	const listener = (event: KeyboardEvent) => {
 		if (event.defaultPrevented || isTyping(event)) return;
-		const action = event.ctrlKey || event.metaKey ? commandOf(event, studio) : letterOf(event, studio, openHelp);
+		const action = event.ctrlKey || event.metaKey ? commandOf(event, studio, opens) : letterOf(event, studio, opens);
 		if (!action) return;
 		event.preventDefault();
 		action();
@@ -14,20 +20,21 @@ export function listenForShortcuts(studio: Studio, openHelp: () => void): () => 
 	return () => window.removeEventListener("keydown", listener);
 }
 
-function commandOf(event: KeyboardEvent, studio: Studio): (() => void) | undefined {
+function commandOf(event: KeyboardEvent, studio: Studio, { saved }: Opens): (() => void) | undefined {
 	const key = event.key.toLowerCase();
 	if (key === "z") return () => (event.shiftKey ? studio.redo() : studio.undo());
 	if (key === "y") return () => studio.redo();
+	if (key === "s" && !event.shiftKey) return saved;
 	return undefined;
 }
 
-function letterOf(event: KeyboardEvent, studio: Studio, openHelp: () => void): (() => void) | undefined {
+function letterOf(event: KeyboardEvent, studio: Studio, { help }: Opens): (() => void) | undefined {
 	if (event.altKey || !studio.state.ui.letters || document.querySelector("dialog[open]")) return undefined;
 	// "?" may need Shift; no letter does.
 	if (event.shiftKey && event.key !== "?") return undefined;
 	const pressed = event.key.toLowerCase();
 	if (pressed === "n") return () => studio.newVariation();
-	if (pressed === "?") return openHelp;
+	if (pressed === "?") return help;
 	const { face, specimen } = studio.state;
 	const tool = applying(face?.tools, specimen).find(({ key }) => key?.letter === pressed);
 	return tool && (() => tool.press?.(studio));

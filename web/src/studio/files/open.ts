@@ -5,12 +5,15 @@ import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
 import { BARE } from "../faces";
 import { applying } from "../panel_groups";
+import { SAVED } from "../parts/late_parts";
+import { openPart } from "../parts/open_part";
+import type { SavedDialog } from "../parts/saved_dialog";
 import type { Studio } from "../studio";
 import { TRY_AGAIN } from "../types";
 import { dropsOf } from "./drops";
 
 /**
- * Brings back the specimen of a GLB, a JSON or a picture with its link, of whatever model; a file without one goes to the tool that takes it. Whatever
+ * Brings back the specimen of a GLB, a JSON or a picture with its link, of whatever model; a file of saved ones goes into the library, one without any to the tool that takes it. Whatever
  * is wrong with the file is said, and the plant stays.
  */
 export async function openFile(studio: Studio, file: File): Promise<void> {
@@ -23,7 +26,10 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 	}
 	try {
 		const found = await reader.foundInFile(file.name, file);
-		if ("link" in found) {
+		if ("library" in found) {
+			await openPart(studio, SAVED);
+			await document.querySelector<SavedDialog>(SAVED.tag)?.bring(file.name, found.library);
+		} else if ("link" in found) {
 			const { query, fragment } = linkParts(found.link);
 			const model = await modelNamed(modelInQuery(query));
 			studio.take(model, await decodeLink(model, query, fragment), FILE_TOPIC);

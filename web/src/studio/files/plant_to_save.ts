@@ -15,7 +15,7 @@ export async function plantToSave(studio: Studio, signal?: AbortSignal): Promise
 }
 
 /** Resolves once no growth is under way. */
-function caughtUp(studio: Studio, signal: AbortSignal | undefined): Promise<void> {
+export function caughtUp(studio: Studio, signal?: AbortSignal): Promise<void> {
 	return new Promise((resolve, reject) => {
 		signal?.throwIfAborted();
 		const done = () => {

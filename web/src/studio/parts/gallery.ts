@@ -1,10 +1,13 @@
 import { html, nothing, type PropertyValues } from "lit";
 import { repeat } from "lit/directives/repeat.js";
+import { icon } from "../../controls/icons";
 import { rove, stopAt } from "../../controls/roving";
 import type { Model } from "../../models/model";
 import type { Preset } from "../../specimen/presets";
 import { findPresets, kindKey, type PresetSection, sectionsOf } from "../preset_search";
 import type { Studio } from "../studio";
+import { SAVED } from "./late_parts";
+import { openPart } from "./open_part";
 import { StudioPart } from "./studio_part";
 
 /** Rendered by the app itself on the paper of each theme (`npm run gallery`). */
@@ -34,6 +37,10 @@ export class Gallery extends StudioPart {
 		const sections = sectionsOf(catalogue);
 		const found = findPresets(sections, this.#query, this.#kind);
 		return html`<div class="find" role="search" aria-label="Presets" @keydown=${this.#findKey}>
+				<button
+					class="button" type="button" aria-label="Saved…" title="Save this ${studio.state.model.noun}, and what you have saved (Ctrl+S)"
+					@click=${() => openPart(studio, SAVED)}
+				>${icon("saved")}<span class="words">Saved…</span></button>
 				<input
 					type="search" aria-label="Search presets" placeholder="Search presets" autocomplete="off" spellcheck="false"
 					.value=${this.#query} @input=${(event: Event) => this.#look({ query: (event.target as HTMLInputElement).value })}

@@ -1,7 +1,8 @@
 /** What the download menu offers besides files. */
 import { copyPicture } from "../files/copy_picture";
 import type { Studio } from "../studio";
-import { TRY_AGAIN } from "../types";
+import { SAVED } from "./late_parts";
+import { openPart } from "./open_part";
 
 export interface MenuAction {
 	readonly key: string;
@@ -11,11 +12,12 @@ export interface MenuAction {
 	run(studio: Studio, menu: HTMLElement): Promise<void>;
 }
 
-/** Something that is opened: a part of the page, loaded when it is first asked for. */
-interface Opened extends HTMLElement {
-	open(): Promise<void>;
-}
-
+const SAVE: MenuAction = {
+	key: "save",
+	title: "Save in this browser…",
+	about: "Under a name, with a picture; nothing is sent anywhere",
+	run: (studio) => openPart(studio, SAVED),
+};
 const MANY: MenuAction = {
 	key: "many",
 	title: "Many in one ZIP…",
@@ -37,20 +39,8 @@ const EMBED: MenuAction = {
 
 /** What there is now: pictures only while there is a view. */
 export const menuActions = ({ state: { picture } }: Studio): readonly MenuAction[] =>
-	picture ? [MANY, PICTURE, EMBED] : [MANY, EMBED];
+	picture ? [SAVE, MANY, PICTURE, EMBED] : [SAVE, MANY, EMBED];
 
 function dialog(tag: string, load: () => Promise<unknown>, failed: string): MenuAction["run"] {
-	return async function run(studio, menu) {
-		try {
-			await load();
-		} catch {
-			const again = () => void run(studio, menu);
-			return studio.notify(failed, ["Part of the page could not be fetched.", TRY_AGAIN], { again });
-		}
-		try {
-			await menu.querySelector<Opened>(tag)?.open();
-		} catch (error) {
-			studio.notify(failed, [error instanceof Error ? error.message : String(error)]);
-		}
-	};
+	return (studio, menu) => openPart(studio, { tag, load, failed }, menu);
 }

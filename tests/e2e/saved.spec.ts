@@ -1,0 +1,254 @@
+import { readFileSync } from "node:fs";
+import type { Locator, Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+const dialog = (page: Page) => page.getByRole("dialog", { name: "Saved" });
+const cards = (page: Page) => dialog(page).locator("[data-saved]");
+const names = (page: Page) => dialog(page).locator("[data-saved] .name");
+const said = (page: Page) => dialog(page).locator(".said [role=status]");
+const inDialog = (page: Page, name: string | RegExp): Locator =>
+	dialog(page).getByRole("button", { name, exact: typeof name === "string" });
+
+/** Opens the dialog by its button. */
+async function openSaved(page: Page): Promise<void> {
+	await page.getByRole("button", { name: "Saved…" }).click();
+	await expect(dialog(page)).toBeVisible();
+}
+
+async function save(page: Page, name?: string): Promise<void> {
+	if (name !== undefined) await dialog(page).getByLabel("Name", { exact: true }).fill(name);
+	await inDialog(page, /^Save this/).click();
+	await expect(said(page)).toContainText("Saved as");
+}
+
+/** The text of an exported file. */
+async function exported(page: Page, button = "Export all"): Promise<string> {
+	const downloading = page.waitForEvent("download");
+	await inDialog(page, button).click();
+	const download = await downloading;
+	expect(download.suggestedFilename()).toMatch(/^saved-\d{4}-\d\d-\d\d\.panicle\.json$/);
+	return readFileSync(await download.path(), "utf8");
+}
+
+async function imported(page: Page, name: string, text: string): Promise<void> {
+	const choosing = page.waitForEvent("filechooser");
+	await inDialog(page, "Import…").click();
+	await (await choosing).setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
+}
+
+/** As when the person clears the browser's data. */
+const forget = (page: Page) =>
+	page.evaluate(
+		() =>
+			new Promise<void>((resolve, reject) => {
+				const request = indexedDB.deleteDatabase("panicle.saved");
+				request.onsuccess = () => resolve();
+				request.onblocked = () => reject(new Error("blocked"));
+			}),
+	);
+
+/** Whether writing fails as it does where the disk is full. */
+const fill = (page: Page, full: boolean) =>
+	page.evaluate((on) => {
+		const store = IDBObjectStore.prototype as IDBObjectStore & { whole?: IDBObjectStore["put"] };
+		store.whole ??= store.put;
+		const refuse = () => {
+			throw new DOMException("full", "QuotaExceededError");
+		};
+		store.put = on ? refuse : store.whole;
+	}, full);
+
+test("what is saved is there again: searched, opened as one step, renamed, deleted and brought back", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=riesling&seed=4");
+	await openSaved(page);
+	await expect(dialog(page)).toContainText("Nothing is saved yet.");
+	await expect(dialog(page)).toContainText("Kept in this browser only; nothing is sent anywhere.");
+	await expect(inDialog(page, "Export all")).toBeDisabled();
+	const name = dialog(page).getByLabel("Name", { exact: true });
+	await expect(name).toBeFocused();
+	await expect(name).toHaveValue("Riesling");
+	await save(page);
+	await expect(said(page)).toHaveText("Saved as “Riesling”.");
+	await expect(name).toHaveValue("Riesling 2");
+	await save(page, "Riesling");
+	await expect(said(page)).toHaveText("Saved as “Riesling 2”: there is a “Riesling” already.");
+	const riesling = await studio.fingerprint.innerText();
+	await page.keyboard.press("Escape");
+	await expect(dialog(page)).toBeHidden();
+	await studio.regrown(() => page.locator("[data-preset=lychee]").click());
+	await page.locator("body").press("Control+s");
+	await expect(name).toHaveValue("Lychee");
+	await save(page, "  My\tfirst lychee ");
+
+	// They outlast the page, and are pictured.
+	await new StudioPage(page).open("?v=2&preset=duku");
+	const duku = await studio.fingerprint.innerText();
+	await openSaved(page);
+	await expect(names(page)).toHaveText(["My first lychee", "Riesling 2", "Riesling"]);
+	await expect(cards(page).locator("canvas")).toHaveCount(3);
+	await expect(cards(page).first().locator(".about")).toHaveText(/^Grape bunch\s*\d+ \w+ \d{4}$/);
+	const search = dialog(page).getByRole("searchbox", { name: "Search what is saved" });
+	await search.fill("ries");
+	await expect(names(page)).toHaveText(["Riesling 2", "Riesling"]);
+	await expect(dialog(page).locator(".found")).toHaveText("2 of 3");
+	await dialog(page).getByRole("combobox", { name: "Order" }).selectOption("By name");
+	await expect(names(page)).toHaveText(["Riesling", "Riesling 2"]);
+
+	// By keys alone: one stop of the Tab key, then arrows, F2, Delete, and Ctrl+Z.
+	await dialog(page).getByRole("combobox", { name: "Order" }).press("Tab");
+	await expect(inDialog(page, "Open Riesling")).toBeFocused();
+	await page.keyboard.press("ArrowRight");
+	await page.keyboard.press("F2");
+	await expect(dialog(page).getByLabel("New name of Riesling 2")).toBeFocused();
+	await page.keyboard.type("Twin ries");
+	await page.keyboard.press("Enter");
+	await expect(said(page)).toHaveText("“Riesling 2” is “Twin ries” now.");
+	await expect(inDialog(page, "Open Twin ries")).toBeFocused();
+	await page.keyboard.press("F2");
+	await page.keyboard.type("No");
+	await page.keyboard.press("Escape");
+	await expect(names(page)).toHaveText(["Riesling", "Twin ries"]);
+	await page.keyboard.press("Delete");
+	await expect(names(page)).toHaveText(["Riesling"]);
+	await expect(inDialog(page, "Open Riesling")).toBeFocused();
+	await page.keyboard.press("Control+z");
+	await expect(said(page)).toHaveText("“Twin ries” is back.");
+	await expect(inDialog(page, "Open Twin ries")).toBeFocused();
+	await inDialog(page, "Delete Twin ries").click();
+	await inDialog(page, "Bring “Twin ries” back").click();
+	await expect(names(page)).toHaveText(["Riesling", "Twin ries"]);
+
+	// Opening is one step, as choosing a preset is; the plant is the one that was saved.
+	await studio.regrown(() => inDialog(page, "Open Twin ries").click());
+	await expect(dialog(page)).toBeHidden();
+	await expect(studio.fingerprint).toHaveText(riesling);
+	await expect(page).toHaveURL(/preset=riesling&seed=4/);
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(duku);
+	await expect(studio.notices.locator(".notice")).toHaveCount(0);
+});
+
+test("everything goes into one file and comes back out of it, once; what cannot be used is said with its place", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+	await openSaved(page);
+	await save(page);
+	await save(page, "<img src=x onerror=alert(1)>");
+	const text = await exported(page);
+	await imported(page, "again.json", text);
+	await expect(said(page)).toHaveText("Nothing new: all 2 were there already.");
+	await imported(page, "cut.panicle.json", text.slice(0, -9));
+	await expect(said(page)).toContainText("cut.panicle.json was not imported.");
+	await expect(said(page)).toContainText("damaged or unfinished JSON");
+	await imported(page, "plant.json", '{"specimen":{"preset":"duku"}}');
+	await expect(said(page)).toContainText("plant.json is one plant: Open… opens it.");
+	await page.keyboard.press("Escape");
+	await forget(page);
+
+	// Dropped on the page as any file, with worse in it.
+	const document = JSON.parse(text);
+	document.specimens.push(
+		{ name: "No link" },
+		{
+			...document.specimens[0],
+			name: "Changed",
+			saved: "2020-02-03T04:05:06Z",
+			link: "?v=1&preset=grape-15b",
+			fingerprint: "0123456789abcdef",
+			picture: "data:image/svg+xml,<svg/>",
+		},
+	);
+	await studio.drop("mine.panicle.json", Buffer.from(JSON.stringify(document)));
+	await expect(said(page)).toContainText("3 imported.");
+	await expect(said(page)).toContainText("No. 3, “No link”: its link is not text; it is left out.");
+	await expect(said(page)).toContainText("No. 4, “Changed”: its picture is no JPEG; it comes without.");
+	await expect(names(page)).toHaveText(["<img src=x onerror=alert(1)>", "Lychee", "Changed"]);
+
+	// One that grows otherwise than the file says is opened, and that is told.
+	await studio.regrown(() => inDialog(page, "Open Changed").click());
+	await expect(studio.notices).toContainText("“Changed” grows otherwise than when it was saved");
+	await expect(studio.notices).toContainText("fingerprint 0123456789abcdef");
+});
+
+test("two tabs see what the other does, and a later version in one is no harm to the other", async ({
+	page,
+	context,
+	complaints,
+}) => {
+	await new StudioPage(page).open("?v=2&preset=lychee");
+	const second = await context.newPage();
+	complaints.listenTo(second);
+	await new StudioPage(second).open("?v=2&preset=duku");
+	await openSaved(page);
+	await openSaved(second);
+	await save(page);
+	await expect(names(second)).toHaveText(["Lychee"]);
+	await inDialog(second, "Delete Lychee").click();
+	await expect(cards(page)).toHaveCount(0);
+	await inDialog(second, "Bring “Lychee” back").click();
+	await expect(names(page)).toHaveText(["Lychee"]);
+
+	// Later versions need not wait for this one to let go.
+	await second.evaluate(
+		() =>
+			new Promise<void>((resolve, reject) => {
+				const request = indexedDB.open("panicle.saved", 2);
+				request.onsuccess = () => resolve(request.result.close());
+				request.onblocked = () => reject(new Error("blocked"));
+			}),
+	);
+	await inDialog(page, /^Save this/).click();
+	await expect(dialog(page).getByRole("alert")).toContainText("A newer version of this page, in another tab");
+	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
+	await expect(cards(page).first()).toContainText("not kept");
+});
+
+test("what a full disk does not take is said, can be exported, and is kept when there is room", async ({ page }) => {
+	await new StudioPage(page).open("?v=2&preset=lychee");
+	await openSaved(page);
+	await save(page);
+	await fill(page, true);
+	await inDialog(page, /^Save this/).click();
+	const alert = dialog(page).getByRole("alert");
+	await expect(alert).toContainText("the part of it that the browser grants this page, is full");
+	await expect(said(page)).toHaveText(/^\s*This bunch is saved already, as “Lychee/);
+	await expect(alert).toContainText("“Lychee 2” is here only until the page is closed");
+	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
+	const text = await exported(page, "Export what is not kept");
+	expect(JSON.parse(text).specimens.map(({ name }: { name: string }) => name)).toEqual(["Lychee 2"]);
+	// Who leaves is asked.
+	const asked = page.waitForEvent("dialog");
+	const closing = page.close({ runBeforeUnload: true });
+	const question = await asked;
+	expect(question.type()).toBe("beforeunload");
+	await question.dismiss();
+	await closing;
+	await fill(page, false);
+	await inDialog(page, "Try again").click();
+	await expect(alert).toHaveCount(0);
+	await page.reload();
+	await openSaved(page);
+	await expect(names(page)).toHaveText(["Lychee 2", "Lychee"]);
+});
+
+test("a browser that keeps nothing says so before anything is saved", async ({ page }) => {
+	await page.addInitScript(() => {
+		IDBFactory.prototype.open = () => {
+			throw new DOMException("no", "SecurityError");
+		};
+	});
+	await page.setViewportSize({ width: 390, height: 844 });
+	const studio = await new StudioPage(page).open("?v=2&preset=lychee");
+	await openSaved(page);
+	await expect(dialog(page).getByRole("alert")).toContainText("The browser does not let this page keep anything");
+	await inDialog(page, /^Save this/).click();
+	await expect(names(page)).toHaveText(["Lychee"]);
+	await expect(cards(page)).toContainText("not kept");
+	expect(await studio.overflow()).toBeLessThanOrEqual(0);
+	const sideways = await dialog(page).evaluate((element) => element.scrollWidth - element.clientWidth);
+	expect(sideways).toBeLessThanOrEqual(0);
+});

@@ -1,0 +1,138 @@
+import { describe, expect, it, vi } from "vitest";
+import { Library, type Tabs } from "../../../../web/src/studio/saved/library";
+import { SharedShelf, savedAs } from "./shelf";
+
+const namesOf = (library: Library) => library.all.map(({ name }) => name).sort();
+
+/** Two tabs of one browser: what one says the other hears. */
+function twoTabs() {
+	const shelf = new SharedShelf();
+	const tabs: Tabs[] = [];
+	const tab = () => {
+		const own: Tabs = {
+			onmessage: null,
+			postMessage: () => {
+				for (const other of tabs) if (other !== own) other.onmessage?.({} as MessageEvent);
+			},
+		};
+		tabs.push(own);
+		return new Library(shelf, own);
+	};
+	return { shelf, one: tab(), other: tab() };
+}
+
+describe("a library", () => {
+	it("adds each under a name of its own, and reads again what was added", async () => {
+		const { shelf, one } = twoTabs();
+		for (const name of ["Merlot", "Merlot", "Merlot 2"]) await one.add(savedAs(name));
+		expect(namesOf(one)).toEqual(["Merlot", "Merlot 2", "Merlot 2 2"]);
+		const later = new Library(shelf);
+		expect(later.all).toEqual([]);
+		await later.read();
+		expect(namesOf(later)).toEqual(namesOf(one));
+	});
+
+	it("loses nothing that two tabs do at once, and each shows what the other did", async () => {
+		const { shelf, one, other } = twoTabs();
+		const first = await one.add(savedAs("First"));
+		const second = await one.add(savedAs("Second"));
+		await other.read();
+		await Promise.all([
+			one.add(savedAs("Merlot")),
+			other.add(savedAs("Merlot")),
+			one.rename(first.id, "Renamed"),
+			other.remove(second.id),
+			one.bring([savedAs("Brought", { link: "?v=1" })]),
+			other.bring([savedAs("Brought", { link: "?v=1" })]),
+		]);
+		const names = ["Brought", "Merlot", "Merlot 2", "Renamed"];
+		expect(shelf.kept.map(({ name }) => name).sort()).toEqual(names);
+		await vi.waitFor(() => {
+			expect(namesOf(one)).toEqual(names);
+			expect(namesOf(other)).toEqual(names);
+		});
+	});
+
+	it("does not bring back by another name what was deleted in another tab", async () => {
+		const { one, other } = twoTabs();
+		const { id } = await one.add(savedAs("Merlot"));
+		await other.read();
+		await Promise.all([other.remove(id), one.rename(id, "Syrah")]);
+		expect(namesOf(one)).toEqual([]);
+	});
+
+	it("brings back what was deleted, the last first, as it was", async () => {
+		const { one } = twoTabs();
+		const merlot = await one.add(savedAs("Merlot", { fingerprint: "0123456789abcdef" }));
+		const syrah = await one.add(savedAs("Syrah"));
+		await one.remove(merlot.id);
+		await one.remove(syrah.id);
+		expect([one.all, one.lastDeleted]).toEqual([[], syrah]);
+		await one.undelete();
+		expect(await one.undelete()).toEqual(merlot);
+		expect(await one.undelete()).toBeUndefined();
+		expect(namesOf(one)).toEqual(["Merlot", "Syrah"]);
+	});
+
+	it("brings of a file what is not there yet, by name and link, of twins in it one", async () => {
+		const { one } = twoTabs();
+		await one.add(savedAs("Merlot", { link: "?v=2&preset=merlot" }));
+		const file = [
+			savedAs("Merlot", { link: "?v=2&preset=merlot" }),
+			savedAs("Merlot", { link: "?v=2&preset=merlot&seed=2" }),
+			savedAs("Other", { link: "?v=2&preset=merlot" }),
+			savedAs("Other", { link: "?v=2&preset=merlot" }),
+		];
+		expect(await one.bring(file)).toBe(2);
+		expect(await one.bring(file)).toBe(0);
+		expect(namesOf(one)).toEqual(["Merlot", "Merlot", "Other"]);
+	});
+
+	it("says what the shelf does not take and holds it, until it is taken", async () => {
+		const { shelf, one } = twoTabs();
+		const first = await one.add(savedAs("First"));
+		shelf.full = "The disk is full.";
+		const unkept = await one.add(savedAs("First"));
+		await one.rename(first.id, "Renamed");
+		await one.bring([savedAs("Brought")]);
+		expect(one.trouble).toBe("The disk is full.");
+		expect(namesOf(one)).toEqual(["Brought", "First 2", "Renamed"]);
+		expect(one.unkept.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
+		expect(shelf.kept).toEqual([first]);
+		await one.keep();
+		expect(one.isKept(unkept)).toBe(false);
+		// What another tab does, and what is read again, changes nothing of it.
+		await one.read();
+		expect(namesOf(one)).toEqual(["Brought", "First 2", "Renamed"]);
+		shelf.full = undefined;
+		await one.keep();
+		expect([one.unkept, one.trouble]).toEqual([[], undefined]);
+		expect(shelf.kept.map(({ name }) => name).sort()).toEqual(["Brought", "First 2", "Renamed"]);
+	});
+
+	it("deletes what the shelf never took without asking it; what it cannot delete stays", async () => {
+		const { shelf, one } = twoTabs();
+		const kept = await one.add(savedAs("Kept"));
+		shelf.full = "The disk is full.";
+		const unkept = await one.add(savedAs("Unkept"));
+		vi.spyOn(shelf, "change").mockRejectedValue(new Error("No shelf."));
+		await one.remove(unkept.id);
+		await one.remove(kept.id);
+		expect(namesOf(one)).toEqual(["Kept"]);
+		expect(one.trouble).toBe("No shelf.");
+		expect(one.lastDeleted).toEqual(unkept);
+	});
+
+	it("tells whoever listens of every change", async () => {
+		const { one, other } = twoTabs();
+		const heard = vi.fn();
+		const end = other.subscribe(heard);
+		await one.add(savedAs("Merlot"));
+		await vi.waitFor(() => expect(heard).toHaveBeenCalled());
+		expect(namesOf(other)).toEqual(["Merlot"]);
+		end();
+		heard.mockClear();
+		await other.remove(other.all[0].id);
+		expect(heard).not.toHaveBeenCalled();
+	});
+});

@@ -1,0 +1,13 @@
+/** Parts that the whole page may open. */
+import type { LatePart } from "./open_part";
+
+export const HELP: LatePart = {
+	tag: "panicle-help",
+	load: () => import("./help"),
+	failed: "The help could not be fetched",
+};
+export const SAVED: LatePart = {
+	tag: "panicle-saved",
+	load: () => import("./saved_dialog"),
+	failed: "What is saved could not be shown",
+};

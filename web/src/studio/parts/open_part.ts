@@ -1,0 +1,32 @@
+import type { LitElement } from "lit";
+import type { Studio } from "../studio";
+import { TRY_AGAIN } from "../types";
+
+/** A part of the page that comes when it is first asked for: its tag stands in the page, its script is fetched. */
+export interface LatePart {
+	readonly tag: string;
+	load(): Promise<unknown>;
+	/** What is said where it does not come: "The help could not be fetched". */
+	readonly failed: string;
+}
+
+interface Openable extends LitElement {
+	open(): void | Promise<void>;
+}
+
+/** Opens it; whatever is wrong is said. @param place what it stands in */
+export async function openPart(studio: Studio, part: LatePart, place: ParentNode = document): Promise<void> {
+	try {
+		await part.load();
+	} catch {
+		const again = () => void openPart(studio, part, place);
+		return studio.notify(part.failed, ["Part of the page could not be fetched.", TRY_AGAIN], { again });
+	}
+	try {
+		const element = place.querySelector<Openable>(part.tag);
+		await element?.updateComplete;
+		await element?.open();
+	} catch (error) {
+		studio.notify(part.failed, [error instanceof Error ? error.message : String(error)]);
+	}
+}

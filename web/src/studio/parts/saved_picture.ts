@@ -1,0 +1,50 @@
+import { readPicture, type Saved } from "../saved/saved";
+import { THUMBNAIL } from "../saved/thumbnail";
+
+/** So near to being seen a picture is unpacked. */
+const NEAR = "200px";
+
+/** The picture of one that is saved. The page's policy lets no address stand for bytes, so it is drawn. */
+export class SavedPicture extends HTMLElement {
+	#saved: Saved | undefined;
+
+	/** One's picture never changes. */
+	set saved(saved: Saved) {
+		if (saved.id === this.#saved?.id) return;
+		this.#saved = saved;
+		this.replaceChildren();
+		inSight.observe(this);
+	}
+
+	connectedCallback(): void {
+		if (this.#saved && !this.firstChild) inSight.observe(this);
+	}
+
+	disconnectedCallback(): void {
+		inSight.unobserve(this);
+	}
+
+	async draw(): Promise<void> {
+		const { id, picture } = this.#saved ?? {};
+		if (!picture || !("value" in readPicture(picture))) return;
+		const bitmap = await createImageBitmap(new Blob([picture], { type: "image/jpeg" })).catch(() => undefined);
+		if (!bitmap || id !== this.#saved?.id) return;
+		const canvas = Object.assign(document.createElement("canvas"), THUMBNAIL);
+		canvas.getContext("2d")?.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
+		bitmap.close();
+		this.replaceChildren(canvas);
+	}
+}
+
+const inSight = new IntersectionObserver(
+	(seen) => {
+		for (const { isIntersecting, target } of seen) {
+			if (!isIntersecting) continue;
+			inSight.unobserve(target);
+			void (target as SavedPicture).draw();
+		}
+	},
+	{ rootMargin: NEAR },
+);
+
+customElements.define("panicle-saved-picture", SavedPicture);
