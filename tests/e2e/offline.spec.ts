@@ -1,0 +1,174 @@
+import { validateBytes } from "gltf-validator";
+import { listFiles } from "../../web/offline_app.mjs";
+import type { PanicleSpecimen } from "../../web/src/element/panicle";
+import { expect, test } from "./fixtures";
+import { expectKept, Site, wholeBuilds } from "./site";
+import { StudioPage } from "./studio_page";
+
+test.use({ serviceWorkers: "allow" });
+
+const mainScript = () => document.querySelector<HTMLScriptElement>("script[type=module]")?.src ?? "";
+
+test("after one visit the whole app works without its host", async ({ page, complaints }) => {
+	const site = new Site("offline");
+	const address = await site.start();
+	const studio = new StudioPage(page);
+	await page.goto(`${address}?v=2&preset=riesling`);
+	await expectKept(page);
+	// Browsers install nothing in a window that forgets, as tests have it.
+	const { installabilityErrors } = await (await page.context().newCDPSession(page)).send(
+		"Page.getInstallabilityErrors",
+	);
+	expect(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== "in-incognito")).toEqual([]);
+	await site.stop();
+	// The page asks whether the worker is still wanted.
+	complaints.expect(/service-worker\.js|ERR_CONNECTION_REFUSED \(\)/);
+	await page.goto(`${address}?v=2&preset=lychee`);
+	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
+	const { bytes } = await studio.download("glb");
+	expect((await validateBytes(bytes)).issues.numErrors).toBe(0);
+	for (const description of [/Quercus robur/, /free-standing oak/])
+		await studio.regrown(() => page.getByRole("button", { name: "Oak", description }).click());
+	// Nothing is left out: exporters, pictures, the other pages.
+	const files = Object.keys(listFiles(site.folder)).filter(
+		(path) => !/^(service-worker|assets\/specimens-)/.test(path),
+	);
+	const missing = await page.evaluate(async (paths) => {
+		const answers = paths.map(async (path) => [
+			path,
+			await fetch(path || "./").then(
+				(answer) => answer.ok,
+				() => false,
+			),
+		]);
+		return (await Promise.all(answers)).filter(([, came]) => !came);
+	}, files);
+	expect(missing).toEqual([]);
+});
+
+test("a new version is offered, and old pages keep theirs until they are left", async ({
+	page,
+	context,
+	complaints,
+}) => {
+	const site = new Site("versions");
+	const address = await site.start();
+	const studio = new StudioPage(page);
+	await page.goto(`${address}?v=2&preset=lychee&seed=7`);
+	await expectKept(page);
+	const other = await context.newPage();
+	complaints.listenTo(other);
+	await other.goto(address);
+	await expect(new StudioPage(other).fingerprint).toHaveText(/\w/);
+	const old = await other.evaluate(mainScript);
+	site.deploy("help");
+	await page.reload();
+	const fingerprint = await studio.fingerprint.innerText();
+	await expect(studio.notices).toContainText("A new version is here");
+	expect(await page.evaluate(mainScript)).toBe(old);
+	await studio.notices.getByRole("button", { name: "Reload" }).click();
+	await expect.poll(() => page.evaluate(mainScript).catch(() => old)).not.toBe(old);
+	await expect(studio.fingerprint).toHaveText(fingerprint);
+	// The other tab was left alone, and what it has not asked for yet comes.
+	expect(await other.evaluate(mainScript)).toBe(old);
+	await other.getByRole("button", { name: "Help" }).click();
+	await expect(other.getByRole("dialog")).toBeVisible();
+	expect(await wholeBuilds(page)).toBe(2);
+	await other.close();
+	await page.reload();
+	await expectKept(page);
+	await expect(studio.notices).not.toContainText("A new version is here");
+	await page.goto("about:blank");
+	await site.stop();
+});
+
+test("a host that takes the worker away gets the app without", async ({ page, complaints }) => {
+	const site = new Site("without");
+	const address = await site.start();
+	await page.goto(address);
+	await expectKept(page);
+	site.remove("service-worker.js");
+	complaints.expect(/404/);
+	await page.reload();
+	const left = () =>
+		page.evaluate(async () => [
+			(await navigator.serviceWorker.getRegistrations()).length,
+			(await caches.keys()).length,
+		]);
+	await expect.poll(left).toEqual([0, 0]);
+	await page.goto("about:blank");
+	await site.stop();
+});
+
+test.describe("without a service worker", () => {
+	test.use({ serviceWorkers: "block" });
+
+	test("a script that a deploy took away is made good by the new version, with the plant", async ({
+		page,
+		complaints,
+	}) => {
+		const site = new Site("deployed");
+		const address = await site.start();
+		const studio = new StudioPage(page);
+		await page.goto(`${address}?v=2&preset=lychee&seed=7`);
+		await expect(studio.fingerprint).toHaveText(/\w/);
+		const fingerprint = await studio.fingerprint.innerText();
+		site.deploy("help");
+		complaints.expect(/404/);
+		await studio.button("Help").click();
+		await expect(studio.notices).toContainText("The help could not be fetched");
+		await studio.notices.getByRole("button", { name: "Reload" }).click();
+		await expect(studio.fingerprint).toHaveText(fingerprint);
+		await studio.button("Help").click();
+		await expect(page.getByRole("dialog")).toBeVisible();
+		await page.goto("about:blank");
+		await site.stop();
+	});
+});
+
+test("a page of the same host has specimens by their addresses, with and without it", async ({ page, complaints }) => {
+	complaints.expect(/404.*no-such/);
+	const site = new Site("specimens");
+	const html = `<!doctype html><title>Plants</title><link rel="icon" href="icons/panicle.svg"><img alt="An oak’s leaf">`;
+	const address = await site.start({ "plants/mine.html": { html } });
+	// The page of a frame keeps nothing in its visitors' browsers.
+	await page.goto(`${address}embed.html?preset=redcurrant&count=5`);
+	await page.waitForFunction(() => document.querySelector<PanicleSpecimen>("panicle-specimen")?.plant);
+	expect(await page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length)).toBe(0);
+	await page.goto(`${address}mine.html`);
+	const ready = () => page.evaluate(async () => (await import(new URL("specimens.js", location.href).href)).ready);
+	await ready();
+	// A page has specimens without the whole app's being fetched.
+	expect(await wholeBuilds(page)).toBe(0);
+	const ask = async (path: string, headers: Record<string, string> = {}) => {
+		const { text, ...answer } = await page.evaluate(
+			async ([address, sent]) => {
+				const answer = await fetch(address, { headers: sent });
+				const bytes = new Uint8Array(await answer.arrayBuffer());
+				const text = Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+				return { status: answer.status, etag: answer.headers.get("etag") ?? "", text };
+			},
+			[path, headers] as const,
+		);
+		return { ...answer, bytes: Buffer.from(text, "latin1") };
+	};
+	const query = "seed=7&count=5";
+	const json = await ask(`specimens/redcurrant.json?${query}`);
+	const { fingerprint } = JSON.parse(json.bytes.toString());
+	const again = await ask(`specimens/redcurrant.json?${query}`, { "if-none-match": json.etag });
+	expect([again.status, again.bytes.length]).toEqual([304, 0]);
+	const glb = await ask(`specimens/redcurrant.glb?${query}`);
+	expect(glb.status).toBe(200);
+	expect((await validateBytes(glb.bytes)).issues.numErrors).toBe(0);
+	expect((await ask("specimens/no-such.glb")).status).toBe(404);
+	await page.goto(`${address}?v=2&preset=redcurrant&${query}`);
+	await expect(new StudioPage(page).fingerprint).toHaveText(fingerprint);
+	await expectKept(page);
+	await page.goto(`${address}mine.html`);
+	await ready();
+	await site.stop();
+	await page.locator("img").evaluate((image: HTMLImageElement) => {
+		image.src = "specimens/leaf/oak.svg";
+		return image.decode();
+	});
+});
