@@ -1,28 +1,42 @@
+import { readdirSync, readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
 import { validateBytes } from "gltf-validator";
 import { listFiles } from "../../web/offline_app.mjs";
 import type { PanicleSpecimen } from "../../web/src/element/panicle";
+import { gzipped } from "../bench/sizes.mjs";
 import { expect, test } from "./fixtures";
 import { expectKept, Site, wholeBuilds } from "./site";
 import { StudioPage } from "./studio_page";
 
 test.use({ serviceWorkers: "allow" });
 
+const SMALL = "?v=2&preset=redcurrant&seed=7&count=5";
 const mainScript = () => document.querySelector<HTMLScriptElement>("script[type=module]")?.src ?? "";
 
-test("after one visit the whole app works without its host", async ({ page, complaints }) => {
+test("what is fetched for later stays in its limits, and what answers for specimens draws nothing", () => {
+	const dist = new Site("weighed").folder;
+	const answering = readdirSync(join(dist, "assets")).filter((name) => /^specimens-[\w-]{8}\.js$/.test(name));
+	expect(answering).toHaveLength(1);
+	const script = join(dist, "assets", answering[0]);
+	expect(readFileSync(script, "utf8")).not.toMatch(/webgl2|WebGLRenderer/);
+	expect(gzipped(script)).toBeLessThan(175_000);
+	expect(gzipped(join(dist, "service-worker.js"))).toBeLessThan(20_000);
+	const bytes = Object.keys(listFiles(dist)).map((path) => statSync(join(dist, path || "index.html")).size);
+	expect(bytes.reduce((sum, each) => sum + each)).toBeLessThan(4_200_000);
+});
+
+test("after one visit the whole app works without its host", async ({ page, context, complaints }) => {
 	const site = new Site("offline");
 	const address = await site.start();
 	const studio = new StudioPage(page);
-	await page.goto(`${address}?v=2&preset=riesling`);
+	await page.goto(`${address}${SMALL}`);
 	await expectKept(page);
 	// Browsers install nothing in a window that forgets, as tests have it.
-	const { installabilityErrors } = await (await page.context().newCDPSession(page)).send(
-		"Page.getInstallabilityErrors",
-	);
+	const { installabilityErrors } = await (await context.newCDPSession(page)).send("Page.getInstallabilityErrors");
 	expect(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== "in-incognito")).toEqual([]);
 	await site.stop();
-	// The page asks whether the worker is still wanted.
-	complaints.expect(/service-worker\.js|ERR_CONNECTION_REFUSED \(\)/);
+	// The page asks its host whether the worker is still wanted, and for a newer version.
+	complaints.expect(/\/plants\/(service-worker\.js)?( net::ERR_CONNECTION_REFUSED|\)$)/);
 	await page.goto(`${address}?v=2&preset=lychee`);
 	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
 	const { bytes } = await studio.download("glb");
@@ -54,11 +68,11 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	const site = new Site("versions");
 	const address = await site.start();
 	const studio = new StudioPage(page);
-	await page.goto(`${address}?v=2&preset=lychee&seed=7`);
+	await page.goto(`${address}${SMALL}`);
 	await expectKept(page);
 	const other = await context.newPage();
 	complaints.listenTo(other);
-	await other.goto(address);
+	await other.goto(`${address}${SMALL}`);
 	await expect(new StudioPage(other).fingerprint).toHaveText(/\w/);
 	const old = await other.evaluate(mainScript);
 	site.deploy("help");
@@ -82,20 +96,28 @@ test("a new version is offered, and old pages keep theirs until they are left", 
 	await site.stop();
 });
 
-test("a host that takes the worker away gets the app without", async ({ page, complaints }) => {
-	const site = new Site("without");
+test("a host that rewrites its pages, or takes the worker away, leaves nobody with an old version", async ({
+	page,
+	complaints,
+}) => {
+	const site = new Site("rewritten");
 	const address = await site.start();
-	await page.goto(address);
+	const studio = new StudioPage(page);
+	await page.goto(`${address}${SMALL}`);
 	await expectKept(page);
+	const old = await page.evaluate(mainScript);
+	site.deploy();
+	site.rewrite();
+	await page.reload();
+	await studio.notices.getByRole("button", { name: "Reload" }).click();
+	await expect.poll(() => page.evaluate(mainScript).catch(() => old)).not.toBe(old);
+	const workers = () => page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length);
+	await expect.poll(workers).toBe(1);
 	site.remove("service-worker.js");
 	complaints.expect(/404/);
 	await page.reload();
-	const left = () =>
-		page.evaluate(async () => [
-			(await navigator.serviceWorker.getRegistrations()).length,
-			(await caches.keys()).length,
-		]);
-	await expect.poll(left).toEqual([0, 0]);
+	await expect.poll(workers).toBe(0);
+	expect(await page.evaluate(() => caches.keys())).toEqual([]);
 	await page.goto("about:blank");
 	await site.stop();
 });
@@ -110,7 +132,7 @@ test.describe("without a service worker", () => {
 		const site = new Site("deployed");
 		const address = await site.start();
 		const studio = new StudioPage(page);
-		await page.goto(`${address}?v=2&preset=lychee&seed=7`);
+		await page.goto(`${address}${SMALL}`);
 		await expect(studio.fingerprint).toHaveText(/\w/);
 		const fingerprint = await studio.fingerprint.innerText();
 		site.deploy("help");

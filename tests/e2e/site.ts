@@ -1,4 +1,4 @@
-import { cpSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { appendFileSync, cpSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { expect, type Page } from "@playwright/test";
@@ -32,6 +32,11 @@ export class Site {
 
 	remove(file: string): void {
 		rmSync(join(this.folder, file));
+	}
+
+	/** What some hosts do with pages on their way: they are no longer what was built. */
+	rewrite(): void {
+		appendFileSync(join(this.folder, "index.html"), "<!-- This host’s own words. -->\n");
 	}
 
 	/** The next version: its main script, and any other named, have new names, and none has its old one. */

@@ -21,6 +21,7 @@ import library from "./library.mjs";
 import light from "./light.mjs";
 import lives from "./lives.mjs";
 import lsystem from "./lsystem.mjs";
+import offline from "./offline.mjs";
 import page from "./page.mjs";
 import particles from "./particles.mjs";
 import rooms from "./rooms.mjs";
@@ -61,6 +62,7 @@ export const groups = [
 	...scene,
 	...lives,
 	...studio,
+	...offline,
 	...files,
 	...embed,
 	...light,

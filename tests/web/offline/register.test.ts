@@ -8,11 +8,11 @@ const script = `${folder}service-worker.js`;
 afterEach(() => vi.unstubAllGlobals());
 
 /** A browser that has a worker for a scope already, perhaps, and a host that answers with a status for the app's. */
-function browser({ scope = folder.href, scriptURL = "", status = 200 } = {}) {
+function browser({ scope = folder.href, scriptURL = "", status = 200, onLine = true } = {}) {
 	const unregister = vi.fn();
 	const before = scriptURL ? { scope, active: { scriptURL }, unregister } : undefined;
 	const register = vi.fn(async () => "registered");
-	vi.stubGlobal("navigator", { serviceWorker: { getRegistration: async () => before, register } });
+	vi.stubGlobal("navigator", { onLine, serviceWorker: { getRegistration: async () => before, register } });
 	const caches = new FakeCaches();
 	vi.stubGlobal("caches", caches);
 	vi.stubGlobal("fetch", async () => {

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Renewal } from "../../../web/src/studio/renewal";
+import { FakeCaches } from "../offline/fake_caches";
 
 const folder = "https://plants.example/app/";
 
@@ -21,10 +22,12 @@ class Registration extends EventTarget {
 	installing: Worker | null = null;
 	waiting: Worker | null = null;
 	update = vi.fn(async () => {});
+	unregister = vi.fn(async () => true);
 }
 
 let registration: Registration;
 let workers: EventTarget;
+let caches: FakeCaches;
 let page: () => Promise<Response>;
 const reload = vi.fn();
 const offer = vi.fn<(reload: () => void) => void>();
@@ -33,6 +36,7 @@ beforeEach(() => {
 	vi.useFakeTimers();
 	registration = new Registration();
 	workers = Object.assign(new EventTarget(), {
+		controller: registration.active,
 		getRegistration: async () => undefined,
 		register: async () => registration,
 		ready: Promise.resolve(registration),
@@ -40,7 +44,9 @@ beforeEach(() => {
 	page = async () => new Response('<script src="./assets/index-1.js">');
 	vi.stubGlobal("window", {});
 	vi.stubGlobal("location", { reload });
-	vi.stubGlobal("navigator", { serviceWorker: workers });
+	caches = new FakeCaches();
+	vi.stubGlobal("caches", caches);
+	vi.stubGlobal("navigator", { onLine: true, serviceWorker: workers });
 	vi.stubGlobal("fetch", () => page());
 	const document = { baseURI: folder, querySelector: () => ({ src: `${folder}assets/index-1.js` }) };
 	vi.stubGlobal("document", Object.assign(new EventTarget(), document));
@@ -75,7 +81,7 @@ async function arrives(become: (worker: Worker) => void): Promise<Worker> {
 it("has the app kept, unless a person is to be spared data", async () => {
 	await started();
 	expect(registration.active?.postMessage).toHaveBeenLastCalledWith({ type: "opened", keep: true });
-	vi.stubGlobal("navigator", { serviceWorker: workers, connection: { saveData: true } });
+	vi.stubGlobal("navigator", { onLine: true, serviceWorker: workers, connection: { saveData: true } });
 	await started();
 	expect(registration.active?.postMessage).toHaveBeenLastCalledWith({ type: "opened", keep: false });
 });
@@ -118,19 +124,44 @@ it("offers nothing where the next version has failed, or had nothing to wait for
 	expect(offer).not.toHaveBeenCalled();
 });
 
+const newer = async () => new Response('<script src="./assets/index-2.js">');
+
 it("looks for a newer page when part of this one did not come", async () => {
 	const renewal = await started();
-	await Promise.all([renewal.look(), vi.runAllTimersAsync()]);
+	const look = () => Promise.all([renewal.look(), vi.runAllTimersAsync()]);
+	await look();
 	page = async () => new Response("", { status: 503 });
-	await Promise.all([renewal.look(), vi.runAllTimersAsync()]);
+	await look();
 	page = () => Promise.reject(new TypeError("no network"));
-	await Promise.all([renewal.look(), vi.runAllTimersAsync()]);
+	await look();
 	expect(offer).not.toHaveBeenCalled();
-	page = async () => new Response('<script src="./assets/index-2.js">');
-	await Promise.all([renewal.look(), vi.runAllTimersAsync()]);
+	page = newer;
+	await look();
 	expect(offer).toHaveBeenCalledOnce();
+});
+
+it("leaves what it keeps for a newer page that cannot be kept", async () => {
+	page = newer;
+	await caches.open(`panicle ${folder} 1`);
+	await started();
+	expect(registration.update).toHaveBeenCalledOnce();
+	expect(offer).toHaveBeenCalledOnce();
+	expect(registration.unregister).not.toHaveBeenCalled();
 	offer.mock.lastCall?.[0]();
+	await vi.runAllTimersAsync();
+	expect(registration.unregister).toHaveBeenCalledOnce();
+	expect(await caches.keys()).toEqual([]);
 	expect(reload).toHaveBeenCalledOnce();
+});
+
+it("keeps a newer page that waits", async () => {
+	page = newer;
+	registration.waiting = new Worker("installed");
+	await started();
+	offer.mock.lastCall?.[0]();
+	await vi.runAllTimersAsync();
+	expect(registration.waiting?.postMessage).toHaveBeenCalledExactlyOnceWith({ type: "take over" });
+	expect(registration.unregister).not.toHaveBeenCalled();
 });
 
 it("asks for a new version when it is turned to, once an hour at the most", async () => {

@@ -9,7 +9,7 @@ export const ready: Promise<void> = start();
 
 async function start(): Promise<void> {
 	// The built script lies in the app's folder itself.
-	const folder = new URL("./", import.meta.url);
+	const folder = new URL(/* @vite-ignore */ "./", import.meta.url);
 	if (!location.href.startsWith(folder.href))
 		throw new Error(`Only pages below ${folder.href} are answered by its service worker.`);
 	const registration = await registerWorker(folder);

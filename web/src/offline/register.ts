@@ -17,8 +17,8 @@ export async function registerWorker(folder: URL): Promise<ServiceWorkerRegistra
 	const before = found?.scope === folder.href ? found : undefined;
 	const worker = before?.active ?? before?.waiting ?? before?.installing;
 	if (worker && worker.scriptURL !== href) return undefined;
-	if (before && (await isGone(href))) {
-		await forget(before);
+	if (before && navigator.onLine && (await isGone(href))) {
+		await forgetWorker(before);
 		return undefined;
 	}
 	// Past the browser's keep: or a new version would be noticed when that forgets the old script.
@@ -35,11 +35,12 @@ async function isGone(script: string): Promise<boolean> {
 		const { status } = await fetch(script, { method: "HEAD", cache: "no-store" });
 		return status === 404 || status === 410;
 	} catch {
-		return false; // There is no network, which is what the worker is for.
+		return false; // The host is out of reach, which is what the worker is for.
 	}
 }
 
-async function forget(registration: ServiceWorkerRegistration): Promise<void> {
+/** Clears away a worker and what it kept: the next page comes from the host. */
+export async function forgetWorker(registration: ServiceWorkerRegistration): Promise<void> {
 	const names = await caches.keys();
 	const own = names.filter((name) => name.startsWith(`panicle ${registration.scope} `));
 	await Promise.all(own.map((name) => caches.delete(name)));

@@ -1,6 +1,6 @@
 /** The app without a network, and its next version: what the page does of docs/offline.md. */
 import type { ToWorker } from "../offline/messages";
-import { registerWorker, tellOpened } from "../offline/register";
+import { forgetWorker, registerWorker, tellOpened } from "../offline/register";
 
 /** A page that stays open asks for a new version when it is turned to, so often at the most; milliseconds. */
 const ASKS_AFTER = 3_600_000;
@@ -39,22 +39,24 @@ export class Renewal {
 		// Who asks to be spared data has the app kept when that no longer holds.
 		const { connection } = navigator as { connection?: { saveData?: boolean } };
 		tellOpened(registration, !connection?.saveData);
+		// A host whose next version cannot be kept must not be left with this one for ever.
+		if (navigator.serviceWorker.controller) await this.look();
 	}
 
 	/**
-	 * Part of the page did not come. Where the host has another version by now it never will: that one is offered.
-	 * Asked again while it looks, it looks once.
+	 * Whether the host has another version by now, which is offered: where part of the page did not come, it never will. Asked again
+	 * while it looks, it looks once.
 	 */
 	async look(): Promise<void> {
-		if (this.#looking) return;
+		if (this.#looking || !navigator.onLine) return;
 		this.#looking = true;
 		try {
 			const page = await fetch(folder(), { cache: "no-store" });
 			if (!page.ok || (await page.text()).includes(new URL(mainScript()).pathname.split("/").at(-1) as string)) return;
-			// Where the worker keeps the page, loading it again brings the new one only once that is kept too.
+			// Where the worker keeps the page, it is the worker that brings the new one.
 			await this.#registration?.update().catch(() => {});
 			await this.#follow();
-			this.#offer(() => this.#reload());
+			if (!this.#registration?.waiting) this.#offer(() => void this.#leave());
 		} catch {
 			// There is no network, and what could not be fetched has been told of.
 		} finally {
@@ -69,7 +71,7 @@ export class Renewal {
 		const next = installing ?? waiting;
 		if (!active || !next) return; // The first is no new one.
 		await new Promise((resolve) => setTimeout(resolve, BEGINS_WITHIN));
-		if (this.#registration?.waiting === next) this.#offer(() => this.#reload());
+		if (this.#registration?.waiting === next) this.#offer(() => this.#goOver());
 	}
 
 	#ask(): void {
@@ -78,13 +80,19 @@ export class Renewal {
 		this.#registration?.update().catch(() => {}); // Without a network there is none.
 	}
 
-	#reload(): void {
+	/** To the version that waits, unless another tab has gone over to it already. */
+	#goOver(): void {
 		const waiting = this.#registration?.waiting;
-		const load = () => location.reload();
 		if (waiting) {
-			navigator.serviceWorker.addEventListener("controllerchange", load, { once: true });
+			navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
 			waiting.postMessage({ type: "take over" } satisfies ToWorker);
-		} else load();
+		} else location.reload();
+	}
+
+	/** To the host's version, which is not kept: what is would come again. */
+	async #leave(): Promise<void> {
+		if (this.#registration) await forgetWorker(this.#registration).catch(() => {});
+		location.reload();
 	}
 }
 
