@@ -29,6 +29,8 @@ export default defineConfig({
 	use: {
 		baseURL: origin,
 		browserName: "chromium",
+		// What is tested is the page that was just built, and nothing is fetched beside it; offline.spec.ts allows them.
+		serviceWorkers: "block",
 		// Software rendering pays by the pixel.
 		viewport: { width: 800, height: 500 },
 		launchOptions: { executablePath: chromium, args: flags },

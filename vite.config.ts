@@ -2,6 +2,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { core } from "./wasm-core/tools/vite_plugin.mjs";
 import { leanThree } from "./web/lean_three.mjs";
+import { offlineApp } from "./web/offline_app.mjs";
 
 const at = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -11,7 +12,7 @@ export default defineConfig({
 	publicDir: at("public"),
 	// Every address in the built pages is relative, so that dist/ works from any sub-path.
 	base: "./",
-	plugins: [core(), leanThree()],
+	plugins: [core(), leanThree(), offlineApp()],
 	worker: { format: "es" },
 	build: {
 		outDir: at("dist"),
@@ -21,11 +22,17 @@ export default defineConfig({
 		assetsInlineLimit: 0,
 		modulePreload: { polyfill: false },
 		rolldownOptions: {
-			input: { index: at("web/index.html"), embed: at("web/embed.html"), panicle: at("web/src/element/panicle.ts") },
+			input: {
+				index: at("web/index.html"),
+				embed: at("web/embed.html"),
+				panicle: at("web/src/element/panicle.ts"),
+				specimens: at("web/src/offline/ready.ts"),
+			},
 			preserveEntrySignatures: "exports-only",
 			output: {
-				// The element is a script for other pages: its name stays what it is.
-				entryFileNames: ({ name }) => (name === "panicle" ? "panicle.js" : "assets/[name]-[hash].js"),
+				// These are scripts for other pages: their names stay what they are.
+				entryFileNames: ({ name }) =>
+					["panicle", "specimens"].includes(name) ? "[name].js" : "assets/[name]-[hash].js",
 				advancedChunks: {
 					// Each is needed whole, or nearly: by themselves these modules would be several scripts, which pack less well.
 					groups: [

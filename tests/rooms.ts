@@ -18,8 +18,9 @@ export const webRooms: Record<string, string[]> = {
 	batch: [...beforeModels, "models", "files"],
 	library: [...beforeModels, "models", "files", "batch"],
 	service: [...beforeModels, "models", "files", "batch"],
+	offline: ["core", "service"],
 	element: [...beforeModels, "models", "files"],
-	studio: [...beforeModels, "models", "files", "batch", "element"],
+	studio: [...beforeModels, "models", "files", "batch", "element", "offline"],
 	cli: ["core", "specimen", "targets", "plant", "export", "models", "files", "batch", "library"],
 };
 

@@ -39,7 +39,8 @@ export async function benchBrowser() {
 
 /** Times warm loads; gives the paths that the first one asked for. */
 async function benchLoad(browser, address) {
-	const context = await browser.newContext({ viewport });
+	// What is kept for later is not to be fetched beside what is timed.
+	const context = await browser.newContext({ viewport, serviceWorkers: "block" });
 	const asked = new Set();
 	const marks = [];
 	const frames = [];
@@ -98,7 +99,7 @@ function benchSizes(asked) {
  */
 async function benchDrag(bunch, address) {
 	const browser = await launch(["--disable-gpu"]);
-	const page = await browser.newPage({ viewport });
+	const page = await browser.newPage({ viewport, serviceWorkers: "block" });
 	await page.addInitScript(withholdWebgl);
 	await page.goto(address);
 	await page.waitForFunction(() => performance.getEntriesByName("regrow").length > 0);

@@ -55,7 +55,7 @@ export async function benchWatching(plants) {
 /** A page with a plant at rest. */
 export async function openPlant(browser, address, plant) {
 	const [model, preset] = plant.split("/");
-	const page = await browser.newPage({ viewport: { width: 1024, height: 640 } });
+	const page = await browser.newPage({ viewport: { width: 1024, height: 640 }, serviceWorkers: "block" });
 	await page.addInitScript(withoutDrawing);
 	await page.addInitScript(sayPaused, PAUSED);
 	await page.goto(`${address}?v=2&model=${model}&preset=${preset}`);

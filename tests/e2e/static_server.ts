@@ -26,11 +26,13 @@ export interface HostPage {
 /**
  * A plain static host that has a built app below `base`, for pages of any origin, and besides only the pages it is given.
  * @param pages by their names at the root: `plant.html`
+ * @param policy what every file of the app is sent with, its workers' scripts too
  */
 export async function serveUnder(
 	base: string,
 	app = "dist",
 	pages: Readonly<Record<string, HostPage>> = {},
+	policy?: string,
 ): Promise<{ address: string; close(): Promise<void> }> {
 	const folder = fileURLToPath(new URL(`${app}/`, repository));
 	const server = createServer(async (request, response) => {
@@ -46,7 +48,8 @@ export async function serveUnder(
 			const file = join(folder, pathname.slice(base.length) || "index.html");
 			const bytes = await readFile(file);
 			const type = TYPES[extname(file)] ?? "application/octet-stream";
-			response.writeHead(200, { "content-type": type, "access-control-allow-origin": "*" }).end(bytes);
+			const headers = policy ? { "content-security-policy": policy } : {};
+			response.writeHead(200, { "content-type": type, "access-control-allow-origin": "*", ...headers }).end(bytes);
 		} catch {
 			response.writeHead(404).end();
 		}

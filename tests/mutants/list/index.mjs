@@ -22,6 +22,7 @@ import library from "./library.mjs";
 import light from "./light.mjs";
 import lives from "./lives.mjs";
 import lsystem from "./lsystem.mjs";
+import offline from "./offline.mjs";
 import page from "./page.mjs";
 import particles from "./particles.mjs";
 import rooms from "./rooms.mjs";
@@ -65,6 +66,7 @@ export const groups = [
 	...scene,
 	...lives,
 	...studio,
+	...offline,
 	...files,
 	...embed,
 	...light,

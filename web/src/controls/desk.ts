@@ -52,6 +52,8 @@ export interface NoticeOptions {
 	untouched?: boolean;
 	/** Offers to try again. */
 	again?: () => void;
+	/** Offers something else to do. */
+	act?: { readonly words: string; readonly run: () => void };
 }
 
 /** The studio is one; a test may be another. */

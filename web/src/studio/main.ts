@@ -13,6 +13,7 @@ import { runningBy } from "./panel_groups";
 import { HELP, SAVED } from "./parts/late_parts";
 import { openPart } from "./parts/open_part";
 import type { StudioPart } from "./parts/studio_part";
+import { Renewal } from "./renewal";
 import { listenForShortcuts } from "./shortcuts";
 import { listenForSkips } from "./skips";
 import { Studio } from "./studio";
@@ -86,7 +87,7 @@ function start(model: Model): void {
 	if (opened.whole) studio.open(opened, "link");
 	else void readWholeAddress(model, location).then((whole) => studio.open(whole, "link"));
 	draw(studio);
-	followFirst(studio, growing);
+	followFirst(studio, growing, renewing(studio));
 	listenForSkips();
 	followOtherTabs(studio);
 	addEventListener("popstate", () => void follow(studio, bar));
@@ -119,8 +120,27 @@ function followOtherTabs(studio: Studio): void {
 	});
 }
 
+/** Keeps the built app for when there is no network, and offers its next version. What is worked on changes by the minute. */
+function renewing(studio: Studio): Renewal | undefined {
+	if (!import.meta.env.PROD) return undefined;
+	const details = ["Reload when it suits: the plant stays as it is, its steps of Undo go."];
+	const renewal = new Renewal((reload) => {
+		studio.notify("A new version is here", details, { topic: "version", act: { words: "Reload", run: reload } });
+	});
+	// What can be tried again may be gone for good. Vite's own event is of the scripts, whoever asked for them.
+	addEventListener("vite:preloadError", () => void renewal.look());
+	let before = studio.state;
+	studio.subscribe(() => {
+		const { notices, failure } = studio.state;
+		const told = notices.some((notice) => notice.again && !before.notices.includes(notice));
+		if (told || (failure && failure !== before.failure)) void renewal.look();
+		before = studio.state;
+	});
+	return renewal;
+}
+
 /** Once the first plant is drawn, or is known not to come, what was a sketch of it follows, and the gallery gets every model's presets. */
-function followFirst(studio: Studio, growing: Growing): void {
+function followFirst(studio: Studio, growing: Growing, renewal: Renewal | undefined): void {
 	const end = studio.subscribe(async () => {
 		const { shown, failure } = studio.state;
 		if (!shown && !failure) return;
@@ -129,6 +149,7 @@ function followFirst(studio: Studio, growing: Growing): void {
 		growing.finish();
 		void Promise.allSettled(modelNames().map((name) => modelNamed(name))).then((models) => {
 			studio.list(models.flatMap((model) => (model.status === "fulfilled" ? [model.value] : [])));
+			renewal?.start().catch(() => {}); // Then the app needs its network, as before.
 		});
 	});
 }

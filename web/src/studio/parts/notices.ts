@@ -15,10 +15,11 @@ export class Notices extends StudioPart {
 	}
 }
 
-function drawNotice(studio: Studio, { id, title, details, copy, again }: Notice): unknown {
-	const tryAgain = () => {
+function drawNotice(studio: Studio, { id, title, details, copy, again, act }: Notice): unknown {
+	const offered = act ?? (again && { words: "Try again", run: again });
+	const take = () => {
 		studio.dismiss(id);
-		again?.();
+		offered?.run();
 	};
 	return html`<section class="notice">
 		<div>
@@ -30,7 +31,7 @@ function drawNotice(studio: Studio, { id, title, details, copy, again }: Notice)
 					: html`<input readonly aria-label="Link to copy" .value=${copy} @focus=${(event: Event) => (event.target as HTMLInputElement).select()}>`
 			}
 		</div>
-		${again ? html`<button class="button" type="button" @click=${tryAgain}>Try again</button>` : nothing}
+		${offered ? html`<button class="button" type="button" @click=${take}>${offered.words}</button>` : nothing}
 		<button class="button quiet icon" type="button" aria-label="Dismiss" @click=${() => studio.dismiss(id)}>${icon("close")}</button>
 	</section>`;
 }

@@ -1,0 +1,196 @@
+import { readdirSync, readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { validateBytes } from "gltf-validator";
+import { listFiles } from "../../web/offline_app.mjs";
+import type { PanicleSpecimen } from "../../web/src/element/panicle";
+import { gzipped } from "../bench/sizes.mjs";
+import { expect, test } from "./fixtures";
+import { expectKept, Site, wholeBuilds } from "./site";
+import { StudioPage } from "./studio_page";
+
+test.use({ serviceWorkers: "allow" });
+
+const SMALL = "?v=2&preset=redcurrant&seed=7&count=5";
+const mainScript = () => document.querySelector<HTMLScriptElement>("script[type=module]")?.src ?? "";
+
+test("what is fetched for later stays in its limits, and what answers for specimens draws nothing", () => {
+	const dist = new Site("weighed").folder;
+	const answering = readdirSync(join(dist, "assets")).filter((name) => /^specimens-[\w-]{8}\.js$/.test(name));
+	expect(answering).toHaveLength(1);
+	const script = join(dist, "assets", answering[0]);
+	expect(readFileSync(script, "utf8")).not.toMatch(/webgl2|WebGLRenderer/);
+	expect(gzipped(script)).toBeLessThan(175_000);
+	expect(gzipped(join(dist, "service-worker.js"))).toBeLessThan(20_000);
+	const bytes = Object.keys(listFiles(dist)).map((path) => statSync(join(dist, path || "index.html")).size);
+	expect(bytes.reduce((sum, each) => sum + each)).toBeLessThan(4_200_000);
+});
+
+test("after one visit the whole app works without its host", async ({ page, context, complaints }) => {
+	const site = new Site("offline");
+	const address = await site.start();
+	const studio = new StudioPage(page);
+	await page.goto(`${address}${SMALL}`);
+	await expectKept(page);
+	// Browsers install nothing in a window that forgets, as tests have it.
+	const { installabilityErrors } = await (await context.newCDPSession(page)).send("Page.getInstallabilityErrors");
+	expect(installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== "in-incognito")).toEqual([]);
+	await site.stop();
+	// The page asks its host whether the worker is still wanted, and for a newer version.
+	complaints.expect(/\/plants\/(service-worker\.js)?( net::ERR_CONNECTION_REFUSED|\)$)/);
+	await page.goto(`${address}?v=2&preset=lychee`);
+	await expect(studio.fingerprint).toHaveText(/^[0-9a-f]{16}$/);
+	const { bytes } = await studio.download("glb");
+	expect((await validateBytes(bytes)).issues.numErrors).toBe(0);
+	for (const description of [/Quercus robur/, /free-standing oak/])
+		await studio.regrown(() => page.getByRole("button", { name: "Oak", description }).click());
+	// Nothing is left out: exporters, pictures, the other pages.
+	const files = Object.keys(listFiles(site.folder)).filter(
+		(path) => !/^(service-worker|assets\/specimens-)/.test(path),
+	);
+	const missing = await page.evaluate(async (paths) => {
+		const answers = paths.map(async (path) => [
+			path,
+			await fetch(path || "./").then(
+				(answer) => answer.ok,
+				() => false,
+			),
+		]);
+		return (await Promise.all(answers)).filter(([, came]) => !came);
+	}, files);
+	expect(missing).toEqual([]);
+});
+
+test("a new version is offered, and old pages keep theirs until they are left", async ({
+	page,
+	context,
+	complaints,
+}) => {
+	const site = new Site("versions");
+	const address = await site.start();
+	const studio = new StudioPage(page);
+	await page.goto(`${address}${SMALL}`);
+	await expectKept(page);
+	const other = await context.newPage();
+	complaints.listenTo(other);
+	await other.goto(`${address}${SMALL}`);
+	await expect(new StudioPage(other).fingerprint).toHaveText(/\w/);
+	const old = await other.evaluate(mainScript);
+	site.deploy("help");
+	await page.reload();
+	const fingerprint = await studio.fingerprint.innerText();
+	await expect(studio.notices).toContainText("A new version is here");
+	expect(await page.evaluate(mainScript)).toBe(old);
+	await studio.notices.getByRole("button", { name: "Reload" }).click();
+	await expect.poll(() => page.evaluate(mainScript).catch(() => old)).not.toBe(old);
+	await expect(studio.fingerprint).toHaveText(fingerprint);
+	// The other tab was left alone, and what it has not asked for yet comes.
+	expect(await other.evaluate(mainScript)).toBe(old);
+	await other.getByRole("button", { name: "Help" }).click();
+	await expect(other.getByRole("dialog")).toBeVisible();
+	expect(await wholeBuilds(page)).toBe(2);
+	await other.close();
+	await page.reload();
+	await expectKept(page);
+	await expect(studio.notices).not.toContainText("A new version is here");
+	await page.goto("about:blank");
+	await site.stop();
+});
+
+test("a host that rewrites its pages, or takes the worker away, leaves nobody with an old version", async ({
+	page,
+	complaints,
+}) => {
+	const site = new Site("rewritten");
+	const address = await site.start();
+	const studio = new StudioPage(page);
+	await page.goto(`${address}${SMALL}`);
+	await expectKept(page);
+	const old = await page.evaluate(mainScript);
+	site.deploy();
+	site.rewrite();
+	await page.reload();
+	await studio.notices.getByRole("button", { name: "Reload" }).click();
+	await expect.poll(() => page.evaluate(mainScript).catch(() => old)).not.toBe(old);
+	const workers = () => page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length);
+	await expect.poll(workers).toBe(1);
+	site.remove("service-worker.js");
+	complaints.expect(/404/);
+	await page.reload();
+	await expect.poll(workers).toBe(0);
+	expect(await page.evaluate(() => caches.keys())).toEqual([]);
+	await page.goto("about:blank");
+	await site.stop();
+});
+
+test.describe("without a service worker", () => {
+	test.use({ serviceWorkers: "block" });
+
+	test("a script that a deploy took away is made good by the new version, with the plant", async ({
+		page,
+		complaints,
+	}) => {
+		const site = new Site("deployed");
+		const address = await site.start();
+		const studio = new StudioPage(page);
+		await page.goto(`${address}${SMALL}`);
+		await expect(studio.fingerprint).toHaveText(/\w/);
+		const fingerprint = await studio.fingerprint.innerText();
+		site.deploy("help");
+		complaints.expect(/404/);
+		await studio.button("Help").click();
+		await expect(studio.notices).toContainText("The help could not be fetched");
+		await studio.notices.getByRole("button", { name: "Reload" }).click();
+		await expect(studio.fingerprint).toHaveText(fingerprint);
+		await studio.button("Help").click();
+		await expect(page.getByRole("dialog")).toBeVisible();
+		await page.goto("about:blank");
+		await site.stop();
+	});
+});
+
+test("a page of the same host has specimens by their addresses, with and without it", async ({ page, complaints }) => {
+	complaints.expect(/404.*no-such/);
+	const site = new Site("specimens");
+	const html = `<!doctype html><title>Plants</title><link rel="icon" href="icons/panicle.svg"><img alt="An oak’s leaf">`;
+	const address = await site.start({ "plants/mine.html": { html } });
+	// The page of a frame keeps nothing in its visitors' browsers.
+	await page.goto(`${address}embed.html?preset=redcurrant&count=5`);
+	await page.waitForFunction(() => document.querySelector<PanicleSpecimen>("panicle-specimen")?.plant);
+	expect(await page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length)).toBe(0);
+	await page.goto(`${address}mine.html`);
+	const ready = () => page.evaluate(async () => (await import(new URL("specimens.js", location.href).href)).ready);
+	await ready();
+	// A page has specimens without the whole app's being fetched.
+	expect(await wholeBuilds(page)).toBe(0);
+	const ask = async (path: string, headers: Record<string, string> = {}) => {
+		const { text, ...answer } = await page.evaluate(
+			async ([address, sent]) => {
+				const answer = await fetch(address, { headers: sent });
+				const bytes = new Uint8Array(await answer.arrayBuffer());
+				const text = Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+				return { status: answer.status, etag: answer.headers.get("etag") ?? "", text };
+			},
+			[path, headers] as const,
+		);
+		return { ...answer, bytes: Buffer.from(text, "latin1") };
+	};
+	const query = "seed=7&count=5";
+	const json = await ask(`specimens/redcurrant.json?${query}`);
+	const { fingerprint } = JSON.parse(json.bytes.toString());
+	const again = await ask(`specimens/redcurrant.json?${query}`, { "if-none-match": json.etag });
+	expect([again.status, again.bytes.length]).toEqual([304, 0]);
+	const glb = await ask(`specimens/redcurrant.glb?${query}`);
+	expect(glb.status).toBe(200);
+	expect((await validateBytes(glb.bytes)).issues.numErrors).toBe(0);
+	expect((await ask("specimens/no-such.glb")).status).toBe(404);
+	await page.goto(`${address}?v=2&preset=redcurrant&${query}`);
+	await expect(new StudioPage(page).fingerprint).toHaveText(fingerprint);
+	await expectKept(page);
+	await page.goto(`${address}mine.html`);
+	await ready();
+	await site.stop();
+	await page.locator("img").evaluate((image: HTMLImageElement) => {
+		image.src = "specimens/leaf/oak.svg";
+		return image.decode();
+	});
+});

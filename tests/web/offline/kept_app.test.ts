@@ -1,0 +1,150 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { Built } from "../../../web/src/offline/built";
+import { KeptApp } from "../../../web/src/offline/kept_app";
+import { FakeCaches } from "./fake_caches";
+
+const scope = "https://plants.example/app/";
+const first: Record<string, string> = {
+	"": "page 1",
+	"assets/a-1.js": "a 1",
+	"assets/same.js": "same",
+	"icons/one.svg": "icon",
+};
+const second: Record<string, string> = {
+	"": "page 2",
+	"assets/a-2.js": "a 2",
+	"assets/same.js": "same",
+	"icons/one.svg": "icon",
+};
+
+let caches: FakeCaches;
+let host: Record<string, string>;
+let asked: { path: string; init: RequestInit }[];
+beforeEach(() => {
+	caches = new FakeCaches();
+	asked = [];
+});
+
+/** A build; its host has these files, and answers only with what has the integrity asked for, as browsers see to. */
+function app(id: string, files: Record<string, string>, at = scope): KeptApp {
+	const built: Built = { release: "1", id, files, cores: {}, specimens: "assets/specimens.js" };
+	const fetch = async (url: string, init: RequestInit) => {
+		const path = url.slice(at.length);
+		asked.push({ path, init });
+		const text = host[path];
+		if (text !== undefined && text !== init.integrity) throw new TypeError("integrity");
+		return new Response(text ?? "", { status: text === undefined ? 404 : 200 });
+	};
+	return new KeptApp({ scope: at, built, caches: caches as unknown as CacheStorage, fetch });
+}
+
+async function filled(id: string, files: Record<string, string>, at = scope): Promise<KeptApp> {
+	host = files;
+	const kept = app(id, files, at);
+	await kept.fill();
+	return kept;
+}
+
+const text = async (answer: Promise<Response | undefined>) => (await answer)?.text();
+
+describe("a kept app", () => {
+	it("has every file, the page last", async () => {
+		const kept = await filled("1", first);
+		expect(await kept.isWhole()).toBe(true);
+		expect(asked.at(-1)?.path).toBe("");
+		expect(await caches.texts(`panicle ${scope} 1`)).toEqual(
+			Object.fromEntries(Object.entries(first).map(([path, file]) => [scope + path, file])),
+		);
+		expect(await text(kept.find("assets/a-1.js"))).toBe("a 1");
+		expect(await kept.find("specimens.glb")).toBeUndefined();
+	});
+
+	it("asks anew for what may have changed under its name, and only for that", async () => {
+		await filled("1", first);
+		const how = Object.fromEntries(asked.map(({ path, init }) => [path, init.cache]));
+		expect(how).toEqual({
+			"": "no-cache",
+			"icons/one.svg": "no-cache",
+			"assets/a-1.js": "default",
+			"assets/same.js": "default",
+		});
+	});
+
+	it.each(["assets/a-1.js", "icons/one.svg", ""])("is not whole without “%s”, and is when that comes", async (path) => {
+		const { [path]: _, ...rest } = first;
+		host = rest;
+		const kept = app("1", first);
+		await expect(kept.fill()).rejects.toThrow("404");
+		expect(await kept.isWhole()).toBe(false);
+		asked = [];
+		await filled("1", first);
+		expect(asked.map((each) => each.path)).toContain(path);
+		expect(await kept.isWhole()).toBe(true);
+	});
+
+	it("takes nothing of another build for its own", async () => {
+		host = second;
+		const kept = app("1", first);
+		await expect(kept.fill()).rejects.toThrow();
+		expect(await kept.isWhole()).toBe(false);
+	});
+
+	it("fetches once, however many pages ask at once, and nothing that is there", async () => {
+		host = first;
+		const kept = app("1", first);
+		await Promise.all([kept.fill(), kept.fill()]);
+		await kept.fill();
+		expect(asked).toHaveLength(4);
+	});
+
+	it("brings a file alone, and keeps it", async () => {
+		host = first;
+		const kept = app("1", first);
+		expect(await text(kept.bring("assets/a-1.js"))).toBe("a 1");
+		expect(await text(kept.bring("assets/a-1.js"))).toBe("a 1");
+		expect(asked).toHaveLength(1);
+		expect(await kept.isWhole()).toBe(false);
+	});
+
+	it("can be opened where the host sent its page on from another address", async () => {
+		const answer = new Response("page 1");
+		Object.defineProperty(answer, "redirected", { value: true });
+		const built = { release: "1", id: "1", files: { "": "page 1" }, cores: {}, specimens: "" };
+		const options = { scope, built, caches: caches as unknown as CacheStorage, fetch: async () => answer };
+		const kept = new KeptApp(options);
+		await kept.fill();
+		expect(await text(kept.find(""))).toBe("page 1");
+		expect(caches.stored.get(`panicle ${scope} 1`)?.get(scope)?.redirected).toBe(false);
+	});
+});
+
+describe("two builds", () => {
+	it("stand side by side: a page of the old one finds what only that has", async () => {
+		await filled("1", first);
+		asked = [];
+		const next = await filled("2", second);
+		expect(asked.map(({ path }) => path).sort()).toEqual(["", "assets/a-2.js", "icons/one.svg"]);
+		expect(await next.isOtherWhole()).toBe(true);
+		expect(await text(next.find("assets/a-1.js"))).toBe("a 1");
+		expect(await text(next.find(""))).toBe("page 2");
+	});
+
+	it("are one again when no page of the old one is open", async () => {
+		await filled("1", first);
+		const next = await filled("2", second);
+		await next.sweep([`${scope}assets/a-2.js`, `${scope}assets/a-1.js`]);
+		expect([...caches.stored.keys()]).toHaveLength(2);
+		await next.sweep([`${scope}assets/a-2.js`]);
+		expect([...caches.stored.keys()]).toEqual([`panicle ${scope} 2`]);
+		expect(await next.isOtherWhole()).toBe(false);
+	});
+
+	it("in two folders of a host leave each other alone, and what is the host’s own", async () => {
+		await filled("1", first, `${scope}old/`);
+		await caches.open("the host’s own");
+		const kept = await filled("2", second);
+		expect(await kept.isOtherWhole()).toBe(false);
+		await kept.sweep([]);
+		expect([...caches.stored.keys()]).toHaveLength(3);
+	});
+});

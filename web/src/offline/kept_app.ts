@@ -1,0 +1,128 @@
+/** A build of the app, kept in a cache of its own until no page needs it. */
+import { type Built, isNamedByContent } from "./built";
+
+export interface KeptAppOptions {
+	/** The app's folder, as a whole address that ends in a slash: several apps of one host keep what is theirs apart. */
+	readonly scope: string;
+	readonly built: Built;
+	readonly caches: CacheStorage;
+	readonly fetch: (url: string, init: RequestInit) => Promise<Response>;
+}
+
+/** Files fetched at once. */
+const ABREAST = 6;
+const PAGE = "";
+/** Hosts may say that an answer depends on who asks; these files do not. */
+const MATCHING = { ignoreVary: true } as const;
+
+export class KeptApp {
+	readonly #options: KeptAppOptions;
+	readonly #prefix: string;
+	readonly #name: string;
+	#filling: Promise<void> | undefined;
+
+	constructor(options: KeptAppOptions) {
+		this.#options = options;
+		this.#prefix = `panicle ${options.scope} `;
+		this.#name = this.#prefix + options.built.id;
+	}
+
+	/** Whether every file of this build is there: the page, which is fetched last, is one of them. */
+	async isWhole(): Promise<boolean> {
+		const cache = await this.#open();
+		return (await cache.match(this.#address(PAGE), MATCHING)) !== undefined;
+	}
+
+	/** Whether another build is kept whole: pages come from that one. */
+	async isOtherWhole(): Promise<boolean> {
+		return (await this.#inOthers(PAGE)) !== undefined;
+	}
+
+	/**
+	 * Fetches every file that is not there yet.
+	 * @throws where one does not come, or is another than this build's, as after a deploy: what has come stays
+	 */
+	fill(): Promise<void> {
+		this.#filling ??= this.#fill().finally(() => {
+			this.#filling = undefined;
+		});
+		return this.#filling;
+	}
+
+	/** A file as it is kept: of this build, or where that has none of the name, of one that pages are still open of. */
+	async find(path: string): Promise<Response | undefined> {
+		if (!(path in this.#options.built.files)) return isNamedByContent(path) ? this.#inOthers(path) : undefined;
+		const cache = await this.#open();
+		return cache.match(this.#address(path), MATCHING);
+	}
+
+	/** A file of this build, fetched if it has not been yet. @throws as `fill` */
+	async bring(path: string): Promise<Response> {
+		const cache = await this.#open();
+		const kept = await cache.match(this.#address(path), MATCHING);
+		if (kept) return kept;
+		const response = await this.#fetch(path);
+		await cache.put(this.#address(path), response.clone());
+		return response;
+	}
+
+	/** Lets other builds go, but for those that have one of these scripts. @param open addresses of the open pages' scripts */
+	async sweep(open: readonly string[]): Promise<void> {
+		for (const name of await this.#others()) {
+			const cache = await this.#options.caches.open(name);
+			const found = await Promise.all(open.map((script) => cache.match(script, MATCHING)));
+			if (found.every((script) => script === undefined)) await this.#options.caches.delete(name);
+		}
+	}
+
+	async #fill(): Promise<void> {
+		const waiting = Object.keys(this.#options.built.files).filter((path) => path !== PAGE);
+		const cache = await this.#open();
+		const next = async (): Promise<void> => {
+			for (let path = waiting.pop(); path !== undefined; path = waiting.pop()) await this.#keep(cache, path);
+		};
+		await Promise.all(Array.from({ length: ABREAST }, next));
+		await this.#keep(cache, PAGE);
+	}
+
+	async #keep(cache: Cache, path: string): Promise<void> {
+		const address = this.#address(path);
+		if (await cache.match(address, MATCHING)) return;
+		const before = isNamedByContent(path) ? await this.#inOthers(path) : undefined;
+		await cache.put(address, before ?? (await this.#fetch(path)));
+	}
+
+	async #fetch(path: string): Promise<Response> {
+		const response = await this.#options.fetch(this.#address(path), {
+			integrity: this.#options.built.files[path],
+			// What may have changed under the same name is asked for again.
+			cache: isNamedByContent(path) ? "default" : "no-cache",
+			priority: "low",
+		} as RequestInit);
+		if (!response.ok) throw new Error(`${path || "The page"} could not be fetched: ${response.status}`);
+		// Browsers open no page by an answer that was sent on from elsewhere, as some hosts do with the endings of names.
+		return response.redirected ? new Response(await response.blob(), { headers: response.headers }) : response;
+	}
+
+	async #inOthers(path: string): Promise<Response | undefined> {
+		for (const name of await this.#others()) {
+			const cache = await this.#options.caches.open(name);
+			const found = await cache.match(this.#address(path), MATCHING);
+			if (found) return found;
+		}
+		return undefined;
+	}
+
+	async #others(): Promise<string[]> {
+		const names = await this.#options.caches.keys();
+		return names.filter((name) => name.startsWith(this.#prefix) && name !== this.#name);
+	}
+
+	#open(): Promise<Cache> {
+		return this.#options.caches.open(this.#name);
+	}
+
+	#address(path: string): string {
+		return this.#options.scope + path;
+	}
+}

@@ -1,0 +1,79 @@
+/**
+ * The app's service worker: the app without a network, and files of specimens by their addresses. A classic script, which every browser
+ * that has service workers runs; docs/offline.md says what it does when.
+ */
+import type { Service } from "../service/service";
+import { type Built, isNamedByContent } from "./built";
+import { KeptApp } from "./kept_app";
+import type { ToWorker } from "./messages";
+import type { MakeSpecimens } from "./specimens";
+import { wantedBy } from "./wanted";
+import type { WorkerScope } from "./worker_scope";
+
+/** Written in by the build. */
+declare const __BUILT__: Built;
+
+const worker = self as unknown as WorkerScope & { panicleSpecimens?: MakeSpecimens };
+const built = __BUILT__;
+const { scope } = worker.registration;
+const app = new KeptApp({ scope, built, caches, fetch: (url, init) => fetch(url, init) });
+let service: Service | undefined;
+
+worker.addEventListener("install", (event) => event.waitUntil(install()));
+worker.addEventListener("activate", (event) => event.waitUntil(Promise.all([sweep(), worker.clients.claim()])));
+
+worker.addEventListener("message", (event) => {
+	const told = event.data as ToWorker;
+	event.waitUntil(told.type === "take over" ? worker.skipWaiting() : opened(told.keep));
+});
+
+worker.addEventListener("fetch", (event) => {
+	const { request } = event;
+	const wanted = wantedBy(request, scope);
+	if (wanted === "specimen") event.respondWith(answerSpecimen(request));
+	else if (wanted && (wanted.file in built.files || isNamedByContent(wanted.file)))
+		event.respondWith(answerFile(request, wanted.file));
+});
+
+async function install(): Promise<void> {
+	// What is imported now the browser keeps with the worker, and lets be imported again; later on nothing else.
+	worker.importScripts(scope + built.specimens);
+	// Pages come from the network as yet: nothing is to be waited for.
+	if (!(await app.isOtherWhole())) return worker.skipWaiting();
+	await app.fill();
+}
+
+async function opened(keep: boolean): Promise<void> {
+	// A page that was loaded past the worker has none.
+	await worker.clients.claim();
+	// Without a network, or after a deploy, not all of it comes: the next page asks again.
+	if (keep && !(await app.isWhole())) await app.fill().catch(() => {});
+	await sweep();
+}
+
+/** What is kept of other builds goes, but for what open pages are of, and for the next one's. */
+async function sweep(): Promise<void> {
+	const { installing, waiting } = worker.registration;
+	if (installing || waiting) return;
+	const { held = [] } = await navigator.locks.query();
+	await app.sweep(held.flatMap(({ name }) => (name?.startsWith(scope) ? [name] : [])));
+}
+
+async function answerFile(request: Request, path: string): Promise<Response> {
+	return (await app.find(path).catch(() => undefined)) ?? fetch(request);
+}
+
+async function answerSpecimen(request: Request): Promise<Response> {
+	try {
+		service ??= startService();
+		return await service(request);
+	} catch {
+		return new Response("specimens cannot be grown here\n", { status: 500 });
+	}
+}
+
+function startService(): Service {
+	if (!worker.panicleSpecimens) worker.importScripts(scope + built.specimens);
+	const make = worker.panicleSpecimens as MakeSpecimens;
+	return make(async (wasm) => (await app.bring(built.cores[wasm])).arrayBuffer(), built.release);
+}
