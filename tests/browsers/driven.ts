@@ -26,8 +26,8 @@ export interface Driven {
 	close(): Promise<void>;
 }
 
-/** How large the page's window is; pixels. Drawing by software pays by the pixel. */
-export const WINDOW = { width: 800, height: 500 };
+/** How large the page's window is; pixels. The flat views are higher than wide in it. */
+export const WINDOW = { width: 1000, height: 760 };
 
 const folder = fileURLToPath(new URL("../../build/browsers/", import.meta.url));
 

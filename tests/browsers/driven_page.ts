@@ -6,7 +6,7 @@ import type { Device, Driven } from "./driven";
 export const KEYS = { PageDown: "\uE00F", ArrowLeft: "\uE012" } as const;
 
 /** How long the page may take for what is waited for; milliseconds. */
-const PATIENCE = { timeout: 30_000, interval: 50 };
+const PATIENCE = { timeout: 60_000, interval: 50 };
 
 interface Point {
 	readonly x: number;

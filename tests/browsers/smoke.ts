@@ -26,6 +26,13 @@ const handle = (id: string) => `panicle-profile >>> [data-handle="${id}"]`;
 
 const meant = async (link: string) => (await meantBy(link)).fingerprint;
 
+/** In the page: flat views that reach beyond their column. */
+const overflow = () => {
+	const edge = document.querySelector("panicle-editors")?.getBoundingClientRect().right ?? 0;
+	const views = [...document.querySelectorAll(".editor > *")];
+	return views.filter((view) => view.getBoundingClientRect().right > edge + 1).map(({ localName }) => localName);
+};
+
 /** The smoke set in a browser that `launch` opens on a screen; it saves to the folder. */
 export function smoke(name: string, launch: (display: string, downloads: string) => Promise<Driven>): void {
 	describe(name, () => {
@@ -50,9 +57,10 @@ export function smoke(name: string, launch: (display: string, downloads: string)
 			expect(await page.open(host.app + link)).toBe(await meant(link));
 		});
 
-		it("a bunch is drawn, by WebGL 2", async () => {
+		it("a bunch is drawn by WebGL 2, and flat views beside it in their places", async () => {
 			await page.open(`${host.drawn}?v=2&preset=redcurrant`);
-			await expect.poll(() => page.ink(), { timeout: 30_000, interval: 250 }).toBeGreaterThan(0.02);
+			await expect.poll(() => page.ink(), { timeout: 60_000, interval: 250 }).toBeGreaterThan(0.02);
+			expect(await page.run(overflow), "flat views beyond their column").toEqual([]);
 			expect(await page.run(() => document.querySelector("[role=alert]")?.textContent ?? "")).toBe("");
 		});
 
@@ -85,7 +93,7 @@ export function smoke(name: string, launch: (display: string, downloads: string)
 				const bytes = existsSync(file) ? readFileSync(file) : Buffer.alloc(0);
 				return bytes.length >= 12 && bytes.readUInt32LE(8) === bytes.length;
 			};
-			await expect.poll(whole, { timeout: 30_000 }).toBe(true);
+			await expect.poll(whole, { timeout: 60_000 }).toBe(true);
 			const { issues } = await validateBytes(new Uint8Array(readFileSync(file)));
 			expect(issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
 		});

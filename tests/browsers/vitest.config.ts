@@ -6,8 +6,8 @@ export default defineConfig({
 	root: fileURLToPath(new URL("../..", import.meta.url)),
 	test: {
 		include: ["tests/browsers/*.test.ts"],
-		testTimeout: 60_000,
-		hookTimeout: 60_000,
+		testTimeout: 180_000,
+		hookTimeout: 120_000,
 		pool: "forks",
 		// A browser beside the other, each on a processor.
 		maxWorkers: 2,
