@@ -7,6 +7,9 @@ import { start } from "./processes";
 /** How often, and how many times, a driver that has just started is asked whether it listens; milliseconds. */
 const ASKED = { every: 50, times: 400 };
 
+/** How long a script in the page may wait for what it asked; milliseconds. */
+const PATIENCE = 120_000;
+
 /** Opens a window of WebKit that saves to `downloads`. */
 export async function openWebKit(program: string, display: string, downloads: string): Promise<Driven> {
 	// Where no folder for downloads is known, that of the person is it.
@@ -28,7 +31,7 @@ export async function openWebKit(program: string, display: string, downloads: st
 
 async function windowOf(sessions: string, close: () => Promise<void>): Promise<Driven> {
 	const { sessionId, capabilities } = (await listening(() =>
-		call(sessions, { capabilities: { alwaysMatch: { pageLoadStrategy: "normal" } } }),
+		call(sessions, { capabilities: { alwaysMatch: { timeouts: { script: PATIENCE } } } }),
 	)) as { sessionId: string; capabilities: { browserVersion: string } };
 	const address = `${sessions}/${sessionId}`;
 	const evaluate = (expression: string) =>
