@@ -53,7 +53,7 @@ export async function startHost(): Promise<Host> {
 		"element.html": page(
 			`<script type="module" src="${app.address}panicle.js"></script><panicle-specimen preset="redcurrant" count="6" seed="7"></panicle-specimen>`,
 		),
-		"frame.html": page(`<iframe src="${app.address}embed.html?v=2&preset=redcurrant&count=6&seed=7"></iframe>`),
+		"frame.html": page(""),
 	});
 	return {
 		app: app.address,

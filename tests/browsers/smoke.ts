@@ -113,15 +113,21 @@ export function smoke(name: string, launch: (display: string, downloads: string)
 
 		it("the frame answers a page of another origin", async () => {
 			await page.browser.open(`${host.others}frame.html`);
-			const answers = await page.run(async (origin) => {
-				const { contentWindow } = document.querySelector("iframe") as HTMLIFrameElement;
+			const answers = await page.run(async (src) => {
+				const { origin } = new URL(src);
+				const frame = Object.assign(document.createElement("iframe"), { src });
+				// Before that nobody hears.
+				const loaded = new Promise((resolve) => frame.addEventListener("load", resolve));
+				document.body.append(frame);
+				await loaded;
+				const { contentWindow } = frame;
 				const asked = (id: number, method: string, values = {}) =>
 					new Promise<{ result?: { fingerprint?: string; seed?: number }; error?: string }>((resolve) => {
 						addEventListener("message", ({ data }) => data.id === id && resolve(data));
 						contentWindow?.postMessage({ panicle: "panicle/1", id, method, values }, origin);
 					});
 				return [await asked(1, "set", { seed: 11 }), await asked(2, "specimen")];
-			}, new URL(host.app).origin);
+			}, `${host.app}embed.html${SMALL}`);
 			expect(answers[1]).toMatchObject({ result: { preset: "redcurrant", seed: 11 } });
 			expect(answers[0].error).toBeUndefined();
 		});
