@@ -12,6 +12,7 @@ import { run } from "../wasm-core/tools/process.mjs";
 import { buildFolder, repository } from "../wasm-core/tools/repository.mjs";
 import { setUp } from "../wasm-core/tools/setup.mjs";
 import { ToolchainError } from "../wasm-core/tools/toolchain.mjs";
+import { prepareBrowsers } from "./browsers/browsers.mjs";
 import { freePort } from "./free_port.mjs";
 import { rooms, select } from "./selection.mjs";
 
@@ -90,10 +91,11 @@ async function nativeRun(program, { first, last }) {
 	return { passed: last - first + 1 - failed, failed };
 }
 
-async function webTests() {
-	const outputs = ["--reporter=default", "--reporter=json", `--outputFile=${join(reports, "vitest.json")}`];
-	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...selection.web, ...outputs]);
-	const { numPassedTests, numFailedTests } = readReport("vitest.json");
+/** What vitest runs, and counts in a report of that name. */
+async function vitest(report, args) {
+	const outputs = ["--reporter=default", "--reporter=json", `--outputFile=${join(reports, report)}`];
+	const status = await node("node_modules/vitest/vitest.mjs", ["run", ...args, ...outputs]);
+	const { numPassedTests, numFailedTests } = readReport(report);
 	return { passed: numPassedTests, failed: Math.max(numFailedTests, status === 0 ? 0 : 1) };
 }
 
@@ -104,6 +106,15 @@ async function endToEndTests() {
 	return { passed: stats.expected + stats.flaky, failed: Math.max(stats.unexpected, status === 0 ? 0 : 1) };
 }
 
+/** The built app in browsers besides Chromium; those that cannot be had on this machine are named. */
+async function otherBrowsers() {
+	const { there, without } = await prepareBrowsers();
+	for (const line of without) console.log(line);
+	if (there.length === 0) return { passed: 0, failed: 0 };
+	const files = there.map((name) => `tests/browsers/${name}.test.ts`);
+	return vitest("browsers.json", ["--config", "tests/browsers/vitest.config.ts", ...files]);
+}
+
 const all = [
 	["set-up", () => setUp("test")],
 	["generated", generatedFiles],
@@ -111,9 +122,10 @@ const all = [
 	["types", types],
 	["native core", nativeTests],
 	["wasm core", () => buildCore("wasm", ["all", "toy"])],
-	["web", webTests],
+	["web", () => vitest("vitest.json", selection.web)],
 	["app", () => mustSucceed("node_modules/vite/bin/vite.js", ["build"])],
 	["e2e", endToEndTests],
+	["browsers", otherBrowsers],
 ];
 const names = all.map(([stage]) => stage);
 const selection = select(process.argv.slice(2), names);

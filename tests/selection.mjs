@@ -10,6 +10,8 @@ import { repository } from "../wasm-core/tools/repository.mjs";
 /** Folders of tests that vitest runs, from the repository's root. */
 const WEB = ["tests/web", "tests/web/models"];
 const CORE = ["tests/core", "tests/core/models"];
+/** Stages that look at what others have built. */
+const BEFORE = { e2e: ["wasm core", "app"], browsers: ["wasm core", "app"] };
 /** Folders beside those, whose tests vitest runs too. */
 const BESIDE = ["docs", "fuzz", "golden", "package", "tools", "toy"];
 
@@ -63,10 +65,11 @@ export function select(words, stages) {
 	const unknown = words.filter((word) => !stages.includes(word) && !known.includes(word));
 	if (unknown.length > 0) return { unknown };
 	const named = words.filter((word) => stages.includes(word));
+	const before = named.flatMap((stage) => BEFORE[stage] ?? []);
 	const parts = words.filter((word) => !stages.includes(word));
 	const native = parts.flatMap(nativeOf);
 	const web = parts.flatMap(webOf);
-	const chosen = [...named];
+	const chosen = [...before, ...named];
 	if (native.length > 0) chosen.push("native core");
 	if (web.length > 0) chosen.push("web");
 	return {

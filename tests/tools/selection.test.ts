@@ -45,6 +45,13 @@ describe("the tests that `npm test` runs", () => {
 		});
 	});
 
+	it("are those that build the app, where it is looked at", () => {
+		for (const stage of ["e2e", "browsers"]) {
+			const { stages } = select([stage], [...STAGES, "wasm core", "app", "browsers"]) as { stages: string[] };
+			expect(stages).toEqual(["wasm core", "app", stage]);
+		}
+	});
+
 	it("are none for a word that means nothing", () => {
 		expect(select(["bunch", "grapes"], STAGES)).toEqual({ unknown: ["grapes"] });
 		expect(rooms()).toEqual(expect.arrayContaining(["bunch", "core", "lsystem", "scene", "specimen"]));

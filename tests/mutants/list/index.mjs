@@ -1,6 +1,7 @@
 /** All faults, in the order of the house. @type {import("../mutants.mjs").Group[]} */
 import baked from "./baked.mjs";
 import boundary from "./boundary.mjs";
+import browsers from "./browsers.mjs";
 import bunchCore from "./bunch_core.mjs";
 import bunchCrop from "./bunch_crop.mjs";
 import bunchExport from "./bunch_export.mjs";
@@ -71,4 +72,5 @@ export const groups = [
 	...embed,
 	...light,
 	...page,
+	...browsers,
 ];

@@ -92,7 +92,7 @@ export class EmbedDialog extends StudioPart {
 					${FORMS.map(({ form: each, title }) => html`<label><input type="radio" name=${this.idOf("form")} .checked=${each === form} @change=${() => this.#choose({ form: each })}>${title}</label>`)}
 				</fieldset>
 				<small id=${this.idOf("about")}>${FORMS.find((each) => each.form === form)?.about}</small>
-				<fieldset class="size"><legend>Size</legend>${this.#side("width", "Width")} × ${this.#side("height", "Height")} pixels</fieldset>
+				<fieldset class="size" aria-label="Size"><span aria-hidden="true">Size</span>${this.#side("width", "Width")} × ${this.#side("height", "Height")} pixels</fieldset>
 				<fieldset>
 					${this.#switch("autorotate", "Turns by itself")}
 					${this.#switch("controls", isFile ? "Can be turned" : "Controls below it")}
