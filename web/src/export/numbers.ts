@@ -14,7 +14,7 @@ export const EXACT_POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`
 export function shortFloat(value: number): number {
 	// Adding 0 makes 0 of −0, which JSON would print so in any case.
 	if (Number.isInteger(value)) return value + 0;
-	const above = placesFor(value, MOST_DIGITS);
+	const above = MOST_DIGITS - 1 - Math.floor(Math.log10(Math.abs(value)));
 	for (let digits = FEWEST_DIGITS; digits < MOST_DIGITS; digits++) {
 		const short = ofDigits(value, digits, above - MOST_DIGITS + digits);
 		if (Math.fround(short) === value) return short;
@@ -31,7 +31,9 @@ export function placesOf(value: number): number | undefined {
 	if (size === 0) return 0;
 	if (!(size >= LEAST_PLAIN && size <= MOST_PLAIN)) return undefined;
 	if (Number.isInteger(value)) return 0;
-	const above = placesFor(value, MOST_DIGITS);
+	let above = MOST_DIGITS - 1;
+	if (size < 1) for (let tenths = 1; size < TENTHS[tenths - 1]; tenths++) above++;
+	else for (let tens = 1; size >= EXACT_POWERS[tens]; tens++) above--;
 	for (let places = Math.max(0, above - MOST_DIGITS + FEWEST_DIGITS); places <= above; places++) {
 		const power = EXACT_POWERS[places];
 		const scaled = size * power;
@@ -45,11 +47,8 @@ export function placesOf(value: number): number | undefined {
 /** Smaller ones are written with an exponent. */
 const LEAST_PLAIN = 1e-6;
 const MOST_PLAIN = 1e9;
-
-/** Places after the point that so many significant digits have. */
-function placesFor(value: number, digits: number): number {
-	return digits - 1 - Math.floor(Math.log10(Math.abs(value)));
-}
+/** As near to them as numbers are; no float32 lies between. */
+const TENTHS = EXACT_POWERS.map((power) => 1 / power);
 
 /** `value` to so many significant digits, `places` of them after the point. */
 function ofDigits(value: number, digits: number, places: number): number {

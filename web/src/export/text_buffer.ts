@@ -98,7 +98,7 @@ export class TextBuffer {
 
 	#fraction(scaled: number, decimals: number): void {
 		if (scaled === 0) return;
-		let fraction = scaled;
+		let fraction = scaled | 0; // the remainder of what is no whole number to the machine takes many times as long
 		let places = decimals;
 		for (; fraction % 10 === 0; fraction /= 10) places--;
 		this.#bytes[this.#length++] = POINT;
@@ -109,13 +109,15 @@ export class TextBuffer {
 	#digits(value: number, least: number): void {
 		let count = least;
 		while (count < POWERS.length && value >= POWERS[count]) count++;
-		let rest = value;
-		for (let at = this.#length + count - 1; at >= this.#length; at--) {
+		let rest = value | 0;
+		const bytes = this.#bytes;
+		const from = this.#length;
+		for (let at = from + count - 1; at >= from; at--) {
 			const tenth = (rest / 10) | 0;
-			this.#bytes[at] = ZERO + rest - 10 * tenth;
+			bytes[at] = ZERO + rest - 10 * tenth;
 			rest = tenth;
 		}
-		this.#length += count;
+		this.#length = from + count;
 	}
 
 	#reserve(bytes: number): void {

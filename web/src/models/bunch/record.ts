@@ -141,7 +141,10 @@ function naturalBerryRows(berries: Berries): Rows<NaturalBerryRecord> {
 }
 
 function thinnedRows(thinned: Grown["thinned"]): Rows<ThinnedRecord> {
-	const places = Float32Array.from(thinned.flatMap(({ place }) => place));
+	const places = new Float32Array(3 * thinned.length);
+	thinned.forEach(({ place }, index) => {
+		places.set(place, 3 * index);
+	});
 	return new Rows<ThinnedRecord>(thinned.length, {
 		id: integers(thinned.map(({ id }) => id)),
 		why: words(
