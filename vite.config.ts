@@ -51,7 +51,9 @@ export default defineConfig({
 	test: {
 		include: ["tests/{web,golden,fuzz,tools,toy,package,docs}/**/*.test.ts", "tests/*.test.ts"],
 		globalSetup: at("tests/core_module.ts"),
-		testTimeout: 20_000,
+		// No test fails on a time: what hangs is ended all the same.
+		testTimeout: 120_000,
+		hookTimeout: 120_000,
 		// Of two processors one would stand idle by default.
 		pool: "threads",
 		maxWorkers: "100%",

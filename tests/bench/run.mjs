@@ -1,7 +1,7 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
  * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench
- * -- browser` all but the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service [REQUESTS]` the model service.
+ * -- browser` all but the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
  */
 import { join } from "node:path";
 import { runnerImport } from "vite";
@@ -51,7 +51,7 @@ const ratios = [];
 const [, , only, ...named] = process.argv;
 if (only === undefined || only === "core") benchCore();
 if (only === undefined || only === "particles") await benchParticles({ core, source });
-if (only === undefined || only === "service") await benchService(Number(named[0] ?? 2000));
+if (only === undefined || only === "service") await benchService();
 if (only === undefined || only === "browser") await benchBrowser();
 if (only === undefined || only === "frame") await benchFrame(named[0]);
 if (only === undefined || only === "watching") await benchWatching(named);

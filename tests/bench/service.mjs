@@ -1,7 +1,4 @@
-/**
- * `npm run bench -- service [REQUESTS]`: how many bunches of 120 berries a second of one processor's time the model service answers as
- * JSON, and what memory the process holds on the way: after as many requests as are asked for (100,000 say) it is to be what it was.
- */
+/** `npm run bench -- service`: how many bunches of 120 berries a second of one processor's time the model service answers as JSON. */
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -11,7 +8,7 @@ import { printTable } from "./statistics.mjs";
 
 const BUNCH = "http://localhost/specimens/long-conical.json?count=120";
 
-export async function benchService(requests = 2000) {
+export async function benchService() {
 	const { makeService, loadCoreFromBytes } = await bundled();
 	const loadCore = async (wasm) => loadCoreFromBytes(await readFile(join(modulesFolder, wasm)));
 	const service = makeService({ release: "bench", loadCore });
@@ -34,13 +31,6 @@ export async function benchService(requests = 2000) {
 	rows.push(["without measures", (await perSecond(`${BUNCH}&file-measures=0`, 300)).toFixed(0)]);
 	rows.push(["with measures", (await perSecond(BUNCH, 300)).toFixed(0)]);
 	printTable("Bunches of 120 berries, answered by the model service", rows);
-	const memory = [["requests", "MB"]];
-	for (let part = 0; part < 5; part++) {
-		await ask(`${BUNCH}&file-measures=0`, Math.ceil(requests / 5));
-		globalThis.gc?.();
-		memory.push([`${seed}`, (process.memoryUsage().rss / 1e6).toFixed(0)]);
-	}
-	printTable("Memory that the process holds", memory);
 }
 
 /** As it runs: models come by lazy imports, which a bundle resolves. */

@@ -33,14 +33,14 @@ export default [
 		faults: [
 			{
 				id: "json-radius-of-the-other-end",
-				find: "radiusEnd: shortFloat(radii[2 * index + 1]),",
-				replace: "radiusEnd: shortFloat(radii[2 * index]),",
+				find: "radiusEnd: floats(radii, 2, 1),",
+				replace: "radiusEnd: floats(radii, 2, 0),",
 				breaks: "the JSON's stems do not taper",
 			},
 			{
 				id: "json-flowers-as-berries",
-				find: 'traitOf(berries, index, "set") > 0 ? "berry" : "flower"',
-				replace: '"berry"',
+				find: "traits[TRAITS.length * index + set] > 0 ? 1 : 0",
+				replace: "1",
 				breaks: "the JSON calls flowers berries",
 			},
 		],

@@ -140,6 +140,12 @@ export default [
 		suites: [`${TESTS}/sagging_test.cpp`],
 		faults: [
 			{
+				id: "sagging-turned-once",
+				find: "if (weight == turned_by_) return turned_;",
+				replace: "if (turned_by_ >= 0) return turned_;",
+				breaks: "axes stay as they hang under the first size of berry that is asked for",
+			},
+			{
 				id: "sagging-upright-pedicels-stand",
 				find: "(limp + limper * heading.y)",
 				replace: "limp",

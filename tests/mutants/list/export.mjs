@@ -193,6 +193,42 @@ export default [
 				replace: "",
 				breaks: "large OBJ files lose their beginning",
 			},
+			{
+				id: "text-buffer-words-are-ascii",
+				find: "if (code > LAST_OF_ASCII) {",
+				replace: "if (code < 0) {",
+				breaks: "a kind that is named in another language is garbled in the service's JSON",
+			},
+			{
+				id: "text-buffer-short-without-sign",
+				find: "if (value < 0) this.#bytes[this.#length++] = MINUS;\n\t\tconst power = EXACT_POWERS",
+				replace: "const power = EXACT_POWERS",
+				breaks: "in the service's JSON every bunch lies in one quarter",
+			},
+		],
+	},
+	{
+		file: `${SRC}/numbers.ts`,
+		suites: [`${TESTS}/text_buffer.test.ts`],
+		faults: [
+			{
+				id: "short-float-without-exponent",
+				find: "size >= LEAST_PLAIN &&",
+				replace: "size > 0 &&",
+				breaks: "the smallest numbers of the service's JSON are not written as everywhere else",
+			},
+		],
+	},
+	{
+		file: `${SRC}/rows.ts`,
+		suites: [`${TESTS}/json.test.ts`],
+		faults: [
+			{
+				id: "rows-without-commas",
+				find: 'if (index > 0) out.word(",");',
+				replace: "",
+				breaks: "the service's JSON cannot be read",
+			},
 		],
 	},
 	{

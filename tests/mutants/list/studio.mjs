@@ -123,8 +123,8 @@ export default [
 		faults: [
 			{
 				id: "growing-sketch-stays",
-				find: "if (model.sketch?.(specimen)) studio.growAgain();",
-				replace: "",
+				find: "sketch.catch(() => {});\n\t\tstudio.growAgain();",
+				replace: "sketch.catch(() => {});",
 				breaks: "the opening bunch keeps the few triangles of its first leaves",
 			},
 			{

@@ -1,10 +1,13 @@
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { exportJson as exportAny, writeJson } from "../../../web/src/export/json";
 import { shortFloat } from "../../../web/src/export/numbers";
+import { model } from "../../../web/src/models/bunch/index";
 import { MEASURE_KEYS } from "../../../web/src/models/bunch/measures.generated";
 import type { NaturalBerryRecord } from "../../../web/src/models/bunch/record";
-import { exportJson, writtenSpecimen } from "../bunch";
+import type { Model } from "../../../web/src/models/model";
+import { exportJson, writtenJson, writtenSpecimen } from "../bunch";
 import * as arbitrary from "../models/bunch/arbitrary";
 import { fingerprintOfDocument } from "../models/bunch/fingerprint";
 import { makeGrown, SKETCH, sampleSpecimen } from "../models/bunch/fixture";
@@ -33,6 +36,32 @@ describe("the JSON document", () => {
 		expect(Object.keys(document.berries[0])).toEqual(["x", "y", "z", "r", "parent"]);
 		const internode = ["parent", "kind", "axis", "start", "end", "radius", "radiusEnd", "state"];
 		expect(Object.keys(document.internodes[0])).toEqual(internode);
+	});
+
+	it("is written as JSON.stringify writes it, without being made", () => {
+		const place: [number, number, number] = [0.1, -0.2, Math.fround(3e-7)];
+		const noted = { ...grown, notes: ["a “note”"], thinned: [{ id: 7, why: "no room" as const, place }] };
+		for (const each of [grown, makeNatural(SKETCH, { traits: () => ({ set: 0 }) }), noted])
+			expect(writtenJson(each, specimen)).toBe(JSON.stringify(exportJson(each, specimen)));
+		const organs = {
+			count: 2,
+			tag: Uint8Array.of(0, 0),
+			tags: ["nœud"],
+			segment: Int32Array.of(0, -1),
+			mesh: Int32Array.of(0, 0),
+			transforms: Float32Array.from({ length: 16 }, (_, i) => i / 10),
+		};
+		const { record: _, ...plain } = model as unknown as Model;
+		const bare = { ...grown, organs };
+		const text = new TextDecoder().decode(writeJson(plain, bare, specimen));
+		expect(text).toBe(JSON.stringify(exportAny(plain, bare, specimen)));
+		expect(JSON.parse(text).organs[1]).toEqual({
+			kind: "nœud",
+			segment: -1,
+			position: [0.8, 0.9, 1],
+			rotation: [1.1, 1.2, 1.3, 1.4],
+			scale: 1.5,
+		});
 	});
 
 	it("says what the growth says", () => {

@@ -1,5 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { shortFloat } from "../../../web/src/export/numbers";
 import { TextBuffer } from "../../../web/src/export/text_buffer";
 
 const SPACE = 0x20;
@@ -42,6 +43,35 @@ describe("the text buffer", () => {
 				},
 			),
 		);
+	});
+
+	it("writes a float32 as JSON has it", () => {
+		const value = fc.oneof(
+			fc.float(),
+			fc.float({ min: -1, max: 1, noDefaultInfinity: true, noNaN: true }),
+			fc.integer({ min: -2000, max: 2000 }).map((thousandths) => Math.fround(thousandths / 1000)),
+			fc.integer(),
+			fc.maxSafeInteger().map(Math.fround),
+		);
+		fc.assert(
+			fc.property(value, (value) => {
+				expect(written((out) => out.short(value))).toBe(JSON.stringify(shortFloat(value)));
+			}),
+			{
+				numRuns: 2000,
+				examples: [[-0], [1e-6], [Math.fround(1e-6)], [Math.fround(9.9999e-7)], [1e9], [1e21], [0.5]].map(
+					([each]) => [each] as [number],
+				),
+			},
+		);
+	});
+
+	it("gives what was appended as bytes of its own", () => {
+		const out = new TextBuffer();
+		out.word("a“b");
+		const bytes = out.bytes();
+		out.word("c");
+		expect(bytes).toEqual(new TextEncoder().encode("a“b"));
 	});
 
 	it("writes whole numbers and any text, growing as it must", () => {

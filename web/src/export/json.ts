@@ -8,7 +8,8 @@ import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import { type WrittenSpecimen, writtenSpecimen } from "../specimen/written";
 import { measuresOf, type WrittenMeasures } from "./measures";
-import { shortFloat } from "./numbers";
+import { floats, integers, Rows, vectors, words } from "./rows";
+import { TextBuffer } from "./text_buffer";
 
 /** A place in metres, +Y up. */
 export type Vector = [x: number, y: number, z: number];
@@ -60,16 +61,46 @@ export interface PlantDocument<S extends Specimen> {
 
 /** A model as far as documents go. */
 export interface Recorded<S extends Specimen, G extends Plant, R extends object> extends Species<S> {
-	/** What the document has of the plant besides, or in place of, what it has of every plant. */
+	/** What the document has of the plant besides, or in place of, what it has of every plant: `Rows` where there are many alike. */
 	record?(grown: G, specimen: S): R;
 }
+
+/** Rows as the lists of records that they are in a document. */
+export type RecordedRows<R> = { [Key in keyof R]: R[Key] extends Rows<infer Row> ? Row[] : R[Key] };
 
 /** The document; `grown` and `specimen` are only read. Needs no meshes. */
 export function exportJson<S extends Specimen, G extends Plant, R extends object>(
 	model: Recorded<S, G, R>,
 	grown: G,
 	specimen: S,
-): PlantDocument<S> & R {
+): PlantDocument<S> & RecordedRows<R> {
+	const entries = Object.entries(contents(model, grown, specimen));
+	const made = entries.map(([key, value]) => [key, value instanceof Rows ? value.records() : value]);
+	return Object.fromEntries(made) as PlantDocument<S> & RecordedRows<R>;
+}
+
+/** The document as `JSON.stringify` would write it, in UTF-8, in a third of the time. */
+export function writeJson<S extends Specimen, G extends Plant, R extends object>(
+	model: Recorded<S, G, R>,
+	grown: G,
+	specimen: S,
+): Uint8Array<ArrayBuffer> {
+	const out = new TextBuffer(1 << 18);
+	Object.entries(contents(model, grown, specimen)).forEach(([key, value], place) => {
+		out.text(`${place === 0 ? "{" : ","}${JSON.stringify(key)}:`);
+		if (value instanceof Rows) value.write(out);
+		else out.text(JSON.stringify(value));
+	});
+	out.word("}");
+	return out.bytes();
+}
+
+/** What is in the document, in its order, rows as such. */
+function contents<S extends Specimen, G extends Plant, R extends object>(
+	model: Recorded<S, G, R>,
+	grown: G,
+	specimen: S,
+): object {
 	const { counts, notes, fingerprint, timings } = grown;
 	return {
 		specimen: writtenSpecimen(model, specimen),
@@ -77,7 +108,7 @@ export function exportJson<S extends Specimen, G extends Plant, R extends object
 		measures: {},
 		...measuresOf(model.table, grown),
 		...plantRecord(grown),
-		...(model.record?.(grown, specimen) as R),
+		...model.record?.(grown, specimen),
 		notes,
 		fingerprint,
 		timings,
@@ -85,27 +116,30 @@ export function exportJson<S extends Specimen, G extends Plant, R extends object
 }
 
 /** What was drawn, and what is borne. */
-function plantRecord({ segments, organs }: Plant): Pick<PlantDocument<Specimen>, "segments" | "organs"> {
-	const each = <Row>(count: number, row: (index: number) => Row) => Array.from({ length: count }, (_, i) => row(i));
+function plantRecord({ segments, organs }: Plant) {
 	return {
-		...(segments.count > 0 ? { segments: each(segments.count, (index) => segmentRecord(segments, index)) } : {}),
-		...(organs.count > 0 ? { organs: each(organs.count, (index) => organRecord(organs, index)) } : {}),
+		...(segments.count > 0 ? { segments: segmentRows(segments) } : {}),
+		...(organs.count > 0 ? { organs: organRows(organs) } : {}),
 	};
 }
 
-function segmentRecord({ parent, tag, tags, ends, radii }: Segments, index: number): SegmentRecord {
-	const [ax, ay, az, bx, by, bz] = Array.from(ends.subarray(6 * index, 6 * index + 6), shortFloat);
-	return {
-		parent: parent[index],
-		kind: tags[tag[index]],
-		start: [ax, ay, az],
-		end: [bx, by, bz],
-		radius: shortFloat(radii[2 * index]),
-		radiusEnd: shortFloat(radii[2 * index + 1]),
-	};
+function segmentRows({ count, parent, tag, tags, ends, radii }: Segments): Rows<SegmentRecord> {
+	return new Rows<SegmentRecord>(count, {
+		parent: integers(parent),
+		kind: words(tags, tag),
+		start: vectors(ends, 6, 0, 3),
+		end: vectors(ends, 6, 3, 3),
+		radius: floats(radii, 2, 0),
+		radiusEnd: floats(radii, 2, 1),
+	});
 }
 
-function organRecord({ segment, tag, tags, transforms }: Organs, index: number): OrganRecord {
-	const [x, y, z, qx, qy, qz, qw, scale] = Array.from(transforms.subarray(8 * index, 8 * index + 8), shortFloat);
-	return { kind: tags[tag[index]], segment: segment[index], position: [x, y, z], rotation: [qx, qy, qz, qw], scale };
+function organRows({ count, segment, tag, tags, transforms }: Organs): Rows<OrganRecord> {
+	return new Rows<OrganRecord>(count, {
+		kind: words(tags, tag),
+		segment: integers(segment),
+		position: vectors(transforms, 8, 0, 3),
+		rotation: vectors(transforms, 8, 3, 4),
+		scale: floats(transforms, 8, 7),
+	});
 }

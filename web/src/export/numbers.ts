@@ -4,6 +4,9 @@
 const FEWEST_DIGITS = 6;
 const MOST_DIGITS = 9;
 
+/** Powers of ten that are exact as numbers. */
+export const EXACT_POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${exponent}`));
+
 /**
  * The shortest decimal that a reader of float32 takes for `value` (itself a float32), as a number; printed by
  * `JSON.stringify` it is that decimal. 0.1f, which is 0.10000000149011612, becomes 0.1.
@@ -19,19 +22,47 @@ export function shortFloat(value: number): number {
 	return ofDigits(value, MOST_DIGITS, above);
 }
 
+/**
+ * How many places after the point that decimal is rounded to, zeros at its end counted; undefined where the decimal is better made by
+ * other means: it is written with an exponent, or has more than nine digits before the point.
+ */
+export function placesOf(value: number): number | undefined {
+	const size = Math.abs(value);
+	if (size === 0) return 0;
+	if (!(size >= LEAST_PLAIN && size <= MOST_PLAIN)) return undefined;
+	if (Number.isInteger(value)) return 0;
+	let above = MOST_DIGITS - 1;
+	if (size < 1) for (let tenths = 1; size < TENTHS[tenths - 1]; tenths++) above++;
+	else for (let tens = 1; size >= EXACT_POWERS[tens]; tens++) above--;
+	for (let places = Math.max(0, above - MOST_DIGITS + FEWEST_DIGITS); places <= above; places++) {
+		const power = EXACT_POWERS[places];
+		const scaled = size * power;
+		const whole = Math.round(scaled);
+		if (!isSure(scaled, whole)) return undefined;
+		if (places === above || Math.fround(whole / power) === size) return places;
+	}
+	return undefined;
+}
+
+/** Smaller ones are written with an exponent. */
+const LEAST_PLAIN = 1e-6;
+const MOST_PLAIN = 1e9;
+/** As near to them as numbers are; no float32 lies between. */
+const TENTHS = EXACT_POWERS.map((power) => 1 / power);
+
 /** `value` to so many significant digits, `places` of them after the point. */
 function ofDigits(value: number, digits: number, places: number): number {
-	const power = POWERS[places];
+	const power = EXACT_POWERS[places];
 	const scaled = Math.abs(value) * power;
 	const whole = Math.round(scaled);
-	// One rounding each of exact numbers, as in reading the decimal; but near a half the product's own could turn the scale.
-	const sure = Math.abs(scaled - whole) < 0.499_999;
-	if (power === undefined || !sure) return Number(value.toPrecision(digits));
+	if (power === undefined || !isSure(scaled, whole)) return Number(value.toPrecision(digits));
 	return (value < 0 ? -whole : whole) / power;
 }
 
-/** Powers of ten that are exact as numbers. */
-const POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${exponent}`));
+/** One rounding each of exact numbers, as in reading the decimal; but near a half the product's own could turn the scale. */
+function isSure(scaled: number, whole: number): boolean {
+	return Math.abs(scaled - whole) < 0.499_999;
+}
 
 /** `value` to so many decimals. */
 export function rounded(value: number, decimals: number): number {

@@ -7,7 +7,7 @@ import type { Core } from "../core/core";
 import { Cores } from "../core/cores";
 import { CoreError, CoreTrap } from "../core/errors";
 import { aboutPlant } from "../export/about_plant";
-import { exportJson } from "../export/json";
+import { writeJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { PLANT_FILES } from "../export/plant_files";
 import { hasAges } from "../files/aged";
@@ -121,10 +121,7 @@ async function fileOf(
 	grown: Plant,
 	growing: Growing,
 ): Promise<Blob> {
-	if (format === "json") {
-		const text = JSON.stringify(exportJson(model, grown, specimen));
-		return new Blob([text], { type: "application/json" });
-	}
+	if (format === "json") return new Blob([writeJson(model, grown, specimen)], { type: "application/json" });
 	const link = await encodeLink(model, specimen);
 	if (format === "obj" || format === "mtl") {
 		const about = await aboutPlant(model, grown, specimen, link);

@@ -1,5 +1,6 @@
 /** The fingerprint of docs/fingerprint.md, computed from what a growth and its JSON hold. */
 
+import type { RecordedRows } from "../../../../web/src/export/json";
 import {
 	type Berries,
 	INTERNODE_KINDS,
@@ -38,7 +39,7 @@ export function fingerprintOfDocument({
 	internodes,
 	berries,
 	procedure,
-}: Pick<BunchRecord, "internodes" | "berries" | "procedure">): string {
+}: Pick<RecordedRows<BunchRecord>, "internodes" | "berries" | "procedure">): string {
 	const values = internodes.flatMap(({ parent, kind, axis, state, start, end, radius, radiusEnd }) => [
 		parent,
 		INTERNODE_KINDS.indexOf(kind),

@@ -23,11 +23,11 @@ const plant: TrailPlant = {
 describe("trailRecord", () => {
 	it("says of each piece what passes, and of each target what has arrived", () => {
 		const { counts, segments, targets } = trailRecord(plant);
-		expect(segments).toEqual([
+		expect(segments.records()).toEqual([
 			{ parent: -1, kind: "vein", start: [0, 0, 0], end: [0, 0.1, 0], energy: 1.5, radius: 0.01, radiusEnd: 0.01 },
 			{ parent: 0, kind: "vein", start: [0, 0.1, 0], end: [0.2, 0.3, 0], energy: 1.5, radius: 0.005, radiusEnd: 0 },
 		]);
-		expect(targets).toEqual([
+		expect(targets.records()).toEqual([
 			{ x: 0, y: 0, z: 0, energy: 1.5 },
 			{ x: 1, y: 0, z: 0.5, energy: 0.5 },
 		]);

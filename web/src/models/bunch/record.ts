@@ -1,6 +1,8 @@
 /** A bunch as numbers: every berry and internode with its place, size and parent, for those who compute. Lengths are metres. */
 import { shortFloat } from "../../export/numbers";
+import { floats, integers, Rows, vectors, words } from "../../export/rows";
 import {
+	type Berries,
 	type BerryForm,
 	type Grown,
 	INTERNODE_KINDS,
@@ -11,10 +13,11 @@ import {
 	type OwnProfile,
 	type Plan,
 	type Procedure,
+	THINNED_WHY,
 	type Thinned,
+	TRAITS,
 	type Trait,
 } from "./grown";
-import { traitOf } from "./traits";
 
 export type Point = [x: number, y: number, z: number];
 
@@ -72,11 +75,11 @@ export interface BunchRecord {
 	/** Of the handles. */
 	plan: Plan & { second?: Plan };
 	/** Of the natural procedure `NaturalBerryRecord`. */
-	berries: (BerryRecord | NaturalBerryRecord)[];
-	thinned: ThinnedRecord[];
-	internodes: InternodeRecord[];
+	berries: Rows<BerryRecord | NaturalBerryRecord>;
+	thinned: Rows<ThinnedRecord>;
+	internodes: Rows<InternodeRecord>;
 	/** What pedicels bear, as any plant's organs are listed. */
-	organs: BerryOrgan[];
+	organs: Rows<BerryOrgan>;
 }
 
 /** A berry as an organ among others. */
@@ -94,19 +97,15 @@ export interface BerryOrgan {
 /** `grown` is only read. Needs no meshes. */
 export function bunchRecord(grown: Grown): BunchRecord {
 	const { procedure, form, profile, berries, thinned, internodes } = grown;
-	const berry = procedure === "natural" ? naturalBerryRecord : berryRecord;
 	return {
 		procedure,
 		form: { ...form, taper: shortFloat(form.taper), blunt: shortFloat(form.blunt), curve: shortFloat(form.curve) },
 		...(profile && { profile: shortened(profile) }),
 		plan: grown.second ? { ...grown.plan, second: grown.second } : { ...grown.plan },
-		berries: Array.from({ length: berries.count }, (_, index) => berry(grown, index)),
-		thinned: thinned.map(({ id, why, place }) => {
-			const [x, y, z] = place.map(shortFloat);
-			return { id, why, x, y, z };
-		}),
-		internodes: Array.from({ length: internodes.count }, (_, index) => internodeRecord(internodes, index)),
-		organs: Array.from({ length: berries.count }, (_, index) => berryOrgan(grown, index)),
+		berries: procedure === "natural" ? naturalBerryRows(berries) : new Rows<BerryRecord>(berries.count, balls(berries)),
+		thinned: thinnedRows(thinned),
+		internodes: internodeRows(internodes),
+		organs: organRows(berries),
 	};
 }
 
@@ -114,47 +113,71 @@ function shortened(profile: OwnProfile): OwnProfile {
 	return Object.fromEntries(Object.entries(profile).map(([key, value]) => [key, shortFloat(value)])) as OwnProfile;
 }
 
-function berryRecord({ berries: { spheres, parent } }: Grown, index: number): BerryRecord {
-	const float = (offset: number) => shortFloat(spheres[4 * index + offset]);
-	return { x: float(0), y: float(1), z: float(2), r: float(3), parent: parent[index] };
+function balls({ spheres, parent }: Berries) {
+	return {
+		x: floats(spheres, 4, 0),
+		y: floats(spheres, 4, 1),
+		z: floats(spheres, 4, 2),
+		r: floats(spheres, 4, 3),
+		parent: integers(parent),
+	};
 }
 
-function naturalBerryRecord(grown: Grown, index: number): NaturalBerryRecord {
-	const { berries } = grown;
-	const trait = (name: Trait) => shortFloat(traitOf(berries, index, name));
-	const [x, y, z] = Array.from(berries.directions.subarray(3 * index, 3 * index + 3), shortFloat);
-	return {
-		...berryRecord(grown, index),
-		id: berries.ids[index],
+function naturalBerryRows(berries: Berries): Rows<NaturalBerryRecord> {
+	const trait = (name: Trait) => floats(berries.traits, TRAITS.length, TRAITS.indexOf(name));
+	return new Rows<NaturalBerryRecord>(berries.count, {
+		...balls(berries),
+		id: integers(berries.ids),
 		width: trait("width"),
 		length: trait("length"),
-		direction: [x, y, z],
-		...(Object.fromEntries(STATES.map((name) => [name, trait(name)])) as Record<(typeof STATES)[number], number>),
-	};
+		direction: vectors(berries.directions, 3, 0, 3),
+		exposure: trait("exposure"),
+		turned: trait("turned"),
+		opened: trait("opened"),
+		set: trait("set"),
+		shrivel: trait("shrivel"),
+		seeds: trait("seeds"),
+	});
 }
 
-function berryOrgan({ berries }: Grown, index: number): BerryOrgan {
-	const [x, y, z, radius] = Array.from(berries.spheres.subarray(4 * index, 4 * index + 4), shortFloat);
-	const [dx, dy, dz] = Array.from(berries.directions.subarray(3 * index, 3 * index + 3), shortFloat);
-	return {
-		kind: traitOf(berries, index, "set") > 0 ? "berry" : "flower",
-		segment: berries.parent[index],
-		position: [x, y, z],
-		radius,
-		direction: [dx, dy, dz],
-	};
+function thinnedRows(thinned: Grown["thinned"]): Rows<ThinnedRecord> {
+	const places = new Float32Array(3 * thinned.length);
+	thinned.forEach(({ place }, index) => {
+		places.set(place, 3 * index);
+	});
+	return new Rows<ThinnedRecord>(thinned.length, {
+		id: integers(thinned.map(({ id }) => id)),
+		why: words(
+			THINNED_WHY,
+			thinned.map(({ why }) => THINNED_WHY.indexOf(why)),
+		),
+		x: floats(places, 3, 0),
+		y: floats(places, 3, 1),
+		z: floats(places, 3, 2),
+	});
 }
 
-function internodeRecord({ parent, kind, axis, state, ends, radii }: Internodes, index: number): InternodeRecord {
-	const end = (offset: number) => shortFloat(ends[6 * index + offset]);
-	return {
-		parent: parent[index],
-		kind: INTERNODE_KINDS[kind[index]] as InternodeKind,
-		axis: axis[index],
-		start: [end(0), end(1), end(2)],
-		end: [end(3), end(4), end(5)],
-		radius: shortFloat(radii[2 * index]),
-		radiusEnd: shortFloat(radii[2 * index + 1]),
-		state: INTERNODE_STATES[state[index]] as InternodeState,
-	};
+function organRows({ count, spheres, parent, directions, traits }: Berries): Rows<BerryOrgan> {
+	const set = TRAITS.indexOf("set");
+	const isBerry = Uint8Array.from({ length: count }, (_, index) => (traits[TRAITS.length * index + set] > 0 ? 1 : 0));
+	return new Rows<BerryOrgan>(count, {
+		kind: words(["flower", "berry"], isBerry),
+		segment: integers(parent),
+		position: vectors(spheres, 4, 0, 3),
+		radius: floats(spheres, 4, 3),
+		direction: vectors(directions, 3, 0, 3),
+	});
+}
+
+function internodeRows({ count, parent, kind, axis, state, ends, radii }: Internodes): Rows<InternodeRecord> {
+	return new Rows<InternodeRecord>(count, {
+		parent: integers(parent),
+		kind: words(INTERNODE_KINDS, kind),
+		axis: integers(axis),
+		start: vectors(ends, 6, 0, 3),
+		end: vectors(ends, 6, 3, 3),
+		radius: floats(radii, 2, 0),
+		radiusEnd: floats(radii, 2, 1),
+		state: words(INTERNODE_STATES, state),
+	});
 }

@@ -1,5 +1,6 @@
 /** What the JSON document says of trails, in place of what it says of any segments. */
 import { shortFloat } from "../../export/numbers";
+import { floats, integers, Rows, vectors, words } from "../../export/rows";
 import type { TrailPlant } from "./trails";
 
 type Vector = [x: number, y: number, z: number];
@@ -32,26 +33,27 @@ export interface TargetRecord {
 /** `counts.energy` is what arrived at all targets, exact where energies are whole. */
 export function trailRecord(plant: TrailPlant): {
 	counts: Record<string, number>;
-	segments: TrailRecord[];
-	targets: TargetRecord[];
+	segments: Rows<TrailRecord>;
+	targets: Rows<TargetRecord>;
 } {
 	const { segments, energy, targets, arrived, counts } = plant;
-	const pieces = Array.from({ length: segments.count }, (_, i): TrailRecord => {
-		const [ax, ay, az, bx, by, bz] = Array.from(segments.ends.subarray(6 * i, 6 * i + 6), shortFloat);
-		return {
-			parent: segments.parent[i],
-			kind: segments.tags[segments.tag[i]],
-			start: [ax, ay, az],
-			end: [bx, by, bz],
-			energy: shortFloat(energy[i]),
-			radius: shortFloat(segments.radii[2 * i]),
-			radiusEnd: shortFloat(segments.radii[2 * i + 1]),
-		};
-	});
-	const ends = Array.from(arrived, (value, i): TargetRecord => {
-		const [x, y, z] = Array.from(targets.subarray(3 * i, 3 * i + 3), shortFloat);
-		return { x, y, z, energy: shortFloat(value) };
-	});
-	const sum = ends.reduce((total, target) => total + target.energy, 0);
-	return { counts: { ...counts, energy: sum }, segments: pieces, targets: ends };
+	const { parent, tag, tags, ends, radii } = segments;
+	return {
+		counts: { ...counts, energy: arrived.reduce((sum, each) => sum + shortFloat(each), 0) },
+		segments: new Rows<TrailRecord>(segments.count, {
+			parent: integers(parent),
+			kind: words(tags, tag),
+			start: vectors(ends, 6, 0, 3),
+			end: vectors(ends, 6, 3, 3),
+			energy: floats(energy),
+			radius: floats(radii, 2, 0),
+			radiusEnd: floats(radii, 2, 1),
+		}),
+		targets: new Rows<TargetRecord>(arrived.length, {
+			x: floats(targets, 3, 0),
+			y: floats(targets, 3, 1),
+			z: floats(targets, 3, 2),
+			energy: floats(arrived),
+		}),
+	};
 }

@@ -108,3 +108,14 @@ TEST_CASE("an axis sags towards the side it leans to, whichever that is") {
     CHECK((turned[2] * way).y < (turned[1] * way).y - 0.01f);
   }
 }
+
+TEST_CASE("asked for one size after another, branches turn as when asked for it at first") {
+  const std::vector<Branch> branches = level_axis(1.2f);
+  const std::vector<Swelling> berries{berry_on(2)};
+  Sagging sagging(branches, berries);
+  for (const float size : {0.1f, 0.3f, 0.6f, 1.0f, 0.3f}) {
+    Sagging fresh(branches, berries);
+    const auto turned = sagging.turned(size), own = fresh.turned(size);
+    for (std::size_t k = 0; k < branches.size(); ++k) CHECK(turned[k] == own[k]);
+  }
+}

@@ -100,10 +100,13 @@ void Sagging::brace(std::span<const Swelling> berries) {
   }
   for (std::size_t k = 0; k < branches_.size(); ++k)
     if (axis_of[k] == static_cast<std::int32_t>(k)) braced_[k] = least_turn(after[k], before[k]);
+  turned_by_ = -1;
 }
 
 std::span<const glm::quat> Sagging::turned(float size) {
   const float much = drawn_down(size), weight = much * much * much;
+  if (weight == turned_by_) return turned_;
+  turned_by_ = weight;
   for (std::size_t k = 0; k < branches_.size(); ++k) {
     const Branch& branch = branches_[k];
     const glm::quat bearer = branch.parent < 0 ? straight : turned_[static_cast<std::size_t>(branch.parent)];

@@ -33,6 +33,7 @@ class Sagging {
   std::vector<glm::vec3> axes_;    // level, about which they bend
   std::vector<glm::quat> braced_;  // how much more upright an axis grows
   std::vector<glm::quat> turned_;
+  float turned_by_ = -1;  // share of their bends: from peas on it stays the same, step after step
 };
 
 // The way a pedicel that grew `heading` points while its berry is `size` times as wide as when ripe; unit.

@@ -1,0 +1,103 @@
+/**
+ * Records of a document that are alike, as the arrays that their fields come from. They are made objects of for those who compute, or
+ * written as text without ever having been any: a bunch of 120 berries has 20,000 numbers, and objects of them, which a text is made of
+ * next, took more time than its growing.
+ */
+import { shortFloat } from "./numbers";
+import type { TextBuffer } from "./text_buffer";
+
+/** What rows have under one key. */
+export interface Field<Value> {
+	/** @returns what row `index` has */
+	at(index: number): Value;
+	/** Appends that as JSON. */
+	write(out: TextBuffer, index: number): void;
+}
+
+type Fields<Row> = { readonly [Key in keyof Row]: Field<Row[Key]> };
+
+export class Rows<Row extends object> {
+	readonly #fields: [key: string, opening: string, field: Field<unknown>][];
+
+	/** @param fields in the order of their keys in the document */
+	constructor(
+		readonly count: number,
+		fields: Fields<Row>,
+	) {
+		this.#fields = Object.entries<Field<unknown>>(fields).map(([key, field], place) => [
+			key,
+			`${place === 0 ? "{" : ","}${JSON.stringify(key)}:`,
+			field,
+		]);
+	}
+
+	/** One object a row. */
+	records(): Row[] {
+		return Array.from({ length: this.count }, (_, index) => {
+			const row: Record<string, unknown> = {};
+			for (const [key, , field] of this.#fields) row[key] = field.at(index);
+			return row as Row;
+		});
+	}
+
+	/** Appends the text that `JSON.stringify` makes of the records. */
+	write(out: TextBuffer): void {
+		out.word("[");
+		for (let index = 0; index < this.count; index++) {
+			if (index > 0) out.word(",");
+			for (const [, opening, field] of this.#fields) {
+				out.word(opening);
+				field.write(out, index);
+			}
+			out.word("}");
+		}
+		out.word("]");
+	}
+}
+
+/** Numbers that are no fractions. */
+export function integers(values: ArrayLike<number>): Field<number> {
+	return {
+		at: (index) => values[index],
+		write: (out, index) => out.short(values[index]),
+	};
+}
+
+/** Every `stride`th float, from the one at `offset` on. */
+export function floats(values: Float32Array, stride = 1, offset = 0): Field<number> {
+	return {
+		at: (index) => shortFloat(values[stride * index + offset]),
+		write: (out, index) => out.short(values[stride * index + offset]),
+	};
+}
+
+/** As many floats as `Vector` has, of every `stride`, from the one at `offset` on. */
+export function vectors<Vector extends number[]>(
+	values: Float32Array,
+	stride: number,
+	offset: number,
+	width: Vector["length"],
+): Field<Vector> {
+	return {
+		at(index) {
+			const from = stride * index + offset;
+			return Array.from(values.subarray(from, from + width), shortFloat) as Vector;
+		},
+		write(out, index) {
+			for (let i = 0; i < width; i++) {
+				out.word(i === 0 ? "[" : ",");
+				out.short(values[stride * index + offset + i]);
+			}
+			out.word("]");
+		},
+	};
+}
+
+/** Words, by their places in a list. */
+export function words<Word extends string>(list: readonly Word[], places: ArrayLike<number>): Field<Word> {
+	const texts = list.map((word) => JSON.stringify(word));
+	return {
+		at: (index) => list[places[index]],
+		write: (out, index) => out.word(texts[places[index]]),
+	};
+}
