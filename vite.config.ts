@@ -52,8 +52,8 @@ export default defineConfig({
 		include: ["tests/{web,golden,fuzz,tools,toy,package,docs}/**/*.test.ts", "tests/*.test.ts"],
 		globalSetup: at("tests/core_module.ts"),
 		// No test fails on a time: what hangs is ended all the same.
-		testTimeout: 120_000,
-		hookTimeout: 120_000,
+		testTimeout: 300_000,
+		hookTimeout: 300_000,
 		// Of two processors one would stand idle by default.
 		pool: "threads",
 		maxWorkers: "100%",

@@ -17,7 +17,7 @@ vi.setConfig({ testTimeout: 120_000 });
 let project: Project;
 beforeAll(async () => {
 	project = await projectWith(await filesOfPage());
-}, 120_000);
+});
 afterAll(() => project.remove());
 const inProject = (file: string) => readFile(join(project.folder, file));
 

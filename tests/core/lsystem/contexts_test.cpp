@@ -280,6 +280,11 @@ TEST_CASE("what is wrong with a context is told with its place") {
   CHECK(says(told("axiom: A\n< A --> B"), "syntax 2:1 A context is expected beside <"));
   CHECK(says(told("axiom: A\nA > : 1 --> B"), "syntax 2:5 A context is expected beside >"));
   CHECK(says(told("axiom: A\nA < B < C --> B"), "There is a second <"));
+  CHECK(says(told("axiom: A\nA > C < B --> D"), "syntax 2:3 The left context stands first"));
+  CHECK(says(told("axiom: A\n* A < B --> C"), "syntax 2:3 The left context stands first"));
+  CHECK(says(told("axiom: A\nFF < A --> B"), "syntax 2:1 'FF' is read as one symbol"));
+  CHECK(says(told("axiom: A\np1: * < A > B --> C"), "syntax 2:1 In cpfg 'p1:' labels a production"));
+  CHECK(after("axiom: A\nA : * --> B", 1) == "B");
   CHECK(says(told("axiom: A\nA [B] < C --> B"), "syntax 2:3 A left context is the way from the root"));
   CHECK(says(told("axiom: A\nA > [B --> C"), "syntax 2:5 This [ is never closed"));
   CHECK(says(told("axiom: A\nA > B] --> C"), "syntax 2:6 This ] closes nothing"));
@@ -312,6 +317,13 @@ TEST_CASE("looking about counts as work: a text cannot hide any in it") {
   CHECK(trouble(text, {}, limits) == "none");
   limits.evaluations = 50000;
   CHECK(trouble(text, {}, limits) == "limit 0:0");
+  // Each looks past all others for a branch.
+  CHECK(trouble("ignore: a\na > [z] --> b\naxiom: " + text.substr(text.find("a a")) + "[x]", {}, limits) ==
+        "limit 0:0");
+  // Chance keeps it going, and each step goes through the string to the last module.
+  std::string long_way = "derivation length: 4000\nz < y : ran(1)<0 --> b\naxiom: ";
+  for (int i = 0; i < 2000; ++i) long_way += "a ";
+  CHECK(trouble(long_way + "y", {}, limits) == "limit 0:0");
 }
 
 TEST_CASE("random trees are rewritten as an oracle rewrites them that goes through trees") {

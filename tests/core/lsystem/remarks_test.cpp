@@ -77,7 +77,7 @@ TEST_CASE("the turtle's sphere as a symbol of one's own") {
 
 TEST_CASE("a random condition that is tried once is told, unless there are steps") {
   const std::string text = "axiom: A\nB --> F : 2\nA : ran(1)<0.3 --> B";
-  CHECK(remarked(text) == "3:1 A tries its random condition once; with a derivation length it is tried each step.");
+  CHECK(remarked(text) == "3:1 A draws for its random condition once; with a derivation length it draws in each step.");
   CHECK(remarked(text, {}, 5) == "");
   CHECK(remarked("derivation length: 5\n" + text) == "");
 }

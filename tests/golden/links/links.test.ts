@@ -18,7 +18,7 @@ describe("published links", () => {
 	it.each([
 		["that are frozen give the same plants for ever", list.frozen, true],
 		["of previews give the plants that they gave last; that may change", list.previews, false],
-	])("%s", { timeout: 60_000 }, async (_, links, frozen) => {
+	])("%s", async (_, links, frozen) => {
 		const now = await Promise.all(
 			links.map(async ({ link }) => {
 				const { notes, fingerprint } = await meantBy(link);

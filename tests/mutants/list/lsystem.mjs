@@ -68,6 +68,12 @@ export default [
 				breaks: "of several branches only the first is looked at",
 			},
 			{
+				id: "neighbourhood-way-for-free",
+				find: "  looked += at - at_;",
+				replace: "",
+				breaks: "steps in which chance rewrites nothing cost nothing, however long the string",
+			},
+			{
 				id: "neighbourhood-look-for-free",
 				find: "  looked += static_cast<std::uint64_t>(at - from);\n  return nullptr;",
 				replace: "  return nullptr;",

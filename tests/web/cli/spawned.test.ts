@@ -30,7 +30,7 @@ function grow(...words: string[]): Promise<{ status: number | null; out: string;
 beforeAll(async () => {
 	folder = await mkdtemp(join(tmpdir(), "panicle-cli-"));
 	await grow("--help"); // Bundles, where that is due, before times are taken.
-}, 120_000);
+});
 
 afterAll(() => rm(folder, { recursive: true, force: true }));
 

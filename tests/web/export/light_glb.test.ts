@@ -71,7 +71,7 @@ describe.each([
 		expect(trianglesOf(unpacked)).toBeLessThan(trianglesOf(detailed));
 		for (const axis of [0, 2])
 			expect(unlike(silhouette(detailed, axis), silhouette(unpacked, axis))).toBeLessThan(0.006);
-	}, 60_000);
+	});
 
 	it("low: no more triangles than asked for, and the same outline", async () => {
 		const { parts, about } = await grownParts(source);
@@ -89,7 +89,7 @@ describe.each([
 				expect(unlike(silhouette(detailed, axis), silhouette(meshes, axis))).toBeLessThan(leastAlike);
 			}
 		}
-	}, 60_000);
+	});
 });
 
 describe("the light forms of a plant of no model", () => {

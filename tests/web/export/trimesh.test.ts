@@ -105,7 +105,7 @@ describe("trimesh", () => {
 			expect(Math.max(...off) / longest, path).toBeLessThan(within);
 			expect(closed, path).toBe(print);
 		}
-	}, 180_000);
+	});
 });
 
 /** The scale of a print that is about so many times smaller than life. */

@@ -74,7 +74,7 @@ describe("a grown specimen", () => {
 });
 
 describe("files", () => {
-	it("are of every kind that is listed, those of other models too", { timeout: 60_000 }, async () => {
+	it("are of every kind that is listed, those of other models too", async () => {
 		const common = (await formats()).map(({ key }) => key);
 		for (const asked of [SMALL, { model: "leaf", n: 40 }, { model: "root", n: 40 }]) {
 			const grown = await grow(asked);
@@ -86,7 +86,7 @@ describe("files", () => {
 		}
 	});
 
-	it("have the forms and options of the command’s", { timeout: 60_000 }, async () => {
+	it("have the forms and options of the command’s", async () => {
 		const grown = await grow(SMALL);
 		const call = ["redcurrant", "--seed", "7", "--set", "count=5", "--out", "x.glb"];
 		const byCommand = async (...more: string[]) => (await growByCommand([...call, ...more])).written.get("x.glb");

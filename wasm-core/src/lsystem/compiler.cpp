@@ -205,7 +205,8 @@ class Compiler {
     if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
     if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
     production.by_chance = draws(tree.condition) || draws(tree.weight);
-    production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32;
+    const std::uint32_t neighbours = production.left.size() + production.right.size();
+    production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32 + neighbours / 8;
     program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
     return true;
   }
@@ -221,6 +222,7 @@ class Compiler {
     for (const NeighbourTree& neighbour : wanted) {
       const std::uint32_t symbol = numbers_.find(neighbour.name);
       if (is_turtle_symbol(symbol) && !takes(symbol, neighbour.arity, neighbour.place)) return false;
+      if (!stands_for_itself(neighbour.name, symbol)) return read_as_one(neighbour.name, neighbour.place);
       if (symbol == push_symbol) open.push_back(range.end);
       if (symbol == pop_symbol) {
         neighbours[open.back()].closed = range.end;
@@ -290,9 +292,7 @@ class Compiler {
     const std::size_t count = tree.arguments.size();
     if (is_turtle_symbol(symbol) && !takes(symbol, count, tree.place)) return false;
     if (answer && !drawable(tree, symbol)) return false;
-    if (!stands_for_itself(tree.name, symbol))
-      return fail(Reason::syntax, tree.place,
-                  "'%' is read as one symbol, which nothing defines; put spaces between several.", {tree.name});
+    if (!stands_for_itself(tree.name, symbol)) return read_as_one(tree.name, tree.place);
 
     const std::size_t at = program.words.size();
     const bool active = symbol == cut_symbol || (rewritten_[symbol] >> count & 1) != 0;
@@ -341,6 +341,11 @@ class Compiler {
       if (letter == Names::none || !(is_turtle_symbol(letter) || is_rewritten(letter))) return true;
     }
     return false;
+  }
+
+  bool read_as_one(std::string_view name, const Place& place) {
+    return fail(Reason::syntax, place, "'%' is read as one symbol, which nothing defines; put spaces between several.",
+                {name});
   }
 
   bool parameter(const Expression& expression, std::uint32_t symbol) {

@@ -136,7 +136,13 @@ bool Derivation::stays_active(std::uint32_t header) const {
          machine_.tries_again(header);
 }
 
-bool Derivation::look_around(std::uint64_t at) { return neighbourhood_.go_to(at) || out_of_sight(); }
+// A step that rewrites nothing has its way through the string counted, too: chance may let many of them follow.
+bool Derivation::look_around(std::uint64_t at) {
+  if (!neighbourhood_.go_to(at, walked_)) return out_of_sight();
+  const std::uint64_t units = walked_ / 32;
+  walked_ %= 32;
+  return machine_.spend(units);
+}
 
 bool Derivation::out_of_sight() {
   return machine_.fail(error_at(Reason::limit, {},

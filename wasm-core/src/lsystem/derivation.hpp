@@ -73,6 +73,7 @@ class Derivation {
   Neighbourhood neighbourhood_;
   Draft now_;
   Draft next_;
+  std::uint64_t walked_ = 0;  // words on the way to modules in context, not yet spent
   std::uint64_t copied_ = 0;  // words of `now_` that this step is done with
   std::uint32_t steps_ = 0;
   bool rewrote_ = false;   // in this step

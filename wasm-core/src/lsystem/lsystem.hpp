@@ -119,8 +119,9 @@ Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<st
 // The string that steps without end would lead to, without the strings between: each module is rewritten to its end
 // before the next is looked at, so that the cost grows with what comes out and not with the steps as well. Productions
 // without neighbours see nothing but a module's own parameters and address, so the order makes no difference; where any
-// has neighbours, steps are taken. A random condition is tried once. `steps` is the deepest module's generation,
-// `modules_written` the length. Errors: evaluation, with line and column; limit, also where there is no end.
+// has neighbours, steps are taken, as `develop` tells of them. A random condition draws once. Else `steps` is the
+// deepest module's generation, `modules_written` the length. Errors: evaluation, with line and column; limit, also
+// where there is no end.
 Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits);
 
 // How many modules a string has.

@@ -12,8 +12,9 @@ bool Neighbourhood::begin(const String& string) {
   return path_.reserve(string.modules, string.modules);
 }
 
-bool Neighbourhood::go_to(std::uint64_t at) {
+bool Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
   const std::uint32_t* const words = string_->begin();
+  looked += at - at_;
   while (at_ < at) {
     const std::uint32_t header = words[at_], symbol = symbol_of(header);
     if (symbol == push_symbol) {
@@ -66,6 +67,7 @@ const std::uint32_t* Neighbourhood::follow(std::uint32_t begin, std::uint32_t en
       i = wanted.closed;
       continue;
     }
+    looked += words_of(*at);
     if (!is(wanted, at, registers)) return nullptr;
     at += words_of(*at);
   }
@@ -82,7 +84,10 @@ const std::uint32_t* Neighbourhood::next_seen(const std::uint32_t* at, bool into
     const std::uint32_t symbol = symbol_of(*at);
     if (symbol == pop_symbol) break;
     if (symbol == push_symbol) {
-      if (into_branches) return at;
+      if (into_branches) {
+        looked += static_cast<std::uint64_t>(at - from);
+        return at;
+      }
       at = rest_of_branch(at + words_of(*at), end).end;
     } else if (is_seen(symbol)) {
       looked += static_cast<std::uint64_t>(at - from);

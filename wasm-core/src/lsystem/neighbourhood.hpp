@@ -18,8 +18,9 @@ class Neighbourhood {
   // Begins before the first module of a string, which stays as it is until the next. False: no memory.
   bool begin(const String& string);
 
-  // Goes on to the module at a word of the string, no earlier than where it stands. False: no memory.
-  bool go_to(std::uint64_t at);
+  // Goes on to the module at a word of the string, no earlier than where it stands. `looked` grows by the words on the
+  // way. False: no memory.
+  bool go_to(std::uint64_t at, std::uint64_t& looked);
 
   // Whether the module has beside it what a production in context wants. Their parameters are then in the registers
   // behind the module's own. `looked` grows by the words that were looked at.

@@ -262,6 +262,7 @@ class GrammarParser {
     static constexpr std::string_view never_begin_expressions = "&^/\\|[]%?";
     if (times_named(found()) > 1) return false;
     if (next.kind == TokenKind::name) return times_named(next.text) > 1 && !is_value(at_ + 2);
+    if (next.is('*')) return at_ + 3 < arrow_;
     return next.kind == TokenKind::sign && never_begin_expressions.find(next.text[0]) != std::string_view::npos;
   }
 
@@ -291,6 +292,8 @@ class GrammarParser {
     std::vector<Named> beside;
     if (std::any_of(tokens_.begin() + at_, tokens_.begin() + end, [](const Token& token) { return token.is('<'); })) {
       if (!neighbours(end, '<', production.left, beside)) return false;
+      if (!on_sign('<'))
+        return wrong(here(), "The left context stands first, then the predecessor, then the right one: A < B > C.");
       ++at_;
     }
     production.place = here();

@@ -142,7 +142,7 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
   std::vector<Remark> all = program.remarks;
   for (const Production& production : program.productions)
     if (production.by_chance && !steps && !program.steps.given)
-      all.push_back({sentence("% tries its random condition once; with a derivation length it is tried each step.",
+      all.push_back({sentence("% draws for its random condition once; with a derivation length it draws in each step.",
                               {program.symbols[production.predecessor]}),
                      production.place.line, production.place.column});
   for (const Inputs::Scalar& given : asked)

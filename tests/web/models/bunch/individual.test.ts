@@ -33,7 +33,7 @@ describe.each(PRESETS.filter(({ kind }) => kind !== "fruit").map(({ name }) => n
 		const seeds = Array.from({ length: SEEDS }, (_, index) => index + 1);
 		even = seeds.map((seed) => bunch(preset, seed, 0));
 		varied = seeds.map((seed) => bunch(preset, seed, 1));
-	}, 60_000);
+	});
 
 	it("weighs and is as long in the mean as without variability", () => {
 		// Where bunches are dense, narrow seeds lose more berries than wide ones win.

@@ -26,7 +26,7 @@ beforeAll(async () => {
 		server.stdout?.on("data", (data) => resolve(/http:\S+(?=specimens)/.exec(`${data}`)?.[0] ?? ""));
 		server.on("close", (status) => reject(new Error(`ended with ${status}`)));
 	});
-}, 120_000);
+});
 afterAll(async () => {
 	server?.kill();
 	await rm(folder, { recursive: true, force: true });
@@ -64,7 +64,7 @@ it("gives up a plant that takes too long, and grows the next", async () => {
 	const slow = await fetch(`${base}specimens/tree/oak.stl?file-thickness=0.2`);
 	expect([slow.status, await slow.text()]).toEqual([503, expect.stringContaining("more than 4 s")]);
 	expect((await fetch(`${base}specimens/redcurrant.json?count=5`)).status).toBe(200);
-}, 60_000);
+});
 
 it("survives what is no HTTP", async () => {
 	const { port } = new URL(base);

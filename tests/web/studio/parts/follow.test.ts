@@ -76,7 +76,7 @@ beforeAll(async () => {
 	}
 	studio.grew(shown(), studio.state.specimen);
 	await followers(() => aged(10));
-}, 30_000);
+});
 afterAll(() => vi.unstubAllGlobals());
 
 const { LIFE } = await import("../../../../web/src/models/bunch/tools/age");

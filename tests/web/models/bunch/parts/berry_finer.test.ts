@@ -89,5 +89,5 @@ describe("a berry's skin, finer than its vertices", () => {
 			const plain = documentOf(exportGlb(parts, ABOUT)).materials?.find(({ name }) => name === "Skin");
 			expect(plain).not.toHaveProperty("occlusionTexture");
 		}
-	}, 60_000);
+	});
 });

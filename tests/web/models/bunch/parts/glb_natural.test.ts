@@ -38,7 +38,7 @@ describe("the GLB of a natural bunch", () => {
 			),
 			{ numRuns: 120 },
 		);
-	}, 60_000);
+	});
 
 	it("names everything, and gives each berry a mesh of its own", async () => {
 		const { nodes, meshes, materials } = documentOf(await bunchGlb(grown, specimen));
