@@ -121,7 +121,7 @@ TEST_CASE("what a text says and nothing heeds is noted") {
   const std::vector<std::string> notes = drawn("axiom: F(1)\nA : ran(1)<0.5 --> F2").notes;
   REQUIRE(notes.size() == 2);
   CHECK(notes[0] == "Line 2, column 20: F2 is one symbol of its own and draws nothing; write F(2).");
-  CHECK(notes[1].find("Line 2, column 1: A tries") == 0);
+  CHECK(notes[1].find("Line 2, column 1: A draws") == 0);
 }
 
 TEST_CASE("the ball is closed, round and faces outwards") {
