@@ -14,6 +14,8 @@ const preferences = (downloads: string) => ({
 	"browser.startup.homepage_override.mstone": "ignore",
 	"datareporting.policy.dataSubmissionEnabled": false,
 	"app.normandy.enabled": false,
+	// It complains of what a page that is left had still asked its service worker for; offline.spec.ts has that.
+	"dom.serviceWorkers.enabled": false,
 	"app.update.enabled": false,
 	"network.captive-portal-service.enabled": false,
 	"network.connectivity-service.enabled": false,

@@ -7,6 +7,8 @@ export default defineConfig({
 	test: {
 		include: ["tests/browsers/*.test.ts"],
 		testTimeout: 180_000,
+		// As in playwright.config.ts.
+		retry: process.env.CI ? 1 : 0,
 		hookTimeout: 120_000,
 		pool: "forks",
 		// A browser beside the other, each on a processor.
