@@ -36,13 +36,6 @@ export default [
 				breaks: "the first of several weighted productions is always taken",
 			},
 			{
-				id: "machine-others-neighbours",
-				find: "if (drawn != nullptr && drawn->in_context && !failed()) matches(*drawn, count);",
-				replace: "",
-				suites: [`${TESTS}/lsystem/contexts_test.cpp`],
-				breaks: "the one drawn of several writes the parameters of another's neighbours",
-			},
-			{
 				id: "machine-chance-but-once",
 				find: "if (stepping_) sources_.address = hash_combine(address, step_);",
 				replace: "",

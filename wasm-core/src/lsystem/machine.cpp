@@ -70,8 +70,6 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
     left -= weight;
     if (left < 0) break;
   }
-  // What was tried after it has put other neighbours' parameters into the registers.
-  if (drawn != nullptr && drawn->in_context && !failed()) matches(*drawn, count);
   return failed() ? nullptr : drawn;
 }
 
