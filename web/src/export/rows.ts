@@ -1,6 +1,6 @@
 /**
  * Records of a document that are alike, as the arrays that their fields come from. They are made objects of for those who compute, or
- * written as text without ever having been any: a bunch of 120 berries has 20,000 numbers, and objects of them, which a text is made of
+ * written as text without ever having been any: a plant has tens of thousands of numbers, and objects of them, which a text is made of
  * next, took more time than its growing.
  */
 import { shortFloat } from "./numbers";
