@@ -11,5 +11,5 @@ export const PRESET_KINDS: readonly PresetKind[] = [
 
 // biome-ignore format: a line each
 export const PRESETS: readonly TextPreset[] = [
-	{"name":"bush","kind":"trees","title":"Bush","since":2,"about":"A monopodial tree whose side branches leave by the golden angle.","parameters":{"unit":200},"look":{},"text":"bush"},
+	{"name":"bush","kind":"trees","title":"Bush","since":2,"about":"A tree whose side branches leave one another by the golden angle.","parameters":{},"look":{},"text":"bush"},
 ];
