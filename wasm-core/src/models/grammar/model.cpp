@@ -85,15 +85,17 @@ Result<Plant> grow(Request& request, const Limits& given) {
 
   const auto bound = lsystem::bind(program.value(), asked->inputs, limits);
   if (!bound) return bound.error();
-  const auto derived = lsystem::develop(*bound.value(), asked->seed, asked->steps, limits);
+  const auto derived = lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, {standing()});
   if (!derived) return derived.error();
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
   const auto drawn = lsystem::interpret(*bound.value(), string, standing(), sketch, asked->seed, limits);
   if (!drawn) return drawn.error();
-  if (sketch.trouble().reason != Reason::none) return sketch.trouble();
-  thicken(sketch.segments, {0.01f * values[thickness], values[thickening]});
+  for (const Diagnostic& stopped : {derived->stopped, sketch.trouble()})
+    if (stopped.reason != Reason::none) plant.notes.push_back("What grew so far is shown. " + stopped.message);
+  plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
+  thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
   dress(plant, sketch,
         {.metres = metres_a_millimetre * values[unit],
@@ -105,7 +107,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
                   {"steps", derived->steps},
                   {"segments", count(plant.segments.size())},
                   {"organs", count(plant.organs.size())},
-                  {"polygons", 0}};
+                  {"polygons", count(sketch.polygons.all.size())}};
   if (asked->string) plant.columns.add("string", lsystem::to_text(*program.value(), string));
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
   for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), asked->inputs.scalars, asked->steps))
