@@ -60,7 +60,8 @@ TEST_CASE("lines without a width are a share of their mean length at the tips, t
 }
 
 TEST_CASE("what the text says of widths stands, times the parameter") {
-  const Plant plant = grow({.text = "axiom: F !(0.5) F [ !(0) F ] F\n", .parameters = {{"unit", 1000}, {"widths", 50}}});
+  const Plant plant =
+      grow({.text = "axiom: F !(0.5) F [ !(0) F ] F\n", .parameters = {{"unit", 1000}, {"widths", 50}}});
   CHECK(plant.segments[1].radius == doctest::Approx(0.125));
   CHECK(plant.segments[3].radius == doctest::Approx(0.125));
   CHECK(plant.segments[0].radius == doctest::Approx(0.5 * 0.08 * std::pow(2, 0.3)));

@@ -59,6 +59,7 @@ inline Result<Plant> ask(const Asked& asked) {
     add("constants.values", Element::float32, constants.size(), constants.data());
   }
   Request request(blocks, nullptr);
+  request.read_grammars_as(model.notation, model.lineages);
   return model.grow(request, asked.limits);
 }
 

@@ -34,8 +34,8 @@ TEST_CASE("every surface is a clean mesh of about unit size that its normals agr
     CHECK(std::max({size.x, size.y, size.z}) == doctest::Approx(1).epsilon(0.1));
     for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
       const std::uint32_t a = mesh.indices[k], b = mesh.indices[k + 1], c = mesh.indices[k + 2];
-      const glm::vec3 twice = glm::cross(at(mesh.positions, b) - at(mesh.positions, a),
-                                         at(mesh.positions, c) - at(mesh.positions, a));
+      const glm::vec3 twice =
+          glm::cross(at(mesh.positions, b) - at(mesh.positions, a), at(mesh.positions, c) - at(mesh.positions, a));
       REQUIRE(glm::length(twice) > 1e-6f);
       CHECK(glm::dot(twice, at(mesh.normals, a) + at(mesh.normals, b) + at(mesh.normals, c)) > 0);
     }

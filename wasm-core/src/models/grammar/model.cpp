@@ -120,6 +120,6 @@ Result<Plant> grow(Request& request, const Limits& given) {
 }  // namespace
 
 extern const Model model;
-const Model model{"grammar", grow};
+const Model model{"grammar", grow, lsystem::Notation::cpfg, lsystem::Lineages::where_needed};
 
 }  // namespace panicle::grammar
