@@ -55,7 +55,7 @@ function neighbours(
 function applied(system: LSystem, published: Published, at: { index: number; part: Part }, rule: Production) {
 	if (rule.formals.length !== at.part.params.length) return undefined;
 	const names = new Map(published.constants);
-	rule.formals.forEach((name, i) => names.set(name.trim(), at.part.params[i]));
+	for (const [i, name] of rule.formals.entries()) names.set(name.trim(), at.part.params[i]);
 	for (const [side, written] of [
 		["left", rule.left],
 		["right", rule.right],
@@ -63,7 +63,9 @@ function applied(system: LSystem, published: Published, at: { index: number; par
 		if (written.length === 0) continue;
 		const parts = neighbours(system, published, at.index, written, side);
 		if (!parts) return undefined;
-		written.forEach(({ args }, n) => args.forEach((name, i) => names.set(name.trim(), parts[n].params[i])));
+		written.forEach(({ args }, n) => {
+			for (const [i, name] of args.entries()) names.set(name.trim(), parts[n].params[i]);
+		});
 	}
 	return evaluate(rule.condition, names) ? made(rule.successor, names) : undefined;
 }

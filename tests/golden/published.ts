@@ -68,17 +68,21 @@ const OPERATIONS: [RegExp, string][] = [
 	[/([^<>!=])=([^=])/g, "$1==$2"],
 	[/\^/g, "**"],
 	[/\b(sqrt|min|max|abs|floor|exp)\b/g, "Math.$1"],
+	[/(?<![\w.])\d+\.\d+/g, "Math.fround($&)"],
 ];
 
 const compiled = new Map<string, (...values: number[]) => number>();
 
-/** An expression's value: numbers in double precision, which the oracle compares within what single precision can do. */
+/**
+ * An expression's value, from numbers in single precision to one. What lies between is in double precision: the comparison bears
+ * that.
+ */
 export function evaluate(text: string, names: ReadonlyMap<string, number>): number {
 	const key = `${[...names.keys()]}:${text}`;
 	let run = compiled.get(key);
 	if (!run) {
 		const script = OPERATIONS.reduce((now, [from, to]) => now.replace(from, to), text);
-		run = new Function(...names.keys(), `return Number(${script});`) as (...values: number[]) => number;
+		run = new Function(...names.keys(), `return Math.fround(${script});`) as (...values: number[]) => number;
 		compiled.set(key, run);
 	}
 	return run(...names.values());
@@ -96,7 +100,7 @@ function production(line: string): Production {
 
 /** @throws when the text has what chance decides or the environment answers: it is not for the oracle. */
 export function readPublished(text: string): Published {
-	const plain = text.replace(/\/\*[^]*?\*\//g, "");
+	const plain = text.replace(/\/\*[\s\S]*?\*\//g, "");
 	const [derivation] = plain.split(/^homomorphism$/m);
 	if (/\b(ran|nran|RND)\(|\?[A-Z]|-->[^\n]*:/.test(derivation)) throw new Error("not deterministic");
 	const constants = new Map<string, number>();
