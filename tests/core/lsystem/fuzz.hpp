@@ -68,7 +68,7 @@ inline Diagnostic asked_and_answered(const Bound& bound, Contrary& listener, con
     CHECK(modules == lsystem::length(string));
   }
   Contrary unasked;
-  if (derivation.trouble().reason == Reason::none) lsystem::trace(bound, derivation.string(), {}, unasked, limits);
+  if (derivation.trouble().reason == Reason::none) lsystem::trace(bound, derivation.string(), {}, unasked, 1, limits);
   return derivation.trouble();
 }
 
