@@ -6,6 +6,7 @@
 
 #include "models/grammar/dressing.hpp"
 #include "models/grammar/girth.hpp"
+#include "models/grammar/neighbours.hpp"
 #include "models/grammar/parameters.generated.hpp"
 #include "models/grammar/sketch.hpp"
 #include "plant/plain.hpp"
@@ -85,12 +86,15 @@ Result<Plant> grow(Request& request, const Limits& given) {
 
   const auto bound = lsystem::bind(program.value(), asked->inputs, limits);
   if (!bound) return bound.error();
-  const auto derived = lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, {standing()});
+  Neighbours neighbours;
+  const bool asks = lsystem::asks(*program.value());
+  const auto derived = lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits,
+                                               {standing(), nullptr, asks ? &neighbours : nullptr});
   if (!derived) return derived.error();
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
-  const auto drawn = lsystem::interpret(*bound.value(), string, standing(), sketch, asked->seed, limits);
+  const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, asked->seed, limits);
   if (!drawn) return drawn.error();
   for (const Diagnostic& stopped : {derived->stopped, sketch.trouble()})
     if (stopped.reason != Reason::none) plant.notes.push_back("What grew so far is shown. " + stopped.message);
