@@ -54,8 +54,8 @@ std::size_t different(const std::vector<Point>& points) { return std::set<Point>
 std::size_t different_lines(const Recorder& of) {
   std::set<std::pair<Point, Point>> lines;
   for (const Recorder::Line& line : of.lines) {
-    const auto [a, b] = std::minmax(rounded(line.before.position), rounded(line.after.position));
-    lines.insert({a, b});
+    const Point a = rounded(line.before.position), b = rounded(line.after.position);
+    lines.insert({std::min(a, b), std::max(a, b)});
   }
   return lines.size();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "foundation/random.hpp"
@@ -38,7 +39,20 @@ class Contrary : public Listener {
     for (float& parameter : parameters) parameter = replies[heard++ % std::size(replies)];
   }
   void cut(const Turtle&) override { ++heard; }
+  void polygon(const Turtle&, std::span<const glm::vec3> corners, const Lineage&) override {
+    heard += 1 + static_cast<std::uint32_t>(corners.size());
+  }
+  void surface(const Turtle&, std::string_view name, float, const Lineage&) override { heard += !name.empty(); }
   std::uint32_t heard = 0;
+};
+
+// Slabs that are inside and outside in turn, and a reach that is no number at all in every fifth area.
+class Slabs : public lsystem::Space {
+ public:
+  bool bound(const glm::vec3& place, float area) const override { return std::fmod(place.y + area, 2.0F) < 1; }
+  float reach(const glm::vec3&, const glm::vec3&, float area, float most) const override {
+    return area == 5 ? 0 / 0.0F : most / 2;
+  }
 };
 
 inline Limits small_limits() {
@@ -90,12 +104,23 @@ inline int tried(const std::string& text, std::uint32_t mood) {
     CHECK((diagnostic.line == 0) == (diagnostic.column == 0));
     CHECK(diagnostic.column <= text.size() + 1);
   };
-  const auto program = lsystem::compile(text, limits);
+  const auto notation = mood % 2 == 0 ? lsystem::Notation::cpfg : lsystem::Notation::huang;
+  const auto program = lsystem::compile(text, limits, lsystem::Lineages::where_needed, notation);
   if (!program) return blamed(program.error()), 1;
+  for (const lsystem::Remark& remark : lsystem::remarks(*program.value())) CHECK_FALSE(remark.message.empty());
   const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return blamed(bound.error()), 1;
+  const Slabs space;
+  const lsystem::Surroundings around{.start = {}, .space = &space};
+  const auto so_far = lsystem::develop_so_far(*bound.value(), 1, 30, limits, around);
   const auto string = lsystem::develop(*bound.value(), 1, 30, limits);
-  if (!string) return blamed(string.error()), 2;
+  if (so_far && so_far->stopped.reason != Reason::none) CHECK(so_far->stopped.reason == Reason::limit);
+  if (!string) {
+    // What a limit ended is shown all the same.
+    Contrary viewer;
+    if (so_far) lsystem::interpret(*bound.value(), *so_far->string, {}, viewer, 1, limits, &space);
+    return blamed(string.error()), 2;
+  }
   const auto unfolded = lsystem::unfold(*bound.value(), 1, limits);
   if (!unfolded) blamed(unfolded.error());
   if (unfolded && !draws_conditions(*program.value()))
@@ -104,7 +129,7 @@ inline int tried(const std::string& text, std::uint32_t mood) {
   listener.heard = mood;
   const Diagnostic asked = asked_and_answered(*bound.value(), listener, limits);
   if (asked.reason != Reason::none) blamed(asked);
-  const auto result = lsystem::interpret(*bound.value(), *string->string, {}, listener, 1, limits);
+  const auto result = lsystem::interpret(*bound.value(), *string->string, {}, listener, 1, limits, &space);
   if (!result) return blamed(result.error()), 3;
   return 0;
 }

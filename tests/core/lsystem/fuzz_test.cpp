@@ -104,6 +104,42 @@ const std::vector<std::string> pool = {"A",
                                        "T(1)",
                                        "\nderivation length: 3\n",
                                        "ran(1)<0.5",
+                                       "\n#turtle cpfg\n",
+                                       "\n#turtle huang\n",
+                                       "\nhomomorphism\n",
+                                       "\ndecomposition\nmaximum depth: 3\n",
+                                       "\nderivation\n",
+                                       "\nLsystem: leaf\n",
+                                       "\nendlsystem\n",
+                                       "[?leaf(2) A(1)]",
+                                       "[?leaf B]",
+                                       "\n#curve f (0,0) (0.5,2) (1,1)\n",
+                                       "f(x)",
+                                       "\n#define a[] 1, 2, 3\n",
+                                       "a[x]",
+                                       "\nangle increment: 30\n",
+                                       "\nline width: 0.1\n",
+                                       "\ntropism: 0, -1, 0, 0.2\n",
+                                       "{y = x*2; z = y+1}",
+                                       " : {y = x} y>1 {z = y/2} --> ",
+                                       "?P(0,0,0)",
+                                       "?H(x)",
+                                       "\nA(x) > ?P(i,n,m) --> ",
+                                       "bound(x,1,2,1)",
+                                       "reach(x,0,0,0,1,0,1,2)",
+                                       "{ . F . + F . }",
+                                       "G(1)",
+                                       "g",
+                                       "~leaf(2)",
+                                       "~x",
+                                       "'",
+                                       ";(3)",
+                                       "@O(1)",
+                                       "@v",
+                                       "@M(0,1,2)",
+                                       "@D(2)",
+                                       "@Ts(0.3)",
+                                       "<(30)",
                                        "\n?E(x) : x>0 --> A(x) ?E(x) "};
 
 const std::vector<std::string> good = {
@@ -121,6 +157,11 @@ const std::vector<std::string> good = {
     "ignore: + -\naxiom: A(1) B [ + A(2) C ] B A(3) ?E(0)\nA(x) < B > [C] B --> A(x) [ - B ]\nB < A(y) > ?E(x) : x<y "
     "--> C %\nC > A --> B : 2\nA(i) < C --> A(i) C : ran(i)\n",
     "consider: A B\naxiom: A B C [ A B ] A\nA < B > A --> A F\nA > [ A B ] A --> B\n* < B > * --> B C\n",
+    "#turtle cpfg\nangle increment: 30\ntropism: 0,-1,0,0.1\n#curve c (0,0) (1,2)\n#define a[] 1, 2\naxiom: A(1) { . "
+    "A(2) . } ?P(0,0,0)\nA(x) > ?P(i,n,m) "
+    ": {y = x*2} y<8 && !bound(i,n,m,1) --> F(c(x)) [?leaf(0.5) B] A(y) ~leaf(a[1])\nA(x) --> + A(x+1) : "
+    "x\nhomomorphism\nA(x) --> { . G(x) . + f . } @O(x) ; "
+    "F\nLsystem: leaf\naxiom: B\nB --> [ & B ] ! F $\ndecomposition\nmaximum depth: 3\nB --> F B\nendlsystem\n",
     "axiom: A\nA --> A [ + A ] !(2) F(min(3,sqrt(2))) | ^ & \\ B\nB --> *\n"};
 
 std::string made_up(Dice& dice) {

@@ -1,7 +1,9 @@
 // The published grammars, and what is counted in their strings.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -23,6 +25,14 @@ inline std::string file_text(const std::string& path) {
 
 inline std::string published(const std::string& name) {
   return file_text(PANICLE_GRAMMARS "/grammar/" + name + ".lsys");
+}
+
+inline std::vector<std::string> published_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/grammar"))
+    if (entry.path().extension() == ".lsys") names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 // As the model compiles them that grows any text.
