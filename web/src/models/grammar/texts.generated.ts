@@ -132,6 +132,7 @@ K(n) --> &(60) ;(5) ~petal(1.4)
    about: Branches to one side and the other in turn.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.12
    page: 130
+   set: unit=0.2
 */
 #define D 1 /* 0 … 10 */
 #define R 1.36 /* 1 … 2 */
@@ -149,12 +150,13 @@ F(a) --> F(a*R)
 	"compound-leaf": `/* Compound leaf
    kind: leaves
    about: Leaflets in pairs; each branch is the whole, D steps younger.
-   source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.11
+   source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.11; fewer steps than there
    page: 129
+   set: unit=1
 */
 #define D 1 /* 0 … 10 */
 #define R 1.5 /* 1 … 2 */
-#define n 16 /* 1 … 40 */
+#define n 11 /* 1 … 40 */
 angle increment: 45
 derivation length: n
 
@@ -184,6 +186,7 @@ C --> G C
    about: Leaves first, then one flower.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 3.2; shapes are ours
    page: 69
+   set: unit=4
 */
 #define Ta 7 /* 2 … 20 */
 #define Tl 9 /* 1 … 20 */
@@ -261,7 +264,7 @@ Fr --> F
 */
 #define apart 24 /* 5 … 60 */
 angle increment: 18
-derivation length: 6
+derivation length: 5
 
 axiom: [row] -(90) f(apart) +(90) [row] -(90) f(apart) +(90) [row] -(90) f(apart) +(90) [row]
 
@@ -756,6 +759,7 @@ R --> R F L F R+F+L F R F L-F-R F L F R
    about: Each scale turned on from the one before and a little higher.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 4.2
    page: 111
+   set: unit=0.1
 */
 #define a 137.5281 /* 130 … 145 step 0.01 */
 #define h 35.3 /* 5 … 100 */
@@ -869,29 +873,29 @@ F --> F F
 	"pruned-branch": `/* Branch that is pruned
    kind: environment
    about: Where an apex leaves the box it dies, and a signal wakes the buds below it.
-   source: Synthetic topiary (Prusinkiewicz, James and Měch 1994), section 3; the box, that X vanishes and that a signal leaves its branch are ours
+   source: Synthetic topiary (Prusinkiewicz, James and Měch 1994), section 3; the box, that X vanishes and that a signal leaves its branch are ours; X, Z and D are T, S and @o there
 */
 #define size 5.5 /* 2 … 12 */
 #define high 12 /* 2 … 30 */
 angle increment: 32
-derivation length: 40
+derivation length: 150
 ignore: + /
 
 axiom: F A ?P(0,0,0)
 
-A > ?P(x,y,z) : max(abs(x),abs(z))<size && y<high --> D F /(180) A
-A > ?P(x,y,z) : max(abs(x),abs(z))>=size || y>=high --> X %
-F > X --> S
+A > ?P(x,y,z) : max(abs(x),abs(z))<size && y>=0 && y<high --> D F /(180) A
+A > ?P(x,y,z) : max(abs(x),abs(z))>=size || y<0 || y>=high --> X %
+F > X --> Z
 X --> *
-F > S --> S F
-F > [S] --> S F
-S --> *
-D > S --> [+ F A ?P(0,0,0)]
+F > Z --> Z F
+F > [Z] --> Z F
+Z --> *
+D > Z --> [+ F A ?P(0,0,0)]
 `,
 	"pruned-tree": `/* Tree clipped to a cube
    kind: environment
    about: A tree of Borchert and Slade’s, pruned wherever it leaves a cube.
-   source: Synthetic topiary (Prusinkiewicz, James and Měch 1994), section 4; the cube, that X vanishes, that a signal leaves its branch and when a bud wakes are ours
+   source: Synthetic topiary (Prusinkiewicz, James and Měch 1994), section 4; the cube, that X vanishes, that a signal leaves its branch and when a bud wakes are ours; X and Z are T and S there
 */
 #define size 6 /* 2 … 20 */
 #define phi 90 /* 0 … 180 */
@@ -905,12 +909,12 @@ axiom: F A(1) ?P(0,0,0)
 A(k) > ?P(x,y,z) : max(max(abs(x),abs(z)),abs(y-size))<size --> /(phi) [+(alpha) F A(k+1) ?P(0,0,0)] -(beta) F A(k+1) : min(1, (2*k+1)/k^2)
 A(k) > ?P(x,y,z) : max(max(abs(x),abs(z)),abs(y-size))<size --> /(phi) B(k+1,k+1) -(beta) F A(k+1) : max(0, 1-(2*k+1)/k^2)
 A(k) > ?P(x,y,z) : max(max(abs(x),abs(z)),abs(y-size))>=size --> X %
-F > X --> S
+F > X --> Z
 X --> *
-F > S --> S F
-F > [S] --> S F
-S --> *
-B(m,n) > S --> [+(alpha) F A(m) ?P(0,0,0)]
+F > Z --> Z F
+F > [Z] --> Z F
+Z --> *
+B(m,n) > Z --> [+(alpha) F A(m) ?P(0,0,0)]
 B(m,n) > F --> B(m+1,n)
 `,
 	"quadratic-gosper": `/* Quadratic Gosper curve
@@ -984,6 +988,7 @@ K(t) --> ~flower(min(0.8, 0.1*t))
    about: A cyme that forks at every flower, the two branches not of the same age. Lychnis coronaria.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3.2; shapes are ours
    page: 84
+   set: unit=3
 */
 derivation length: 28
 
@@ -1005,6 +1010,7 @@ K(t) --> ~bud(3)
    about: A leaf with notches along its margin.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.8
    page: 126
+   set: unit=0.1
 */
 #define LA 5 /* 1 … 10 */
 #define RA 1.15 /* 1 … 1.5 */
@@ -1046,6 +1052,7 @@ F(x,t) : t>0 --> F(x,t-1)
    about: A raceme that goes on for ever: fruit below, buds above. Capsella bursa-pastoris.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3.1; leaf, flower and fruit are ours
    page: 74
+   set: unit=1.5
 */
 angle increment: 18
 derivation length: 34
@@ -1163,6 +1170,7 @@ b --> ;(7) F
    about: One rule, six leaves: how fast its segments grow and for how long.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.6
    page: 124
+   set: unit=0.3
 */
 #define LA 5 /* 1 … 10 */
 #define RA 1.1 /* 1 … 1.5 */
@@ -1302,6 +1310,7 @@ B(l,w) --> !(w) F(l) [+(a1) $ B(l*r1, w*wr)] [-(a2) $ B(l*r2, w*wr)]
    about: Three branches at every node, bent by a tropism.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 2.8
    page: 60
+   set: unit=5
 */
 #define d1 94.74 /* 0 … 360 */
 #define d2 132.63 /* 0 … 360 */
@@ -1360,31 +1369,31 @@ K(t) --> ~flower(min(0.8, 0.1*t))
 	"wall-lettuce": `/* Wall lettuce
    kind: inflorescences
    about: Signals stop the growth and wake the branches from the tip downwards. Mycelis muralis.
-   source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.4, model III; shapes are ours
+   source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.4, model III; Z, X and B are S, T and G there; shapes are ours
    page: 90
 */
 angle increment: 30
 derivation length: 56
-consider: M S T V
+consider: M Z X V
 
 axiom: I(20) F A(0)
 
-S < A(t) --> T V K(0)
-V < A(t) --> T V K(0)
+Z < A(t) --> X V K(0)
+V < A(t) --> X V K(0)
 A(t) : t>0 --> A(t-1)
-A(t) : t=0 --> M [+(30) G] F /(180) A(2)
-S < M --> S
-S > T --> T
-T < G --> F A(2)
-V < M --> S
-T > V --> W
+A(t) : t=0 --> M [+(30) B] F /(180) A(2)
+Z < M --> Z
+Z > X --> X
+X < B --> F A(2)
+V < M --> Z
+X > V --> W
 W --> V
 I(t) : t>0 --> I(t-1)
-I(t) : t=0 --> S
+I(t) : t=0 --> Z
 K(t) --> K(t+1)
 
 homomorphism
 K(t) --> ~flower(min(1.5, 0.1*t))
-G --> ~bud(0.3)
+B --> ~bud(0.3)
 `,
 };
