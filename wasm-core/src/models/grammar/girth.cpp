@@ -1,0 +1,46 @@
+#include "models/grammar/girth.hpp"
+
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "foundation/mathematics.hpp"
+#include "models/grammar/sketch.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+// Scaling and counting down by a text's own increment leave it near 0.
+bool unset(const Segment& segment) { return segment.radius < 1e6f * no_width; }
+
+// How many tips each bears; itself, where it is one.
+std::vector<std::uint32_t> tips_of(std::span<const Segment> segments) {
+  std::vector<std::uint32_t> tips(segments.size(), 0);
+  for (std::size_t i = segments.size(); i-- > 0;) {
+    if (tips[i] == 0) tips[i] = 1;
+    if (segments[i].parent >= 0) tips[segments[i].parent] += tips[i];
+  }
+  return tips;
+}
+
+}  // namespace
+
+void thicken(std::span<Segment> segments, const Girth& girth) {
+  double length = 0;
+  bool any = false;
+  for (const Segment& segment : segments) {
+    length += glm::distance(segment.start, segment.end);
+    any = any || unset(segment);
+  }
+  if (!any) return;
+  const float thinnest = 0.5f * girth.tip * static_cast<float>(length / static_cast<double>(segments.size()));
+  const std::vector<std::uint32_t> tips = tips_of(segments);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    Segment& segment = segments[i];
+    if (!unset(segment)) continue;
+    segment.radius = segment.radius_end =
+        tips[i] == 1 ? thinnest : thinnest * power(static_cast<float>(tips[i]), girth.thickening);
+  }
+}
+
+}  // namespace panicle::grammar
