@@ -158,7 +158,7 @@ export default [
 		faults: [
 			{
 				id: "element-handles-stay-behind",
-				find: "this.#undraw = view.onDrawn(() => this.#place());",
+				find: "this.#undraw = view.onDrawn(() => this.#layer.place());",
 				replace: "this.#undraw = () => {};",
 				breaks: "handles stand still while the plant turns",
 			},

@@ -22,4 +22,6 @@ export const model = {
 	parts: grammarParts,
 	words: grammarInWords,
 	record: grammarRecord,
+	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
+	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<GrammarSpecimen, GrammarPlant>;
