@@ -207,7 +207,7 @@ Diagnostic asked_and_answered(const Bound& bound, Contrary& listener, const Limi
     CHECK(modules == lsystem::length(string));
   }
   Contrary unasked;
-  if (derivation.trouble().reason == Reason::none) lsystem::trace(bound, derivation.string(), {}, unasked, limits);
+  if (derivation.trouble().reason == Reason::none) lsystem::trace(bound, derivation.string(), {}, unasked, 1, limits);
   return derivation.trouble();
 }
 

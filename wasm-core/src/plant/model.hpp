@@ -15,6 +15,8 @@ struct Model {
   // No files, no clock, no state: the same request gives the same plant. What the request leaves out has its default;
   // what is out of range is brought into it, with a note. Errors are values, with line and column for a grammar.
   Result<Plant> (*grow)(Request& request, const Limits& limits);
+  // That of texts which do not say theirs.
+  lsystem::Notation notation = lsystem::Notation::huang;
 };
 
 }  // namespace panicle

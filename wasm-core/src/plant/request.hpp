@@ -28,6 +28,9 @@ class Request {
   // Both must outlive the request. `programs` may be null where no handles are known.
   Request(std::span<const ColumnView> blocks, const Programs* programs);
 
+  // The notation of grammars that do not say theirs.
+  void read_grammars_as(lsystem::Notation notation) { notation_ = notation; }
+
   // What a block holds, rows of whatever width one after the other; nothing, zero or `otherwise` where it is absent.
   std::string_view text(std::string_view name);
   std::span<const float> floats(std::string_view name);
@@ -55,6 +58,7 @@ class Request {
 
   std::span<const ColumnView> blocks_;
   const Programs* programs_;
+  lsystem::Notation notation_ = lsystem::Notation::huang;
   std::vector<bool> read_;
   Diagnostic trouble_;
 };
