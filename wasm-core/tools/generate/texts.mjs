@@ -61,22 +61,27 @@ const settingsIn = (text = "") =>
 			.map((each) => each.split("=")),
 	);
 
-/** Where a text is from, as a sentence's end. */
-const sourceOf = (source, page) => (page ? `${source}, page ${page}` : source);
+/** Where a text is from, and the number of its figure apart, which the gallery shows. */
+function sourceOf({ source, page }) {
+	if (source === undefined || source === "own text") return {};
+	const [told, figure] = /,? figure (\d[\w.]*(?: [a-z](?![\w]))?)/.exec(source) ?? [];
+	const book = told ? source.replace(told, "") : source;
+	return { figure, source: `${book.replace(/\.$/, "")}${page ? `, page ${page}` : ""}.` };
+}
 
 function presetOf(name, header, text, set, { kinds, table }) {
 	const { title, kind, about, constants, details } = header;
 	if (!/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name)) throw new Error(`${name}: no lower-case name`);
 	if (!kinds.some(({ key }) => key === kind)) throw new Error(`${name}: there is no kind ${kind} in kinds.json`);
-	const source = sourceOf(header.source, header.page);
+	const { source, figure } = sourceOf(header);
 	const own = { ...(constants ? { constants } : {}), ...details };
 	return {
 		name,
 		kind,
 		title,
 		since: 2,
-		about: about ?? `${source?.replace(/\.$/, "") ?? title}.`,
-		...(about && source && source !== "own text" ? { figure: source } : {}),
+		about: [about, source].filter(Boolean).join(" ") || `${title}.`,
+		...(figure ? { figure } : {}),
 		...valuesOf(name, set, table),
 		...(Object.keys(own).length > 0 ? { details: own } : {}),
 		text,
@@ -151,7 +156,7 @@ function pageOf(model, { kinds, presets }, notice) {
 			.filter(({ kind }) => kind === key)
 			.map(
 				({ name, title: called, about, figure, text }) =>
-					`| \`${name}\` | ${cell(called)} | ${cell(figure ? `${about} ${figure}.` : about)} | [${text}.lsys](../../../wasm-core/grammars/${model}/${text}.lsys) |`,
+					`| \`${name}\` | ${cell(called)} | ${cell(figure ? `${about} Figure ${figure}.` : about)} | [${text}.lsys](../../../wasm-core/grammars/${model}/${text}.lsys) |`,
 			);
 		return `## ${title}\n\n| preset | title | what it is | text |\n|---|---|---|---|\n${rows.join("\n")}\n`;
 	});

@@ -12,10 +12,11 @@ enum class Parameter : std::uint32_t {
   unit,
   thickness,
   thickening,
+  widths,
   sides,
 };
 
-inline constexpr std::uint32_t parameter_count = 4;
+inline constexpr std::uint32_t parameter_count = 5;
 
 struct ParameterInfo {
   std::string_view key;
@@ -32,6 +33,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"unit", "", "", 0.01f, 10000.0f, 0.0f, 10.0f, false},
     {"thickness", "", "", 0.1f, 200.0f, 0.0f, 8.0f, false},
     {"thickening", "", "", 0.0f, 0.6f, 0.0f, 0.3f, false},
+    {"widths", "", "", 0.01f, 1000.0f, 0.0f, 100.0f, false},
     {"sides", "", "", 3.0f, 32.0f, 0.0f, 10.0f, true},
 }};
 // clang-format on

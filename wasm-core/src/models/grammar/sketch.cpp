@@ -6,7 +6,9 @@ namespace {
 // What things are by nature, where the text sets no colour: as the table of parameters names them.
 constexpr std::uint8_t of_lines = 1, of_spheres = 7;
 
-Mark mark_of(const lsystem::Turtle&, const lsystem::Lineage&, std::uint8_t natural) { return {0, natural}; }
+Mark mark_of(const lsystem::Turtle&, const lsystem::Lineage& lineage, std::uint8_t natural) {
+  return {lineage.module, natural};
+}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 /** Any text grown as a plant: docs/models/grammar/grammar.md. */
 import type { Model } from "../model";
+import { GRAMMAR_FORMATS } from "./formats";
 import { type GrammarPlant, readGrammarPlant } from "./grammar_plant";
 import { grammarParts } from "./parts";
 import { grammarRecord } from "./record";
@@ -7,21 +8,25 @@ import { encodeGrammar } from "./request";
 import { GRAMMAR } from "./species";
 import type { GrammarSpecimen } from "./specimen";
 import { fetchTexts } from "./texts";
-import { grammarInWords } from "./words";
+import { grammarInWords, titleOfText } from "./words";
 
 export const model = {
 	...GRAMMAR,
 	title: "Grammar",
+	shelf: "Grammars",
 	preview: true,
 	noun: "plant",
 	wasm: "grammar.wasm",
 	pictures: false,
+	strings: true,
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
 	encode: encodeGrammar,
 	read: readGrammarPlant,
 	parts: grammarParts,
+	titled: ({ grammar }) => (grammar === undefined ? undefined : titleOfText(grammar)),
 	words: grammarInWords,
 	record: grammarRecord,
 	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
 	studio: async () => (await import("./tools/face")).face,
+	formats: GRAMMAR_FORMATS,
 } satisfies Model<GrammarSpecimen, GrammarPlant>;

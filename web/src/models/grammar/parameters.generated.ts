@@ -2,7 +2,7 @@
 import type { Entry, Group } from "../../specimen/table";
 
 /** Keys of the parameters that the core reads, in the request's order. */
-export const NUMBER_KEYS = ["unit", "thickness", "thickening", "sides"] as const;
+export const NUMBER_KEYS = ["unit", "thickness", "thickening", "widths", "sides"] as const;
 export type NumberKey = (typeof NUMBER_KEYS)[number];
 
 /** Keys of the parameters that only colour the result. */
@@ -65,6 +65,21 @@ export const PARAMETERS: readonly Entry[] = [
 		default: 0.3,
 		step: 0.01,
 		help: "How much thicker a line is the more tips it bears, where the text sets no width: 0 not at all, 0.5 by Leonardo's rule.",
+		since: 2,
+	},
+	{
+		key: "widths",
+		link: "w",
+		label: "Widths",
+		symbol: "",
+		group: "lines",
+		kind: "number",
+		unit: "%",
+		min: 0.01,
+		max: 1000,
+		default: 100,
+		step: 1,
+		help: "How wide lines are whose width the text sets: 100 is as wide as it says, in the unit.",
 		since: 2,
 	},
 	{

@@ -1,14 +1,16 @@
 /** What a text has grown in parts: lines by their colours, what is borne by its kind and colour. */
 import { linear } from "../../plant/colour";
 import { type Material, standardMaterial } from "../../plant/material";
-import { cut, type Part, TRANSFORM } from "../../plant/part";
-import type { PlantMesh } from "../../plant/plant";
+import { cut, type Part, type PartMesh, TRANSFORM } from "../../plant/part";
+import type { MeshRun, PlantMesh } from "../../plant/plant";
 import type { GrammarPlant } from "./grammar_plant";
 import type { ColourKey } from "./parameters.generated";
 import type { GrammarSpecimen } from "./specimen";
 
 /** More of a kind than these nobody picks one by one: none has a name of its own, and files hold them in a few meshes. */
 const MOST_NAMED = 300;
+/** More polygons than these are one part a colour: each part is drawn by itself. */
+const MOST_APART = 60;
 
 export function* grammarParts(plant: GrammarPlant, { look }: GrammarSpecimen): Generator<Part> {
 	const names = new Set<string>();
@@ -32,12 +34,50 @@ export function* grammarParts(plant: GrammarPlant, { look }: GrammarSpecimen): G
 			yield* borneParts(plant, index, mesh, materialOf, called);
 			continue;
 		}
-		for (const [run, range] of mesh.runs.entries()) {
-			if (range.indexCount === 0) continue;
-			const material = materialOf(mesh.material, colours[run]);
-			yield { name: called(range.name), shape: { mesh: cut(mesh, range), material } };
+		for (const { name, colour, runs } of groupsOf(mesh, colours)) {
+			const material = materialOf(mesh.material, colour);
+			yield { name: called(name), shape: { mesh: gathered(mesh, runs), material } };
 		}
 	}
+}
+
+/** Each run for itself; where there are many, those of a colour together. */
+function groupsOf({ runs }: PlantMesh, colours: Uint8Array): { name: string; colour: number; runs: MeshRun[] }[] {
+	const shown = runs.map((run, place) => ({ run, colour: colours[place] })).filter(({ run }) => run.indexCount > 0);
+	if (shown.length <= MOST_APART) return shown.map(({ run, colour }) => ({ name: run.name, colour, runs: [run] }));
+	const groups = new Map<number, MeshRun[]>();
+	for (const { run, colour } of shown) {
+		const members = groups.get(colour) ?? [];
+		groups.set(colour, members);
+		members.push(run);
+	}
+	return [...groups].sort(([a], [b]) => a - b).map(([colour, members]) => ({ name: "Blades", colour, runs: members }));
+}
+
+/** Runs of a mesh as one mesh of their own. */
+function gathered(mesh: PlantMesh, runs: readonly MeshRun[]): PartMesh {
+	if (runs.length === 1) return cut(mesh, runs[0]);
+	const vertices = runs.reduce((sum, { vertexCount }) => sum + vertexCount, 0);
+	const count = runs.reduce((sum, { indexCount }) => sum + indexCount, 0);
+	const all = {
+		positions: new Float32Array(3 * vertices),
+		normals: new Float32Array(3 * vertices),
+		uvs: new Float32Array(2 * vertices),
+		indices: new Uint32Array(count),
+		...(mesh.sky ? { sky: new Uint8Array(vertices) } : {}),
+	};
+	let [vertex, index] = [0, 0];
+	for (const { firstVertex, vertexCount, firstIndex, indexCount } of runs) {
+		const end = firstVertex + vertexCount;
+		all.positions.set(mesh.positions.subarray(3 * firstVertex, 3 * end), 3 * vertex);
+		all.normals.set(mesh.normals.subarray(3 * firstVertex, 3 * end), 3 * vertex);
+		all.uvs.set(mesh.uvs.subarray(2 * firstVertex, 2 * end), 2 * vertex);
+		if (mesh.sky) all.sky?.set(mesh.sky.subarray(firstVertex, end), vertex);
+		for (let i = 0; i < indexCount; i++) all.indices[index + i] = mesh.indices[firstIndex + i] - firstVertex + vertex;
+		vertex += vertexCount;
+		index += indexCount;
+	}
+	return all;
 }
 
 /** A material of a kind in a colour of the palette. */

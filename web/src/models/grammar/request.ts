@@ -12,8 +12,6 @@ export interface RequestOptions extends GrowthOptions {
 	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
-	/** Whether the derived string is wanted; the default is no. */
-	string?: boolean;
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */

@@ -16,5 +16,6 @@ export const GRAMMAR: Species<GrammarSpecimen> = {
 	name: "grammar",
 	table: GRAMMAR_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
-	details: [steps, constants, areas, path, grammarText()],
+	// Any text that no other model has claimed.
+	details: [steps, constants, areas, path, grammarText(() => true)],
 };

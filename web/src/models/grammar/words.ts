@@ -9,3 +9,9 @@ export function grammarInWords({ counts }: GrammarPlant): string {
 }
 
 const counted = (count: number, noun: string) => `${count.toLocaleString("en-GB")} ${noun}${count === 1 ? "" : "s"}`;
+
+/** The first line of the comment that a text begins with, as presets' texts have their title there. */
+export function titleOfText(text: string): string {
+	const [, line] = /^\s*\/\*\s*([^\n*]{1,60}?)\s*(?:\n|\*\/)/.exec(text) ?? [];
+	return line ?? "A grammar of one’s own";
+}
