@@ -189,7 +189,9 @@ describe("what is asked for", () => {
 
 	it("takes a grammar from a file", async () => {
 		const grammar = "\ufeffaxiom: F(10)[+F(5)][-F(5)]\n";
-		const { json } = await grow(["--grammar", "mine.lsys", "--set", "procedure=paper"], { "mine.lsys": grammar });
+		const { json } = await grow(["long-conical", "--grammar", "mine.lsys", "--set", "procedure=paper"], {
+			"mine.lsys": grammar,
+		});
 		expect(json.counts.internodes).toBe(3);
 		expect(json.specimen.grammar).toBe(grammar.slice(1));
 	});

@@ -17,6 +17,8 @@ struct Model {
   Result<Plant> (*grow)(Request& request, const Limits& limits);
   // That of texts which do not say theirs.
   lsystem::Notation notation = lsystem::Notation::huang;
+  // Whether its listener wants to know where modules come from, whatever the text draws by chance.
+  lsystem::Lineages lineages = lsystem::Lineages::always;
 };
 
 }  // namespace panicle

@@ -43,8 +43,8 @@ describe("the document of a grammar", () => {
 	});
 
 	it.each([
-		["a:x", "“x” is not a number"],
-		["a:1e40", "“1e40” is not a number"],
+		["a:x", "a is “x”, which is not a number"],
+		["a:1e40", "a is “1e40”, which is not a number"],
 		["a", "“” is not a constant’s name"],
 		["2a:1", "“2a” is not a constant’s name"],
 		[7, "“” is not a constant’s name"],

@@ -1,34 +1,28 @@
 #include "models/grammar/dressing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
 #include "geometry/tubes.hpp"
+#include "models/grammar/blades.hpp"
 #include "models/grammar/openness.hpp"
+#include "models/grammar/surfaces.hpp"
 
 namespace panicle::grammar {
 namespace {
 
-constexpr std::uint32_t ball_tag = 0;
-constexpr std::int32_t ball_mesh = 1;
 constexpr std::uint32_t ball_segments = 16;
 // What is thinner than this share of the plant's largest extent is a pixel wide.
 constexpr float thin = 0.002f;
 constexpr std::uint32_t thin_sides = 5;
 constexpr std::uint64_t most_vertices = 4'000'000;
-
-// The shortest turn that takes +Y to `way`, a unit vector, as a quaternion.
-glm::vec4 turn_from_up(const glm::vec3& way) {
-  const float w = 1 + way.y;
-  if (w < 1e-6f) return {1, 0, 0, 0};  // straight down: half round x
-  const float length = std::sqrt(way.x * way.x + way.z * way.z + w * w);
-  return {way.z / length, 0, -way.x / length, w / length};
-}
 
 float extent_of(std::span<const Segment> segments) {
   if (segments.empty()) return 0;
@@ -41,12 +35,33 @@ float extent_of(std::span<const Segment> segments) {
   return std::max({size.x, size.y, size.z});
 }
 
+// The rotation of a right-handed frame as a unit quaternion x y z w: by whichever of its parts is largest (Shepperd
+// 1978).
+glm::vec4 quaternion_of(const glm::mat3& m) {
+  const float trace = m[0][0] + m[1][1] + m[2][2];
+  glm::vec4 q;
+  if (trace > 0) {
+    q = {m[1][2] - m[2][1], m[2][0] - m[0][2], m[0][1] - m[1][0], 1 + trace};
+  } else {
+    int i = 0;
+    for (int k = 1; k < 3; ++k)
+      if (m[k][k] > m[i][i]) i = k;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    q[i] = 1 + m[i][i] - m[j][j] - m[k][k];
+    q[j] = m[j][i] + m[i][j];
+    q[k] = m[k][i] + m[i][k];
+    q.w = m[j][k] - m[k][j];
+  }
+  return q / glm::length(q);
+}
+
 // Of each thing its module and its colour.
-void add_marks(Columns& columns, const std::string& of, std::span<const Mark> marks) {
-  columns.add(of + ".module",
-              column_of<std::uint32_t>(marks, 1, [](const Mark& mark, std::uint32_t* at) { *at = mark.module; }));
+template <class Rows, class Read>
+void add_marks(Columns& columns, const std::string& of, const Rows& rows, Read mark_of) {
+  columns.add(of + ".module", column_of<std::uint32_t>(
+                                  rows, 1, [&](const auto& row, std::uint32_t* at) { *at = mark_of(row).module; }));
   columns.add(of + ".colour",
-              column_of<std::uint8_t>(marks, 1, [](const Mark& mark, std::uint8_t* at) { *at = mark.colour; }));
+              column_of<std::uint8_t>(rows, 1, [&](const auto& row, std::uint8_t* at) { *at = mark_of(row).colour; }));
 }
 
 // Tubes, a run a colour.
@@ -71,30 +86,82 @@ PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> m
   return mesh;
 }
 
-std::vector<Screen> screens_of(const Plant& plant) {
+// Half of a sheet's area: what it hides, taken over all sides.
+Screen screen_of(std::span<const glm::vec3> corners, float metres) {
+  glm::vec3 sum(0), twice(0);
+  for (const glm::vec3& corner : corners) sum += corner;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    twice += glm::cross((corners[i] - corners[0]) * metres, (corners[i + 1] - corners[0]) * metres);
+  return {sum * (metres / static_cast<float>(std::max<std::size_t>(corners.size(), 1))), 0.25f * glm::length(twice)};
+}
+
+std::vector<Screen> screens_of(const Plant& plant, const Sketch& sketch, float metres) {
   std::vector<Screen> screens;
-  for (const Organ& organ : plant.organs) screens.push_back({organ.position, pi * organ.scale * organ.scale});
+  for (const Organ& organ : plant.organs) {
+    const float square = organ.scale * organ.scale;
+    if (organ.tag == ball_tag) screens.push_back({organ.position, pi * square});
+    if (organ.tag >= first_surface_tag)
+      screens.push_back({organ.position, surfaces[organ.tag - first_surface_tag].area * square});
+  }
+  for (const Polygon& polygon : sketch.polygons.all)
+    screens.push_back(screen_of(std::span(sketch.polygons.corners).subspan(polygon.first, polygon.count), metres));
   return screens;
+}
+
+// The meshes that organs are drawn with, those alone that any has; and their places among the plant's.
+void add_shared(Plant& plant) {
+  std::array<std::int32_t, first_surface_tag + surfaces.size()> meshes;
+  meshes.fill(-1);
+  for (Organ& organ : plant.organs) {
+    if (organ.tag == polygon_tag) continue;
+    std::int32_t& mesh = meshes[organ.tag];
+    if (mesh < 0) {
+      mesh = static_cast<std::int32_t>(plant.meshes.size());
+      if (organ.tag == ball_tag) {
+        plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+      } else {
+        const std::uint32_t which = organ.tag - first_surface_tag;
+        const Surface& surface = surfaces[which];
+        plant.meshes.push_back({std::string(surface.name), std::string(surface.material), make_surface(which), {}, {}});
+      }
+    }
+    organ.mesh = mesh;
+  }
+}
+
+void note_empty(Plant& plant, std::uint32_t empty) {
+  if (empty == 0) return;
+  plant.notes.push_back(empty == 1
+                            ? "A polygon shows nothing: it has fewer than three different corners, or all on a line."
+                            : std::to_string(empty) +
+                                  " polygons show nothing: they have fewer than three different "
+                                  "corners, or all on a line.");
 }
 
 void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
   PlantMesh stems = stems_of(plant.segments, sketch.lines, habit.sides);
+  std::uint32_t empty = 0;
+  PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty);
+  note_empty(plant, empty);
   if (habit.sky) {
-    const Openness open(plant.segments, screens_of(plant));
+    const Openness open(plant.segments, screens_of(plant, sketch, habit.metres));
     stems.columns.add("sky", open.of(stems.mesh));
+    if (!blades.runs.empty()) blades.columns.add("sky", open.of(blades.mesh));
     std::vector<std::uint8_t> of_organs;
     for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
     if (!of_organs.empty()) plant.columns.add("organs.sky", std::move(of_organs));
   }
   plant.meshes.push_back(std::move(stems));
-  if (!plant.organs.empty()) plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+  if (!blades.runs.empty()) plant.meshes.push_back(std::move(blades));
+  add_shared(plant);
 }
 
 }  // namespace
 
 void dress(Plant& plant, const Sketch& sketch, const Dress& habit) {
   plant.tags = {"stem"};
-  plant.organ_tags = {"ball"};
+  plant.organ_tags = {"ball", "polygon"};
+  for (const Surface& surface : surfaces) plant.organ_tags.emplace_back(surface.name);
   plant.segments = sketch.segments;
   for (Segment& segment : plant.segments) {
     segment.start *= habit.metres;
@@ -102,11 +169,12 @@ void dress(Plant& plant, const Sketch& sketch, const Dress& habit) {
     segment.radius *= habit.metres;
     segment.radius_end *= habit.metres;
   }
-  for (const Ball& ball : sketch.balls)
-    plant.organs.push_back({ball_tag, ball.segment, habit.meshes ? ball_mesh : -1, ball.centre * habit.metres,
-                            turn_from_up(ball.heading), ball.radius * habit.metres});
-  add_marks(plant.columns, "segments", sketch.lines);
-  if (!plant.organs.empty()) add_marks(plant.columns, "organs", sketch.spheres);
+  for (const Borne& one : sketch.borne)
+    plant.organs.push_back(
+        {one.tag, one.segment, -1, one.place * habit.metres, quaternion_of(one.frame), one.size * habit.metres});
+  add_marks(plant.columns, "segments", sketch.lines, [](const Mark& mark) { return mark; });
+  if (!plant.organs.empty())
+    add_marks(plant.columns, "organs", sketch.borne, [](const Borne& one) { return one.mark; });
   if (habit.meshes) add_meshes(plant, sketch, habit);
 }
 

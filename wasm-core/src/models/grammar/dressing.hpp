@@ -15,7 +15,7 @@ struct Dress {
   bool sky = false;  // of the meshes
 };
 
-// Segments, organs, their columns, and the meshes that model.hpp lists.
+// Segments, organs, their columns, and the meshes that model.hpp lists; a note on polygons that show nothing.
 void dress(Plant& plant, const Sketch& sketch, const Dress& habit);
 
 }  // namespace panicle::grammar

@@ -28,9 +28,12 @@ std::vector<std::uint32_t> tips_of(std::span<const Segment> segments) {
 void thicken(std::span<Segment> segments, const Girth& girth) {
   double length = 0;
   bool any = false;
-  for (const Segment& segment : segments) {
+  for (Segment& segment : segments) {
     length += glm::distance(segment.start, segment.end);
     any = any || unset(segment);
+    if (unset(segment)) continue;
+    segment.radius *= girth.said;
+    segment.radius_end *= girth.said;
   }
   if (!any) return;
   const float thinnest = 0.5f * girth.tip * static_cast<float>(length / static_cast<double>(segments.size()));

@@ -1,5 +1,5 @@
-// How thick lines are whose text sets no width: as thin as a share of their mean length at the tips, and the thicker
-// the more tips they bear.
+// How thick lines are: as wide as the text says; where it says nothing, as thin as a share of their mean length at the
+// tips, and the thicker the more tips they bear.
 #pragma once
 
 #include <span>
@@ -11,9 +11,10 @@ namespace panicle::grammar {
 struct Girth {
   float tip = 0.08f;        // width at a tip, over the mean length of all lines
   float thickening = 0.3f;  // the power of the number of tips borne; 0: all are alike, 1/2: Leonardo's rule
+  float said = 1;           // a factor on widths that the text sets
 };
 
-// Sets the radii of those whose radius is `no_width`'s (sketch.hpp), parents first, in the grammar's unit.
+// Sets the radii of those whose width is still `no_width` (sketch.hpp), parents first, in the grammar's unit.
 void thicken(std::span<Segment> segments, const Girth& girth);
 
 }  // namespace panicle::grammar

@@ -115,15 +115,17 @@ Result<Plant> grow(Request& request, const Limits& given) {
   const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return bound.error();
   const lsystem::Surroundings around{standing(), &areas.value(), nullptr};
-  const auto derived = lsystem::develop(*bound.value(), asked->seed, asked->steps, limits, around);
+  const auto derived = lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, around);
   if (!derived) return derived.error();
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
   const auto drawn = lsystem::interpret(*bound.value(), string, standing(), sketch, asked->seed, limits, around.space);
   if (!drawn) return drawn.error();
-  if (sketch.trouble().reason != Reason::none) return sketch.trouble();
-  thicken(sketch.segments, {0.01f * values[thickness], values[thickening]});
+  for (const Diagnostic& stopped : {derived->stopped, sketch.trouble()})
+    if (stopped.reason != Reason::none) plant.notes.push_back("What grew so far is shown. " + stopped.message);
+  plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
+  thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
   dress(plant, sketch, {.metres = metres, .sides = values.whole(sides), .meshes = asked->meshes, .sky = asked->sky});
   const auto count = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
@@ -131,7 +133,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
                   {"steps", derived->steps},
                   {"segments", count(plant.segments.size())},
                   {"organs", count(plant.organs.size())},
-                  {"polygons", 0}};
+                  {"polygons", count(sketch.polygons.all.size())}};
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
   if (asked->string) plant.columns.add("string", lsystem::to_text(*program.value(), string));
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
@@ -145,6 +147,6 @@ Result<Plant> grow(Request& request, const Limits& given) {
 }  // namespace
 
 extern const Model model;
-const Model model{"grammar", grow, lsystem::Notation::cpfg};
+const Model model{"grammar", grow, lsystem::Notation::cpfg, lsystem::Lineages::where_needed};
 
 }  // namespace panicle::grammar

@@ -11,12 +11,14 @@
 // Columns of a plant besides everyone's (boundary/panicle.h):
 //   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0
 //   segments.colour, organs.colour   uint8 each: 1 … 8 of the document's palette
-//   segments.area, segments.main     uint8 each, where the text declares their roles (belonging.hpp): the growth area,
+//   segments.area, segments.main     uint8 each, where the text declares their role (belonging.hpp): the growth area,
 //                                    from 1, and whether it is the main branch's
 //   string                           text, where it is asked for: it reads back as an axiom
-// Counts: modules (of the last string), steps (that were taken), segments, organs, polygons. Tags: stem; ball.
-// Meshes: `stems` (segment: uint32 a vertex; colour: uint8 a run; a run a colour) and `balls` of radius 1, where organs
-// are. Sky: of stems' vertices, and of organs in the mean.
+// Counts: modules (of the last string), steps (that were taken), segments, organs, polygons. Tags: stem; ball, polygon
+// and the names of surfaces.hpp.
+// Meshes: `stems` (segment: uint32 a vertex; colour: uint8 a run; a run a colour), and where there are such: `blades`
+// (colour: uint8 a run; a run a polygon that shows), `balls` of radius 1 and a mesh for each surface that is drawn, by
+// its name. Sky: of the vertices of stems and blades, and of organs in the mean.
 #pragma once
 
 #include "plant/model.hpp"

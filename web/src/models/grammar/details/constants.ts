@@ -39,7 +39,7 @@ function readConstants(key: string, value: unknown, notes: Notes): Record<string
 		const number = readNumber(given);
 		if (!NAME.test(name)) notes.add(key, `${quote(name)} is not a constant’s name`, "left out");
 		else if (number === undefined || !(Math.abs(number) <= LARGEST))
-			notes.add(NAME.test(name) ? name : key, `${quote(given)} is not a number`, "what the text says is used");
+			notes.add(key, `${name} is ${quote(given)}, which is not a number`, "what the text says is used");
 		else if (found.size >= MOST_CONSTANTS && !found.has(name)) {
 			notes.add(key, `more than ${MOST_CONSTANTS} constants`, `the first ${MOST_CONSTANTS} are read`);
 			break;
