@@ -30,7 +30,9 @@ const start: GrammarSpecimen = {
 };
 const made = (change: Change | undefined, from = start) => apply(GRAMMAR, from, change as Change);
 const handleOf = (specimen: GrammarSpecimen, id: string, chosen?: number) =>
-	areaHandles(specimen, { area: chosen, path: true }).handles.find((each) => each.id === id) as PlantHandle;
+	areaHandles(specimen, { area: chosen, path: id.startsWith("place") }).handles.find(
+		(each) => each.id === id,
+	) as PlantHandle;
 const close = (found: readonly number[] | undefined, wanted: readonly number[]) =>
 	wanted.forEach((value, i) => expect(found?.[i]).toBeCloseTo(value, 2));
 

@@ -33,7 +33,8 @@ export function areaHandles(specimen: WithAreas, choice: Choice = {}): PlantHand
 	const places = choice.path ? placesOf(specimen) : [];
 	return {
 		handles: [
-			...areas.map((area, i) => middle(specimen, area, i, i === choice.area)),
+			// Places may stand in the middles: one of the two is shown.
+			...(choice.path ? [] : areas).map((area, i) => middle(specimen, area, i, i === choice.area)),
 			...(chosen && choice.area !== undefined
 				? [...sides(specimen, chosen, choice.area), ...turns(specimen, chosen, choice.area)]
 				: []),
