@@ -1,9 +1,9 @@
 /** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
 import type { OrganRecord, SegmentRecord } from "../../export/json";
 import { floats, integers, Rows, vectors, words } from "../../export/rows";
-import type { Area } from "./areas/area";
+import type { Specimen } from "../../specimen/specimen";
+import type { Area, WithAreas } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
-import type { GrammarSpecimen } from "./specimen";
 
 /** A line. */
 export interface LineRecord extends SegmentRecord {
@@ -38,9 +38,12 @@ export interface GrammarRecord {
 	organs: Rows<BorneRecord>;
 }
 
+/** What of a specimen the document repeats, in its own words. */
+interface Bounded extends Specimen, WithAreas {}
+
 export function grammarRecord(
 	{ counts, segments, organs, lines, borne, belongs, string }: GrammarPlant,
-	{ areas }: Pick<GrammarSpecimen, "areas">,
+	{ areas }: Bounded,
 ): GrammarRecord {
 	return {
 		modules: counts.modules,
