@@ -42,7 +42,7 @@ test("the gallery has a section of grammars", async ({ page }) => {
 	const studio = await new StudioPage(page).open("?v=2&model=grammar");
 	const kinds = page.getByRole("combobox", { name: "Kind of preset" });
 	await expect(kinds.locator("optgroup[label=Grammars] option").first()).toBeAttached();
-	await expect(page.locator(".preset[data-preset=bush]")).toHaveAttribute("aria-current", "true");
+	await expect(page.locator(".preset[data-preset=shrub]")).toHaveAttribute("aria-current", "true");
 	await studio.regrown(() => studio.slider("Unit").fill("20"));
 	await expect(page).toHaveURL(/unit=20/);
 });

@@ -50,7 +50,7 @@ describe("--grammar", () => {
 	});
 
 	it("writes the text with its values as a file", async () => {
-		const { written } = await grow(["grammar/bush", "--set", "angle=20", "--out", "b.lsys"]);
+		const { written } = await grow(["grammar/shrub", "--set", "angle=20", "--out", "b.lsys"]);
 		expect(written.get("b.lsys")).toMatch(/#define angle 20 {6}\/\* 10 … 80/);
 	});
 });

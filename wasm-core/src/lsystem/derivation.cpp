@@ -133,6 +133,11 @@ bool Derivation::step() {
 
 bool Derivation::ask(const Turtle& start, Listener& listener) {
   if (machine_.failed()) return false;
+  if (listener.hears_first()) {
+    const auto heard = trace(bound_, now_.string, start, listener, seed_, limits_, around_.space);
+    if (!heard) return machine_.fail(heard.error());
+    listener.answers_begin();
+  }
   const Diagnostic trouble = answer(bound_, now_.string, start, listener, seed_, limits_, around_.space);
   if (trouble.reason != Reason::none) return machine_.fail(trouble);
   answered_ = true;

@@ -127,7 +127,9 @@ class Parser {
     } else if (first.is('-') || first.is('+') || first.is('!')) {
       return prefix();
     } else {
-      return fail(Reason::syntax, first.place, "A value is expected here, not '%'.", {first.text});
+      const bool turned = (first.is('>') || first.is('<')) && at_ > 0 && tokens_[at_ - 1].is('=');
+      return fail(Reason::syntax, first.place,
+                  turned ? "At least is written >=, at most <=." : "A value is expected here, not '%'.", {first.text});
     }
     ++at_;
     wants_operand_ = false;
@@ -147,6 +149,8 @@ class Parser {
     const Function* function = function_named(name.text);
     const std::uint32_t curve = curves_.find(name.text);
     if (function == nullptr && curve == Names::none) {
+      if (!foreign_function(name.text).empty())
+        return fail(Reason::undefined, name.place, "%", {foreign_function(name.text)});
       std::string known;
       for (const Function& f : functions) known.append(known.empty() ? "" : ", ").append(f.name);
       return fail(Reason::undefined, name.place,

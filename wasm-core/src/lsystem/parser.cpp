@@ -95,13 +95,17 @@ class GrammarParser : public ProductionReader {
   bool begins_statement(std::size_t at) const {
     return is_directive(at) || is_axiom(at) || is_length(at) || is_depth(at) || is_sight(at) || is_section(at) ||
            is_system(at) || setting_line(at) != nullptr || is_foreign_line(at) || foreign_arrow(at) != 0 ||
-           arrow_of_line(at) < end_of_line(at);
+           (tokens_[at].is('#') && is_comment(at)) || arrow_of_line(at) < end_of_line(at);
   }
 
   // `#define` and the like; a # of the turtle stands apart from what follows.
   bool is_directive(std::size_t at) const {
-    return tokens_[at].is('#') && (at + 1 >= tokens_.size() || tokens_[at + 1].first_on_line ||
-                                   (tokens_[at + 1].kind == TokenKind::name && touching(tokens_[at], tokens_[at + 1])));
+    if (!tokens_[at].is('#')) return false;
+    if (is_alone(at)) return true;
+    static constexpr std::string_view words[] = {"define", "input", "role", "curve", "turtle"};
+    const Token& next = tokens_[at + 1];
+    return next.kind == TokenKind::name &&
+           (touching(tokens_[at], next) || std::find(std::begin(words), std::end(words), next.text) != std::end(words));
   }
 
   // `seed: 1` and the like. They would otherwise go on with the statement before them.
@@ -109,20 +113,28 @@ class GrammarParser : public ProductionReader {
     const std::size_t end = end_of_line(at);
     if (tokens_[at].kind != TokenKind::name || foreign_statement(tokens_[at].text).empty()) return false;
     const bool followed = at + 1 < end && (tokens_[at].is("derivation") || tokens_[at].is("maximum"));
-    return arrow_of_line(at) == end && (at + 1 == end || tokens_[at + 1].is(':') || followed);
+    const bool said = at + 1 < end && (tokens_[at + 1].is(':') || (tokens_[at + 1].is('=') && at + 3 == end));
+    return arrow_of_line(at) == end && (at + 1 == end || said || followed);
   }
 
-  // Where `->` or `-.33->` stands in a line without an arrow; 0 where neither does.
+  // Where `->`, `=>`, `:=` or `-.33->` stands in a line without an arrow; 0 where neither does.
   std::size_t foreign_arrow(std::size_t at) const {
     const std::size_t end = end_of_line(at);
     if (arrow_of_line(at) < end) return 0;
-    for (++at; at + 1 < end; ++at)
-      if (tokens_[at].is('-') && tokens_[at + 1].is('>') && touching(tokens_[at], tokens_[at + 1])) return at;
+    for (++at; at + 1 < end; ++at) {
+      const bool drawn = (tokens_[at].is('-') || tokens_[at].is('=')) && tokens_[at + 1].is('>');
+      if ((drawn || (tokens_[at].is(':') && tokens_[at + 1].is('='))) && touching(tokens_[at], tokens_[at + 1]))
+        return at;
+    }
     return 0;
   }
 
+  // `// words`, or `# words` of which the first is no directive.
   bool is_comment(std::size_t at) const {
-    return at + 1 < tokens_.size() && tokens_[at].is('/') && tokens_[at + 1].is('/');
+    if (at + 1 >= tokens_.size()) return false;
+    const bool words =
+        at + 2 < end_of_line(at) && tokens_[at + 1].kind == TokenKind::name && tokens_[at + 2].kind == TokenKind::name;
+    return tokens_[at].is('#') ? words : tokens_[at].is('/') && tokens_[at + 1].is('/');
   }
 
   // What `?name` may begin has to be known before it is read. The first L-system is the text itself where nothing

@@ -31,6 +31,10 @@ class Reader {
         once("S as a symbol", production.place,
              "S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
              "name.");
+      if (production.condition.nodes.size() == 1 && production.condition.nodes[0].kind == Node::Kind::number)
+        once("one number", production.condition.place,
+             "A condition that is a number always holds, or never; a weight stands behind the successor and a colon: A "
+             "--> B : 0.33.");
       string(production.successor, production.place.line);
     }
     add_those_on_axiom();
@@ -125,6 +129,9 @@ class Reader {
     if (turtles && !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos)
       once(name, module.place, "% is one symbol of its own and draws nothing; write %(%).",
            {name, name.substr(0, 1), digits});
+    const bool capitals = name.size() > 1 && name.find_first_not_of("FGABCDLRXYIJKPQ") == std::string_view::npos;
+    if (capitals && name.find('F') != std::string_view::npos)
+      once(name, module.place, "% is one symbol of its own and draws nothing; put spaces between several.", {name});
     if (name == "T" || ((name == "G" || name == "g") && !module.arguments.empty()))
       once(name, module.place,
            "% draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.",

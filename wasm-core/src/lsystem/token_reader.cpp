@@ -102,7 +102,10 @@ bool TokenReader::two_signs(const Token& token, std::string_view& name, const ch
 bool TokenReader::no_symbol(const Token& token) {
   if (!foreign_module(token.text).empty()) return wrong(token.place, "%", {foreign_module(token.text)});
   if (token.kind == TokenKind::number)
-    return wrong(token.place, "A symbol begins with a letter; '%' cannot be one.", {token.text});
+    return wrong(token.place,
+                 "A symbol begins with a letter; '%' cannot be one. Write letters, such as o and i for 0 and 1; a "
+                 "weight stands behind a colon.",
+                 {token.text});
   return wrong(token.place, "'%' cannot stand in a string of modules; docs/turtle.md lists what can.", {token.text});
 }
 

@@ -18,7 +18,7 @@ struct Spelling {
   char32_t pasted;
   std::string_view written;
 };
-constexpr std::array<Spelling, 14> spellings = {{{U'→', "-->"},
+constexpr std::array<Spelling, 16> spellings = {{{U'→', "-->"},
                                                  {U'⟶', "-->"},
                                                  {U'−', "-"},
                                                  {U'–', "-"},
@@ -28,10 +28,12 @@ constexpr std::array<Spelling, 14> spellings = {{{U'→', "-->"},
                                                  {U'≤', "<="},
                                                  {U'≥', ">="},
                                                  {U'≠', "!="},
-                                                 {U'∧', "&&"},
+                                                 {U'∧', "&& in a condition, ^ in a string"},
                                                  {U'∨', "||"},
                                                  {U'′', "'"},
-                                                 {U'’', "'"}}};
+                                                 {U'’', "'"},
+                                                 {U'∼', "~"},
+                                                 {U'⇒', "-->"}}};
 
 // Letters of every script may stand in names; punctuation, arrows, mathematical signs and the like may not.
 bool is_letter(char32_t c) {

@@ -74,7 +74,9 @@ function presetOf(name, header, text, set, { kinds, table }) {
 	if (!/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name)) throw new Error(`${name}: no lower-case name`);
 	if (!kinds.some(({ key }) => key === kind)) throw new Error(`${name}: there is no kind ${kind} in kinds.json`);
 	const { source, figure } = sourceOf(header);
-	const own = { ...(constants ? { constants } : {}), ...details };
+	// In the order in which documents have them.
+	const values = Object.entries(constants ?? {}).sort(([a], [b]) => (a < b ? -1 : 1));
+	const own = { ...(values.length > 0 ? { constants: Object.fromEntries(values) } : {}), ...details };
 	return {
 		name,
 		kind,

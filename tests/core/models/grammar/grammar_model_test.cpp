@@ -59,6 +59,16 @@ TEST_CASE("lines without a width are a share of their mean length at the tips, t
   CHECK(even.segments[0].radius == doctest::Approx(0.1));
 }
 
+TEST_CASE("the lines of what is many lines large are thicker, up to a limit") {
+  const auto thinnest = [](const char* steps) {
+    const std::string text = std::string("derivation length: ") + steps + "\naxiom: F\nF --> F F\n";
+    return grow({.text = text, .parameters = {{"unit", 1000}, {"thickness", 10}}}).segments[0].radius;
+  };
+  CHECK(thinnest("4") == doctest::Approx(0.05));
+  CHECK(thinnest("5") == doctest::Approx(0.1));
+  CHECK(thinnest("9") == doctest::Approx(0.05 * 3.75));
+}
+
 TEST_CASE("what the text says of widths stands, times the parameter") {
   const Plant plant =
       grow({.text = "axiom: F !(0.5) F [ !(0) F ] F\n", .parameters = {{"unit", 1000}, {"widths", 50}}});

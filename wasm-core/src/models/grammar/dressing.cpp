@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,8 +22,11 @@ namespace {
 constexpr std::uint32_t ball_segments = 16;
 // What is thinner than this share of the plant's largest extent is a pixel wide.
 constexpr float thin = 0.002f;
-constexpr std::uint32_t thin_sides = 5;
+constexpr std::uint32_t thin_sides = 5, thinnest_sides = 3;
 constexpr std::uint64_t most_vertices = 4'000'000;
+// From so many lines on each is a speck of the whole: thin ones are drawn with the fewest sides, and what a line sees
+// of the sky is told once and not at each of its vertices.
+constexpr std::size_t many = 30'000;
 
 float extent_of(std::span<const Segment> segments) {
   if (segments.empty()) return 0;
@@ -64,18 +68,32 @@ void add_marks(Columns& columns, const std::string& of, const Rows& rows, Read m
               column_of<std::uint8_t>(rows, 1, [&](const auto& row, std::uint8_t* at) { *at = mark_of(row).colour; }));
 }
 
+std::vector<std::uint8_t> sky_of(const Openness& open, const std::vector<Segment>& segments, const StemMesh& stems) {
+  if (segments.size() < many) return open.of(stems.mesh);
+  std::vector<std::uint8_t> of_segments;
+  of_segments.reserve(segments.size());
+  for (const Segment& segment : segments) of_segments.push_back(open.at(0.5f * (segment.start + segment.end)));
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(stems.segment.size());
+  for (const std::uint32_t segment : stems.segment) bytes.push_back(of_segments[segment]);
+  return bytes;
+}
+
 // Tubes, a run a colour.
-PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, std::uint32_t sides) {
+PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, std::uint32_t sides,
+                   const Openness* open) {
   std::vector<std::int32_t> groups;
   groups.reserve(marks.size());
   for (const Mark& mark : marks) groups.push_back(mark.colour);
   const TubeOptions options{.sides = sides,
                             .most_vertices = most_vertices,
                             .thin = thin * extent_of(segments),
-                            .thin_sides = std::min(sides, thin_sides),
+                            .thin_sides = segments.size() < many ? std::min(sides, thin_sides) : thinnest_sides,
                             .thin_plain = true};
   StemMesh stems = sweep_stems({.segments = segments, .groups = groups, .jointed = false}, options, 1.0f);
-  PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, {}};
+  Columns columns;
+  if (open) columns.add("sky", sky_of(*open, segments, stems));
+  PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, std::move(columns)};
   std::vector<std::uint8_t> colour;
   for (const StemPart& part : stems.parts) {
     mesh.runs.push_back({"Lines", part.first_vertex, part.vertex_count, part.first_index, part.index_count});
@@ -139,16 +157,16 @@ void note_empty(Plant& plant, std::uint32_t empty) {
 }
 
 void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
-  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit.sides);
+  std::optional<Openness> open;
+  if (habit.sky) open.emplace(plant.segments, screens_of(plant, sketch, habit.metres));
+  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit.sides, open ? &*open : nullptr);
   std::uint32_t empty = 0;
   PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty);
   note_empty(plant, empty);
-  if (habit.sky) {
-    const Openness open(plant.segments, screens_of(plant, sketch, habit.metres));
-    stems.columns.add("sky", open.of(stems.mesh));
-    if (!blades.runs.empty()) blades.columns.add("sky", open.of(blades.mesh));
+  if (open) {
+    if (!blades.runs.empty()) blades.columns.add("sky", open->of(blades.mesh));
     std::vector<std::uint8_t> of_organs;
-    for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
+    for (const Organ& organ : plant.organs) of_organs.push_back(open->at(organ.position));
     if (!of_organs.empty()) plant.columns.add("organs.sky", std::move(of_organs));
   }
   plant.meshes.push_back(std::move(stems));

@@ -1,6 +1,8 @@
 #include "models/grammar/girth.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -23,6 +25,20 @@ std::vector<std::uint32_t> tips_of(std::span<const Segment> segments) {
   return tips;
 }
 
+// What thickness is a share of: the mean length of lines, and where there are very many more, that of so large a plant,
+// that its lines are seen.
+float measure_of(std::span<const Segment> segments, double length) {
+  constexpr float lines_across = 16, most = 3.75f;
+  glm::vec3 low = segments[0].start, high = low;
+  for (const Segment& segment : segments) {
+    low = glm::min(low, glm::min(segment.start, segment.end));
+    high = glm::max(high, glm::max(segment.start, segment.end));
+  }
+  const glm::vec3 size = high - low;
+  const float mean = static_cast<float>(length / static_cast<double>(segments.size()));
+  return std::clamp(std::max({size.x, size.y, size.z}) / lines_across, mean, most * mean);
+}
+
 }  // namespace
 
 void thicken(std::span<Segment> segments, const Girth& girth) {
@@ -36,7 +52,7 @@ void thicken(std::span<Segment> segments, const Girth& girth) {
     segment.radius_end *= girth.said;
   }
   if (!any) return;
-  const float thinnest = 0.5f * girth.tip * static_cast<float>(length / static_cast<double>(segments.size()));
+  const float thinnest = 0.5f * girth.tip * measure_of(segments, length);
   const std::vector<std::uint32_t> tips = tips_of(segments);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Segment& segment = segments[i];

@@ -17,7 +17,6 @@ export const model = {
 	preview: true,
 	noun: "plant",
 	wasm: "grammar.wasm",
-	pictures: false,
 	strings: true,
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
 	encode: encodeGrammar,

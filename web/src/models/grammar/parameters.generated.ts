@@ -49,7 +49,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 200,
 		default: 8,
 		step: 0.5,
-		help: "How thick the thinnest lines are where the text sets no width, of the lines' mean length.",
+		help: "How thick the thinnest lines are where the text sets no width, of the lines' mean length; of a plant of very many lines more, so that they are seen.",
 		since: 2,
 	},
 	{

@@ -10,7 +10,7 @@ import type { GrammarSpecimen } from "./specimen";
 import { GRAMMAR_TABLE } from "./table";
 
 /** The preset a link without `preset` means. */
-export const DEFAULT_PRESET = "bush";
+export const DEFAULT_PRESET = "shrub";
 
 export const GRAMMAR: Species<GrammarSpecimen> = {
 	name: "grammar",
