@@ -1,4 +1,4 @@
-#include "models/particles/solid.hpp"
+#include "environment/solid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 namespace {
 
 constexpr float cells_along = 64;  // the edge of a cube as large as the box
@@ -19,6 +19,9 @@ constexpr float least_edge = 1e-30f;     // of a cell, where all points coincide
 constexpr float half_diagonal = 0.867f;  // of a cell, in edges
 constexpr float slack = 1e-3f;           // for what is rounded, in edges
 constexpr std::uint32_t lanes = 4;
+constexpr float piece = 4;       // of a way that is looked at in one go, in edges
+constexpr float beside = 1e-4f;  // of a triangle, that still meets it: the way between two must meet one of them
+constexpr int halvings = 24;
 
 }  // namespace
 
@@ -166,62 +169,62 @@ int Solid::turns_about(const glm::vec3& p, const std::uint32_t* corners) const {
   return side < 0 ? -1 : 0;
 }
 
-Surface box(const glm::vec3& low, const glm::vec3& high) {
-  Surface made;
-  for (std::uint32_t i = 0; i < 8; ++i)
-    made.points.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  made.triangles = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
-                    2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
-  return made;
-}
-
-Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides) {
-  Surface made;
-  if (profile.empty()) return made;
-  const auto middle = [&](float y) { made.points.push_back(foot + glm::vec3(0, y, 0)); };
-  middle(profile.front().y);
-  for (const glm::vec2& ring : profile)
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      const auto [sine, cosine] = sincos_degrees(360.0f * static_cast<float>(k) / static_cast<float>(sides));
-      made.points.push_back(foot + glm::vec3(ring.x * cosine, ring.y, ring.x * sine));
+// Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
+void Solid::meetings(const glm::vec3& from, const glm::vec3& way, float begin, float end,
+                     std::vector<float>& at) const {
+  const glm::vec3 a = from + begin * way, b = from + end * way;
+  const glm::vec3 low = glm::min(a, b) - slack * edge_, high = glm::max(a, b) + slack * edge_;
+  for (int k = 0; k < 3; ++k)
+    if (!(high[k] >= low_[k] && low[k] <= high_[k])) return;
+  const glm::ivec3 first = place_of(glm::max(low, low_)), last = place_of(glm::min(high, high_));
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y) {
+      const auto row = static_cast<std::size_t>(z * count_.y + y);
+      for (std::uint32_t m = first_[row]; m < first_[row + 1]; ++m) {
+        if (lowest_[m] > high.y || highest_[m] < low.y || farthest_[m] < low.x) continue;
+        const std::uint32_t* corners = &surface_.triangles[3 * members_[m]];
+        const glm::vec3& corner = surface_.points[corners[0]];
+        const glm::vec3 one = surface_.points[corners[1]] - corner, other = surface_.points[corners[2]] - corner;
+        const glm::vec3 across = glm::cross(way, other);
+        const float volume = glm::dot(one, across);
+        if (volume == 0) continue;
+        const glm::vec3 to = from - corner, along = glm::cross(to, one);
+        const float u = glm::dot(to, across) / volume, v = glm::dot(way, along) / volume;
+        if (!(u >= -beside && v >= -beside && u + v <= 1 + beside)) continue;
+        const float t = glm::dot(other, along) / volume;
+        if (t > begin && t <= end) at.push_back(t);
+      }
     }
-  middle(profile.back().y);
-  const auto at = [&](std::size_t ring, std::uint32_t k) {
-    return static_cast<std::uint32_t>(1 + ring * sides + k % sides);
-  };
-  const auto top = static_cast<std::uint32_t>(made.points.size() - 1);
-  const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    made.triangles.insert(made.triangles.end(), {a, b, c});
-  };
-  for (std::uint32_t k = 0; k < sides; ++k) {
-    triangle(0, at(0, k), at(0, k + 1));
-    for (std::size_t ring = 0; ring + 1 < profile.size(); ++ring) {
-      triangle(at(ring, k), at(ring + 1, k), at(ring + 1, k + 1));
-      triangle(at(ring, k), at(ring + 1, k + 1), at(ring, k + 1));
+}
+
+// What lies between two meetings is all inside or all outside, so its middle is asked: edges met twice, surfaces within
+// and triangles seen edgewise then need no rules of their own.
+float Solid::leaving(const glm::vec3& from, const glm::vec3& way, float most) const {
+  if (!contains(from)) return 0;
+  const auto inside = [&](float t) { return contains(from + t * way); };
+  std::vector<float> at;
+  for (float begin = 0; begin < most;) {
+    const float end = std::min(begin + piece * edge_, most);
+    at.clear();
+    meetings(from, way, begin, end, at);
+    std::sort(at.begin(), at.end());
+    at.push_back(end);
+    float last = begin;
+    for (const float t : at) {
+      if (t > last && !inside(0.5f * (last + t))) return last;
+      last = t;
     }
-    triangle(top, at(profile.size() - 1, k + 1), at(profile.size() - 1, k));
+    // A way through a gap that rounding leaves between two triangles has met none.
+    if (!inside(end)) {
+      float in = at.size() > 1 ? at[at.size() - 2] : begin, out = end;
+      in = 0.5f * (in + out);
+      for (int k = 0; k < halvings; ++k) (inside(0.5f * (in + out)) ? in : out) = 0.5f * (in + out);
+      return in;
+    }
+    if (!(end > begin)) break;
+    begin = end;
   }
-  return made;
+  return most;
 }
 
-Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides) {
-  std::vector<glm::vec2> profile;
-  const std::uint32_t rings = std::max(sides / 2, 2u);
-  for (std::uint32_t ring = 1; ring < rings; ++ring) {
-    const auto [sine, cosine] = sincos_degrees(180.0f * static_cast<float>(ring) / static_cast<float>(rings));
-    profile.push_back({sine, -cosine});
-  }
-  Surface made = revolved(profile, glm::vec3(0), sides);
-  made.points.front() = {0, -1, 0};
-  made.points.back() = {0, 1, 0};
-  for (glm::vec3& p : made.points) p = centre + p * radii;
-  return made;
-}
-
-Surface scaled(const Surface& surface, const glm::vec3& about, float factor) {
-  Surface made = surface;
-  for (glm::vec3& p : made.points) p = about + factor * (p - about);
-  return made;
-}
-
-}  // namespace panicle::particles
+}  // namespace panicle

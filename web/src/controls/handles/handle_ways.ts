@@ -1,6 +1,11 @@
 /** Dragging a handle in three dimensions: where a pointer's line of sight takes it. Pure maths, in the plant's metres. */
-import type { Vector } from "../../controls/handles/plant_handle";
-import type { Ray } from "../../scene/figure";
+import type { Vector } from "./plant_handle";
+
+/** A line of sight; the direction has any length but 0. */
+export interface Ray {
+	readonly origin: Vector;
+	readonly direction: Vector;
+}
 
 /** Sine of the angle between sight and plane under which the plane counts as seen edge-on (about 10°). */
 const GRAZING = 0.17;
@@ -11,6 +16,12 @@ const END_ON = 0.02;
 export function visibleWays(along: readonly Vector[], ray: Ray): readonly Vector[] {
 	if (along.length < 2) return along;
 	const sight = unit(ray.direction);
+	if (along.length > 2) {
+		// Three at right angles: the two that are seen best.
+		const deepest = Math.max(...along.map((way) => Math.abs(dot(way, sight))));
+		const away = along.findIndex((way) => Math.abs(dot(way, sight)) === deepest);
+		return along.filter((_, i) => i !== away);
+	}
 	if (Math.abs(dot(cross(along[0], along[1]), sight)) > GRAZING) return along;
 	const [one, other] = along.map((way) => Math.abs(dot(way, sight)));
 	return [one <= other ? along[0] : along[1]];

@@ -1,4 +1,4 @@
-/** A boundary in the 3-D view: faint, and its edges where it has any. */
+/** What bounds a plant, in the 3-D view: faint, and its edges where it has any. */
 import {
 	BufferGeometry,
 	DoubleSide,
@@ -10,12 +10,19 @@ import {
 	Mesh,
 	MeshBasicMaterial,
 } from "three";
-import type { ClosedMesh } from "../bounded";
 
 /** Between faces at least so far apart an edge is drawn, degrees. */
 const EDGE = 20;
 /** Drawn after the plant. */
 const ORDER = 10;
+
+/** A closed surface, metres. */
+export interface Shell {
+	/** 3 × points. */
+	points: number[];
+	/** 3 × triangles. */
+	triangles: number[];
+}
 
 export class ShellFigure {
 	readonly object = new Group();
@@ -33,7 +40,7 @@ export class ShellFigure {
 	}
 
 	/** @param colour any CSS colour */
-	show(shells: readonly ClosedMesh[], colour: string): void {
+	show(shells: readonly Shell[], colour: string): void {
 		this.#clear();
 		for (const material of [this.#faces, this.#edges]) material.color.set(colour);
 		for (const { points, triangles } of shells) {

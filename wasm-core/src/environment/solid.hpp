@@ -1,23 +1,17 @@
-// A closed surface of triangles, and what is inside of it: what crowns and root balls are bounded by.
+// What is inside of a closed surface: what crowns, root balls and clipped trees are bounded by.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
-#include "models/particles/region.hpp"
+#include "environment/region.hpp"
+#include "environment/surface.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 
-struct Surface {
-  std::vector<glm::vec3> points;
-  std::vector<std::uint32_t> triangles;  // 3 each, counter-clockwise from outside
-};
-
-// Whether a point is inside is asked of the slice at its height, as in the paper (section 4.1): the surface's
+// Whether a point is inside is asked of the slice at its height (Rodkaew et al. 2003, section 4.1): the surface's
 // cross-section with the horizontal plane, a polygon that winds about what is inside. Half-open rules make the slice of
 // any closed surface closed, vertices in the plane and flat faces included; parts that overlap count as one, turned
 // ones as holes. Of a surface with gaps, what lies behind a gap in the direction +X may be wrong.
@@ -30,6 +24,9 @@ class Solid final : public Region {
   glm::vec3 high() const override { return high_; }
   bool contains(const glm::vec3& p) const override;
   Share share_of(const glm::vec3& low, const glm::vec3& high) const override;
+  // How far one comes from a place inside, on a way of unit length, before leaving: 0 from outside, at most `most`.
+  // Surfaces within the solid, such as where parts overlap, are passed through.
+  float leaving(const glm::vec3& from, const glm::vec3& way, float most) const;
 
  private:
   enum class Cell : std::uint8_t { unknown, outside, inside, mixed };
@@ -44,6 +41,8 @@ class Solid final : public Region {
   bool slice_contains(const glm::vec3& p) const;
   // What a triangle adds to the turns of the slice about a place.
   int turns_about(const glm::vec3& p, const std::uint32_t* corners) const;
+  // Appends how far along the way the surface is met between `begin` and `end`; where two triangles meet, twice.
+  void meetings(const glm::vec3& from, const glm::vec3& way, float begin, float end, std::vector<float>& at) const;
   void sort();
   void classify();
   std::size_t cell_at(const glm::ivec3& at) const {
@@ -61,12 +60,4 @@ class Solid final : public Region {
   std::vector<float> lowest_, highest_, farthest_;
 };
 
-Surface box(const glm::vec3& low, const glm::vec3& high);
-// A profile of radii and heights, x ≥ 0, y ascending, turned about the upright axis through `foot`; its ends are
-// closed.
-Surface revolved(std::span<const glm::vec2> profile, const glm::vec3& foot, std::uint32_t sides);
-Surface ellipsoid(const glm::vec3& centre, const glm::vec3& radii, std::uint32_t sides);
-// The surface about a point, smaller or larger.
-Surface scaled(const Surface& surface, const glm::vec3& about, float factor);
-
-}  // namespace panicle::particles
+}  // namespace panicle

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { placeUnder, visibleWays } from "../../../../web/src/controls/handles/handle_ways";
 import type { Vector } from "../../../../web/src/controls/handles/plant_handle";
-import { placeUnder, visibleWays } from "../../../../web/src/element/extras/handle_ways";
 import { evenly } from "../../evenly";
 
 const X: Vector = [1, 0, 0];

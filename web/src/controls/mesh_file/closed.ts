@@ -1,6 +1,5 @@
 /** A file's triangles as a boundary: welded, simplified, brought to height 1 over the middle of the ground. */
-import type { ClosedMesh } from "../bounded";
-import { MOST_TRIANGLES } from "../details/volume";
+import { type ClosedMesh, MOST_TRIANGLES } from "../../specimen/closed_mesh";
 import { MeshFileError, type Soup } from "./soup";
 
 /** Points nearer than this share of the mesh's size are one: the first of these with which no edge is open. */

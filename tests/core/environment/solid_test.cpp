@@ -1,4 +1,4 @@
-#include "models/particles/solid.hpp"
+#include "environment/solid.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,31 +7,14 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "environment/surfaces.hpp"
 #include "foundation/random.hpp"
-#include "models/particles/boundary.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 namespace {
 
 glm::vec3 dart(std::uint64_t i, float reach) {
   return reach * glm::vec3(2 * random_unit(7, 1, i) - 1, 2 * random_unit(7, 2, i) - 1, 2 * random_unit(7, 3, i) - 1);
-}
-
-// An L of two boxes that share a face, as one surface with the shared face left out: concave.
-Surface corner() {
-  const std::vector<glm::vec2> outline{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-  Surface made;
-  for (const float z : {0.0f, 1.0f})
-    for (const glm::vec2& p : outline) made.points.emplace_back(p.x, p.y, z);
-  for (std::uint32_t k = 0; k < 6; ++k) {
-    const std::uint32_t a = k, b = (k + 1) % 6;
-    made.triangles.insert(made.triangles.end(), {a, b, b + 6, a, b + 6, a + 6});
-  }
-  for (const auto& [a, b, c] : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
-    made.triangles.insert(made.triangles.end(), {a, c, b});
-    made.triangles.insert(made.triangles.end(), {a + 6, b + 6, c + 6});
-  }
-  return made;
 }
 
 bool in_corner(const glm::vec3& p) {
@@ -140,72 +123,5 @@ TEST_CASE("nothing is in nothing, and nowhere is nowhere") {
   CHECK_FALSE(point.contains({1, 1, 1.5f}));
 }
 
-TEST_CASE("each form fills its box from end to end, and no further") {
-  const std::vector<glm::vec2> barrel{{0.5f, 0}, {1, 0.5f}, {0.5f, 1}};
-  const glm::vec3 low(-2, 1, -1), high(2, 4, 1);
-  for (const Form form :
-       {Form::ellipsoid, Form::box, Form::cone, Form::cone_down, Form::bowl, Form::spline, Form::mesh}) {
-    const Solid solid(form_between(form, barrel, corner(), low, high));
-    CAPTURE(static_cast<int>(form));
-    for (int k = 0; k < 3; ++k) {
-      CHECK(solid.low()[k] == doctest::Approx(low[k]).epsilon(0.01));
-      CHECK(solid.high()[k] == doctest::Approx(high[k]).epsilon(0.01));
-    }
-    CHECK(solid.contains({form == Form::mesh ? -1.0f : 0.0f, 2, form == Form::mesh ? 0.1f : 0.0f}));
-  }
-  const auto holds = [&](Form form, float x, float y) {
-    return Solid(form_between(form, {}, {}, low, high)).contains({x, y, 0});
-  };
-  CHECK(holds(Form::cone, 1.7f, 1.2f));
-  CHECK_FALSE(holds(Form::cone, 1.7f, 3.8f));
-  CHECK(holds(Form::cone_down, 1.7f, 3.8f));
-  CHECK_FALSE(holds(Form::cone_down, 1.7f, 1.2f));
-  CHECK(holds(Form::bowl, 1.7f, 3.8f));
-  CHECK_FALSE(holds(Form::bowl, 1.7f, 1.2f));
-}
-
-TEST_CASE("a spline passes its points, and never below 0") {
-  const std::vector<glm::vec2> points{{0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 4}};
-  const std::vector<glm::vec2> line = spline_through(points);
-  for (const glm::vec2& point : points) {
-    float nearest = 1;
-    for (const glm::vec2& p : line) nearest = std::min(nearest, glm::distance(p, point));
-    CHECK(nearest < 1e-5f);
-  }
-  for (const glm::vec2& p : line) CHECK(p.x >= 0);
-  CHECK(line.size() > 3 * points.size());
-  CHECK(spline_through({}).empty());
-}
-
-TEST_CASE("notes on a mesh say where it is open and where it is turned") {
-  Form form = Form::mesh;
-  std::vector<std::string> notes;
-  Surface whole = box({0, 0, 0}, {1, 1, 1});
-  note_on(whole, form, notes);
-  CHECK(notes.empty());
-  // Points that stand in the list once for each triangle are the same points.
-  Surface loose;
-  for (const std::uint32_t corner_of : whole.triangles) {
-    loose.triangles.push_back(static_cast<std::uint32_t>(loose.points.size()));
-    loose.points.push_back(whole.points[corner_of]);
-  }
-  note_on(loose, form, notes);
-  CHECK(notes.empty());
-  Surface open = whole;
-  open.triangles.resize(open.triangles.size() - 3);
-  note_on(open, form, notes);
-  REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("open at 3 edges") != std::string::npos);
-  notes.clear();
-  std::swap(whole.triangles[0], whole.triangles[1]);
-  note_on(whole, form, notes);
-  REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("turned against each other at 3 edges") != std::string::npos);
-  notes.clear();
-  note_on({}, form, notes);
-  CHECK(form == Form::ellipsoid);
-  REQUIRE(notes.size() == 1);
-}
-
 }  // namespace
-}  // namespace panicle::particles
+}  // namespace panicle

@@ -1,5 +1,5 @@
 /** A closed mesh out of a file that a person brings. */
-import type { ClosedMesh } from "../bounded";
+import type { ClosedMesh } from "../../specimen/closed_mesh";
 import { closedMesh } from "./closed";
 import { readGlb } from "./glb";
 import { readObj } from "./obj";

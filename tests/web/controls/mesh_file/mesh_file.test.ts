@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
-import { exportGlb } from "../../../../../web/src/export/glb";
-import { MOST_TRIANGLES } from "../../../../../web/src/models/particles/boundary/details/volume";
-import { closedMesh } from "../../../../../web/src/models/particles/boundary/mesh_file/closed";
-import { readGlb } from "../../../../../web/src/models/particles/boundary/mesh_file/glb";
-import { readObj } from "../../../../../web/src/models/particles/boundary/mesh_file/obj";
-import { readMeshFile } from "../../../../../web/src/models/particles/boundary/mesh_file/read";
-import { MeshFileError, type Soup } from "../../../../../web/src/models/particles/boundary/mesh_file/soup";
-import { standardMaterial } from "../../../../../web/src/plant/material";
+import { closedMesh } from "../../../../web/src/controls/mesh_file/closed";
+import { readGlb } from "../../../../web/src/controls/mesh_file/glb";
+import { readObj } from "../../../../web/src/controls/mesh_file/obj";
+import { readMeshFile } from "../../../../web/src/controls/mesh_file/read";
+import { MeshFileError, type Soup } from "../../../../web/src/controls/mesh_file/soup";
+import { exportGlb } from "../../../../web/src/export/glb";
+import { standardMaterial } from "../../../../web/src/plant/material";
+import { MOST_TRIANGLES } from "../../../../web/src/specimen/closed_mesh";
 
 /** A box from (1, 2, 3), twice as high as wide: eight points, six faces of four corners, one by negative numbers. */
 const BOX = `# box

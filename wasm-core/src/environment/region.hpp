@@ -1,10 +1,10 @@
-// Where particles may start: an area in the plane z = 0 or a volume, as dense as it says.
+// Where something may grow: an area in the plane z = 0 or a volume, as dense as it says.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-namespace panicle::particles {
+namespace panicle {
 
 // How much of a box lies inside.
 enum class Share : std::uint8_t { none, some, all };
@@ -21,7 +21,7 @@ class Region {
   virtual bool has_room(const glm::vec3& p) const { return contains(p); }
   // What is certain of a box, cheaply; `some` where nothing is.
   virtual Share share_of(const glm::vec3&, const glm::vec3&) const { return Share::some; }
-  // How dense particles are at a place that has room, in (0, 1]: by light, for instance.
+  // How dense starts are at a place that has room, in (0, 1]: by light, for instance.
   virtual float density(const glm::vec3&) const { return 1; }
 
   // Of what is in one region and not in the other.
@@ -33,4 +33,4 @@ class Region {
   bool flat() const { return low().z == high().z; }
 };
 
-}  // namespace panicle::particles
+}  // namespace panicle
