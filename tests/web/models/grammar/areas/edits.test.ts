@@ -33,8 +33,9 @@ const handleOf = (specimen: GrammarSpecimen, id: string, chosen?: number) =>
 	areaHandles(specimen, { area: chosen, path: id.startsWith("place") }).handles.find(
 		(each) => each.id === id,
 	) as PlantHandle;
-const close = (found: readonly number[] | undefined, wanted: readonly number[]) =>
-	wanted.forEach((value, i) => expect(found?.[i]).toBeCloseTo(value, 2));
+const close = (found: readonly number[] | undefined, wanted: readonly number[]) => {
+	for (const [i, value] of wanted.entries()) expect(found?.[i]).toBeCloseTo(value, 2);
+};
 
 describe("what hands do to growth areas", () => {
 	it("adds, orders and removes them", () => {

@@ -103,7 +103,7 @@ describe("the main branch", () => {
 		const { segments, belongs } = grow(specimen);
 		const main = Array.from({ length: segments.count }, (_, i) => i).filter((i) => belongs?.main[i] === 1);
 		expect(main.length).toBeGreaterThan(10);
-		main.slice(1).forEach((i, k) => expect(segments.parent[i]).toBe(main[k]));
+		for (const [k, i] of main.slice(1).entries()) expect(segments.parent[i]).toBe(main[k]);
 		expect(segments.parent[main[0]]).toBe(-1);
 		const passed = main.map((i) => belongs?.area[i]).filter((area, k, all) => area !== all[k - 1]);
 		expect(passed).toEqual([0, 1, 0, 2, 0, 3]);
