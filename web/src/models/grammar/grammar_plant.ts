@@ -2,6 +2,7 @@
 import type { Answer } from "../../core/core";
 import type { Plant } from "../../plant/plant";
 import { readPlant } from "../../plant/read_plant";
+import type { Area, WithAreas } from "./areas/area";
 
 /** What of drawn things is not their shape, one each. */
 export interface Marks {
@@ -19,13 +20,16 @@ export interface GrammarPlant extends Plant {
 	borne: Marks;
 	/** Of segments, where the text says it: the growth area of each, from 1, 0 for none, and whether it is the main branch's. */
 	belongs?: { area: Uint8Array; main: Uint8Array };
+	/** That it has grown in, where there are such. */
+	areas?: readonly Area[];
 	/** Colours of each mesh's runs, by the mesh's name. */
 	runColours: Readonly<Record<string, Uint8Array>>;
 	/** The derived string, where it was asked for. */
 	string?: string;
 }
 
-export function readGrammarPlant(answer: Answer): GrammarPlant {
+/** @param specimen that it was asked for */
+export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): GrammarPlant {
 	const { columns } = answer;
 	const plant = readPlant(answer);
 	const marks = (of: string): Marks =>
@@ -38,6 +42,7 @@ export function readGrammarPlant(answer: Answer): GrammarPlant {
 		lines: marks("segments"),
 		borne: marks("organs"),
 		runColours: Object.fromEntries(coloured.map(({ name }) => [name, columns.octets(`mesh.${name}.colour`)])),
+		...(areas ? { areas } : {}),
 		...(columns.has("segments.area")
 			? { belongs: { area: columns.octets("segments.area"), main: columns.octets("segments.main") } }
 			: {}),

@@ -1,8 +1,7 @@
 /** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
 import type { OrganRecord, SegmentRecord } from "../../export/json";
 import { floats, integers, Rows, vectors, words } from "../../export/rows";
-import type { Specimen } from "../../specimen/specimen";
-import type { Area, WithAreas } from "./areas/area";
+import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
 
 /** A line. */
@@ -38,13 +37,16 @@ export interface GrammarRecord {
 	organs: Rows<BorneRecord>;
 }
 
-/** What of a specimen the document repeats, in its own words. */
-interface Bounded extends Specimen, WithAreas {}
-
-export function grammarRecord(
-	{ counts, segments, organs, lines, borne, belongs, string }: GrammarPlant,
-	{ areas }: Bounded,
-): GrammarRecord {
+export function grammarRecord({
+	counts,
+	segments,
+	organs,
+	lines,
+	borne,
+	belongs,
+	areas,
+	string,
+}: GrammarPlant): GrammarRecord {
 	return {
 		modules: counts.modules,
 		steps: counts.steps,

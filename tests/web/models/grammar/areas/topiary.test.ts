@@ -17,7 +17,7 @@ beforeAll(async () => {
 });
 
 const grow = (specimen: GrammarSpecimen): GrammarPlant =>
-	model.read(core.grow(model.encode(specimen, { meshes: false })));
+	model.read(core.grow(model.encode(specimen, { meshes: false })), specimen);
 const presets = model.presets.list.filter(({ kind }) => kind === "topiary").map(({ name }) => name);
 const own = (name: string, changes: Partial<GrammarSpecimen> = {}) => ({ ...fromPreset(model, name), ...changes });
 
