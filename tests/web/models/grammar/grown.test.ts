@@ -5,6 +5,7 @@ import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson, writeJson } from "../../../../web/src/export/json";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
+import type { BorneRecord, LineRecord } from "../../../../web/src/models/grammar/record";
 import type { RequestOptions } from "../../../../web/src/models/grammar/request";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
 import { fetchTexts } from "../../../../web/src/models/grammar/texts";
@@ -52,8 +53,8 @@ describe("a plant that a text grows", () => {
 			string: "F[+(40)F S(0.3)][-(40)F S(0.2)]F",
 			counts: { modules: 12, segments: 4, organs: 2, polygons: 0 },
 		});
-		expect(json.segments.map(({ module }) => module)).toEqual([0, 3, 8, 11]);
-		expect(json.organs.map(({ module, kind }) => [module, kind])).toEqual([
+		expect((json.segments as LineRecord[]).map(({ module }) => module)).toEqual([0, 3, 8, 11]);
+		expect((json.organs as BorneRecord[]).map(({ module, kind }) => [module, kind])).toEqual([
 			[4, "ball"],
 			[9, "ball"],
 		]);
