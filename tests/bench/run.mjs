@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `npm run bench
+ * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- topiary` all but those clipped to areas, `npm run bench
  * -- browser` all but the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
  */
 import { join } from "node:path";
@@ -15,6 +15,7 @@ import { benchParticles } from "./particles.mjs";
 import { peerModules } from "./peer.mjs";
 import { benchService } from "./service.mjs";
 import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
+import { benchTopiaries } from "./topiary.mjs";
 import { benchWatching } from "./watching.mjs";
 
 /** Huang et al. 2013, Table 2: internodes, berries, milliseconds on a Core i5-3470. */
@@ -52,6 +53,7 @@ const ratios = [];
 const [, , only, ...named] = process.argv;
 if (only === undefined || only === "core") benchCore();
 if (only === undefined || only === "particles") await benchParticles({ core, source });
+if (only === undefined || only === "topiary") await benchTopiaries({ core, source });
 if (only === undefined || only === "grammar") await benchGrammar({ core, source });
 if (only === undefined || only === "service") await benchService();
 if (only === undefined || only === "browser") await benchBrowser();

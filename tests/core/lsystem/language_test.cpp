@@ -300,3 +300,12 @@ TEST_CASE("explosive growth leaves what was built so far") {
   CHECK(sound(lsystem::develop_so_far(*bound, 1, 3, limits)).stopped.reason == Reason::none);
   CHECK_FALSE(lsystem::develop_so_far(*compiled("axiom: A(1)\nA(x) --> F(1/(x-1)) A(x)"), 1, 5, Limits{}));
 }
+
+TEST_CASE("a string reads back as an axiom, whatever stands in it") {
+  for (const char* string : {"F(1)- - >(2)F@O(0.5)~leaf(2)A.{.F.}A1(1,2)?P(1,2,3)'(3);,#(2)$@v%",
+                             "[+(-0.5)F F(1e-20)]&^/\\\\|!(3)<(1)", "- - >A"}) {
+    const std::string once = after(std::string(cpfg) + string, 0);
+    CHECK(after(cpfg + once, 0) == once);
+  }
+  CHECK(after(cpfg + "- - > A", 0) == "-- >A");
+}

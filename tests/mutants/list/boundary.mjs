@@ -82,8 +82,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/boundary/mesh_file/glb.ts`,
-		suites: [`${TESTS}/mesh_file.test.ts`],
+		file: "web/src/controls/mesh_file/glb.ts",
+		suites: ["tests/web/controls/mesh_file/mesh_file.test.ts"],
 		faults: [
 			{
 				id: "children-are-roots",

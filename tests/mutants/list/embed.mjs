@@ -63,8 +63,8 @@ export default [
 		],
 	},
 	{
-		file: "web/src/element/extras/handle_ways.ts",
-		suites: ["tests/web/element/extras/handle_ways.test.ts"],
+		file: "web/src/controls/handles/handle_ways.ts",
+		suites: ["tests/web/controls/handles/handle_ways.test.ts"],
 		faults: [
 			{
 				id: "handle-goes-along-the-sight",
@@ -158,7 +158,7 @@ export default [
 		faults: [
 			{
 				id: "element-handles-stay-behind",
-				find: "this.#undraw = view.onDrawn(() => this.#place());",
+				find: "this.#undraw = view.onDrawn(() => this.#layer.place());",
 				replace: "this.#undraw = () => {};",
 				breaks: "handles stand still while the plant turns",
 			},

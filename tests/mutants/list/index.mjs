@@ -34,6 +34,7 @@ import specimen from "./specimen.mjs";
 import studio from "./studio.mjs";
 import swelling from "./swelling.mjs";
 import targets from "./targets.mjs";
+import topiary from "./topiary.mjs";
 import webCore from "./web_core.mjs";
 import wood from "./wood.mjs";
 
@@ -57,6 +58,7 @@ export const groups = [
 	...bunchSurfaces,
 	...bunchIndividual,
 	...bunchMeasures,
+	...topiary,
 	...webCore,
 	...specimen,
 	...handles,

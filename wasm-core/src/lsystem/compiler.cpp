@@ -409,6 +409,7 @@ class Compiler {
     const std::size_t count = tree.arguments.size();
     if (is_turtles(symbol) && !takes(symbol, count, tree.place)) return false;
     program.locates |= program.asks_turtle(symbol);
+    program.asks |= symbol == ask_symbol;
     if (answer && !drawable(tree, symbol)) return false;
     if (!stands_for_itself(tree.name, symbol)) return read_as_one(tree.name, tree.place);
 
@@ -438,8 +439,10 @@ class Compiler {
                          "What answers ?E is drawn at once, so only the turtle's symbols can stand here, not '%'; with "
                          "a derivation length answers can be rewritten in the next step instead.",
                          {tree.name});
-    if (!grammar_.steps.given()) trouble_ = trouble;
-    return grammar_.steps.given();
+    // Under cpfg answers are always given between steps.
+    const bool between = grammar_.steps.given() || grammar_.notation == Notation::cpfg;
+    if (!between) trouble_ = trouble;
+    return between;
   }
 
   // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.
@@ -531,6 +534,8 @@ Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limi
 }
 
 const Roles& roles(const Program& program) { return program.roles; }
+
+bool asks(const Program& program) { return program.asks; }
 
 std::span<const std::string> symbols(const Program& program) { return program.symbols; }
 

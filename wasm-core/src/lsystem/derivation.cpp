@@ -134,6 +134,7 @@ bool Derivation::step() {
 bool Derivation::ask(const Turtle& start, Listener& listener) {
   if (machine_.failed()) return false;
   if (listener.hears_first()) {
+    listener.hear();
     const auto heard = trace(bound_, now_.string, start, listener, seed_, limits_, around_.space);
     if (!heard) return machine_.fail(heard.error());
     listener.answers_begin();

@@ -85,6 +85,8 @@ struct Roles {
   std::uint32_t of(std::uint32_t symbol) const { return symbol < of_symbol.size() ? of_symbol[symbol] : none; }
 };
 const Roles& roles(const Program& program);
+// Whether the axiom or a production writes ?E.
+bool asks(const Program& program);
 // What symbols are called, by number: the turtle's and those of the text.
 std::span<const std::string> symbols(const Program& program);
 

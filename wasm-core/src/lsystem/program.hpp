@@ -127,6 +127,7 @@ class Program {
   std::array<std::vector<Rules>, purposes> rules_for;  // of the others, by symbol; empty where there are none
   std::array<Value, 2> depths;                         // of decomposition and homomorphism
   std::array<Value, settings_count> settings;          // by Said
+  bool asks = false;                                   // whether a module asks the environment
   bool locates = false;                                // whether a module asks for the turtle's place or axes
   std::vector<std::uint32_t> predecessors;             // in the order of the text
   std::vector<std::uint32_t> words;

@@ -14,7 +14,9 @@ std::string to_text(const Program& program, const String& string) {
   std::string text;
   for (const std::uint32_t* module = string.begin(); module < string.end(); module += words_of(*module)) {
     const std::string& name = program.symbols[symbol_of(*module)];
-    if (!text.empty() && is_letter_or_digit(text.back()) && is_letter_or_digit(name[0])) text += ' ';
+    const bool one_word = !text.empty() && is_letter_or_digit(text.back()) && is_letter_or_digit(name[0]);
+    const bool arrow = !text.empty() && text.back() == '-' && name == ">";
+    if (one_word || arrow) text += ' ';
     text += name;
     const std::uint32_t count = parameters_of(*module);
     for (std::uint32_t i = 0; i < count; ++i) {

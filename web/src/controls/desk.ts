@@ -27,8 +27,20 @@ export interface DeskState<S extends Specimen = Specimen, G extends Plant = Plan
 	readonly measures: Float32Array | undefined;
 	/** Whether a hand is on a control: what is seen is on its way. */
 	readonly held: boolean;
+	/** Whether a growth takes long enough to say so. */
+	readonly growing: boolean;
+	/** What the core said of the document on the controls, where it could not grow it: what is shown is then an older plant. */
+	readonly fault: Fault | undefined;
 	/** Whether the page is dark now. */
 	readonly dark: boolean;
+}
+
+/** Why the document on the controls could not be grown. */
+export interface Fault {
+	readonly message: string;
+	/** In the grammar's text, from 1, columns in characters; 0 where no text is concerned. */
+	readonly line: number;
+	readonly column: number;
 }
 
 /** Something with a state of its own on the page: plain data, kept under the name of its model. */
@@ -71,6 +83,11 @@ export interface Desk<S extends Specimen = Specimen, G extends Plant = Plant> {
 	set(change: Change): void;
 	/** Another document in place of this one, as one step. */
 	replace(specimen: S): void;
+	/** A step back in the document's history, and forward again. */
+	undo(): void;
+	redo(): void;
+	/** Ends what grows now: what is asked for next begins at once. */
+	cancel(): void;
 	/** Says something above the page. */
 	notify(title: string, details?: readonly string[], options?: NoticeOptions): void;
 	toolState<T>(tool: Stateful<T>): T;

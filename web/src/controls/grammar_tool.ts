@@ -1,32 +1,137 @@
-import { html } from "lit";
+import { html, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
 import type { Desk } from "./desk";
+import { type GrammarSource, isOwn, withText } from "./grammar/source";
 import type { Tool } from "./tool";
 
-/** Says that the plant has a grammar of its own, shows it, and offers the built-in one. */
-export function grammarTool<S extends Specimen & WithGrammar, G extends Plant>(
-	group: string,
-	noun: string,
-): Tool<S, G> {
-	const drop = (desk: Desk<S, G>) => {
-		const { grammar: _, ...specimen } = desk.state.specimen;
-		desk.replace(specimen as S);
-	};
-	return {
-		name: "grammar",
-		initial: undefined,
-		applies: ({ grammar }) => grammar !== undefined,
-		panel: {
-			group,
-			place: "above",
-			draw: (desk) => html`<div class="override">
-				<p>This ${noun} brings a grammar of its own.</p>
-				<pre tabindex="0" aria-label="Grammar">${desk.state.specimen.grammar}</pre>
-				<button class="button" type="button" @click=${() => drop(desk)}>Use the built-in grammar</button>
-			</div>`,
+/** What the page keeps of the editor. */
+export interface GrammarState {
+	readonly open: boolean;
+	/** Whether Tab indents in it. */
+	readonly indents: boolean;
+}
+
+const GRAMMAR = svg`<path d="M7.5 4 3.5 10l4 6M12.5 4l4 6-4 6"/>`;
+
+/** The group of the panel with a slider for each constant of the text. */
+const CONSTANTS = {
+	key: "constants",
+	title: "Constants",
+	help: "The numbers and curves that the grammar defines. A slider writes into the text.",
+	everyday: true,
+} as const;
+
+/**
+ * Grammars as the page has them: the text beside the plant, edited as it grows; sliders of its constants; and where a plant has a text
+ * of its own, the way back to the built-in one.
+ */
+export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
+	source: GrammarSource<S>,
+): readonly Tool<S, G>[] {
+	const tool = editorTool<S, G>(source);
+	const { group, noun } = source;
+	const drop = (desk: Desk<S, G>) =>
+		desk.set(withText(source as unknown as GrammarSource, desk.state.specimen, undefined));
+	const words = "Use the built-in grammar";
+	return [
+		tool as Tool<S, G>,
+		{
+			name: "constants",
+			initial: undefined,
+			panel: {
+				group: CONSTANTS,
+				place: "below",
+				draw: (desk) => {
+					void bring(desk, () => import("./grammar/constants"), "The grammar's sliders could not be fetched");
+					return html`<panicle-constants .desk=${desk} .source=${source}></panicle-constants>`;
+				},
+			},
+			applies: (specimen) => source.always === true || isOwn(specimen),
 		},
-		remedy: { words: "Use the built-in grammar", press: drop },
+		{
+			name: "own-grammar",
+			initial: undefined,
+			applies: isOwn,
+			panel: {
+				group,
+				place: "above",
+				draw: (desk) => html`<div class="override">
+					<p>This ${noun} brings a grammar of its own.</p>
+					<div class="actions">
+						<button class="button" type="button" @click=${() => show(desk, tool)}>Edit the grammar</button>
+						<button class="button" type="button" @click=${() => drop(desk)}>${words}</button>
+					</div>
+				</div>`,
+			},
+			remedy: { words, press: drop },
+		},
+	];
+}
+
+function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
+	source: GrammarSource<S>,
+): Tool<S, G, GrammarState> {
+	const tool: Tool<S, G, GrammarState> = {
+		name: "grammar",
+		initial: { open: false, indents: false },
+		recall: (kept) => ({ open: false, indents: (kept as Partial<GrammarState> | undefined)?.indents === true }),
+		press: (desk) => (desk.toolState(tool).open ? close(desk, tool, source.noun) : show(desk, tool)),
+		button: { icon: GRAMMAR, label: "Grammar", pressed: (desk) => desk.toolState(tool).open },
+		key: { letter: "g", does: "The grammar as text, and back" },
+		keys: [
+			{
+				keys: ["Alt ↑", "Alt ↓"],
+				does: "In the grammar, at a number: more, less; with Shift ten steps, with Ctrl a tenth",
+			},
+			{ keys: ["Ctrl Space"], does: "In the grammar: what may stand here" },
+			{ keys: ["Esc"], does: "In the grammar: out of the text" },
+		],
+		pane: {
+			title: "Grammar",
+			open: (desk) => desk.toolState(tool).open,
+			draw: (desk) => html`<panicle-grammar
+				.desk=${desk} .source=${source} .tool=${tool} .close=${() => close(desk, tool, source.noun)}
+			></panicle-grammar>`,
+		},
 	};
+	return tool;
+}
+
+function show<S extends Specimen, G extends Plant>(desk: Desk<S, G>, tool: Tool<S, G, GrammarState>): void {
+	desk.setToolState(tool, { ...desk.toolState(tool), open: true });
+	void bring(desk, () => import("./grammar/grammar_pane"), "The grammar's editor could not be fetched");
+}
+
+/** What the text shows no more is said. */
+function close<S extends Specimen, G extends Plant>(
+	desk: Desk<S, G>,
+	tool: Tool<S, G, GrammarState>,
+	noun: string,
+): void {
+	desk.setToolState(tool, { ...desk.toolState(tool), open: false });
+	const { fault, grown } = desk.state;
+	if (!fault || fault.line === 0 || !grown) return;
+	desk.notify(
+		`The grammar does not grow; the last ${noun} stays`,
+		[`Line ${fault.line}, column ${fault.column}: ${fault.message}`],
+		{
+			topic: "growth",
+			act: { words: "Edit the grammar", run: () => show(desk, tool) },
+		},
+	);
+}
+
+async function bring<S extends Specimen, G extends Plant>(
+	desk: Desk<S, G>,
+	fetch: () => Promise<unknown>,
+	failed: string,
+): Promise<void> {
+	try {
+		await fetch();
+	} catch {
+		const again = () => void bring(desk, fetch, failed);
+		desk.notify(failed, ["Part of the page could not be fetched."], { topic: failed, again });
+	}
 }

@@ -17,6 +17,7 @@ const DRAWINGS = {
 	play: svg`<path d="M6.5 4.2v11.6L16 10z" fill="currentcolor"/>`,
 	pause: svg`<path d="M7 4.5v11M13 4.5v11" stroke-width="2.6"/>`,
 	step: svg`<path d="M5 4.8v10.4L12 10z" fill="currentcolor"/><path d="M15 4.8v10.4" stroke-width="2"/>`,
+	scrub: svg`<path d="M6.5 6.5 3 10l3.5 3.5M13.5 6.5 17 10l-3.5 3.5M3 10h14"/>`,
 	search: svg`<circle cx="8.5" cy="8.5" r="5"/><path d="m12.3 12.3 4.2 4.2"/>`,
 	close: svg`<path d="m5.5 5.5 9 9M14.5 5.5l-9 9"/>`,
 } satisfies Record<string, SVGTemplateResult>;

@@ -1,6 +1,6 @@
 /**
  * What a model brings to the page besides the table's sliders. A tool has as many faces as it needs: a button on the
- * 3-D view, a key, a place in the panel, a bar below the view, a flat view of its own, hands on the canvas. The studio
+ * 3-D view, a key, a place in the panel, a bar below the view, a flat view of its own, a pane, hands on the canvas. The studio
  * shows each where it belongs and knows none of them.
  */
 
@@ -8,6 +8,7 @@ import type { SVGTemplateResult } from "lit";
 import type { Camera, Object3D } from "three";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
+import type { Group } from "../specimen/table";
 import type { Change, Desk, DeskState, Stateful } from "./desk";
 
 /** A button on the 3-D view. */
@@ -27,9 +28,10 @@ export interface ToolKey {
 	readonly does: string;
 }
 
-/** A place in the panel, in one of the table's groups. */
+/** A place in the panel. */
 export interface ToolPanel<S extends Specimen = Specimen, G extends Plant = Plant> {
-	readonly group: string;
+	/** One of the table's groups by its key, or one of the tool's own, which stands before them. */
+	readonly group: string | Group;
 	/** Above the group's controls or below them. */
 	readonly place: "above" | "below";
 	draw(desk: Desk<S, G>): unknown;
@@ -39,6 +41,11 @@ export interface ToolPanel<S extends Specimen = Specimen, G extends Plant = Plan
 export interface ToolPlace<S extends Specimen = Specimen, G extends Plant = Plant> {
 	readonly title: string;
 	draw(desk: Desk<S, G>): unknown;
+}
+
+/** A wide place for reading and writing: left of the 3-D view instead of the flat views, on a phone instead of the sheet. */
+export interface ToolPane<S extends Specimen = Specimen, G extends Plant = Plant> extends ToolPlace<S, G> {
+	open(desk: Desk<S, G>): boolean;
 }
 
 /** What a tool has of the 3-D view. */
@@ -77,6 +84,7 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	readonly bar?: ToolPlace<S, G>;
 	readonly drop?: ToolDrop<S, G>;
 	readonly editor?: ToolPlace<S, G>;
+	readonly pane?: ToolPane<S, G>;
 	/** Further keys that its faces know, for the help. */
 	readonly keys?: readonly { readonly keys: readonly string[]; readonly does: string }[];
 	/** Parameters whose control it is: the panel shows none for them. */

@@ -18,7 +18,7 @@ export const ELEMENT_STYLE = `
 	:host([hidden]) { display: none; }
 	:host([theme="light"]) { color-scheme: light; }
 	:host([theme="dark"]) { color-scheme: dark; }
-	canvas, img, .handles {
+	canvas, img, .plant-handles {
 		position: absolute;
 		inset: 0 0 var(--panicle-bar, 0px);
 		width: 100%;

@@ -52,7 +52,7 @@ export class Growing {
 			if (turn !== this.#newest) return;
 			this.#answered(turn);
 			this.#explain(error, model.noun);
-			this.#studio().caughtUp();
+			this.#studio().caughtUp(error instanceof CoreError ? error : undefined);
 		}
 	}
 
@@ -71,6 +71,8 @@ export class Growing {
 	/** Ends what is under way; the last plant stays, if there is one. */
 	cancel(): void {
 		this.#cancel?.abort(new Cancelled());
+		// What is asked for next is not meant.
+		this.#cancel = undefined;
 	}
 
 	/** Patience is with the answer that is awaited, not with a whole drag. */
@@ -93,6 +95,7 @@ export class Growing {
 		const failure = failureOf(error, noun);
 		// Where the place is at fault, no change of the specimen helps, so a notice beside the last plant would not do.
 		if (!shown || !failure.remedies.includes("other")) studio.fail(failure);
+		else if (error instanceof CoreError && error.line > 0 && studio.tells) studio.retract(GROWTH);
 		else if (error instanceof CoreError)
 			studio.notify(`${failure.title}; the last ${shown.model.noun} stays`, failure.details, { topic: GROWTH });
 		else

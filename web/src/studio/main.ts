@@ -27,6 +27,7 @@ import "./parts/editors";
 import "./parts/gallery";
 import "./parts/history_bar";
 import "./parts/notices";
+import "./parts/pane";
 import "./parts/panel";
 import "./parts/share_bar";
 import "./parts/speaker";
@@ -41,6 +42,7 @@ const PARTS = [
 	"panicle-view-switch",
 	"panicle-stage",
 	"panicle-editors",
+	"panicle-pane",
 	"panicle-bars",
 	"panicle-gallery",
 	"panicle-panel",

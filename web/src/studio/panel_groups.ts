@@ -12,15 +12,16 @@ export interface PanelGroup {
 }
 
 /**
- * The groups with anything in them, in the table's order.
+ * The groups with anything in them: those that tools bring, then the table's in its order.
  * @param tools those that mean anything to the specimen
  */
 export function groupsFor(table: Table, specimen: Specimen, tools: readonly Tool[]): readonly PanelGroup[] {
 	const elsewhere = new Set(tools.flatMap(({ parameters = [] }) => parameters));
 	const heeded = table.entries.filter((entry) => table.heeds(specimen, entry) && !elsewhere.has(entry.key));
-	return table.groups
+	const brought = tools.flatMap(({ panel }) => (typeof panel?.group === "object" ? [panel.group] : []));
+	return [...new Set(brought), ...table.groups]
 		.map((group) => {
-			const own = tools.filter(({ panel }) => panel?.group === group.key);
+			const own = tools.filter(({ panel }) => panel?.group === group.key || panel?.group === group);
 			return {
 				group,
 				entries: heeded.filter((entry) => entry.group === group.key),

@@ -1,5 +1,5 @@
 import { apply, otherSeed } from "../controls/change";
-import type { Change, Desk, NoticeOptions, Stateful } from "../controls/desk";
+import type { Change, Desk, Fault, NoticeOptions, Stateful } from "../controls/desk";
 import type { Face } from "../controls/tool";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
@@ -152,9 +152,14 @@ export class Studio implements Desk {
 		if (growing !== this.#state.growing) this.#update({ growing });
 	}
 
-	/** The newest growth has ended, one way or the other. */
-	caughtUp(): void {
-		this.#update({ pending: false });
+	/** The newest growth has ended, one way or the other. @param fault what the core said against the document */
+	caughtUp(fault?: Fault): void {
+		this.#update({ pending: false, fault });
+	}
+
+	/** Whether an editor of the text is open: it shows where a fault is. */
+	get tells(): boolean {
+		return this.#state.face?.tools.some(({ pane }) => pane?.open(this)) ?? false;
 	}
 
 	/** There is no plant to show, and none comes without a remedy. */

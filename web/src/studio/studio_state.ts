@@ -25,8 +25,6 @@ export interface StudioState extends DeskState {
 	readonly shown: Shown | undefined;
 	/** Whether a growth is under way, so that what is shown is not yet what is on the controls. */
 	readonly pending: boolean;
-	/** Whether a growth takes long enough to say so. */
-	readonly growing: boolean;
 	/** Why there is no plant, in place of one. */
 	readonly failure: Failure | undefined;
 	readonly notices: readonly Notice[];
@@ -66,6 +64,7 @@ export function opened(opening: Opening): StudioState {
 		dark: false,
 		pending: false,
 		growing: false,
+		fault: undefined,
 		failure: undefined,
 		notices: [],
 		tools: {},

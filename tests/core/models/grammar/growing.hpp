@@ -24,6 +24,7 @@ struct Asked {
   std::uint32_t seed = 1;
   std::string outputs = {};
   Limits limits = {};
+  std::vector<ColumnView> more = {};  // blocks besides
 };
 
 inline Result<Plant> ask(const Asked& asked) {
@@ -58,6 +59,7 @@ inline Result<Plant> ask(const Asked& asked) {
     add("constants.names", Element::text, names.size(), names.data());
     add("constants.values", Element::float32, constants.size(), constants.data());
   }
+  blocks.insert(blocks.end(), asked.more.begin(), asked.more.end());
   Request request(blocks, nullptr);
   request.read_grammars_as(model.notation, model.lineages);
   return model.grow(request, asked.limits);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "environment/solid.hpp"
 #include "models/particles/polish.hpp"
-#include "models/particles/solid.hpp"
 #include "models/particles/tree/crown.hpp"
 #include "models/particles/trunk.hpp"
 #include "space_growing.hpp"

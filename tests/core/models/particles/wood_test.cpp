@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "models/particles/solid.hpp"
+#include "environment/solid.hpp"
 #include "space_growing.hpp"
 
 namespace panicle::particles {

@@ -3,9 +3,13 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "models/grammar/areas.hpp"
+#include "models/grammar/belonging.hpp"
 #include "models/grammar/dressing.hpp"
 #include "models/grammar/girth.hpp"
+#include "models/grammar/neighbours.hpp"
 #include "models/grammar/parameters.generated.hpp"
 #include "models/grammar/sketch.hpp"
 #include "plant/plain.hpp"
@@ -73,41 +77,67 @@ Limits roomy(Limits limits) {
   return limits;
 }
 
+// Of each line the area that it belongs to, and whether it is the main branch's; and what there is to say of areas.
+void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belonging>& all, const Areas& areas) {
+  plant.notes.insert(plant.notes.end(), areas.notes().begin(), areas.notes().end());
+  if (all.empty()) return;
+  const auto of = [&](const Mark& mark) { return mark.module < all.size() ? all[mark.module] : Belonging{}; };
+  plant.columns.add("segments.area", column_of<std::uint8_t>(sketch.lines, 1, [&](const Mark& mark, std::uint8_t* at) {
+                      *at = of(mark).area;
+                    }));
+  plant.columns.add("segments.main", column_of<std::uint8_t>(sketch.lines, 1, [&](const Mark& mark, std::uint8_t* at) {
+                      *at = of(mark).main ? 1 : 0;
+                    }));
+  std::vector<bool> grown(areas.size() + 1);
+  for (const Mark& mark : sketch.lines)
+    if (of(mark).area <= areas.size()) grown[of(mark).area] = true;
+  for (std::size_t area = 1; area <= areas.size(); ++area)
+    if (!grown[area])
+      plant.notes.push_back("Nothing grows in area " + std::to_string(area) +
+                            ": the main branch does not come there. Lead it through, or change the areas' order.");
+}
+
 Result<Plant> grow(Request& request, const Limits& given) {
   const Limits limits = roomy(given);
   const Result<Asked> asked = read(request);
+  Result<Areas> areas = Areas::read(request);
   const auto program = request.program(limits);
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!asked) return asked.error();
+  if (!areas) return areas.error();
   if (!program) return program.error();
   Plant plant;
   const GrammarValues values(asked->parameters, plant.notes);
 
-  const auto bound = lsystem::bind(program.value(), asked->inputs, limits);
+  const float metres = metres_a_millimetre * values[unit];
+  // What the document says, besides which a text is told of its areas.
+  lsystem::Inputs inputs = asked->inputs;
+  areas->tell(inputs, metres);
+  const auto bound = lsystem::bind(program.value(), inputs, limits);
   if (!bound) return bound.error();
-  const auto derived = lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, {standing()});
+  Neighbours neighbours;
+  const bool asks = lsystem::asks(*program.value());
+  const lsystem::Surroundings around{standing(), &areas.value(), asks ? &neighbours : nullptr};
+  const auto derived = lsystem::develop_so_far(*bound.value(), asked->seed, asked->steps, limits, around);
   if (!derived) return derived.error();
   const lsystem::String& string = *derived->string;
   Sketch sketch(limits);
   sketch.begin();
-  const auto drawn = lsystem::interpret(*bound.value(), string, standing(), sketch, asked->seed, limits);
+  const auto drawn = lsystem::trace(*bound.value(), string, standing(), sketch, asked->seed, limits, around.space);
   if (!drawn) return drawn.error();
   for (const Diagnostic& stopped : {derived->stopped, sketch.trouble()})
     if (stopped.reason != Reason::none) plant.notes.push_back("What grew so far is shown. " + stopped.message);
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
-  dress(plant, sketch,
-        {.metres = metres_a_millimetre * values[unit],
-         .sides = values.whole(sides),
-         .meshes = asked->meshes,
-         .sky = asked->sky});
+  dress(plant, sketch, {.metres = metres, .sides = values.whole(sides), .meshes = asked->meshes, .sky = asked->sky});
   const auto count = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
   plant.counts = {{"modules", count(lsystem::length(string))},
                   {"steps", derived->steps},
                   {"segments", count(plant.segments.size())},
                   {"organs", count(plant.organs.size())},
                   {"polygons", count(sketch.polygons.all.size())}};
+  add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
   if (asked->string) plant.columns.add("string", lsystem::to_text(*program.value(), string));
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
   for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), asked->inputs.scalars, asked->steps))

@@ -5,11 +5,14 @@
 //   steps              uint32: of the derivation, in place of the text's own
 //   constants.names    text: names of the text's `#define`s and `#input`s, a line each
 //   constants.values   float32: one a name
+//   areas.…, path      volumes that a text may ask for, and places of its main branch (areas.hpp)
 //   outputs            `string` besides everyone's: the derived string as text
 //
 // Columns of a plant besides everyone's (boundary/panicle.h):
 //   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0
 //   segments.colour, organs.colour   uint8 each: 1 … 8 of the document's palette
+//   segments.area, segments.main     uint8 each, where the text declares their role (belonging.hpp): the growth area,
+//                                    from 1, and whether it is the main branch's
 //   string                           text, where it is asked for: it reads back as an axiom
 // Counts: modules (of the last string), steps (that were taken), segments, organs, polygons. Tags: stem; ball, polygon
 // and the names of surfaces.hpp.

@@ -3,31 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
-#include <map>
-#include <utility>
-
-#include "foundation/bits.hpp"
 
 namespace panicle::particles {
 namespace {
 
 constexpr std::uint32_t sides = 32;
 constexpr int pieces = 6;  // of a spline between two points
-
-// Stretches a surface so that its box is another.
-Surface stretched(Surface surface, const glm::vec3& low, const glm::vec3& high) {
-  if (surface.points.empty()) return surface;
-  glm::vec3 from = surface.points[0], to = from;
-  for (const glm::vec3& p : surface.points) {
-    from = glm::min(from, p);
-    to = glm::max(to, p);
-  }
-  for (glm::vec3& p : surface.points)
-    for (int k = 0; k < 3; ++k)
-      p[k] = to[k] > from[k] ? low[k] + (high[k] - low[k]) * ((p[k] - from[k]) / (to[k] - from[k]))
-                             : 0.5f * (low[k] + high[k]);
-  return surface;
-}
 
 // A profile keeps its own heights and radii: 1 is the box's half width and height, 0 its middle and lowest point.
 Surface turned(std::span<const glm::vec2> profile, const glm::vec3& low, const glm::vec3& high) {
@@ -95,44 +76,13 @@ void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes) {
     notes.push_back("There is no mesh, so the boundary is an ellipsoid; drop a closed mesh.");
     return;
   }
-  // Points at the same place are one.
-  using Place = std::array<std::uint32_t, 3>;
-  std::map<Place, std::uint32_t> numbers;
-  std::vector<std::uint32_t> number;
-  for (const glm::vec3& p : mesh.points) {
-    const Place place{bit_cast<std::uint32_t>(p.x + 0.0f), bit_cast<std::uint32_t>(p.y + 0.0f),
-                      bit_cast<std::uint32_t>(p.z + 0.0f)};
-    number.push_back(numbers.emplace(place, static_cast<std::uint32_t>(numbers.size())).first->second);
-  }
-  // How often each edge is run through upwards less downwards, and at all.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;
-  for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = number[mesh.triangles[t + k]], b = number[mesh.triangles[t + (k + 1) % 3]];
-      if (a == b) continue;
-      auto& [sum, all] = edges[{std::min(a, b), std::max(a, b)}];
-      sum += a < b ? 1 : -1;
-      ++all;
-    }
-  std::size_t open = 0, turned_over = 0;
-  for (const auto& [edge, runs] : edges) {
-    if (runs.second % 2 != 0)
-      ++open;
-    else if (runs.first != 0)
-      ++turned_over;
-  }
-  if (open > 0)
-    notes.push_back("The mesh is open at " + std::to_string(open) +
+  const Seams seams = seams_of(mesh);
+  if (seams.open > 0)
+    notes.push_back("The mesh is open at " + std::to_string(seams.open) +
                     " edges; what lies behind a gap may be taken for inside or outside.");
-  if (turned_over > 0)
-    notes.push_back("Triangles of the mesh are turned against each other at " + std::to_string(turned_over) +
+  if (seams.turned > 0)
+    notes.push_back("Triangles of the mesh are turned against each other at " + std::to_string(seams.turned) +
                     " edges; parts of it may count as holes.");
-}
-
-void append(Surface& surface, const Surface& other) {
-  const auto first = static_cast<std::uint32_t>(surface.points.size());
-  surface.points.insert(surface.points.end(), other.points.begin(), other.points.end());
-  for (const std::uint32_t corner : other.triangles) surface.triangles.push_back(first + corner);
 }
 
 }  // namespace panicle::particles

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "models/particles/solid.hpp"
+#include "environment/solid.hpp"
 
 namespace panicle::particles {
 
@@ -28,8 +28,5 @@ std::vector<glm::vec2> profile_of(std::span<const glm::vec2> points, std::span<c
 // Notes what there is to say of a dropped mesh, one sentence each: gaps, sides turned against each other. Where there
 // is none, the form becomes an ellipsoid.
 void note_on(const Surface& mesh, Form& form, std::vector<std::string>& notes);
-
-// Adds another's triangles.
-void append(Surface& surface, const Surface& other);
 
 }  // namespace panicle::particles

@@ -1,7 +1,7 @@
 // How large a region is.
 #pragma once
 
-#include "models/particles/region.hpp"
+#include "environment/region.hpp"
 
 namespace panicle::particles {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "models/particles/region.hpp"
+#include "environment/region.hpp"
 
 namespace panicle::particles {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "environment/solid.hpp"
 #include "models/particles/obstacles.hpp"
-#include "models/particles/solid.hpp"
 #include "plant/request.hpp"
 
 namespace panicle::particles {

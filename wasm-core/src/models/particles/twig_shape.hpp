@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "environment/region.hpp"
 #include "models/particles/guide.hpp"
-#include "models/particles/region.hpp"
 #include "models/particles/trails.hpp"
 
 namespace panicle::particles {

@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "environment/region.hpp"
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "models/particles/moment.hpp"
 #include "models/particles/obstacles.hpp"
-#include "models/particles/region.hpp"
 #include "models/particles/rules.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trunk.hpp"

@@ -10,9 +10,11 @@ export interface PlantHandle {
 	readonly label: string;
 	/** Where it stands, in words: "14.2 mm". */
 	readonly value: string;
+	/** How it looks, where not as most do. */
+	readonly kind?: "size" | "turn" | "chosen";
 	/** In the plant's metres. */
 	readonly at: Vector;
-	/** One or two directions, of length 1, in which it can go. */
+	/** One or two directions, of length 1, in which it can go; or three at right angles, of which the two seen best are taken. */
 	readonly along: readonly Vector[];
 	/** Taken to a place by a pointer. */
 	pull(to: Vector): Change;

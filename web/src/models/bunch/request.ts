@@ -12,8 +12,8 @@ import { hasLeaves, procedureOf } from "./species";
 import type { BunchSpecimen as Specimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
-/** The text that a procedure grows by. It goes with every request; the core compiles it once (core/core.ts). */
-const BUILT_IN: Readonly<Record<Procedure, string>> = { paper: GRAPE_BUNCH_3, natural: GRAPE_BUNCH_4 };
+/** The text that a procedure grows by where a bunch brings none of its own. It goes with every request; the core compiles it once (core/core.ts). */
+export const BUILT_IN: Readonly<Record<Procedure, string>> = { paper: GRAPE_BUNCH_3, natural: GRAPE_BUNCH_4 };
 
 export interface RequestOptions {
 	/** Whether triangles are wanted besides the skeleton; the default is yes. */

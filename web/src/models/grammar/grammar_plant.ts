@@ -17,6 +17,8 @@ export interface GrammarPlant extends Plant {
 	lines: Marks;
 	/** Of organs. */
 	borne: Marks;
+	/** Of segments, where the text says it: the growth area of each, from 1, 0 for none, and whether it is the main branch's. */
+	belongs?: { area: Uint8Array; main: Uint8Array };
 	/** Colours of each mesh's runs, by the mesh's name. */
 	runColours: Readonly<Record<string, Uint8Array>>;
 	/** The derived string, where it was asked for. */
@@ -36,6 +38,9 @@ export function readGrammarPlant(answer: Answer): GrammarPlant {
 		lines: marks("segments"),
 		borne: marks("organs"),
 		runColours: Object.fromEntries(coloured.map(({ name }) => [name, columns.octets(`mesh.${name}.colour`)])),
+		...(columns.has("segments.area")
+			? { belongs: { area: columns.octets("segments.area"), main: columns.octets("segments.main") } }
+			: {}),
 		...(columns.has("string") ? { string: columns.text("string") } : {}),
 	};
 }

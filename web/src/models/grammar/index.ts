@@ -25,5 +25,7 @@ export const model = {
 	titled: ({ grammar }) => (grammar === undefined ? undefined : titleOfText(grammar)),
 	words: grammarInWords,
 	record: grammarRecord,
+	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
+	studio: async () => (await import("./tools/face")).face,
 	formats: GRAMMAR_FORMATS,
 } satisfies Model<GrammarSpecimen, GrammarPlant>;

@@ -207,6 +207,13 @@ export const PARAMETERS: readonly Entry[] = [
 export const GROUPS: readonly Group[] = [
 	{ key: "lines", title: "Lines", help: "How large and how thick the grammar's lines are drawn.", everyday: true },
 	{
+		key: "areas",
+		title: "Growth areas",
+		help: "Volumes that a text such as the topiary's keeps its branches within.",
+		everyday: true,
+		closed: true,
+	},
+	{
 		key: "look",
 		title: "Colours",
 		help: "What the text's colours 1 to 8 are.",

@@ -1,6 +1,8 @@
 /** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
 import type { OrganRecord, SegmentRecord } from "../../export/json";
 import { floats, integers, Rows, vectors, words } from "../../export/rows";
+import type { Specimen } from "../../specimen/specimen";
+import type { Area, WithAreas } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
 
 /** A line. */
@@ -9,6 +11,10 @@ export interface LineRecord extends SegmentRecord {
 	module: number;
 	/** Of the palette, 1 … 8. */
 	colour: number;
+	/** The growth area that it belongs to, from 1; 0 for none. Where the text says it. */
+	area?: number;
+	/** 1: of the main branch; else 0. Where the text says it. */
+	main?: number;
 }
 
 /** A sphere, a surface, a polygon. */
@@ -26,15 +32,24 @@ export interface GrammarRecord {
 	steps: number;
 	/** The last string, where it was asked for: it reads back as an axiom. */
 	string?: string;
+	/** What bounds the branches, metres. */
+	areas?: readonly Pick<Area, "kind" | "centre" | "size" | "rotation">[];
 	segments: Rows<LineRecord>;
 	organs: Rows<BorneRecord>;
 }
 
-export function grammarRecord({ counts, segments, organs, lines, borne, string }: GrammarPlant): GrammarRecord {
+/** What of a specimen the document repeats, in its own words. */
+interface Bounded extends Specimen, WithAreas {}
+
+export function grammarRecord(
+	{ counts, segments, organs, lines, borne, belongs, string }: GrammarPlant,
+	{ areas }: Bounded,
+): GrammarRecord {
 	return {
 		modules: counts.modules,
 		steps: counts.steps,
 		...(string === undefined ? {} : { string }),
+		...(areas ? { areas: areas.map(({ kind, centre, size, rotation }) => ({ kind, centre, size, rotation })) } : {}),
 		segments: new Rows<LineRecord>(segments.count, {
 			parent: integers(segments.parent),
 			kind: words(segments.tags, segments.tag),
@@ -44,6 +59,7 @@ export function grammarRecord({ counts, segments, organs, lines, borne, string }
 			radiusEnd: floats(segments.radii, 2, 1),
 			module: integers(lines.module),
 			colour: integers(lines.colour),
+			...(belongs ? { area: integers(belongs.area), main: integers(belongs.main) } : {}),
 		}),
 		organs: new Rows<BorneRecord>(organs.count, {
 			kind: words(organs.tags, organs.tag),

@@ -2,6 +2,7 @@
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
 import type { GrowthOptions } from "../model";
+import { areaBlocks } from "./areas/blocks";
 import type { GrammarSpecimen } from "./specimen";
 import { GRAMMAR_TABLE } from "./table";
 import { fetchedText } from "./texts";
@@ -37,6 +38,7 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions
 					{ name: "constants.names", data: names.join("\n") },
 					{ name: "constants.values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
 				]),
+		...areaBlocks(specimen),
 		{ name: "grammar", data: text },
 	];
 }

@@ -2,6 +2,7 @@
 import { grammarText } from "../../specimen/grammar_text";
 import { Presets } from "../../specimen/presets";
 import type { Species } from "../../specimen/species";
+import { areas, path } from "./details/areas";
 import { constants } from "./details/constants";
 import { steps } from "./details/steps";
 import { PRESET_KINDS, PRESETS } from "./presets.generated";
@@ -16,5 +17,5 @@ export const GRAMMAR: Species<GrammarSpecimen> = {
 	table: GRAMMAR_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	// Any text that no other model has claimed.
-	details: [steps, constants, grammarText(() => true)],
+	details: [steps, constants, areas, path, grammarText(() => true)],
 };

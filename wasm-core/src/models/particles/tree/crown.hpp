@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "environment/solid.hpp"
 #include "environment/voxel_light.hpp"
 #include "models/particles/billows.hpp"
 #include "models/particles/boundary.hpp"
 #include "models/particles/hormone.hpp"
-#include "models/particles/solid.hpp"
 
 namespace panicle::particles::tree {
 

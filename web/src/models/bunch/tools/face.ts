@@ -1,6 +1,6 @@
 /** The page's side of the bunch: loaded with the first bunch, in a page alone. */
 import { html } from "lit";
-import { grammarTool } from "../../../controls/grammar_tool";
+import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
 import type { Grown } from "../grown";
 import type { BunchSpecimen } from "../specimen";
@@ -8,6 +8,7 @@ import { bunchInWords, stemsInWords } from "../words";
 import { age } from "./age";
 import { asPrinted } from "./as_printed";
 import { cane } from "./cane";
+import { grammar } from "./grammar";
 import { inputs } from "./inputs";
 import { octahedron } from "./octahedron";
 import { photo } from "./photo";
@@ -33,7 +34,7 @@ export const face: Face<BunchSpecimen, Grown> = {
 		pixels,
 		photo,
 		asPrinted,
-		grammarTool("branching", "bunch"),
+		...grammarTools(grammar),
 	],
 	readout,
 	rows: (specimen) => [skinRow(specimen)],

@@ -1,16 +1,9 @@
 /** What a specimen of a tree or a root holds beyond its table: what bounds it, where it makes for, what stands in its way. */
+import type { ClosedMesh } from "../../../specimen/closed_mesh";
 import type { Specimen } from "../../../specimen/specimen";
 
 /** A point of a profile that is turned about the upright axis: shares of half the boundary's width, and of its height from below. */
 export type Knot = readonly [radius: number, height: number];
-
-/** A closed mesh of one's own; the boundary's width, height and depth stretch it. */
-export interface ClosedMesh {
-	/** 3 × points. */
-	points: number[];
-	/** 3 × triangles, counter-clockwise from outside. */
-	triangles: number[];
-}
 
 export interface Bounded {
 	/** Of the shape `spline`, from one end to the other; the built-in one where absent. */

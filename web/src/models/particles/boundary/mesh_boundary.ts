@@ -1,8 +1,10 @@
 /** A closed mesh as what bounds a plant. */
+
+import type { ClosedMesh } from "../../../specimen/closed_mesh";
 import { withParameters } from "../../../specimen/edit";
 import type { Species } from "../../../specimen/species";
 import type { Table } from "../../../specimen/table";
-import type { BoundedSpecimen, ClosedMesh } from "./bounded";
+import type { BoundedSpecimen } from "./bounded";
 
 /** The parameters of a boundary that is a mesh, `tall` metres high, in the mesh's own proportions. */
 export function meshParameters(table: Table, { points }: ClosedMesh, tall: number): Record<string, number> {
@@ -32,7 +34,7 @@ export async function boundedBy<S extends BoundedSpecimen>(
 	file: File,
 	height: string,
 ): Promise<S> {
-	const { readMeshFile } = await import("./mesh_file/read");
+	const { readMeshFile } = await import("../../../controls/mesh_file/read");
 	const volume = await readMeshFile(file);
 	const parameters = meshParameters(species.table, volume, specimen.parameters[height]);
 	return { ...withParameters(species, specimen, parameters), volume };

@@ -1,13 +1,13 @@
 /** A closed mesh of one's own as the boundary: chosen in the panel or dropped on the page. */
 import { html, nothing } from "lit";
 import type { Desk } from "../../../controls/desk";
+import { ACCEPT } from "../../../controls/mesh_file/accept";
 import { sameDocument } from "../../../controls/same_document";
 import { FILE_TOPIC, type Tool } from "../../../controls/tool";
+import { sameMesh } from "../../../specimen/closed_mesh";
 import { fromPreset } from "../../../specimen/from_preset";
 import type { BoundedSpecimen } from "./bounded";
-import { sameMesh } from "./details/volume";
 import { meshParameters } from "./mesh_boundary";
-import { ACCEPT } from "./mesh_file/accept";
 import type { WoodenPlant } from "./wooden_plant";
 
 /** Files of meshes by their names: those that are not read are told which are. */
@@ -63,7 +63,7 @@ export async function takeMesh<S extends BoundedSpecimen>(
 	height: string,
 ): Promise<void> {
 	const isStill = sameDocument(desk);
-	const reader = await import("./mesh_file/read").catch(() => undefined);
+	const reader = await import("../../../controls/mesh_file/read").catch(() => undefined);
 	if (!reader) {
 		desk.notify(
 			"The mesh was not read",

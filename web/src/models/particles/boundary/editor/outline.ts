@@ -1,5 +1,6 @@
 /** A boundary from in front, in shares of its box: from its axis out, from its lowest point up (wasm-core/src/models/particles/boundary.cpp). */
-import type { ClosedMesh, Knot } from "../bounded";
+import type { ClosedMesh } from "../../../../specimen/closed_mesh";
+import type { Knot } from "../bounded";
 import { inBox, once } from "./mesh_outline";
 
 export type Form = "ellipsoid" | "box" | "cone" | "coneDown" | "bowl" | "spline" | "mesh";

@@ -1,5 +1,6 @@
 /** A boundary as a surface in metres, as the core makes it (wasm-core/src/models/particles/boundary.cpp): to be shown, not measured. */
-import type { BoundedSpecimen, ClosedMesh, Knot } from "../bounded";
+import type { ClosedMesh } from "../../../../specimen/closed_mesh";
+import type { BoundedSpecimen, Knot } from "../bounded";
 import { type Lay, outlineIn } from "./lay";
 import { inBox } from "./mesh_outline";
 

@@ -1,0 +1,31 @@
+/** Topiaries: what growing one anew costs, as when an area is moved. */
+import { grower, nativeGrow } from "./core.mjs";
+import { microseconds, printTable } from "./statistics.mjs";
+
+const RUNS = 7;
+const milliseconds = (micro) => (micro / 1000).toFixed(1);
+
+export async function benchTopiaries({ core, source }) {
+	const { writeContainer } = await source("web/src/core/container.ts");
+	const { fromPreset } = await source("web/src/specimen/from_preset.ts");
+	const { model } = await source("web/src/models/grammar/index.ts");
+	await model.prepare(fromPreset(model));
+	const rows = [["topiary", "aim ms", "a step of a drag, wasm ms", "native ms", "ratio", "whole, with sky, wasm ms"]];
+	for (const { name } of model.presets.list.filter(({ kind }) => kind === "topiary")) {
+		const request = (options) => writeContainer(model.encode(fromPreset(model, name), options));
+		const passing = request({ passing: true });
+		const wasm = microseconds(1, RUNS, grower(core, passing));
+		const native = nativeGrow(passing, 1, RUNS);
+		const whole = microseconds(1, RUNS, grower(core, request()));
+		const aim = name.endsWith("garden-tree") ? 50 : "–";
+		rows.push([
+			name.replace("topiary-", ""),
+			aim,
+			milliseconds(wasm),
+			milliseconds(native),
+			(wasm / native).toFixed(2),
+			milliseconds(whole),
+		]);
+	}
+	printTable("Topiaries, with meshes", rows);
+}

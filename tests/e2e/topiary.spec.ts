@@ -1,0 +1,87 @@
+import type { Locator, Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+/** With few and large leaves, which is soon grown. */
+const open = async (page: Page, more = "") => {
+	const studio = await new StudioPage(page).open(`?v=2&model=grammar&preset=topiary-two-cubes&define=leaf:0.2${more}`);
+	await studio.stands();
+	return studio;
+};
+const areasIn = (page: Page) => new URL(page.url()).searchParams.get("areas") ?? "";
+const middleOf = async (handle: Locator) => {
+	const box = await handle.boundingBox();
+	return { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 };
+};
+
+test("areas are moved and widened by their handles, by keys and by a pointer, and undone", async ({ page }) => {
+	const studio = await open(page);
+	const before = await studio.fingerprint.textContent();
+	await studio.button("Handles of growth areas").click();
+	const second = page.getByRole("button", { name: /^Area 2, a box: / });
+	await second.focus();
+	await page.keyboard.press("Shift+ArrowRight");
+	await expect(second).toHaveAccessibleName("Area 2, a box: x 0.10, y 2.00, z 0.00");
+	await expect.poll(() => areasIn(page)).toContain(";box:0.1,2,0:");
+	await expect(studio.fingerprint).not.toHaveText(before ?? "");
+
+	const height = page.getByRole("button", { name: /^Height of area 2: / });
+	const { x, y } = await middleOf(height);
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	await page.mouse.move(x, y - 20, { steps: 4 });
+	await page.mouse.move(x, y - 40, { steps: 4 });
+	await page.mouse.up();
+	await expect.poll(() => Number(/box:0\.1,[^:]*:0\.85,([\d.]+),/.exec(areasIn(page))?.[1])).toBeGreaterThan(0.9);
+	await page.keyboard.press("Control+z");
+	await expect.poll(() => areasIn(page)).toContain(";box:0.1,2,0:0.85,0.85,0.85");
+	await page.keyboard.press("Control+z");
+	await expect(studio.fingerprint).toHaveText(before ?? "");
+});
+
+test("areas come, change places and go in the panel, by numbers, and from a file", async ({ page }) => {
+	const studio = await open(page);
+	await studio.openGroup("Growth areas");
+	const list = page.getByRole("list", { name: "Growth areas, in the order of the main branch" });
+	await studio.button("Cone").click();
+	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box", "Area 3, a cone"]);
+	await page.getByRole("group", { name: "Turn, °" }).getByLabel("about z").fill("90");
+	await page.getByRole("group", { name: "Turn, °" }).getByLabel("about z").blur();
+	await expect.poll(() => areasIn(page)).toMatch(/cone:0,[\d.]+,0:0\.85,0\.85,0\.85:0,0,0\.7071,0\.7071$/);
+	await studio.button("Earlier").click();
+	await expect(list.getByRole("button", { pressed: true })).toHaveText("Area 2, a cone");
+	await studio.button("Remove the area").click();
+	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box"]);
+
+	const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
+	await page.getByLabel("A closed mesh as a growth area").setInputFiles({
+		name: "tetrahedron.obj",
+		mimeType: "model/obj",
+		buffer: Buffer.from(tetrahedron),
+	});
+	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box", "Area 3, a mesh"]);
+	await expect(studio.notices).toContainText("The mesh is a growth area now");
+});
+
+test("the main branch is drawn over the picture, and led back from middle to middle", async ({ page }) => {
+	const studio = await open(page);
+	const before = await studio.fingerprint.textContent();
+	await studio.openGroup("Growth areas");
+	await studio.button("Draw it in the picture").click();
+	const { x, y } = await middleOf(page.getByRole("application"));
+	await page.mouse.move(x, y + 120);
+	await page.mouse.down();
+	for (const [right, up] of [
+		[40, 60],
+		[70, 0],
+		[20, -60],
+		[0, -120],
+	])
+		await page.mouse.move(x + right, y + up, { steps: 5 });
+	await page.mouse.up();
+	await expect.poll(() => (new URL(page.url()).searchParams.get("path") ?? "").split(",").length).toBeGreaterThan(8);
+	await expect(studio.fingerprint).not.toHaveText(before ?? "");
+	await expect(page.getByRole("button", { name: /^Place 1 of the main branch: / })).toBeAttached();
+	await studio.button("From middle to middle").click();
+	await expect(studio.fingerprint).toHaveText(before ?? "");
+});

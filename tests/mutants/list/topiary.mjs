@@ -1,0 +1,98 @@
+/** Growth areas: what is inside, how far a way stays there, what a text is told, what hands do. */
+const VOLUME = "tests/core/environment/volume_test.cpp";
+const AREAS = "tests/core/models/grammar/areas_test.cpp";
+const EDITS = "tests/web/models/grammar/areas/edits.test.ts";
+const DETAILS = "tests/web/models/grammar/areas/details.test.ts";
+
+export default [
+	{
+		file: "wasm-core/src/environment/volume.cpp",
+		suites: [VOLUME],
+		faults: [
+			{
+				id: "volume-cone-upside-down",
+				find: "const float radius = 0.5f * (1 - u.y);",
+				replace: "const float radius = 0.5f * (1 + u.y);",
+				breaks: "a cone stands on its tip",
+			},
+			{
+				id: "volume-reach-without-margin",
+				find: "std::min(end - margin, most)",
+				replace: "std::min(end + margin, most)",
+				breaks: "tips stand out of their areas by what is rounded",
+			},
+			{
+				id: "volume-turned-the-other-way",
+				find: "back_(glm::conjugate(sound(rotation)))",
+				replace: "back_(sound(rotation))",
+				breaks: "a turned area clips what it does not show",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/environment/solid.cpp",
+		suites: [VOLUME],
+		faults: [
+			{
+				id: "solid-leaves-at-inner-surfaces",
+				find: "if (t > last && !inside(0.5f * (last + t))) return last;",
+				replace: "if (t > last && last > 0) return last;",
+				breaks: "a way ends where two parts of a mesh overlap",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/grammar/areas.cpp",
+		suites: [AREAS],
+		faults: [
+			{
+				id: "areas-asked-in-metres",
+				find: "return reached == wanted ? most : reached / metres_;",
+				replace: "return reached;",
+				breaks: "a text in millimetres is told of metres",
+			},
+			{
+				id: "areas-with-the-first-mesh",
+				find: "stock = {stock.points.subspan(3 * std::size_t{points}), stock.triangles.subspan(3 * std::size_t{triangles})};",
+				replace: "",
+				breaks: "every mesh is the first one's",
+			},
+		],
+	},
+	{
+		file: "wasm-core/src/models/grammar/belonging.cpp",
+		suites: [AREAS],
+		faults: [
+			{
+				id: "belonging-outlasts-its-branch",
+				find: "now = around.back();",
+				replace: "",
+				breaks: "what follows a branch belongs to the branch's area",
+			},
+		],
+	},
+	{
+		file: "web/src/models/grammar/areas/area_handles.ts",
+		suites: [EDITS],
+		faults: [
+			{
+				id: "areas-widen-about-their-middle",
+				find: "centre: moved(area.centre, times(axis, (width - area.size[k]) / 2)) });",
+				replace: "centre: area.centre });",
+				breaks: "the side opposite to the one in hand moves too",
+			},
+		],
+	},
+	{
+		file: "web/src/models/grammar/details/areas.ts",
+		suites: [DETAILS],
+		faults: [
+			{
+				id: "areas-without-their-turn",
+				find: 'return [kind, centre.join(","), size.join(","), ...turn].join(":");',
+				replace: 'return [kind, centre.join(","), size.join(",")].join(":");',
+				breaks: "a link forgets how areas are turned",
+			},
+		],
+	},
+];

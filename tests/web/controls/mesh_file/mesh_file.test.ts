@@ -1,0 +1,174 @@
+import { describe, expect, it } from "vitest";
+import { closedMesh } from "../../../../web/src/controls/mesh_file/closed";
+import { readGlb } from "../../../../web/src/controls/mesh_file/glb";
+import { readObj } from "../../../../web/src/controls/mesh_file/obj";
+import { readMeshFile } from "../../../../web/src/controls/mesh_file/read";
+import { MeshFileError, type Soup } from "../../../../web/src/controls/mesh_file/soup";
+import { exportGlb } from "../../../../web/src/export/glb";
+import { standardMaterial } from "../../../../web/src/plant/material";
+import { MOST_TRIANGLES } from "../../../../web/src/specimen/closed_mesh";
+
+/** A box from (1, 2, 3), twice as high as wide: eight points, six faces of four corners, one by negative numbers. */
+const BOX = `# box
+v 1 2 3\nv 2 2 3\nv 2 4 3\nv 1 4 3
+v 1 2 4\nv 2 2 4\nv 2 4 4\nv 1 4 4
+f 4 3 2 1
+f 5/1/1 6/2/1 7/3/1 8/4/1
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f -5 -8 -4 -1
+`;
+
+function volumeOf({ points, triangles }: Soup): number {
+	let volume = 0;
+	for (let i = 0; i < triangles.length; i += 3) {
+		const [a, b, c] = [0, 1, 2].map((k) => points.slice(3 * triangles[i + k], 3 * triangles[i + k] + 3));
+		volume +=
+			a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+	}
+	return volume / 6;
+}
+
+/** A ball of so many triangles, every one with points of its own. */
+function ball(rings: number): Soup {
+	const at = (i: number, j: number) => {
+		const [tilt, turn] = [(Math.PI * i) / rings, (Math.PI * (j % (2 * rings))) / rings];
+		return [Math.sin(tilt) * Math.cos(turn), Math.cos(tilt), Math.sin(tilt) * Math.sin(turn)];
+	};
+	const points: number[] = [];
+	for (let i = 0; i < rings; i++) {
+		for (let j = 0; j < 2 * rings; j++) {
+			const [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+			points.push(...a, ...b, ...c, ...a, ...c, ...d);
+		}
+	}
+	return { points, triangles: points.slice(0, points.length / 3).map((_, i) => i) };
+}
+
+describe("a closed mesh from a file", () => {
+	it("comes from an OBJ, in a frame of height 1 over the middle of the ground", () => {
+		const { points, triangles } = closedMesh(readObj(BOX));
+		expect(triangles).toHaveLength(36);
+		expect(new Set(points)).toEqual(new Set([-0.25, 0.25, 0, 1]));
+		expect(volumeOf({ points, triangles })).toBeCloseTo(0.25);
+	});
+
+	it("is turned inside out where its triangles face inwards", () => {
+		const { points, triangles } = readObj(BOX);
+		const inwards = triangles.map((_, i) => triangles[3 * Math.floor(i / 3) + [0, 2, 1][i % 3]]);
+		expect(volumeOf(closedMesh({ points, triangles: inwards }))).toBeCloseTo(0.25);
+	});
+
+	it("comes from a GLB that Panicle writes, points that lie together welded", async () => {
+		const { points, triangles } = readObj(BOX);
+		const apart = triangles.flatMap((corner) => points.slice(3 * corner, 3 * corner + 3));
+		const mesh = {
+			positions: Float32Array.from(apart),
+			normals: Float32Array.from(apart, (_, i) => (i % 3 === 1 ? 1 : 0)),
+			uvs: new Float32Array((2 * apart.length) / 3),
+			indices: Uint32Array.from({ length: apart.length / 3 }, (_, i) => i),
+		};
+		const transforms = Float32Array.of(5, 0, 0, 0, 0, Math.SQRT1_2, Math.SQRT1_2, 3);
+		const shape = { mesh, material: standardMaterial("stem"), instances: { transforms } };
+		const about = { name: "box", link: "", extras: {} };
+		const bytes = exportGlb([{ name: "box", shape }], about as never);
+		// A quarter turn about z lays it on its side.
+		const { points: laid } = await readMeshFile(new File([bytes], "box.glb"));
+		expect(Math.max(...laid.filter((_, i) => i % 3 === 0))).toBeCloseTo(1);
+		expect(laid).toHaveLength(24);
+		expect(readGlb(bytes.buffer).triangles).toHaveLength(36);
+	});
+
+	it("is simplified to a bounded number of triangles, and stays closed and as large", () => {
+		const fine = ball(80);
+		expect(fine.triangles.length / 3).toBeGreaterThan(20_000);
+		const simple = closedMesh(fine);
+		expect(simple.triangles.length / 3).toBeLessThanOrEqual(MOST_TRIANGLES);
+		expect(simple.triangles.length / 3).toBeGreaterThan(MOST_TRIANGLES / 4);
+		expect(volumeOf(simple)).toBeCloseTo(Math.PI / 6, 1);
+		// What is closed is accepted a second time.
+		expect(() => closedMesh(simple)).not.toThrow();
+	});
+
+	it.each([
+		["flat", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", "The mesh is flat: it has no inside."],
+		[
+			"without two sides",
+			"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n",
+			"The mesh encloses nothing: it has no inside.",
+		],
+		["all lines", "v 0 0 0\nv 0 1 0\nf 1 1 2\n", "The mesh encloses nothing: it has no inside."],
+		["without triangles", "v 0 0 0\n", "The file holds no triangles."],
+		["with a corner too many", "v 0 0 0\nf 1 2 3\n", "Line 2 of the OBJ has a corner, “2”"],
+		["with words for numbers", "v 0 a 0\n", "Line 1 of the OBJ has “a”, which is no number."],
+		["with a point cut short", "v 0 0\n", "Line 1 of the OBJ has a point of fewer than three numbers."],
+	])("is refused when it is %s, and the reason said", (_, text, message) => {
+		expect(() => closedMesh(readObj(text))).toThrow(message);
+	});
+
+	it("is refused when it is open, with how many edges are and what to do, but hairline cracks are closed", () => {
+		const { points, triangles } = ball(8);
+		const opened = { points, triangles: triangles.toSpliced(120, 3) };
+		expect(() => closedMesh(opened)).toThrow(
+			"The mesh is not closed: 3 of its edges have a triangle at one side only. Fill",
+		);
+		const cracked = { points: points.map((value, i) => value + 2e-5 * Math.sin(i)), triangles };
+		expect(volumeOf(closedMesh(cracked))).toBeCloseTo(volumeOf(closedMesh({ points, triangles })), 3);
+	});
+
+	it("is refused when the file is of another kind, or damaged", async () => {
+		await expect(readMeshFile(new File(["x"], "box.stl"))).rejects.toThrow(
+			"box.stl is neither an OBJ nor a GLB: save the mesh as one of them.",
+		);
+		expect(() => readGlb(new ArrayBuffer(4))).toThrow(MeshFileError);
+		const bytes = new Uint8Array(64).fill(1).buffer;
+		new DataView(bytes).setUint32(0, 0x46546c67, true);
+		expect(() => readGlb(bytes)).toThrow("The GLB does not begin with its JSON.");
+	});
+
+	/** A GLB whose nodes are as given, with one mesh: a tetrahedron. */
+	function glbOf(nodes: readonly object[], more: object = {}): ArrayBuffer {
+		const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+		const corners = Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
+		const gltf = {
+			nodes,
+			meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+			accessors: [
+				{ bufferView: 0, componentType: 5126, count: 4, type: "VEC3" },
+				{ bufferView: 1, componentType: 5125, count: 12, type: "SCALAR" },
+			],
+			bufferViews: [
+				{ buffer: 0, byteOffset: 0, byteLength: 48 },
+				{ buffer: 0, byteOffset: 48, byteLength: 48 },
+			],
+			...more,
+		};
+		const text = new TextEncoder().encode(JSON.stringify(gltf));
+		const bytes = new Uint8Array(28 + text.length + 96);
+		const view = new DataView(bytes.buffer);
+		for (const [i, word] of [0x46546c67, 2, bytes.length, text.length, 0x4e4f534a].entries())
+			view.setUint32(4 * i, word, true);
+		bytes.set(text, 20);
+		view.setUint32(20 + text.length, 96, true);
+		view.setUint32(24 + text.length, 0x004e4942, true);
+		bytes.set(new Uint8Array(positions.buffer), 28 + text.length);
+		bytes.set(new Uint8Array(corners.buffer), 76 + text.length);
+		return bytes.buffer;
+	}
+
+	it("has a GLB's every node once: one without scenes begins with nodes that are nobody's child", () => {
+		const nodes = [{ mesh: 0, translation: [5, 0, 0] }, { children: [0] }];
+		for (const more of [{}, { scenes: [{ nodes: [1] }] }]) {
+			expect(readGlb(glbOf(nodes, more)).triangles).toHaveLength(12);
+		}
+	});
+
+	it("is refused at once where a GLB's nodes meet again", () => {
+		// Two ways at each of forty nodes: a million million visits.
+		const ladder = Array.from({ length: 40 }, (_, i) => (i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 }));
+		expect(() => readGlb(glbOf(ladder))).toThrow("The GLB's nodes do not form a tree.");
+		const ring = [{ children: [1] }, { children: [0] }];
+		expect(() => readGlb(glbOf(ring, { scenes: [{ nodes: [0] }] }))).toThrow("The GLB's nodes do not form a tree.");
+	});
+});

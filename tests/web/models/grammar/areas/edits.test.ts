@@ -1,0 +1,148 @@
+import { describe, expect, it } from "vitest";
+import { apply } from "../../../../../web/src/controls/change";
+import type { Change } from "../../../../../web/src/controls/desk";
+import type { PlantHandle, Vector } from "../../../../../web/src/controls/handles/plant_handle";
+import {
+	type Area,
+	degreesOf,
+	placeIn,
+	type Triple,
+	turned,
+	turnOf,
+	UNTURNED,
+} from "../../../../../web/src/models/grammar/areas/area";
+import * as edits from "../../../../../web/src/models/grammar/areas/area_edits";
+import { areaHandles } from "../../../../../web/src/models/grammar/areas/area_handles";
+import { surfaceOf } from "../../../../../web/src/models/grammar/areas/surface";
+import { GRAMMAR } from "../../../../../web/src/models/grammar/species";
+import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/specimen";
+import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+
+const area = (kind: Area["kind"], centre: Triple, size: Triple = [1, 1, 1], rotation = UNTURNED): Area => ({
+	kind,
+	centre,
+	size,
+	rotation,
+});
+const start: GrammarSpecimen = {
+	...fromPreset(GRAMMAR, "bush"),
+	areas: [area("box", [0, 0.8, 0]), area("cone", [0.5, 2, 0], [1, 2, 0.5], turnOf([0, 0, 90]))],
+};
+const made = (change: Change | undefined, from = start) => apply(GRAMMAR, from, change as Change);
+const handleOf = (specimen: GrammarSpecimen, id: string, chosen?: number) =>
+	areaHandles(specimen, { area: chosen, path: id.startsWith("place") }).handles.find(
+		(each) => each.id === id,
+	) as PlantHandle;
+const close = (found: readonly number[] | undefined, wanted: readonly number[]) => {
+	for (const [i, value] of wanted.entries()) expect(found?.[i]).toBeCloseTo(value, 2);
+};
+
+describe("what hands do to growth areas", () => {
+	it("adds, orders and removes them", () => {
+		const more = made(edits.added(start, "sphere"));
+		expect(more.areas?.map(({ kind }) => kind)).toEqual(["box", "cone", "sphere"]);
+		expect(more.areas?.[2].centre[1]).toBeGreaterThan(2);
+		expect(made(edits.reordered(more, 2, -1), more).areas?.map(({ kind }) => kind)).toEqual(["box", "sphere", "cone"]);
+		expect(edits.reordered(start, 0, -1)).toBeUndefined();
+		expect(made(edits.removed(start, 0)).areas?.map(({ kind }) => kind)).toEqual(["cone"]);
+		expect(made(edits.removed(made(edits.removed(start, 0)), 0), made(edits.removed(start, 0))).areas).toBeUndefined();
+	});
+
+	it("moves an area by its middle", () => {
+		const handle = handleOf(start, "area-1", 1);
+		close(made(handle.pull([1, 2.5, -0.5])).areas?.[1].centre, [1, 2.5, -0.5]);
+		close(made(handle.nudge(1, 0, true)).areas?.[1].centre, [0.6, 2, 0]);
+		expect(made(handle.nudge(0, 1, false)).areas?.[0]).toEqual(start.areas?.[0]);
+	});
+
+	it("widens a turned area by a side, whose opposite stays where it is", () => {
+		const cone = start.areas?.[1] as Area;
+		const handle = handleOf(start, "side-1", 1);
+		const [along] = handle.along;
+		const to = handle.at.map((value, k) => value + 0.4 * along[k]) as unknown as Vector;
+		const wider = made(handle.pull(to)).areas?.[1] as Area;
+		close(wider.size, [1, 2.4, 0.5]);
+		close(placeIn(wider, [0, -1, 0]), placeIn(cone, [0, -1, 0]));
+		close(placeIn(wider, [0, 1, 0]), to);
+		const ball = made(edits.changed(start, 0, { kind: "sphere" }));
+		close(made(handleOf(ball, "side-0", 0).nudge(1, 0, true), ball).areas?.[0].size, [1.1, 1.1, 1.1]);
+	});
+
+	it("turns an area about its own axes, as far as the pointer goes round", () => {
+		for (const k of [0, 1, 2]) {
+			const handle = handleOf(start, `turn-${k}`, 1);
+			const cone = start.areas?.[1] as Area;
+			const axis = turned([k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0], cone.rotation);
+			// The handle itself goes to where it is turned by 30° about the axis.
+			const half = Math.sin(Math.PI / 12);
+			const q = [axis[0] * half, axis[1] * half, axis[2] * half, Math.cos(Math.PI / 12)] as const;
+			const out = handle.at.map((value, i) => value - cone.centre[i]) as unknown as Triple;
+			const to = turned(out, q).map((value, i) => value + cone.centre[i]) as unknown as Vector;
+			const turned30 = made(handle.pull(to));
+			close(handleOf(turned30, `turn-${k}`, 1).at, to);
+			expect(turned30.areas?.[1].centre).toEqual(cone.centre);
+		}
+	});
+
+	it("reads a turn as the degrees it was typed as", () => {
+		for (const degrees of [
+			[0, 0, 0],
+			[10, 20, 30],
+			[-80, 120, -45],
+			[0, 0, 90],
+		] as Triple[])
+			close(degreesOf(turnOf(degrees)), degrees);
+	});
+
+	it("leads the main branch by places, which it has from the areas at first", () => {
+		expect(edits.placesOf(start)).toEqual([
+			[0, 0.8, 0],
+			[0.5, 2, 0],
+		]);
+		const led = made(handleOf(start, "place-0").pull([0.3, 0.7, 0]));
+		expect(led.path).toEqual([0.3, 0.7, 0, 0.5, 2, 0]);
+		const more = made(edits.addedPlace(led, 0), led);
+		expect(more.path).toEqual([0.3, 0.7, 0, 0.4, 1.35, 0, 0.5, 2, 0]);
+		expect(made(edits.removedPlace(more, 0), more).path).toEqual([0.4, 1.35, 0, 0.5, 2, 0]);
+		expect(made(edits.withPath(undefined), more).path).toBeUndefined();
+	});
+
+	it("makes a path of a stroke, of as few places as keep its shape", () => {
+		const stroke = Array.from({ length: 60 }, (_, i): Triple => [Math.sin(i / 12), i / 30, 0]);
+		const path = made(edits.strokePath(stroke)).path as number[];
+		expect(path.length / 3).toBeGreaterThan(4);
+		expect(path.length / 3).toBeLessThan(20);
+		close(path.slice(0, 3), stroke[0]);
+		close(path.slice(-3), stroke[59]);
+		const straight = Array.from({ length: 30 }, (_, i): Triple => [i, 2 * i, 0]);
+		expect((made(edits.strokePath(straight)).path as number[]).length).toBe(6);
+		expect(edits.strokePath([[0, 0, 0]])).toBeUndefined();
+	});
+});
+
+describe("the surface that is shown of an area", () => {
+	it("fills its box from end to end, closed and facing outwards", () => {
+		for (const kind of ["box", "sphere", "ellipsoid", "cylinder", "cone"] as const) {
+			const { points, triangles } = surfaceOf(area(kind, [1, 2, 3], kind === "sphere" ? [2, 2, 2] : [2, 4, 6]));
+			const half = kind === "sphere" ? [1, 1, 1] : [1, 2, 3];
+			for (const k of [0, 1, 2]) {
+				const along = points.filter((_, i) => i % 3 === k);
+				expect(Math.min(...along)).toBeCloseTo(1 + k - half[k], 6);
+				expect(Math.max(...along)).toBeCloseTo(1 + k + half[k], 6);
+			}
+			let volume = 0;
+			for (let t = 0; t < triangles.length; t += 3) {
+				const [a, b, c] = [0, 1, 2].map((i) => [0, 1, 2].map((k) => points[3 * triangles[t + i] + k] - [1, 2, 3][k]));
+				volume +=
+					(a[0] * (b[1] * c[2] - b[2] * c[1]) +
+						a[1] * (b[2] * c[0] - b[0] * c[2]) +
+						a[2] * (b[0] * c[1] - b[1] * c[0])) /
+					6;
+			}
+			const whole = 8 * half[0] * half[1] * half[2];
+			const share = { box: 1, sphere: 0.52, ellipsoid: 0.52, cylinder: 0.785, cone: 0.262 }[kind];
+			expect(volume / whole).toBeGreaterThan(0.96 * share);
+			expect(volume / whole).toBeLessThan(1.01 * share);
+		}
+	});
+});

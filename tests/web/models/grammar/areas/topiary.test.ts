@@ -1,0 +1,141 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../../web/src/core/core";
+import { exportJson } from "../../../../../web/src/export/json";
+import type { Area } from "../../../../../web/src/models/grammar/areas/area";
+import type { GrammarPlant } from "../../../../../web/src/models/grammar/grammar_plant";
+import { model } from "../../../../../web/src/models/grammar/index";
+import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/specimen";
+import { fetchTexts, textOf } from "../../../../../web/src/models/grammar/texts";
+import { fromPreset } from "../../../../../web/src/specimen/from_preset";
+import { freshCore } from "../../../core/wasm";
+import { clothed, holds, lateralTips, leafBases, surfacePlaces } from "./clothing";
+
+let core: Core;
+beforeAll(async () => {
+	await fetchTexts();
+	core = await freshCore("grammar.wasm");
+});
+
+const grow = (specimen: GrammarSpecimen): GrammarPlant =>
+	model.read(core.grow(model.encode(specimen, { meshes: false })));
+const presets = model.presets.list.filter(({ kind }) => kind === "topiary").map(({ name }) => name);
+const own = (name: string, changes: Partial<GrammarSpecimen> = {}) => ({ ...fromPreset(model, name), ...changes });
+
+describe.each(presets)("%s", (name) => {
+	it("is clothed, by leaves of about a fifteenth of its areas, and nowhere grows out of them", () => {
+		const specimen = own(name);
+		const plant = grow(specimen);
+		expect(plant.segments.count).toBeGreaterThanOrEqual(500);
+		expect(plant.segments.count).toBeLessThanOrEqual(20_000);
+		expect(plant.notes).toEqual([]);
+		const { leaf } = specimen.constants;
+		const areas = specimen.areas ?? [];
+		const sizes = areas.map(({ size }) => Math.max(...size) / leaf);
+		const mean = sizes.reduce((sum, size) => sum + size, 0) / sizes.length;
+		expect(mean).toBeGreaterThan(11);
+		const bases = leafBases(plant);
+		for (const area of areas) expect(clothed(surfacePlaces(area, 800), bases, leaf)).toBeGreaterThanOrEqual(0.9);
+		const tips = lateralTips(plant);
+		expect(tips.length).toBeGreaterThan(100);
+		// Of a mesh each place costs as much as all of its triangles; tests/core/models/grammar/areas_test.cpp asks of all.
+		const asked = tips.filter(({ area }, i) => areas[area - 1]?.kind !== "mesh" || i % 5 === 0);
+		const outside = asked.filter(({ at, area }) => area < 1 || !holds(areas[area - 1], at));
+		expect(outside).toEqual([]);
+	});
+});
+
+describe("a topiary is what its text says", () => {
+	const text = async () => (await textOf(own("topiary-one-cube"))).replace("#define leaf 0.07", "#define leaf 0.12");
+	const ofText = async (change: (text: string) => string, changes: Partial<GrammarSpecimen> = {}) => {
+		const before = await text();
+		const after = change(before);
+		if (after === before) throw new Error("The text is as it was.");
+		return grow(own("topiary-one-cube", { constants: {}, grammar: after, ...changes }));
+	};
+	const plain = async () => grow(own("topiary-one-cube", { constants: {}, grammar: await text() }));
+
+	it("has laterals as long as it says, and as many", async () => {
+		const [before, younger] = [
+			await plain(),
+			await ofText((each) => each.replace("#define oldest 26", "#define oldest 4")),
+		];
+		expect(younger.segments.count).toBeLessThan(0.3 * before.segments.count);
+		const lone = await ofText((each) =>
+			each.replace("[ Area(a) /(120) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]\n", "\n"),
+		);
+		expect(lone.segments.count).toBeLessThan(0.85 * before.segments.count);
+	});
+
+	it("ends short of the surface where its last segment is not shortened to it", async () => {
+		const clothes = (plant: GrammarPlant) =>
+			clothed(surfacePlaces(own("topiary-one-cube").areas?.[0] as Area, 800), leafBases(plant), 0.06);
+		const cut = await ofText((each) => each.replace("r<L && r>0.15*L --> F(r) J(0)", "r<L && r>0.15*L --> J(0)"));
+		expect(clothes(cut)).toBeLessThan(clothes(await plain()) - 0.1);
+	});
+
+	it("stays in its first area where it is not to pass on", async () => {
+		const areas = own("topiary-two-cubes").areas as Area[];
+		const both = await ofText((each) => `${each} `, { areas });
+		expect(new Set(both.belongs?.area)).toEqual(new Set([0, 1, 2]));
+		const one = await ofText((each) => each.replace("!in && e && a<areas", "!in && e && a<1"), { areas });
+		expect(new Set(one.belongs?.area)).toEqual(new Set([0, 1]));
+		expect(one.notes).toEqual([expect.stringContaining("Nothing grows in area 2")]);
+	});
+
+	it("grows out of its area where it does not ask", async () => {
+		const wild = await ofText((each) =>
+			each.replaceAll("reach(x,y,z,u,v,w,a,3*L)", "(3*L)").replace("#define oldest 26", "#define oldest 9"),
+		);
+		const box = own("topiary-one-cube").areas?.[0] as Area;
+		expect(lateralTips(wild).filter(({ at }) => !holds(box, at)).length).toBeGreaterThan(50);
+	});
+
+	it("draws the leaves that it says", async () => {
+		const bare = await ofText((each) => each.replaceAll("~leaf(leaf)", ""));
+		expect(leafBases(bare)).toEqual([]);
+		expect(bare.segments.count).toBe((await plain()).segments.count);
+	});
+});
+
+describe("the main branch", () => {
+	it("is one line from the ground, through the areas in their order, across what lies between", () => {
+		const specimen = own("topiary-three-spheres");
+		const { segments, belongs } = grow(specimen);
+		const main = Array.from({ length: segments.count }, (_, i) => i).filter((i) => belongs?.main[i] === 1);
+		expect(main.length).toBeGreaterThan(10);
+		for (const [k, i] of main.slice(1).entries()) expect(segments.parent[i]).toBe(main[k]);
+		expect(segments.parent[main[0]]).toBe(-1);
+		const passed = main.map((i) => belongs?.area[i]).filter((area, k, all) => area !== all[k - 1]);
+		expect(passed).toEqual([0, 1, 0, 2, 0, 3]);
+	});
+
+	it("follows the path that a hand has drawn", () => {
+		const path = [0.6, 0.5, 0, 0.8, 1, 0.1, 0.2, 1.4, 0, 0, 2, 0];
+		const { segments, belongs } = grow(own("topiary-two-cubes", { path }));
+		for (let place = 0; place < path.length - 3; place += 3) {
+			const near = Array.from({ length: segments.count }, (_, i) => i)
+				.filter((i) => belongs?.main[i] === 1)
+				.map((i) => Math.hypot(...[0, 1, 2].map((k) => segments.ends[6 * i + 3 + k] - path[place + k])));
+			expect(Math.min(...near)).toBeLessThan(0.15);
+		}
+	});
+
+	it("moves with its areas: a moved area bears where it stands now", () => {
+		const before = own("topiary-two-cubes");
+		const areas = before.areas?.map((area, i) =>
+			i === 1 ? { ...area, centre: [0.9, 1.9, 0.2] as const } : area,
+		) as Area[];
+		const plant = grow({ ...before, areas });
+		expect(lateralTips(plant).filter(({ at, area }) => !holds(areas[area - 1], at))).toEqual([]);
+		expect(clothed(surfacePlaces(areas[1], 800), leafBases(plant), before.constants.leaf)).toBeGreaterThan(0.85);
+	});
+
+	it("tells areas and what is the main branch's in the JSON document", () => {
+		const specimen = own("topiary-two-cubes");
+		const json = exportJson(model, grow(specimen), specimen);
+		expect(json).toMatchObject({ areas: specimen.areas });
+		const segments = [...(json.segments as Iterable<{ area: number; main: number }>)];
+		expect(new Set(segments.map(({ area }) => area))).toEqual(new Set([0, 1, 2]));
+		expect(new Set(segments.map(({ main }) => main))).toEqual(new Set([0, 1]));
+	});
+});

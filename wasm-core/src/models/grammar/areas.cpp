@@ -1,0 +1,123 @@
+#include "models/grammar/areas.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace panicle::grammar {
+namespace {
+
+constexpr float farthest = 1e4f;
+constexpr std::size_t place_width = 10;
+
+Diagnostic refused(std::string why) { return {Reason::bad_input, std::move(why), 0, 0}; }
+
+bool sound(std::span<const float> values) {
+  for (const float value : values)
+    if (!(std::fabs(value) <= farthest)) return false;
+  return true;
+}
+
+std::vector<glm::vec3> triples(std::span<const float> values) {
+  std::vector<glm::vec3> made;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) made.emplace_back(values[i], values[i + 1], values[i + 2]);
+  return made;
+}
+
+// What is still to be given to meshes.
+struct Stock {
+  std::span<const float> points;
+  std::span<const std::uint32_t> triangles;
+};
+
+// Takes an area's own out of the stock. Errors: bad_input.
+Result<Surface> take(Stock& stock, std::uint32_t points, std::uint32_t triangles) {
+  if (stock.points.size() / 3 < points || stock.triangles.size() / 3 < triangles)
+    return refused("An area has more points or triangles than there are.");
+  Surface surface{triples(stock.points.first(3 * std::size_t{points})), {}};
+  const auto corners = stock.triangles.first(3 * std::size_t{triangles});
+  for (const std::uint32_t corner : corners)
+    if (corner >= points) return refused("A triangle of an area has a corner that is none of its points.");
+  surface.triangles.assign(corners.begin(), corners.end());
+  stock = {stock.points.subspan(3 * std::size_t{points}), stock.triangles.subspan(3 * std::size_t{triangles})};
+  return surface;
+}
+
+std::string note_on(const Surface& surface, std::size_t number) {
+  if (surface.triangles.empty()) return "Area " + std::to_string(number) + " is a mesh without triangles.";
+  const Seams seams = seams_of(surface);
+  if (seams.open > 0)
+    return "The mesh of area " + std::to_string(number) + " is open at " + std::to_string(seams.open) +
+           " edges; what lies behind a gap may be taken for inside or outside.";
+  if (seams.turned > 0)
+    return "Triangles of the mesh of area " + std::to_string(number) + " are turned against each other at " +
+           std::to_string(seams.turned) + " edges; parts of it may count as holes.";
+  return {};
+}
+
+}  // namespace
+
+Result<Areas> Areas::read(Request& request) {
+  const auto kinds = request.words("areas.kinds"), meshes = request.words("areas.meshes");
+  const auto places = request.floats("areas.places"), path = request.floats("path");
+  Stock stock{request.floats("areas.points"), request.words("areas.triangles")};
+  Areas areas;
+  if (kinds.size() > most_areas || path.size() > 3 * most_places) return refused("There are too many areas or places.");
+  if (places.size() != place_width * kinds.size() || (!meshes.empty() && meshes.size() != 2 * kinds.size()) ||
+      path.size() % 3 != 0)
+    return Diagnostic{Reason::bad_request, "Areas and their places are not as many.", 0, 0};
+  if (!sound(places) || !sound(path) || !sound(stock.points))
+    return refused("A number of an area is not finite or beyond 10 km.");
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (kinds[i] > static_cast<std::uint32_t>(Volume::Kind::mesh)) return refused("An area is of an unknown kind.");
+    const auto kind = static_cast<Volume::Kind>(kinds[i]);
+    const float* at = &places[place_width * i];
+    Surface mesh;
+    if (!meshes.empty()) {
+      auto taken = take(stock, meshes[2 * i], meshes[2 * i + 1]);
+      if (!taken) return taken.error();
+      mesh = std::move(taken.value());
+    }
+    if (kind == Volume::Kind::mesh)
+      if (std::string note = note_on(mesh, i + 1); !note.empty()) areas.notes_.push_back(std::move(note));
+    const glm::vec3 centre(at[0], at[1], at[2]);
+    areas.volumes_.emplace_back(kind, centre, glm::vec3(at[3], at[4], at[5]), glm::quat(at[9], at[6], at[7], at[8]),
+                                mesh);
+    if (path.empty()) areas.path_.push_back(centre);
+  }
+  if (!path.empty()) areas.path_ = triples(path);
+  return areas;
+}
+
+void Areas::tell(lsystem::Inputs& inputs, float metres) {
+  metres_ = metres;
+  // Without areas a text has somewhere to go all the same.
+  if (path_.empty()) path_.emplace_back(0, 1, 0);
+  inputs.scalars.push_back({"areas", static_cast<float>(volumes_.size())});
+  inputs.scalars.push_back({"places", static_cast<float>(path_.size())});
+  lsystem::Inputs::Array path{"path", {}};
+  for (const glm::vec3& place : path_)
+    for (int k = 0; k < 3; ++k) path.values.push_back(place[k] / metres);
+  inputs.arrays.push_back(std::move(path));
+}
+
+const Volume* Areas::find(float area) const {
+  if (!(area >= 1 && area <= static_cast<float>(volumes_.size()))) return nullptr;
+  const auto number = static_cast<std::size_t>(area);
+  return static_cast<float>(number) == area ? &volumes_[number - 1] : nullptr;
+}
+
+bool Areas::bound(const glm::vec3& place, float area) const {
+  const Volume* volume = find(area);
+  return volume != nullptr && volume->contains(metres_ * place);
+}
+
+float Areas::reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const {
+  const Volume* volume = find(area);
+  if (volume == nullptr) return 0;
+  // All that is asked for is given back as it was asked: texts compare.
+  const float wanted = most * metres_, reached = volume->reach(metres_ * from, way, wanted);
+  return reached == wanted ? most : reached / metres_;
+}
+
+}  // namespace panicle::grammar

@@ -1,0 +1,55 @@
+// Growth areas (Seo et al. 2014: clipping volumes): what a text asks by bound() and reach(), and what it is told of
+// them.
+//
+// Blocks of a request, all in metres and absent where there is nothing of them:
+//   areas.kinds      uint32: Volume::Kind of each
+//   areas.places     float32, 10 each: centre, full size, rotation (unit quaternion x y z w)
+//   areas.meshes     uint32, 2 each: how many points and triangles of the two blocks below are its own
+//   areas.points     float32, 3 each
+//   areas.triangles  uint32, 3 each: corners, counted from the first of the area's own points
+//   path             float32, 3 each: places that the main branch is led by; where absent, the centres
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "environment/volume.hpp"
+#include "foundation/result.hpp"
+#include "lsystem/lsystem.hpp"
+#include "lsystem/space.hpp"
+#include "plant/request.hpp"
+
+namespace panicle::grammar {
+
+// Areas are counted from 1.
+class Areas final : public lsystem::Space {
+ public:
+  static constexpr std::size_t most_areas = 64, most_places = 1000;
+
+  // Errors: bad_request, for what is of another form; bad_input, for numbers that are not finite or beyond 10 km, or a
+  // corner that is none of the mesh's points. What there is to say of the meshes is said when there is a unit.
+  static Result<Areas> read(Request& request);
+
+  // What a text may declare: `#input areas` (how many), `#input places` and `#input path[]` (x, y, z of each place), in
+  // its own unit, of which `metres` are one. It is asked in that unit from now on.
+  void tell(lsystem::Inputs& inputs, float metres);
+
+  bool bound(const glm::vec3& place, float area) const override;
+  float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override;
+
+  std::size_t size() const { return volumes_.size(); }
+  // Of meshes with gaps or triangles turned against each other, a sentence each.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  const Volume* find(float area) const;
+
+  std::vector<Volume> volumes_;
+  std::vector<glm::vec3> path_;
+  std::vector<std::string> notes_;
+  float metres_ = 1;
+};
+
+}  // namespace panicle::grammar

@@ -1,0 +1,51 @@
+#include "models/grammar/belonging.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+#include "lsystem/program.hpp"
+#include "lsystem/words.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+constexpr std::string_view area_role = "area";
+
+float parameter_of(const std::uint32_t* module, std::uint32_t place) {
+  float value = 0;
+  if (lsystem::parameters_of(*module) > place) std::memcpy(&value, module + 1 + place, sizeof value);
+  return value;
+}
+
+Belonging told_by(const std::uint32_t* module) {
+  const float number = parameter_of(module, 0);
+  return {number >= 1 && number <= 255 ? static_cast<std::uint8_t>(number) : std::uint8_t{0},
+          parameter_of(module, 1) == 1};
+}
+
+}  // namespace
+
+std::vector<Belonging> belongings(const lsystem::Program& program, const lsystem::String& string) {
+  const lsystem::Roles& roles = lsystem::roles(program);
+  const auto found = std::find(roles.names.begin(), roles.names.end(), area_role);
+  if (found == roles.names.end()) return {};
+  const auto role = static_cast<std::uint32_t>(found - roles.names.begin());
+  std::vector<Belonging> made;
+  made.reserve(static_cast<std::size_t>(string.modules));
+  std::vector<Belonging> around;  // of the branches that are open
+  Belonging now;
+  for (const std::uint32_t* module = string.begin(); module < string.end(); module += lsystem::words_of(*module)) {
+    const std::uint32_t symbol = lsystem::symbol_of(*module);
+    if (symbol == lsystem::push_symbol) around.push_back(now);
+    if (symbol == lsystem::pop_symbol && !around.empty()) {
+      now = around.back();
+      around.pop_back();
+    }
+    if (roles.of(symbol) == role) now = told_by(module);
+    made.push_back(now);
+  }
+  return made;
+}
+
+}  // namespace panicle::grammar

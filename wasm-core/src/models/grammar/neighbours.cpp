@@ -1,0 +1,77 @@
+#include "models/grammar/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace panicle::grammar {
+namespace {
+
+constexpr float own = 1e-3f;           // of the radius: as near as this is where the turtle stands
+constexpr std::size_t most_radii = 8;  // whose cells are kept at a time
+constexpr float most_cells = 48;       // along an edge of the box
+constexpr std::uint32_t lamps = 24;
+constexpr float matter_of_an_end = 0.5f;
+
+}  // namespace
+
+void Neighbours::answers_begin() {
+  answering_ = true;
+  cells_.clear();
+}
+
+void Neighbours::hear() {
+  answering_ = false;
+  ends_.clear();
+}
+
+void Neighbours::line(std::int32_t, const lsystem::Turtle&, const lsystem::Turtle& after, const lsystem::Lineage&) {
+  if (!answering_) ends_.push_back(after.position);
+}
+
+void Neighbours::ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) {
+  if (!answering_ || parameters.size() < 2 || !(parameters[0] > 0) || !std::isfinite(parameters[0])) return;
+  const float radius = parameters[0];
+  Cells& near = cells(radius);
+  std::uint32_t count = 0;
+  near.grid.visit(turtle.position, [&](std::uint32_t index) {
+    const float distance = glm::distance(ends_[index], turtle.position);
+    if (distance <= radius && distance > own * radius) ++count;
+  });
+  parameters[1] = static_cast<float>(count);
+  if (parameters.size() < 3) return;
+  if (near.light == nullptr) near.light = light(radius);
+  parameters[2] = near.light->at(turtle.position);
+}
+
+Neighbours::Cells& Neighbours::cells(float edge) {
+  for (Cells& kept : cells_)
+    if (kept.edge == edge) return kept;
+  if (cells_.size() == most_radii) cells_.erase(cells_.begin());
+  cells_.push_back({edge, PointGrid(ends_, edge), nullptr});
+  return cells_.back();
+}
+
+std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
+  glm::vec3 low(0), high(0);
+  for (const glm::vec3& end : ends_) {
+    low = glm::min(low, end);
+    high = glm::max(high, end);
+  }
+  const glm::vec3 size = high - low;
+  const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / most_cells);
+  const auto along = [&](float length) { return static_cast<std::uint32_t>(length / cell) + 1; };
+  const std::uint32_t x = along(size.x), y = along(size.y), z = along(size.z);
+  std::vector<float> matter(std::size_t{x} * y * z, 0);
+  for (const glm::vec3& end : ends_) {
+    const auto place = [&](float at, float from, std::uint32_t most) {
+      return std::min(most - 1, static_cast<std::uint32_t>((at - from) / cell));
+    };
+    matter[(std::size_t{place(end.z, low.z, z)} * y + place(end.y, low.y, y)) * x + place(end.x, low.x, x)] +=
+        matter_of_an_end / cell;
+  }
+  return std::make_unique<VoxelLight>(low, cell, x, y, z, matter, overcast(lamps));
+}
+
+}  // namespace panicle::grammar

@@ -1,0 +1,45 @@
+// What answers ?E between steps: how crowded a place is, and how light (as Měch and Prusinkiewicz 1996 let plants ask;
+// docs/models/grammar/grammar.md).
+//
+// ?E(r, n, l): within r of the turtle, in the grammar's unit, end n lines, those that end where it stands not counted;
+// of the light of an overcast sky l arrives, 0 … 1, where each line's end fills a cell of edge r so that a way of r
+// through it leaves e^−½.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "environment/point_grid.hpp"
+#include "environment/voxel_light.hpp"
+#include "lsystem/lsystem.hpp"
+
+namespace panicle::grammar {
+
+class Neighbours : public lsystem::Listener {
+ public:
+  bool hears_first() const override { return true; }
+  void hear() override;
+  void answers_begin() override;
+  void line(std::int32_t, const lsystem::Turtle&, const lsystem::Turtle& after, const lsystem::Lineage&) override;
+  void sphere(const lsystem::Turtle&, float, const lsystem::Lineage&) override {}
+  void ask(const lsystem::Turtle& turtle, std::span<float> parameters, const lsystem::Lineage&) override;
+  void cut(const lsystem::Turtle&) override {}
+
+ private:
+  // The ends in cells of one edge, and the light between them once someone asks for it.
+  struct Cells {
+    float edge;
+    PointGrid grid;
+    std::unique_ptr<VoxelLight> light;
+  };
+  Cells& cells(float edge);
+  std::unique_ptr<VoxelLight> light(float edge) const;
+
+  std::vector<glm::vec3> ends_;
+  bool answering_ = false;
+  std::vector<Cells> cells_;  // by the radii asked for in this step
+};
+
+}  // namespace panicle::grammar

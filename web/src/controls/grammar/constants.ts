@@ -1,0 +1,142 @@
+import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
+import { repeat } from "lit/directives/repeat.js";
+import { coarseStep } from "../coarse_step";
+import { ControlElement } from "../control_element";
+import { HeldKey } from "../held_key";
+import { handBack, handOver, isForField, readTyped } from "../typed";
+import { type Constant, type Curve, decimals, type Outline, outlineOf } from "./outline";
+import { written } from "./scrub";
+import { type GrammarDesk, type GrammarSource, textOf, withText } from "./source";
+import "./curve_editor";
+
+/** Sliders of a text's constants, and its curves: what they change is written into the text. */
+export class Constants extends ControlElement<GrammarDesk> {
+	static override properties = { ...ControlElement.properties, source: { attribute: false } };
+	declare source: GrammarSource;
+
+	readonly #held = new HeldKey(() => this.desk.settle());
+	/** The outlines of the document's text and of the built-in one, as they were last read. */
+	#read: { text: string | undefined; outline: Outline } | undefined;
+	#published: { text: string; outline: Outline } | undefined;
+
+	protected override shows(): readonly unknown[] {
+		return [this.#text()];
+	}
+
+	protected override draw(): unknown {
+		const { governed } = this.source;
+		const { constants, curves } = this.#outline;
+		const free = constants.filter(({ name }) => !governed?.has(name));
+		if (free.length + curves.length === 0)
+			return html`<p>A line <code>#define angle 35 /* 0 … 90 */</code> of the grammar makes a slider here.</p>`;
+		return html`${repeat(
+			free,
+			({ name }) => name,
+			(constant) => this.#slider(constant),
+		)}
+		${repeat(
+			curves,
+			({ name }) => name,
+			(curve) =>
+				html`<panicle-curve .curve=${curve} .write=${this.#writeCurve} .settle=${() => this.desk.settle()}></panicle-curve>`,
+		)}`;
+	}
+
+	#slider(constant: Constant): unknown {
+		const { name, number, min, max, step, words } = constant;
+		const slide = this.idOf(`slide-${name}`);
+		const help = this.idOf(`help-${name}`);
+		const published = this.#builtIn(name);
+		const reset = () => published !== undefined && this.#set(name, published);
+		const edit = (value: number) => this.#edit(constant, value);
+		const press = (event: KeyboardEvent) => {
+			const field = (event.currentTarget as HTMLElement).parentElement?.querySelector<HTMLInputElement>(".typed");
+			if (event.key === "Delete" || event.key === "Backspace") reset();
+			else if (isForField(event)) handOver(event, field ?? null);
+			else {
+				this.#held.down(event);
+				const by = coarseStep(step, event);
+				if (by === undefined) return;
+				event.preventDefault();
+				edit(number.value + by);
+			}
+		};
+		const type = (event: Event) => {
+			const field = event.target as HTMLInputElement;
+			const typed = readTyped(field.value);
+			if (Number.isFinite(typed)) this.#set(name, String(typed));
+			field.value = this.#outline.constants.find((each) => each.name === name)?.number.text ?? "";
+		};
+		const changed = published !== undefined && Number(published) !== number.value;
+		return html`<div class="control ${changed ? "changed" : ""}" data-constant=${name}>
+			<label for=${slide} title=${words || nothing} @dblclick=${reset}>${name}</label>
+			<input
+				type="range" id=${slide} min=${min} max=${max} step=${step} .value=${live(String(number.value))} aria-describedby=${help}
+				style-done=${(100 * (number.value - min)) / (max - min)}
+				@input=${(event: Event) => edit(Number((event.target as HTMLInputElement).value))} @change=${this.#held.slid} @dblclick=${reset}
+				@keydown=${press} @keyup=${this.#held.up} @blur=${this.#held.up}
+			>
+			<input
+				class="typed" type="text" inputmode="decimal" autocomplete="off" tabindex="-1" .value=${live(number.text)} aria-label=${`${name}, typed`}
+				@change=${type} @focus=${(event: FocusEvent) => (event.target as HTMLInputElement).select()}
+				@keydown=${(event: KeyboardEvent) => handBack(event, number.value, (event.currentTarget as HTMLElement).parentElement?.querySelector("input[type=range]") ?? null)}
+			>
+			<span class="unseen" id=${help}>${words ? `${words}. ` : ""}${min} … ${max}. Line ${constant.line} of the grammar.</span>
+		</div>`;
+	}
+
+	protected override updated(): void {
+		for (const slider of this.querySelectorAll<HTMLElement>("[style-done]"))
+			slider.style.setProperty("--done", `${slider.getAttribute("style-done")}%`);
+	}
+
+	/** A slider moves: the number takes as many digits as its steps need. */
+	#edit({ name, min, max, step, number }: Constant, value: number): void {
+		const places = Math.max(decimals(String(step)), decimals(number.text));
+		const text = written(Math.min(Math.max(value, min), max), places);
+		const change = this.#changed(name, text);
+		if (change) this.desk.edit({ ...change, run: this.#held.run }, `constant ${name}`);
+	}
+
+	#set(name: string, value: string): void {
+		const change = this.#changed(name, value);
+		if (change) this.desk.set(change);
+	}
+
+	#changed(name: string, value: string) {
+		const constant = this.#outline.constants.find((each) => each.name === name);
+		return constant && this.#withStretch(constant.number, value);
+	}
+
+	readonly #writeCurve = (name: string, points: string): void => {
+		const curve: Curve | undefined = this.#outline.curves.find((each) => each.name === name);
+		if (curve) this.desk.edit(this.#withStretch(curve, points), `curve ${name}`);
+	};
+
+	/** The change that writes something in the place of a stretch of the text. */
+	#withStretch({ from, to }: { readonly from: number; readonly to: number }, insert: string) {
+		const text = this.#text() ?? "";
+		return withText(this.source, this.desk.state.specimen, text.slice(0, from) + insert + text.slice(to));
+	}
+
+	#text(): string | undefined {
+		return textOf(this.source, this.desk.state.specimen, () => this.requestUpdate());
+	}
+
+	get #outline(): Outline {
+		const text = this.#text();
+		if (!this.#read || this.#read.text !== text) this.#read = { text, outline: outlineOf(text ?? "") };
+		return this.#read.outline;
+	}
+
+	/** What a constant is in the text that the preset grows by, as it is written there. */
+	#builtIn(name: string): string | undefined {
+		const text = this.source.builtIn(this.desk.preset);
+		if (typeof text !== "string") return undefined;
+		if (this.#published?.text !== text) this.#published = { text, outline: outlineOf(text) };
+		return this.#published.outline.constants.find((each) => each.name === name)?.number.text;
+	}
+}
+
+customElements.define("panicle-constants", Constants);

@@ -1,0 +1,87 @@
+/** Points of a curve as a hand moves them: pure, and always in order from left to right. */
+import { written } from "./scrub";
+
+export type Point = readonly [x: number, y: number];
+
+/** Where the points of a curve may be drawn: what they span, with some room above and below. */
+export interface Frame {
+	readonly left: number;
+	readonly right: number;
+	readonly low: number;
+	readonly high: number;
+}
+
+/** A curve needs a beginning and an end. */
+const FEWEST = 2;
+/** Neighbours stay this far apart, as a share of the frame's width. */
+const APART = 0.01;
+
+/** The frame of a curve; 0 … 1 both ways holds for what lies within it. */
+export function frameOf(points: readonly Point[]): Frame {
+	const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
+	const [low, high] = [Math.min(0, ...ys), Math.max(1, ...ys)];
+	return { left: Math.min(0, ...xs), right: Math.max(1, ...xs), low, high };
+}
+
+/** A point somewhere else, between its neighbours and in the frame. */
+export function moved(points: readonly Point[], at: number, [x, y]: Point, { left, right, low, high }: Frame): Point[] {
+	const gap = (right - left) * APART;
+	const least = at > 0 ? points[at - 1][0] + gap : left;
+	const most = at < points.length - 1 ? points[at + 1][0] - gap : right;
+	const place = [clamp(x, least, Math.max(least, most)), clamp(y, low, high)] as const;
+	return points.map((point, index) => (index === at ? place : point));
+}
+
+/** A point more, in its place; the same list where one stands there already. */
+export function added(points: readonly Point[], [x, y]: Point, frame: Frame): readonly Point[] {
+	const gap = (frame.right - frame.left) * APART;
+	if (x < frame.left || x > frame.right || points.some(([other]) => Math.abs(other - x) < gap)) return points;
+	const at = points.findIndex(([other]) => other > x);
+	return points.toSpliced(at < 0 ? points.length : at, 0, [x, clamp(y, frame.low, frame.high)]);
+}
+
+/** A point less; the same list where no curve would be left. */
+export function removed(points: readonly Point[], at: number): readonly Point[] {
+	return points.length > FEWEST ? points.toSpliced(at, 1) : points;
+}
+
+/** As a text has them: `(0, 0) (0.3, 1)`, to a hundredth, or a thousandth of a narrow frame. */
+export function inText(points: readonly Point[], { left, right, low, high }: Frame): string {
+	const places = (width: number) => Math.max(0, 2 - Math.floor(Math.log10(width)));
+	const number = (value: number, width: number) => String(Number(written(value, places(width))));
+	return points.map(([x, y]) => `(${number(x, right - left)}, ${number(y, high - low)})`).join(" ");
+}
+
+/**
+ * The monotone cubic through the points (Fritsch and Carlson 1980), constant beyond its ends: between two points it never goes beyond
+ * them, as the core's.
+ */
+export function valueAt(points: readonly Point[], x: number): number {
+	const last = points.length - 1;
+	if (x <= points[0][0]) return points[0][1];
+	if (x >= points[last][0]) return points[last][1];
+	const at = points.findIndex(([next]) => next > x) - 1;
+	const [[x0, y0], [x1, y1]] = [points[at], points[at + 1]];
+	const width = x1 - x0;
+	const t = (x - x0) / width;
+	const [m0, m1] = [tangent(points, at), tangent(points, at + 1)];
+	const t2 = t * t;
+	const t3 = t2 * t;
+	return (2 * t3 - 3 * t2 + 1) * y0 + (t3 - 2 * t2 + t) * width * m0 + (3 * t2 - 2 * t3) * y1 + (t3 - t2) * width * m1;
+}
+
+/** The harmonic mean of the slopes beside a point, weighted by widths; level where they turn, and their own at the ends. */
+function tangent(points: readonly Point[], at: number): number {
+	const slope = (from: number) => (points[from + 1][1] - points[from][1]) / (points[from + 1][0] - points[from][0]);
+	if (at === 0) return slope(0);
+	if (at === points.length - 1) return slope(at - 1);
+	const [before, after] = [slope(at - 1), slope(at)];
+	if (before * after <= 0) return 0;
+	const [h0, h1] = [points[at][0] - points[at - 1][0], points[at + 1][0] - points[at][0]];
+	const [w0, w1] = [2 * h1 + h0, h1 + 2 * h0];
+	return (w0 + w1) / (w0 / before + w1 / after);
+}
+
+function clamp(value: number, least: number, most: number): number {
+	return Math.min(Math.max(value, least), most);
+}

@@ -1,0 +1,226 @@
+/**
+ * The text of a grammar to be edited: CodeMirror in a shadow tree of its own, where its styles are sheets that the page's policy
+ * allows. It keeps no history: its steps are the document's.
+ */
+import {
+	autocompletion,
+	closeBrackets,
+	closeBracketsKeymap,
+	completionKeymap,
+	completionStatus,
+} from "@codemirror/autocomplete";
+import { defaultKeymap, indentWithTab } from "@codemirror/commands";
+import { bracketMatching } from "@codemirror/language";
+import { Annotation, Compartment, EditorState, Prec, Transaction } from "@codemirror/state";
+import { drawSelection, EditorView, type KeyBinding, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
+import { completion } from "./completion";
+import { difference } from "./difference";
+import { EDITOR_STYLE } from "./editor_style";
+import { type Explanation, explain } from "./explain";
+import { highlight, outlined } from "./highlight";
+import { NumberDrag, numberHere, scrubbing, stepHere } from "./numbers";
+import type { NumberAt } from "./outline";
+import { placeOf, showProblems, tell } from "./problems";
+import type { Problem } from "./told";
+
+/** What an editor tells of itself. */
+export interface EditorEvents {
+	/** The text has been changed by hand. @param how what kind of change, and where it goes on */
+	edited(text: string, how: string): void;
+	/** What was changed by a drag or before it is a step. */
+	settle(): void;
+	undo(): void;
+	redo(): void;
+	/** Escape: the focus is to go elsewhere. */
+	leave(): void;
+	/** The cursor is somewhere else, or what stands there is. */
+	at(number: NumberAt | undefined, explained: Explanation | undefined): void;
+	/** The focus has gone. */
+	blurred(): void;
+}
+
+export interface EditorOptions {
+	readonly text: string;
+	/** What assistive technology calls it, and says of its keys. */
+	readonly label: string;
+	readonly help: string;
+	/** Names that `#role` takes. */
+	readonly roles: readonly string[];
+	/** Whether Tab indents; else it goes on to what comes next. */
+	readonly indents: boolean;
+}
+
+/** A change that came from the document, not from the hand. */
+const fromDocument = Annotation.define<boolean>();
+
+export class Editor {
+	readonly #view: EditorView;
+	readonly #events: EditorEvents;
+	readonly #tab = new Compartment();
+	/** Tells kinds of typing apart, and places: what follows another is a step of its own. */
+	#how = "";
+	#end = -1;
+	#turn = 0;
+
+	constructor(root: ShadowRoot, { text, label, help, roles, indents }: EditorOptions, events: EditorEvents) {
+		this.#events = events;
+		const described = document.createElement("p");
+		described.id = "keys";
+		described.hidden = true;
+		described.textContent = help;
+		root.append(described);
+		this.#view = new EditorView({
+			root,
+			parent: root,
+			state: EditorState.create({
+				doc: text,
+				extensions: [
+					this.#keys(),
+					this.#tab.of(tab(indents)),
+					lineNumbers(),
+					drawSelection(),
+					bracketMatching(),
+					closeBrackets(),
+					autocompletion({ override: [completion(roles)], icons: false }),
+					highlight,
+					showProblems,
+					scrubbing({ begin: () => events.settle(), end: () => events.settle() }),
+					EditorView.lineWrapping,
+					EditorView.contentAttributes.of({
+						"aria-label": label,
+						"aria-describedby": described.id,
+						autocapitalize: "off",
+						spellcheck: "false",
+						autocorrect: "off",
+					}),
+					EditorView.updateListener.of((update) => this.#updated(update)),
+					EditorView.domEventHandlers({
+						blur: () => events.blurred(),
+						// What a menu, a shake or a phone's keyboard asks for.
+						beforeinput: (event) => {
+							const act = { historyUndo: events.undo, historyRedo: events.redo }[event.inputType];
+							if (act) event.preventDefault();
+							act?.();
+							return act !== undefined;
+						},
+					}),
+					EDITOR_STYLE,
+				],
+			}),
+		});
+	}
+
+	get text(): string {
+		return this.#view.state.doc.toString();
+	}
+
+	/** Takes another text in place of this one, as little of it as differs. */
+	set text(next: string) {
+		const change = difference(this.text, next);
+		if (!change) return;
+		const anchor = change.from + change.insert.length;
+		this.#view.dispatch({
+			changes: change,
+			// Who reads sees what Undo has done.
+			...(this.#view.hasFocus ? { selection: { anchor }, scrollIntoView: true } : {}),
+			annotations: [fromDocument.of(true), Transaction.addToHistory.of(false)],
+		});
+	}
+
+	set problems(problems: readonly Problem[]) {
+		tell(this.#view, problems);
+		this.#view.contentDOM.ariaInvalid = String(problems.some(({ severity }) => severity === "error"));
+	}
+
+	set indents(indents: boolean) {
+		this.#view.dispatch({ effects: this.#tab.reconfigure(tab(indents)) });
+	}
+
+	focus(): void {
+		this.#view.focus();
+	}
+
+	/** Takes the cursor to a problem. */
+	goTo(problem: Problem): void {
+		this.select(placeOf(this.#view, problem));
+	}
+
+	/** Takes the cursor to the beginning of a line, counted from 1. */
+	goToLine(line: number): void {
+		const { doc } = this.#view.state;
+		this.select(doc.line(Math.min(Math.max(line, 1), doc.lines)));
+	}
+
+	/** Selects a part of the text, in view. */
+	select({ from, to }: { readonly from: number; readonly to: number }): void {
+		this.#view.dispatch({ selection: { anchor: from, head: to }, scrollIntoView: true });
+		this.#view.focus();
+	}
+
+	/** Takes the number at the cursor so many steps on. */
+	step(steps: number): void {
+		stepHere(this.#view, steps);
+	}
+
+	/** A drag of the number at the cursor begins, wherever the hand is; undefined where there is none. */
+	grip(): ((pixels: number, keys: Pick<MouseEvent, "shiftKey" | "ctrlKey" | "metaKey">) => void) | undefined {
+		const number = numberHere(this.#view);
+		if (!number) return undefined;
+		const drag = new NumberDrag(number);
+		return (pixels, keys) => drag.move(this.#view, pixels, keys);
+	}
+
+	destroy(): void {
+		this.#view.destroy();
+	}
+
+	#keys() {
+		const { undo, redo, leave } = this.#events;
+		const done = (act: () => void) => () => {
+			act();
+			return true;
+		};
+		const own: KeyBinding[] = [
+			{ key: "Mod-z", run: done(undo), preventDefault: true },
+			{ key: "Mod-y", run: done(redo), preventDefault: true },
+			{ key: "Mod-Shift-z", run: done(redo), preventDefault: true },
+			{
+				key: "Escape",
+				// The first closes the list of completions.
+				run: ({ state }) => {
+					if (completionStatus(state) === null) leave();
+					return completionStatus(state) === null;
+				},
+			},
+		];
+		return [Prec.high(keymap.of(own)), keymap.of([...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap])];
+	}
+
+	#updated(update: ViewUpdate): void {
+		const { docChanged, selectionSet, state, view } = update;
+		const byHand = docChanged && !update.transactions.every((each) => each.annotation(fromDocument));
+		if (byHand) this.#events.edited(state.doc.toString(), this.#kindOf(update));
+		if (!docChanged && !selectionSet) return;
+		this.#events.at(numberHere(view), explain(state.field(outlined), state.selection.main.head));
+	}
+
+	/** What kind of change: what is typed on behind the last is of one kind. */
+	#kindOf({ changes, transactions }: ViewUpdate): string {
+		const event = transactions.map((each) => each.annotation(Transaction.userEvent)).find(Boolean) ?? "other";
+		let [from, end, whole] = [0, 0, ""];
+		changes.iterChanges((start, _, __, stop, inserted) => {
+			from = start;
+			end = stop;
+			whole = inserted.toString();
+		});
+		const goesOn = /^(?:input\.type|delete)/.test(event) && this.#end >= 0 && Math.abs(from - this.#end) <= 1;
+		if (event !== this.#how || !(goesOn || event === "input.step") || whole.includes("\n")) this.#turn++;
+		this.#how = event;
+		this.#end = end;
+		return `${event} ${this.#turn}`;
+	}
+}
+
+function tab(indents: boolean) {
+	return indents ? keymap.of([indentWithTab]) : [];
+}

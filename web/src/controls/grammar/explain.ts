@@ -1,0 +1,76 @@
+/** What there is to say of a word in a grammar's text: help under the pointer, and at the cursor. */
+import type { Outline } from "./outline";
+import type { Piece } from "./scan";
+import { WORDS, type Word } from "./words.generated";
+
+/** A word explained. */
+export interface Explanation {
+	/** Where it stands. */
+	readonly from: number;
+	readonly to: number;
+	/** As it is written: `F(s)`. */
+	readonly written: string;
+	readonly help: string;
+}
+
+/** What stands at a place of the text, in words; undefined where nothing is known of it. */
+export function explain({ pieces, names, symbols }: Outline, place: number): Explanation | undefined {
+	// Between two pieces the one behind is meant.
+	const piece = pieces.findLast(({ from, to }) => from <= place && place <= to);
+	if (!piece) return undefined;
+	const { from, to, text } = piece;
+	const word = wordFor(piece);
+	if (word) {
+		return { from, to, written: word.written, help: word.title ? `${capital(word.title)}. ${word.help}` : word.help };
+	}
+	if (piece.kind === "name" || piece.kind === "function") {
+		const defined = names.get(text);
+		if (defined) return { from, to, written: text, help: defined.replace(/\s+/g, " ") };
+		return formalsAt(pieces, place).includes(text)
+			? { from, to, written: text, help: "A parameter of the module that the production rewrites, or of a neighbour." }
+			: undefined;
+	}
+	const own = piece.kind === "symbol" ? symbols.get(text) : undefined;
+	return own ? { from, to, written: own, help: "A symbol of this grammar." } : undefined;
+}
+
+/** Names that the production at a place gives to parameters: those of its predecessor and of its contexts. */
+export function formalsAt(pieces: readonly Piece[], place: number): string[] {
+	const arrow = arrowBefore(pieces, place);
+	if (arrow === undefined) return [];
+	const { line } = pieces[arrow];
+	const found = new Set<string>();
+	let depth = 0;
+	for (const piece of pieces.slice(0, arrow)) {
+		if (piece.line !== line) continue;
+		if (piece.text === "(") depth++;
+		else if (piece.text === ")") depth--;
+		else if (piece.text === ":" && depth === 0) break;
+		else if (depth > 0 && piece.kind === "name") found.add(piece.text);
+	}
+	return [...found];
+}
+
+/** The arrow of the production that a place is in: a statement ends it, a line without an arrow goes on with it. */
+function arrowBefore(pieces: readonly Piece[], place: number): number | undefined {
+	let [arrow, first]: (number | undefined)[] = [undefined, undefined];
+	for (const [at, { kind, line, from }] of pieces.entries()) {
+		if (line !== pieces[at - 1]?.line) first = from;
+		if (first === undefined || first > place) break;
+		if (kind === "arrow") arrow = at;
+		if (kind === "statement") arrow = undefined;
+	}
+	return arrow;
+}
+
+const BY_KIND = new Map(WORDS.map((word) => [`${word.kind} ${word.name}`, word]));
+
+function wordFor({ kind, text }: Piece): Word | undefined {
+	if (kind === "arrow") return BY_KIND.get("statement -->");
+	if (kind === "branch") return BY_KIND.get(`symbol ${text}`);
+	return BY_KIND.get(`${kind} ${text.replace(/\s+/g, " ").replace(/ :$/, ":")}`);
+}
+
+function capital(words: string): string {
+	return words.charAt(0).toUpperCase() + words.slice(1);
+}

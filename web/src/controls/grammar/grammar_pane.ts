@@ -1,0 +1,180 @@
+import { html, nothing } from "lit";
+import { ControlElement } from "../control_element";
+import type { Stateful } from "../desk";
+import type { GrammarState } from "../grammar_tool";
+import { icon } from "../icons";
+import { KeyRuns } from "../key_runs";
+import { Editor } from "./editor";
+import type { Explanation } from "./explain";
+import type { NumberAt } from "./outline";
+import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText } from "./source";
+import { type Problem, problemsOf } from "./told";
+import "./number_pad";
+
+const GESTURE = "grammar";
+/** Who types no further for this long, in milliseconds, has made a step. */
+const PAUSE = 700;
+const KEYS =
+	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
+
+/** The grammar beside its plant: every change grows at once, and what is wrong with it is shown where it stands. */
+export class GrammarPane extends ControlElement<GrammarDesk> {
+	static override properties = {
+		...ControlElement.properties,
+		source: { attribute: false },
+		tool: { attribute: false },
+		close: { attribute: false },
+		number: { state: true },
+		explained: { state: true },
+	};
+	declare source: GrammarSource;
+	declare tool: Stateful<GrammarState>;
+	declare close: () => void;
+	/** What the cursor is at. */
+	declare number: NumberAt | undefined;
+	declare explained: Explanation | undefined;
+
+	#editor: Editor | undefined;
+	readonly #runs = new KeyRuns();
+	#pause: ReturnType<typeof setTimeout> | undefined;
+	/** What had the focus before. */
+	#opener: Element | null = null;
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		this.#opener = document.activeElement;
+	}
+
+	override disconnectedCallback(): void {
+		super.disconnectedCallback();
+		this.#settle();
+		this.#editor?.destroy();
+		this.#editor = undefined;
+		// The focus goes back, unless it is elsewhere already.
+		if (document.activeElement === document.body && this.#opener instanceof HTMLElement) this.#opener.focus();
+	}
+
+	protected override shows({ state }: GrammarDesk): readonly unknown[] {
+		return [this.#text(), state.specimen.grammar, state.fault, state.grown?.notes, this.desk.toolState(this.tool)];
+	}
+
+	protected override draw({ state }: GrammarDesk): unknown {
+		const { noun } = this.source;
+		const { specimen } = state;
+		const own = isOwn(specimen);
+		const title = this.idOf("title");
+		return html`<section class="pane" aria-labelledby=${title}>
+			<header>
+				<h2 id=${title}>Grammar</h2>
+				<p>${own ? `This ${noun}’s own` : "Built in; a change makes it this plant’s own"}</p>
+				${own ? html`<button class="button" type="button" @click=${this.#drop}>Use the built-in grammar</button>` : nothing}
+				<button class="button quiet icon" type="button" data-close aria-label="Close the grammar" title="Close the grammar" @click=${this.close}>
+					${icon("close")}
+				</button>
+			</header>
+			<div class="pane-text"></div>
+			<div class="pane-told" role="status">${this.#said(this.#problems)}</div>
+			<footer>
+				<panicle-number-pad .number=${this.number} .grip=${this.#grip} .step=${this.#step} .done=${this.#settle}></panicle-number-pad>
+				<p class="pane-hint">${this.#hint()}</p>
+				<label class="toggle">
+					<input type="checkbox" .checked=${this.desk.toolState(this.tool).indents} @change=${this.#setIndents}>Tab indents
+				</label>
+			</footer>
+		</section>`;
+	}
+
+	protected override updated(): void {
+		const text = this.#text();
+		if (text === undefined) return;
+		// CodeMirror's lines end as its own do.
+		const shown = text.replace(/\r\n?/g, "\n");
+		const { indents } = this.desk.toolState(this.tool);
+		if (!this.#editor) {
+			this.#editor = this.#begin(shown, indents);
+			if (!matchMedia("(pointer: coarse)").matches) this.#editor.focus();
+		}
+		this.#editor.text = shown;
+		this.#editor.indents = indents;
+		this.#editor.problems = this.#problems;
+	}
+
+	/** Remarks are of the plant that is shown: while it is another text's they would stand in the wrong place. */
+	get #problems(): Problem[] {
+		const { fault, grown, grownFrom, specimen } = this.desk.state;
+		const current = grownFrom !== undefined && grownFrom.grammar === specimen.grammar;
+		return problemsOf(fault, current ? (grown?.notes ?? []) : []);
+	}
+
+	#text(): string | undefined {
+		return textOf(this.source, this.desk.state.specimen, () => this.requestUpdate());
+	}
+
+	#begin(text: string, indents: boolean): Editor {
+		const root = this.querySelector(".pane-text")?.attachShadow({ mode: "open" });
+		const options = { text, indents, label: "Grammar", help: KEYS, roles: this.source.roles ?? [] };
+		return new Editor(root as ShadowRoot, options, {
+			edited: (next, how) => this.#edited(next, how),
+			settle: () => this.#settle(),
+			undo: () => this.desk.undo(),
+			redo: () => this.desk.redo(),
+			leave: () => this.querySelector<HTMLElement>("[data-close]")?.focus(),
+			at: (number, explained) => {
+				this.number = number;
+				this.explained = explained;
+			},
+			blurred: () => this.#settle(),
+		});
+	}
+
+	#edited(text: string, how: string): void {
+		const { desk } = this;
+		// What has been growing for long is of a text that is no more.
+		if (desk.state.growing) desk.cancel();
+		const run = how.startsWith("input.scrub") ? undefined : this.#runs.press(how);
+		desk.edit({ ...withText(this.source, desk.state.specimen, text), run }, GESTURE);
+		clearTimeout(this.#pause);
+		if (run) this.#pause = setTimeout(this.#settle, PAUSE);
+	}
+
+	readonly #settle = (): void => {
+		clearTimeout(this.#pause);
+		this.desk.settle(GESTURE);
+	};
+
+	readonly #step = (steps: number): void => this.#editor?.step(steps);
+
+	readonly #grip = () => {
+		this.#settle();
+		return this.#editor?.grip();
+	};
+
+	readonly #drop = (): void => {
+		this.desk.set(withText(this.source, this.desk.state.specimen, undefined));
+		this.#editor?.focus();
+	};
+
+	readonly #setIndents = (event: Event): void => {
+		const indents = (event.target as HTMLInputElement).checked;
+		this.desk.setToolState(this.tool, { ...this.desk.toolState(this.tool), indents });
+	};
+
+	#hint(): unknown {
+		const { explained } = this;
+		if (!explained) return "Drag across a number to change it.";
+		return html`<code>${explained.written}</code> ${explained.help}`;
+	}
+
+	#said(problems: readonly Problem[]): unknown {
+		const { fault } = this.desk.state;
+		const elsewhere = fault && fault.line === 0 ? html`<p class="error">${fault.message}</p>` : nothing;
+		const list = problems.map(
+			(problem) => html`<button type="button" class=${problem.severity} @click=${() => this.#editor?.goTo(problem)}>
+				<b>Line ${problem.line}</b> ${problem.message}
+			</button>`,
+		);
+		return html`${elsewhere}${list}`;
+	}
+}
+
+customElements.define("panicle-grammar", GrammarPane);

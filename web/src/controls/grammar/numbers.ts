@@ -1,0 +1,136 @@
+/** Numbers in the text as handles: dragged across they change, and by Alt with the arrow keys. */
+import { type Extension, Prec } from "@codemirror/state";
+import { type Command, EditorView, keymap } from "@codemirror/view";
+import { outlined } from "./highlight";
+import { type NumberAt, numberAt } from "./outline";
+import { PIXELS_A_STEP, reach, stepped } from "./scrub";
+
+/** The document's part of it. */
+export interface Scrubbing {
+	/** A drag begins: what was typed before is a step of its own. */
+	begin(): void;
+	/** It has ended: one step. */
+	end(): void;
+}
+
+/** How far a pointer goes before it drags; pixels. */
+const SLACK = 3;
+
+/** The number that the cursor is at. */
+export function numberHere({ state }: EditorView): NumberAt | undefined {
+	return numberAt(state.field(outlined).pieces, state.selection.main.head);
+}
+
+/** Takes the number at the cursor so many steps on; tells whether there is one. */
+export function stepHere(view: EditorView, steps: number): boolean {
+	const number = numberHere(view);
+	if (number) write(view, number, stepped(number, steps), "step");
+	return number !== undefined;
+}
+
+/** Writes a number in the place of another; the cursor stays at it. */
+export function write(
+	view: EditorView,
+	{ from, text }: Pick<NumberAt, "from" | "text">,
+	insert: string,
+	how: string,
+): void {
+	view.dispatch({
+		changes: { from, to: from + text.length, insert },
+		selection: { anchor: from + insert.length },
+		userEvent: `input.${how}`,
+	});
+}
+
+/** A drag across a number, from where it begins. */
+export class NumberDrag {
+	readonly #start: NumberAt;
+	#text: string;
+	#steps = 0;
+	/** Tenths, once they have been asked for. */
+	#quantum = 1;
+
+	constructor(start: NumberAt) {
+		this.#start = start;
+		this.#text = start.text;
+	}
+
+	/** Goes on by so many pixels to the right. */
+	move(view: EditorView, pixels: number, keys: Pick<MouseEvent, "shiftKey" | "ctrlKey" | "metaKey">): void {
+		const times = reach(keys);
+		this.#quantum = Math.min(this.#quantum, times);
+		this.#steps += (pixels / PIXELS_A_STEP) * times;
+		const next = stepped(this.#start, Math.round(this.#steps / this.#quantum) * this.#quantum);
+		if (next === this.#text) return;
+		write(view, { from: this.#start.from, text: this.#text }, next, "scrub");
+		this.#text = next;
+	}
+}
+
+/** Makes numbers follow the mouse. A click is a click, and whoever goes up or down first selects. */
+export function scrubbing(scrub: Scrubbing): Extension {
+	const step =
+		(steps: number): Command =>
+		(view) =>
+			stepHere(view, steps);
+	const keys = [
+		["Alt-ArrowUp", 1],
+		["Alt-ArrowDown", -1],
+		["Shift-Alt-ArrowUp", 10],
+		["Shift-Alt-ArrowDown", -10],
+		["Ctrl-Alt-ArrowUp", 0.1],
+		["Ctrl-Alt-ArrowDown", -0.1],
+	] as const;
+	return [
+		EditorView.domEventHandlers({ mousedown: (event, view) => pressed(event, view, scrub) }),
+		Prec.highest(keymap.of(keys.map(([key, steps]) => ({ key, run: step(steps) })))),
+	];
+}
+
+function pressed(event: MouseEvent, view: EditorView, scrub: Scrubbing): boolean {
+	if (event.button !== 0 || event.detail !== 1 || event.shiftKey || event.ctrlKey || event.metaKey) return false;
+	const place = view.posAtCoords(event, false);
+	const number = numberAt(view.state.field(outlined).pieces, place);
+	if (!number || !within(view, number, event)) return false;
+	event.preventDefault();
+	view.focus();
+	view.dispatch({ selection: { anchor: place } });
+	const drag = new NumberDrag(number);
+	let last = event.clientX;
+	let active = false;
+	const ended = new AbortController();
+	const { signal } = ended;
+	const moved = (move: MouseEvent) => {
+		if (!active) {
+			const [across, along] = [Math.abs(move.clientX - event.clientX), Math.abs(move.clientY - event.clientY)];
+			if (Math.max(across, along) <= SLACK) return;
+			if (along > across) return select(move);
+			active = true;
+			scrub.begin();
+			view.dom.classList.add("cm-scrubbing");
+		}
+		drag.move(view, move.clientX - last, move);
+		last = move.clientX;
+	};
+	let selecting = false;
+	const select = (move: MouseEvent) => {
+		selecting = true;
+		view.dispatch({ selection: { anchor: place, head: view.posAtCoords(move, false) } });
+	};
+	const end = () => {
+		ended.abort();
+		view.dom.classList.remove("cm-scrubbing");
+		if (active) scrub.end();
+	};
+	window.addEventListener("mousemove", (move) => (selecting ? select(move) : moved(move)), { signal });
+	window.addEventListener("mouseup", end, { signal });
+	window.addEventListener("blur", end, { signal });
+	return true;
+}
+
+/** Whether a pointer is on the number itself, not behind the end of its line. */
+function within(view: EditorView, { from, to }: NumberAt, { clientX, clientY }: MouseEvent): boolean {
+	const [left, right] = [view.coordsAtPos(from, 1), view.coordsAtPos(to, -1)];
+	if (!left || !right) return false;
+	return clientX >= left.left && clientX <= right.right && clientY >= left.top && clientY <= right.bottom;
+}

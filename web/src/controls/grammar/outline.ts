@@ -1,0 +1,208 @@
+/** What a text of a grammar has that controls are made of: its constants, its curves, its numbers. */
+import { type Piece, scan } from "./scan";
+
+/** A number as it stands in a text, with the sign that is its own. */
+export interface NumberAt {
+	readonly from: number;
+	readonly to: number;
+	/** As it is written: `-0.50`. */
+	readonly text: string;
+	readonly value: number;
+}
+
+/** Where a number may go. */
+export interface Range {
+	readonly min: number;
+	readonly max: number;
+	readonly step: number;
+}
+
+/** A `#define` with a number of its own. */
+export interface Constant extends Range {
+	readonly name: string;
+	readonly line: number;
+	readonly number: NumberAt;
+	/** The words of the comment behind it that are no range; empty where there are none. */
+	readonly words: string;
+}
+
+/** A `#curve`: a function through points. */
+export interface Curve {
+	readonly name: string;
+	readonly line: number;
+	/** Where its points stand in the text. */
+	readonly from: number;
+	readonly to: number;
+	readonly points: readonly (readonly [x: number, y: number])[];
+}
+
+/** What is known of a text. */
+export interface Outline {
+	readonly pieces: readonly Piece[];
+	readonly constants: readonly Constant[];
+	readonly curves: readonly Curve[];
+	/** Names that constants, inputs and curves explain, by what they are. */
+	readonly names: ReadonlyMap<string, string>;
+	/** Symbols that stand in the axiom or in productions, as they are first written. */
+	readonly symbols: ReadonlyMap<string, string>;
+}
+
+/** Reads what a text has; whatever cannot be read is left out. */
+export function outlineOf(text: string): Outline {
+	const pieces = scan(text);
+	const constants: Constant[] = [];
+	const curves: Curve[] = [];
+	const names = new Map<string, string>();
+	for (const line of byStatement(pieces)) {
+		const [head, name] = line;
+		if (name?.kind !== "name" && name?.kind !== "function") continue;
+		if (!/^#(?:define|input|curve)$/.test(head.text)) continue;
+		names.set(name.text, text.slice(head.from, line.findLast(({ kind }) => kind !== "comment")?.to));
+		if (head.text === "#define") constants.push(...constantIn(line));
+		if (head.text === "#curve") curves.push(...curveIn(line));
+	}
+	return { pieces, constants, curves, names, symbols: symbolsIn(pieces, text) };
+}
+
+/** The number at a place of the text, its ends included. */
+export function numberAt(pieces: readonly Piece[], place: number): NumberAt | undefined {
+	const at = pieces.findIndex(({ kind, from, to }) => kind === "number" && from <= place && place <= to);
+	if (at >= 0) return signed(pieces, at);
+	// On the sign that is a number's own.
+	const sign = pieces.findIndex(({ kind, from }) => kind === "number" && from === place + 1);
+	const number = sign > 0 ? signed(pieces, sign) : undefined;
+	return number && number.from <= place ? number : undefined;
+}
+
+/** The text with other values for constants of it: what presets of one text differ by. */
+export function withConstants(text: string, values: Readonly<Partial<Record<string, number>>>): string {
+	let result = text;
+	for (const { name, number } of outlineOf(text).constants.toReversed()) {
+		const value = values[name];
+		if (value !== undefined) result = result.slice(0, number.from) + value + result.slice(number.to);
+	}
+	return result;
+}
+
+/** The pieces from each statement on, up to the end of its line. */
+function* byStatement(pieces: readonly Piece[]): Iterable<Piece[]> {
+	for (let at = 0; at < pieces.length; at++) {
+		if (pieces[at].kind !== "statement") continue;
+		const end = pieces.findIndex(({ line }, index) => index > at && line > pieces[at].line);
+		yield pieces.slice(at, end < 0 ? undefined : end);
+	}
+}
+
+function constantIn(line: readonly Piece[]): Constant[] {
+	const [head, name, ...rest] = line;
+	const values = rest.filter(({ kind }) => kind !== "comment");
+	const at = line.findIndex(({ kind }) => kind === "number");
+	if (at < 0) return [];
+	const number = signed(line, at);
+	// One number, and nothing besides it.
+	if (number.from !== values[0].from || number.to !== values.at(-1)?.to) return [];
+	const said = rest.findLast(({ kind }) => kind === "comment")?.text.replace(/^\/\*+|\*+\/$/g, "") ?? "";
+	const found = RANGE.exec(said);
+	const range = found ? rangeIn(found, number) : guessed(name.text, number);
+	const words = said.replace(RANGE, "").replace(/^[\s,;:]+|[\s,;:]+$/g, "");
+	return [{ name: name.text, line: head.line, number, words, ...range }];
+}
+
+const NUMBER = "[-−]?(?:\\d+\\.?\\d*|\\.\\d+)";
+/** `0 … 90`, `0...90`, `0..90 step 5`, `0 to 90`, `−1 – 1`. */
+const RANGE = new RegExp(`(${NUMBER})\\s*(?:…|\\.{2,3}|–|\\bto\\b)\\s*(${NUMBER})(?:\\s*,?\\s*step\\s*(${NUMBER}))?`);
+const read = (text: string) => Number(text.replace("−", "-"));
+
+function rangeIn([, first, second, third]: RegExpExecArray, { text, value }: NumberAt): Range {
+	const [low, high] = [read(first), read(second)];
+	const [min, max] = [Math.min(low, high, value), Math.max(low, high, value)];
+	const asked = third === undefined ? 0 : Math.abs(read(third));
+	return { min, max, step: asked || stepFor(max - min, Math.max(...[first, second, text].map(decimals))) };
+}
+
+/** Angles by their names; what has a share's size is one. */
+const ANGLE = /^(?:a|angle|alpha|beta|gamma|delta|theta|phi|psi|yaw|roll|pitch|turn|[αβγδθφψ])(?:_|\d|$)/i;
+
+function guessed(name: string, { text, value }: NumberAt): Range {
+	const places = decimals(text);
+	const size = Math.abs(value);
+	const most = size > 180 ? 360 : 180;
+	if (ANGLE.test(name) && size <= 360 && size > 1)
+		return { min: value < 0 ? -most : 0, max: most, step: stepFor(most, places) };
+	if (value === 0) return { min: places > 0 ? -1 : -10, max: places > 0 ? 1 : 10, step: places > 0 ? 0.01 : 1 };
+	const max = size <= 1 && places > 0 ? 1 : rounded(2 * size);
+	return { min: value < 0 ? -max : 0, max, step: stepFor(max, places) };
+}
+
+/** Upwards to 1, 2, 3, 5 or 10 times a power of ten. */
+function rounded(value: number): number {
+	const unit = 10 ** Math.floor(Math.log10(value));
+	const times = [1, 2, 3, 5, 10].find((each) => each * unit >= value * (1 - 1e-9)) ?? 10;
+	return Number((times * unit).toPrecision(6));
+}
+
+/** As fine as the number is written, and at least a hundred of them where it is not whole. */
+function stepFor(width: number, places: number): number {
+	const written = 10 ** -places;
+	if (places === 0 || !(width > 0)) return written;
+	return Math.min(written, 10 ** Math.floor(Math.log10(width / 100)));
+}
+
+/** Digits behind the point. */
+export function decimals(text: string): number {
+	const [mantissa, exponent = "0"] = text.toLowerCase().split("e");
+	return Math.max(0, (mantissa.split(".")[1]?.length ?? 0) - Number(exponent));
+}
+
+function curveIn(line: readonly Piece[]): Curve[] {
+	const [head, name, ...rest] = line;
+	const body = rest.filter(({ kind }) => kind !== "comment");
+	if (body.length === 0) return [];
+	const text = body.map((piece) => piece.text).join("");
+	const points = [...text.matchAll(new RegExp(`\\((${NUMBER}),(${NUMBER})\\)`, "g"))];
+	if (points.length < 2 || points.map(([all]) => all).join("") !== text) return [];
+	return [
+		{
+			name: name.text,
+			line: head.line,
+			from: body[0].from,
+			to: body[body.length - 1].to,
+			points: points.map(([, x, y]) => [Number(x), Number(y)] as const),
+		},
+	];
+}
+
+/** A number with the sign before it, where that is no operator. */
+function signed(pieces: readonly Piece[], at: number): NumberAt {
+	const { from, to, text } = pieces[at];
+	const [before, sign] = [pieces[at - 2], pieces[at - 1]];
+	const ends =
+		!before || before.kind === "number" || before.kind === "name" || before.text === ")" || before.text === "]";
+	// Behind the name of a constant stands its value.
+	const own = sign?.text === "-" && sign.to === from && (!ends || isDefined(pieces, at - 2));
+	const written = own ? `-${text}` : text;
+	return { from: own ? sign.from : from, to, text: written, value: Number(written) };
+}
+
+function isDefined(pieces: readonly Piece[], at: number): boolean {
+	return pieces[at - 1]?.text === "#define" && pieces[at].line === pieces[at - 1].line;
+}
+
+function symbolsIn(pieces: readonly Piece[], text: string): Map<string, string> {
+	const symbols = new Map<string, string>();
+	pieces.forEach(({ kind, text: name, to }, at) => {
+		if (kind !== "symbol" || symbols.has(name) || !/^[\p{L}_?]/u.test(name)) return;
+		const close = pieces[at + 1]?.text === "(" ? closing(pieces, at + 1) : undefined;
+		symbols.set(name, close === undefined ? name : `${name}${text.slice(to, close)}`);
+	});
+	return symbols;
+}
+
+function closing(pieces: readonly Piece[], open: number): number | undefined {
+	let depth = 0;
+	for (let at = open; at < pieces.length; at++) {
+		if (pieces[at].text === "(") depth++;
+		if (pieces[at].text === ")" && --depth === 0) return pieces[at].to;
+	}
+	return undefined;
+}

@@ -1,0 +1,70 @@
+/** What the core said of a text, in its place: errors that keep it from growing, and remarks. */
+import { type Extension, StateEffect, StateField } from "@codemirror/state";
+import { Decoration, type DecorationSet, EditorView, hoverTooltip } from "@codemirror/view";
+import type { Problem } from "./told";
+
+interface Placed extends Problem {
+	readonly from: number;
+	readonly to: number;
+}
+
+const told = StateEffect.define<readonly Placed[]>();
+
+/** Problems follow the text while it is edited, until others are told. */
+const problems = StateField.define<readonly Placed[]>({
+	create: () => [],
+	update(value, transaction) {
+		for (const effect of transaction.effects) if (effect.is(told)) return effect.value;
+		if (!transaction.docChanged) return value;
+		const { changes } = transaction;
+		return value.map((each) => ({ ...each, from: changes.mapPos(each.from, -1), to: changes.mapPos(each.to, 1) }));
+	},
+	provide: (field) => EditorView.decorations.from(field, marks),
+});
+
+function marks(all: readonly Placed[]): DecorationSet {
+	const ranges = all
+		.filter(({ from, to }) => to > from)
+		.map(({ from, to, severity }) => Decoration.mark({ class: `cm-${severity}` }).range(from, to));
+	return Decoration.set(ranges, true);
+}
+
+const hover = hoverTooltip((view, place) => {
+	const here = view.state.field(problems).filter(({ from, to }) => from <= place && place <= to);
+	if (here.length === 0) return null;
+	return {
+		pos: Math.min(...here.map(({ from }) => from)),
+		end: Math.max(...here.map(({ to }) => to)),
+		create: () => {
+			const dom = document.createElement("div");
+			dom.className = "cm-told";
+			for (const { message, severity } of here) {
+				const line = document.createElement("p");
+				line.className = `cm-said-${severity}`;
+				line.textContent = message;
+				dom.append(line);
+			}
+			return { dom };
+		},
+	};
+});
+
+/** Shows problems in the text, by a wavy line and under the pointer. */
+export const showProblems: Extension = [problems, hover];
+
+/** Tells an editor what is wrong with its text now. */
+export function tell(view: EditorView, all: readonly Problem[]): void {
+	view.dispatch({ effects: told.of(all.map((each) => ({ ...each, ...placeOf(view, each) }))) });
+}
+
+/** The word that a line and a column are of; the last character of a line where they are behind it. */
+export function placeOf({ state }: EditorView, { line, column }: Problem): { from: number; to: number } {
+	const { from, to, text } = state.doc.line(Math.min(Math.max(line, 1), state.doc.lines));
+	// Columns count characters, not the units of JavaScript's strings.
+	const before = [...text].slice(0, Math.max(0, column - 1)).join("").length;
+	const rest = text.slice(before);
+	const word = /^(?:[\p{L}\p{N}_]+|-->|\S)/u.exec(rest)?.[0] ?? "";
+	if (word) return { from: from + before, to: from + before + word.length };
+	const end = from + text.trimEnd().length;
+	return { from: Math.max(from, end - 1), to: Math.max(end, Math.min(to, from + 1)) };
+}

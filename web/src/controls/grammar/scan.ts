@@ -1,0 +1,148 @@
+/** A grammar's text as pieces, for the eye and the hand: what grows is the core's business, and so is what is wrong. */
+
+/** What a piece is. */
+export type Kind =
+	| "comment"
+	/** What begins a statement: `#define`, `axiom:`, `derivation length:`. */
+	| "statement"
+	| "arrow"
+	/** A name or sign of a module: the turtle's, or the text's own. */
+	| "symbol"
+	/** `[`, `]`. */
+	| "branch"
+	/** A name in an expression. */
+	| "name"
+	/** A name that is called. */
+	| "function"
+	| "number"
+	| "operator"
+	/** `(`, `)`, `,`, `{`, `}` and whatever else there is. */
+	| "mark";
+
+/** A piece of a text, by places in it; `line` counts from 1. */
+export interface Piece {
+	readonly kind: Kind;
+	readonly from: number;
+	readonly to: number;
+	readonly text: string;
+	readonly line: number;
+}
+
+/** What is read: modules, or expressions. */
+type Sort = "modules" | "values";
+
+const PIECE =
+	/\/\*[\s\S]*?(?:\*\/|$)|\n|[ \t\r\f\v]+|-->|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[\p{L}_][\p{L}\p{N}_]*|\?\p{L}|@\p{L}*|#\p{L}+|[<>=!]=|&&|\|\||[\s\S]/gu;
+/** What a line may begin with besides a directive, up to its colon. */
+const HEAD =
+	/^(?:axiom|derivation[ \t]+length|maximum[ \t]+depth|ignore|consider|angle[ \t]+increment|line[ \t]+(?:length|width)(?:[ \t]+increment)?|tropism|Lsystem)[ \t]*:/;
+const ALONE = /^(?:decomposition|homomorphism|derivation|endlsystem)(?=[ \t]*(?:\n|\/\*|$))/;
+/** Whose line is of values; the others' is of modules. */
+const OF_VALUES = /^(?:#define|#input|#curve|derivation|maximum|angle|line|tropism)/;
+const VALUE_SIGNS = /^(?:[<>=!]=|&&|\|\||[-+*/%^!<>=])$/;
+
+/** Takes a text to pieces, blanks left out. */
+export function scan(text: string): Piece[] {
+	return new Scanner(text).pieces;
+}
+
+class Scanner {
+	readonly pieces: Piece[] = [];
+	readonly #text: string;
+	#line = 1;
+	#sort: Sort = "modules";
+	/** Parentheses that are open. */
+	#depth = 0;
+	/** Whether the arrow of this line is yet to come. */
+	#before = false;
+
+	constructor(text: string) {
+		this.#text = text;
+		let fresh = true;
+		PIECE.lastIndex = 0;
+		for (let match = PIECE.exec(text); match; match = PIECE.exec(text)) {
+			const [piece] = match;
+			if (piece === "\n") {
+				this.#line++;
+				fresh = true;
+				continue;
+			}
+			if (/^[ \t\r\f\v]/.test(piece)) continue;
+			if (piece.startsWith("/*")) {
+				this.#add("comment", match.index, piece);
+				this.#line += piece.split("\n").length - 1;
+				continue;
+			}
+			if (fresh) {
+				fresh = false;
+				const head = this.#begin(match.index);
+				if (head > 0) {
+					PIECE.lastIndex = match.index + head;
+					continue;
+				}
+			}
+			this.#piece(match.index, piece);
+		}
+	}
+
+	/** A line begins: a statement, a production, or what goes on with the line before. Gives how much of it is its head. */
+	#begin(at: number): number {
+		const end = this.#text.indexOf("\n", at);
+		const line = this.#text.slice(at, end < 0 ? undefined : end);
+		const head = /^#\p{L}+/u.exec(line)?.[0] ?? HEAD.exec(line)?.[0] ?? ALONE.exec(line)?.[0];
+		this.#before = head === undefined && line.includes("-->");
+		if (head === undefined) {
+			if (this.#before) this.#enter("modules");
+			return 0;
+		}
+		this.#enter(OF_VALUES.test(head) ? "values" : "modules");
+		this.#add("statement", at, head);
+		return head.length;
+	}
+
+	#enter(sort: Sort): void {
+		this.#sort = sort;
+		this.#depth = 0;
+	}
+
+	#piece(at: number, piece: string): void {
+		if (piece === "-->") {
+			this.#before = false;
+			this.#enter("modules");
+			this.#add("arrow", at, piece);
+			return;
+		}
+		// Behind a colon are a condition and a weight; a block before the arrow is of values too.
+		if (this.#depth === 0 && (piece === ":" || (this.#before && piece === "{"))) {
+			this.#sort = "values";
+			this.#add("mark", at, piece);
+			return;
+		}
+		this.#add(this.#kindOf(at, piece), at, piece);
+		if (piece === "(") this.#depth++;
+		else if (piece === ")") this.#depth = Math.max(0, this.#depth - 1);
+	}
+
+	#kindOf(at: number, piece: string): Kind {
+		const named = /^[\p{L}_]/u.test(piece);
+		if (/^[\d.]/.test(piece) && piece !== ".") return "number";
+		if (/^[(),.;]$/.test(piece)) return this.#depth === 0 && piece !== "(" && piece !== ")" ? this.#loose() : "mark";
+		if (this.#depth > 0 || this.#sort === "values") {
+			if (named)
+				return /^[ \t]*\(/.test(this.#text.slice(at + piece.length, at + piece.length + 8)) ? "function" : "name";
+			return VALUE_SIGNS.test(piece) ? "operator" : "mark";
+		}
+		if (piece === "[" || piece === "]") return "branch";
+		if (this.#before && (piece === "<" || piece === ">")) return "operator";
+		return named || /^[-+&^/\\|!%$'~{}<>#]$|^[?@]/.test(piece) ? "symbol" : "mark";
+	}
+
+	/** `,`, `.` and `;` between modules are the turtle's; in values they part. */
+	#loose(): Kind {
+		return this.#sort === "modules" ? "symbol" : "mark";
+	}
+
+	#add(kind: Kind, from: number, text: string): void {
+		this.pieces.push({ kind, from, to: from + text.length, text, line: this.#line });
+	}
+}

@@ -1,0 +1,68 @@
+/** Dragging a handle in three dimensions: where a pointer's line of sight takes it. Pure maths, in the plant's metres. */
+import type { Vector } from "./plant_handle";
+
+/** A line of sight; the direction has any length but 0. */
+export interface Ray {
+	readonly origin: Vector;
+	readonly direction: Vector;
+}
+
+/** Sine of the angle between sight and plane under which the plane counts as seen edge-on (about 10°). */
+const GRAZING = 0.17;
+/** Sine of the angle between sight and line under which the line counts as seen end-on; a pointer then says nothing. */
+const END_ON = 0.02;
+
+/** The ways of a handle that the eye can tell apart: taken once, when it is taken hold of, so that they do not change in mid-drag. */
+export function visibleWays(along: readonly Vector[], ray: Ray): readonly Vector[] {
+	if (along.length < 2) return along;
+	const sight = unit(ray.direction);
+	if (along.length > 2) {
+		// Three at right angles: the two that are seen best.
+		const deepest = Math.max(...along.map((way) => Math.abs(dot(way, sight))));
+		const away = along.findIndex((way) => Math.abs(dot(way, sight)) === deepest);
+		return along.filter((_, i) => i !== away);
+	}
+	if (Math.abs(dot(cross(along[0], along[1]), sight)) > GRAZING) return along;
+	const [one, other] = along.map((way) => Math.abs(dot(way, sight)));
+	return [one <= other ? along[0] : along[1]];
+}
+
+/** The place on those ways that is under the ray, or nearest to it; undefined where it says none. */
+export function placeUnder(at: Vector, ways: readonly Vector[], ray: Ray): Vector | undefined {
+	return ways.length === 2 ? onPlane(at, cross(ways[0], ways[1]), ray) : onLine(at, ways[0], ray);
+}
+
+function onPlane(at: Vector, normal: Vector, { origin, direction }: Ray): Vector | undefined {
+	const distance = dot(minus(at, origin), normal) / dot(direction, normal);
+	return distance > 0 && Number.isFinite(distance) ? plus(origin, direction, distance) : undefined;
+}
+
+function onLine(at: Vector, line: Vector, { origin, direction }: Ray): Vector | undefined {
+	const sight = unit(direction);
+	const between = minus(origin, at);
+	const slant = dot(line, sight);
+	const sine2 = 1 - slant * slant;
+	if (sine2 < END_ON * END_ON) return undefined;
+	const [alongLine, alongSight] = [dot(between, line), dot(between, sight)];
+	// Behind the eye.
+	if (slant * alongLine < alongSight) return undefined;
+	return plus(at, line, (alongLine - slant * alongSight) / sine2);
+}
+
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const plus = (a: Vector, b: Vector, by: number): Vector => [
+	a[0] + by * b[0],
+	a[1] + by * b[1],
+	a[2] + by * b[2],
+];
+const cross = (a: Vector, b: Vector): Vector => [
+	a[1] * b[2] - a[2] * b[1],
+	a[2] * b[0] - a[0] * b[2],
+	a[0] * b[1] - a[1] * b[0],
+];
+
+function unit(a: Vector): Vector {
+	const length = Math.hypot(...a);
+	return [a[0] / length, a[1] / length, a[2] / length];
+}

@@ -1,0 +1,244 @@
+/**
+ * Handles over the picture of a plant: buttons that stand where the handles are, dragged by mouse, pen and finger, stepped by
+ * arrow keys. One of them is a stop of the Tab key, Page Up and Page Down lead to the others.
+ */
+import type { Change } from "../desk";
+import { EscapeKey } from "./escape_key";
+import { placeUnder, type Ray, visibleWays } from "./handle_ways";
+import type { PlantHandle, PlantHandles, Vector } from "./plant_handle";
+import { HANDLES_STYLE } from "./plant_handles_style";
+import { ARROWS, nearest, type Point } from "./point";
+
+/** What it has of the picture and of the document. */
+export interface HandleHost {
+	readonly canvas: HTMLCanvasElement;
+	/** Where a place is seen: CSS pixels from the canvas's upper left corner. */
+	project(at: Vector): Point;
+	/** What a point of the canvas looks along. */
+	sightThrough(x: number, y: number): Ray;
+	/** A handle is taken hold of: what a cancelled drag brings back. */
+	begin?(): void;
+	/** What a hand does; the handles are laid anew of it, at once. */
+	change(change: Change): void;
+	/** A hand has come to rest. */
+	settle(): void;
+	/** A drag is called off. */
+	cancel(): void;
+	/** A handle has the focus. */
+	focused?(id: string): void;
+}
+
+/** A handle in hand. */
+interface Held {
+	readonly id: string;
+	readonly pointer: number;
+	readonly ways: readonly Vector[];
+	/** From the pointer to where the handle is seen, so that it does not jump. */
+	readonly offset: Point;
+	/** Where the pointer has gone since the last frame. */
+	to?: PointerEvent;
+	moved: boolean;
+}
+
+const SVG = "http://www.w3.org/2000/svg";
+
+export class PlantHandleLayer {
+	readonly #host: HandleHost;
+	readonly #layer = document.createElement("div");
+	readonly #lines = document.createElementNS(SVG, "path");
+	readonly #said = Object.assign(document.createElement("p"), { className: "unseen", role: "status" });
+	readonly #buttons = new Map<string, HTMLButtonElement>();
+	readonly #style = new CSSStyleSheet();
+	readonly #root: Document | ShadowRoot;
+	readonly #escape = new EscapeKey(() => this.cancel());
+	#handles: readonly PlantHandle[] = [];
+	#ends: readonly (readonly Vector[])[] = [];
+	#held: Held | undefined;
+	#frame = 0;
+
+	constructor(host: HandleHost) {
+		this.#host = host;
+		this.#root = host.canvas.getRootNode() as Document | ShadowRoot;
+		this.#style.replaceSync(HANDLES_STYLE);
+		this.#root.adoptedStyleSheets.push(this.#style);
+		this.#layer.className = "plant-handles";
+		this.#layer.role = "group";
+		this.#layer.ariaLabel = "Handles";
+		this.#layer.part.add("handles");
+		const svg = document.createElementNS(SVG, "svg");
+		svg.setAttribute("aria-hidden", "true");
+		svg.append(this.#lines);
+		this.#layer.append(svg, this.#said);
+		host.canvas.after(this.#layer);
+	}
+
+	get held(): boolean {
+		return this.#held !== undefined;
+	}
+
+	dispose(): void {
+		this.cancel();
+		cancelAnimationFrame(this.#frame);
+		this.#layer.remove();
+		this.#root.adoptedStyleSheets = this.#root.adoptedStyleSheets.filter((sheet) => sheet !== this.#style);
+	}
+
+	/** Shows these handles; none where undefined. */
+	lay(set: PlantHandles | undefined): void {
+		this.#handles = set?.handles ?? [];
+		this.#ends = set?.lines ?? [];
+		const there = new Set(this.#handles.map(({ id }) => id));
+		for (const [id, button] of this.#buttons) {
+			if (there.has(id)) continue;
+			button.remove();
+			this.#buttons.delete(id);
+		}
+		for (const { id, label, value, kind } of this.#handles) {
+			const button = this.#buttonOf(id);
+			button.ariaLabel = `${label}: ${value}`;
+			if (kind) button.dataset.kind = kind;
+			else delete button.dataset.kind;
+		}
+		const buttons = [...this.#buttons.values()];
+		if (!buttons.some(({ tabIndex }) => tabIndex === 0) && buttons[0]) buttons[0].tabIndex = 0;
+		this.place();
+	}
+
+	/** Puts the buttons over the handles as they are seen now. */
+	place(): void {
+		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#host.canvas;
+		const { style } = this.#layer;
+		style.translate = `${offsetLeft}px ${offsetTop}px`;
+		style.width = `${clientWidth}px`;
+		style.height = `${clientHeight}px`;
+		for (const { id, at } of this.#handles) {
+			const { x, y } = this.#host.project(at);
+			this.#buttonOf(id).style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+		}
+		const seen = (point: Vector) => {
+			const { x, y } = this.#host.project(point);
+			return `${x.toFixed(1)} ${y.toFixed(1)}`;
+		};
+		this.#lines.setAttribute("d", this.#ends.map((line) => `M${line.map(seen).join("L")}`).join(""));
+	}
+
+	/** Puts back what a hand holds. */
+	cancel(): void {
+		const held = this.#held;
+		if (!held) return;
+		this.#end();
+		if (held.moved) this.#host.cancel();
+	}
+
+	#buttonOf(id: string): HTMLButtonElement {
+		const before = this.#buttons.get(id);
+		if (before) return before;
+		const button = Object.assign(document.createElement("button"), { type: "button", tabIndex: -1 });
+		button.ariaRoleDescription = "handle";
+		button.part.add("handle");
+		button.addEventListener("pointerdown", (event) => this.#grasp(event));
+		button.addEventListener("pointermove", (event) => this.#move(event));
+		for (const type of ["pointerup", "lostpointercapture"] as const)
+			button.addEventListener(type, (event) => this.#release(event));
+		button.addEventListener("keydown", (event) => this.#press(id, event));
+		button.addEventListener("focus", () => {
+			this.#stopAt(button);
+			this.#host.focused?.(id);
+		});
+		this.#buttons.set(id, button);
+		this.#layer.append(button);
+		return button;
+	}
+
+	/** Where buttons overlap, the handle that is nearest to the pointer is meant. */
+	#grasp(event: PointerEvent): void {
+		const at = this.#pointOf(event);
+		const places = this.#handles.map((each) => [each, this.#host.project(each.at)] as const);
+		const handle = nearest(places, at, Number.POSITIVE_INFINITY);
+		if (event.button !== 0 || this.#held || !handle) return;
+		const { id } = handle;
+		const seen = this.#host.project(handle.at);
+		this.#host.begin?.();
+		this.#held = {
+			id,
+			pointer: event.pointerId,
+			ways: visibleWays(handle.along, this.#host.sightThrough(seen.x, seen.y)),
+			offset: { x: seen.x - at.x, y: seen.y - at.y },
+			moved: false,
+		};
+		const button = this.#buttons.get(id);
+		// Keys go on with the handle that is held, whichever button lay on top.
+		event.preventDefault();
+		button?.focus();
+		button?.setPointerCapture(event.pointerId);
+		this.#escape.listen(true);
+	}
+
+	/** At most one growth a frame. */
+	#move(event: PointerEvent): void {
+		const held = this.#held;
+		if (held?.pointer !== event.pointerId) return;
+		if (!held.to) this.#frame = requestAnimationFrame(() => this.#pull());
+		held.to = event;
+	}
+
+	#pull(): void {
+		const held = this.#held;
+		const handle = this.#handles.find(({ id }) => id === held?.id);
+		if (!held?.to || !handle) return;
+		const { x, y } = this.#pointOf(held.to);
+		held.to = undefined;
+		const place = placeUnder(handle.at, held.ways, this.#host.sightThrough(x + held.offset.x, y + held.offset.y));
+		if (!place) return;
+		held.moved = true;
+		this.#host.change(handle.pull(place));
+	}
+
+	#release(event: PointerEvent): void {
+		const held = this.#held;
+		if (held?.pointer !== event.pointerId) return;
+		this.#pull();
+		this.#end();
+		if (held.moved) this.#settle(held.id);
+	}
+
+	#end(): void {
+		this.#held = undefined;
+		this.#escape.listen(false);
+	}
+
+	#press(id: string, event: KeyboardEvent): void {
+		const { key, shiftKey, ctrlKey, metaKey, altKey } = event;
+		const handle = this.#handles.find((each) => each.id === id);
+		if (!handle || ctrlKey || metaKey || altKey) return;
+		const arrow = ARROWS[key];
+		if (arrow) {
+			this.#host.change(handle.nudge(arrow.x, arrow.y, shiftKey));
+			this.#settle(id);
+		} else if (key === "PageDown" || key === "PageUp") this.#lead(id, key === "PageDown" ? 1 : -1);
+		else return;
+		event.preventDefault();
+	}
+
+	/** To the next handle, round and round. */
+	#lead(id: string, by: number): void {
+		const ids = this.#handles.map((each) => each.id);
+		const next = ids.at((ids.indexOf(id) + by) % ids.length);
+		if (next !== undefined) this.#buttonOf(next).focus();
+	}
+
+	#stopAt(stop: HTMLButtonElement): void {
+		for (const button of this.#buttons.values()) button.tabIndex = button === stop ? 0 : -1;
+	}
+
+	#settle(id: string): void {
+		this.#said.textContent = this.#handles.find((each) => each.id === id)?.value ?? "";
+		this.#host.settle();
+	}
+
+	/** From the canvas's upper left corner, CSS pixels. */
+	#pointOf({ clientX, clientY }: PointerEvent): Point {
+		const { left, top } = this.#layer.getBoundingClientRect();
+		return { x: clientX - left, y: clientY - top };
+	}
+}

@@ -1,0 +1,91 @@
+/** Growth areas: the volumes that a text's plant is clipped to (docs/models/grammar/topiary.md). */
+import type { ClosedMesh } from "../../../specimen/closed_mesh";
+
+/** In the order of the core's (wasm-core/src/environment/volume.hpp). */
+export const AREA_KINDS = ["box", "sphere", "ellipsoid", "cylinder", "cone", "mesh"] as const;
+export type AreaKind = (typeof AREA_KINDS)[number];
+
+export type Triple = readonly [x: number, y: number, z: number];
+export type Quaternion = readonly [x: number, y: number, z: number, w: number];
+
+export const UNTURNED: Quaternion = [0, 0, 0, 1];
+
+export interface Area {
+	readonly kind: AreaKind;
+	/** Metres. */
+	readonly centre: Triple;
+	/** Of the box that it fills before it is turned, metres; a sphere has the same each way. */
+	readonly size: Triple;
+	/** Of length 1. */
+	readonly rotation: Quaternion;
+	/** Of the kind `mesh`, in a unit of its own: it is stretched to the size. No link carries it. */
+	readonly mesh?: ClosedMesh;
+}
+
+/** What a specimen of the model has of them. */
+export interface WithAreas {
+	/** In the order in which the main branch passes them; absent where there are none. */
+	areas?: readonly Area[];
+	/** Where a hand has led the main branch, metres: x, y, z of place after place; absent where it leads from centre to centre. */
+	path?: readonly number[];
+}
+
+/** As many as a link can hold with ease, and a hand with patience. */
+export const MOST_AREAS = 24;
+export const MOST_PATH = 60;
+/** Metres. */
+export const FARTHEST = 100;
+export const SMALLEST = 0.01;
+
+/** A vector turned. */
+export function turned([x, y, z]: Triple, [qx, qy, qz, qw]: Quaternion): Triple {
+	const [tx, ty, tz] = [2 * (qy * z - qz * y), 2 * (qz * x - qx * z), 2 * (qx * y - qy * x)];
+	return [x + qw * tx + qy * tz - qz * ty, y + qw * ty + qz * tx - qx * tz, z + qw * tz + qx * ty - qy * tx];
+}
+
+/** A turn by degrees about an axis, after another turn. */
+export function turnedOn([bx, by, bz, bw]: Quaternion, axis: Triple, degrees: number): Quaternion {
+	const half = (degrees * Math.PI) / 360;
+	const [ax, ay, az] = axis.map((value) => value * Math.sin(half));
+	const aw = Math.cos(half);
+	return unit([
+		aw * bx + ax * bw + ay * bz - az * by,
+		aw * by - ax * bz + ay * bw + az * bx,
+		aw * bz + ax * by - ay * bx + az * bw,
+		aw * bw - ax * bx - ay * by - az * bz,
+	]);
+}
+
+/** The same turn as degrees about Y, then X, then Z: what people type. */
+export function degreesOf([x, y, z, w]: Quaternion): Triple {
+	const clamp = (value: number) => Math.max(-1, Math.min(1, value));
+	const sine = clamp(2 * (w * x - y * z));
+	const angles =
+		Math.abs(sine) < 0.99999
+			? [
+					Math.asin(sine),
+					Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y)),
+					Math.atan2(2 * (w * z + x * y), 1 - 2 * (x * x + z * z)),
+				]
+			: [Math.asin(sine), 2 * Math.atan2(y, w), 0];
+	const [about_x, about_y, about_z] = angles.map((angle) => Math.round((angle * 1800) / Math.PI) / 10 + 0);
+	return [about_x, about_y, about_z];
+}
+
+/** A turn by degrees about Z, then X, then Y, all of the world. */
+export function turnOf([x, y, z]: Triple): Quaternion {
+	return turnedOn(turnedOn(turnedOn(UNTURNED, [0, 0, 1], z), [1, 0, 0], x), [0, 1, 0], y);
+}
+
+export function unit(q: Quaternion): Quaternion {
+	const length = Math.hypot(...q);
+	if (!(length > 0)) return UNTURNED;
+	const sign = q[3] < 0 ? -1 : 1;
+	return q.map((value) => (sign * value) / length) as unknown as Quaternion;
+}
+
+/** A place of an area's own box, −1 … 1 each way, in metres. */
+export function placeIn({ centre, size, rotation }: Area, own: Triple): Triple {
+	const [x, y, z] = turned([0.5 * own[0] * size[0], 0.5 * own[1] * size[1], 0.5 * own[2] * size[2]], rotation);
+	return [centre[0] + x, centre[1] + y, centre[2] + z];
+}

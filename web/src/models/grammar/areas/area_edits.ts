@@ -1,0 +1,98 @@
+/** What hands and buttons make of areas and of the main branch's path. Pure. */
+import type { Change } from "../../../controls/desk";
+import { fittedArea, fittedPath } from "../details/areas";
+import { type Area, type AreaKind, MOST_AREAS, MOST_PATH, type Triple, UNTURNED, type WithAreas } from "./area";
+
+/** All of them in place of what there was. */
+export const withAreas = (areas: readonly Area[]): Change => ({
+	details: { areas: areas.length > 0 ? areas.map(fittedArea) : undefined },
+});
+
+export const withPath = (path: readonly number[] | undefined): Change => ({
+	details: { path: path && path.length > 0 ? fittedPath(path) : undefined },
+});
+
+/** One of them another. */
+export function changed({ areas = [] }: WithAreas, index: number, change: Partial<Area>): Change {
+	return withAreas(areas.map((area, i) => (i === index ? { ...area, ...change } : area)));
+}
+
+/** One more, above the last and as large. Nothing where there is no room for it. */
+export function added({ areas = [] }: WithAreas, kind: AreaKind, mesh?: Area["mesh"]): Change | undefined {
+	if (areas.length >= MOST_AREAS) return undefined;
+	const last = areas.at(-1);
+	const size: Triple = last?.size ?? [1, 1, 1];
+	const centre: Triple = last ? [last.centre[0], last.centre[1] + 1.1 * size[1], last.centre[2]] : [0, 0.9, 0];
+	return withAreas([...areas, { kind, centre, size, rotation: UNTURNED, ...(mesh ? { mesh } : {}) }]);
+}
+
+export const removed = ({ areas = [] }: WithAreas, index: number): Change =>
+	withAreas(areas.filter((_, i) => i !== index));
+
+/** Earlier (−1) or later (1) in the main branch's way. Nothing where it is the first or the last. */
+export function reordered({ areas = [] }: WithAreas, index: number, by: 1 | -1): Change | undefined {
+	const to = index + by;
+	if (!areas[index] || !areas[to]) return undefined;
+	const moved = [...areas];
+	[moved[index], moved[to]] = [moved[to], moved[index]];
+	return withAreas(moved);
+}
+
+/** The places that the main branch is led by: drawn ones, or else the centres. */
+export const placesOf = ({ areas = [], path }: WithAreas): readonly Triple[] =>
+	path
+		? Array.from({ length: path.length / 3 }, (_, i): Triple => [path[3 * i], path[3 * i + 1], path[3 * i + 2]])
+		: areas.map(({ centre }) => centre);
+
+/** A place elsewhere. The first time a hand takes one, the path is its own from then on. */
+export function movedPlace(specimen: WithAreas, index: number, to: Triple): Change {
+	return withPath(placesOf(specimen).flatMap((place, i) => (i === index ? to : place)));
+}
+
+/** One more after a place, half way to the next; after the last as far on as the one before. */
+export function addedPlace(specimen: WithAreas, index: number): Change | undefined {
+	const places = placesOf(specimen);
+	const at = places[index];
+	if (!at || places.length >= MOST_PATH) return undefined;
+	const next = places[index + 1];
+	const before = places[index - 1] ?? [0, 0, 0];
+	const between = (k: number) => (next ? (at[k] + next[k]) / 2 : at[k] + (at[k] - before[k]) / 2);
+	const more = [between(0), between(1), between(2)];
+	return withPath(places.flatMap((place, i) => (i === index ? [...place, ...more] : place)));
+}
+
+/** One less; without any the branch leads from centre to centre again. */
+export const removedPlace = (specimen: WithAreas, index: number): Change =>
+	withPath(placesOf(specimen).flatMap((place, i) => (i === index ? [] : place)));
+
+/** How far from the line a stroke's places may be left out, of its length. */
+const SLACK = 0.012;
+
+/** A drawn stroke as a path: with as many places as keep it in shape (Douglas and Peucker 1973). */
+export function strokePath(stroke: readonly Triple[]): Change | undefined {
+	if (stroke.length < 2) return undefined;
+	const long = stroke.slice(1).reduce((sum, at, i) => sum + distance(at, stroke[i]), 0);
+	if (!(long > 0)) return undefined;
+	const kept = simplified(stroke, SLACK * long);
+	return withPath(kept.flat());
+}
+
+function simplified(line: readonly Triple[], slack: number): readonly Triple[] {
+	const [from, to] = [line[0], line[line.length - 1]];
+	let [farthest, where] = [0, 0];
+	for (let i = 1; i + 1 < line.length; i++) {
+		const far = fromLine(line[i], from, to);
+		if (far > farthest) [farthest, where] = [far, i];
+	}
+	if (farthest <= slack) return [from, to];
+	return [...simplified(line.slice(0, where + 1), slack).slice(0, -1), ...simplified(line.slice(where), slack)];
+}
+
+const distance = (a: Triple, b: Triple): number => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+
+function fromLine(p: Triple, a: Triple, b: Triple): number {
+	const square = distance(a, b) ** 2;
+	const along = square > 0 ? [0, 1, 2].reduce((sum, k) => sum + (p[k] - a[k]) * (b[k] - a[k]), 0) / square : 0;
+	const t = Math.max(0, Math.min(1, along));
+	return distance(p, [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])]);
+}

@@ -1,0 +1,149 @@
+/** Areas and path as handles in the 3-D view: each area's middle, of the chosen one its sides and turns; each place of a drawn path. */
+import type { Change } from "../../../controls/desk";
+import type { PlantHandle, PlantHandles, Vector } from "../../../controls/handles/plant_handle";
+import { type Area, degreesOf, placeIn, SMALLEST, type Triple, turned, turnedOn, type WithAreas } from "./area";
+import { changed, movedPlace, placesOf } from "./area_edits";
+
+const AXES: readonly Vector[] = [
+	[1, 0, 0],
+	[0, 1, 0],
+	[0, 0, 1],
+];
+const NAMES = ["x", "y", "z"];
+const SIDES = ["Width", "Height", "Depth"];
+/** Metres of an arrow key, alone and with Shift. */
+const STEP = 0.01;
+const STRIDE = 0.1;
+/** Degrees. */
+const TURN = 5;
+const TURN_FAR = 15;
+/** How far from the middle a turn's handle stands, of half the area. */
+const ARM = 1.35;
+
+export interface Choice {
+	/** Which area has its sides and turns shown. */
+	readonly area?: number | undefined;
+	/** Whether the main branch's places are shown. */
+	readonly path?: boolean;
+}
+
+export function areaHandles(specimen: WithAreas, choice: Choice = {}): PlantHandles {
+	const { areas = [] } = specimen;
+	const chosen = choice.area === undefined ? undefined : areas[choice.area];
+	const places = choice.path ? placesOf(specimen) : [];
+	return {
+		handles: [
+			// Places may stand in the middles: one of the two is shown.
+			...(choice.path ? [] : areas).map((area, i) => middle(specimen, area, i, i === choice.area)),
+			...(chosen && choice.area !== undefined
+				? [...sides(specimen, chosen, choice.area), ...turns(specimen, chosen, choice.area)]
+				: []),
+			...places.map((at, i) => place(specimen, at, i)),
+		],
+		lines: choice.path && places.length > 0 ? [[[0, 0, 0], ...places]] : [],
+	};
+}
+
+/** Those of pages that have the plant alone: where areas stand. */
+export const areaHandlesOf = (specimen: WithAreas): PlantHandles => areaHandles(specimen);
+
+/** "Area 2, a cone". */
+export const nameOf = ({ kind }: Area, index: number): string =>
+	`Area ${index + 1}, ${/^[aeiou]/.test(kind) ? "an" : "a"} ${kind}`;
+
+const metres = (value: number): string => `${value.toFixed(2)} m`;
+const placeInWords = (at: Triple): string => at.map((value, k) => `${NAMES[k]} ${value.toFixed(2)}`).join(", ");
+const moved = (at: Triple, by: Triple): Triple => [at[0] + by[0], at[1] + by[1], at[2] + by[2]];
+const times = (way: Triple, by: number): Triple => [way[0] * by, way[1] * by, way[2] * by];
+
+function middle(specimen: WithAreas, area: Area, index: number, chosen: boolean): PlantHandle {
+	const put = (centre: Triple): Change => changed(specimen, index, { centre });
+	return {
+		id: `area-${index}`,
+		label: nameOf(area, index),
+		value: placeInWords(area.centre),
+		...(chosen ? { kind: "chosen" as const } : {}),
+		at: area.centre,
+		along: AXES,
+		pull: ([x, y, z]) => put([x, y, z]),
+		nudge: (right, up, large) => put(moved(area.centre, times([right, up, 0], large ? STRIDE : STEP))),
+	};
+}
+
+/** The middle of a side: the opposite one stays where it is. */
+function sides(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
+	return AXES.map((own, k) => {
+		const axis = turned(own, area.rotation);
+		const resized = (wanted: number): Change => {
+			const width = Math.max(SMALLEST, wanted);
+			const size = area.size.map((value, i) =>
+				i === k || area.kind === "sphere" ? width : value,
+			) as unknown as Triple;
+			return changed(specimen, index, { size, centre: moved(area.centre, times(axis, (width - area.size[k]) / 2)) });
+		};
+		const face = placeIn(area, own);
+		const foot = placeIn(area, times(own, -1));
+		return {
+			id: `side-${k}`,
+			label: `${SIDES[k]} of area ${index + 1}`,
+			value: metres(area.size[k]),
+			kind: "size",
+			at: face,
+			along: [axis],
+			pull: (to) => resized([0, 1, 2].reduce((sum, i) => sum + (to[i] - foot[i]) * axis[i], 0)),
+			nudge: (right, up, large) => resized(area.size[k] + (right || up) * (large ? STRIDE : STEP)),
+		};
+	});
+}
+
+/** About the area's own axes: a handle to each, on an arm across it. */
+function turns(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
+	return AXES.map((own, k) => {
+		const axis = turned(own, area.rotation);
+		// Across the axis, where no side's handle stands.
+		const arm: Triple = [k === 0 ? 0 : -ARM, k === 1 ? 0 : k === 0 ? -ARM : ARM, k === 2 ? 0 : -ARM];
+		const at = placeIn(area, [arm[0] * (k === 2 ? 1 : 0.75), arm[1] * 0.75, arm[2] * 0.75]);
+		const by = (degrees: number): Change =>
+			changed(specimen, index, { rotation: turnedOn(area.rotation, axis, degrees) });
+		const first = from(at, area.centre);
+		const across = cross(axis, first);
+		const [one, other] = [unit(across), unit(cross(across, axis))];
+		return {
+			id: `turn-${k}`,
+			label: `Turn of area ${index + 1} about its ${NAMES[k]} axis`,
+			value: `${degreesOf(area.rotation)[k].toFixed(0)}°`,
+			kind: "turn",
+			at,
+			along: [one, other],
+			pull: (to) => {
+				const now = from(to, area.centre);
+				return by((Math.atan2(dot(now, one), dot(now, other)) * 180) / Math.PI);
+			},
+			nudge: (right, up, large) => by((right || up) * (large ? TURN_FAR : TURN)),
+		};
+	});
+}
+
+function place(specimen: WithAreas, at: Triple, index: number): PlantHandle {
+	return {
+		id: `place-${index}`,
+		label: `Place ${index + 1} of the main branch`,
+		value: placeInWords(at),
+		at,
+		along: AXES,
+		pull: ([x, y, z]) => movedPlace(specimen, index, [x, y, z]),
+		nudge: (right, up, large) => movedPlace(specimen, index, moved(at, times([right, up, 0], large ? STRIDE : STEP))),
+	};
+}
+
+const dot = (a: Triple, b: Triple): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const from = (a: Triple, b: Triple): Triple => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const cross = (a: Triple, b: Triple): Triple => [
+	a[1] * b[2] - a[2] * b[1],
+	a[2] * b[0] - a[0] * b[2],
+	a[0] * b[1] - a[1] * b[0],
+];
+function unit(a: Triple): Triple {
+	const length = Math.hypot(...a) || 1;
+	return times(a, 1 / length);
+}

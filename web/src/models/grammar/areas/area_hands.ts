@@ -1,0 +1,163 @@
+/** The handles of growth areas over the 3-D view, and the stroke that draws the main branch. */
+import { BufferGeometry, Mesh, MeshBasicMaterial, Raycaster, Vector2, Vector3 } from "three";
+import type { DeskState } from "../../../controls/desk";
+import { placeUnder, type Ray } from "../../../controls/handles/handle_ways";
+import type { Vector } from "../../../controls/handles/plant_handle";
+import { PlantHandleLayer } from "../../../controls/handles/plant_handle_layer";
+import type { Point } from "../../../controls/handles/point";
+import type { ToolView } from "../../../controls/tool";
+import type { GrammarPlant } from "../grammar_plant";
+import type { GrammarSpecimen } from "../specimen";
+import type { Triple } from "./area";
+import { placesOf, strokePath, withPath } from "./area_edits";
+import { areaHandles } from "./area_handles";
+import { type AreaDesk, type AreaState, areaTool, choose } from "./area_tool";
+
+/** CSS pixels between two places of a stroke. */
+const FINE = 6;
+/** The canvas's class while handles stand on it: nothing fades at its edge (style/stage.css). */
+const WHOLE_SURFACE = "handles";
+
+type State = DeskState<GrammarSpecimen, GrammarPlant>;
+
+export class AreaHands {
+	readonly #view: ToolView;
+	readonly #desk: AreaDesk;
+	readonly #layer: PlantHandleLayer;
+	readonly #raycaster = new Raycaster();
+	/** Nothing to see: what tells, each time the view is drawn, where the camera stands now. */
+	readonly #anchor = new Mesh(new BufferGeometry(), new MeshBasicMaterial());
+	/** What a cancelled drag brings back. */
+	#before: Pick<GrammarSpecimen, "areas" | "path"> = {};
+	#stroke: Triple[] | undefined;
+	#last: Point = { x: 0, y: 0 };
+	#drawing = false;
+
+	constructor(view: ToolView, desk: AreaDesk) {
+		this.#view = view;
+		this.#desk = desk;
+		this.#anchor.frustumCulled = false;
+		this.#anchor.onBeforeRender = () => this.#layer.place();
+		this.#layer = new PlantHandleLayer({
+			canvas: view.canvas,
+			project: (at) => this.#project(at),
+			sightThrough: (x, y) => this.#sight(x, y),
+			begin: () => {
+				const { areas, path } = desk.state.specimen;
+				this.#before = { areas, path };
+			},
+			change: (change) => desk.edit(change),
+			settle: () => desk.settle(),
+			cancel: () => {
+				desk.edit({ details: { ...this.#before } });
+				desk.settle();
+			},
+			focused: (id) => this.#focused(id),
+		});
+		view.addOverlay(this.#anchor);
+		// In the capturing phase, so that the view does not turn under a stroke.
+		view.canvas.addEventListener("pointerdown", this.#begin, { capture: true });
+		view.canvas.addEventListener("pointermove", this.#go);
+		view.canvas.addEventListener("pointerup", this.#end);
+		view.canvas.addEventListener("lostpointercapture", this.#end);
+	}
+
+	update({ specimen }: State, { handles, chosen, path = false, drawing = false }: AreaState): void {
+		const { canvas } = this.#view;
+		canvas.classList.toggle(WHOLE_SURFACE, handles);
+		this.#drawing = handles && drawing;
+		canvas.style.cursor = this.#drawing ? "crosshair" : "";
+		this.#layer.lay(handles && !drawing ? areaHandles(specimen, { area: chosen, path }) : undefined);
+		this.#view.requestRender();
+	}
+
+	dispose(): void {
+		const { canvas } = this.#view;
+		canvas.removeEventListener("pointerdown", this.#begin, { capture: true });
+		canvas.removeEventListener("pointermove", this.#go);
+		canvas.removeEventListener("pointerup", this.#end);
+		canvas.removeEventListener("lostpointercapture", this.#end);
+		canvas.classList.remove(WHOLE_SURFACE);
+		canvas.style.cursor = "";
+		this.#view.orbiting = true;
+		this.#view.removeOverlay(this.#anchor);
+		this.#anchor.geometry.dispose();
+		this.#anchor.material.dispose();
+		this.#layer.dispose();
+	}
+
+	#focused(id: string): void {
+		const [, area] = /^area-(\d+)$/.exec(id) ?? [];
+		const index = area === undefined ? undefined : Number(area);
+		if (index !== undefined && index !== this.#desk.toolState(areaTool).chosen) choose(this.#desk, index);
+	}
+
+	#project(at: Vector): Point {
+		const { clientWidth, clientHeight } = this.#view.canvas;
+		const seen = this.#anchor.localToWorld(new Vector3(...at)).project(this.#view.camera);
+		return { x: ((seen.x + 1) / 2) * clientWidth, y: ((1 - seen.y) / 2) * clientHeight };
+	}
+
+	#sight(x: number, y: number): Ray {
+		const { clientWidth, clientHeight } = this.#view.canvas;
+		this.#raycaster.setFromCamera(
+			new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight),
+			this.#view.camera,
+		);
+		const ray = this.#raycaster.ray.clone().applyMatrix4(this.#anchor.matrixWorld.clone().invert());
+		return { origin: ray.origin.toArray(), direction: ray.direction.toArray() };
+	}
+
+	/** Where a stroke goes: in the plane through the areas' middle that faces the eye. */
+	#under({ clientX, clientY }: PointerEvent): Triple | undefined {
+		const { left, top, width, height } = this.#view.canvas.getBoundingClientRect();
+		const places = placesOf(this.#desk.state.specimen);
+		const mean = (k: number) => places.reduce((sum, at) => sum + at[k], 0) / Math.max(1, places.length);
+		const middle: Vector = [mean(0), mean(1), mean(2)];
+		const facing = this.#sight(width / 2, height / 2).direction;
+		const level = Math.hypot(facing[0], facing[2]) || 1;
+		const right: Vector = [-facing[2] / level, 0, facing[0] / level];
+		const up: Vector = [
+			right[1] * facing[2] - right[2] * facing[1],
+			right[2] * facing[0] - right[0] * facing[2],
+			right[0] * facing[1] - right[1] * facing[0],
+		];
+		const found = placeUnder(middle, [right, up], this.#sight(clientX - left, clientY - top));
+		return found && [found[0], Math.max(0, found[1]), found[2]];
+	}
+
+	readonly #begin = (event: PointerEvent): void => {
+		if (!this.#drawing || event.button !== 0 || this.#stroke) return;
+		const at = this.#under(event);
+		if (!at) return;
+		this.#stroke = [at];
+		this.#last = { x: event.clientX, y: event.clientY };
+		const { areas, path } = this.#desk.state.specimen;
+		this.#before = { areas, path };
+		this.#view.orbiting = false;
+		this.#view.canvas.setPointerCapture(event.pointerId);
+	};
+
+	/** The branch follows the pen: it regrows at once. */
+	readonly #go = (event: PointerEvent): void => {
+		const { clientX: x, clientY: y } = event;
+		if (!this.#stroke || Math.hypot(x - this.#last.x, y - this.#last.y) < FINE) return;
+		const at = this.#under(event);
+		if (!at) return;
+		this.#last = { x, y };
+		this.#stroke.push(at);
+		const change = strokePath(this.#stroke);
+		if (change) this.#desk.edit(change);
+	};
+
+	readonly #end = (): void => {
+		if (!this.#stroke) return;
+		const drawn = strokePath(this.#stroke);
+		this.#stroke = undefined;
+		this.#view.orbiting = true;
+		if (drawn) this.#desk.edit(drawn);
+		else this.#desk.edit(withPath(this.#before.path));
+		this.#desk.settle();
+		this.#desk.setToolState(areaTool, { ...this.#desk.toolState(areaTool), drawing: false, path: true });
+	};
+}

@@ -1,0 +1,159 @@
+/** Growth areas by list and numbers: all that hands do in the view, for keyboards and screen readers as well. */
+import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
+import { chooseFile } from "../../../controls/choose_file";
+import type { Change } from "../../../controls/desk";
+import { ACCEPT } from "../../../controls/mesh_file/accept";
+import { AREA_KINDS, type Area, type AreaKind, degreesOf, type Triple, turnOf } from "./area";
+import {
+	added,
+	addedPlace,
+	changed,
+	movedPlace,
+	placesOf,
+	removed,
+	removedPlace,
+	reordered,
+	withPath,
+} from "./area_edits";
+import { nameOf } from "./area_handles";
+import { type AreaDesk, areaTool, choose, takeAreaMesh } from "./area_tool";
+
+/** What the buttons are called; a mesh comes by its own. */
+const WORDS: Readonly<Record<Exclude<AreaKind, "mesh">, string>> = {
+	box: "Box",
+	sphere: "Ball",
+	ellipsoid: "Ellipsoid",
+	cylinder: "Cylinder",
+	cone: "Cone",
+};
+
+export function drawAreas(desk: AreaDesk): unknown {
+	const { specimen } = desk.state;
+	const { areas = [] } = specimen;
+	const { chosen } = desk.toolState(areaTool);
+	const area = chosen === undefined ? undefined : areas[chosen];
+	return html`<ol class="areas" aria-label="Growth areas, in the order of the main branch">
+			${areas.map(
+				(each, i) => html`<li><button
+					class="button" type="button" aria-pressed=${i === chosen} @click=${() => choose(desk, i === chosen ? undefined : i)}
+				>${nameOf(each, i)}</button></li>`,
+			)}
+		</ol>
+		${area && chosen !== undefined ? drawArea(desk, area, chosen) : nothing}
+		<h3>One more area</h3>
+		<div class="actions">
+			${(Object.keys(WORDS) as (keyof typeof WORDS)[]).map((kind) =>
+				button(WORDS[kind], added(specimen, kind), (change) => {
+					desk.set(change);
+					choose(desk, areas.length);
+				}),
+			)}
+			${chooseFile({
+				accept: ACCEPT,
+				label: "A closed mesh as a growth area",
+				words: "A closed mesh (OBJ, GLB)…",
+				take: (file) => void takeAreaMesh(desk, file),
+			})}
+		</div>
+		${areas.length > 0 ? drawPath(desk) : nothing}`;
+}
+
+function drawArea(desk: AreaDesk, area: Area, index: number): unknown {
+	const { specimen } = desk.state;
+	const put = (change: Partial<Area>) => desk.set(changed(specimen, index, change));
+	const degrees = degreesOf(area.rotation);
+	return html`<div class="area" role="group" aria-label=${nameOf(area, index)}>
+		${
+			area.kind === "mesh"
+				? nothing
+				: html`<label>Kind <select @change=${(event: Event) => put({ kind: (event.target as HTMLSelectElement).value as AreaKind })}>
+			${AREA_KINDS.filter((kind) => kind !== "mesh").map(
+				(kind) =>
+					html`<option value=${kind} ?selected=${kind === area.kind}>${WORDS[kind as keyof typeof WORDS]}</option>`,
+			)}</select></label>`
+		}
+		${triple("Middle", ["x", "y", "z"], "m", 0.05, area.centre, (centre) => put({ centre }))}
+		${triple("Size", ["width", "height", "depth"], "m", 0.05, area.size, (size) => put({ size: oneSize(area, size) }))}
+		${triple("Turn", ["about x", "about y", "about z"], "°", 5, degrees, (turn) => put({ rotation: turnOf(turn) }))}
+		<div class="actions">
+			${button("Earlier", reordered(specimen, index, -1), (change) => {
+				desk.set(change);
+				choose(desk, index - 1);
+			})}
+			${button("Later", reordered(specimen, index, 1), (change) => {
+				desk.set(change);
+				choose(desk, index + 1);
+			})}
+			${button("Remove the area", removed(specimen, index), (change) => {
+				desk.set(change);
+				choose(desk, undefined);
+			})}
+		</div>
+	</div>`;
+}
+
+/** Of a ball all three follow the one that was changed. */
+function oneSize({ kind, size }: Area, wanted: Triple): Triple {
+	if (kind !== "sphere") return wanted;
+	const width = wanted.find((value, k) => value !== size[k]) ?? size[0];
+	return [width, width, width];
+}
+
+function triple(
+	title: string,
+	names: readonly string[],
+	unit: string,
+	step: number,
+	values: Triple,
+	put: (values: Triple) => void,
+): unknown {
+	const typed = (k: number) => (event: Event) => {
+		const field = event.target as HTMLInputElement;
+		const value = field.valueAsNumber;
+		if (Number.isFinite(value)) put(values.map((each, i) => (i === k ? value : each)) as unknown as Triple);
+		else field.value = String(values[k]);
+	};
+	return html`<fieldset class="triple"><legend>${title}, ${unit}</legend>${names.map(
+		(name, k) =>
+			html`<label>${name} <input type="number" step=${step} .value=${live(String(values[k]))} @change=${typed(k)}></label>`,
+	)}</fieldset>`;
+}
+
+function drawPath(desk: AreaDesk): unknown {
+	const { specimen } = desk.state;
+	const state = desk.toolState(areaTool);
+	const places = placesOf(specimen);
+	const toggle = (words: string, key: "path" | "drawing") => html`<button
+		class="button" type="button" aria-pressed=${state[key] === true}
+		@click=${() => desk.setToolState(areaTool, { ...state, handles: true, [key]: !state[key] })}
+	>${words}</button>`;
+	return html`<h3>Main branch</h3>
+		<p class="note">${
+			specimen.path
+				? `It is led by hand through ${places.length} place${places.length === 1 ? "" : "s"}.`
+				: "It leads from area to area, middle to middle."
+		}</p>
+		<div class="actions">
+			${toggle("Draw it in the picture", "drawing")} ${toggle("Show its places", "path")}
+			${button("From middle to middle", specimen.path ? withPath(undefined) : undefined, (change) => desk.set(change))}
+		</div>
+		${
+			state.path
+				? places.map(
+						(
+							at,
+							i,
+						) => html`${triple(`Place ${i + 1}`, ["x", "y", "z"], "m", 0.05, at, (to) => desk.set(movedPlace(specimen, i, to)))}
+						<div class="actions">
+							${button(`Add a place after place ${i + 1}`, addedPlace(specimen, i), (change) => desk.set(change))}
+							${button(`Remove place ${i + 1}`, places.length > 1 ? removedPlace(specimen, i) : undefined, (change) => desk.set(change))}
+						</div>`,
+					)
+				: nothing
+		}`;
+}
+
+function button(words: string, change: Change | undefined, press: (change: Change) => void): unknown {
+	return html`<button class="button" type="button" ?disabled=${!change} @click=${() => change && press(change)}>${words}</button>`;
+}

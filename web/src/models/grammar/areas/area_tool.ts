@@ -1,0 +1,148 @@
+/** Growth areas in the page: as glass and with handles in the 3-D view, in the panel by numbers. */
+import { svg } from "lit";
+import type { Desk, DeskState } from "../../../controls/desk";
+import { sameDocument } from "../../../controls/same_document";
+import { shownShells } from "../../../controls/shell_tool";
+import { FILE_TOPIC, type Tool, type ToolHands, type ToolView } from "../../../controls/tool";
+import type { GrammarPlant } from "../grammar_plant";
+import type { GrammarSpecimen } from "../specimen";
+import { fetchedText } from "../texts";
+import { added } from "./area_edits";
+import type { AreaHands } from "./area_hands";
+import { drawAreas } from "./area_panel";
+import { surfaceOf } from "./surface";
+
+export type AreaDesk = Desk<GrammarSpecimen, GrammarPlant>;
+
+/** What of the areas is in hand. */
+export interface AreaState {
+	/** Whether handles are shown. */
+	readonly handles: boolean;
+	/** Which area has its sides and turns shown, and its numbers in the panel. */
+	readonly chosen?: number | undefined;
+	/** Whether the main branch's places are shown. */
+	readonly path?: boolean;
+	/** Whether the next stroke over the picture is the main branch's path. */
+	readonly drawing?: boolean;
+}
+
+const GLASS = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200zM4 6.200l6 3.200 6-3.200M10 9.400V17" stroke-dasharray="2 1.500"/>`;
+const HANDLES = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200z"/><circle cx="10" cy="3" r="1.600" fill="currentcolor"/><circle cx="16" cy="13.800" r="1.600" fill="currentcolor"/><circle cx="4" cy="13.800" r="1.600" fill="currentcolor"/>`;
+
+const hasAreas = ({ areas = [] }: GrammarSpecimen): boolean => areas.length > 0;
+
+/** Faint, until they are hidden. */
+const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
+	name: "glass",
+	icon: GLASS,
+	label: "Growth areas as glass",
+	initial: true,
+	missed: "The areas could not be fetched",
+	applies: hasAreas,
+	figure: async () => new (await import("../../../scene/shell_figure")).ShellFigure(),
+	shells: ({ areas = [] }) => areas.map(surfaceOf),
+});
+
+export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
+	name: "areas",
+	initial: { handles: false },
+	applies: hasAreas,
+	press: (desk) => {
+		const state = desk.toolState(areaTool);
+		desk.setToolState(areaTool, { ...state, handles: !state.handles, drawing: false });
+	},
+	button: { icon: HANDLES, label: "Handles of growth areas", pressed: (desk) => desk.toolState(areaTool).handles },
+	key: { letter: "a", does: "Handles of growth areas, and back" },
+	keys: [
+		{ keys: ["Arrow keys"], does: "On a handle of an area: move, widen or turn it; Shift goes farther" },
+		{ keys: ["Page Up", "Page Down"], does: "On a handle of an area: to the next one" },
+	],
+	hands: (view, desk) => new LateHands(view, desk),
+};
+
+/** A section of the panel, also where there is no area yet but a text that asks for one; and what is dropped on the page. */
+const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
+	name: "area-panel",
+	initial: undefined,
+	applies: (specimen) => hasAreas(specimen) || /\b(bound|reach)\s*\(/.test(fetchedText(specimen) ?? ""),
+	panel: { group: "areas", place: "below", draw: (desk) => drawAreas(desk) },
+	drop: {
+		words: "a closed mesh (OBJ, GLB) becomes a growth area",
+		takes: ({ name }) => /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i.test(name),
+		take: (desk, file) => void takeAreaMesh(desk, file),
+	},
+};
+
+export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
+	areaGlass as Tool<GrammarSpecimen, GrammarPlant>,
+	areaTool as Tool<GrammarSpecimen, GrammarPlant>,
+	areaPanel,
+];
+
+/** Makes a file's mesh one more area, as one step; whatever is wrong with it is said. */
+export async function takeAreaMesh(desk: AreaDesk, file: File): Promise<void> {
+	const isStill = sameDocument(desk);
+	const say = (title: string, words: string) => desk.notify(title, [words], { topic: FILE_TOPIC });
+	const reader = await import("../../../controls/mesh_file/read").catch(() => undefined);
+	if (!reader) {
+		say("The mesh was not read", "Part of the page could not be fetched; check the connection and try again.");
+		return;
+	}
+	try {
+		const mesh = await reader.readMeshFile(file);
+		if (!isStill()) {
+			say("The mesh was not taken", "Another plant has come meanwhile.");
+			return;
+		}
+		const change = added(desk.state.specimen, "mesh", mesh);
+		if (!change) {
+			say("The mesh was not taken", "There are as many areas as there may be: remove one first.");
+			return;
+		}
+		desk.set(change);
+		choose(desk, (desk.state.specimen.areas?.length ?? 1) - 1);
+		say("The mesh is a growth area now", "Links are too short for it: download JSON or GLB to keep this plant.");
+	} catch (error) {
+		say("The mesh was not read", error instanceof Error ? error.message : String(error));
+	}
+}
+
+/** Shows an area's handles and numbers; none's where undefined. */
+export function choose(desk: AreaDesk, chosen: number | undefined): void {
+	desk.setToolState(areaTool, { ...desk.toolState(areaTool), handles: true, chosen });
+}
+
+/** The hands on the canvas, fetched when they are first wanted: three.js comes with them. */
+class LateHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
+	readonly #view: ToolView;
+	readonly #desk: AreaDesk;
+	#hands: Promise<AreaHands | undefined> | undefined;
+	#disposed = false;
+
+	constructor(view: ToolView, desk: AreaDesk) {
+		this.#view = view;
+		this.#desk = desk;
+	}
+
+	update(state: DeskState<GrammarSpecimen, GrammarPlant>): void {
+		if (!this.#desk.toolState(areaTool).handles && !this.#hands) return;
+		this.#hands ??= this.#fetch();
+		void this.#hands.then((hands) => {
+			if (!this.#disposed) hands?.update(state, this.#desk.toolState(areaTool));
+		});
+	}
+
+	dispose(): void {
+		this.#disposed = true;
+		void this.#hands?.then((hands) => hands?.dispose());
+	}
+
+	async #fetch(): Promise<AreaHands | undefined> {
+		const script = await import("./area_hands").catch(() => undefined);
+		if (script) return this.#disposed ? undefined : new script.AreaHands(this.#view, this.#desk);
+		this.#hands = undefined;
+		this.#desk.setToolState(areaTool, { handles: false });
+		this.#desk.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
+		return undefined;
+	}
+}

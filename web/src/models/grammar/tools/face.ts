@@ -1,0 +1,19 @@
+/** The page's side of the model: loaded with the first plant of it, in a page alone. */
+import { html } from "lit";
+import { grammarTools } from "../../../controls/grammar_tool";
+import type { Face } from "../../../controls/tool";
+import { areaTools } from "../areas/area_tool";
+import type { GrammarPlant } from "../grammar_plant";
+import type { GrammarSpecimen } from "../specimen";
+import { source } from "./text";
+
+export const face: Face<GrammarSpecimen, GrammarPlant> = {
+	tools: [...grammarTools(source), ...areaTools],
+	about: html`<p>
+			A text grows as a plant: an axiom, and productions that rewrite it. Topiary grows in volumes that you move, turn and
+			widen by their handles; the main branch passes from one to the next.
+		</p>
+		<p>
+			After S. Seo, Y. Kim and H. Lee, “Interactive fractal tree generation method having multiple clipping volumes” (2014).
+		</p>`,
+};

@@ -1,0 +1,36 @@
+/** A closed mesh that a person brings: what bounds a plant or a part of it. Files carry it; it is too long for a link. */
+import { type Notes, quote } from "./notes";
+import { isRecord, readNumbers } from "./read_values";
+
+/** In a unit of its own; whoever uses it stretches it. */
+export interface ClosedMesh {
+	/** 3 × points. */
+	points: number[];
+	/** 3 × triangles, counter-clockwise from outside. */
+	triangles: number[];
+}
+
+/** What controls/mesh_file/closed.ts leaves at the most. */
+export const MOST_TRIANGLES = 4000;
+
+/** Whether two meshes are the same, number by number. */
+export function sameMesh(one: ClosedMesh, other: ClosedMesh | undefined): boolean {
+	const same = (a: number[], b: number[]) => a.length === b.length && a.every((value, i) => value === b[i]);
+	return other !== undefined && same(one.points, other.points) && same(one.triangles, other.triangles);
+}
+
+/** What is no such mesh is noted under its key, and left out. */
+export function readClosedMesh(key: string, value: unknown, notes: Notes): ClosedMesh | undefined {
+	const [points, triangles] = isRecord(value) ? [readNumbers(value.points), readNumbers(value.triangles)] : [];
+	const corners = (points?.length ?? 0) / 3;
+	const sound =
+		points?.every(Number.isFinite) &&
+		points.length % 3 === 0 &&
+		triangles?.every((index) => Number.isInteger(index) && index >= 0 && index < corners) &&
+		triangles.length > 0 &&
+		triangles.length % 3 === 0 &&
+		triangles.length <= 3 * MOST_TRIANGLES;
+	if (sound && points && triangles) return { points, triangles };
+	notes.add(key, `${quote(value)} is not a mesh of at most ${MOST_TRIANGLES} triangles`, "it is left out");
+	return undefined;
+}
