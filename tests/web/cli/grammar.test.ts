@@ -24,6 +24,14 @@ describe("--grammar", () => {
 		expect((await grow(["grammar", "--grammar", "g.lsys"], files)).json.specimen.model).toBe("grammar");
 	});
 
+	it("takes the place of a bunch's own text, less its mark of order", async () => {
+		const text = "\ufeffaxiom: F(10)[+F(5)][-F(5)]\n";
+		const call = ["long-conical", "--grammar", "mine.lsys", "--set", "procedure=paper"];
+		const { json } = await grow(call, { "mine.lsys": text });
+		expect(json.counts.internodes).toBe(3);
+		expect(json.specimen.grammar).toBe(text.slice(1));
+	});
+
 	it("is told where the text is wrong, as compilers do", async () => {
 		expect(await complaint(["--grammar", "g.lsys"], { "g.lsys": "axiom: F\nA --> F(\n" })).toMatch(
 			/^g\.lsys:[23]:\d+: \S/,

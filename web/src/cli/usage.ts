@@ -46,8 +46,8 @@ ${
                    ${wrapped(asked)}
 `
 		: ""
-}  --grammar FILE   grammar text in place of the preset's; where no preset is named, a bunch grows where
-                   it declares a bunch's roles, else whatever it says
+}  --grammar FILE   grammar text in place of the preset's; without a preset, it says by its roles
+                   which model it is for, or any text's
   --string         the JSON has the derived string, of plants that any text grows
   --boundary FILE  a closed mesh, .obj or .glb, that a tree or a root grows in
   --out FILE       ${endingsOf({ formats })} (an .obj has its
