@@ -16,6 +16,7 @@ import docs from "./docs.mjs";
 import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
+import grammarEditor from "./grammar_editor.mjs";
 import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
@@ -66,6 +67,7 @@ export const groups = [
 	...saved,
 	...scene,
 	...lives,
+	...grammarEditor,
 	...studio,
 	...offline,
 	...files,
