@@ -17,6 +17,7 @@ import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
 import grammar from "./grammar.mjs";
+import grammarEditor from "./grammar_editor.mjs";
 import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
@@ -70,6 +71,7 @@ export const groups = [
 	...saved,
 	...scene,
 	...lives,
+	...grammarEditor,
 	...studio,
 	...offline,
 	...files,

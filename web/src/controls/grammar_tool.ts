@@ -2,9 +2,9 @@ import { html, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk } from "./desk";
+import type { Desk, Fault } from "./desk";
 import { type GrammarSource, isOwn, withText } from "./grammar/source";
-import type { Tool } from "./tool";
+import { GROWTH_TOPIC, type Tool } from "./tool";
 
 /** What the page keeps of the editor. */
 export interface GrammarState {
@@ -91,6 +91,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 		pane: {
 			title: "Grammar",
 			open: (desk) => desk.toolState(tool).open,
+			tell: (desk, fault) => tell(desk, tool, source.noun, fault),
 			draw: (desk) => html`<panicle-grammar
 				.desk=${desk} .source=${source} .tool=${tool} .close=${() => close(desk, tool, source.noun)}
 			></panicle-grammar>`,
@@ -112,15 +113,20 @@ function close<S extends Specimen, G extends Plant>(
 ): void {
 	desk.setToolState(tool, { ...desk.toolState(tool), open: false });
 	const { fault, grown } = desk.state;
-	if (!fault || fault.line === 0 || !grown) return;
-	desk.notify(
-		`The grammar does not grow; the last ${noun} stays`,
-		[`Line ${fault.line}, column ${fault.column}: ${fault.message}`],
-		{
-			topic: "growth",
-			act: { words: "Edit the grammar", run: () => show(desk, tool) },
-		},
-	);
+	if (fault && fault.line > 0 && grown) tell(desk, tool, noun, fault);
+}
+
+function tell<S extends Specimen, G extends Plant>(
+	desk: Desk<S, G>,
+	tool: Tool<S, G, GrammarState>,
+	noun: string,
+	{ line, column, message }: Fault,
+): void {
+	const where = `Line ${line}, column ${column} of the grammar: ${message}`;
+	desk.notify(`This cannot be grown; the last ${noun} stays`, [where], {
+		topic: GROWTH_TOPIC,
+		act: { words: "Edit the grammar", run: () => show(desk, tool) },
+	});
 }
 
 async function bring<S extends Specimen, G extends Plant>(

@@ -9,7 +9,7 @@ import type { Camera, Object3D } from "three";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Group } from "../specimen/table";
-import type { Change, Desk, DeskState, Stateful } from "./desk";
+import type { Change, Desk, DeskState, Fault, Stateful } from "./desk";
 
 /** A button on the 3-D view. */
 export interface ToolButton<S extends Specimen = Specimen, G extends Plant = Plant> {
@@ -46,6 +46,8 @@ export interface ToolPlace<S extends Specimen = Specimen, G extends Plant = Plan
 /** A wide place for reading and writing: left of the 3-D view instead of the flat views, on a phone instead of the sheet. */
 export interface ToolPane<S extends Specimen = Specimen, G extends Plant = Plant> extends ToolPlace<S, G> {
 	open(desk: Desk<S, G>): boolean;
+	/** Says what is wrong with the text while the pane is closed; an open one shows it. */
+	tell(desk: Desk<S, G>, fault: Fault): void;
 }
 
 /** What a tool has of the 3-D view. */
@@ -109,6 +111,9 @@ export interface ToolDrop<S extends Specimen = Specimen, G extends Plant = Plant
 	/** Where no plant is in the file. */
 	take(desk: Desk<S, G>, file: File): void;
 }
+
+/** What notices about a document that does not grow are of: the next plant takes them back. */
+export const GROWTH_TOPIC = "growth";
 
 /** What notices about files brought to the page are of: one stands at a time. */
 export const FILE_TOPIC = "file";

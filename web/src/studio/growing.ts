@@ -1,7 +1,10 @@
+import type { Fault } from "../controls/desk";
+import { GROWTH_TOPIC as GROWTH } from "../controls/tool";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
 import type { GrowthOptions, Model } from "../models/model";
 import type { Specimen } from "../specimen/specimen";
 import type { Grower } from "./cores";
+import { tellInText } from "./fault";
 import type { Studio } from "./studio";
 import type { Failure, Remedy } from "./types";
 
@@ -10,9 +13,6 @@ const PATIENCE = 200;
 
 /** The measure from asking for a plant to having its buffers: the last one stands, an observer hears of all (`npm run bench`). */
 const REGROW = "regrow";
-
-/** What its notices are about: the next plant takes them back. */
-const GROWTH = "growth";
 
 /** Keeps the studio's plant in step with its specimen: asks the core, hands over what grew, says what went wrong. */
 export class Growing {
@@ -51,8 +51,9 @@ export class Growing {
 		} catch (error) {
 			if (turn !== this.#newest) return;
 			this.#answered(turn);
-			this.#explain(error, model.noun);
-			this.#studio().caughtUp(error instanceof CoreError ? error : undefined);
+			const fault = faultOf(error);
+			this.#explain(error, model.noun, fault);
+			this.#studio().caughtUp(fault);
 		}
 	}
 
@@ -88,14 +89,14 @@ export class Growing {
 		return setTimeout(() => this.#studio().setGrowing(true), PATIENCE);
 	}
 
-	#explain(error: unknown, noun: string): void {
+	#explain(error: unknown, noun: string, fault: Fault | undefined): void {
 		if (error instanceof Superseded) return;
 		const studio = this.#studio();
 		const { shown } = studio.state;
 		const failure = failureOf(error, noun);
 		// Where the place is at fault, no change of the specimen helps, so a notice beside the last plant would not do.
 		if (!shown || !failure.remedies.includes("other")) studio.fail(failure);
-		else if (error instanceof CoreError && error.line > 0 && studio.tells) studio.retract(GROWTH);
+		else if (fault && tellInText(studio, fault)) return;
 		else if (error instanceof CoreError)
 			studio.notify(`${failure.title}; the last ${shown.model.noun} stays`, failure.details, { topic: GROWTH });
 		else
@@ -122,6 +123,13 @@ function failureOf(error: unknown, noun: string): Failure {
 
 class Cancelled extends Error {
 	override name = "Cancelled";
+}
+
+/** What the core said against the document, as plain data. */
+function faultOf(error: unknown): Fault | undefined {
+	if (!(error instanceof CoreError)) return undefined;
+	const { message, line, column } = error;
+	return { message, line, column };
 }
 
 function where({ message, line, column }: CoreError): string {

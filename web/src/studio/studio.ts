@@ -157,11 +157,6 @@ export class Studio implements Desk {
 		this.#update({ pending: false, fault });
 	}
 
-	/** Whether an editor of the text is open: it shows where a fault is. */
-	get tells(): boolean {
-		return this.#state.face?.tools.some(({ pane }) => pane?.open(this)) ?? false;
-	}
-
 	/** There is no plant to show, and none comes without a remedy. */
 	fail(failure: Failure): void {
 		this.#update({ failure });

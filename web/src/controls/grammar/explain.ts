@@ -14,24 +14,30 @@ export interface Explanation {
 }
 
 /** What stands at a place of the text, in words; undefined where nothing is known of it. */
-export function explain({ pieces, names, symbols }: Outline, place: number): Explanation | undefined {
-	// Between two pieces the one behind is meant.
-	const piece = pieces.findLast(({ from, to }) => from <= place && place <= to);
-	if (!piece) return undefined;
-	const { from, to, text } = piece;
+export function explain(outline: Outline, place: number): Explanation | undefined {
+	// Between two pieces the one behind is meant, if there is anything to say of it.
+	for (const piece of outline.pieces.filter(({ from, to }) => from <= place && place <= to).reverse()) {
+		const said = explained(outline, piece, place);
+		if (said) return { from: piece.from, to: piece.to, ...said };
+	}
+	return undefined;
+}
+
+function explained(
+	{ pieces, names, symbols }: Outline,
+	piece: Piece,
+	place: number,
+): Pick<Explanation, "written" | "help"> | undefined {
+	const { kind, text } = piece;
+	const defined = names.get(text);
+	if (defined && (kind === "name" || kind === "function")) return { written: text, help: defined.replace(/\s+/g, " ") };
+	if (kind === "name" && formalsAt(pieces, place).includes(text)) {
+		return { written: text, help: "A parameter of the module that the production rewrites, or of a neighbour." };
+	}
 	const word = wordFor(piece);
-	if (word) {
-		return { from, to, written: word.written, help: word.title ? `${capital(word.title)}. ${word.help}` : word.help };
-	}
-	if (piece.kind === "name" || piece.kind === "function") {
-		const defined = names.get(text);
-		if (defined) return { from, to, written: text, help: defined.replace(/\s+/g, " ") };
-		return formalsAt(pieces, place).includes(text)
-			? { from, to, written: text, help: "A parameter of the module that the production rewrites, or of a neighbour." }
-			: undefined;
-	}
-	const own = piece.kind === "symbol" ? symbols.get(text) : undefined;
-	return own ? { from, to, written: own, help: "A symbol of this grammar." } : undefined;
+	if (word) return { written: word.written, help: word.title ? `${capital(word.title)}. ${word.help}` : word.help };
+	const own = kind === "symbol" ? symbols.get(text) : undefined;
+	return own ? { written: own, help: "A symbol of this grammar." } : undefined;
 }
 
 /** Names that the production at a place gives to parameters: those of its predecessor and of its contexts. */
@@ -68,6 +74,8 @@ const BY_KIND = new Map(WORDS.map((word) => [`${word.kind} ${word.name}`, word])
 function wordFor({ kind, text }: Piece): Word | undefined {
 	if (kind === "arrow") return BY_KIND.get("statement -->");
 	if (kind === "branch") return BY_KIND.get(`symbol ${text}`);
+	// A function may be named before it is called.
+	if (kind === "name") return BY_KIND.get(`function ${text}`);
 	return BY_KIND.get(`${kind} ${text.replace(/\s+/g, " ").replace(/ :$/, ":")}`);
 }
 

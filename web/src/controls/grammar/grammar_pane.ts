@@ -86,7 +86,8 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 
 	protected override updated(): void {
 		const text = this.#text();
-		if (text === undefined) return;
+		// What was asked for before it went may be drawn after.
+		if (text === undefined || !this.isConnected) return;
 		// CodeMirror's lines end as its own do.
 		const shown = text.replace(/\r\n?/g, "\n");
 		const { indents } = this.desk.toolState(this.tool);

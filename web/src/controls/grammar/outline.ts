@@ -43,7 +43,7 @@ export interface Outline {
 	readonly curves: readonly Curve[];
 	/** Names that constants, inputs and curves explain, by what they are. */
 	readonly names: ReadonlyMap<string, string>;
-	/** Symbols that stand in the axiom or in productions, as they are first written. */
+	/** Symbols that stand in the axiom or in productions, as they are first written with their parameters. */
 	readonly symbols: ReadonlyMap<string, string>;
 }
 
@@ -191,7 +191,8 @@ function isDefined(pieces: readonly Piece[], at: number): boolean {
 function symbolsIn(pieces: readonly Piece[], text: string): Map<string, string> {
 	const symbols = new Map<string, string>();
 	pieces.forEach(({ kind, text: name, to }, at) => {
-		if (kind !== "symbol" || symbols.has(name) || !/^[\p{L}_?]/u.test(name)) return;
+		// One that stands without parameters first, in a list of symbols, may have some.
+		if (kind !== "symbol" || (symbols.get(name) ?? name) !== name || !/^[\p{L}_?]/u.test(name)) return;
 		const close = pieces[at + 1]?.text === "(" ? closing(pieces, at + 1) : undefined;
 		symbols.set(name, close === undefined ? name : `${name}${text.slice(to, close)}`);
 	});

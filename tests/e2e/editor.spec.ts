@@ -1,0 +1,244 @@
+import type { Locator, Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+/** The page with the grammar open beside the plant. */
+class EditorPage extends StudioPage {
+	get text(): Locator {
+		return this.page.getByRole("textbox", { name: "Grammar", exact: true });
+	}
+
+	get pad(): Locator {
+		return this.page.getByRole("slider", { name: "Number at the cursor" });
+	}
+
+	get told(): Locator {
+		return this.page.locator(".pane-told");
+	}
+
+	async edit(search = ""): Promise<this> {
+		await this.open(search);
+		await this.button("Grammar").click();
+		await expect(this.text).toBeVisible();
+		return this;
+	}
+
+	line(words: string): Locator {
+		return this.text.locator(".cm-line", { hasText: words }).first();
+	}
+
+	/** Scrolls to a line: those out of sight are not in the page. */
+	async see(words: string): Promise<void> {
+		const scroller = this.page.locator(".cm-scroller");
+		await scroller.evaluate((element) => element.scrollTo(0, 0));
+		await expect(async () => {
+			if ((await this.line(words).count()) === 0) await scroller.evaluate((element) => element.scrollBy(0, 200));
+			await this.line(words).scrollIntoViewIfNeeded({ timeout: 200 });
+		}).toPass({ intervals: [50] });
+	}
+
+	/** Puts the cursor at the end of a line. */
+	async endOf(words: string): Promise<void> {
+		await this.see(words);
+		await this.line(words).click({ position: { x: 60, y: 6 } });
+		await this.page.keyboard.press("End");
+	}
+
+	/** A number of a line, as it is written. */
+	number(words: string): Locator {
+		return this.line(words).locator(".cm-number").first();
+	}
+}
+
+/** Drags across something by so many pixels. */
+async function drag(page: Page, what: Locator, pixels: number, key?: string): Promise<void> {
+	await what.scrollIntoViewIfNeeded();
+	const box = await what.boundingBox();
+	if (!box) throw new Error("Nothing to drag.");
+	const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+	await page.mouse.move(x, y);
+	await page.mouse.down();
+	if (key) await page.keyboard.down(key);
+	await page.mouse.move(x + pixels / 2, y, { steps: 4 });
+	await page.mouse.move(x + pixels, y, { steps: 4 });
+	await page.mouse.up();
+	if (key) await page.keyboard.up(key);
+}
+
+test.use({ viewport: { width: 1440, height: 1000 } });
+
+const PAPER = "?v=1&preset=grape-15b";
+
+test("the bunch's own text opens beside it, and what is typed grows: a step to undo, in the link", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	const first = await studio.fingerprint.innerText();
+	await expect(studio.text).toContainText("L-system 3");
+	await expect(page.getByText("Built in; a change makes it this plant’s own")).toBeVisible();
+	await studio.endOf("#define r_p 1.5");
+	await studio.line("#define r_p 1.5").locator(".cm-number").click();
+	await page.keyboard.press("Alt+ArrowUp");
+	await expect(studio.line("#define r_p 1.6")).toBeVisible();
+	await expect(studio.fingerprint).not.toHaveText(first);
+	await expect(page).toHaveURL(/#/);
+	await expect(page.getByText("This bunch’s own", { exact: true })).toBeVisible();
+	await page.keyboard.press("Control+z");
+	await expect(studio.line("#define r_p 1.5")).toBeVisible();
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(page.getByText("Built in; a change makes it this plant’s own")).toBeVisible();
+	await page.keyboard.press("Control+Shift+Z");
+	await expect(studio.line("#define r_p 1.6")).toBeVisible();
+	await studio.button("Use the built-in grammar").first().click();
+	await expect(studio.fingerprint).toHaveText(first);
+});
+
+test("a mistake is shown where it stands, and the last bunch stays until it is mended", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	const first = await studio.fingerprint.innerText();
+	await studio.endOf("#define r_p 1.5");
+	await page.keyboard.press("Home");
+	await page.keyboard.press("ControlOrMeta+ArrowRight");
+	await studio.endOf("axiom:");
+	await page.keyboard.type(" [");
+	await page.keyboard.press("Delete"); // The bracket that is closed by itself.
+	await expect(studio.told.getByRole("button", { name: /^Line \d+ / })).toHaveCount(1);
+	await expect(studio.text.locator(".cm-error")).toHaveCount(1);
+	await expect(studio.text).toHaveAttribute("aria-invalid", "true");
+	await expect(studio.canvas).toHaveAccessibleName(/\d+ berries/);
+	await expect(studio.notices).not.toContainText("cannot be grown");
+	await page.getByRole("checkbox", { name: "Tab indents" }).focus();
+	await studio.told.getByRole("button").click();
+	await expect(studio.text).toBeFocused();
+	await studio.endOf("axiom:");
+	for (let at = 0; at < 2; at++) await page.keyboard.press("Backspace");
+	await expect(studio.told.getByRole("button")).toHaveCount(0);
+	await expect(studio.text.locator(".cm-error")).toHaveCount(0);
+	await expect(studio.fingerprint).toHaveText(first);
+});
+
+test("whoever closes the editor over a mistake is told, and led back", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	await studio.endOf("axiom:");
+	await page.keyboard.type(" )");
+	await expect(studio.told.getByRole("button")).toHaveCount(1);
+	await studio.button("Close the grammar").click();
+	await expect(studio.text).toHaveCount(0);
+	await expect(studio.notices).toContainText(/Line \d+, column \d+/);
+	await studio.button("Edit the grammar").last().click();
+	await expect(studio.text).toBeVisible();
+});
+
+test("a remark of the core stands in its line", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	await studio.endOf("Ap(l,w) -->");
+	await page.keyboard.type(" F1");
+	await expect(studio.told.getByRole("button", { name: /F1 is one symbol/ })).toBeVisible();
+	await expect(studio.text.locator(".cm-remark")).toHaveText("F1");
+});
+
+test("a number follows the mouse in steps of its last digit, ten with Shift, tenths with Control; a drag is one step", async ({
+	page,
+}) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	const first = await studio.fingerprint.innerText();
+	await drag(page, studio.number("#define alpha_y"), 20);
+	await expect(studio.number("#define alpha_y")).toHaveText("65");
+	await expect(studio.fingerprint).not.toHaveText(first);
+	await drag(page, studio.number("#define alpha_y"), -20, "Shift");
+	await expect(studio.number("#define alpha_y")).toHaveText("15");
+	await drag(page, studio.number("#define alpha_y"), 20, "Control");
+	await expect(studio.number("#define alpha_y")).toHaveText("15.5");
+	for (const before of ["15", "65", "60"]) {
+		await studio.button("Undo").click();
+		await expect(studio.number("#define alpha_y")).toHaveText(before);
+	}
+	await expect(studio.fingerprint).toHaveText(first);
+	await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("constants of a text of one's own are sliders that write into it", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	await expect(page.locator("details[data-group=constants]")).toHaveCount(0);
+	await studio.endOf("#define l_i 50");
+	await page.keyboard.press("Enter");
+	await page.keyboard.type("#define bend 12 /* 0 … 90 step 3, of everything */");
+	const slider = studio.slider("bend");
+	await expect(slider).toHaveValue("12");
+	await expect(slider).toHaveAttribute("max", "90");
+	await expect(slider).toHaveAccessibleDescription(/^of everything\. 0 … 90\. Line \d+/);
+	await expect(studio.slider("r_w")).toHaveCount(0); // It is a parameter's.
+	await slider.focus();
+	await page.keyboard.press("ArrowRight");
+	await expect(studio.line("#define bend 15 /*")).toBeVisible();
+	await page.keyboard.press("Shift+ArrowRight");
+	await expect(studio.line("#define bend 45 /*")).toBeVisible();
+	await page.keyboard.press("Control+z");
+	await expect(studio.line("#define bend 12 /*")).toBeVisible();
+});
+
+test("words are completed and explained", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	await studio.endOf("Ap(l,w) -->");
+	await page.keyboard.type(" F(cl");
+	await page.getByRole("option", { name: /^clamp/ }).click();
+	await expect(studio.line("Ap(l,w) -->")).toContainText("F(clamp");
+	await expect(page.locator(".pane-hint")).toContainText("no less than low");
+	await studio.line("#define r_p").locator(".cm-statement").hover();
+	await expect(page.locator(".cm-help")).toContainText("A constant.");
+});
+
+test("Tab goes on and Escape leaves, unless Tab is set to indent", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	await expect(studio.text).toBeFocused();
+	await expect(studio.text).toHaveAccessibleDescription(/Escape leaves/);
+	await page.keyboard.press("Tab");
+	await expect(page.getByRole("checkbox", { name: "Tab indents" })).toBeFocused();
+	await page.keyboard.press("Space");
+	await page.keyboard.press("Shift+Tab");
+	await expect(studio.text).toBeFocused();
+	await page.keyboard.press("Tab");
+	await expect(studio.text).toBeFocused();
+	await page.keyboard.press("Escape");
+	await expect(studio.button("Close the grammar")).toBeFocused();
+	await page.keyboard.press("Enter");
+	await expect(studio.text).toHaveCount(0);
+	await expect(studio.button("Grammar")).toBeFocused();
+});
+
+test("curves are drawn, and their points are moved, added and removed", async ({ page }) => {
+	const studio = await new EditorPage(page).edit(PAPER);
+	await studio.endOf("#define l_i 50");
+	await page.keyboard.press("Enter");
+	await page.keyboard.type("#curve taper (0, 0) (1, 1)");
+	const curve = page.getByRole("group", { name: "Curve taper" });
+	await curve.getByRole("button", { name: "Add a point" }).click();
+	await expect(studio.line("#curve taper")).toHaveText("#curve taper (0, 0) (0.5, 0.5) (1, 1)");
+	await curve.getByRole("slider", { name: "Point 2 of 3" }).focus();
+	await page.keyboard.press("Shift+ArrowUp");
+	await expect(studio.line("#curve taper")).toHaveText("#curve taper (0, 0) (0.5, 0.6) (1, 1)");
+	await page.keyboard.press("Delete");
+	await expect(studio.line("#curve taper")).toHaveText("#curve taper (0, 0) (1, 1)");
+});
+
+test.describe("on a phone", () => {
+	test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+	test("the text is a sheet below the plant, in letters that are not enlarged, and numbers have a handle", async ({
+		page,
+	}) => {
+		const studio = await new EditorPage(page).edit(PAPER);
+		expect(await studio.overflow()).toBeLessThanOrEqual(0);
+		const [plant, text] = [await studio.canvas.boundingBox(), await studio.text.boundingBox()];
+		expect(plant?.height).toBeGreaterThan(140);
+		expect(text?.y).toBeGreaterThanOrEqual((plant?.y ?? 0) + (plant?.height ?? 0) - 1);
+		expect(
+			await studio.text.evaluate((element) => Number.parseFloat(getComputedStyle(element).fontSize)),
+		).toBeGreaterThanOrEqual(16);
+		await studio.see("#define alpha_y");
+		await studio.number("#define alpha_y").tap();
+		await expect(studio.pad).toHaveAttribute("aria-valuetext", "60");
+		await page.getByRole("button", { name: "More" }).tap();
+		await expect(studio.number("#define alpha_y")).toHaveText("61");
+		await drag(page, studio.pad, 20);
+		await expect(studio.number("#define alpha_y")).toHaveText("66");
+	});
+});

@@ -1,0 +1,72 @@
+/** The editor of grammars, its sliders and curves. */
+const SRC = "web/src/controls/grammar";
+const TESTS = "tests/web/controls/grammar";
+
+export default [
+	{
+		file: `${SRC}/outline.ts`,
+		suites: [`${TESTS}/outline.test.ts`],
+		faults: [
+			{
+				id: "grammar-editor-operator-taken-for-a-sign",
+				find: "(!ends || isDefined(pieces, at - 2))",
+				replace: "true",
+				breaks: "dragging the 2 of x-2 rewrites the minus",
+			},
+			{
+				id: "grammar-editor-constant-outside-its-slider",
+				find: "Math.max(low, high, value)]",
+				replace: "Math.max(low, high)]",
+				breaks: "a slider jumps when it is touched, where the text's number lies beyond the comment's range",
+			},
+		],
+	},
+	{
+		file: `${SRC}/scrub.ts`,
+		suites: [`${TESTS}/hands.test.ts`],
+		faults: [
+			{
+				id: "grammar-editor-digits-lost",
+				find: "return written(moved, places + (finer ? 1 : 0));",
+				replace: "return String(moved);",
+				breaks: "a dragged number is written with seventeen digits",
+			},
+		],
+	},
+	{
+		file: `${SRC}/curve.ts`,
+		suites: [`${TESTS}/hands.test.ts`],
+		faults: [
+			{
+				id: "grammar-editor-curve-points-cross",
+				find: "points[at + 1][0] - gap : right",
+				replace: "right : right",
+				breaks: "a point is dragged past the next, and the text is no curve",
+			},
+		],
+	},
+	{
+		file: `${SRC}/source.ts`,
+		suites: [`${TESTS}/hands.test.ts`],
+		faults: [
+			{
+				id: "grammar-editor-built-in-text-of-its-own",
+				find: "text === undefined || text === source.builtIn(specimen) ? undefined : text",
+				replace: "text",
+				breaks: "after Undo by hand a bunch keeps a copy of the built-in text in its link",
+			},
+		],
+	},
+	{
+		file: `${SRC}/grammar_pane.ts`,
+		suites: ["tests/e2e/editor.spec.ts"],
+		faults: [
+			{
+				id: "grammar-editor-errors-unmarked",
+				find: "this.#editor.problems = this.#problems;",
+				replace: "",
+				breaks: "mistakes are listed but not marked in the text",
+			},
+		],
+	},
+];

@@ -1,0 +1,75 @@
+import { readFileSync } from "node:fs";
+import { describe, expect, it } from "vitest";
+import { optionsFor } from "../../../../web/src/controls/grammar/completion";
+import { explain, formalsAt } from "../../../../web/src/controls/grammar/explain";
+import { outlineOf } from "../../../../web/src/controls/grammar/outline";
+import { scan } from "../../../../web/src/controls/grammar/scan";
+import { WORDS } from "../../../../web/src/controls/grammar/words.generated";
+
+const named = (kind: string) => WORDS.filter((word) => word.kind === kind).map(({ name }) => name);
+const TEXT =
+	"#define angle 35 /* a turn */\n#role axis A\naxiom: A(5)\nA(n) : n>0 --> F(angle) [ +(abs(n)) A(n-1) ]\n  B";
+/** What is offered where a mark stands. */
+const offered = (text: string, word = "") => {
+	const place = text.indexOf("¦");
+	return optionsFor(text.replace("¦", ""), place, word, ["axis", "end"]).map(({ label }) => label);
+};
+
+describe("the words that the editor knows", () => {
+	it("are the functions that the core has, with their arguments", () => {
+		const operations = readFileSync("wasm-core/src/lsystem/operations.hpp", "utf8");
+		const listed = /\bfunctions = \{\{([\s\S]*?)\}\};/.exec(operations)?.[1] ?? "";
+		const core = [...listed.matchAll(/\{"(\w+)", Op::\w+, (\d)\}/g)].map(([, name, count]) => `${name} ${count}`);
+		const ours = WORDS.filter(({ kind }) => kind === "function").map(
+			({ name, written }) => `${name} ${written.split(",").length}`,
+		);
+		expect(core.length).toBeGreaterThan(20);
+		expect(ours).toEqual(core);
+	});
+
+	it("are told apart by their names", () => {
+		for (const kind of ["symbol", "function", "statement"]) {
+			expect(new Set(named(kind)).size).toBe(named(kind).length);
+			expect(named(kind).length).toBeGreaterThan(7);
+		}
+	});
+});
+
+describe("help", () => {
+	const at = (words: string) => explain(outlineOf(TEXT), TEXT.indexOf(words));
+
+	it("says what stands at a place", () => {
+		expect(at("F(")).toMatchObject({ written: "F(s)", help: expect.stringContaining("draw a line") });
+		expect(at("angle)")?.help).toBe("#define angle 35");
+		expect(at("n-1")?.help).toContain("parameter");
+		expect(at("abs")?.written).toBe("abs(x)");
+		expect(at("A(5)")).toMatchObject({ written: "A(5)", help: "A symbol of this grammar." });
+		expect(at("axiom")?.help).toContain("exactly one");
+		expect(at("-->")?.help).toContain("production");
+		expect(at("[ +")?.help).toContain("branch");
+		expect(at("35")).toBeUndefined();
+	});
+
+	it("knows a production's parameters, as far as it goes", () => {
+		expect(formalsAt(scan(TEXT), TEXT.length)).toEqual(["n"]);
+		expect(formalsAt(scan(TEXT), TEXT.indexOf("axiom"))).toEqual([]);
+		expect(formalsAt(scan("A(a) < B(b) > C(c) : a>1 --> F\naxiom: A"), 30)).toEqual(["a", "b", "c"]);
+	});
+});
+
+describe("completion", () => {
+	it("offers values where values stand, and modules where modules do", () => {
+		const values = offered(`${TEXT.slice(0, -4)} F(¦)`);
+		expect(values).toEqual(expect.arrayContaining(["n", "angle", "clamp"]));
+		expect(values).not.toContain("F");
+		const modules = offered(`${TEXT} ¦`);
+		expect(modules).toEqual(expect.arrayContaining(["A", "B", "F", "?E"]));
+		expect(modules).not.toContain("clamp");
+	});
+
+	it("offers roles behind #role, statements where a line begins, nothing in comments", () => {
+		expect(offered("#role ¦ A")).toEqual(["axis", "end"]);
+		expect(offered("#d¦\naxiom: A", "#d")).toContain("#define");
+		expect(offered("axiom: A /* ¦ */")).toEqual([]);
+	});
+});
