@@ -20,6 +20,8 @@ export const KERNELS = {
 	brute_space: 7,
 	colonise_flat: 8,
 	colonise_space: 9,
+	derive_chance: 10,
+	derive_context: 11,
 };
 
 export async function loadBenchCore() {

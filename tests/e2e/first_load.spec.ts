@@ -45,6 +45,8 @@ for (const { model, core, code, later } of [
 	{ model: "leaf", core: 150_000, code: 385_000, later: 58_000 },
 	{ model: "tree", core: 150_000, code: 385_000, later: 58_000 },
 	{ model: "root", core: 150_000, code: 385_000, later: 58_000 },
+	// With its presets' texts.
+	{ model: "grammar", core: 150_000, code: 385_000, later: 58_000 },
 ]) {
 	test(`the first load of a ${model} stays in its limits, and of other models only what the gallery says`, async ({
 		page,

@@ -1,18 +1,27 @@
-/** `npm run fuzz -- links [100000]`: the longer run of a fuzz test, by the number of its cases. */
+/**
+ * The longer run of a fuzz test, by the number of its cases: `npm run fuzz -- links [100000]`, or `npm run fuzz -- texts [100000]`, which
+ * runs natively under the sanitizers. Texts that make the engine fall over are kept as tests/fuzz/grammars/*.lsys.
+ */
 import { spawnSync } from "node:child_process";
-import { fileURLToPath } from "node:url";
+import { join } from "node:path";
+import { buildCore } from "../../wasm-core/tools/core.mjs";
+import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
 
-const TESTS = { links: "tests/fuzz/any_link.test.ts" };
+/** What is run, with its arguments. */
+const TESTS = {
+	links: () => [process.execPath, "node_modules/vitest/vitest.mjs", "run", "tests/fuzz/any_link.test.ts"],
+	texts: async () => {
+		await buildCore("asan", ["lsystem_tests"]);
+		return [join(buildFolder, "asan/lsystem_tests"), "--source-file=*fuzz*_test.cpp"];
+	},
+};
 
 const [name = "links", runs = "100000"] = process.argv.slice(2);
 if (!Object.hasOwn(TESTS, name) || !/^\d+$/.test(runs)) {
 	console.error(`npm run fuzz -- ${Object.keys(TESTS).join("|")} [100000]`);
 	process.exit(2);
 }
-const vitest = fileURLToPath(new URL("../../node_modules/vitest/vitest.mjs", import.meta.url));
-const { status } = spawnSync(process.execPath, [vitest, "run", TESTS[name]], {
-	cwd: fileURLToPath(new URL("../../", import.meta.url)),
-	env: { ...process.env, PANICLE_FUZZ: runs },
-	stdio: "inherit",
-});
+const [command, ...args] = await TESTS[name]();
+const env = { ...process.env, PANICLE_FUZZ: runs };
+const { status } = spawnSync(command, args, { cwd: repository, env, stdio: "inherit" });
 process.exit(status ?? 1);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "foundation/random.hpp"
@@ -17,11 +18,33 @@
 namespace panicle::bench {
 namespace {
 
-double derive(std::uint32_t steps) {
-  const auto program = lsystem::compile(
-      "axiom: A(1)\n"
-      "A(s) --> F(s)[+A(s/1.456)][-A(s/1.456)]\n",
-      {});
+// The rule that Table 2 of the speed page is about.
+constexpr std::string_view forks =
+    "axiom: A(1)\n"
+    "A(s) --> F(s)[+A(s/1.456)][-A(s/1.456)]\n";
+// The stochastic plant of The Algorithmic Beauty of Plants, figure 1.27.
+constexpr std::string_view by_chance =
+    "axiom: F\n"
+    "F --> F[+F]F[-F]F : 0.33\n"
+    "F --> F[+F]F : 0.33\n"
+    "F --> F[-F]F : 0.34\n";
+// Figure 1.31 b there, after Hogeweg and Hesper: every module but turns has both neighbours asked.
+constexpr std::string_view in_context =
+    "ignore: + - F\n"
+    "axiom: F I F I F I\n"
+    "O < O > O --> I\n"
+    "O < O > I --> I [- F I F I]\n"
+    "O < I > O --> I\n"
+    "O < I > I --> I\n"
+    "I < O > O --> O\n"
+    "I < O > I --> I F I\n"
+    "I < I > O --> I\n"
+    "I < I > I --> O\n"
+    "+ --> -\n"
+    "- --> +\n";
+
+double derive(std::string_view text, std::uint32_t steps) {
+  const auto program = lsystem::compile(text, {});
   if (!program) return -1;
   const auto bound = lsystem::bind(program.value(), {}, {});
   if (!bound) return -1;
@@ -103,7 +126,13 @@ double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds) {
   for (std::uint32_t round = 0; round < rounds && work >= 0; ++round) {
     switch (kernel) {
       case Kernel::derive:
-        work = derive(size);
+        work = derive(forks, size);
+        break;
+      case Kernel::derive_chance:
+        work = derive(by_chance, size);
+        break;
+      case Kernel::derive_context:
+        work = derive(in_context, size);
         break;
       case Kernel::plan:
         work = plan(size);

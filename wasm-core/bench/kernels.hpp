@@ -17,6 +17,9 @@ enum class Kernel : std::uint32_t {
   brute_space = 7,
   colonise_flat = 8,
   colonise_space = 9,
+  // Rules that choose by chance, and rules that see their neighbours; `size` steps; work: modules written.
+  derive_chance = 10,
+  derive_context = 11,
 };
 
 // Does the work `rounds` times over and returns how much one round was; negative if it failed.

@@ -8,12 +8,13 @@ import { fileURLToPath } from "node:url";
 import { outputs as grammars } from "./generate/grammars.mjs";
 import { outputs as measures } from "./generate/measures.mjs";
 import { outputs as parameters } from "./generate/parameters.mjs";
+import { outputs as texts } from "./generate/texts.mjs";
 import { outputs as turtle } from "./generate/turtle.mjs";
 import { outputs as words } from "./generate/words.mjs";
 import { repository } from "./repository.mjs";
 
 /** Makers of generated files; each gives `{ path, text }[]`, paths from the repository's root. */
-const makers = [parameters, measures, grammars, turtle, words];
+const makers = [parameters, measures, grammars, texts, turtle, words];
 
 /** Brings the generated files up to date and returns the paths of those that were not. */
 export function generate({ write }) {

@@ -297,7 +297,6 @@ TEST_CASE("what is wrong with a context is told with its place") {
   CHECK(says(told("axiom: A\nignore: ["), "syntax 2:9 Brackets are always seen"));
   CHECK(says(told("axiom: A\nignore:"), "Which symbols?"));
   CHECK(says(told("axiom: A\nA < ?E(x) --> B"), "?E is answered by the environment"));
-  CHECK(says(told("axiom: A < B\nA --> B"), "syntax 1:10 A left context stands before the predecessor"));
   CHECK(says(told("axiom: A\n#ignore A"), "is written ignore: + - F here"));
   std::string many = "axiom: A\nA > ";
   for (int i = 0; i < 65; ++i) many += "B ";

@@ -1,10 +1,6 @@
 // Texts put together from tokens at random, and good texts with tokens changed: each ends in a value or a diagnostic,
 // whatever it is. Meant for the sanitizers; the seeds are fixed, so a failure comes again.
-#include <algorithm>
-
-#include "foundation/random.hpp"
-#include "lsystem/derivation.hpp"
-#include "lsystem/grammars.hpp"
+#include "lsystem/fuzz.hpp"
 
 using namespace panicle;
 using namespace panicle::tests;
@@ -108,6 +104,42 @@ const std::vector<std::string> pool = {"A",
                                        "T(1)",
                                        "\nderivation length: 3\n",
                                        "ran(1)<0.5",
+                                       "\n#turtle cpfg\n",
+                                       "\n#turtle huang\n",
+                                       "\nhomomorphism\n",
+                                       "\ndecomposition\nmaximum depth: 3\n",
+                                       "\nderivation\n",
+                                       "\nLsystem: leaf\n",
+                                       "\nendlsystem\n",
+                                       "[?leaf(2) A(1)]",
+                                       "[?leaf B]",
+                                       "\n#curve f (0,0) (0.5,2) (1,1)\n",
+                                       "f(x)",
+                                       "\n#define a[] 1, 2, 3\n",
+                                       "a[x]",
+                                       "\nangle increment: 30\n",
+                                       "\nline width: 0.1\n",
+                                       "\ntropism: 0, -1, 0, 0.2\n",
+                                       "{y = x*2; z = y+1}",
+                                       " : {y = x} y>1 {z = y/2} --> ",
+                                       "?P(0,0,0)",
+                                       "?H(x)",
+                                       "\nA(x) > ?P(i,n,m) --> ",
+                                       "bound(x,1,2,1)",
+                                       "reach(x,0,0,0,1,0,1,2)",
+                                       "{ . F . + F . }",
+                                       "G(1)",
+                                       "g",
+                                       "~leaf(2)",
+                                       "~x",
+                                       "'",
+                                       ";(3)",
+                                       "@O(1)",
+                                       "@v",
+                                       "@M(0,1,2)",
+                                       "@D(2)",
+                                       "@Ts(0.3)",
+                                       "<(30)",
                                        "\n?E(x) : x>0 --> A(x) ?E(x) "};
 
 const std::vector<std::string> good = {
@@ -125,20 +157,12 @@ const std::vector<std::string> good = {
     "ignore: + -\naxiom: A(1) B [ + A(2) C ] B A(3) ?E(0)\nA(x) < B > [C] B --> A(x) [ - B ]\nB < A(y) > ?E(x) : x<y "
     "--> C %\nC > A --> B : 2\nA(i) < C --> A(i) C : ran(i)\n",
     "consider: A B\naxiom: A B C [ A B ] A\nA < B > A --> A F\nA > [ A B ] A --> B\n* < B > * --> B C\n",
+    "#turtle cpfg\nangle increment: 30\ntropism: 0,-1,0,0.1\n#curve c (0,0) (1,2)\n#define a[] 1, 2\naxiom: A(1) { . "
+    "A(2) . } ?P(0,0,0)\nA(x) > ?P(i,n,m) "
+    ": {y = x*2} y<8 && !bound(i,n,m,1) --> F(c(x)) [?leaf(0.5) B] A(y) ~leaf(a[1])\nA(x) --> + A(x+1) : "
+    "x\nhomomorphism\nA(x) --> { . G(x) . + f . } @O(x) ; "
+    "F\nLsystem: leaf\naxiom: B\nB --> [ & B ] ! F $\ndecomposition\nmaximum depth: 3\nB --> F B\nendlsystem\n",
     "axiom: A\nA --> A [ + A ] !(2) F(min(3,sqrt(2))) | ^ & \\ B\nB --> *\n"};
-
-// The n-th draw of one text.
-class Dice {
- public:
-  explicit Dice(std::uint64_t text) : text_(text) {}
-  std::size_t below(std::size_t count) {
-    return static_cast<std::size_t>(random_integer(7, text_, drawn_++, 0, static_cast<std::int32_t>(count) - 1));
-  }
-
- private:
-  std::uint64_t text_;
-  std::uint64_t drawn_ = 0;
-};
 
 std::string made_up(Dice& dice) {
   std::string text = dice.below(2) ? "axiom: A(1) B(2,3) " : "";
@@ -168,91 +192,11 @@ std::string damaged(Dice& dice) {
   return text;
 }
 
-class Contrary : public Listener {
- public:
-  void line(std::int32_t, const Turtle&, const Turtle&, const Lineage&) override { ++heard; }
-  void sphere(const Turtle&, float, const Lineage&) override { ++heard; }
-  void ask(const Turtle&, std::span<float> parameters, const Lineage&) override {
-    static const float replies[] = {0, 1, 0, -1, 0, 1 / 0.0f, 0, 0 / 0.0f, 3e38f};
-    for (float& parameter : parameters) parameter = replies[heard++ % std::size(replies)];
-  }
-  void cut(const Turtle&) override { ++heard; }
-  std::uint32_t heard = 0;
-};
-
-Limits small_limits() {
-  Limits limits;
-  limits.steps = 30;
-  limits.words = 20'000;
-  limits.evaluations = 20'000;
-  limits.depth = 50;
-  return limits;
-}
-
-// Steps and answers in turn. Whatever is answered, the string stays whole.
-Diagnostic asked_and_answered(const Bound& bound, Contrary& listener, const Limits& limits) {
-  lsystem::Derivation derivation(bound, 1, limits);
-  while (derivation.steps() < 12 && derivation.ask({}, listener)) {
-    derivation.step();
-    std::uint64_t modules = 0;
-    std::int64_t open = 0;
-    const lsystem::String& string = derivation.string();
-    for (const std::uint32_t* at = string.begin(); at < string.end(); at += lsystem::words_of(*at)) {
-      ++modules;
-      open += lsystem::symbol_of(*at) == lsystem::push_symbol;
-      open -= lsystem::symbol_of(*at) == lsystem::pop_symbol;
-      CHECK(open >= 0);
-    }
-    CHECK(open == 0);
-    CHECK(modules == lsystem::length(string));
-  }
-  Contrary unasked;
-  if (derivation.trouble().reason == Reason::none) lsystem::trace(bound, derivation.string(), {}, unasked, limits);
-  return derivation.trouble();
-}
-
-bool draws_conditions(const lsystem::Program& program) {
-  return std::any_of(program.productions.begin(), program.productions.end(),
-                     [](const lsystem::Production& production) { return production.by_chance; });
-}
-
-// 0: derived and drawn; 1, 2, 3: what failed. A diagnostic that concerns the text has a place in it.
-int tried(const std::string& text, std::uint32_t mood) {
-  const Inputs inputs{{{"m", 3}, {"x", 2}}, {{"n", {1, 2, 0}}}};
-  const Limits limits = small_limits();
-  const auto blamed = [&](const Diagnostic& diagnostic) {
-    std::uint32_t lines = 1;
-    for (const char c : text) lines += c == '\n';
-    CHECK(diagnostic.reason != Reason::none);
-    CHECK_FALSE(diagnostic.message.empty());
-    CHECK(diagnostic.line <= lines);
-    CHECK((diagnostic.line == 0) == (diagnostic.column == 0));
-    CHECK(diagnostic.column <= text.size() + 1);
-  };
-  const auto program = lsystem::compile(text, limits);
-  if (!program) return blamed(program.error()), 1;
-  const auto bound = lsystem::bind(program.value(), inputs, limits);
-  if (!bound) return blamed(bound.error()), 1;
-  const auto string = lsystem::develop(*bound.value(), 1, 30, limits);
-  if (!string) return blamed(string.error()), 2;
-  const auto unfolded = lsystem::unfold(*bound.value(), 1, limits);
-  if (!unfolded) blamed(unfolded.error());
-  if (unfolded && !draws_conditions(*program.value()))
-    CHECK(text_of(*bound.value(), unfolded.value()) == text_of(*bound.value(), string.value()));
-  Contrary listener;
-  listener.heard = mood;
-  const Diagnostic asked = asked_and_answered(*bound.value(), listener, limits);
-  if (asked.reason != Reason::none) blamed(asked);
-  const auto result = lsystem::interpret(*bound.value(), *string->string, {}, listener, 1, limits);
-  if (!result) return blamed(result.error()), 3;
-  return 0;
-}
-
 }  // namespace
 
 TEST_CASE("no text makes the engine fall over") {
   int outcomes[2][4] = {};
-  for (std::uint64_t i = 0; i < 6000; ++i) {
+  for (std::uint64_t i = 0; i < fuzz_runs(6000); ++i) {
     Dice dice(i);
     const bool whole = i % 2 == 0;
     const std::string text = whole ? made_up(dice) : damaged(dice);

@@ -100,7 +100,7 @@ TEST_CASE("what an answer writes has lineages, and draws random values of its ow
     CHECK(derivation.ask({}, silent));
     CHECK(derivation.step());
   }
-  const auto drawn = lsystem::trace(*bound, derivation.string(), {}, drawing, Limits{});
+  const auto drawn = lsystem::trace(*bound, derivation.string(), {}, drawing, 1, Limits{});
   REQUIRE(drawn);
   REQUIRE(drawn.value() == 6);
   for (std::size_t i = 0; i < 6; ++i) {

@@ -41,10 +41,11 @@ TEST_CASE("symbols that look like the turtle's and are not its are told once, at
         "2:12 f20 is one symbol of its own and draws nothing; write f(20).|"
         "2:21 S2 is one symbol of its own and draws nothing; write S(2).");
   CHECK(remarked("axiom: T(0.2) F T") ==
-        "1:8 T draws nothing; in cpfg it bends what follows (tropism), which the notation lacks.");
-  CHECK(remarked("axiom: G(1) g(2)") ==
-        "1:8 G draws nothing; in cpfg it moves ahead within a polygon: write F or f.|"
-        "1:13 g draws nothing; in cpfg it moves ahead within a polygon: write F or f.");
+        "1:8 T draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.");
+  CHECK(
+      remarked("axiom: G(1) g(2)") ==
+      "1:8 G draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
+      "1:13 g draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.");
 }
 
 TEST_CASE("a line that is meant as a comment is told") {
@@ -59,7 +60,8 @@ TEST_CASE("arguments that are left out and not what they are elsewhere") {
   CHECK(remarked("axiom: ! F !(2) !") ==
         "1:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
   CHECK(remarked("#define angle 25\naxiom: F / F - F + F") ==
-        "2:14 - without an argument turns by 90° and does not heed 'angle'; write -(angle).");
+        "2:10 / without an argument turns by 90° and does not heed 'angle'; write /(angle), or a line angle increment: "
+        "angle.");
   CHECK(remarked("#define angle 25\n#define wide angle*2\naxiom: F + F") == "");
   CHECK(remarked("#define delta 25\naxiom: A\nA : delta>3 --> + F") == "");
 }
@@ -99,8 +101,8 @@ TEST_CASE("remarks stand in the order of the text") {
   CHECK(all.find("2:7 T") < all.find("3:3 F3"));
   CHECK(all.find("3:3 F3") < all.find("4:1 S"));
   CHECK(remarked("A --> T !\naxiom: ! G(1)\nB --> F3 T") ==
-        "1:7 T draws nothing; in cpfg it bends what follows (tropism), which the notation lacks.|"
+        "1:7 T draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
         "2:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).|"
-        "2:10 G draws nothing; in cpfg it moves ahead within a polygon: write F or f.|"
+        "2:10 G draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
         "3:7 F3 is one symbol of its own and draws nothing; write F(3).");
 }

@@ -58,7 +58,7 @@ TEST_CASE("what is not part of the notation is refused where it stands") {
   CHECK(failure("A → B").message == "'→' is not part of the notation; write -->.");
   CHECK(failure("A → B").column == 3);
   CHECK(failure("δ\n ≤").line == 2);
-  CHECK(failure("a ; b").column == 3);
+  CHECK(failure("a ` b").column == 3);
   CHECK(failure("F(1e39)").column == 3);
   CHECK(failure("a \x01").column == 3);
   CHECK(failure("a /* b").column == 3);

@@ -14,6 +14,15 @@ const DETAILS: Readonly<Record<string, readonly { since: number; link: string }[
 		{ since: 2, link: "preset=riesling&thin=0.1.a" },
 	],
 	leaf: [],
+	grammar: [
+		{ since: 2, link: "steps=3" },
+		{ since: 2, link: "preset=plant-a&steps=4&define=none:1" },
+		{ since: 2, link: "define=angle:20,golden:90.5" },
+		{
+			since: 2,
+			link: "define=a:25&#g=U05JTcvMS1VIVDA24EpJLcosSyzJzM9TyEnNSy_JsFIw4UqsyMzPtVKI4IpQ0NW1U3BTiFbQ1kjUVIhQiFWIVtCFMd0U6nJSE9M0DPRMNbncoErduAA",
+		},
+	],
 	tree: [{ since: 1, link: "shape=spline&profile=0.2,0,1,0.4,0.5,0.8,0,1" }],
 	root: [{ since: 1, link: "shape=spline&profile=0.1,0,1,0.5,0.4,1" }],
 };

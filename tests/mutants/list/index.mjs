@@ -16,6 +16,7 @@ import docs from "./docs.mjs";
 import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
+import grammar from "./grammar.mjs";
 import grammarEditor from "./grammar_editor.mjs";
 import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
@@ -40,6 +41,7 @@ import wood from "./wood.mjs";
 export const groups = [
 	...rooms,
 	...lsystem,
+	...grammar,
 	...particles,
 	...wood,
 	...leaf,

@@ -42,7 +42,8 @@ describe("what cannot be used", () => {
 	});
 
 	it("is said in one line: grammars, with line and column", async () => {
-		const grammar = (text: string | Uint8Array) => complaint(["--grammar", "g.lsys"], { "g.lsys": text });
+		const grammar = (text: string | Uint8Array) =>
+			complaint(["long-conical", "--grammar", "g.lsys"], { "g.lsys": text });
 		expect(await complaint(["--grammar", "none.lsys"])).toBe("--grammar none.lsys: no such file or folder");
 		expect(await grammar("axiom: A\nA --> F(1\n")).toMatch(/^g\.lsys:[23]:\d+: \S/);
 		expect(await grammar("axiom: A\nA --> A\n")).toMatch(/^g\.lsys: The string is still rewritten/);

@@ -186,13 +186,6 @@ describe("what is asked for", () => {
 		expect(json.specimen.inputs).toEqual({ m: 3, n: [1, 2] });
 		expect(json.plan).toMatchObject({ m: 3, axes: [2, 1] });
 	});
-
-	it("takes a grammar from a file", async () => {
-		const grammar = "\ufeffaxiom: F(10)[+F(5)][-F(5)]\n";
-		const { json } = await grow(["--grammar", "mine.lsys", "--set", "procedure=paper"], { "mine.lsys": grammar });
-		expect(json.counts.internodes).toBe(3);
-		expect(json.specimen.grammar).toBe(grammar.slice(1));
-	});
 });
 
 describe("files", () => {

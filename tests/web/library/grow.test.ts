@@ -127,6 +127,7 @@ describe("files", () => {
 it("the catalogue lists what there is", async () => {
 	expect((await models()).map(({ name, preview }) => [name, preview])).toEqual([
 		["bunch", false],
+		["grammar", true],
 		["leaf", true],
 		["root", true],
 		["tree", true],
@@ -138,5 +139,7 @@ it("the catalogue lists what there is", async () => {
 	const procedure = (await parameters()).find(({ key }) => key === "procedure");
 	expect(procedure).toMatchObject({ kind: "choice", options: ["paper", "natural"], default: "natural" });
 	expect((await measures()).find(({ key }) => key === "bunch_length")).toMatchObject({ unit: "mm", kind: "number" });
-	await expect(presets("fern")).rejects.toThrow("model: there is no model “fern”; there are bunch, leaf, root, tree");
+	await expect(presets("fern")).rejects.toThrow(
+		"model: there is no model “fern”; there are bunch, grammar, leaf, root, tree",
+	);
 });

@@ -5,7 +5,7 @@ import { modelNamed, modelNames } from "../../../web/src/models/index";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 
-const models = await Promise.all(modelNames().map(modelNamed));
+const models = (await Promise.all(modelNames().map(modelNamed))).filter(({ handles }) => handles);
 /** Of each model the first presets and the last: a spline, other forms, leaves with and without lobes. */
 const cases = models.flatMap((model) =>
 	[...model.presets.list.slice(0, 2), ...model.presets.list.slice(-2)].map(({ name }) => ({

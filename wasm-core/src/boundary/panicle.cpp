@@ -40,7 +40,8 @@ Answered& answered() {
 
 // Errors: those of compiling; limit where too many are kept.
 Result<std::uint32_t> compile(std::string_view text) {
-  auto program = lsystem::compile(text, Limits{}, lsystem::Lineages::always);
+  const Model& model = *boundary::linked_models().front();
+  auto program = lsystem::compile(text, Limits{}, model.lineages, model.notation);
   if (!program) return program.error();
   const std::uint32_t handle = programs().keep(std::move(program.value()));
   if (handle == 0) return Diagnostic{Reason::limit, "Too many compiled grammars are kept; forget some.", 0, 0};
@@ -53,6 +54,7 @@ Result<Plant> grow(std::span<const std::uint8_t> bytes) {
   Request request(blocks.value(), &programs());
   const Model* const model = find_model(request.text("model"));
   if (model == nullptr) return Diagnostic{Reason::bad_request, "The request asks for a model that is not here.", 0, 0};
+  request.read_grammars_as(model->notation, model->lineages);
   return model->grow(request, Limits{});
 }
 

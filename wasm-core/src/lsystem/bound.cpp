@@ -12,6 +12,8 @@
 namespace panicle::lsystem {
 namespace {
 
+constexpr std::uint32_t most_depth = 256;
+
 bool is_finite(float value) { return value - value == 0; }
 
 template <class Given>
@@ -36,6 +38,10 @@ class Binder {
       if (!(array ? list(declaration) : scalar(declaration))) return trouble_;
     }
     if (program_.steps.given && !steps()) return trouble_;
+    for (std::size_t i = 0; i < settings_count; ++i)
+      if (program_.settings[i].given && !setting(program_.settings[i], bound_->settings[i])) return trouble_;
+    for (std::size_t i = 0; i < program_.depths.size(); ++i)
+      if (program_.depths[i].given && !depth(program_.depths[i], bound_->depths[i])) return trouble_;
     work_out();
     if (!fill_in()) return trouble_;
     return std::shared_ptr<const Bound>(std::move(bound_));
@@ -62,18 +68,45 @@ class Binder {
       return fail(Reason::bad_input, declaration.place, "The input '%' has no value; give it one with the request.",
                   {declaration.name});
     } else {
-      if (!execute(declaration.value.code.begin, declaration.value.code.end, trouble_)) return false;
-      value = bound_->registers[declaration.value.source];
-      if (!is_finite(value))
-        return fail(Reason::evaluation, declaration.value.place, "'%' comes to %; it must be a finite number.",
-                    {declaration.name, number_text(value)});
+      if (!work_out(declaration.name, declaration.values[0], value)) return false;
     }
     bound_->definitions.push_back({declaration.name, declaration.kind, {value}});
     return true;
   }
 
+  bool work_out(std::string_view name, const Value& of, float& value) {
+    if (!execute(of.code.begin, of.code.end, trouble_)) return false;
+    value = bound_->registers[of.source];
+    return is_finite(value) || fail(Reason::evaluation, of.place, "'%' comes to %; it must be a finite number.",
+                                    {name, number_text(value)});
+  }
+
+  bool setting(const Value& of, std::optional<float>& value) {
+    float worked_out = 0;
+    if (!work_out("This line", of, worked_out)) return false;
+    value = worked_out;
+    return true;
+  }
+
+  bool depth(const Value& of, std::uint32_t& depth) {
+    float value = 0;
+    if (!work_out("The depth", of, value)) return false;
+    if (!(value >= 1 && value <= most_depth && std::floor(value) == value))
+      return fail(Reason::evaluation, of.place, "The maximum depth comes to %; it must be a whole number from 1 to %.",
+                  {number_text(value), std::to_string(most_depth)});
+    depth = static_cast<std::uint32_t>(value);
+    return true;
+  }
+
   bool list(const Declaration& declaration) {
     const Inputs::Array* const given = named(inputs_.arrays, declaration.name);
+    if (given == nullptr && !declaration.values.empty()) {
+      std::vector<float>& values = bound_->lists[declaration.to];
+      for (const Value& of : declaration.values)
+        if (!work_out(declaration.name, of, values.emplace_back())) return false;
+      bound_->definitions.push_back({declaration.name, declaration.kind, values});
+      return true;
+    }
     if (given == nullptr)
       return fail(Reason::bad_input, declaration.place, "The input '%[]' has no values; give it some with the request.",
                   {declaration.name});

@@ -59,6 +59,15 @@ float draw_normal(float mean, float deviation, const Sources& sources, std::uint
   return mean + deviation * std::sqrt(-2 * logarithm(1 - radius)) * sincos_degrees(360 * angle).cosine;
 }
 
+// Without a space everything is outside.
+float ask(const Sources& sources, Op op) {
+  const std::array<float, most_handed_over>& of = sources.handed_over;
+  if (sources.space == nullptr) return 0;
+  const glm::vec3 place(of[0], of[1], of[2]);
+  if (op == Op::bound) return sources.space->bound(place, of[3]) ? 1.0f : 0.0f;
+  return sources.space->reach(place, {of[3], of[4], of[5]}, of[6], of[7]);
+}
+
 void read_element(const std::string& name, const std::vector<float>& array, float index, float& out,
                   std::string& wrong) {
   const std::size_t size = array.size();
@@ -83,6 +92,16 @@ bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sou
   switch (step.op) {
     case Op::element:
       read_element(code.arrays[step.c], sources.arrays[step.c], a, out, wrong);
+      break;
+    case Op::curve:
+      out = code.curves[step.c].at(a);
+      break;
+    case Op::hand_over:
+      sources.handed_over[step.c] = a;
+      break;
+    case Op::bound:
+    case Op::reach:
+      out = ask(sources, step.op);
       break;
     case Op::random_whole:
       draw_whole(a, b, sources, code.streams[step.c], out, wrong);

@@ -3,6 +3,7 @@
 // good; each other result has its own.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -11,6 +12,7 @@
 
 #include "foundation/result.hpp"
 #include "lsystem/operations.hpp"
+#include "lsystem/space.hpp"
 #include "lsystem/tokens.hpp"
 
 namespace panicle::lsystem {
@@ -31,12 +33,22 @@ struct Range {
   std::uint32_t size() const { return end - begin; }
 };
 
+// A function of one number through given points: monotone cubic between two of them (Fritsch and Carlson 1980), so that
+// it overshoots nowhere; constant beyond the ends.
+struct Curve {
+  explicit Curve(std::span<const float> points);
+  float at(float x) const;
+
+  std::vector<float> x, y, slope;
+};
+
 struct Code {
   std::vector<Instruction> instructions;
   std::vector<Place> places;        // of each instruction
   std::vector<float> registers;     // what they hold at first: the numbers of the text
   std::vector<std::string> arrays;  // names
   std::vector<std::uint64_t> streams;
+  std::vector<Curve> curves;
 };
 
 // What instructions read beside registers: the lists that the inputs gave, and for whom random values are drawn.
@@ -44,6 +56,8 @@ struct Sources {
   std::span<const std::vector<float>> arrays;
   std::uint64_t seed = 0;
   std::uint64_t address = 0;
+  const Space* space = nullptr;
+  mutable std::array<float, most_handed_over> handed_over{};
 };
 
 // One of the rarer instructions, from Op::remainder on. False when it went wrong; `fault` says how.

@@ -14,12 +14,17 @@ namespace panicle::lsystem {
 namespace {
 
 constexpr std::size_t most_symbols = 0xfff0;
+constexpr char unreachable[] = "\x1f";  // in a name that no text can have
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool draws(const Expression& expression) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(),
                      [](const Node& node) { return is_random(node.op); });
+}
+
+bool draws(const std::vector<AssignmentTree>& block) {
+  return std::any_of(block.begin(), block.end(), [](const AssignmentTree& one) { return draws(one.expression); });
 }
 
 bool draws(const std::vector<ModuleTree>& modules) {
@@ -38,7 +43,7 @@ bool needs_lineages(const Grammar& grammar) {
   if (draws(grammar.axiom) || asks(grammar.axiom)) return true;
   for (const ProductionTree& production : grammar.productions) {
     if (production.weight.given() || asks(production.successor) || draws(production.successor)) return true;
-    if (draws(production.condition)) return true;
+    if (draws(production.condition) || draws(production.before) || draws(production.after)) return true;
   }
   return false;
 }
@@ -47,6 +52,8 @@ class Compiler {
  public:
   Compiler(const Grammar& grammar, Lineages lineages)
       : grammar_(grammar), program_(std::make_shared<Program>()), lowering_(program_->code) {
+    program_->notation = grammar.notation;
+    for (const CurveTree& curve : grammar.curves) program_->code.curves.emplace_back(curve.points);
     program_->lineages = lineages == Lineages::always || needs_lineages(grammar);
   }
 
@@ -77,40 +84,95 @@ class Compiler {
     for (const DefinitionTree& definition : grammar_.definitions) {
       Declaration declaration{std::string(definition.name), definition.kind, definition.place, {}, 0};
       const bool array = definition.kind == Definition::Kind::array;
-      if (definition.kind == Definition::Kind::define && !value(definition.expression, declaration.value)) return false;
+      for (const Expression& expression : definition.values)
+        if (!value(expression, declaration.values.emplace_back())) return false;
       declaration.to = array ? lowering_.define_array(definition.name) : lowering_.define(definition.name);
       program_->declarations.push_back(std::move(declaration));
     }
-    return !grammar_.steps.given() || value(grammar_.steps, program_->steps);
+    return value_if_given(grammar_.steps, program_->steps) && values(grammar_.settings, program_->settings) &&
+           values(grammar_.depths, program_->depths);
+  }
+
+  template <class Expressions, class Values>
+  bool values(const Expressions& expressions, Values& values) {
+    for (std::size_t i = 0; i < expressions.size(); ++i)
+      if (!value_if_given(expressions[i], values[i])) return false;
+    return true;
+  }
+
+  bool value_if_given(const Expression& expression, Value& value) {
+    return !expression.given() || this->value(expression, value);
   }
 
   bool symbols() {
-    for (const TurtleSymbol& turtle : turtle_symbols) add_symbol(turtle.symbol);
-    for (const ModuleTree& module : grammar_.axiom) add_symbol(module.name);
+    for (std::uint32_t i = 0; i < turtle_symbols.size(); ++i) {
+      const TurtleSymbol& turtle = turtle_symbols[i];
+      const bool known = !turtle.cpfg_only || grammar_.notation == Notation::cpfg;
+      add_symbol(known ? std::string(turtle.symbol) : std::string(turtle.symbol) + unreachable, turtle.symbol);
+      if (known) program_->meanings.back() = static_cast<std::uint8_t>(i);
+    }
+    for (const ModuleTree& module : grammar_.axiom) add_symbol(module.name, module.system);
     for (const ProductionTree& production : grammar_.productions) {
-      const std::uint32_t predecessor = add_symbol(production.predecessor);
-      if (!is_rewritten(predecessor)) program_->predecessors.push_back(predecessor);
-      rewritten_[predecessor] |= std::uint64_t{1} << production.arity;
-      for (const NeighbourTree& neighbour : production.left) add_symbol(neighbour.name);
-      for (const NeighbourTree& neighbour : production.right) add_symbol(neighbour.name);
-      for (const ModuleTree& module : production.successor) add_symbol(module.name);
+      const std::uint32_t predecessor = add_symbol(production.predecessor, production.system);
+      const std::uint64_t arity = std::uint64_t{1} << production.arity;
+      if (production.purpose == Purpose::derivation) {
+        if (rewritten_[predecessor] == 0) program_->predecessors.push_back(predecessor);
+        rewritten_[predecessor] |= arity;
+      }
+      written_for_[predecessor] |= arity;
+      for (const NeighbourTree& neighbour : production.left) add_symbol(neighbour.name, production.system);
+      for (const NeighbourTree& neighbour : production.right) add_symbol(neighbour.name, production.system);
+      for (const ModuleTree& module : production.successor) add_symbol(module.name, module.system);
     }
     if (program_->symbols.size() > most_symbols)
       return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
     return true;
   }
 
-  std::uint32_t add_symbol(std::string_view name) {
-    const std::uint32_t number = numbers_.add(name);
+  // A symbol of an L-system of its own is another than one that is written the same elsewhere; what holds strings
+  // together is the same everywhere.
+  std::string full_name(std::string_view name, std::uint32_t system) const {
+    static constexpr std::string_view everywhere = "[]%{}";
+    if (system == 0 || name[0] == '?' || everywhere.find(name) != std::string_view::npos) return std::string(name);
+    return std::string(name) + unreachable + std::to_string(system);
+  }
+  std::uint32_t number_of(std::string_view name, std::uint32_t system) const {
+    return system == 0 ? numbers_.find(name) : numbers_.find(full_name(name, system));
+  }
+  std::uint32_t add_symbol(std::string_view name, std::uint32_t system) {
+    return system == 0 ? add_symbol(name, name) : add_symbol(full_name(name, system), name);
+  }
+
+  std::uint32_t add_symbol(std::string_view full, std::string_view name) {
+    const std::uint32_t number = numbers_.add(full);
     if (number == program_->symbols.size()) {
       program_->symbols.emplace_back(name);
+      program_->meanings.push_back(meaning_of(name));
       rewritten_.push_back(0);
+      written_for_.push_back(0);
       ordinals_.push_back(0);
     }
     return number;
   }
 
-  bool is_rewritten(std::uint32_t symbol) const { return rewritten_[symbol] != 0; }
+  // What the turtle does at a symbol that is not its own by number: `~leaf`, `?leaf` or F of another L-system.
+  std::uint8_t meaning_of(std::string_view name) const {
+    if (name[0] == '~') return meaning_of_sign("~");
+    if (name[0] == '?' && numbers_.size() > turtle_symbols.size()) return meaning_of_sign("@D");
+    for (std::uint8_t i = 0; i < turtle_symbols.size() && numbers_.size() > turtle_symbols.size(); ++i)
+      if (turtle_symbols[i].symbol == name && (!turtle_symbols[i].cpfg_only || grammar_.notation == Notation::cpfg))
+        return i;
+    return no_meaning;
+  }
+  static std::uint8_t meaning_of_sign(std::string_view sign) {
+    std::uint8_t i = 0;
+    while (turtle_symbols[i].symbol != sign) ++i;
+    return i;
+  }
+
+  // By a production of whatever purpose.
+  bool is_rewritten(std::uint32_t symbol) const { return written_for_[symbol] != 0; }
+  bool is_turtles(std::uint32_t symbol) const { return program_->meanings[symbol] != no_meaning; }
 
   bool roles() {
     Roles& roles = program_->roles;
@@ -131,7 +193,7 @@ class Compiler {
     if (number == Names::none)
       return fail(Reason::undefined, symbol.place,
                   "Neither the axiom nor a production has the symbol '%'; take it out of the role.", {symbol.name});
-    if (is_turtle_symbol(number))
+    if (is_turtles(number))
       return fail(Reason::syntax, symbol.place,
                   "'%' is the turtle's and has no role; give one to the symbol that writes it.", {symbol.name});
     std::uint32_t& given = roles.of_symbol[number];
@@ -153,24 +215,27 @@ class Compiler {
         return fail(Reason::undefined, symbol.place,
                     "Nothing in this text has the symbol '%'; take it out of the list, or put spaces between several.",
                     {symbol.name});
-      program_->passed_over[number] = !consider;
+      for (std::uint32_t same = 0; same < program_->symbols.size(); ++same)
+        if (program_->symbols[same] == symbol.name) program_->passed_over[same] = !consider;
     }
     return true;
   }
 
   bool axiom() {
     lowering_.begin_production({}, hash_text("axiom"));
-    return successor(grammar_.axiom, false, program_->axiom);
+    return successor(grammar_.axiom, false, {}, program_->axiom);
   }
 
-  // Productions stand by predecessor, each symbol's in the order of the text.
+  // Productions stand by purpose and predecessor, each symbol's in the order of the text.
   bool productions() {
     make_places();
     for (const ProductionTree& tree : grammar_.productions) {
-      const std::uint32_t predecessor = numbers_.find(tree.predecessor);
+      const std::uint32_t predecessor = number_of(tree.predecessor, tree.system);
       if (!may_rewrite(tree, predecessor)) return false;
-      Rules& rules = program_->rules[predecessor];
-      lowering_.begin_production(tree.formals, rules.productions.size());
+      Rules& rules = rules_of(tree.purpose)[predecessor];
+      std::uint64_t key = rules.productions.size();
+      if (tree.purpose != Purpose::derivation) key = hash_combine(static_cast<std::uint64_t>(tree.purpose), key);
+      lowering_.begin_production(tree.formals, key);
       if (!production(tree, program_->productions[rules.productions.end])) return false;
       ++rules.productions.end;
       rules.weighted |= tree.weight.given();
@@ -182,32 +247,72 @@ class Compiler {
     return true;
   }
 
+  std::vector<Rules>& rules_of(Purpose purpose) {
+    return purpose == Purpose::derivation ? program_->rules : program_->rules_for[static_cast<std::size_t>(purpose)];
+  }
+
   void make_places() {
-    std::vector<std::uint32_t> counts(program_->symbols.size(), 0);
-    for (const ProductionTree& tree : grammar_.productions) ++counts[numbers_.find(tree.predecessor)];
     std::uint32_t first = 0;
-    for (const std::uint32_t count : counts) {
-      program_->rules.push_back({{first, first}, false, false, false});
-      first += count;
+    for (std::size_t purpose = 0; purpose < purposes; ++purpose) {
+      std::vector<std::uint32_t> counts(program_->symbols.size(), 0);
+      const std::uint32_t begin = first;
+      for (const ProductionTree& tree : grammar_.productions)
+        if (static_cast<std::size_t>(tree.purpose) == purpose)
+          ++counts[number_of(tree.predecessor, tree.system)], ++first;
+      if (begin == first && purpose > 0) continue;
+      std::uint32_t place = begin;
+      for (const std::uint32_t count : counts) {
+        rules_of(static_cast<Purpose>(purpose)).push_back({{place, place}, false, false, false});
+        place += count;
+      }
     }
     program_->productions.resize(first);
   }
 
   bool production(const ProductionTree& tree, Production& production) {
-    production.predecessor = numbers_.find(tree.predecessor);
+    production.predecessor = number_of(tree.predecessor, tree.system);
     production.place = tree.place;
     production.arity = tree.arity;
     std::uint32_t to = tree.arity;
     if (!context(tree, tree.left, production.left, to) || !context(tree, tree.right, production.right, to))
       return false;
     production.in_context = production.left.size() + production.right.size() > 0;
-    if (tree.condition.given() && !value(tree.condition, production.condition)) return false;
-    if (!successor(tree.successor, tree.predecessor == "?E", production.successor)) return false;
+    if (production.in_context && tree.purpose != Purpose::derivation)
+      return fail(Reason::syntax, tree.place,
+                  "Productions of a decomposition or homomorphism see no neighbours; take the context out.");
+    if (!condition(tree, production.condition)) return false;
+    const bool answer = tree.predecessor == "?E" && tree.purpose == Purpose::derivation;
+    const std::size_t locals = lowering_.locals();
+    if (!successor(tree.successor, answer, tree.after, production.successor)) return false;
+    lowering_.forget_locals(locals);
     if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
-    production.by_chance = draws(tree.condition) || draws(tree.weight);
+    production.by_chance = draws(tree.before) || draws(tree.condition) || draws(tree.weight);
     const std::uint32_t neighbours = production.left.size() + production.right.size();
     production.cost = 1 + (production.condition.code.size() + production.weight.code.size()) / 32 + neighbours / 8;
     program_->longest_successor = std::max(program_->longest_successor, production.successor.words);
+    return true;
+  }
+
+  // The block before a condition is worked out with it, and makes it hold where there is none.
+  bool condition(const ProductionTree& tree, Value& condition) {
+    if (tree.before.empty()) return value_if_given(tree.condition, condition);
+    lowering_.begin_code();
+    const std::uint32_t begin = lowering_.here();
+    if (!assign(tree.before)) return false;
+    condition.source = lowering_.number_register(1);
+    if (tree.condition.given() && !take(lowering_.lower(tree.condition), condition.source)) return false;
+    condition.code = {begin, lowering_.here()};
+    condition.place = tree.condition.given() ? tree.condition.place : tree.place;
+    condition.given = true;
+    return true;
+  }
+
+  bool assign(const std::vector<AssignmentTree>& block) {
+    for (const AssignmentTree& assignment : block) {
+      std::uint32_t source = 0;
+      if (!take(lowering_.lower(assignment.expression), source)) return false;
+      lowering_.assign(assignment.name, source);
+    }
     return true;
   }
 
@@ -220,8 +325,8 @@ class Compiler {
       return fail(Reason::syntax, tree.place,
                   "?E is answered by the environment and has no context; let its neighbour look at it, A > ?E(x).");
     for (const NeighbourTree& neighbour : wanted) {
-      const std::uint32_t symbol = numbers_.find(neighbour.name);
-      if (is_turtle_symbol(symbol) && !takes(symbol, neighbour.arity, neighbour.place)) return false;
+      const std::uint32_t symbol = number_of(neighbour.name, tree.system);
+      if (is_turtles(symbol) && !takes(symbol, neighbour.arity, neighbour.place)) return false;
       if (!stands_for_itself(neighbour.name, symbol)) return read_as_one(neighbour.name, neighbour.place);
       if (symbol == push_symbol) open.push_back(range.end);
       if (symbol == pop_symbol) {
@@ -239,20 +344,30 @@ class Compiler {
   }
 
   bool may_rewrite(const ProductionTree& tree, std::uint32_t predecessor) {
-    if (!is_turtle_symbol(predecessor)) return true;
-    const Action action = turtle_symbols[predecessor].action;
-    if (action == Action::push || action == Action::pop || action == Action::cut)
+    if (!is_turtles(predecessor)) return true;
+    const Action action = turtle_symbols[program_->meanings[predecessor]].action;
+    const bool holds = action == Action::push || action == Action::pop || action == Action::cut;
+    if (holds || (tree.predecessor[0] == '?' && tree.purpose != Purpose::derivation))
       return fail(Reason::syntax, tree.place, "'%' cannot be rewritten; use a symbol of your own.", {tree.predecessor});
     return takes(predecessor, tree.arity, tree.place);
   }
 
   bool takes(std::uint32_t symbol, std::size_t count, const Place& place) {
-    const TurtleSymbol& turtle = turtle_symbols[symbol];
-    if (count <= turtle.most_arguments) return true;
-    const char* most = turtle.most_arguments == 0 ? " takes no argument" : " takes at most one argument";
+    const TurtleSymbol& turtle = *program_->turtle(symbol);
+    if (count <= turtle.most_arguments || passes_over(turtle.action)) return true;
+    const std::string most = turtle.most_arguments == 0 ? " takes no argument"
+                             : turtle.most_arguments == 1
+                                 ? " takes at most one argument"
+                                 : " takes at most " + std::to_string(turtle.most_arguments) + " arguments";
     const char* otherwise = is_letter(turtle.symbol[0]) ? ", or name a symbol of your own otherwise." : ".";
     return fail(Reason::syntax, place, "'%' (%)%, but here it has %; leave out the rest%",
-                {turtle.symbol, turtle.name, most, std::to_string(count), otherwise});
+                {program_->symbols[symbol], turtle.name, most, std::to_string(count), otherwise});
+  }
+
+  // cpfg's lines may have arguments of their own behind the length.
+  bool passes_over(Action action) const {
+    return grammar_.notation == Notation::cpfg && (action == Action::line || action == Action::move ||
+                                                   action == Action::line_apart || action == Action::move_apart);
   }
 
   bool value(const Expression& expression, Value& value) {
@@ -265,7 +380,8 @@ class Compiler {
     return true;
   }
 
-  bool successor(const std::vector<ModuleTree>& modules, bool answer, Template& result) {
+  bool successor(const std::vector<ModuleTree>& modules, bool answer, const std::vector<AssignmentTree>& block,
+                 Template& result) {
     Program& program = *program_;
     lowering_.begin_code();
     first_ = result.first = static_cast<std::uint32_t>(program.words.size());
@@ -273,9 +389,10 @@ class Compiler {
     result.patches.begin = static_cast<std::uint32_t>(program.patches.size());
     result.births.begin = static_cast<std::uint32_t>(program.births.size());
     result.active.begin = static_cast<std::uint32_t>(program.active.size());
+    if (!assign(block)) return false;
     for (const ModuleTree& tree : modules)
       if (!module(tree, answer)) return false;
-    for (const ModuleTree& tree : modules) ordinals_[numbers_.find(tree.name)] = 0;
+    for (const ModuleTree& tree : modules) ordinals_[number_of(tree.name, tree.system)] = 0;
     result.modules = static_cast<std::uint32_t>(modules.size());
     result.words = static_cast<std::uint32_t>(program.words.size()) - first_;
     result.code.end = lowering_.here();
@@ -288,9 +405,10 @@ class Compiler {
 
   bool module(const ModuleTree& tree, bool answer) {
     Program& program = *program_;
-    const std::uint32_t symbol = numbers_.find(tree.name);
+    const std::uint32_t symbol = number_of(tree.name, tree.system);
     const std::size_t count = tree.arguments.size();
-    if (is_turtle_symbol(symbol) && !takes(symbol, count, tree.place)) return false;
+    if (is_turtles(symbol) && !takes(symbol, count, tree.place)) return false;
+    program.locates |= program.asks_turtle(symbol);
     if (answer && !drawable(tree, symbol)) return false;
     if (!stands_for_itself(tree.name, symbol)) return read_as_one(tree.name, tree.place);
 
@@ -313,7 +431,7 @@ class Compiler {
 
   // An answer is drawn in place unless it is rewritten in the next of a given number of steps.
   bool drawable(const ModuleTree& tree, std::uint32_t symbol) {
-    if (is_turtle_symbol(symbol) && symbol != ask_symbol) return true;
+    if (is_turtles(symbol) && symbol != ask_symbol) return true;
     Diagnostic& trouble = program_->not_drawable;
     if (trouble.reason == Reason::none)
       trouble = error_at(Reason::syntax, tree.place,
@@ -327,18 +445,29 @@ class Compiler {
   // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.
   bool remembers(std::uint32_t symbol) const {
     if (is_rewritten(symbol)) return true;
-    if (!is_turtle_symbol(symbol)) return false;
-    const Action action = turtle_symbols[symbol].action;
-    return action == Action::line || action == Action::sphere || action == Action::ask;
+    if (!is_turtles(symbol)) return false;
+    switch (program_->turtle(symbol)->action) {
+      case Action::line:
+      case Action::line_apart:
+      case Action::sphere:
+      case Action::ball:
+      case Action::disc:
+      case Action::end_polygon:
+      case Action::surface:
+      case Action::ask:
+        return true;
+      default:
+        return false;
+    }
   }
 
   // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
   // nothing.
   bool stands_for_itself(std::string_view name, std::uint32_t symbol) const {
-    if (is_turtle_symbol(symbol) || is_rewritten(symbol)) return true;
+    if (is_turtles(symbol) || is_rewritten(symbol)) return true;
     for (std::size_t i = 0; i < name.size(); ++i) {
       const std::uint32_t letter = numbers_.find(name.substr(i, 1));
-      if (letter == Names::none || !(is_turtle_symbol(letter) || is_rewritten(letter))) return true;
+      if (letter == Names::none || !(is_turtles(letter) || is_rewritten(letter))) return true;
     }
     return false;
   }
@@ -353,7 +482,7 @@ class Compiler {
     std::uint32_t source = 0;
     if (!take(lowering_.lower(expression), source)) return false;
     Demand demand = Demand::none;
-    if (is_turtle_symbol(symbol)) demand = turtle_symbols[symbol].non_negative ? Demand::not_negative : Demand::finite;
+    if (is_turtles(symbol)) demand = program.turtle(symbol)->non_negative ? Demand::not_negative : Demand::finite;
     Patch patch{static_cast<std::uint32_t>(program.words.size()) - first_, source, demand, symbol, expression.place};
     std::uint32_t word = 0;
     switch (lowering_.known(source)) {
@@ -381,20 +510,22 @@ class Compiler {
   const Grammar& grammar_;
   std::shared_ptr<Program> program_;
   Lowering lowering_;
-  Names numbers_;                         // of symbols
-  std::vector<std::uint64_t> rewritten_;  // by symbol: a bit for each arity (at most 32) of its productions
-  std::vector<std::uint32_t> ordinals_;   // by symbol: how many stand before in the successor
-  std::uint32_t first_ = 0;               // word of the template
+  Names numbers_;  // of symbols
+  // By symbol: a bit for each arity (at most 32) of its productions, those of derivation and all.
+  std::vector<std::uint64_t> rewritten_, written_for_;
+  std::vector<std::uint32_t> ordinals_;  // by symbol: how many stand before in the successor
+  std::uint32_t first_ = 0;              // word of the template
   Diagnostic trouble_;
 };
 
 }  // namespace
 
-Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits, Lineages lineages) {
+Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits, Lineages lineages,
+                                               Notation notation) {
   if (text.size() > limits.text_bytes)
     return error_at(Reason::limit, {}, "The grammar is % bytes long; the limit is %.",
                     {std::to_string(text.size()), std::to_string(limits.text_bytes)});
-  const Result<Grammar> grammar = parse(text);
+  const Result<Grammar> grammar = parse(text, notation);
   if (!grammar) return grammar.error();
   return Compiler(grammar.value(), lineages).run();
 }

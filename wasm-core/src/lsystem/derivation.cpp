@@ -15,15 +15,19 @@
 
 namespace panicle::lsystem {
 
-Derivation::Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance)
+Derivation::Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance,
+                       const Surroundings& around)
     : bound_(bound),
       program_(*bound.program),
       limits_(limits),
       chance_(chance),
-      machine_(bound, seed, limits_),
+      seed_(seed),
+      around_(around),
+      machine_(bound, seed, limits_, around.space),
       neighbourhood_(program_) {
   machine_.look_around(neighbourhood_);
-  if (!begin()) now_ = {};
+  if (program_.has(Purpose::decomposition)) parts_ = program_.rules_of(Purpose::decomposition).data();
+  if (!begin() || !locate()) now_ = {};
   at_rest_ = now_.active_count == 0;
 }
 
@@ -44,6 +48,7 @@ inline bool Derivation::copy_up_to(std::uint64_t at) {
 }
 
 inline bool Derivation::append(const Template& successor, const Origin& origin, std::uint32_t symbol) {
+  if (parts_ != nullptr) return append_parts(successor, origin, symbol, 0);
   String& string = next_.string;
   if (!machine_.write(successor, string.words.data() + string.used, origin, symbol)) return false;
   std::uint32_t* const list = next_.active.data() + next_.active_count;
@@ -54,6 +59,50 @@ inline bool Derivation::append(const Template& successor, const Origin& origin, 
   string.used += successor.words;
   string.modules += successor.modules;
   return true;
+}
+
+// A successor whose modules are decomposed, each part of one again so, as deep as the text says.
+bool Derivation::append_parts(const Template& successor, const Origin& origin, std::uint32_t symbol,
+                              std::uint32_t depth) {
+  if (part_words_.size() <= depth) part_words_.resize(depth + 1);
+  if (!machine_.make_room(part_words_[depth], successor.words) ||
+      !machine_.write(successor, part_words_[depth].data(), origin, symbol))
+    return false;
+  const std::uint32_t* at = part_words_[depth].data();
+  const std::uint32_t* const end = at + successor.words;
+  for (; at < end; at += words_of(*at)) {
+    const Production* const production = depth < bound_.depths[0] ? machine_.choose(at, parts_) : nullptr;
+    if (machine_.failed()) return false;
+    const bool fine =
+        production == nullptr
+            ? append_module(at)
+            : machine_.spend(1) && append_parts(production->successor, has_lineage(*at) ? origin_of(at) : Origin{},
+                                                symbol_of(*at), depth + 1);
+    if (!fine) return false;
+  }
+  return true;
+}
+
+bool Derivation::append_module(const std::uint32_t* module) {
+  String& string = next_.string;
+  const std::uint32_t words = words_of(*module), symbol = symbol_of(*module);
+  if (!machine_.make_room(string.words, string.used + words)) return false;
+  if (symbol == cut_symbol || program_.rules[symbol].productions.size() > 0) {
+    if (!machine_.make_room(next_.active, next_.active_count + 1)) return false;
+    next_.active.data()[next_.active_count++] = static_cast<std::uint32_t>(string.used);
+  }
+  copy_words(string.words.data() + string.used, module, words);
+  string.used += words;
+  ++string.modules;
+  return true;
+}
+
+// What ?P and the like are told, so that the next step can see it.
+bool Derivation::locate() {
+  if (!program_.locates || machine_.failed()) return !machine_.failed();
+  const Diagnostic trouble = lsystem::locate(bound_, now_.string, around_.start, seed_, limits_, around_.space);
+  if (trouble.reason != Reason::none) return machine_.fail(trouble);
+  return machine_.spend(now_.string.used / 32);
 }
 
 bool Derivation::begin() {
@@ -75,12 +124,21 @@ bool Derivation::step() {
   at_rest_ = now_.active_count == 0 || !(rewrote_ || waiting_);
   answered_ = false;
   ++steps_;
+  if (rewrote_ && !locate()) {
+    at_rest_ = true;
+    return false;
+  }
   return rewrote_;
 }
 
 bool Derivation::ask(const Turtle& start, Listener& listener) {
   if (machine_.failed()) return false;
-  const Diagnostic trouble = answer(bound_, now_.string, start, listener, limits_);
+  if (listener.hears_first()) {
+    const auto heard = trace(bound_, now_.string, start, listener, seed_, limits_, around_.space);
+    if (!heard) return machine_.fail(heard.error());
+    listener.answers_begin();
+  }
+  const Diagnostic trouble = answer(bound_, now_.string, start, listener, seed_, limits_, around_.space);
   if (trouble.reason != Reason::none) return machine_.fail(trouble);
   answered_ = true;
   at_rest_ = false;
@@ -133,7 +191,7 @@ bool Derivation::keep_active(std::uint64_t at) {
 
 bool Derivation::stays_active(std::uint32_t header) const {
   return symbol_of(header) == ask_symbol || program_.rules[symbol_of(header)].in_context ||
-         machine_.tries_again(header);
+         program_.asks_turtle(symbol_of(header)) || machine_.tries_again(header);
 }
 
 // A step that rewrites nothing has its way through the string counted, too: chance may let many of them follow.
@@ -171,36 +229,77 @@ void Derivation::make_ready() {
 namespace {
 
 // Takes steps until there are so many or it is at rest.
-Result<Derived> derive(Derivation& derivation, std::uint32_t steps) {
-  Derived derived;
-  while (derivation.steps() < steps && !derivation.at_rest()) {
-    if (!derivation.step()) continue;
-    derived.steps = derivation.steps();
-    derived.modules_written += length(derivation.string());
+void derive(Derivation& derivation, std::uint32_t steps, const Surroundings& around, Derived& derived) {
+  while (derivation.steps() < steps && (!derivation.at_rest() || around.answers != nullptr)) {
+    if (around.answers != nullptr && !derivation.ask(around.start, *around.answers)) break;
+    if (derivation.step()) {
+      derived.steps = derivation.steps();
+      derived.modules_written += length(derivation.string());
+    } else if (derivation.at_rest() && around.answers != nullptr) {
+      break;
+    }
   }
-  if (derivation.trouble().reason != Reason::none) return derivation.trouble();
+  derived.stopped = derivation.trouble();
+}
+
+Derived with_string(Derived derived, Derivation&& derivation) {
   derived.string = std::make_shared<const String>(std::move(derivation).take_string());
   return derived;
 }
 
-}  // namespace
-
-Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits) {
-  Derivation derivation(bound, seed, limits, Derivation::Chance::once);
-  Result<Derived> derived = derive(derivation, limits.steps);
-  if (!derived || derivation.at_rest()) return derived;
-  return Machine::too_many_steps(limits);
+Result<Derived> derive(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps, const Limits& limits,
+                       const Surroundings& around) {
+  const bool to_rest = !steps;
+  Derivation derivation(bound, seed, limits, to_rest ? Derivation::Chance::once : Derivation::Chance::each_step,
+                        around);
+  Derived derived;
+  derive(derivation, steps.value_or(limits.steps), around, derived);
+  if (derived.stopped.reason == Reason::none && to_rest && !derivation.at_rest())
+    derived.stopped = Machine::too_many_steps(limits);
+  return with_string(std::move(derived), std::move(derivation));
 }
 
-Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                        const Limits& limits) {
-  if (!steps) steps = derivation_length(bound);
-  if (!steps) return unfold(bound, seed, limits);
-  if (*steps > limits.steps)
-    return error_at(Reason::limit, {}, "The grammar is asked for % steps; the limit is %.",
-                    {std::to_string(*steps), std::to_string(limits.steps)});
-  Derivation derivation(bound, seed, limits);
-  return derive(derivation, *steps);
+Result<Derived> whole(Result<Derived> derived) {
+  if (derived && derived->stopped.reason != Reason::none) return derived->stopped;
+  return derived;
+}
+
+std::optional<std::uint32_t> steps_of(const Bound& bound, std::optional<std::uint32_t> asked) {
+  return asked ? asked : derivation_length(bound);
+}
+
+Diagnostic too_many_asked(std::uint32_t steps, const Limits& limits) {
+  return error_at(Reason::limit, {}, "The grammar is asked for % steps; the limit is %.",
+                  {std::to_string(steps), std::to_string(limits.steps)});
+}
+
+}  // namespace
+
+Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits,
+                                const Surroundings& around) {
+  return whole(derive(bound, seed, {}, limits, around));
+}
+
+Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
+                        const Limits& limits, const Surroundings& around) {
+  const std::optional<std::uint32_t> steps = steps_of(bound, asked);
+  if (!steps) return unfold(bound, seed, limits, around);
+  if (*steps > limits.steps) return too_many_asked(*steps, limits);
+  return whole(derive(bound, seed, steps, limits, around));
+}
+
+Result<Derived> develop_so_far(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> asked,
+                               const Limits& limits, const Surroundings& around) {
+  const std::optional<std::uint32_t> steps = steps_of(bound, asked);
+  if (steps && *steps > limits.steps) return too_many_asked(*steps, limits);
+  if (!steps) {
+    Result<Derived> unfolded = unfold(bound, seed, limits, around);
+    if (unfolded || unfolded.error().reason != Reason::limit) return unfolded;
+  }
+  Result<Derived> derived = derive(bound, seed, steps, limits, around);
+  if (derived && derived->stopped.reason != Reason::none && derived->stopped.reason != Reason::limit)
+    return derived->stopped;
+  return derived;
 }
 
 std::uint64_t length(const String& string) { return string.modules; }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "lsystem/lsystem.hpp"
 #include "lsystem/machine.hpp"
@@ -23,8 +24,9 @@ class Derivation {
   // When what decides whether a module is rewritten is drawn.
   enum class Chance : std::uint8_t { each_step, once };
 
-  // Begins with the axiom. `bound` must outlive the derivation.
-  Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step);
+  // Begins with the axiom. `bound` and what surrounds the plant must outlive the derivation.
+  Derivation(const Bound& bound, std::uint64_t seed, const Limits& limits, Chance chance = Chance::each_step,
+             const Surroundings& around = {});
 
   // Rewrites all modules once, those of ?E only where they have been answered since the last step. Whether anything was
   // rewritten; false also when something went wrong. A step in which nothing was rewritten is a step all the same: a
@@ -64,13 +66,20 @@ class Derivation {
   void make_ready();
   bool make_room(std::uint64_t run, const Template& successor);
   bool append(const Template& successor, const Origin& origin, std::uint32_t symbol);
+  bool append_parts(const Template& successor, const Origin& origin, std::uint32_t symbol, std::uint32_t depth);
+  bool append_module(const std::uint32_t* module);
+  bool locate();
 
   const Bound& bound_;
   const Program& program_;
   Limits limits_;
   Chance chance_;
+  std::uint64_t seed_;
+  Surroundings around_;
   Machine machine_;
   Neighbourhood neighbourhood_;
+  const Rules* parts_ = nullptr;   // what decomposes modules, by symbol
+  std::vector<Words> part_words_;  // by depth
   Draft now_;
   Draft next_;
   std::uint64_t walked_ = 0;  // words on the way to modules in context, not yet spent
@@ -84,6 +93,7 @@ class Derivation {
 
 // The string that steps lead to until nothing is rewritten any more, for productions that see each other's work: what
 // `unfold` gives for those. A random condition draws the same in every step. Errors as there.
-Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits);
+Result<Derived> develop_to_rest(const Bound& bound, std::uint64_t seed, const Limits& limits,
+                                const Surroundings& around = {});
 
 }  // namespace panicle::lsystem

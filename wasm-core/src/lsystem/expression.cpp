@@ -60,7 +60,8 @@ const Function* function_named(std::string_view name) {
 
 class Parser {
  public:
-  Parser(std::span<const Token> tokens, std::size_t at, std::size_t end) : tokens_(tokens), at_(at), end_(end) {}
+  Parser(std::span<const Token> tokens, std::size_t at, std::size_t end, const Names& curves)
+      : tokens_(tokens), at_(at), end_(end), curves_(curves) {}
 
   std::size_t at() const { return at_; }
 
@@ -93,7 +94,10 @@ class Parser {
     return false;
   }
 
-  bool ends_here() const { return groups_ == 0 && (token().is(')') || token().is(',')); }
+  bool ends_here() const {
+    static constexpr std::string_view ends = "),;{}";
+    return groups_ == 0 && token().kind == TokenKind::sign && ends.find(token().text[0]) != std::string_view::npos;
+  }
 
   bool next_is(char sign) const { return at_ + 1 < end_ && tokens_[at_ + 1].is(sign); }
 
@@ -123,7 +127,9 @@ class Parser {
     } else if (first.is('-') || first.is('+') || first.is('!')) {
       return prefix();
     } else {
-      return fail(Reason::syntax, first.place, "A value is expected here, not '%'.", {first.text});
+      const bool turned = (first.is('>') || first.is('<')) && at_ > 0 && tokens_[at_ - 1].is('=');
+      return fail(Reason::syntax, first.place,
+                  turned ? "At least is written >=, at most <=." : "A value is expected here, not '%'.", {first.text});
     }
     ++at_;
     wants_operand_ = false;
@@ -141,15 +147,20 @@ class Parser {
   bool begin_call() {
     const Token& name = token();
     const Function* function = function_named(name.text);
-    if (function == nullptr) {
+    const std::uint32_t curve = curves_.find(name.text);
+    if (function == nullptr && curve == Names::none) {
+      if (!foreign_function(name.text).empty())
+        return fail(Reason::undefined, name.place, "%", {foreign_function(name.text)});
       std::string known;
       for (const Function& f : functions) known.append(known.empty() ? "" : ", ").append(f.name);
-      return fail(Reason::undefined, name.place, "There is no function '%'; there are %.", {name.text, known});
+      return fail(Reason::undefined, name.place,
+                  "There is no function '%'; there are %, and what #curve lines above define.", {name.text, known});
     }
     at_ += 2;
-    return push({Waiting::Kind::call,
-                 0,
-                 {Node::Kind::operation, function->op, function->arguments, 0, function->name, name.place}});
+    Node node{Node::Kind::operation, Op::curve, 1, 0, name.text, name.place, curve};
+    if (function != nullptr)
+      node = {Node::Kind::operation, function->op, function->arguments, 0, function->name, name.place};
+    return push({Waiting::Kind::call, 0, node});
   }
 
   bool next_operator() {
@@ -241,6 +252,7 @@ class Parser {
   std::span<const Token> tokens_;
   std::size_t at_;
   std::size_t end_;
+  const Names& curves_;
   bool wants_operand_ = true;
   bool done_ = false;
   std::size_t groups_ = 0;
@@ -260,8 +272,9 @@ Place place_of(std::span<const Token> tokens, std::size_t at, std::size_t end) {
   return {last.place.line, last.place.column + width};
 }
 
-Result<Expression> parse_expression(std::span<const Token> tokens, std::size_t& at, std::size_t end) {
-  Parser parser(tokens, at, end);
+Result<Expression> parse_expression(std::span<const Token> tokens, std::size_t& at, std::size_t end,
+                                    const Names& curves) {
+  Parser parser(tokens, at, end, curves);
   Result<Expression> expression = parser.run();
   at = parser.at();
   return expression;

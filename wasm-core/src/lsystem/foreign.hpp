@@ -10,7 +10,7 @@ std::string_view foreign_statement(std::string_view first_word);  // of a line
 std::string_view foreign_directive(std::string_view word);        // behind a #
 std::string_view foreign_sign(std::string_view character);        // anywhere
 std::string_view foreign_module(std::string_view token);          // in a string of modules
-std::string_view foreign_query(std::string_view name);            // behind a ?
+std::string_view foreign_function(std::string_view name);         // of an expression
 std::string_view foreign_operator(std::string_view token);        // between the values of an expression
 
 }  // namespace panicle::lsystem

@@ -1,5 +1,7 @@
 #include "lsystem/interpretation.hpp"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "lsystem/branch.hpp"
@@ -9,63 +11,206 @@
 namespace panicle::lsystem {
 namespace {
 
+constexpr float most_colours = 255;
+
 bool is_finite(const glm::vec3& p) { return p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0; }
 
-// What becomes of ?E.
-enum class Questions : std::uint8_t { drawn, written, unasked };
+// What becomes of ?E, ?P and the like.
+enum class Questions : std::uint8_t {
+  drawn,    // ?E is answered, and what answers is drawn in place
+  written,  // ?E is answered, and the answer written into the string
+  located,  // the turtle's place and axes are written into the string, and nobody hears of what is drawn
+  unasked,
+};
 
 class Interpreter {
  public:
-  Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits)
-      : machine_(bound, seed, limits), program_(*bound.program), limits_(limits), listener_(listener), turtle_(start) {}
+  Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits,
+              const Space* space)
+      : machine_(bound, seed, limits, space),
+        bound_(bound),
+        program_(*bound.program),
+        limits_(limits),
+        listener_(listener),
+        turtle_(start),
+        turns_(program_.notation == Notation::cpfg ? -1.0f : 1.0f) {
+    if (program_.has(Purpose::homomorphism)) images_ = program_.rules_of(Purpose::homomorphism).data();
+    if (const auto& width = bound.settings[static_cast<std::size_t>(Said::line_width)]) turtle_.width = *width;
+    const auto said = [&](Said which) { return bound.settings[static_cast<std::size_t>(which)]; };
+    if (said(Said::tropism_x))
+      turtle_.tropism = {*said(Said::tropism_x), *said(Said::tropism_y), *said(Said::tropism_z)};
+    turtle_.elasticity = said(Said::elasticity).value_or(turtle_.elasticity);
+  }
 
   // `answered` is the string itself where answers are written into it.
   Result<std::uint32_t> run(const String& string, Questions questions, String* answered = nullptr) {
     questions_ = questions;
     answered_ = answered;
     if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
+    if (questions == Questions::located) find_silent_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
-    while (at < end) {
+    for (; at < end; ++module_) {
+      if (questions == Questions::located) at = behind_silent_branches(string, at);
       const std::uint32_t* const module = at;
+      if (at == end) break;
+      const std::uint32_t symbol = symbol_of(*module);
       at += words_of(*module);
-      if (symbol_of(*module) == ask_symbol) {
-        if (ask(module)) at = rest_of_branch(at, end).end;
-      } else if (is_turtle_symbol(symbol_of(*module))) {
-        if (act(module, module)) at = rest_of_branch(at, end).end;
-      }
+      const bool cut = images_ != nullptr                        ? draw(module, module, 0)
+                       : program_.meanings[symbol] == no_meaning ? false
+                                                                 : act(module, module);
       if (machine_.failed()) return machine_.trouble();
+      if (!cut) continue;
+      const RestOfBranch rest = rest_of_branch(at, end);
+      at = rest.end;
+      module_ += static_cast<std::uint32_t>(rest.modules);
     }
+    if (!polygons_.empty()) note("A { was never closed by a }; its polygon is not drawn.", 1);
     return static_cast<std::uint32_t>(lines_);
   }
 
  private:
+  struct Polygon {
+    Turtle start;
+    std::vector<glm::vec3> corners;
+  };
+
+  // A branch in which nothing asks where the turtle is: words from its [ to behind its ].
+  struct Branch {
+    std::uint64_t begin, end;
+  };
+
+  // A growing plant asks at its tips. One walk over the headers finds the branches that need not be walked by the
+  // turtle, each in the order of its [; of one that asks the end is its beginning.
+  void find_silent_branches(const String& string) {
+    std::vector<std::size_t> open;
+    std::uint64_t offset = 0;
+    for (const std::uint32_t* at = string.begin(); at < string.end(); at += words_of(*at)) {
+      const std::uint32_t symbol = symbol_of(*at);
+      offset = static_cast<std::uint64_t>(at - string.begin());
+      if (symbol == push_symbol) {
+        open.push_back(branches_.size());
+        branches_.push_back({offset, offset + 1});
+      } else if (symbol == pop_symbol && !open.empty()) {
+        Branch& closed = branches_[open.back()];
+        if (closed.end != closed.begin) closed.end = offset + words_of(*at);
+        open.pop_back();
+      } else if (program_.asks_turtle(symbol)) {
+        for (std::size_t i = open.size(); i-- > 0 && branches_[open[i]].end != branches_[open[i]].begin;)
+          branches_[open[i]].end = branches_[open[i]].begin;
+      }
+    }
+  }
+
+  const std::uint32_t* behind_silent_branches(const String& string, const std::uint32_t* at) {
+    std::uint64_t offset = static_cast<std::uint64_t>(at - string.begin());
+    for (; next_branch_ < branches_.size() && branches_[next_branch_].begin <= offset; ++next_branch_)
+      if (branches_[next_branch_].begin == offset) offset = branches_[next_branch_].end;
+    return string.begin() + offset;
+  }
+
+  // What a homomorphism makes of a module is drawn in its place, each part of it again so, as deep as the text says.
+  // True: the rest of the branch is cut.
+  bool draw(const std::uint32_t* module, const std::uint32_t* bearer, std::uint32_t depth) {
+    if (depth < bound_.depths[1]) {
+      const Production* const production = machine_.choose(module, images_);
+      if (machine_.failed()) return false;
+      if (production != nullptr) return draw_image(production->successor, module, bearer, depth);
+    }
+    return program_.meanings[symbol_of(*module)] != no_meaning && act(module, bearer);
+  }
+
+  bool draw_image(const Template& successor, const std::uint32_t* module, const std::uint32_t* bearer,
+                  std::uint32_t depth) {
+    if (!machine_.spend(1)) return false;
+    if (image_words_.size() <= depth) image_words_.resize(depth + 1);
+    const Origin origin = has_lineage(*module) ? origin_of(module) : Origin{};
+    if (!image_words_[depth].reserve(successor.words, limits_.words)) return !no_memory();
+    if (!machine_.write(successor, image_words_[depth].data(), origin, symbol_of(*module))) return false;
+    const std::uint32_t* at = image_words_[depth].data();
+    const std::uint32_t* const end = at + successor.words;
+    while (at < end) {
+      const std::uint32_t* const part = at;
+      at += words_of(*part);
+      const bool cut = draw(part, bearer, depth + 1);
+      if (machine_.failed()) return false;
+      if (!cut) continue;
+      at = rest_of_branch(at, end).end;
+      if (at == end) return true;
+    }
+    return false;
+  }
+
+  bool no_memory() {
+    return machine_.fail(
+        error_at(Reason::limit, {}, "There is no memory for what a module is drawn as; make its production shorter."));
+  }
+
+  // What stands in for an argument that was left out.
+  float standard(const TurtleSymbol& symbol) const {
+    if (symbol.setting == Setting::angle_increment) return said(Said::angle_increment, symbol.standard);
+    if (symbol.setting == Setting::line_length) return said(Said::line_length, symbol.standard);
+    return symbol.standard;
+  }
+  float said(Said which, float otherwise) const {
+    return bound_.settings[static_cast<std::size_t>(which)].value_or(otherwise);
+  }
+
+  glm::vec3 vector_of(const std::uint32_t* module, std::uint32_t first) const {
+    glm::vec3 v(0);
+    for (std::uint32_t i = 0; i < 3 && first + i < parameters_of(*module); ++i)
+      std::memcpy(&v[static_cast<int>(i)], module + 1 + first + i, sizeof(float));
+    return v;
+  }
+
   // Does what one module of the turtle says, with the lineage of `bearer`. True: the rest of the branch is cut.
   bool act(const std::uint32_t* module, const std::uint32_t* bearer) {
-    const TurtleSymbol& symbol = turtle_symbols[symbol_of(*module)];
-    float value = symbol.standard;
-    if (parameters_of(*module) > 0) std::memcpy(&value, module + 1, sizeof value);
+    const std::uint32_t number = symbol_of(*module);
+    const TurtleSymbol& symbol = turtle_symbols[program_.meanings[number]];
+    const bool given = parameters_of(*module) > 0;
+    float value = 0;
+    if (given) {
+      std::memcpy(&value, module + 1, sizeof value);
+    } else {
+      value = standard(symbol);
+    }
     switch (symbol.action) {
       case Action::line:
-        line(value, bearer);
+        if (polygons_.empty()) {
+          line(value, bearer);
+        } else {
+          move(value);
+          corner();
+        }
         break;
       case Action::move:
+        move(value);
+        if (!polygons_.empty()) corner();
+        break;
+      case Action::line_apart:
+        line(value, bearer);
+        break;
+      case Action::move_apart:
         move(value);
         break;
       case Action::sphere:
         sphere(value, bearer);
         break;
       case Action::turn:
-        turn(turtle_, symbol.sign * value);
+        turn(turtle_,
+             symbol.action == Action::turn && symbol.most_arguments == 0 ? value : turns_ * symbol.sign * value);
         break;
       case Action::pitch:
-        pitch(turtle_, symbol.sign * value);
+        pitch(turtle_, turns_ * symbol.sign * value);
         break;
       case Action::roll:
-        roll(turtle_, symbol.sign * value);
+        roll(turtle_, turns_ * symbol.sign * value);
         break;
       case Action::width:
-        turtle_.width = value;
+        set_width(value, given, -1);
+        break;
+      case Action::widen:
+        set_width(value, given, 1);
         break;
       case Action::push:
         push();
@@ -75,19 +220,133 @@ class Interpreter {
         stack_.pop_back();
         break;
       case Action::cut:
-        listener_.cut(turtle_);
+        if (questions_ != Questions::located) listener_.cut(turtle_);
         return true;
       case Action::ask:
-        break;
+        return ask(module);
+      default:
+        act_seldom(symbol.action, module, bearer, value, given);
     }
     return false;
   }
 
+  void act_seldom(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float value, bool given) {
+    switch (action) {
+      case Action::level:
+        level(turtle_);
+        break;
+      case Action::go_to:
+        turtle_.position = vector_of(module, 0);
+        break;
+      case Action::head_for:
+        head_for(turtle_, vector_of(module, 0), vector_of(module, 3));
+        break;
+      case Action::tropism:
+        turtle_.tropism = vector_of(module, 0);
+        break;
+      case Action::elasticity:
+        turtle_.elasticity = value;
+        break;
+      case Action::size:
+        turtle_.size *= value;
+        turtle_.width *= value;
+        break;
+      case Action::next_colour:
+        set_colour(given ? value : static_cast<float>(turtle_.colour + 1));
+        break;
+      case Action::last_colour:
+        set_colour(given ? value : static_cast<float>(turtle_.colour - 1));
+        break;
+      case Action::begin_polygon:
+        begin_polygon();
+        break;
+      case Action::corner:
+        if (!polygons_.empty())
+          corner();
+        else
+          note("A . outside of { } is no corner of anything.", 2);
+        break;
+      case Action::end_polygon:
+        end_polygon(bearer);
+        break;
+      case Action::surface:
+      case Action::ball:
+      case Action::disc:
+        if (questions_ != Questions::located && value * turtle_.size != 0)
+          draw_whole(action, module, bearer, value * turtle_.size);
+        break;
+      case Action::ask_position:
+      case Action::ask_heading:
+      case Action::ask_left:
+      case Action::ask_up:
+        if (questions_ == Questions::located) locate(action, module);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void draw_whole(Action action, const std::uint32_t* module, const std::uint32_t* bearer, float size) {
+    if (action == Action::surface)
+      listener_.surface(turtle_, std::string_view(program_.symbols[symbol_of(*module)]).substr(1), size,
+                        lineage_of(bearer));
+    if (action == Action::ball) listener_.ball(turtle_, size / 2, lineage_of(bearer));
+    if (action == Action::disc) listener_.disc(turtle_, size / 2, lineage_of(bearer));
+  }
+
+  // `!` narrows and `#` widens where they are not told how wide; in the paper's notation ! alone is 1.
+  void set_width(float value, bool given, float sign) {
+    if (!given && program_.notation == Notation::cpfg) {
+      const float by = said(Said::line_width_increment, 0) * turtle_.size;
+      turtle_.width = std::max(0.0f, turtle_.width + sign * by);
+    } else if (given || sign < 0) {
+      turtle_.width = value * turtle_.size;
+    }
+  }
+
+  void set_colour(float value) { turtle_.colour = static_cast<std::int32_t>(std::clamp(value, 1.0f, most_colours)); }
+
+  void begin_polygon() {
+    if (polygons_.size() < limits_.depth) {
+      polygons_.push_back({turtle_, {}});
+      return;
+    }
+    machine_.fail(error_at(Reason::limit, {}, "More than % polygons are open at once, which is the limit; close them.",
+                           {std::to_string(limits_.depth)}));
+  }
+
+  void corner() {
+    if (machine_.spend(1)) polygons_.back().corners.push_back(turtle_.position);
+  }
+
+  void end_polygon(const std::uint32_t* bearer) {
+    if (polygons_.empty()) return note("A } closes no polygon; it is passed over.", 4);
+    if (questions_ != Questions::located)
+      listener_.polygon(polygons_.back().start, polygons_.back().corners, lineage_of(bearer));
+    polygons_.pop_back();
+  }
+
+  // Each kind once.
+  void note(std::string_view sentence, std::uint32_t kind) {
+    if ((noted_ & kind) == 0 && questions_ != Questions::located) listener_.note(sentence);
+    noted_ |= kind;
+  }
+
+  void locate(Action action, const std::uint32_t* module) {
+    if (answered_ == nullptr || module < answered_->begin() || module >= answered_->end()) return;
+    const glm::vec3& at = action == Action::ask_position  ? turtle_.position
+                          : action == Action::ask_heading ? turtle_.heading
+                          : action == Action::ask_left    ? turtle_.left
+                                                          : turtle_.up;
+    const std::uint32_t count = std::min<std::uint32_t>(3, parameters_of(*module));
+    std::memcpy(answered_->words.data() + (module - answered_->begin()) + 1, &at, count * sizeof(float));
+  }
+
   Lineage lineage_of(const std::uint32_t* module) const {
-    if (!has_lineage(*module)) return {};
+    if (!has_lineage(*module)) return {{}, {}, 0, no_symbol, no_symbol, module_};
     const Origin origin = origin_of(module);
     const std::uint32_t parent = origin.ancestors & 0xffff, grandparent = origin.ancestors >> 16;
-    return {name_of(parent), name_of(grandparent), origin.address, parent, grandparent};
+    return {name_of(parent), name_of(grandparent), origin.address, parent, grandparent, module_};
   }
 
   std::string_view name_of(std::uint32_t symbol) const {
@@ -95,25 +354,27 @@ class Interpreter {
   }
 
   void move(float distance) {
-    turtle_.position = ahead(turtle_, distance);
+    turtle_.position = ahead(turtle_, distance * turtle_.size);
     if (!is_finite(turtle_.position))
       machine_.fail(error_at(Reason::evaluation, {},
                              "The turtle has gone too far for its position to be a number; shorten its lines."));
   }
 
   void line(float distance, const std::uint32_t* bearer) {
-    if (distance == 0) return;
+    if (distance == 0 || turtle_.size == 0) return;
     const Turtle before = turtle_;
     move(distance);
     if (machine_.failed()) return;
     turtle_.line = lines_++;
-    listener_.line(turtle_.line, before, turtle_, lineage_of(bearer));
+    if (questions_ != Questions::located) listener_.line(turtle_.line, before, turtle_, lineage_of(bearer));
+    if (turtle_.elasticity != 0) bend(turtle_);
   }
 
   void sphere(float radius, const std::uint32_t* bearer) {
-    if (radius == 0) return;
+    if (radius == 0 || turtle_.size == 0) return;
     move(radius);
-    if (!machine_.failed()) listener_.sphere(turtle_, radius, lineage_of(bearer));
+    if (!machine_.failed() && questions_ != Questions::located)
+      listener_.sphere(turtle_, radius * turtle_.size, lineage_of(bearer));
   }
 
   void push() {
@@ -128,13 +389,14 @@ class Interpreter {
 
   // True: the answer cut the branch.
   bool ask(const std::uint32_t* module) {
-    if (questions_ == Questions::unasked) return false;
+    if (questions_ == Questions::unasked || questions_ == Questions::located) return false;
     const std::uint32_t count = parameters_of(*module);
     float parameters[most_parameters];
     std::memcpy(parameters, module + 1, count * sizeof(float));
     listener_.ask(turtle_, {parameters, count}, lineage_of(module));
     if (questions_ == Questions::drawn) return draw_answer(module, parameters, count);
-    std::memcpy(answered_->words.data() + (module - answered_->begin()) + 1, parameters, count * sizeof(float));
+    if (module >= answered_->begin() && module < answered_->end())
+      std::memcpy(answered_->words.data() + (module - answered_->begin()) + 1, parameters, count * sizeof(float));
     return false;
   }
 
@@ -150,14 +412,14 @@ class Interpreter {
       return !machine_.fail(
           error_at(Reason::limit, {}, "There is no memory for the answer of ?E; make its production shorter."));
     if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
-    return draw(answer_.data(), answer_.data() + successor.words, module);
+    return draw_all(answer_.data(), answer_.data() + successor.words, module);
   }
 
-  bool draw(const std::uint32_t* at, const std::uint32_t* end, const std::uint32_t* bearer) {
+  bool draw_all(const std::uint32_t* at, const std::uint32_t* end, const std::uint32_t* bearer) {
     while (at < end) {
       const std::uint32_t* const module = at;
       at += words_of(*module);
-      const bool cut = act(module, bearer);
+      const bool cut = symbol_of(*module) != ask_symbol && act(module, bearer);
       if (machine_.failed()) return false;
       if (!cut) continue;
       at = rest_of_branch(at, end).end;
@@ -167,32 +429,61 @@ class Interpreter {
   }
 
   Machine machine_;
+  const Bound& bound_;
   const Program& program_;
   const Limits& limits_;
   Listener& listener_;
   Turtle turtle_;
+  const float turns_;  // which way the notation turns
+  const Rules* images_ = nullptr;
+  std::vector<Words> image_words_;  // by depth
   std::vector<Turtle> stack_;
+  std::vector<Polygon> polygons_;  // that are open
+  std::vector<Branch> branches_;
+  std::size_t next_branch_ = 0;  // that the turtle has not come to
   Words answer_;
   Questions questions_ = Questions::drawn;
   String* answered_ = nullptr;
   std::int32_t lines_ = 0;
+  std::uint32_t module_ = 0;
+  std::uint32_t noted_ = 0;
 };
+
+// Hears nothing.
+class Unheard : public Listener {
+  void line(std::int32_t, const Turtle&, const Turtle&, const Lineage&) override {}
+  void sphere(const Turtle&, float, const Lineage&) override {}
+  void ask(const Turtle&, std::span<float>, const Lineage&) override {}
+  void cut(const Turtle&) override {}
+};
+
+Diagnostic write_into(const Bound& bound, String& string, const Turtle& start, Listener& listener, std::uint64_t seed,
+                      const Limits& limits, const Space* space, Questions questions) {
+  const auto walked = Interpreter(bound, start, listener, seed, limits, space).run(string, questions, &string);
+  return walked ? Diagnostic{} : walked.error();
+}
 
 }  // namespace
 
 Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                                std::uint64_t seed, const Limits& limits) {
-  return Interpreter(bound, start, listener, seed, limits).run(string, Questions::drawn);
+                                std::uint64_t seed, const Limits& limits, const Space* space) {
+  return Interpreter(bound, start, listener, seed, limits, space).run(string, Questions::drawn);
 }
 
 Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                            const Limits& limits) {
-  return Interpreter(bound, start, listener, 0, limits).run(string, Questions::unasked);
+                            std::uint64_t seed, const Limits& limits, const Space* space) {
+  return Interpreter(bound, start, listener, seed, limits, space).run(string, Questions::unasked);
 }
 
-Diagnostic answer(const Bound& bound, String& string, const Turtle& start, Listener& listener, const Limits& limits) {
-  const auto walked = Interpreter(bound, start, listener, 0, limits).run(string, Questions::written, &string);
-  return walked ? Diagnostic{} : walked.error();
+Diagnostic answer(const Bound& bound, String& string, const Turtle& start, Listener& listener, std::uint64_t seed,
+                  const Limits& limits, const Space* space) {
+  return write_into(bound, string, start, listener, seed, limits, space, Questions::written);
+}
+
+Diagnostic locate(const Bound& bound, String& string, const Turtle& start, std::uint64_t seed, const Limits& limits,
+                  const Space* space) {
+  Unheard unheard;
+  return write_into(bound, string, start, unheard, seed, limits, space, Questions::located);
 }
 
 }  // namespace panicle::lsystem

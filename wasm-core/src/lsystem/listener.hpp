@@ -18,6 +18,7 @@ struct Lineage {
   std::uint64_t address = 0;                // hash of the path from the axiom: stable when other branches change
   std::uint32_t parent_symbol = no_symbol;  // the same by number, as in Roles
   std::uint32_t grandparent_symbol = no_symbol;
+  std::uint32_t module = 0;  // its place in the string, from 0
 };
 
 // Who draws, and who answers. Called in the order of the string. What an answer of ?E draws has the lineage of that ?E.
@@ -31,8 +32,22 @@ class Listener {
   virtual void sphere(const Turtle& turtle, float radius, const Lineage& lineage) = 0;
   // ?E asks: change `parameters` into the answer. The production that matches the answer is applied at once, in place.
   virtual void ask(const Turtle& turtle, std::span<float> parameters, const Lineage& lineage) = 0;
+  // Whether it wants to hear the whole string before it answers any of it: then Derivation::ask walks it twice, and
+  // tells when answers begin.
+  virtual bool hears_first() const { return false; }
+  virtual void answers_begin() {}
   // % cut the rest of a branch here.
   virtual void cut(const Turtle& turtle) = 0;
+  // { … } closed a polygon: its corners in their order, and the turtle as it was at {. Fewer than three, or all on a
+  // line, are told as well.
+  virtual void polygon(const Turtle&, std::span<const glm::vec3>, const Lineage&) {}
+  // ~name drew a surface at the turtle, along its heading, `size` times as large as it is.
+  virtual void surface(const Turtle&, std::string_view, float, const Lineage&) {}
+  // @O drew a sphere about the turtle, @o a disc across its heading.
+  virtual void ball(const Turtle& turtle, float radius, const Lineage& lineage) { sphere(turtle, radius, lineage); }
+  virtual void disc(const Turtle&, float, const Lineage&) {}
+  // What the walk passes over, in one sentence; each once.
+  virtual void note(std::string_view) {}
 };
 
 }  // namespace panicle::lsystem

@@ -51,6 +51,7 @@ const Lowering::Meaning* Lowering::meaning(std::string_view name) const {
 
 void Lowering::begin_production(std::span<const Named> formals, std::uint64_t key) {
   formals_ = formals;
+  locals_.clear();
   drawn_ = {};
   key_ = key;
   in_production_ = true;
@@ -101,6 +102,8 @@ bool Lowering::lower_node(const Node& node) {
 }
 
 bool Lowering::name(const Node& node) {
+  for (std::size_t i = locals_.size(); i-- > 0;)
+    if (locals_[i].name == node.name) return put(locals_[i].reg), true;
   for (std::uint32_t i = 0; i < formals_.size(); ++i)
     if (formals_[i].name == node.name) return put(i), true;
   const Meaning* const meaning = this->meaning(node.name);
@@ -133,8 +136,9 @@ bool Lowering::operation(const Node& node) {
     calculate(Op::minimum, 2, node.place);
     return true;
   }
+  if (is_asked(node.op)) return question(node);
   if (!is_random(node.op)) {
-    calculate(node.op, node.arguments, node.place);
+    calculate(node.op, node.arguments, node.place, node.curve);
     return true;
   }
   if (!in_production_)
@@ -148,9 +152,26 @@ bool Lowering::operation(const Node& node) {
   return true;
 }
 
+// What the space answers is asked anew each time.
+bool Lowering::question(const Node& node) {
+  if (!in_production_)
+    return fail(Reason::syntax, node.place, "% belongs to a place of the plant; ask in a production, not in a #define.",
+                {node.name});
+  for (std::uint32_t i = node.arguments; i-- > 0;) handed_over_[i] = pop();
+  for (std::uint32_t i = 0; i < node.arguments; ++i) {
+    code_.instructions.push_back({Op::hand_over, new_register(0, Known::on_the_run), handed_over_[i], 0, i});
+    code_.places.push_back(node.place);
+  }
+  const std::uint32_t out = new_register(0, Known::on_the_run);
+  code_.instructions.push_back({node.op, out, 0, 0, 0});
+  code_.places.push_back(node.place);
+  put(out);
+  return true;
+}
+
 // Puts the result of one or two operands from the stack in their place.
-void Lowering::calculate(Op op, std::uint32_t operands, const Place& place) {
-  Instruction instruction{op, 0, 0, 0, 0};
+void Lowering::calculate(Op op, std::uint32_t operands, const Place& place, std::uint32_t extra) {
+  Instruction instruction{op, 0, 0, 0, extra};
   if (operands > 1) instruction.b = pop();
   instruction.a = pop();
   Known result = known(instruction.a);

@@ -26,6 +26,14 @@ class Lowering {
   // A name for a list, and its place among the program's lists.
   std::uint32_t define_array(std::string_view name);
 
+  // A name for the value that a production works out before: it hides all others of that name up to the next
+  // production.
+  void assign(std::string_view name, std::uint32_t reg) { locals_.push_back({name, reg}); }
+  std::size_t locals() const { return locals_.size(); }
+  void forget_locals(std::size_t down_to) { locals_.resize(down_to); }
+  // The register of a number of the text.
+  std::uint32_t number_register(float value);
+
   // The next expressions belong to a production. Names that they may use: the predecessor's parameters, which hide
   // defines of the same name, and random draws, whose streams are hashes of `key`, the function and how many of it came
   // before. `formals` must stay until the next production begins.
@@ -55,12 +63,12 @@ class Lowering {
   bool name(const Node& node);
   bool element(const Node& node);
   bool operation(const Node& node);
-  void calculate(Op op, std::uint32_t operands, const Place& place);
+  bool question(const Node& node);
+  void calculate(Op op, std::uint32_t operands, const Place& place, std::uint32_t extra = 0);
   void begin_branch(const Node& node);
   void end_branch(const Node& node);
   std::uint64_t stream_of(const Node& node);
   std::uint32_t new_register(float value, Known known);
-  std::uint32_t number_register(float value);
   std::uint32_t emit(Instruction instruction, const Place& place);
   std::uint32_t emit_once_bound(Instruction instruction, const Place& place);
   std::uint32_t fold(Instruction instruction);
@@ -78,11 +86,17 @@ class Lowering {
   Names names_;  // of definitions
   std::vector<Meaning> meanings_;
   std::span<const Named> formals_;
+  struct Local {
+    std::string_view name;
+    std::uint32_t reg;
+  };
+  std::vector<Local> locals_;
   std::array<std::uint32_t, 3> drawn_{};         // how many calls of each random function
   Names numbers_;                                // of the text, by their four bytes
   std::vector<std::uint32_t> number_registers_;  // of each
   std::vector<std::uint8_t> known_;              // of each register
   std::vector<std::uint32_t> stack_;
+  std::array<std::uint32_t, most_handed_over> handed_over_{};
   std::vector<Branch> branches_;
   std::vector<Instruction> available_;  // whose results can be used again here
   std::vector<Instruction> once_bound_;

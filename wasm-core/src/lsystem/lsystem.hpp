@@ -1,7 +1,7 @@
 // Grammar text → program → with its inputs → derived string → turtle. The engine knows no symbol but the turtle's and
 // ?E.
 //
-// Notation is cpfg's (Prusinkiewicz & Lindenmayer; Měch & Prusinkiewicz 1996 for ?E): see docs/grammar.md.
+// Notation is cpfg's (Prusinkiewicz & Lindenmayer; Měch & Prusinkiewicz 1996 for ?E): see docs/language.md.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@
 #include "foundation/limits.hpp"
 #include "foundation/result.hpp"
 #include "lsystem/listener.hpp"
+#include "lsystem/space.hpp"
 #include "lsystem/turtle.hpp"
 
 namespace panicle::lsystem {
@@ -39,11 +40,16 @@ struct Inputs {
 // keeps lineages; any other does without, and is faster, unless a listener wants them.
 enum class Lineages { where_needed, always };
 
+// Which way the turtle turns, and what some letters mean, where the text does not say it in a line `#turtle …`:
+// Table 1 of Huang et al. (2013), or cpfg (docs/turtle.md).
+enum class Notation : std::uint8_t { huang, cpfg };
+
 class Program;  // byte code; immutable, shared freely, independent of the text and of inputs
 
 // Errors: syntax, undefined, evaluation (a number for the turtle that is none) and limit; with line and column.
 Result<std::shared_ptr<const Program>> compile(std::string_view text, const Limits& limits,
-                                               Lineages lineages = Lineages::where_needed);
+                                               Lineages lineages = Lineages::where_needed,
+                                               Notation notation = Notation::huang);
 
 class Bound;  // a program with its inputs and all that follows from them alone; immutable, shared freely
 
@@ -96,6 +102,14 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
 // With the place before it, for a list of notes.
 std::string to_text(const Remark& remark);
 
+// What surrounds a plant while it is derived: where its turtle begins, for ?P and the like; what bound() and reach()
+// are asked; who answers ?E between steps, if anyone does.
+struct Surroundings {
+  Turtle start;
+  const Space* space = nullptr;
+  Listener* answers = nullptr;
+};
+
 // A derived string: modules as 32-bit words (header, then parameters as float), with the lineage of each module
 // where the program needs it.
 class String;
@@ -103,6 +117,7 @@ struct Derived {
   std::shared_ptr<const String> string;
   std::uint32_t steps = 0;            // the last step that rewrote anything
   std::uint64_t modules_written = 0;  // sum of the lengths of the strings over all steps
+  Diagnostic stopped;                 // of develop_so_far: what ended it before its time
 };
 
 // What the text says in its line `derivation length: …`, if there is one.
@@ -111,10 +126,15 @@ std::optional<std::uint32_t> derivation_length(const Bound& bound);
 // The string that a grammar grows to: after `steps` steps where they are given, else after as many as the text says,
 // else where nothing rewrites any more (`unfold`). Random values are hashes of (seed, stream, address of the module in
 // the derivation tree), `stream` being the call's own place in its production; with steps those of conditions and
-// weights are of the step as well (docs/grammar.md). Errors: evaluation, with line and column; limit, also where more
+// weights are of the step as well (docs/language.md). Errors: evaluation, with line and column; limit, also where more
 // than `limits.steps` steps are asked for. For a string between steps, or answers to ?E: derivation.hpp.
 Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
-                        const Limits& limits);
+                        const Limits& limits, const Surroundings& around = {});
+
+// The same, but where a limit ends it, it is the string after the last whole step, and `stopped` says why. Such a text
+// is derived by steps, also where it gives none.
+Result<Derived> develop_so_far(const Bound& bound, std::uint64_t seed, std::optional<std::uint32_t> steps,
+                               const Limits& limits, const Surroundings& around = {});
 
 // The string that steps without end would lead to, without the strings between: each module is rewritten to its end
 // before the next is looked at, so that the cost grows with what comes out and not with the steps as well. Productions
@@ -122,7 +142,7 @@ Result<Derived> develop(const Bound& bound, std::uint64_t seed, std::optional<st
 // has neighbours, steps are taken, as `develop` tells of them. A random condition draws once. Else `steps` is the
 // deepest module's generation, `modules_written` the length. Errors: evaluation, with line and column; limit, also
 // where there is no end.
-Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits);
+Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits, const Surroundings& around = {});
 
 // How many modules a string has.
 std::uint64_t length(const String& string);
@@ -134,10 +154,10 @@ std::string to_text(const Program& program, const String& string);
 // Walks the string from left to right and tells the listener. Returns how many lines were drawn. Errors: evaluation
 // (an answer or a position that is no number), limit (brackets, answers), syntax (an answer that cannot be drawn).
 Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                                std::uint64_t seed, const Limits& limits);
+                                std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
 
 // The same, but ?E neither asks nor draws: for strings whose questions are answered between steps (derivation.hpp).
 Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                            const Limits& limits);
+                            std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
 
 }  // namespace panicle::lsystem

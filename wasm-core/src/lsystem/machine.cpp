@@ -8,7 +8,7 @@
 
 namespace panicle::lsystem {
 
-Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits)
+Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space)
     : program_(*bound.program),
       limits_(limits),
       rules_(program_.rules.data()),
@@ -18,7 +18,7 @@ Machine::Machine(const Bound& bound, std::uint64_t seed, const Limits& limits)
       register_file_(bound.registers),
       registers_(register_file_.data()),
       choice_stream_(hash_text("production")),
-      sources_{bound.lists, seed, 0} {}
+      sources_{bound.lists, seed, 0, space, {}} {}
 
 // Conditions and weights decide whether a module is rewritten: in a step they are drawn for the module and the step.
 // Which of several applies, and what is written, is drawn for the module alone, since that happens but once.

@@ -13,14 +13,16 @@ namespace panicle::lsystem {
 
 class Machine {
  public:
-  Machine(const Bound& bound, std::uint64_t seed, const Limits& limits);
+  Machine(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
   Machine(const Machine&) = delete;
 
   // The production that rewrites `module`, its parameters loaded; null when none does, or when `failed()`. A block of
   // words behind the module can be read.
-  const Production* choose(const std::uint32_t* module) {
+  const Production* choose(const std::uint32_t* module) { return choose(module, rules_); }
+  // The same among those of another purpose: `by_symbol` are their rules.
+  const Production* choose(const std::uint32_t* module, const Rules* by_symbol) {
     const std::uint32_t header = *module;
-    const Rules& rules = rules_[symbol_of(header)];
+    const Rules& rules = by_symbol[symbol_of(header)];
     const std::uint32_t count = parameters_of(header);
     for (std::uint32_t i = 0; i < count; i += block) std::memcpy(registers_ + i, module + 1 + i, block * sizeof(float));
     if (has_lineage(header)) sources_.address = origin_of(module).address;

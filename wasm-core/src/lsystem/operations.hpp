@@ -47,6 +47,11 @@ enum class Op : std::uint8_t {
   clamp,
   // What can go wrong, or draws.
   element,
+  curve,
+  // What the space is asked; several arguments are handed over one by one.
+  hand_over,
+  bound,
+  reach,
   random_whole,
   random_real,
   random_normal,
@@ -54,6 +59,9 @@ enum class Op : std::uint8_t {
 
 // Draws depend on the module they are made for: they are never shared or worked out beforehand.
 constexpr bool is_random(Op op) { return op >= Op::random_whole; }
+// So are questions to the space.
+constexpr bool is_asked(Op op) { return op >= Op::hand_over && op < Op::random_whole; }
+inline constexpr std::uint32_t most_handed_over = 8;
 
 struct Function {
   std::string_view name;
@@ -62,7 +70,7 @@ struct Function {
 };
 
 // Angles are in degrees, as the turtle's are.
-inline constexpr std::array<Function, 21> functions = {{
+inline constexpr std::array<Function, 23> functions = {{
     {"RND", Op::random_whole, 2}, {"ran", Op::random_real, 1},  {"nran", Op::random_normal, 2},
     {"floor", Op::floor, 1},      {"ceil", Op::ceiling, 1},     {"nearest", Op::nearest, 1},
     {"abs", Op::absolute, 1},     {"min", Op::minimum, 2},      {"max", Op::maximum, 2},
@@ -70,6 +78,7 @@ inline constexpr std::array<Function, 21> functions = {{
     {"exp", Op::exponential, 1},  {"log", Op::logarithm, 1},    {"sin", Op::sine, 1},
     {"cos", Op::cosine, 1},       {"tan", Op::tangent, 1},      {"asin", Op::arc_sine, 1},
     {"acos", Op::arc_cosine, 1},  {"atan", Op::arc_tangent, 1}, {"atan2", Op::arc_tangent_of, 2},
+    {"bound", Op::bound, 4},      {"reach", Op::reach, 8},
 }};
 
 }  // namespace panicle::lsystem

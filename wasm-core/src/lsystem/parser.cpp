@@ -1,23 +1,38 @@
 #include "lsystem/parser.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
-#include "lsystem/expression.hpp"
 #include "lsystem/foreign.hpp"
-#include "lsystem/names.hpp"
+#include "lsystem/production_reader.hpp"
 
 namespace panicle::lsystem {
 namespace {
 
-constexpr std::size_t most_neighbours = 64;
+constexpr std::size_t most_points = 256;  // of a curve
 
-class GrammarParser {
+// A line that says something once for all modules, by its words up to the colon.
+struct SettingLine {
+  std::array<std::string_view, 3> words;
+  Said first;
+  std::size_t values;
+};
+constexpr SettingLine setting_lines[] = {{{"angle", "increment", ""}, Said::angle_increment, 1},
+                                         {{"line", "length", ""}, Said::line_length, 1},
+                                         {{"line", "width", ""}, Said::line_width, 1},
+                                         {{"line", "width", "increment"}, Said::line_width_increment, 1},
+                                         {{"tropism", "", ""}, Said::tropism_x, 4}};
+
+class GrammarParser : public ProductionReader {
  public:
-  explicit GrammarParser(std::span<const Token> tokens) : tokens_(tokens) {}
+  GrammarParser(std::span<const Token> tokens, Notation notation) : ProductionReader(tokens) {
+    grammar_.notation = notation;
+  }
 
   Result<Grammar> run() {
+    if (!find_systems()) return trouble_;
     while (at_ < tokens_.size())
       if (!statement()) return trouble_;
     if (grammar_.axiom.empty()) {
@@ -28,85 +43,140 @@ class GrammarParser {
   }
 
  private:
-  bool fail(Reason reason, const Place& place, const char* pattern, Pieces pieces = {}) {
-    trouble_ = error_at(reason, place, pattern, pieces);
-    return false;
-  }
-  bool wrong(const Place& place, const char* pattern, Pieces pieces = {}) {
-    return fail(Reason::syntax, place, pattern, pieces);
-  }
+  bool follows(std::size_t at, char sign) const { return at + 1 < tokens_.size() && tokens_[at + 1].is(sign); }
+  bool is_alone(std::size_t at) const { return end_of_line(at) == at + 1; }
 
-  Place here() const { return place_of(tokens_, at_, end_); }
-  bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
-  bool on_name() const { return at_ < end_ && tokens_[at_].kind == TokenKind::name; }
-  std::string_view found() const { return at_ < end_ ? tokens_[at_].text : std::string_view("the end"); }
+  bool is_axiom(std::size_t at) const { return tokens_[at].is("axiom") && follows(at, ':'); }
 
-  std::size_t end_of_line(std::size_t at) const {
-    do ++at;
-    while (at < tokens_.size() && !tokens_[at].first_on_line);
-    return at;
-  }
-
-  // The first arrow of the line that begins at `at`, or the line's end.
-  std::size_t arrow_of_line(std::size_t at) const {
-    const std::size_t end = end_of_line(at);
-    while (at < end && tokens_[at].kind != TokenKind::arrow) ++at;
-    return at;
-  }
-
-  bool is_axiom(std::size_t at) const {
-    return tokens_[at].is("axiom") && at + 1 < tokens_.size() && tokens_[at + 1].is(':');
+  // Whether the words stand at `at`, and a colon behind them.
+  bool is_line(std::size_t at, std::span<const std::string_view> words) const {
+    for (const std::string_view word : words) {
+      if (word.empty()) break;
+      if (at >= tokens_.size() || !tokens_[at].is(word)) return false;
+      ++at;
+    }
+    return at < tokens_.size() && tokens_[at].is(':');
   }
 
   bool is_length(std::size_t at) const {
-    return tokens_[at].is("derivation") && at + 2 < tokens_.size() && tokens_[at + 1].is("length") &&
-           tokens_[at + 2].is(':');
+    static constexpr std::string_view words[] = {"derivation", "length"};
+    return is_line(at, words);
+  }
+  bool is_depth(std::size_t at) const {
+    static constexpr std::string_view words[] = {"maximum", "depth"};
+    return is_line(at, words);
   }
 
   bool is_sight(std::size_t at) const {
-    return (tokens_[at].is("ignore") || tokens_[at].is("consider")) && at + 1 < tokens_.size() &&
-           tokens_[at + 1].is(':') && arrow_of_line(at) == end_of_line(at);
+    return (tokens_[at].is("ignore") || tokens_[at].is("consider")) && follows(at, ':') &&
+           arrow_of_line(at) == end_of_line(at);
   }
 
-  // A line begins a statement when it begins with `#`, `axiom:`, `derivation length:`, `ignore:` or `consider:` or
+  const SettingLine* setting_line(std::size_t at) const {
+    for (const SettingLine& line : setting_lines)
+      if (is_line(at, line.words) && arrow_of_line(at) == end_of_line(at)) return &line;
+    return nullptr;
+  }
+
+  // `decomposition`, `homomorphism` or `derivation`, alone or with a colon.
+  bool is_section(std::size_t at) const {
+    const bool named =
+        tokens_[at].is("decomposition") || tokens_[at].is("homomorphism") || tokens_[at].is("derivation");
+    return named && (is_alone(at) || (follows(at, ':') && is_alone(at + 1)));
+  }
+
+  bool is_system(std::size_t at) const {
+    const bool begins = (tokens_[at].is("Lsystem") || tokens_[at].is("lsystem")) && follows(at, ':');
+    return begins || (tokens_[at].is("endlsystem") && is_alone(at));
+  }
+
+  // A line begins a statement when it begins with `#` and a directive, with the words of another statement, or
   // holds an arrow; any other goes on with the one before.
   bool begins_statement(std::size_t at) const {
-    return tokens_[at].is('#') || is_axiom(at) || is_length(at) || is_sight(at) || is_foreign_line(at) ||
-           foreign_arrow(at) != 0 || arrow_of_line(at) < end_of_line(at);
+    return is_directive(at) || is_axiom(at) || is_length(at) || is_depth(at) || is_sight(at) || is_section(at) ||
+           is_system(at) || setting_line(at) != nullptr || is_foreign_line(at) || foreign_arrow(at) != 0 ||
+           (tokens_[at].is('#') && is_comment(at)) || arrow_of_line(at) < end_of_line(at);
   }
 
-  // `Lsystem: 1`, `endlsystem` and the like. They would otherwise go on with the statement before them.
+  // `#define` and the like; a # of the turtle stands apart from what follows.
+  bool is_directive(std::size_t at) const {
+    if (!tokens_[at].is('#')) return false;
+    if (is_alone(at)) return true;
+    static constexpr std::string_view words[] = {"define", "input", "role", "curve", "turtle"};
+    const Token& next = tokens_[at + 1];
+    return next.kind == TokenKind::name &&
+           (touching(tokens_[at], next) || std::find(std::begin(words), std::end(words), next.text) != std::end(words));
+  }
+
+  // `seed: 1` and the like. They would otherwise go on with the statement before them.
   bool is_foreign_line(std::size_t at) const {
     const std::size_t end = end_of_line(at);
     if (tokens_[at].kind != TokenKind::name || foreign_statement(tokens_[at].text).empty()) return false;
     const bool followed = at + 1 < end && (tokens_[at].is("derivation") || tokens_[at].is("maximum"));
-    return arrow_of_line(at) == end && (at + 1 == end || tokens_[at + 1].is(':') || followed);
+    const bool said = at + 1 < end && (tokens_[at + 1].is(':') || (tokens_[at + 1].is('=') && at + 3 == end));
+    return arrow_of_line(at) == end && (at + 1 == end || said || followed);
   }
 
-  // Where `->` or `-.33->` stands in a line without an arrow; 0 where neither does.
+  // Where `->`, `=>`, `:=` or `-.33->` stands in a line without an arrow; 0 where neither does.
   std::size_t foreign_arrow(std::size_t at) const {
     const std::size_t end = end_of_line(at);
     if (arrow_of_line(at) < end) return 0;
-    for (++at; at + 1 < end; ++at)
-      if (tokens_[at].is('-') && tokens_[at + 1].is('>') && touching(tokens_[at], tokens_[at + 1])) return at;
+    for (++at; at + 1 < end; ++at) {
+      const bool drawn = (tokens_[at].is('-') || tokens_[at].is('=')) && tokens_[at + 1].is('>');
+      if ((drawn || (tokens_[at].is(':') && tokens_[at + 1].is('='))) && touching(tokens_[at], tokens_[at + 1]))
+        return at;
+    }
     return 0;
   }
 
+  // `// words`, or `# words` of which the first is no directive.
   bool is_comment(std::size_t at) const {
-    return at + 1 < tokens_.size() && tokens_[at].is('/') && tokens_[at + 1].is('/');
+    if (at + 1 >= tokens_.size()) return false;
+    const bool words =
+        at + 2 < end_of_line(at) && tokens_[at + 1].kind == TokenKind::name && tokens_[at + 2].kind == TokenKind::name;
+    return tokens_[at].is('#') ? words : tokens_[at].is('/') && tokens_[at + 1].is('/');
+  }
+
+  // What `?name` may begin has to be known before it is read. The first L-system is the text itself where nothing
+  // grows before it.
+  bool find_systems() {
+    bool grows = false;
+    for (std::size_t at = 0; at < tokens_.size(); at = end_of_line(at)) {
+      grows |= is_axiom(at) || arrow_of_line(at) < end_of_line(at);
+      if (!is_system(at) || tokens_[at].is("endlsystem")) continue;
+      end_ = end_of_line(at);
+      if (!std::exchange(grows, true)) {
+        first_system_ = at;
+        continue;
+      }
+      if (at + 2 >= end_ || tokens_[at + 2].kind != TokenKind::name || at + 3 < end_)
+        return wrong(tokens_[at].place,
+                     "Every L-system but the first needs a name, Lsystem: leaf; what belongs to it stands behind "
+                     "?leaf(1) in brackets.");
+      if (systems_.find(tokens_[at + 2].text) != Names::none)
+        return wrong(tokens_[at + 2].place, "There is an Lsystem: % already; give this one another name.",
+                     {tokens_[at + 2].text});
+      systems_.add(tokens_[at + 2].text);
+      grammar_.systems.push_back(tokens_[at + 2].text);
+    }
+    return true;
   }
 
   bool statement() {
     const std::size_t begin = at_;
     end_ = end_of_line(begin);
-    if (tokens_[begin].is('#')) return directive();
+    if (is_directive(begin)) return directive();
     if (is_length(begin)) return length();
+    if (is_depth(begin)) return depth();
     if (is_sight(begin)) return sight();
+    if (is_section(begin)) return section();
+    if (is_system(begin)) return system();
+    if (const SettingLine* const line = setting_line(begin)) return setting(*line);
     arrow_ = arrow_of_line(begin);
     const bool production = arrow_ < end_;
     if (!production && !is_axiom(begin)) return no_statement(begin);
     while (end_ < tokens_.size() && !begins_statement(end_)) end_ = end_of_line(end_);
-    return production ? this->production() : axiom();
+    return production ? this->production(purpose_) : axiom();
   }
 
   bool no_statement(std::size_t begin) {
@@ -119,21 +189,34 @@ class GrammarParser {
     }
     if (is_comment(begin)) return wrong(place, "A comment is written /* … */ here; // is two rolls of the turtle.");
     return wrong(place,
-                 "This line belongs to no statement; begin with #define, #input, #role, axiom:, derivation length:, "
-                 "ignore:, consider: or a production with -->.");
+                 "This line belongs to no statement; begin with #define, #input, #role, #curve, #turtle, axiom:, "
+                 "derivation length:, ignore:, consider:, angle increment:, decomposition, homomorphism or a "
+                 "production with -->.");
   }
 
   bool directive() {
     ++at_;
-    if (!on_name()) return wrong(here(), "A name is expected after #: define, input or role.");
+    if (!on_name()) return wrong(here(), "A name is expected after #: define, input, role, curve or turtle.");
     const Token& keyword = tokens_[at_++];
     if (keyword.text == "role") return role();
+    if (keyword.text == "curve") return curve();
+    if (keyword.text == "turtle") return notation();
     const bool input = keyword.text == "input";
     if (!input && keyword.text != "define") {
       if (!foreign_directive(keyword.text).empty()) return wrong(keyword.place, "%", {foreign_directive(keyword.text)});
-      return wrong(keyword.place, "There is no #%; write #define, #input or #role.", {keyword.text});
+      return wrong(keyword.place, "There is no #%; write #define, #input, #role, #curve or #turtle.", {keyword.text});
     }
     return definition(input);
+  }
+
+  bool notation() {
+    const bool huang = at_ < end_ && tokens_[at_].is("huang");
+    if (!huang && !(at_ < end_ && tokens_[at_].is("cpfg")))
+      return wrong(here(), "Which turtle? #turtle cpfg turns left by +, #turtle huang right; here is '%'.", {found()});
+    if (std::exchange(notation_said_, true)) return wrong(here(), "There is a second #turtle; keep one of them.");
+    grammar_.notation = huang ? Notation::huang : Notation::cpfg;
+    ++at_;
+    return at_ == end_ || wrong(here(), "'%' cannot stand here; take it out.", {found()});
   }
 
   bool role() {
@@ -150,22 +233,107 @@ class GrammarParser {
     return true;
   }
 
+  // Names of #define, #input and #curve differ.
+  bool new_name(const Named& name) {
+    const std::uint32_t first = defined_.add(name.name);
+    if (first == places_.size()) return places_.push_back(name.place), true;
+    return wrong(name.place, "'%' is defined twice, first in line %; give one of them another name.",
+                 {name.name, std::to_string(places_[first].line)});
+  }
+
   bool definition(bool input) {
     if (!on_name()) return wrong(here(), "A name is expected here, not '%'.", {found()});
     DefinitionTree definition;
+    definition.kind = input ? Definition::Kind::input : Definition::Kind::define;
     definition.name = tokens_[at_].text;
     definition.place = tokens_[at_].place;
     ++at_;
-    const std::uint32_t first = defined_.add(definition.name);
-    if (first < grammar_.definitions.size())
-      return wrong(definition.place, "'%' is defined twice, first in line %; give one of them another name.",
-                   {definition.name, std::to_string(grammar_.definitions[first].place.line)});
-    if (!input && on_sign('['))
-      return wrong(here(), "A #define holds one number; a list is declared by #input %[] and given with the request.",
-                   {definition.name});
-    if (input ? !input_form(definition) : !expression_to(end_, definition.expression)) return false;
+    if (!new_name({definition.name, definition.place})) return false;
+    if (on_sign('[')) {
+      ++at_;
+      if (!expect(']', "An array is declared as #input name[], with nothing between the brackets.")) return false;
+      definition.kind = Definition::Kind::array;
+    }
+    if (input) {
+      if (at_ < end_) return wrong(here(), "Nothing may follow the name of an input, but here is '%'.", {found()});
+    } else if (definition.kind == Definition::Kind::array) {
+      if (!list(definition.values)) return false;
+    } else if (!expression_to(end_, definition.values.emplace_back())) {
+      return false;
+    }
     grammar_.definitions.push_back(std::move(definition));
     return true;
+  }
+
+  // `1, 2, 3` or `{1, 2, 3}` up to the end of the line.
+  bool list(std::vector<Expression>& values) {
+    const bool braces = on_sign('{');
+    at_ += braces;
+    for (;;) {
+      if (!expression_before(end_, values.emplace_back())) return false;
+      if (!on_sign(',')) break;
+      ++at_;
+    }
+    if (braces && !expect('}', "A } is expected here, not '%'.")) return false;
+    return at_ == end_ || wrong(here(), "'%' cannot stand here; put commas between the values.", {found()});
+  }
+
+  // `#curve name (x, y) (x, y) …`
+  bool curve() {
+    if (!on_name()) return wrong(here(), "A name is expected here, not '%'.", {found()});
+    CurveTree curve{tokens_[at_].text, tokens_[at_].place, {}};
+    ++at_;
+    for (const Function& function : functions)
+      if (function.name == curve.name)
+        return wrong(curve.place, "There is a function % already; give the curve another name.", {curve.name});
+    if (!new_name({curve.name, curve.place})) return false;
+    while (at_ < end_)
+      if (!point(curve)) return false;
+    if (curve.points.size() < 4)
+      return wrong(curve.place, "A curve needs at least two points: #curve % (0, 0) (1, 1).", {curve.name});
+    curves_.add(curve.name);
+    grammar_.curves.push_back(std::move(curve));
+    return true;
+  }
+
+  bool point(CurveTree& curve) {
+    const Place place = here();
+    float x = 0, y = 0;
+    if (!expect('(', "A point (x, y) is expected here, not '%'.") || !number(x) ||
+        !expect(',', "A comma is expected here, not '%'.") || !number(y) ||
+        !expect(')', "A ) is expected here, not '%'."))
+      return false;
+    const std::vector<float>& points = curve.points;
+    if (!points.empty() && !(x > points[points.size() - 2]))
+      return wrong(place, "The points of a curve go from left to right; this x is not larger than the one before.");
+    if (points.size() == 2 * most_points) return fail(Reason::limit, place, "A curve has at most 256 points.");
+    curve.points.push_back(x);
+    curve.points.push_back(y);
+    return true;
+  }
+
+  bool number(float& value) {
+    const bool minus = on_sign('-');
+    at_ += minus;
+    if (at_ >= end_ || tokens_[at_].kind != TokenKind::number)
+      return wrong(here(), "A number is expected here, not '%'.", {found()});
+    value = minus ? -tokens_[at_].number : tokens_[at_].number;
+    ++at_;
+    return true;
+  }
+
+  bool setting(const SettingLine& line) {
+    Expression* const values = &grammar_.settings[static_cast<std::size_t>(line.first)];
+    if (values->given()) return wrong(tokens_[at_].place, "This is said twice; keep one of the lines.");
+    while (!tokens_[at_++].is(':')) continue;
+    for (std::size_t i = 0; i < line.values; ++i) {
+      if (i > 0 &&
+          !expect(',', line.values == 4 ? "A tropism is x, y, z and the elasticity; a comma is expected here, not '%'."
+                                        : ""))
+        return false;
+      if (!expression_before(end_, values[i])) return false;
+    }
+    return at_ == end_ || wrong(here(), "'%' cannot stand here; take it out.", {found()});
   }
 
   bool length() {
@@ -173,6 +341,33 @@ class GrammarParser {
       return wrong(tokens_[at_].place, "There is a second derivation length; keep one of them.");
     at_ += 3;
     return expression_to(end_, grammar_.steps);
+  }
+
+  bool depth() {
+    if (purpose_ == Purpose::derivation)
+      return wrong(tokens_[at_].place,
+                   "A maximum depth is one of decomposition or homomorphism; put it behind that line.");
+    Expression& depth = grammar_.depths[static_cast<std::size_t>(purpose_) - 1];
+    if (depth.given()) return wrong(tokens_[at_].place, "This is said twice; keep one of the lines.");
+    at_ += 3;
+    return expression_to(end_, depth);
+  }
+
+  bool section() {
+    purpose_ = tokens_[at_].is("decomposition")  ? Purpose::decomposition
+               : tokens_[at_].is("homomorphism") ? Purpose::homomorphism
+                                                 : Purpose::derivation;
+    at_ = end_;
+    return true;
+  }
+
+  bool system() {
+    const std::uint32_t found =
+        tokens_[at_].is("endlsystem") || at_ == first_system_ ? Names::none : systems_.find(tokens_[at_ + 2].text);
+    system_ = found == Names::none ? 0 : found + 1;
+    purpose_ = Purpose::derivation;
+    at_ = end_;
+    return true;
   }
 
   bool sight() {
@@ -192,37 +387,12 @@ class GrammarParser {
     return !sight.symbols.empty() || wrong(here(), "Which symbols? Write them behind %:.", {keyword.text});
   }
 
-  bool input_form(DefinitionTree& definition) {
-    definition.kind = Definition::Kind::input;
-    if (on_sign('[')) {
-      ++at_;
-      if (!on_sign(']'))
-        return wrong(here(), "An array is declared as #input name[], with nothing between the brackets.");
-      ++at_;
-      definition.kind = Definition::Kind::array;
-    }
-    if (at_ < end_) return wrong(here(), "Nothing may follow the name of an input, but here is '%'.", {found()});
-    return true;
-  }
-
-  bool expression_before(std::size_t end, Expression& expression) {
-    Result<Expression> result = parse_expression(tokens_, at_, end);
-    if (!result) {
-      trouble_ = result.error();
-      return false;
-    }
-    expression = std::move(result.value());
-    return true;
-  }
-
-  // An expression that reaches exactly to `end`.
-  bool expression_to(std::size_t end, Expression& expression) {
-    if (!expression_before(end, expression)) return false;
-    return at_ == end || wrong(here(), "'%' cannot stand here; take it out.", {found()});
-  }
-
   bool axiom() {
     if (!grammar_.axiom.empty()) return wrong(tokens_[at_].place, "There is a second axiom; keep one of them.");
+    if (system_ != 0)
+      return wrong(tokens_[at_].place,
+                   "Only the first L-system has an axiom; write what this one begins with behind ?% in a string.",
+                   {grammar_.systems[system_]});
     at_ += 2;
     const Place place = here();
     if (!modules(grammar_.axiom)) return false;
@@ -230,232 +400,19 @@ class GrammarParser {
     return !grammar_.axiom.empty() || wrong(place, "The axiom needs at least one module, such as A(1).");
   }
 
-  bool production() {
-    ProductionTree production;
-    if (is_label())
-      return wrong(here(), "In cpfg '%:' labels a production; there are no labels here, so leave it out.", {found()});
-    if (!predecessor(production) || !condition(production)) return false;
-    at_ = arrow_ + 1;
-    const std::size_t end = end_of_line(arrow_);
-    for (std::size_t i = at_; i < end; ++i)
-      if (tokens_[i].kind == TokenKind::arrow)
-        return wrong(tokens_[i].place, "This line has a second -->; begin each production on a line of its own.");
-    const bool empty = on_sign('*');  // cpfg's way to write an empty successor
-    at_ += empty;
-    if (!empty && !modules(production.successor)) return false;
-    if (on_sign(':')) {
-      ++at_;
-      if (!expression_to(end_, production.weight)) return false;
-    }
-    if (at_ < end_) return wrong(here(), "Nothing but a weight may follow *, but here is '%'.", {found()});
-    grammar_.productions.push_back(std::move(production));
-    return true;
-  }
-
-  // Whether the production begins with `p1 :`. So it does when another colon follows, or when the name stands nowhere
-  // else and what follows its colon is no expression.
-  bool is_label() {
-    if (!on_name() || at_ + 2 >= arrow_ || !tokens_[at_ + 1].is(':')) return false;
-    for (std::size_t i = at_ + 2; i < arrow_; ++i)
-      if (tokens_[i].is(':')) return true;
-    const Token& next = tokens_[at_ + 2];
-    static constexpr std::string_view never_begin_expressions = "&^/\\|[]%?";
-    if (times_named(found()) > 1) return false;
-    if (next.kind == TokenKind::name) return times_named(next.text) > 1 && !is_value(at_ + 2);
-    if (next.is('*')) return at_ + 3 < arrow_;
-    return next.kind == TokenKind::sign && never_begin_expressions.find(next.text[0]) != std::string_view::npos;
-  }
-
-  // Whether the name at `at` is a constant's or calls a function.
-  bool is_value(std::size_t at) const {
-    for (const Function& function : functions)
-      if (tokens_[at].is(function.name)) return true;
-    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i)
-      if (tokens_[i].is('#') && tokens_[i + 2].is(tokens_[at].text)) return true;
-    return false;
-  }
-
-  // How often a name of the text stands there.
-  std::uint32_t times_named(std::string_view name) {
-    if (times_.empty()) {
-      times_.assign(tokens_.size(), 0);
-      for (const Token& token : tokens_) ++times_[words_.add(token.text)];
-    }
-    return times_[words_.find(name)];
-  }
-
-  // `left < predecessor > right`, up to the colon of a condition.
-  bool predecessor(ProductionTree& production) {
-    std::size_t end = at_;
-    while (end < arrow_ && !tokens_[end].is(':')) ++end;
-    const std::size_t after = std::exchange(end_, arrow_);
-    std::vector<Named> beside;
-    if (std::any_of(tokens_.begin() + at_, tokens_.begin() + end, [](const Token& token) { return token.is('<'); })) {
-      if (!neighbours(end, '<', production.left, beside)) return false;
-      if (!on_sign('<'))
-        return wrong(here(), "The left context stands first, then the predecessor, then the right one: A < B > C.");
-      ++at_;
-    }
-    production.place = here();
-    if (!symbol(production.predecessor) || !formals(production.formals)) return false;
-    production.arity = static_cast<std::uint32_t>(production.formals.size());
-    if (on_sign('<')) return wrong(here(), "There is a second < here; a predecessor has one left context.");
-    if (on_sign('>')) {
-      ++at_;
-      if (!neighbours(end, '>', production.right, beside)) return false;
-    }
-    production.formals.insert(production.formals.end(), beside.begin(), beside.end());
-    if (at_ < end_ && !on_sign(':'))
-      return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
-    end_ = after;
-    return different(production.formals);
-  }
-
-  // The modules of a context: the left one up to its `<`, the right one up to `end`. A lone `*` is none.
-  bool neighbours(std::size_t end, char side, std::vector<NeighbourTree>& neighbours, std::vector<Named>& beside) {
-    if (on_sign('*')) return ++at_, true;
-    const Place began = here();
-    std::vector<Place> open;
-    while (at_ < end && !on_sign('<') && !on_sign('>')) {
-      NeighbourTree neighbour{{}, here(), 0};
-      const std::size_t before = beside.size();
-      if (!symbol(neighbour.name) || !formals(beside)) return false;
-      neighbour.arity = static_cast<std::uint32_t>(beside.size() - before);
-      const bool opens = neighbour.name == "[", closes = neighbour.name == "]";
-      if (side == '<' && (opens || closes))
-        return wrong(neighbour.place, "A left context is the way from the root to the module, which has no brackets.");
-      if (opens) open.push_back(neighbour.place);
-      if (closes && open.empty()) return wrong(neighbour.place, "This ] closes nothing.");
-      if (closes) open.pop_back();
-      neighbours.push_back(neighbour);
-      if (neighbours.size() > most_neighbours)
-        return fail(Reason::limit, neighbour.place, "A context has at most 64 modules; look less far.");
-    }
-    if (!open.empty()) return wrong(open.back(), "This [ is never closed.");
-    if (neighbours.empty())
-      return wrong(began, "A context is expected beside %; leave the sign out where there is none, or write *.",
-                   {std::string_view(side == '<' ? "<" : ">")});
-    return true;
-  }
-
-  bool different(const std::vector<Named>& formals) {
-    if (formals.size() > most_parameters)
-      return fail(Reason::limit, formals[most_parameters].place,
-                  "A predecessor and its context have at most 32 parameters together; leave some modules out.");
-    for (std::size_t i = 1; i < formals.size(); ++i)
-      for (std::size_t k = 0; k < i; ++k)
-        if (formals[k].name == formals[i].name)
-          return wrong(formals[i].place, "The parameter '%' stands here twice.", {formals[i].name});
-    return true;
-  }
-
-  bool condition(ProductionTree& production) {
-    if (at_ == arrow_) return true;
-    ++at_;
-    const bool always = at_ == arrow_ || (on_sign('*') && at_ + 1 == arrow_);
-    if (always) return true;
-    return expression_to(arrow_, production.condition);
-  }
-
-  // A name, a sign of the turtle or ?E.
-  bool symbol(std::string_view& name) {
-    static constexpr std::string_view signs = "+-&^/\\|![]%";
-    if (at_ >= end_) return wrong(tokens_[arrow_].place, "A symbol is expected before -->, on the same line.");
-    const Token& token = tokens_[at_];
-    name = token.text;
-    if (token.is('?')) {
-      if (at_ + 1 < end_ && !foreign_query(tokens_[at_ + 1].text).empty())
-        return wrong(token.place, "%", {foreign_query(tokens_[at_ + 1].text)});
-      if (at_ + 1 >= end_ || !tokens_[at_ + 1].is("E") || !touching(token, tokens_[at_ + 1]))
-        return wrong(token.place, "The only communication module is ?E; write it in one word.");
-      name = {token.text.data(), 2};
-      ++at_;
-    } else if (token.kind != TokenKind::name && signs.find(token.text[0]) == std::string_view::npos) {
-      return no_symbol(token);
-    }
-    ++at_;
-    return true;
-  }
-
-  bool no_symbol(const Token& token) {
-    if (!foreign_module(token.text).empty()) return wrong(token.place, "%", {foreign_module(token.text)});
-    if (token.kind == TokenKind::number)
-      return wrong(token.place, "A symbol begins with a letter; '%' cannot be one.", {token.text});
-    return wrong(token.place, "'%' cannot stand in a string of modules; docs/turtle.md lists what can.", {token.text});
-  }
-
-  // Adds the names in parentheses, where there are any.
-  bool formals(std::vector<Named>& formals) {
-    if (!on_sign('(')) return true;
-    const Place opened = here();
-    const std::size_t before = formals.size();
-    ++at_;
-    while (!on_sign(')')) {
-      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
-      if (formals.size() > before) {
-        if (!on_sign(',')) return wrong(here(), "A comma is expected here, not '%'.", {found()});
-        ++at_;
-      }
-      if (!on_name()) return wrong(here(), "A predecessor's parameters are names; here is '%'.", {found()});
-      if (formals.size() - before == most_parameters) return too_many(opened);
-      formals.push_back({tokens_[at_].text, tokens_[at_].place});
-      ++at_;
-    }
-    ++at_;
-    return true;
-  }
-
-  bool too_many(const Place& place) {
-    return fail(Reason::limit, place, "A module has at most 32 parameters; split it into two.");
-  }
-
-  // Modules up to a `:` or the statement's end, their brackets balanced.
-  bool modules(std::vector<ModuleTree>& modules) {
-    std::vector<Place> open;
-    while (at_ < end_ && !on_sign(':')) {
-      ModuleTree module;
-      module.place = here();
-      if (!symbol(module.name) || !arguments(module)) return false;
-      if (module.name == "[") open.push_back(module.place);
-      if (module.name == "]") {
-        if (open.empty()) return wrong(module.place, "This ] closes nothing.");
-        open.pop_back();
-      }
-      modules.push_back(std::move(module));
-    }
-    return open.empty() || wrong(open.back(), "This [ is never closed.");
-  }
-
-  bool arguments(ModuleTree& module) {
-    if (!on_sign('(')) return true;
-    const Place opened = here();
-    ++at_;
-    if (on_sign(')')) return ++at_, true;
-    for (;;) {
-      if (!expression_before(end_, module.arguments.emplace_back())) return false;
-      if (module.arguments.size() > most_parameters) return too_many(opened);
-      if (at_ >= end_) return wrong(opened, "This ( is never closed.");
-      if (tokens_[at_++].is(')')) return true;
-    }
-  }
-
-  std::span<const Token> tokens_;
-  std::size_t at_ = 0;
-  std::size_t end_ = 0;               // of the statement
-  std::size_t arrow_ = 0;             // of the production
-  Names defined_;                     // in the order of the definitions
-  Names words_;                       // all that stands in the text
-  std::vector<std::uint32_t> times_;  // how often each word does
-  Grammar grammar_;
-  Diagnostic trouble_;
+  Names defined_;  // in the order of the text
+  std::vector<Place> places_;
+  Purpose purpose_ = Purpose::derivation;
+  std::size_t first_system_ = static_cast<std::size_t>(-1);
+  bool notation_said_ = false;
 };
 
 }  // namespace
 
-Result<Grammar> parse(std::string_view text) {
+Result<Grammar> parse(std::string_view text, Notation notation) {
   const Result<std::vector<Token>> tokens = tokenize(text);
   if (!tokens) return tokens.error();
-  return GrammarParser(tokens.value()).run();
+  return GrammarParser(tokens.value(), notation).run();
 }
 
 }  // namespace panicle::lsystem

@@ -1,15 +1,15 @@
-// Text → tree (docs/grammar.md).
+// Text → tree (docs/language.md).
 #pragma once
 
 #include <string_view>
 
 #include "lsystem/grammar.hpp"
+#include "lsystem/token_reader.hpp"
 
 namespace panicle::lsystem {
 
-inline constexpr std::size_t most_parameters = 32;  // of one module
-
 // `text` must outlive the tree. Errors: syntax, undefined (a function's name), limit; the first one found.
-Result<Grammar> parse(std::string_view text);
+// `notation` is that of a text without `#turtle`.
+Result<Grammar> parse(std::string_view text, Notation notation);
 
 }  // namespace panicle::lsystem

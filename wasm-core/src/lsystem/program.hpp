@@ -2,20 +2,23 @@
 // what the inputs give (bound.hpp).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "lsystem/code.hpp"
+#include "lsystem/grammar.hpp"
 #include "lsystem/lsystem.hpp"
 #include "lsystem/turtle_symbols.generated.hpp"
 #include "lsystem/words.hpp"
 
 namespace panicle::lsystem {
 
-// Symbols are numbered: the turtle's as in turtle_symbols, then the text's own in the order of appearance.
-inline constexpr std::uint32_t turtle_symbol_count = static_cast<std::uint32_t>(turtle_symbols.size());
-inline constexpr bool is_turtle_symbol(std::uint32_t symbol) { return symbol < turtle_symbol_count; }
+// Symbols are numbered: the turtle's as in turtle_symbols, then the text's own in the order of appearance. What the
+// turtle does at one is in Program::meanings.
+inline constexpr std::uint8_t no_meaning = 0xff;
+static_assert(turtle_symbols.size() < no_meaning);
 
 constexpr std::uint32_t symbol_for(Action action) {
   std::uint32_t symbol = 0;
@@ -98,16 +101,34 @@ struct Declaration {
   std::string name;
   Definition::Kind kind = Definition::Kind::define;
   Place place;
-  Value value;           // of a #define
-  std::uint32_t to = 0;  // register, or place of an array among Code::arrays
+  std::vector<Value> values;  // of a #define; none where they have to be given
+  std::uint32_t to = 0;       // register, or place of an array among Code::arrays
 };
 
 class Program {
  public:
+  const TurtleSymbol* turtle(std::uint32_t symbol) const {
+    return meanings[symbol] == no_meaning ? nullptr : &turtle_symbols[meanings[symbol]];
+  }
+  // Whether it is ?P, ?H, ?L or ?U, whose parameters change from step to step.
+  bool asks_turtle(std::uint32_t symbol) const {
+    return meanings[symbol] != no_meaning && turtle_symbols[meanings[symbol]].action >= Action::ask_position;
+  }
+  bool has(Purpose purpose) const { return !rules_for[static_cast<std::size_t>(purpose)].empty(); }
+  const std::vector<Rules>& rules_of(Purpose purpose) const { return rules_for[static_cast<std::size_t>(purpose)]; }
+  // Whether what a step sees is more than each module by itself, so that the order of rewriting matters.
+  bool by_steps() const { return in_context || locates || has(Purpose::decomposition); }
+
+  Notation notation = Notation::huang;
   std::vector<std::string> symbols;
-  std::vector<Production> productions;      // by predecessor, then in the order of the text
-  std::vector<Rules> rules;                 // by symbol
-  std::vector<std::uint32_t> predecessors;  // in the order of the text
+  std::vector<std::uint8_t> meanings;                  // by symbol: a place in turtle_symbols, or no_meaning
+  std::vector<Production> productions;                 // by purpose, then by predecessor, then in the order of the text
+  std::vector<Rules> rules;                            // of derivation, by symbol
+  std::array<std::vector<Rules>, purposes> rules_for;  // of the others, by symbol; empty where there are none
+  std::array<Value, 2> depths;                         // of decomposition and homomorphism
+  std::array<Value, settings_count> settings;          // by Said
+  bool locates = false;                                // whether a module asks for the turtle's place or axes
+  std::vector<std::uint32_t> predecessors;             // in the order of the text
   std::vector<std::uint32_t> words;
   std::vector<Patch> patches;
   std::vector<Patch> bound_patches;  // parameters that the inputs decide, in the order of the text

@@ -11,6 +11,7 @@
 namespace panicle::lsystem {
 namespace {
 
+constexpr std::string_view turns = "+-&^/\\<>";
 constexpr std::string_view angle_names[] = {"angle", "delta", "δ"};
 
 class Reader {
@@ -19,7 +20,8 @@ class Reader {
 
   std::vector<Remark> run() {
     for (const ProductionTree& production : grammar_.productions) known_.add(production.predecessor);
-    for (const TurtleSymbol& turtle : turtle_symbols) known_.add(turtle.symbol);
+    for (const TurtleSymbol& turtle : turtle_symbols)
+      if (!turtle.cpfg_only || grammar_.notation == Notation::cpfg) known_.add(turtle.symbol);
     note_uses();
     string(grammar_.axiom, 0);
     on_axiom_.swap(remarks_);
@@ -29,6 +31,10 @@ class Reader {
         once("S as a symbol", production.place,
              "S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
              "name.");
+      if (production.condition.nodes.size() == 1 && production.condition.nodes[0].kind == Node::Kind::number)
+        once("one number", production.condition.place,
+             "A condition that is a number always holds, or never; a weight stands behind the successor and a colon: A "
+             "--> B : 0.33.");
       string(production.successor, production.place.line);
     }
     add_those_on_axiom();
@@ -61,11 +67,15 @@ class Reader {
         for (const Expression& argument : module.arguments) use(argument);
     };
     use_all(grammar_.axiom);
-    for (const DefinitionTree& definition : grammar_.definitions) use(definition.expression);
+    for (const Expression& setting : grammar_.settings) use(setting);
+    for (const DefinitionTree& definition : grammar_.definitions)
+      for (const Expression& value : definition.values) use(value);
     for (const ProductionTree& production : grammar_.productions) {
       use_all(production.successor);
       use(production.condition);
       use(production.weight);
+      for (const AssignmentTree& assignment : production.before) use(assignment.expression);
+      for (const AssignmentTree& assignment : production.after) use(assignment.expression);
     }
     for (const DefinitionTree& definition : grammar_.definitions)
       for (std::size_t i = 0; i < std::size(angle_names); ++i)
@@ -85,14 +95,31 @@ class Reader {
   }
 
   void module(const ModuleTree& module) {
-    const bool bare = module.arguments.empty();
-    if (bare && module.name == "!")
-      once("!", module.place, "! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
-    if (bare && !angle_.empty() &&
-        (module.name == "+" || module.name == "-" || module.name == "&" || module.name == "^"))
-      once("angle", module.place, "% without an argument turns by 90° and does not heed '%'; write %(%).",
-           {module.name, angle_, module.name, angle_});
+    if (module.arguments.empty()) bare(module);
     if (!known(module.name)) unknown(module);
+  }
+
+  bool said(Said which) const { return grammar_.settings[static_cast<std::size_t>(which)].given(); }
+
+  // What stands in for an argument is said once, unless the text says it.
+  void bare(const ModuleTree& module) {
+    const bool cpfg = grammar_.notation == Notation::cpfg;
+    if (module.name == "!" && !cpfg)
+      once("!", module.place, "! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).");
+    if ((module.name == "!" || module.name == "#") && cpfg && !said(Said::line_width_increment))
+      once("!", module.place,
+           "% without an argument changes the width by the line width increment, which is 0 until a line such as line "
+           "width increment: 0.1 says another.",
+           {module.name});
+    if (module.name.size() != 1 || turns.find(module.name[0]) == std::string_view::npos || said(Said::angle_increment))
+      return;
+    if (!angle_.empty())
+      once("angle", module.place,
+           "% without an argument turns by 90° and does not heed '%'; write %(%), or a line angle increment: %.",
+           {module.name, angle_, module.name, angle_, angle_});
+    else if (cpfg)
+      once("angle", module.place,
+           "% without an argument turns by 90°; a line such as angle increment: 25 says another.", {module.name});
   }
 
   // A symbol that nothing rewrites and the turtle does not know.
@@ -102,10 +129,13 @@ class Reader {
     if (turtles && !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos)
       once(name, module.place, "% is one symbol of its own and draws nothing; write %(%).",
            {name, name.substr(0, 1), digits});
-    if (name == "T")
-      once(name, module.place, "T draws nothing; in cpfg it bends what follows (tropism), which the notation lacks.");
-    if ((name == "G" || name == "g") && !module.arguments.empty())
-      once(name, module.place, "% draws nothing; in cpfg it moves ahead within a polygon: write F or f.", {name});
+    const bool capitals = name.size() > 1 && name.find_first_not_of("FGABCDLRXYIJKPQ") == std::string_view::npos;
+    if (capitals && name.find('F') != std::string_view::npos)
+      once(name, module.place, "% is one symbol of its own and draws nothing; put spaces between several.", {name});
+    if (name == "T" || ((name == "G" || name == "g") && !module.arguments.empty()))
+      once(name, module.place,
+           "% draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.",
+           {name});
   }
 
   // `//` and at least two words that mean nothing.

@@ -9,7 +9,7 @@
 namespace panicle::lsystem {
 namespace {
 
-constexpr std::string_view signs = "+-*/^%&|\\!()[],:=<>?#";
+constexpr std::string_view signs = "+-*/^%&|\\!()[]{}.,:;=<>?#$~@'";
 
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 
@@ -18,7 +18,7 @@ struct Spelling {
   char32_t pasted;
   std::string_view written;
 };
-constexpr std::array<Spelling, 12> spellings = {{{U'→', "-->"},
+constexpr std::array<Spelling, 16> spellings = {{{U'→', "-->"},
                                                  {U'⟶', "-->"},
                                                  {U'−', "-"},
                                                  {U'–', "-"},
@@ -28,8 +28,12 @@ constexpr std::array<Spelling, 12> spellings = {{{U'→', "-->"},
                                                  {U'≤', "<="},
                                                  {U'≥', ">="},
                                                  {U'≠', "!="},
-                                                 {U'∧', "&&"},
-                                                 {U'∨', "||"}}};
+                                                 {U'∧', "&& in a condition, ^ in a string"},
+                                                 {U'∨', "||"},
+                                                 {U'′', "'"},
+                                                 {U'’', "'"},
+                                                 {U'∼', "~"},
+                                                 {U'⇒', "-->"}}};
 
 // Letters of every script may stand in names; punctuation, arrows, mathematical signs and the like may not.
 bool is_letter(char32_t c) {
@@ -145,6 +149,8 @@ class Tokenizer {
       return add(TokenKind::arrow, start, place);
     }
     if (point.bytes == 1 && signs.find(text_[at_]) != std::string_view::npos) {
+      static constexpr std::string_view of_prose = "'.,;";
+      if (of_prose.find(text_[at_]) != std::string_view::npos && in_comment()) return unknown(point);
       advance(1);
       return add(TokenKind::sign, start, place);
     }
@@ -189,10 +195,10 @@ class Tokenizer {
     if (point.value < 0x20 || point.value == 0x7f)
       return fail(place_, "A control character cannot stand here; take it out.");
     const std::string character(text_.substr(at_, point.bytes));
+    if (in_comment()) return fail(place_, "A comment is written /* … */ here; // is two rolls of the turtle.");
     for (const Spelling& spelling : spellings)
       if (spelling.pasted == point.value)
         return fail(place_, "'%' is not part of the notation; write %.", {character, spelling.written});
-    if (in_comment()) return fail(place_, "A comment is written /* … */ here; // is two rolls of the turtle.");
     if (!foreign_sign(character).empty()) return fail(place_, "%", {foreign_sign(character)});
     return fail(place_, "'%' is not part of the notation; take it out.", {character});
   }

@@ -19,7 +19,32 @@ enum class Action : std::uint8_t {
   pop,
   cut,
   ask,
+  line_apart,
+  move_apart,
+  ball,
+  disc,
+  level,
+  go_to,
+  head_for,
+  begin_polygon,
+  corner,
+  end_polygon,
+  surface,
+  widen,
+  next_colour,
+  last_colour,
+  size,
+  elasticity,
+  tropism,
+  nothing,
+  ask_position,
+  ask_heading,
+  ask_left,
+  ask_up,
 };
+
+// What a text says once for all its modules, in a line such as angle increment: 25.
+enum class Setting : std::uint8_t { none, angle_increment, line_length, line_width, line_width_increment };
 
 inline constexpr std::uint32_t any_number = 0xffffffffu;
 
@@ -31,26 +56,58 @@ struct TurtleSymbol {
   float standard;     // stands in for an argument that is left out
   float sign;         // which way the action goes
   bool non_negative;  // the argument may not be below 0
+  Setting setting;    // the line of the text that says what stands in for it
+  bool cpfg_only;     // a symbol of the text's own in the other notation
 };
 
 // A turtle symbol's number in a derived string is its place here.
 // clang-format off
-inline constexpr std::array<TurtleSymbol, 15> turtle_symbols = {{
-    {"F",  "line",        Action::line, 1, 1.0f, 1.0f, false},
-    {"f",  "move",        Action::move, 1, 1.0f, 1.0f, false},
-    {"S",  "sphere",      Action::sphere, 1, 1.0f, 1.0f, true},
-    {"+",  "turn right",  Action::turn, 1, 90.0f, 1.0f, false},
-    {"-",  "turn left",   Action::turn, 1, 90.0f, -1.0f, false},
-    {"&",  "pitch up",    Action::pitch, 1, 90.0f, 1.0f, false},
-    {"^",  "pitch down",  Action::pitch, 1, 90.0f, -1.0f, false},
-    {"/",  "roll right",  Action::roll, 1, 90.0f, 1.0f, false},
-    {"\\", "roll left",   Action::roll, 1, 90.0f, -1.0f, false},
-    {"|",  "turn around", Action::turn, 0, 180.0f, 1.0f, false},
-    {"!",  "width",       Action::width, 1, 1.0f, 1.0f, true},
-    {"[",  "push",        Action::push, 0, 0.0f, 1.0f, false},
-    {"]",  "pop",         Action::pop, 0, 0.0f, 1.0f, false},
-    {"%",  "cut",         Action::cut, 0, 0.0f, 1.0f, false},
-    {"?E", "ask",         Action::ask, any_number, 0.0f, 1.0f, false},
+inline constexpr std::array<TurtleSymbol, 45> turtle_symbols = {{
+    {"F",   "line",          Action::line, 1, 1.0f, 1.0f, false, Setting::line_length, false},
+    {"f",   "move",          Action::move, 1, 1.0f, 1.0f, false, Setting::line_length, false},
+    {"S",   "sphere",        Action::sphere, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"+",   "turn",          Action::turn, 1, 90.0f, 1.0f, false, Setting::angle_increment, false},
+    {"-",   "turn back",     Action::turn, 1, 90.0f, -1.0f, false, Setting::angle_increment, false},
+    {"&",   "pitch",         Action::pitch, 1, 90.0f, 1.0f, false, Setting::angle_increment, false},
+    {"^",   "pitch back",    Action::pitch, 1, 90.0f, -1.0f, false, Setting::angle_increment, false},
+    {"/",   "roll",          Action::roll, 1, 90.0f, 1.0f, false, Setting::angle_increment, false},
+    {"\\",  "roll back",     Action::roll, 1, 90.0f, -1.0f, false, Setting::angle_increment, false},
+    {"|",   "turn around",   Action::turn, 0, 180.0f, 1.0f, false, Setting::none, false},
+    {"!",   "width",         Action::width, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"[",   "push",          Action::push, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"]",   "pop",           Action::pop, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"%",   "cut",           Action::cut, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"?E",  "ask",           Action::ask, any_number, 0.0f, 1.0f, false, Setting::none, false},
+    {"G",   "line beside",   Action::line_apart, 1, 1.0f, 1.0f, false, Setting::line_length, true},
+    {"g",   "move beside",   Action::move_apart, 1, 1.0f, 1.0f, false, Setting::line_length, true},
+    {"@O",  "ball",          Action::ball, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"@o",  "disc",          Action::disc, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"@c",  "disc",          Action::disc, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"<",   "roll",          Action::roll, 1, 90.0f, -1.0f, false, Setting::angle_increment, false},
+    {">",   "roll back",     Action::roll, 1, 90.0f, 1.0f, false, Setting::angle_increment, false},
+    {"$",   "level",         Action::level, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"@v",  "level",         Action::level, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"@M",  "go to",         Action::go_to, 3, 0.0f, 1.0f, false, Setting::none, false},
+    {"@R",  "head for",      Action::head_for, 6, 0.0f, 1.0f, false, Setting::none, false},
+    {"{",   "begin polygon", Action::begin_polygon, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {".",   "corner",        Action::corner, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"}",   "end polygon",   Action::end_polygon, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"~",   "surface",       Action::surface, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"#",   "widen",         Action::widen, 1, 0.0f, 1.0f, true, Setting::none, false},
+    {"'",   "next colour",   Action::next_colour, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {";",   "next colour",   Action::next_colour, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {",",   "last colour",   Action::last_colour, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"@D",  "size",          Action::size, 1, 1.0f, 1.0f, true, Setting::none, false},
+    {"@Ts", "elasticity",    Action::elasticity, 1, 0.0f, 1.0f, false, Setting::none, false},
+    {"T",   "elasticity",    Action::elasticity, 1, 0.0f, 1.0f, false, Setting::none, true},
+    {"@Tp", "tropism",       Action::tropism, 3, 0.0f, 1.0f, false, Setting::none, false},
+    {"@Gs", "tube",          Action::nothing, 0, 0.0f, 1.0f, false, Setting::none, false},
+    {"@Gc", "tube",          Action::nothing, 1, 0.0f, 1.0f, false, Setting::none, false},
+    {"@Ge", "tube",          Action::nothing, 1, 0.0f, 1.0f, false, Setting::none, false},
+    {"?P",  "position",      Action::ask_position, any_number, 0.0f, 1.0f, false, Setting::none, false},
+    {"?H",  "heading",       Action::ask_heading, any_number, 0.0f, 1.0f, false, Setting::none, false},
+    {"?L",  "left",          Action::ask_left, any_number, 0.0f, 1.0f, false, Setting::none, false},
+    {"?U",  "up",            Action::ask_up, any_number, 0.0f, 1.0f, false, Setting::none, false},
 }};
 // clang-format on
 

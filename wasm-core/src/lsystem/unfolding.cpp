@@ -15,8 +15,8 @@ namespace {
 
 class Unfolding {
  public:
-  Unfolding(const Bound& bound, std::uint64_t seed, const Limits& limits)
-      : machine_(bound, seed, limits), program_(*bound.program), limits_(limits) {}
+  Unfolding(const Bound& bound, std::uint64_t seed, const Limits& limits, const Space* space)
+      : machine_(bound, seed, limits, space), program_(*bound.program), limits_(limits) {}
 
   Result<Derived> run() {
     const std::uint64_t root = hash_text("axiom");
@@ -102,9 +102,10 @@ class Unfolding {
 
 }  // namespace
 
-Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits) {
-  if (bound.program->in_context) return develop_to_rest(bound, seed, limits);
-  return Unfolding(bound, seed, limits).run();
+Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits, const Surroundings& around) {
+  const bool asked = around.answers != nullptr && bound.program->rules[ask_symbol].productions.size() > 0;
+  if (asked || bound.program->by_steps()) return develop_to_rest(bound, seed, limits, around);
+  return Unfolding(bound, seed, limits, around.space).run();
 }
 
 }  // namespace panicle::lsystem

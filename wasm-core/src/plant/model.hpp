@@ -15,6 +15,10 @@ struct Model {
   // No files, no clock, no state: the same request gives the same plant. What the request leaves out has its default;
   // what is out of range is brought into it, with a note. Errors are values, with line and column for a grammar.
   Result<Plant> (*grow)(Request& request, const Limits& limits);
+  // That of texts which do not say theirs.
+  lsystem::Notation notation = lsystem::Notation::huang;
+  // Whether its listener wants to know where modules come from, whatever the text draws by chance.
+  lsystem::Lineages lineages = lsystem::Lineages::always;
 };
 
 }  // namespace panicle

@@ -94,7 +94,7 @@ Result<std::shared_ptr<const lsystem::Program>> Request::program(const Limits& l
   if (kept) return kept;
   if (trouble_.reason != Reason::none) return trouble_;
   if (grammar.empty()) return refused("The request has no grammar.");
-  return lsystem::compile(grammar, limits, lsystem::Lineages::always);
+  return lsystem::compile(grammar, limits, lineages_, notation_);
 }
 
 Diagnostic Request::trouble() const {

@@ -28,6 +28,12 @@ class Request {
   // Both must outlive the request. `programs` may be null where no handles are known.
   Request(std::span<const ColumnView> blocks, const Programs* programs);
 
+  // The notation of grammars that do not say theirs, and whether their modules keep lineages.
+  void read_grammars_as(lsystem::Notation notation, lsystem::Lineages lineages) {
+    notation_ = notation;
+    lineages_ = lineages;
+  }
+
   // What a block holds, rows of whatever width one after the other; nothing, zero or `otherwise` where it is absent.
   std::string_view text(std::string_view name);
   std::span<const float> floats(std::string_view name);
@@ -44,7 +50,7 @@ class Request {
   bool wants(std::string_view output);
   // The compiled grammar whose handle the block `program` holds; null where there is none.
   std::shared_ptr<const lsystem::Program> kept_program();
-  // That one, or what `grammar` compiles to, with lineages. Errors: those of lsystem::compile; bad_request where the
+  // That one, or what `grammar` compiles to. Errors: those of lsystem::compile; bad_request where the
   // request has neither.
   Result<std::shared_ptr<const lsystem::Program>> program(const Limits& limits);
   // Once everything has been read: the first thing that was wrong, or a block that nobody has asked for.
@@ -55,6 +61,8 @@ class Request {
 
   std::span<const ColumnView> blocks_;
   const Programs* programs_;
+  lsystem::Notation notation_ = lsystem::Notation::huang;
+  lsystem::Lineages lineages_ = lsystem::Lineages::always;
   std::vector<bool> read_;
   Diagnostic trouble_;
 };

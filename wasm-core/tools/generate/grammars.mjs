@@ -2,6 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { coreFolder } from "../repository.mjs";
+import { isGrown } from "./texts.mjs";
 
 const grammars = join(coreFolder, "grammars");
 
@@ -23,7 +24,7 @@ const literal = (text) => `\`${text.replace(/[\\`]|\$\{/g, "\\$&")}\``;
 /** The generated files. */
 export function outputs() {
 	return readdirSync(grammars)
-		.filter((model) => existsSync(join(coreFolder, "src/models", model)))
+		.filter((model) => existsSync(join(coreFolder, "src/models", model)) && !isGrown(model))
 		.sort()
 		.map((model) => {
 			const files = readdirSync(join(grammars, model))

@@ -111,13 +111,11 @@ function info(p) {
 	return Object.fromEntries(fields.map((field) => [field, whole[field]]));
 }
 
-const keyList = (name, doc, parameters) =>
-	`/** ${doc} */\nexport const ${name} = [\n${parameters.map((p) => `\t"${p.key}",\n`).join("")}] as const;`;
-
 /** One line where it fits. */
-function shortKeyList(name, doc, parameters) {
+function keyList(name, doc, parameters) {
 	const line = `export const ${name} = [${parameters.map((p) => `"${p.key}"`).join(", ")}] as const;`;
-	return line.length <= 120 ? `/** ${doc} */\n${line}` : keyList(name, doc, parameters);
+	const lines = parameters.map((p) => `\t"${p.key}",\n`).join("");
+	return `/** ${doc} */\n${line.length <= 120 ? line : `export const ${name} = [\n${lines}] as const;`}`;
 }
 
 /** `"a" | "b"`; where there are none, `never`. */
@@ -131,7 +129,7 @@ import type { Entry, Group } from "${up}specimen/table";
 ${keyList("NUMBER_KEYS", "Keys of the parameters that the core reads, in the request's order.", ofCore(table))}
 export type NumberKey = (typeof NUMBER_KEYS)[number];
 
-${shortKeyList("LOOK_KEYS", "Keys of the parameters that only colour the result.", look)}
+${keyList("LOOK_KEYS", "Keys of the parameters that only colour the result.", look)}
 export type LookKey = (typeof LOOK_KEYS)[number];
 /** Those of them that are colours, as six hexadecimal digits. */
 export type ColourKey = ${union(look.filter((p) => p.kind === "colour"))};

@@ -17,6 +17,8 @@ export interface Call {
 	targets: readonly string[];
 	grammarFile: string | undefined;
 	boundaryFile: string | undefined;
+	/** Whether the JSON is to have the derived string. */
+	string: boolean;
 	/** Which of the files that end like `out`. */
 	form: string | undefined;
 	files: FileOptions;
@@ -33,7 +35,7 @@ export function readArguments(words: readonly string[]): Call {
 		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);
 	}
 	const batch = readBatch(values);
-	const alone = (["form", "triangles", "thickness", "points", "translucent", "textures"] as const).find(
+	const alone = (["form", "triangles", "thickness", "points", "translucent", "textures", "string"] as const).find(
 		(key) => values[key],
 	);
 	if (batch && alone) throw new UsageError(`--${alone} is for one plant’s file; of a series, --as says the kind`);
@@ -49,6 +51,7 @@ export function readArguments(words: readonly string[]): Call {
 		targets: values.target ?? [],
 		grammarFile: last(values.grammar),
 		boundaryFile: last(values.boundary),
+		string: values.string ?? false,
 		out: last(values.out),
 		form: last(values.form),
 		files: {
@@ -70,6 +73,7 @@ const OPTIONS = {
 	target: { type: "string", multiple: true },
 	grammar: { type: "string", multiple: true },
 	boundary: { type: "string", multiple: true },
+	string: { type: "boolean" },
 	out: { type: "string", short: "o", multiple: true },
 	form: { type: "string", multiple: true },
 	triangles: { type: "string", multiple: true },

@@ -5,8 +5,10 @@
 
 import { basename } from "node:path";
 import { type Read as Asked, linkIn, readSource as readPresetOrLink, readTyped, SpecimenError } from "../library/asked";
+import { modelForText } from "../models/for_text";
 import { modelNamed } from "../models/index";
 import type { Model } from "../models/model";
+import { fromPreset } from "../specimen/from_preset";
 import { GRAMMAR_BYTES } from "../specimen/limits";
 import { modelInQuery } from "../specimen/link";
 import { type Note, Notes } from "../specimen/notes";
@@ -19,7 +21,8 @@ import { UsageError } from "./usage";
 
 /** @throws UsageError */
 export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings, "readFile">): Promise<Asked> {
-	const { model, specimen: start, notes } = await readSource(call.source);
+	const grammar = call.grammarFile === undefined ? undefined : await readGrammar(call.grammarFile, readFile);
+	const { model, specimen: start, notes } = await readStart(call.source, grammar);
 	let specimen = start;
 	const seed = { seed: call.seed };
 	if (call.seed !== undefined) specimen = typed(model, seed, specimen, (note) => `--seed: ${note.problem}`);
@@ -33,8 +36,9 @@ export async function askedSpecimen(call: Call, { readFile }: Pick<Surroundings,
 		refuseUnheeded(model, brought, specimen, `--boundary ${call.boundaryFile}`);
 	}
 	const idle = idleSettings(model, call.set, specimen);
-	if (call.grammarFile !== undefined) {
-		const grammar = await readGrammar(model, call.grammarFile, readFile);
+	if (grammar !== undefined) {
+		if (!model.details.some(({ packed }) => packed?.key === "grammar"))
+			throw new UsageError(`--grammar ${call.grammarFile}: the ${model.noun} is not grown by a grammar's text`);
 		specimen = typed(model, { grammar }, specimen, (note) => `--grammar ${call.grammarFile}: ${note.problem}`);
 	}
 	return { model, specimen, notes: [...notes, ...idle] };
@@ -47,6 +51,12 @@ export async function askedModel(source: string | undefined): Promise<Model> {
 	return modelNamed(link ? modelInQuery(link.query) : model);
 }
 
+/** What the call names; where it names nothing, the model that its text is for. */
+async function readStart(source: string | undefined, grammar: string | undefined): Promise<Asked> {
+	const model = source === undefined && grammar !== undefined ? await modelForText(grammar) : undefined;
+	return model ? { model, specimen: fromPreset(model), notes: [] } : readSource(source);
+}
+
 async function readSource(source: string | undefined): Promise<Asked> {
 	return readPresetOrLink(source, "--list lists them").catch((error: unknown) => {
 		throw inUsage(error, ({ message }) => message);
@@ -54,13 +64,17 @@ async function readSource(source: string | undefined): Promise<Asked> {
 }
 
 function readSettings(model: Model, settings: Call["set"], specimen: Specimen): Specimen {
-	for (const key of Object.keys(settings)) {
-		const known = detailOf(model, key) || entryOf(model, key);
-		if (!known) throw new UsageError(`--set ${key}: no parameter has that key; see --help`);
-	}
-	const read = typed(model, settings, specimen, (note) => `--set ${note.key}: ${note.problem}`);
-	refuseFinerSteps(model, settings);
-	return read;
+	const known = (key: string) => detailOf(model, key) || entryOf(model, key);
+	const own = Object.fromEntries(Object.entries(settings).filter(([key]) => !known(key)));
+	const [stranger] = Object.keys(own);
+	const namer = model.details.find(({ named }) => named);
+	if (stranger !== undefined && !namer)
+		throw new UsageError(`--set ${stranger}: no parameter has that key; see --help`);
+	const others = Object.fromEntries(Object.entries(settings).filter(([key]) => !Object.hasOwn(own, key)));
+	const message = (note: SpecimenError) => `--set ${note.key}: ${note.problem}`;
+	const read = typed(model, others, specimen, message);
+	refuseFinerSteps(model, others);
+	return stranger === undefined ? read : typed(model, namer?.named?.(read, own) ?? {}, read, message);
 }
 
 /** The parameter that a key of the table or of links means; the first of those that share one. */
@@ -114,7 +128,7 @@ function refuseFinerSteps(model: Model, settings: Call["set"]): void {
 /** Reads values that a person typed: the first that cannot be used as it is ends it. */
 function typed(
 	model: Model,
-	values: Readonly<Record<string, string | undefined>>,
+	values: Readonly<Record<string, unknown>>,
 	from: Specimen,
 	message: (wrong: SpecimenError) => string,
 ): Specimen {
@@ -146,10 +160,7 @@ async function readBoundary(
 	});
 }
 
-async function readGrammar(model: Model, file: string, readFile: Surroundings["readFile"]): Promise<string> {
-	if (!model.details.some(({ packed }) => packed?.key === "grammar")) {
-		throw new UsageError(`--grammar ${file}: the ${model.noun} is not grown by a grammar's text`);
-	}
+async function readGrammar(file: string, readFile: Surroundings["readFile"]): Promise<string> {
 	const bytes = await readFile(file).catch((error: unknown) => {
 		throw new UsageError(`--grammar ${file}: ${reasonOf(error)}`);
 	});

@@ -54,6 +54,10 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		throw new UsageError(`--out ${out}: pictures take a graphics card; take them in the page, from its Download menu`);
 	if (ending === undefined) throw new UsageError(`--out ${out}: the name must end in ${endingsOf(model)}`);
 	checkForm(call, ending, hasAges(model, from));
+	if (call.string && !(model.strings && ending === "json"))
+		throw new UsageError(
+			model.strings ? "--string: the string stands in JSON" : `--string: the ${model.noun} is not grown by any text`,
+		);
 	const core = await world.loadCore(model.wasm);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
@@ -68,7 +72,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 			growPlant(model, each, wanted, async (_, blocks) => core.grow(blocks)),
 		);
 	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
-	const grown = await grow(specimen, { meshes, measures });
+	const grown = await grow(specimen, { meshes, measures, ...(call.string ? { string: true } : {}) });
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (out === undefined) {
 		world.print(jsonOf(model, all, specimen));

@@ -5,7 +5,7 @@ export function plantInWords({ model, specimen, grown }: Pick<Shown, "model" | "
 	const words = model.words(grown, specimen);
 	// Some models' words say of themselves what it is.
 	if (/^[^,:]*/.exec(words.toLowerCase())?.[0].includes(model.noun)) return words;
-	const title = model.presets.named(specimen.preset)?.title ?? model.title;
+	const title = model.titled?.(specimen) ?? model.presets.named(specimen.preset)?.title ?? model.title;
 	const named = title.toLowerCase().includes(model.noun) ? title : `${title} ${model.noun}`;
 	return `${named}: ${words}`;
 }

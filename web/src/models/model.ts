@@ -25,6 +25,8 @@ export interface GrowthOptions {
 	measures?: boolean;
 	/** Whether the next is on its way, for a hand moves: what a figure can do without for so long may be left out. */
 	passing?: boolean;
+	/** Whether the derived string is wanted, of models that have one (`strings`); the default is no. */
+	string?: boolean;
 }
 
 /** Measures that a person may ask for. */
@@ -59,6 +61,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	readonly preview?: true;
 	/** What a person calls it, as a heading: "Grape bunch". */
 	readonly title: string;
+	/** What the gallery calls its presets together, where that is not the title. */
+	readonly shelf?: string;
 	/** What sentences call one: "the last bunch stays". */
 	readonly noun: string;
 	/** The file of its core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere. */
@@ -66,6 +70,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 
 	/** Whether its presets have pictures in public/gallery; absent where they have. */
 	readonly pictures?: false;
+	/** Whether it tells the string that its grammar has derived, where that is asked for. */
+	readonly strings?: true;
 
 	/**
 	 * Fetches what a specimen's request and plant need besides the core, where there is such: to be awaited before `encode`.
@@ -90,6 +96,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	parts(grown: G, specimen: S): Iterable<Part>;
 	/** Whether some parts are one mesh many times, or alike; where absent, whether organs are drawn with meshes says so. */
 	instanced?(grown: G): boolean;
+	/** What a specimen is called that is not named after its preset any more; absent or undefined: after that. */
+	titled?(specimen: S): string | undefined;
 	/** What grew in a few plain words, for people and screen readers: "73 berries, 22 cm long". */
 	words(grown: G, specimen: S): string;
 	/** What the JSON document has of it besides its segments and organs, or in their place, by key. */

@@ -22,6 +22,10 @@ export interface Detail<S extends Specimen = Specimen> {
 	fresh?(): Partial<S>;
 	/** Reads one of the keys into a specimen that may be written to. What cannot be used is noted, never thrown. */
 	read?(specimen: S, key: string, value: unknown, notes: Notes): void;
+	/** What to read where someone sets names that neither the table nor a detail knows: those of a text's own. */
+	named?(specimen: S, values: Readonly<Record<string, string>>): Readonly<Record<string, unknown>>;
+	/** Whether a grammar's text that came without a model's name is for this one; the first model that says so has it. */
+	claims?(text: string): boolean;
 	/** Once everything has been read: makes what was read fit together, and notes what did not. */
 	agree?(specimen: S, notes: Notes): void;
 	/** What a link's query says of it, in order; nothing where it is as in the preset. */

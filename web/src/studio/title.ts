@@ -7,8 +7,10 @@ import { growsAlike } from "../specimen/same";
 import type { Specimen } from "../specimen/specimen";
 import { runningBy } from "./panel_groups";
 
-/** "Maple", or "Maple, altered". @param tools the model's */
+/** "Maple", or "Maple, altered"; what its model calls it, where that does. @param tools the model's */
 export function titleOf(specimen: Specimen, model: Model, tools: readonly Tool[] = []): string {
+	const own = model.titled?.(specimen);
+	if (own !== undefined) return own;
 	const title = model.presets.named(specimen.preset)?.title ?? model.title;
 	return isAltered(specimen, model, tools) ? `${title}, altered` : title;
 }

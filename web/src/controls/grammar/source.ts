@@ -21,7 +21,7 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	/** Constants that parameters of the table stand for: they have their sliders already. */
 	readonly governed?: ReadonlySet<string>;
 	/** What a text of its own changes in the document; its `grammar` where absent. */
-	details?(text: string | undefined): NonNullable<Change["details"]>;
+	details?(text: string | undefined, specimen: S): NonNullable<Change["details"]>;
 }
 
 /** The text that a document grows by; undefined while it is fetched, and then `later` is called once it is there. */
@@ -41,7 +41,7 @@ export function isOwn({ grammar }: WithGrammar): boolean {
 /** The change that makes a text the document's: one that is the built-in one is none of its own. */
 export function withText(source: GrammarSource, specimen: Specimen & WithGrammar, text: string | undefined): Change {
 	const own = text === undefined || text === source.builtIn(specimen) ? undefined : text;
-	return { details: source.details?.(own) ?? { grammar: own } };
+	return { details: source.details?.(own, specimen) ?? { grammar: own } };
 }
 
 /** What all of the studio that has to do with grammars is given. */

@@ -3,6 +3,8 @@
 /** wasm-core/grammars/bunch/grape-bunch-1.lsys */
 export const GRAPE_BUNCH_1 = `/* L-system 1: the basic grape bunch, flat (Huang et al. 2013, section 4.3.1). Berries may overlap. */
 
+#turtle huang  /* Table 1 of the paper: + turns right, & pitches up */
+
 #input m    /* derivation steps of the rachis */
 #input n[]  /* n[1] … n[m-1]: derivation steps of the first-order axes, from the tip upwards */
 
@@ -34,6 +36,8 @@ Ap(j) --> F(j) S(l*r_r)
 /** wasm-core/grammars/bunch/grape-bunch-2.lsys */
 export const GRAPE_BUNCH_2 = `/* L-system 2: L-system 1 opened to its environment (Huang et al. 2013, section 4.3.2). Every internode asks
    for room; the environment answers with a turn and a length. */
+
+#turtle huang  /* Table 1 of the paper: + turns right, & pitches up */
 
 #input m    /* derivation steps of the rachis */
 #input n[]  /* n[1] … n[m-1]: derivation steps of the first-order axes, from the tip upwards */
@@ -74,6 +78,8 @@ Ap(j) --> ?E(1,0,j)
 export const GRAPE_BUNCH_3 = `/* L-system 3: the complete grape bunch in space (Huang et al. 2013, section 4.3.3), with what print leaves open
    filled in: the roll of p6, the widths of p1 … p8, the raceme p7b, the cut p10b. \`vary\`, \`stretch\` and \`reach\` are
    ours; vary 0, stretch 1 and reach 1 leave the paper's productions. */
+
+#turtle huang  /* Table 1 of the paper: + turns right, & pitches up */
 
 #input m        /* rachis segments */
 #input n[]      /* n[1] … n[m-1]: segments of the first-order axes, from the tip upwards */
@@ -149,6 +155,8 @@ Ap(l,w) --> ?E(1,0,0,l,w,RND(r_min,r_max))
 export const GRAPE_BUNCH_4 = `/* L-system 4: the natural bunch. The rachis, axes, end structures and pedicels of L-system 3, counted in lengths in
    place of whole segments: the last internode of an axis is as long as what is left, so that everything follows the
    outline without a step. Nobody asks for room here; berries make theirs when they swell. Lengths are in the paper's unit. */
+
+#turtle huang  /* Table 1 of the paper: + turns right, & pitches up */
 
 #input length   /* of the rachis */
 #input spacing  /* of the rachis's nodes, in its upper part */

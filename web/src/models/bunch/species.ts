@@ -12,13 +12,16 @@ import { metresPerPixel } from "./profile/handles";
 import type { BunchSpecimen } from "./specimen";
 import { BUNCH_TABLE } from "./table";
 
+/** What symbols may be to a bunch (wasm-core/src/models/bunch/roles.cpp). */
+const ROLE = /^\s*#role\s+(rachis|axis|end|pedicel)\b/m;
+
 export const BUNCH: Species<BunchSpecimen> = {
 	name: "bunch",
 	unnamed: true,
 	table: BUNCH_TABLE,
 	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
 	lengths: ({ parameters: { unit } }) => ({ px: 1000 * metresPerPixel(unit), u: unit }),
-	details: [thinnedBerries, grammarInputs, grammarText(), radii],
+	details: [thinnedBerries, grammarInputs, grammarText((text) => ROLE.test(text)), radii],
 };
 
 /** A fresh bunch (specimen/from_preset.ts). */

@@ -1,8 +1,11 @@
 import { FILE_TOPIC } from "../../controls/tool";
+import { modelForText } from "../../models/for_text";
 import { modelNamed, modelNames } from "../../models/index";
 import { fromPreset } from "../../specimen/from_preset";
+import { GRAMMAR_BYTES } from "../../specimen/limits";
 import { decodeLink, linkParts, modelInQuery } from "../../specimen/link";
 import { modelIn, restore } from "../../specimen/restore";
+import { SPECIMEN_VERSION } from "../../specimen/specimen";
 import { BARE } from "../faces";
 import { applying } from "../panel_groups";
 import { SAVED } from "../parts/late_parts";
@@ -17,6 +20,7 @@ import { dropsOf } from "./drops";
  * is wrong with the file is said, and the plant stays.
  */
 export async function openFile(studio: Studio, file: File): Promise<void> {
+	if (/\.lsys$/i.test(file.name)) return openText(studio, file);
 	const refuse = (details: readonly string[], again?: () => void) =>
 		studio.notify("The file was not opened", details, { topic: FILE_TOPIC, ...(again ? { again } : {}) });
 	const reader = await import("../../export/restore").catch(() => undefined);
@@ -43,6 +47,21 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 		if (drop) drop.take(studio, file);
 		else if (known) refuse([error.message, ...(await elsewhere(studio, file))]);
 		else refuse([`${file.name} could not be read; try to drop it again.`]);
+	}
+}
+
+/** Grows a grammar's text, as the model that it is for. */
+async function openText(studio: Studio, file: File): Promise<void> {
+	const refuse = (why: string) => studio.notify("The file was not opened", [why], { topic: FILE_TOPIC });
+	if (file.size > GRAMMAR_BYTES) return refuse(`${file.name} is longer than ${GRAMMAR_BYTES / 1024} KiB.`);
+	try {
+		const grammar = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+		if (grammar.trim() === "") return refuse(`${file.name} is empty.`);
+		const model = await modelForText(grammar);
+		if (model) studio.take(model, restore(model, { v: SPECIMEN_VERSION, grammar }), FILE_TOPIC);
+	} catch (error) {
+		if (error instanceof TypeError) refuse(`${file.name} is not text in UTF-8.`);
+		else refuse(`${file.name} could not be read; try to drop it again.`);
 	}
 }
 

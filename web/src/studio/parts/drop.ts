@@ -14,7 +14,10 @@ export class Drop extends StudioPart {
 
 	protected override draw(studio: Studio): unknown {
 		if (!this.#hovering) return nothing;
-		const words = ["Drop a GLB, JSON or PNG and its plant comes back", ...dropsOf(studio).map(({ words }) => words)];
+		const words = [
+			"Drop a GLB, JSON or PNG and its plant comes back, a grammar (.lsys) and it grows",
+			...dropsOf(studio).map(({ words }) => words),
+		];
 		return html`<div class="drop">${words.join("; ")}</div>`;
 	}
 

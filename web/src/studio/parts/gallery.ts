@@ -72,14 +72,14 @@ export class Gallery extends StudioPart {
 				const key = kindKey(section);
 				return html`<option value=${key} ?selected=${key === this.#kind}>${section.kind.title}</option>`;
 			});
-		return many ? html`<optgroup label=${model.title}>${options}</optgroup>` : options;
+		return many ? html`<optgroup label=${model.shelf ?? model.title}>${options}</optgroup>` : options;
 	}
 
 	#section(studio: Studio, section: PresetSection, many: boolean): unknown {
 		const { model, kind, presets } = section;
 		const id = this.idOf(`kind-${kindKey(section).replace(" ", "-")}`);
 		return html`<section aria-labelledby=${id} data-model=${model.name}>
-			<h2 id=${id}>${many ? html`<b>${model.title}</b> ${model.preview ? html`<small>preview</small> ` : nothing}` : nothing}${kind.title}</h2>
+			<h2 id=${id}>${many ? html`<b>${model.shelf ?? model.title}</b> ${model.preview ? html`<small>preview</small> ` : nothing}` : nothing}${kind.title}</h2>
 			<ul>${repeat(
 				presets,
 				({ name }) => name,

@@ -15,7 +15,7 @@ export class ShareBar extends StudioPart {
 	protected override draw(studio: Studio): unknown {
 		const { dark, model } = studio.state;
 		return html`<input type="file" hidden accept=${ACCEPT} @change=${this.#picked}>
-			<button class="button quiet" type="button" aria-label="Open…" title="Open a GLB, JSON or PNG made here" @click=${this.#pick}>
+			<button class="button quiet" type="button" aria-label="Open…" title="Open a GLB, JSON or PNG made here, or a grammar (.lsys)" @click=${this.#pick}>
 				${icon("open")}<span class="words">Open…</span>
 			</button>
 			<button class="button quiet" type="button" aria-label="Copy link" title="Copy the link that brings this ${model.noun} back" @click=${() => copyLink(studio)}>

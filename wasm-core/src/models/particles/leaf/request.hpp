@@ -7,12 +7,12 @@
 
 #include "models/particles/leaf/margin.hpp"
 #include "models/particles/leaf/parameters.generated.hpp"
-#include "models/particles/values.hpp"
 #include "plant/request.hpp"
+#include "plant/values.hpp"
 
 namespace panicle::particles::leaf {
 
-using Values = particles::Values<Parameter, parameter_table>;
+using Values = panicle::Values<Parameter, parameter_table>;
 
 // Blocks: `model`, `seed`, `outputs` (meshes, measures, sky, mesh_fingerprint; draft: few particles and triangles, for
 // as long as something is dragged), `parameters`, `outline` (float32, three to a point: margin.hpp), `detail` (float32:

@@ -24,9 +24,9 @@
 #include "models/particles/tree/leaves.hpp"
 #include "models/particles/tree/measures/measures.generated.hpp"
 #include "models/particles/tree/parameters.generated.hpp"
-#include "models/particles/values.hpp"
 #include "models/particles/wood_measures.hpp"
 #include "plant/plain.hpp"
+#include "plant/values.hpp"
 
 namespace panicle::particles::tree {
 namespace {

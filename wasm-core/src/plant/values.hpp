@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace panicle::particles {
+namespace panicle {
 
 // `Parameter` and `table` as generated from the model's table.
 template <class Parameter, const auto& table>
@@ -41,4 +41,4 @@ class Values {
   std::array<float, table.size()> values_{};
 };
 
-}  // namespace panicle::particles
+}  // namespace panicle

@@ -1,0 +1,302 @@
+// What cpfg has beside productions and contexts: notations, sections, parts, blocks, curves, questions to the turtle.
+#include <glm/geometric.hpp>
+
+#include "lsystem/derivation.hpp"
+#include "lsystem/grammars.hpp"
+
+using namespace panicle;
+using namespace panicle::tests;
+
+namespace {
+
+// Hears what is drawn besides lines.
+class Whole : public Recorder {
+ public:
+  struct Polygon {
+    Turtle start;
+    std::vector<glm::vec3> corners;
+  };
+  void polygon(const Turtle& start, std::span<const glm::vec3> corners, const Lineage& lineage) override {
+    polygons.push_back({start, {corners.begin(), corners.end()}});
+    modules.push_back(lineage.module);
+  }
+  void surface(const Turtle& turtle, std::string_view name, float size, const Lineage& lineage) override {
+    surfaces += std::string(name) + "*" + std::to_string(static_cast<int>(size * 100)) + "@" +
+                std::to_string(turtle.colour) + " ";
+    modules.push_back(lineage.module);
+  }
+  void ball(const Turtle&, float radius, const Lineage&) override { balls.push_back(radius); }
+  void disc(const Turtle&, float radius, const Lineage&) override { discs.push_back(radius); }
+  void note(std::string_view sentence) override { notes.emplace_back(sentence); }
+
+  std::vector<Polygon> polygons;
+  std::vector<std::uint32_t> modules;
+  std::vector<float> balls, discs;
+  std::string surfaces;
+  std::vector<std::string> notes;
+};
+
+// Looking along −z: heading up, left to the left, up axis to who looks.
+Turtle upright() {
+  Turtle turtle;
+  turtle.heading = {0, 1, 0};
+  turtle.left = {-1, 0, 0};
+  turtle.up = {0, 0, 1};
+  return turtle;
+}
+
+Whole heard(const std::string& text, std::uint32_t steps = 0) {
+  const BoundPointer bound = compiled(text);
+  Whole whole;
+  const Derived string = sound(lsystem::develop(*bound, 1, steps, Limits{}, {upright()}));
+  const auto drawn = lsystem::interpret(*bound, *string.string, upright(), whole, 1, Limits{});
+  if (!drawn) FAIL(drawn.error().message);
+  return whole;
+}
+
+glm::vec3 end_of(const std::string& text, std::uint32_t steps = 0) {
+  return heard(text, steps).lines.back().after.position;
+}
+
+void is_at(const glm::vec3& p, float x, float y, float z) {
+  CAPTURE(p.x);
+  CAPTURE(p.y);
+  CAPTURE(p.z);
+  CHECK(glm::length(p - glm::vec3(x, y, z)) < 1e-5f);
+}
+
+const std::string cpfg = "#turtle cpfg\naxiom: ";
+
+// Inside of area 1 is where y < 3.5.
+class Below : public lsystem::Space {
+ public:
+  bool bound(const glm::vec3& place, float area) const override { return area == 1 && place.y < 3.5f; }
+  float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override {
+    return area == 1 && way.y > 0 ? std::min(most, (3.5f - from.y) / way.y) : 0;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the two notations turn the other way round") {
+  is_at(end_of(cpfg + "+(90) F"), -1, 0, 0);
+  is_at(end_of(cpfg + "-(90) F"), 1, 0, 0);
+  is_at(end_of(cpfg + "&(90) F"), 0, 0, -1);
+  is_at(end_of(cpfg + "^(90) F"), 0, 0, 1);
+  is_at(end_of(cpfg + "/(90) +(90) F"), 0, 0, 1);  // the right side down: left goes to up
+  is_at(end_of(cpfg + "\\(90) +(90) F"), 0, 0, -1);
+  is_at(end_of(cpfg + ">(90) +(90) F"), 0, 0, 1);
+  is_at(end_of(cpfg + "<(90) +(90) F"), 0, 0, -1);
+  is_at(end_of(cpfg + "+(30) | F"), 0.5f, -0.8660254f, 0);
+  is_at(end_of("#turtle huang\naxiom: +(90) F"), 1, 0, 0);
+  is_at(end_of("#turtle huang\naxiom: &(90) F"), 0, 0, 1);
+  is_at(end_of("#turtle huang\naxiom: /(90) +(90) F"), 0, 0, 1);  // left away from up, and + to the right
+  is_at(end_of("axiom: +(90) F"), 1, 0, 0);
+  const auto as_cpfg =
+      lsystem::compile("axiom: +(90) F G T(1) g", Limits{}, lsystem::Lineages::where_needed, lsystem::Notation::cpfg);
+  Whole whole;
+  const BoundPointer bound = sound(lsystem::bind(sound(as_cpfg), {}, Limits{}));
+  const Derived string = sound(lsystem::develop(*bound, 1, 0, Limits{}));
+  CHECK(sound(lsystem::interpret(*bound, *string.string, upright(), whole, 1, Limits{})) == 2);
+  is_at(whole.lines[0].after.position, -1, 0, 0);
+}
+
+TEST_CASE("letters of cpfg are symbols of one's own in the paper's notation") {
+  CHECK(heard("axiom: F G(2) T(3) g(4) F").lines.size() == 2);
+  CHECK(after("axiom: G(2)\nG(x) --> T(x)", 1) == "T(2)");
+  CHECK(heard(cpfg + "F(1,7,8) G(2) F").lines.size() == 3);
+  CHECK(trouble("axiom: F(1,2)") == "syntax 1:8");
+}
+
+TEST_CASE("what stands in for an argument is said by the text") {
+  is_at(end_of("#turtle cpfg\nangle increment: 30\naxiom: + F"), -0.5f, 0.8660254f, 0);
+  is_at(end_of("#turtle cpfg\nline length: 3\naxiom: F"), 0, 3, 0);
+  is_at(end_of("#turtle cpfg\n#define d 2\nangle increment: 45*d\nline length: d\naxiom: + F(1) - F"), -1, 2, 0);
+  const Whole widths = heard(
+      "#turtle cpfg\nline width: 2\nline width increment: 0.5\naxiom: F ! F ! F # F !(7) F ! ! ! ! ! ! ! ! ! ! ! ! ! ! "
+      "! F");
+  const float wanted[] = {2, 1.5f, 1, 1.5f, 7, 0};
+  for (std::size_t i = 0; i < 6; ++i) CHECK(widths.lines[i].after.width == wanted[i]);
+  CHECK(heard("axiom: !(3) F ! F").lines[1].after.width == 1);
+}
+
+TEST_CASE("lines bend towards the tropism") {
+  // The Algorithmic Beauty of Plants, section 2.3.3: by e·|H × T| radians after each line.
+  const Whole bent = heard("#turtle cpfg\ntropism: 0, -1, 0, 0.3\naxiom: +(90) F F");
+  is_at(bent.lines[0].after.position, -1, 0, 0);
+  is_at(bent.lines[1].after.position, -1 - std::cos(0.3f), -std::sin(0.3f), 0);
+  const Whole same = heard(cpfg + "@Tp(0,-1,0) T(0.3) +(90) F F @Ts(0) F F");
+  is_at(same.lines[1].after.position, -1 - std::cos(0.3f), -std::sin(0.3f), 0);
+  CHECK(same.lines[2].after.heading == same.lines[3].after.heading);
+  is_at(end_of("#turtle cpfg\ntropism: 0, -1, 0, 0.3\naxiom: F F F"), 0, 3, 0);
+}
+
+TEST_CASE("the turtle can be levelled, moved, headed and made larger") {
+  const Whole level = heard(cpfg + "+(40) /(77) $ F");
+  CHECK(std::abs(level.lines[0].after.left.y) < 1e-6f);
+  CHECK(level.lines[0].after.up.y > 0);
+  is_at(heard(cpfg + "/(30) @v F").lines[0].after.left, -0.8660254f, 0, 0.5f);  // straight up: as it was
+  is_at(end_of(cpfg + "F @M(1,2,3) F"), 1, 3, 3);
+  is_at(end_of(cpfg + "@R(3,0,0) F"), 1, 0, 0);
+  is_at(end_of(cpfg + "@R(0,0,0) F"), 0, 1, 0);
+  const Turtle headed = heard(cpfg + "@R(1,0,0,0,1,1) F").lines[0].after;
+  is_at(headed.up, 0, 0.70710678f, 0.70710678f);
+  is_at(glm::cross(headed.heading, headed.left), headed.up.x, headed.up.y, headed.up.z);
+  is_at(end_of(cpfg + "[@D(3) F F] @D(2) F @D(2) F"), 0, 6, 0);
+  CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[1].after.width == 3);
+  CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[0].after.width == 6);
+}
+
+TEST_CASE("polygons are told with their corners, whatever brackets do") {
+  const Whole square = heard(cpfg + "{ . F +(90) f +(90) G . +(90) g . }");
+  REQUIRE(square.polygons.size() == 1);
+  CHECK(square.polygons[0].corners.size() == 5);
+  CHECK(square.lines.size() == 1);  // G's alone
+  is_at(square.polygons[0].corners[2], -1, 1, 0);
+  const Whole across =
+      heard(cpfg + "[ { . F ] [ +(90) f(2) . } ] { }");  // The Algorithmic Beauty of Plants, figure 5.5
+  REQUIRE(across.polygons.size() == 2);
+  CHECK(across.polygons[0].corners.size() == 4);
+  CHECK(across.polygons[1].corners.empty());
+  const Whole nested = heard(cpfg + "{ . f { . f . f . } . }");
+  REQUIRE(nested.polygons.size() == 2);
+  CHECK(nested.polygons[0].corners.size() == 5);
+  CHECK(nested.polygons[1].corners.size() == 3);
+  CHECK(heard(cpfg + "} } F .").notes.size() == 2);
+  CHECK(heard(cpfg + "{ . F").notes.size() == 1);
+  CHECK(square.modules[0] == 11);
+}
+
+TEST_CASE("surfaces, balls, discs and colours") {
+  CHECK(heard(cpfg + "~leaf(2) ' ~petal [ ;(7) ~leaf ] , ~bud(0) @D(3) ~bud").surfaces ==
+        "leaf*200@1 petal*100@2 leaf*100@7 bud*300@1 ");
+  CHECK(heard(cpfg + ", ~a ;(0) ~a ;(9999) ~a").surfaces == "a*100@1 a*100@1 a*100@255 ");
+  const Whole round = heard(cpfg + "@O(3) @o(2) @c @O(0)");
+  CHECK(round.balls == std::vector<float>{1.5f});
+  CHECK(round.discs == std::vector<float>{1, 0.5f});
+  CHECK(after("axiom: ~leaf(2)\n~leaf(s) : s>1 --> ~leaf(s-1) A", 2) == "~leaf(1)A");
+}
+
+TEST_CASE("blocks work values out for condition, successor and weight") {
+  CHECK(after("axiom: A(3)\nA(x) : {y = 2*x; z = y+1} z>6 {w = z-y} --> B(x,y,z,w)", 1) == "B(3,6,7,1)");
+  CHECK(after("axiom: A(3)\nA(x) : {x = x+1; x = x*2;} --> B(x)", 1) == "B(8)");
+  CHECK(after("axiom: A(3)\nA(x) : {y = x} y>5 --> B\nA(x) : * {y = x} --> C(y)", 1) == "C(3)");
+  CHECK(after("#define y 5\naxiom: A(1) A(2)\nA(x) : {y = x} x=1 --> B(y)\nA(x) --> C(y)", 1) == "B(1)C(5)");
+  CHECK(after("axiom: A(0)\nA(x) : {y = x} --> B : y\nA(x) --> C : 1", 1) == "C");
+  // Worked out once for condition and successor.
+  const std::string drawn = after("axiom: A(1)\nA(x) : {y = ran(1)} y>=0 --> B(y,y)", 1);
+  const std::size_t comma = drawn.find(',');
+  CHECK(drawn.substr(2, comma - 2) == drawn.substr(comma + 1, drawn.size() - comma - 2));
+}
+
+TEST_CASE("lists and curves stand in the text") {
+  CHECK(after("#define n 3\n#define a[] 1, n*2, 5\naxiom: A(a[1]) A(a[2]) A(a[n])", 0) == "A(1)A(6)A(5)");
+  CHECK(after("#define a[] {1, 2}\naxiom: A(a[2])", 0, {{}, {{"a", {7, 8}}}}) == "A(8)");
+  CHECK(trouble("#define a[] 1, 2\naxiom: A(a[3])") == "evaluation 2:10");
+  const std::string ends =
+      after("#curve c (0, 0) (1, 2) (3, 2)\naxiom: A(c(-5)) A(c(0)) A(c(1)) A(c(2)) A(c(3)) A(c(99))", 0);
+  CHECK(ends == "A(0)A(0)A(2)A(2)A(2)A(2)");
+  // Monotone: it stays between its points.
+  const BoundPointer bound =
+      compiled("#curve c (0, 0) (1, 1) (2, 1.01) (3, 4)\naxiom: A(0)\nA(x) : x<3 --> B(c(x)) A(x+0.03125)");
+  const std::string text = text_of(*bound, derived(*bound, 200));
+  float last = -1;
+  for (std::size_t at = text.find("B("); at != std::string::npos; at = text.find("B(", at + 1)) {
+    const float value = std::stof(text.substr(at + 2));
+    CHECK(value >= last);
+    last = value;
+  }
+  CHECK(last <= 4);
+  CHECK(after("#curve c (0, 1) (1, 3)\n#define k c(0.5)\naxiom: A(k)", 0) == "A(2)");
+}
+
+TEST_CASE("a decomposition applies within the step, as deep as it says") {
+  const std::string text = "axiom: A\nA --> B B\ndecomposition\nmaximum depth: 3\nB --> C C\nC --> D\n";
+  CHECK(after(text, 0) == "A");
+  CHECK(after(text, 1) == "D D D D");
+  CHECK(after("axiom: B\ndecomposition\nB --> C B", 0) == "C B");
+  CHECK(after("axiom: B\ndecomposition\nmaximum depth: 4\nB --> C B", 0) == "C C C C B");
+  CHECK(after("axiom: A(3)\nA(x) : x>0 --> B(x)\ndecomposition\nB(x) : x>1 --> F(x) [ + A(x-1) ]\nderivation\nF(x) --> "
+              "G(x)",
+              2) == "G(3)[+F(2)[+A(1)]]");
+  CHECK(text_of(*compiled("axiom: A\nA --> B\ndecomposition\nB --> C"),
+                sound(lsystem::develop(*compiled("axiom: A\nA --> B\ndecomposition\nB --> C"), 1, {}, Limits{}))) ==
+        "C");
+}
+
+TEST_CASE("a homomorphism says how a module is drawn and leaves the string as it is") {
+  const std::string text = cpfg + "A(2) [ +(90) A(1) ]\nhomomorphism\nA(x) --> F(x) F(x)";
+  CHECK(after(text, 3) == "A(2)[+(90)A(1)]");
+  const Whole whole = heard(text);
+  REQUIRE(whole.lines.size() == 4);
+  is_at(whole.lines[1].after.position, 0, 4, 0);
+  is_at(whole.lines[3].after.position, -2, 4, 0);
+  CHECK(heard(cpfg + "F(2)\nhomomorphism\nF(x) --> F(x/2) F(x/2)").lines.size() == 2);
+  CHECK(heard(cpfg + "F(2)\nhomomorphism\nmaximum depth: 5\nF(x) --> F(x/2) F(x/2)").lines.size() == 32);
+  CHECK(heard(cpfg + "F(2) [ A F ] F\nhomomorphism\nA --> F % F").lines.size() == 3);
+  CHECK(heard(cpfg + "A B\nhomomorphism\nA --> { . f .\nB --> + f . }").polygons.size() == 1);
+}
+
+TEST_CASE("parts of a text have productions of their own") {
+  const std::string text =
+      "#turtle cpfg\nLsystem: 1\nderivation length: 2\naxiom: A [ ?leaf(0.5) A F(2) ] F(2)\nA --> A B\n"
+      "endlsystem\nLsystem: leaf\nA --> F(1) A\nF(x) --> F(2*x)\nendlsystem";
+  CHECK(after(text, 2) == "A B B[?leaf(0.5)F(2)F(1)A F(8)]F(2)");
+  const Whole whole = heard(text, 2);
+  REQUIRE(whole.lines.size() == 4);
+  is_at(whole.lines[2].after.position, 0, 5.5f, 0);
+  is_at(whole.lines[3].after.position, 0, 2, 0);
+  // A string reads back: each module is its own L-system's again.
+  CHECK(after("#turtle cpfg\naxiom: [ ?leaf(0.5) F(2) F(1) ] F\nLsystem: leaf\nF(x) --> F(2*x)", 1) ==
+        "[?leaf(0.5)F(4)F(2)]F");
+}
+
+TEST_CASE("questions to the turtle are answered after each step, for contexts to see") {
+  const auto located = [](const std::string& text, std::uint32_t steps) {
+    const BoundPointer bound = compiled(text);
+    return text_of(*bound, sound(lsystem::develop(*bound, 1, steps, Limits{}, {upright()})));
+  };
+  CHECK(located(cpfg + "F(2) ?P(9,9,9,7) ?H(0,0,0) ?L(0,0,0) ?U(0,0,0)", 0) ==
+        "F(2)?P(0,2,0,7)?H(0,1,0)?L(-1,0,0)?U(0,0,1)");
+  CHECK(located(cpfg + "[ +(90) F(3) ?P(0,0) ] [ F ] F [ F [ F ] F ?P(1,1,1) ]", 0) ==
+        "[+(90)F(3)?P(-3,0)][F]F[F[F]F?P(0,3,0)]");
+  CHECK(located(cpfg + "A\nA --> F A", 3) == "F F F A");
+  // Grows until it is three above the ground (Prusinkiewicz, James and Měch 1994, pruning).
+  const std::string pruned =
+      "#turtle cpfg\naxiom: A ?P(0,0,0)\nA > ?P(x,y,z) : y<3 --> F A\nA > ?P(x,y,z) : y>=3 --> B";
+  CHECK(located(pruned, 20) == "F F F B?P(0,3,0)");
+  const BoundPointer bound = compiled(pruned);
+  CHECK(text_of(*bound, sound(lsystem::develop(*bound, 1, {}, Limits{}, {upright()}))) == "F F F B?P(0,3,0)");
+  CHECK(located("#turtle cpfg\naxiom: ?P(0,0,0) A ?P(0,0,0)\nA --> F(4)\n?P(x,y,z) : y>1 --> *", 2) == "?P(0,0,0)F(4)");
+  // Where what is drawn moves the turtle, it counts.
+  CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> F(5)", 0) == "A?P(0,5,0)");
+}
+
+TEST_CASE("the space answers bound and reach") {
+  const Below below;
+  const auto in_space = [&](const std::string& text) {
+    const BoundPointer bound = compiled(text);
+    return text_of(*bound, sound(lsystem::develop(*bound, 1, {}, Limits{}, {upright(), &below})));
+  };
+  CHECK(in_space("axiom: A(0)\nA(y) : bound(0,y,0,1) --> F A(y+1)") == "F F F F A(4)");
+  CHECK(in_space("axiom: A(0)\nA(y) : bound(0,y,0,2) --> F A(y+1)") == "A(0)");
+  CHECK(in_space("axiom: A(reach(0,1,0, 0,1,0, 1, 9), reach(0,1,0, 0,1,0, 1, 2))") == "A(2.5,2)");
+  CHECK(in_space("axiom: A(1)\nA(y) : y>0 --> B(reach(0,y,0, 0,1,0, 1, bound(0,y,0,1)*9))") == "B(2.5)");
+  CHECK(after("axiom: A(0)\nA(y) : bound(0,y,0,1) --> B", 1) == "A(0)");
+  CHECK(trouble("#define x bound(0,0,0,1)\naxiom: A(x)") == "syntax 1:11");
+}
+
+TEST_CASE("explosive growth leaves what was built so far") {
+  Limits limits;
+  limits.words = 10'000;
+  const BoundPointer bound = compiled("axiom: A\nA --> A A");
+  CHECK_FALSE(lsystem::develop(*bound, 1, 100, limits));
+  const Derived derived = sound(lsystem::develop_so_far(*bound, 1, 100, limits));
+  CHECK(derived.stopped.reason == Reason::limit);
+  CHECK(derived.steps >= 10);
+  CHECK(lsystem::length(*derived.string) == std::uint64_t{1} << derived.steps);
+  const Derived endless = sound(lsystem::develop_so_far(*bound, 1, {}, limits));
+  CHECK(lsystem::length(*endless.string) == std::uint64_t{1} << endless.steps);
+  CHECK(sound(lsystem::develop_so_far(*bound, 1, 3, limits)).stopped.reason == Reason::none);
+  CHECK_FALSE(lsystem::develop_so_far(*compiled("axiom: A(1)\nA(x) --> F(1/(x-1)) A(x)"), 1, 5, Limits{}));
+}

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "models/grammar/growing.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+const std::string koch = "derivation length: 3\naxiom: F -(90) F -(90) F -(90) F\nF --> F + F - F - F F + F + F - F\n";
+
+TEST_CASE("any text grows: a quadratic island has as many segments as its rule says") {
+  const Plant plant = grow({.text = koch});
+  CHECK(count_of(plant, "segments") == 4 * 8 * 8 * 8);
+  CHECK(count_of(plant, "steps") == 3);
+  CHECK(count_of(plant, "organs") == 0);
+  CHECK(count_of(plant, "polygons") == 0);
+  // Each F with the turn behind it, but the last.
+  CHECK(count_of(plant, "modules") == 7 + 4 * (8 * 8 * 8 - 1) / 7 * (8 + 6 - 1));
+  CHECK(plant.segments[0].start == glm::vec3(0));
+  CHECK(plant.segments[0].end.y == doctest::Approx(0.01));
+}
+
+TEST_CASE("steps, constants and the unit are what is asked for") {
+  const std::string text = "#define a 2\n#input b\nderivation length: 5\naxiom: A\nA --> F(a*b) A\n";
+  const Plant plant = grow({.text = text, .parameters = {{"unit", 100}}, .constants = {{"b", 3}}, .steps = 2});
+  REQUIRE(count_of(plant, "segments") == 2);
+  CHECK(plant.segments[1].end.y == doctest::Approx(2 * 6 * 0.1f));
+  const Plant other = grow({.text = text, .constants = {{"a", 1}, {"b", 3}}, .steps = 0});
+  CHECK(count_of(other, "segments") == 0);
+  CHECK(count_of(other, "modules") == 1);
+  CHECK(std::find(other.notes.begin(), other.notes.end(), "The grammar draws nothing.") != other.notes.end());
+  CHECK(ask({.text = text}).error().reason == Reason::bad_input);
+}
+
+TEST_CASE("the derived string reads back as an axiom that draws the same") {
+  const std::string text = "derivation length: 4\naxiom: A(1)\nA(x) --> F(x) [ +(30) A(x*0.7) ] -(ran(9)) A(x/3)\n";
+  const Plant plant = grow({.text = text, .outputs = "string"});
+  const std::vector<char> string = column_in<char>(plant.columns, "string");
+  const Plant again = grow({.text = "axiom: " + std::string(string.begin(), string.end())});
+  CHECK(again.fingerprint == plant.fingerprint);
+  CHECK(count_of(again, "modules") == count_of(plant, "modules"));
+  CHECK(column_in<std::uint32_t>(again.columns, "segments.module") ==
+        column_in<std::uint32_t>(plant.columns, "segments.module"));
+}
+
+TEST_CASE("segments and organs know the module that drew them") {
+  const Plant plant = grow({.text = "axiom: F [ +(30) F(2) S(1) ] F(3)\n"});
+  CHECK(column_in<std::uint32_t>(plant.columns, "segments.module") == std::vector<std::uint32_t>{0, 3, 6});
+  CHECK(column_in<std::uint32_t>(plant.columns, "organs.module") == std::vector<std::uint32_t>{4});
+}
+
+TEST_CASE("lines without a width are a share of their mean length at the tips, thicker towards the root") {
+  const std::string text = "axiom: F(2) [ +(30) F(1) ] -(30) F(3)\n";
+  const Plant plant = grow({.text = text, .parameters = {{"unit", 1000}, {"thickness", 10}, {"thickening", 0.5f}}});
+  CHECK(plant.segments[1].radius == doctest::Approx(0.1));
+  CHECK(plant.segments[2].radius == doctest::Approx(0.1));
+  CHECK(plant.segments[0].radius == doctest::Approx(0.1 * std::sqrt(2)));
+  const Plant even = grow({.text = text, .parameters = {{"unit", 1000}, {"thickness", 10}, {"thickening", 0}}});
+  CHECK(even.segments[0].radius == doctest::Approx(0.1));
+}
+
+TEST_CASE("the lines of what is many lines large are thicker, up to a limit") {
+  const auto thinnest = [](const char* steps) {
+    const std::string text = std::string("derivation length: ") + steps + "\naxiom: F\nF --> F F\n";
+    return grow({.text = text, .parameters = {{"unit", 1000}, {"thickness", 10}}}).segments[0].radius;
+  };
+  CHECK(thinnest("4") == doctest::Approx(0.05));
+  CHECK(thinnest("5") == doctest::Approx(0.1));
+  CHECK(thinnest("9") == doctest::Approx(0.05 * 3.75));
+}
+
+TEST_CASE("what the text says of widths stands, times the parameter") {
+  const Plant plant =
+      grow({.text = "axiom: F !(0.5) F [ !(0) F ] F\n", .parameters = {{"unit", 1000}, {"widths", 50}}});
+  CHECK(plant.segments[1].radius == doctest::Approx(0.125));
+  CHECK(plant.segments[3].radius == doctest::Approx(0.125));
+  CHECK(plant.segments[0].radius == doctest::Approx(0.5 * 0.08 * std::pow(2, 0.3)));
+}
+
+TEST_CASE("a limit that is reached ends the drawing, and what grew so far is shown with a note") {
+  Limits limits;
+  limits.pieces = 100;
+  const Plant plant = grow({.text = koch, .limits = limits});
+  CHECK(count_of(plant, "segments") == 100);
+  REQUIRE(!plant.notes.empty());
+  CHECK(plant.notes[0].find("What grew so far is shown. The plant has reached the limit of 100 segments") == 0);
+}
+
+TEST_CASE("requests that cannot be used are refused in words") {
+  CHECK(ask({.text = ""}).error().reason == Reason::bad_request);
+  const auto broken = ask({.text = "axiom: F(\n"});
+  CHECK(broken.error().reason == Reason::syntax);
+  CHECK(broken.error().line > 0);
+}
+
+TEST_CASE("meshes: tubes by their colours, balls; the sky of both") {
+  const Plant plant = grow({.text = "axiom: F [ +(40) F S(0.3) ] [ -(40) F S(0.3) ] F\n", .outputs = "meshes sky"});
+  const PlantMesh* stems = mesh_of(plant, "stems");
+  REQUIRE(stems);
+  CHECK(stems->runs.size() == 1);
+  CHECK(column_in<std::uint8_t>(stems->columns, "colour") == std::vector<std::uint8_t>{1});
+  CHECK(column_in<std::uint8_t>(stems->columns, "sky").size() == stems->mesh.positions.size() / 3);
+  CHECK(column_in<std::uint8_t>(plant.columns, "organs.sky").size() == 2);
+  CHECK(column_in<std::uint8_t>(plant.columns, "organs.colour") == std::vector<std::uint8_t>{7, 7});
+  REQUIRE(plant.organs.size() == 2);
+  CHECK(plant.meshes[static_cast<std::size_t>(plant.organs[0].mesh)].name == "balls");
+  CHECK(plant.organs[0].scale == doctest::Approx(0.003));
+}
+
+}  // namespace
+}  // namespace panicle::grammar

@@ -1,0 +1,64 @@
+import { describe, expect, it } from "vitest";
+import { complaint, grow } from "./world";
+
+const TEXT = "#define a 2\naxiom: A(1)\nderivation length: 2\nA(x) --> F(x*a) A(x)\n";
+const BUNCH = "#role pedicel Ap\naxiom: Ap\nAp --> F(10) S(3)\n";
+
+describe("--grammar", () => {
+	it("grows any text by the model for any text", async () => {
+		const { json, status } = await grow(["--grammar", "g.lsys", "--seed", "3"], { "g.lsys": TEXT });
+		expect(status).toBe(0);
+		expect(json).toMatchObject({
+			specimen: { model: "grammar", seed: 3, grammar: TEXT },
+			modules: 3,
+			steps: 2,
+			counts: { segments: 2 },
+			notes: [],
+		});
+	});
+
+	it("grows a bunch where the text declares its roles, or a bunch is named", async () => {
+		const files = { "g.lsys": BUNCH, "t.lsys": TEXT };
+		expect((await grow(["--grammar", "g.lsys"], files)).json.specimen.model).toBe("bunch");
+		expect((await grow(["riesling", "--grammar", "t.lsys"], files)).json.specimen.model).toBe("bunch");
+		expect((await grow(["grammar", "--grammar", "g.lsys"], files)).json.specimen.model).toBe("grammar");
+	});
+
+	it("takes the place of a bunch's own text, less its mark of order", async () => {
+		const text = "\ufeffaxiom: F(10)[+F(5)][-F(5)]\n";
+		const call = ["long-conical", "--grammar", "mine.lsys", "--set", "procedure=paper"];
+		const { json } = await grow(call, { "mine.lsys": text });
+		expect(json.counts.internodes).toBe(3);
+		expect(json.specimen.grammar).toBe(text.slice(1));
+	});
+
+	it("is told where the text is wrong, as compilers do", async () => {
+		expect(await complaint(["--grammar", "g.lsys"], { "g.lsys": "axiom: F\nA --> F(\n" })).toMatch(
+			/^g\.lsys:[23]:\d+: \S/,
+		);
+	});
+
+	it("gives the derived string where it is asked for", async () => {
+		const { json } = await grow(["--grammar", "g.lsys", "--string"], { "g.lsys": TEXT });
+		expect(json.string).toBe("F(2)F(2)A(1)");
+		expect(await complaint(["riesling", "--string"])).toBe("--string: the bunch is not grown by any text");
+		expect(await complaint(["grammar", "--string", "--out", "x.glb"])).toBe("--string: the string stands in JSON");
+	});
+
+	it("--set reaches the text's constants, steps and the table", async () => {
+		const call = ["--grammar", "g.lsys", "--set", "a=3", "--set", "steps=1", "--set", "unit=1000"];
+		const { json } = await grow(call, { "g.lsys": TEXT });
+		expect(json.specimen).toMatchObject({ constants: { a: 3 }, steps: 1, parameters: { unit: 1000 } });
+		expect(json.segments[0].end[1]).toBe(3);
+		expect(await complaint(["--grammar", "g.lsys", "--set", "a=x"], { "g.lsys": TEXT })).toBe(
+			"--set constants: a is “x”, which is not a number",
+		);
+		const unknown = await grow(["--grammar", "g.lsys", "--set", "b=1"], { "g.lsys": TEXT });
+		expect(unknown.json.notes.join()).toMatch(/\bb\b/);
+	});
+
+	it("writes the text with its values as a file", async () => {
+		const { written } = await grow(["grammar/shrub", "--set", "angle=20", "--out", "b.lsys"]);
+		expect(written.get("b.lsys")).toMatch(/#define angle 20 {6}\/\* 10 … 80/);
+	});
+});

@@ -1,0 +1,19 @@
+// Any closed line of corners in space as triangles: what a turtle has walked about, which may cross itself, come back
+// to where it was, and lie in no plane.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace panicle {
+
+// Triangles, three indices of corners each, by clipping ears (Meisters 1975) in the plane that shows most of the
+// polygon; seen against its normal they go counter-clockwise. None has two corners at one place or all on a line. A
+// polygon that does not cross itself in that plane is filled exactly; of one that does, each of its corners gets its
+// ear all the same. Corners that are not finite are passed over. Empty: fewer than three different corners are left, or
+// all lie on a line.
+std::vector<std::uint32_t> fill_polygon(std::span<const glm::vec3> corners);
+
+}  // namespace panicle

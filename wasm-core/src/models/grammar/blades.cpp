@@ -1,0 +1,89 @@
+#include "models/grammar/blades.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "geometry/polygon.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+// Normals are the mean of what meets in a corner, by its area: a blade of bends is smooth.
+std::vector<glm::vec3> normals_of(std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& triangles) {
+  std::vector<glm::vec3> sums(corners.size(), glm::vec3(0));
+  glm::vec3 whole(0);
+  for (std::size_t k = 0; k < triangles.size(); k += 3) {
+    const glm::vec3 &a = corners[triangles[k]], &b = corners[triangles[k + 1]], &c = corners[triangles[k + 2]];
+    const glm::vec3 twice = glm::cross(b - a, c - a);
+    for (std::size_t m = 0; m < 3; ++m) sums[triangles[k + m]] += twice;
+    whole += twice;
+  }
+  const auto unit = [](const glm::vec3& v, const glm::vec3& otherwise) {
+    const float size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    return size > 0 ? glm::normalize(v / size) : otherwise;
+  };
+  const glm::vec3 mean = unit(whole, {0, 0, 1});
+  for (glm::vec3& sum : sums) sum = unit(sum, mean);
+  return sums;
+}
+
+// Seen along the middle normal, the box about the polygon is the picture.
+void add_uvs(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& used) {
+  glm::vec3 low = corners[used[0]], high = low;
+  for (const std::uint32_t corner : used) {
+    low = glm::min(low, corners[corner]);
+    high = glm::max(high, corners[corner]);
+  }
+  const glm::vec3 size = high - low;
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+    if (size[k] < size[least]) least = k;
+  const int right = least == 0 ? 1 : 0, up = least == 2 ? 1 : 2;
+  for (const std::uint32_t corner : used) {
+    const glm::vec3 at = corners[corner] - low;
+    put(mesh.uvs, glm::vec2(size[right] > 0 ? at[right] / size[right] : 0, size[up] > 0 ? 1 - at[up] / size[up] : 0));
+  }
+}
+
+}  // namespace
+
+PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty) {
+  PlantMesh blades{"blades", "blade", {}, {}, {}};
+  Mesh& mesh = blades.mesh;
+  std::vector<std::uint8_t> colour;
+  std::vector<std::uint32_t> used, number;
+  empty = 0;
+  for (const Polygon& polygon : polygons.all) {
+    const auto corners = std::span(polygons.corners).subspan(polygon.first, polygon.count);
+    const std::vector<std::uint32_t> triangles = fill_polygon(corners);
+    if (triangles.empty()) {
+      ++empty;
+      continue;
+    }
+    const std::vector<glm::vec3> normals = normals_of(corners, triangles);
+    const auto base = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+    const auto first = static_cast<std::uint32_t>(mesh.indices.size());
+    // Corners that no triangle has are left out.
+    used.clear();
+    number.assign(corners.size(), 0);
+    for (const std::uint32_t corner : triangles) ++number[corner];
+    for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
+      if (number[corner] == 0) continue;
+      number[corner] = base + static_cast<std::uint32_t>(used.size());
+      used.push_back(corner);
+      put(mesh.positions, corners[corner] * scale);
+      put(mesh.normals, normals[corner]);
+    }
+    add_uvs(mesh, corners, used);
+    for (const std::uint32_t corner : triangles) mesh.indices.push_back(number[corner]);
+    blades.runs.push_back({"Blade", base, static_cast<std::uint32_t>(used.size()), first,
+                           static_cast<std::uint32_t>(mesh.indices.size()) - first});
+    colour.push_back(polygon.mark.colour);
+  }
+  blades.columns.add("colour", std::move(colour));
+  return blades;
+}
+
+}  // namespace panicle::grammar

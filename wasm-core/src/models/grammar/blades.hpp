@@ -1,0 +1,17 @@
+// Polygons as sheets: one mesh, a run each.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/grammar/sketch.hpp"
+#include "plant/plant.hpp"
+
+namespace panicle::grammar {
+
+// The mesh `blades`, in the unit of the corners times `scale`, with the column `colour` (uint8 a run). A polygon
+// without a triangle has no run; `empty` counts them.
+PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty);
+
+}  // namespace panicle::grammar

@@ -1,0 +1,199 @@
+#include "models/grammar/dressing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "foundation/mathematics.hpp"
+#include "geometry/ball.hpp"
+#include "geometry/tubes.hpp"
+#include "models/grammar/blades.hpp"
+#include "models/grammar/openness.hpp"
+#include "models/grammar/surfaces.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+constexpr std::uint32_t ball_segments = 16;
+// What is thinner than this share of the plant's largest extent is a pixel wide.
+constexpr float thin = 0.002f;
+constexpr std::uint32_t thin_sides = 5, thinnest_sides = 3;
+constexpr std::uint64_t most_vertices = 4'000'000;
+// From so many lines on each is a speck of the whole: thin ones are drawn with the fewest sides, and what a line sees
+// of the sky is told once and not at each of its vertices.
+constexpr std::size_t many = 30'000;
+
+float extent_of(std::span<const Segment> segments) {
+  if (segments.empty()) return 0;
+  glm::vec3 low = segments[0].start, high = low;
+  for (const Segment& segment : segments) {
+    low = glm::min(low, glm::min(segment.start, segment.end));
+    high = glm::max(high, glm::max(segment.start, segment.end));
+  }
+  const glm::vec3 size = high - low;
+  return std::max({size.x, size.y, size.z});
+}
+
+// The rotation of a right-handed frame as a unit quaternion x y z w: by whichever of its parts is largest (Shepperd
+// 1978).
+glm::vec4 quaternion_of(const glm::mat3& m) {
+  const float trace = m[0][0] + m[1][1] + m[2][2];
+  glm::vec4 q;
+  if (trace > 0) {
+    q = {m[1][2] - m[2][1], m[2][0] - m[0][2], m[0][1] - m[1][0], 1 + trace};
+  } else {
+    int i = 0;
+    for (int k = 1; k < 3; ++k)
+      if (m[k][k] > m[i][i]) i = k;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    q[i] = 1 + m[i][i] - m[j][j] - m[k][k];
+    q[j] = m[j][i] + m[i][j];
+    q[k] = m[k][i] + m[i][k];
+    q.w = m[j][k] - m[k][j];
+  }
+  return q / glm::length(q);
+}
+
+// Of each thing its module and its colour.
+template <class Rows, class Read>
+void add_marks(Columns& columns, const std::string& of, const Rows& rows, Read mark_of) {
+  columns.add(of + ".module", column_of<std::uint32_t>(
+                                  rows, 1, [&](const auto& row, std::uint32_t* at) { *at = mark_of(row).module; }));
+  columns.add(of + ".colour",
+              column_of<std::uint8_t>(rows, 1, [&](const auto& row, std::uint8_t* at) { *at = mark_of(row).colour; }));
+}
+
+std::vector<std::uint8_t> sky_of(const Openness& open, const std::vector<Segment>& segments, const StemMesh& stems) {
+  if (segments.size() < many) return open.of(stems.mesh);
+  std::vector<std::uint8_t> of_segments;
+  of_segments.reserve(segments.size());
+  for (const Segment& segment : segments) of_segments.push_back(open.at(0.5f * (segment.start + segment.end)));
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(stems.segment.size());
+  for (const std::uint32_t segment : stems.segment) bytes.push_back(of_segments[segment]);
+  return bytes;
+}
+
+// Tubes, a run a colour.
+PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, std::uint32_t sides,
+                   const Openness* open) {
+  std::vector<std::int32_t> groups;
+  groups.reserve(marks.size());
+  for (const Mark& mark : marks) groups.push_back(mark.colour);
+  const TubeOptions options{.sides = sides,
+                            .most_vertices = most_vertices,
+                            .thin = thin * extent_of(segments),
+                            .thin_sides = segments.size() < many ? std::min(sides, thin_sides) : thinnest_sides,
+                            .thin_plain = true};
+  StemMesh stems = sweep_stems({.segments = segments, .groups = groups, .jointed = false}, options, 1.0f);
+  Columns columns;
+  if (open) columns.add("sky", sky_of(*open, segments, stems));
+  PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, std::move(columns)};
+  std::vector<std::uint8_t> colour;
+  for (const StemPart& part : stems.parts) {
+    mesh.runs.push_back({"Lines", part.first_vertex, part.vertex_count, part.first_index, part.index_count});
+    colour.push_back(static_cast<std::uint8_t>(part.group));
+  }
+  mesh.columns.add("segment", std::move(stems.segment));
+  mesh.columns.add("colour", std::move(colour));
+  return mesh;
+}
+
+// Half of a sheet's area: what it hides, taken over all sides.
+Screen screen_of(std::span<const glm::vec3> corners, float metres) {
+  glm::vec3 sum(0), twice(0);
+  for (const glm::vec3& corner : corners) sum += corner;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    twice += glm::cross((corners[i] - corners[0]) * metres, (corners[i + 1] - corners[0]) * metres);
+  return {sum * (metres / static_cast<float>(std::max<std::size_t>(corners.size(), 1))), 0.25f * glm::length(twice)};
+}
+
+std::vector<Screen> screens_of(const Plant& plant, const Sketch& sketch, float metres) {
+  std::vector<Screen> screens;
+  for (const Organ& organ : plant.organs) {
+    const float square = organ.scale * organ.scale;
+    if (organ.tag == ball_tag) screens.push_back({organ.position, pi * square});
+    if (organ.tag >= first_surface_tag)
+      screens.push_back({organ.position, surfaces[organ.tag - first_surface_tag].area * square});
+  }
+  for (const Polygon& polygon : sketch.polygons.all)
+    screens.push_back(screen_of(std::span(sketch.polygons.corners).subspan(polygon.first, polygon.count), metres));
+  return screens;
+}
+
+// The meshes that organs are drawn with, those alone that any has; and their places among the plant's.
+void add_shared(Plant& plant) {
+  std::array<std::int32_t, first_surface_tag + surfaces.size()> meshes;
+  meshes.fill(-1);
+  for (Organ& organ : plant.organs) {
+    if (organ.tag == polygon_tag) continue;
+    std::int32_t& mesh = meshes[organ.tag];
+    if (mesh < 0) {
+      mesh = static_cast<std::int32_t>(plant.meshes.size());
+      if (organ.tag == ball_tag) {
+        plant.meshes.push_back({"balls", "skin", make_ball(ball_segments), {}, {}});
+      } else {
+        const std::uint32_t which = organ.tag - first_surface_tag;
+        const Surface& surface = surfaces[which];
+        plant.meshes.push_back({std::string(surface.name), std::string(surface.material), make_surface(which), {}, {}});
+      }
+    }
+    organ.mesh = mesh;
+  }
+}
+
+void note_empty(Plant& plant, std::uint32_t empty) {
+  if (empty == 0) return;
+  plant.notes.push_back(empty == 1
+                            ? "A polygon shows nothing: it has fewer than three different corners, or all on a line."
+                            : std::to_string(empty) +
+                                  " polygons show nothing: they have fewer than three different "
+                                  "corners, or all on a line.");
+}
+
+void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
+  std::optional<Openness> open;
+  if (habit.sky) open.emplace(plant.segments, screens_of(plant, sketch, habit.metres));
+  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit.sides, open ? &*open : nullptr);
+  std::uint32_t empty = 0;
+  PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty);
+  note_empty(plant, empty);
+  if (open) {
+    if (!blades.runs.empty()) blades.columns.add("sky", open->of(blades.mesh));
+    std::vector<std::uint8_t> of_organs;
+    for (const Organ& organ : plant.organs) of_organs.push_back(open->at(organ.position));
+    if (!of_organs.empty()) plant.columns.add("organs.sky", std::move(of_organs));
+  }
+  plant.meshes.push_back(std::move(stems));
+  if (!blades.runs.empty()) plant.meshes.push_back(std::move(blades));
+  add_shared(plant);
+}
+
+}  // namespace
+
+void dress(Plant& plant, const Sketch& sketch, const Dress& habit) {
+  plant.tags = {"stem"};
+  plant.organ_tags = {"ball", "polygon"};
+  for (const Surface& surface : surfaces) plant.organ_tags.emplace_back(surface.name);
+  plant.segments = sketch.segments;
+  for (Segment& segment : plant.segments) {
+    segment.start *= habit.metres;
+    segment.end *= habit.metres;
+    segment.radius *= habit.metres;
+    segment.radius_end *= habit.metres;
+  }
+  for (const Borne& one : sketch.borne)
+    plant.organs.push_back(
+        {one.tag, one.segment, -1, one.place * habit.metres, quaternion_of(one.frame), one.size * habit.metres});
+  add_marks(plant.columns, "segments", sketch.lines, [](const Mark& mark) { return mark; });
+  if (!plant.organs.empty())
+    add_marks(plant.columns, "organs", sketch.borne, [](const Borne& one) { return one.mark; });
+  if (habit.meshes) add_meshes(plant, sketch, habit);
+}
+
+}  // namespace panicle::grammar

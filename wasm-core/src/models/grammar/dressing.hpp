@@ -1,0 +1,21 @@
+// A sketch as a plant in metres, and the meshes it is seen by.
+#pragma once
+
+#include <cstdint>
+
+#include "models/grammar/sketch.hpp"
+#include "plant/plant.hpp"
+
+namespace panicle::grammar {
+
+struct Dress {
+  float metres = 0.01f;  // of one unit of the grammar
+  std::uint32_t sides = 10;
+  bool meshes = true;
+  bool sky = false;  // of the meshes
+};
+
+// Segments, organs, their columns, and the meshes that model.hpp lists; a note on polygons that show nothing.
+void dress(Plant& plant, const Sketch& sketch, const Dress& habit);
+
+}  // namespace panicle::grammar

@@ -1,0 +1,65 @@
+#include "models/grammar/girth.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "foundation/mathematics.hpp"
+#include "models/grammar/sketch.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+// Scaling and counting down by a text's own increment leave it near 0.
+bool unset(const Segment& segment) { return segment.radius < 1e6f * no_width; }
+
+// How many tips each bears; itself, where it is one.
+std::vector<std::uint32_t> tips_of(std::span<const Segment> segments) {
+  std::vector<std::uint32_t> tips(segments.size(), 0);
+  for (std::size_t i = segments.size(); i-- > 0;) {
+    if (tips[i] == 0) tips[i] = 1;
+    if (segments[i].parent >= 0) tips[segments[i].parent] += tips[i];
+  }
+  return tips;
+}
+
+// What thickness is a share of: the mean length of lines, and where there are very many more, that of so large a plant,
+// that its lines are seen.
+float measure_of(std::span<const Segment> segments, double length) {
+  constexpr float lines_across = 16, most = 3.75f;
+  glm::vec3 low = segments[0].start, high = low;
+  for (const Segment& segment : segments) {
+    low = glm::min(low, glm::min(segment.start, segment.end));
+    high = glm::max(high, glm::max(segment.start, segment.end));
+  }
+  const glm::vec3 size = high - low;
+  const float mean = static_cast<float>(length / static_cast<double>(segments.size()));
+  return std::clamp(std::max({size.x, size.y, size.z}) / lines_across, mean, most * mean);
+}
+
+}  // namespace
+
+void thicken(std::span<Segment> segments, const Girth& girth) {
+  double length = 0;
+  bool any = false;
+  for (Segment& segment : segments) {
+    length += glm::distance(segment.start, segment.end);
+    any = any || unset(segment);
+    if (unset(segment)) continue;
+    segment.radius *= girth.said;
+    segment.radius_end *= girth.said;
+  }
+  if (!any) return;
+  const float thinnest = 0.5f * girth.tip * measure_of(segments, length);
+  const std::vector<std::uint32_t> tips = tips_of(segments);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    Segment& segment = segments[i];
+    if (!unset(segment)) continue;
+    segment.radius = segment.radius_end =
+        tips[i] == 1 ? thinnest : thinnest * power(static_cast<float>(tips[i]), girth.thickening);
+  }
+}
+
+}  // namespace panicle::grammar

@@ -1,0 +1,27 @@
+// Any text grown as a plant (docs/models/grammar/grammar.md): its lines are tubes, its spheres balls, its polygons
+// blades, its surfaces organs.
+//
+// Blocks of a request besides everyone's (plant/request.hpp), of which `grammar` or `program` must be there:
+//   steps              uint32: of the derivation, in place of the text's own
+//   constants.names    text: names of the text's `#define`s and `#input`s, a line each
+//   constants.values   float32: one a name
+//   outputs            `string` besides everyone's: the derived string as text
+//
+// Columns of a plant besides everyone's (boundary/panicle.h):
+//   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0
+//   segments.colour, organs.colour   uint8 each: 1 … 8 of the document's palette
+//   string                           text, where it is asked for: it reads back as an axiom
+// Counts: modules (of the last string), steps (that were taken), segments, organs, polygons. Tags: stem; ball, polygon
+// and the names of surfaces.hpp.
+// Meshes: `stems` (segment: uint32 a vertex; colour: uint8 a run; a run a colour), and where there are such: `blades`
+// (colour: uint8 a run; a run a polygon that shows), `balls` of radius 1 and a mesh for each surface that is drawn, by
+// its name. Sky: of the vertices of stems and blades, and of organs in the mean.
+#pragma once
+
+#include "plant/model.hpp"
+
+namespace panicle::grammar {
+
+extern const Model model;
+
+}  // namespace panicle::grammar

@@ -1,0 +1,34 @@
+// How much of the sky reaches a place of a plant: by a lattice of cells and what is in them, so that it costs the same
+// for a hundred lines as for a hundred thousand.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "environment/voxel_light.hpp"
+#include "geometry/mesh.hpp"
+#include "plant/plant.hpp"
+
+namespace panicle::grammar {
+
+// Something without thickness, or round, that hides some sky.
+struct Screen {
+  glm::vec3 place{0};
+  float area = 0;  // that it hides, taken over all sides
+};
+
+class Openness {
+ public:
+  Openness(const std::vector<Segment>& segments, const std::vector<Screen>& screens);
+
+  // 255 all of the sky, 0 none.
+  std::uint8_t at(const glm::vec3& place) const;
+  // Of each vertex.
+  std::vector<std::uint8_t> of(const Mesh& mesh) const;
+
+ private:
+  VoxelLight light_;
+};
+
+}  // namespace panicle::grammar

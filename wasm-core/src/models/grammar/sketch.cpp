@@ -1,0 +1,70 @@
+#include "models/grammar/sketch.hpp"
+
+#include <algorithm>
+
+#include "models/grammar/surfaces.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+// What things are by nature, as the table of parameters names them.
+constexpr std::uint8_t of_lines = 1, of_blades = 3, of_balls = 7;
+constexpr std::uint32_t disc_surface = 4;
+
+// Colour 1 is each thing's own.
+Mark mark_of(const lsystem::Turtle& turtle, const lsystem::Lineage& lineage, std::uint8_t natural) {
+  const auto asked = static_cast<std::uint8_t>(std::clamp<std::int32_t>(turtle.colour, 1, colours));
+  return {lineage.module, asked == 1 ? natural : asked};
+}
+
+}  // namespace
+
+void Sketch::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
+                  const lsystem::Lineage& lineage) {
+  Drawing::line(id, before, after, lineage);
+  if (lines.size() < segments.size()) lines.push_back(mark_of(after, lineage, of_lines));
+}
+
+void Sketch::bear(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
+                  const lsystem::Lineage& lineage) {
+  // Of a plant that has reached its limit of segments some may be missing.
+  const std::int32_t segment = std::min(segment_of(turtle), static_cast<std::int32_t>(segments.size()) - 1);
+  borne.push_back({tag, segment, turtle.position, glm::mat3(-turtle.left, turtle.heading, turtle.up), size,
+                   mark_of(turtle, lineage, natural)});
+}
+
+void Sketch::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
+  if (within(borne.size(), limits().spheres, "spheres, polygons and surfaces"))
+    bear(ball_tag, turtle, radius, of_balls, lineage);
+}
+
+void Sketch::polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners,
+                     const lsystem::Lineage& lineage) {
+  if (!within(borne.size(), limits().spheres, "spheres, polygons and surfaces")) return;
+  if (!within(polygons.corners.size() + corners.size(), limits().moves, "corners of polygons")) return;
+  bear(polygon_tag, turtle, 1, of_blades, lineage);
+  polygons.all.push_back({static_cast<std::uint32_t>(polygons.corners.size()),
+                          static_cast<std::uint32_t>(corners.size()), borne.back().mark});
+  polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
+}
+
+void Sketch::surface(const lsystem::Turtle& turtle, std::string_view name, float size,
+                     const lsystem::Lineage& lineage) {
+  const auto which = surface_named(name);
+  if (!which) {
+    std::string known;
+    for (const Surface& one : surfaces) known += " ~" + std::string(one.name);
+    const std::string said = "There is no surface ~" + std::string(name) + "; there are" + known + ".";
+    if (std::find(notes.begin(), notes.end(), said) == notes.end()) notes.push_back(said);
+    return;
+  }
+  if (size != 0 && within(borne.size(), limits().spheres, "spheres, polygons and surfaces"))
+    bear(first_surface_tag + *which, turtle, size, surfaces[*which].colour, lineage);
+}
+
+void Sketch::disc(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
+  if (radius != 0 && within(borne.size(), limits().spheres, "spheres, polygons and surfaces"))
+    bear(first_surface_tag + disc_surface, turtle, 2 * radius, surfaces[disc_surface].colour, lineage);
+}
+
+}  // namespace panicle::grammar

@@ -1,0 +1,73 @@
+// What a text draws, with what the model knows of it besides: which module drew it, and in which colour.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plant/drawing.hpp"
+
+namespace panicle::grammar {
+
+// A width that no text sets: with it the turtle begins, and what is still as wide has the model's own (girth.hpp).
+inline constexpr float no_width = 1e-30f;
+// Of the palette; a document has as many.
+inline constexpr std::uint8_t colours = 8;
+// Tags of what is borne: a ball, a polygon, then the surfaces in their order (surfaces.hpp).
+inline constexpr std::uint32_t ball_tag = 0, polygon_tag = 1, first_surface_tag = 2;
+
+// What of a thing is not its shape.
+struct Mark {
+  std::uint32_t module = 0;  // its place in the last string
+  std::uint8_t colour = 1;   // 1 … colours
+};
+
+// Something borne, where the turtle stood.
+struct Borne {
+  std::uint32_t tag = 0;
+  std::int32_t segment = -1;  // −1 for none
+  glm::vec3 place{0};
+  glm::mat3 frame{1};  // x to the turtle's right, y where it heads, z to its upper side
+  float size = 1;      // radius of a ball
+  Mark mark;
+};
+
+struct Polygon {
+  std::uint32_t first = 0, count = 0;  // of the corners
+  Mark mark;
+};
+
+struct Polygons {
+  std::vector<Polygon> all;
+  std::vector<glm::vec3> corners;
+};
+
+// A limit that is reached ends what is drawn and not the plant: `trouble` says which.
+class Sketch final : public Drawing {
+ public:
+  explicit Sketch(const Limits& limits) : Drawing(limits) {}
+
+  void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
+            const lsystem::Lineage& lineage) override;
+  void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
+  void polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners,
+               const lsystem::Lineage& lineage) override;
+  void surface(const lsystem::Turtle& turtle, std::string_view name, float size,
+               const lsystem::Lineage& lineage) override;
+  void disc(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
+  void note(std::string_view note) override { notes.emplace_back(note); }
+
+  std::vector<Mark> lines;   // of each segment
+  std::vector<Borne> borne;  // in the order of the string
+  Polygons polygons;
+  std::vector<std::string> notes;
+
+ private:
+  void bear(std::uint32_t tag, const lsystem::Turtle& turtle, float size, std::uint8_t natural,
+            const lsystem::Lineage& lineage);
+};
+
+}  // namespace panicle::grammar

@@ -1,0 +1,180 @@
+#include "models/grammar/surfaces.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "foundation/mathematics.hpp"
+#include "geometry/ball.hpp"
+
+namespace panicle::grammar {
+namespace {
+
+constexpr std::uint32_t round = 14;  // sides of what is turned
+
+// Half of a blade's outline, from its base (0) to its tip (1), and how it lies.
+struct Blade {
+  float width = 0.4f;   // at the widest
+  float widest = 0.4f;  // where that is
+  float fold = 0.2f;    // how far margins stand above the midrib, over their distance
+  float droop = 0.15f;  // how far the tip lies below the base's plane
+  std::uint32_t rows = 8;
+};
+
+// Half the width: from nothing at the base through the widest place to the tip, smoothly, the tip pointed.
+float half_width(const Blade& blade, float t) {
+  const float rise = t < blade.widest ? t / blade.widest : (1 - t) / (1 - blade.widest);
+  return 0.5f * blade.width * std::sqrt(rise * (2 - rise));
+}
+
+void add_normals(Mesh& mesh) {
+  std::vector<glm::vec3> sums(mesh.positions.size() / 3, glm::vec3(0));
+  const auto at = [&](std::uint32_t v) {
+    return glm::vec3(mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]);
+  };
+  for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
+    const std::uint32_t a = mesh.indices[k], b = mesh.indices[k + 1], c = mesh.indices[k + 2];
+    const glm::vec3 twice = glm::cross(at(b) - at(a), at(c) - at(a));
+    for (const std::uint32_t v : {a, b, c}) sums[v] += twice;
+  }
+  mesh.normals.clear();
+  for (const glm::vec3& sum : sums) {
+    const float length = glm::length(sum);
+    put(mesh.normals, length > 0 ? sum / length : glm::vec3(0, 0, 1));
+  }
+}
+
+// Five across: margins, midrib and what is between.
+Mesh blade_of(const Blade& blade) {
+  constexpr std::uint32_t across = 5;
+  Mesh mesh;
+  for (std::uint32_t row = 0; row <= blade.rows; ++row) {
+    const float t = static_cast<float>(row) / static_cast<float>(blade.rows);
+    const float half = half_width(blade, t);
+    for (std::uint32_t k = 0; k < across; ++k) {
+      const float s = static_cast<float>(k) / 2 - 1;
+      put(mesh.positions, glm::vec3(s * half, t, blade.fold * std::fabs(s) * half - blade.droop * t * t));
+      put(mesh.uvs, glm::vec2(0.5f + s * half / blade.width, 1 - t));
+    }
+  }
+  for (std::uint32_t row = 0; row < blade.rows; ++row) {
+    for (std::uint32_t k = 0; k + 1 < across; ++k) {
+      const std::uint32_t a = row * across + k, b = a + across;
+      // At base and tip the row is one point.
+      if (row > 0) put(mesh.indices, a, a + 1, b + 1);
+      if (row + 1 < blade.rows) put(mesh.indices, a, b + 1, b);
+    }
+  }
+  add_normals(mesh);
+  // Where a row is one point, half of its corners have no triangle of their own.
+  for (const std::uint32_t row : {0u, blade.rows}) {
+    const std::uint32_t inner = row == 0 ? 1 : row - 1;
+    for (std::uint32_t k = 0; k < 3 * across; ++k)
+      mesh.normals[3 * across * row + k] = mesh.normals[3 * across * inner + k];
+  }
+  return mesh;
+}
+
+// Tilted about its base towards the turtle's back, then turned round the heading.
+void add_turned(Mesh& all, const Mesh& one, float tilt, float about) {
+  const auto base = static_cast<std::uint32_t>(all.positions.size() / 3);
+  const SinCos tilted = sincos_degrees(tilt), round_about = sincos_degrees(about);
+  const auto turned = [&](const std::vector<float>& from, std::size_t i, float scale) {
+    const glm::vec3 p(from[i], from[i + 1], from[i + 2]);
+    // y out, z in: the upper side comes to look up the heading.
+    const float out = scale * (p.y * tilted.sine - p.z * tilted.cosine), x = scale * p.x;
+    const float y = scale * (p.y * tilted.cosine + p.z * tilted.sine);
+    return glm::vec3(out * round_about.sine - x * round_about.cosine, y,
+                     out * round_about.cosine + x * round_about.sine);
+  };
+  for (std::size_t i = 0; i < one.positions.size(); i += 3) {
+    put(all.positions, turned(one.positions, i, 0.55f));
+    put(all.normals, turned(one.normals, i, 1));
+  }
+  all.uvs.insert(all.uvs.end(), one.uvs.begin(), one.uvs.end());
+  for (const std::uint32_t index : one.indices) all.indices.push_back(base + index);
+}
+
+Mesh flower() {
+  constexpr std::uint32_t petals = 5;
+  const Mesh petal = blade_of({.width = 0.75f, .widest = 0.62f, .fold = 0.25f, .droop = 0.12f, .rows = 6});
+  Mesh all;
+  for (std::uint32_t k = 0; k < petals; ++k) add_turned(all, petal, 66, 72.0f * static_cast<float>(k));
+  return all;
+}
+
+// A place on the outline of something turned about the heading.
+struct Knot {
+  float radius, height;
+};
+
+// Smooth but where a knot stands twice, for a sharp edge, and at its ends, which may be points.
+Mesh turned(std::span<const Knot> outline) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Knot& before = outline[i > 0 ? i - 1 : 0];
+    const Knot& after = outline[i + 1 < outline.size() ? i + 1 : i];
+    const float dr = after.radius - before.radius, dy = after.height - before.height;
+    const float length = std::sqrt(dr * dr + dy * dy);
+    for (std::uint32_t k = 0; k <= round; ++k) {
+      const auto [sine, cosine] = sincos_degrees(360.0f * static_cast<float>(k % round) / static_cast<float>(round));
+      put(mesh.positions, glm::vec3(outline[i].radius * sine, outline[i].height, outline[i].radius * cosine));
+      put(mesh.normals, glm::vec3(dy * sine, -dr, dy * cosine) / length);
+      put(mesh.uvs, glm::vec2(static_cast<float>(k) / static_cast<float>(round),
+                              1 - static_cast<float>(i) / static_cast<float>(outline.size() - 1)));
+    }
+  }
+  for (std::uint32_t row = 0; row + 1 < outline.size(); ++row) {
+    const Knot &one = outline[row], &next = outline[row + 1];
+    if (one.radius == next.radius && one.height == next.height) continue;
+    for (std::uint32_t k = 0; k < round; ++k) {
+      const std::uint32_t a = row * (round + 1) + k, b = a + round + 1;
+      if (one.radius > 0) put(mesh.indices, a, a + 1, b + 1);
+      if (next.radius > 0) put(mesh.indices, a, b + 1, b);
+    }
+  }
+  return mesh;
+}
+
+// On the turtle, not about it.
+Mesh berry() {
+  Mesh mesh = make_ball(round);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    mesh.positions[i] = 0.5f * mesh.positions[i] + (i % 3 == 1 ? 0.5f : 0);
+  return mesh;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> surface_named(std::string_view name) {
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i].name == name) return i;
+  return {};
+}
+
+Mesh make_surface(std::uint32_t which) {
+  constexpr Knot disc[] = {{0.5f, 0}, {0, 0.02f}};
+  constexpr Knot cone[] = {{0, 0}, {0.25f, 0}, {0.25f, 0}, {0, 1}};
+  constexpr Knot bud[] = {{0, 0},         {0.1f, 0.04f}, {0.2f, 0.18f},  {0.23f, 0.36f},
+                          {0.19f, 0.58f}, {0.1f, 0.82f}, {0.04f, 0.95f}, {0, 1}};
+  switch (which) {
+    case 0:
+      return blade_of({.width = 0.46f, .widest = 0.38f, .fold = 0.25f, .droop = 0.16f, .rows = 8});
+    case 1:
+      return blade_of({.width = 0.7f, .widest = 0.62f, .fold = 0.22f, .droop = 0.14f, .rows = 7});
+    case 2:
+      return blade_of({.width = 0.28f, .widest = 0.35f, .fold = 0.3f, .droop = 0.08f, .rows = 6});
+    case 3:
+      return flower();
+    case 4:
+      return turned(disc);
+    case 5:
+      return turned(cone);
+    case 6:
+      return turned(bud);
+    default:
+      return berry();
+  }
+}
+
+}  // namespace panicle::grammar

@@ -1,0 +1,18 @@
+/** How many steps a text is derived for, in place of what it says itself. */
+import { readWithin } from "../../../specimen/read_within";
+import type { Detail } from "../../../specimen/species";
+import type { GrammarSpecimen } from "../specimen";
+
+/** The core's own limit (wasm-core/src/foundation/limits.hpp). */
+export const MOST_STEPS = 4096;
+const STEPS = { kind: "integer", min: 0, max: MOST_STEPS } as const;
+
+export const steps: Detail<GrammarSpecimen> = {
+	keys: ["steps"],
+	settings: ["steps=N"],
+	read: (specimen, key, value, notes) => {
+		const read = readWithin(STEPS, key, value, "the text's own", notes);
+		if (read !== undefined) specimen.steps = read;
+	},
+	query: ({ steps: own }, preset) => (own === undefined || own === preset.steps ? [] : [["steps", String(own)]]),
+};

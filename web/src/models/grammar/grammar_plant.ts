@@ -1,0 +1,41 @@
+/** Columns of an answer → what a text has grown (wasm-core/src/models/grammar/model.hpp). */
+import type { Answer } from "../../core/core";
+import type { Plant } from "../../plant/plant";
+import { readPlant } from "../../plant/read_plant";
+
+/** What of drawn things is not their shape, one each. */
+export interface Marks {
+	/** The module that drew it, by its place in the last string, from 0. */
+	module: Uint32Array;
+	/** 1 … 8 of the palette. */
+	colour: Uint8Array;
+}
+
+/** A plant that a text has grown. */
+export interface GrammarPlant extends Plant {
+	/** Of segments. */
+	lines: Marks;
+	/** Of organs. */
+	borne: Marks;
+	/** Colours of each mesh's runs, by the mesh's name. */
+	runColours: Readonly<Record<string, Uint8Array>>;
+	/** The derived string, where it was asked for. */
+	string?: string;
+}
+
+export function readGrammarPlant(answer: Answer): GrammarPlant {
+	const { columns } = answer;
+	const plant = readPlant(answer);
+	const marks = (of: string): Marks =>
+		columns.has(`${of}.module`)
+			? { module: columns.words(`${of}.module`), colour: columns.octets(`${of}.colour`) }
+			: { module: new Uint32Array(0), colour: new Uint8Array(0) };
+	const coloured = plant.meshes.filter(({ name }) => columns.has(`mesh.${name}.colour`));
+	return {
+		...plant,
+		lines: marks("segments"),
+		borne: marks("organs"),
+		runColours: Object.fromEntries(coloured.map(({ name }) => [name, columns.octets(`mesh.${name}.colour`)])),
+		...(columns.has("string") ? { string: columns.text("string") } : {}),
+	};
+}

@@ -1,0 +1,30 @@
+/** Any text grown as a plant: docs/models/grammar/grammar.md. */
+import type { Model } from "../model";
+import { GRAMMAR_FORMATS } from "./formats";
+import { type GrammarPlant, readGrammarPlant } from "./grammar_plant";
+import { grammarParts } from "./parts";
+import { grammarRecord } from "./record";
+import { encodeGrammar } from "./request";
+import { GRAMMAR } from "./species";
+import type { GrammarSpecimen } from "./specimen";
+import { fetchTexts } from "./texts";
+import { grammarInWords, titleOfText } from "./words";
+
+export const model = {
+	...GRAMMAR,
+	title: "Grammar",
+	shelf: "Grammars",
+	preview: true,
+	noun: "plant",
+	wasm: "grammar.wasm",
+	strings: true,
+	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
+	encode: encodeGrammar,
+	read: readGrammarPlant,
+	parts: grammarParts,
+	titled: ({ grammar }) => (grammar === undefined ? undefined : titleOfText(grammar)),
+	words: grammarInWords,
+	record: grammarRecord,
+	formats: GRAMMAR_FORMATS,
+	studio: async () => (await import("./face")).face,
+} satisfies Model<GrammarSpecimen, GrammarPlant>;

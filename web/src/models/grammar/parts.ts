@@ -1,0 +1,131 @@
+/** What a text has grown in parts: lines by their colours, what is borne by its kind and colour. */
+import { linear } from "../../plant/colour";
+import { type Material, standardMaterial } from "../../plant/material";
+import { cut, type Part, type PartMesh, TRANSFORM } from "../../plant/part";
+import type { MeshRun, PlantMesh } from "../../plant/plant";
+import type { GrammarPlant } from "./grammar_plant";
+import type { ColourKey } from "./parameters.generated";
+import type { GrammarSpecimen } from "./specimen";
+
+/** More of a kind than these nobody picks one by one: none has a name of its own, and files hold them in a few meshes. */
+const MOST_NAMED = 300;
+/** More polygons than these are one part a colour: each part is drawn by itself. */
+const MOST_APART = 60;
+
+export function* grammarParts(plant: GrammarPlant, { look }: GrammarSpecimen): Generator<Part> {
+	const names = new Set<string>();
+	const called = (name: string) => {
+		for (let number = 1; ; number++) {
+			const tried = number === 1 ? name : `${name} ${number}`;
+			if (names.has(tried)) continue;
+			names.add(tried);
+			return tried;
+		}
+	};
+	const dressed = new Map<string, Material>();
+	const materialOf = (kind: string, colour: number) => {
+		const known = dressed.get(`${kind} ${colour}`) ?? painted(kind, colour, look);
+		dressed.set(`${kind} ${colour}`, known);
+		return known;
+	};
+	for (const [index, mesh] of plant.meshes.entries()) {
+		const colours = plant.runColours[mesh.name];
+		if (!colours) {
+			yield* borneParts(plant, index, mesh, materialOf, called);
+			continue;
+		}
+		for (const { name, colour, runs } of groupsOf(mesh, colours)) {
+			const material = materialOf(mesh.material, colour);
+			yield { name: called(name), shape: { mesh: gathered(mesh, runs), material } };
+		}
+	}
+}
+
+/** Each run for itself; where there are many, those of a colour together. */
+function groupsOf({ runs }: PlantMesh, colours: Uint8Array): { name: string; colour: number; runs: MeshRun[] }[] {
+	const shown = runs.map((run, place) => ({ run, colour: colours[place] })).filter(({ run }) => run.indexCount > 0);
+	if (shown.length <= MOST_APART) return shown.map(({ run, colour }) => ({ name: run.name, colour, runs: [run] }));
+	const groups = new Map<number, MeshRun[]>();
+	for (const { run, colour } of shown) {
+		const members = groups.get(colour) ?? [];
+		groups.set(colour, members);
+		members.push(run);
+	}
+	return [...groups].sort(([a], [b]) => a - b).map(([colour, members]) => ({ name: "Blades", colour, runs: members }));
+}
+
+/** Runs of a mesh as one mesh of their own. */
+function gathered(mesh: PlantMesh, runs: readonly MeshRun[]): PartMesh {
+	if (runs.length === 1) return cut(mesh, runs[0]);
+	const vertices = runs.reduce((sum, { vertexCount }) => sum + vertexCount, 0);
+	const count = runs.reduce((sum, { indexCount }) => sum + indexCount, 0);
+	const all = {
+		positions: new Float32Array(3 * vertices),
+		normals: new Float32Array(3 * vertices),
+		uvs: new Float32Array(2 * vertices),
+		indices: new Uint32Array(count),
+		...(mesh.sky ? { sky: new Uint8Array(vertices) } : {}),
+	};
+	let [vertex, index] = [0, 0];
+	for (const { firstVertex, vertexCount, firstIndex, indexCount } of runs) {
+		const end = firstVertex + vertexCount;
+		all.positions.set(mesh.positions.subarray(3 * firstVertex, 3 * end), 3 * vertex);
+		all.normals.set(mesh.normals.subarray(3 * firstVertex, 3 * end), 3 * vertex);
+		all.uvs.set(mesh.uvs.subarray(2 * firstVertex, 2 * end), 2 * vertex);
+		if (mesh.sky) all.sky?.set(mesh.sky.subarray(firstVertex, end), vertex);
+		for (let i = 0; i < indexCount; i++) all.indices[index + i] = mesh.indices[firstIndex + i] - firstVertex + vertex;
+		vertex += vertexCount;
+		index += indexCount;
+	}
+	return all;
+}
+
+/** A material of a kind in a colour of the palette. */
+function painted(kind: string, colour: number, look: GrammarSpecimen["look"]): Material {
+	const standard = standardMaterial(kind);
+	const key = `colour${colour}` as ColourKey;
+	return { ...standard, name: `${standard.name} ${colour}`, colour: linear(look[key]) };
+}
+
+/** The organs that are drawn with a mesh, as instances: a part for each colour. */
+function* borneParts(
+	{ organs, borne }: GrammarPlant,
+	index: number,
+	mesh: PlantMesh,
+	materialOf: (kind: string, colour: number) => Material,
+	called: (name: string) => string,
+): Generator<Part> {
+	const byColour = new Map<number, number[]>();
+	for (let organ = 0; organ < organs.count; organ++) {
+		if (organs.mesh[organ] !== index) continue;
+		const members = byColour.get(borne.colour[organ]) ?? [];
+		byColour.set(borne.colour[organ], members);
+		members.push(organ);
+	}
+	for (const [colour, members] of [...byColour].sort(([a], [b]) => a - b)) {
+		const transforms = new Float32Array(TRANSFORM * members.length);
+		members.forEach((organ, i) => {
+			transforms.set(organs.transforms.subarray(TRANSFORM * organ, TRANSFORM * (organ + 1)), TRANSFORM * i);
+		});
+		const kind = titled(organs.tags[organs.tag[members[0]]] ?? mesh.name);
+		const { sky } = organs;
+		const each = (i: number) => ({
+			name: `${kind} ${members[i] + 1}`,
+			extras: { segment: organs.segment[members[i]], module: borne.module[members[i]] },
+		});
+		yield {
+			name: called(`${kind} ${colour}`),
+			shape: {
+				mesh,
+				material: materialOf(mesh.material, colour),
+				instances: {
+					transforms,
+					...(organs.count > MOST_NAMED ? {} : { each }),
+					...(sky ? { sky: Uint8Array.from(members, (organ) => sky[organ]) } : {}),
+				},
+			},
+		};
+	}
+}
+
+const titled = (name: string) => `${name.charAt(0).toUpperCase()}${name.slice(1)}`;

@@ -1,0 +1,47 @@
+/** Specimen → the blocks of a request, as wasm-core/src/models/grammar/model.hpp lists them. */
+import type { Block } from "../../core/container";
+import { CoreError } from "../../core/errors";
+import type { GrowthOptions } from "../model";
+import type { GrammarSpecimen } from "./specimen";
+import { GRAMMAR_TABLE } from "./table";
+import { fetchedText } from "./texts";
+
+export interface RequestOptions extends GrowthOptions {
+	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
+	sky?: boolean;
+	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	meshFingerprint?: boolean;
+}
+
+/** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
+export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions = {}): Block[] {
+	const { meshes = true, passing = false, meshFingerprint = false, string = false } = options;
+	const { sky = meshes && !passing } = options;
+	const outputs = [meshes && "meshes", sky && "sky", meshFingerprint && "mesh_fingerprint", string && "string"];
+	const { model, seed, parameters, constants, steps } = specimen;
+	const text = fetchedText(specimen);
+	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
+	const names = Object.keys(constants);
+	return [
+		{ name: "model", data: model },
+		{ name: "seed", data: Uint32Array.of(seed) },
+		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
+		{
+			name: "parameters",
+			data: Float32Array.from(GRAMMAR_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
+		},
+		...(steps === undefined ? [] : [{ name: "steps", data: Uint32Array.of(steps) }]),
+		...(names.length === 0
+			? []
+			: [
+					{ name: "constants.names", data: names.join("\n") },
+					{ name: "constants.values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
+				]),
+		{ name: "grammar", data: text },
+	];
+}
+
+function number(key: string, value: number): number {
+	if (Number.isFinite(value)) return value;
+	throw new CoreError("bad request", `${key} is not a number.`);
+}

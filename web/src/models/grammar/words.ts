@@ -1,0 +1,17 @@
+/** What a text has grown in a few plain words: for the caption, the picture's description and the screen reader. */
+import type { GrammarPlant } from "./grammar_plant";
+
+/** "1,240 modules, 380 segments, 24 organs". */
+export function grammarInWords({ counts }: GrammarPlant): string {
+	const parts = [counted(counts.modules ?? 0, "module"), counted(counts.segments ?? 0, "segment")];
+	if (counts.organs > 0) parts.push(counted(counts.organs, "organ"));
+	return parts.join(", ");
+}
+
+const counted = (count: number, noun: string) => `${count.toLocaleString("en-GB")} ${noun}${count === 1 ? "" : "s"}`;
+
+/** The first line of the comment that a text begins with, as presets' texts have their title there. */
+export function titleOfText(text: string): string {
+	const [, line] = /^\s*\/\*\s*([^\n*]{1,60}?)\s*(?:\n|\*\/)/.exec(text) ?? [];
+	return line ?? "A grammar of one’s own";
+}
