@@ -182,6 +182,7 @@ test("words are completed and explained", async ({ page }) => {
 	await page.getByRole("option", { name: /^clamp/ }).click();
 	await expect(studio.line("Ap(l,w) -->")).toContainText("F(clamp");
 	await expect(page.locator(".pane-hint")).toContainText("no less than low");
+	await studio.see("#define r_p");
 	await studio.line("#define r_p").locator(".cm-statement").hover();
 	await expect(page.locator(".cm-help")).toContainText("A constant.");
 });
@@ -217,6 +218,17 @@ test("curves are drawn, and their points are moved, added and removed", async ({
 	await expect(studio.line("#curve taper")).toHaveText("#curve taper (0, 0) (0.5, 0.6) (1, 1)");
 	await page.keyboard.press("Delete");
 	await expect(studio.line("#curve taper")).toHaveText("#curve taper (0, 0) (1, 1)");
+});
+
+test("a grammar's preset opens its text, with sliders of its constants, and grows what is typed", async ({ page }) => {
+	const studio = await new EditorPage(page).edit("?model=grammar");
+	const first = await studio.fingerprint.innerText();
+	await expect(page.locator("details[data-group=constants]")).toHaveCount(1);
+	await studio.endOf("axiom:");
+	await page.keyboard.type(" F");
+	await expect(studio.fingerprint).not.toHaveText(first);
+	await page.keyboard.press("Control+z");
+	await expect(studio.fingerprint).toHaveText(first);
 });
 
 test.describe("on a phone", () => {

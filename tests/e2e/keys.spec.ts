@@ -108,11 +108,11 @@ test("the view says that it takes keys, shows the focus, and its tools are one s
 	await page.keyboard.press("ArrowDown");
 	await expect(studio.button("On the vine")).toBeFocused();
 	await page.keyboard.press("End");
-	await expect(studio.button("Thin")).toBeFocused();
+	await expect(studio.button("Grammar")).toBeFocused();
 	await page.keyboard.press("Tab");
 	await expect(studio.button("Play")).toBeFocused();
 	await page.keyboard.press("Shift+Tab");
-	await expect(studio.button("Thin")).toBeFocused();
+	await expect(studio.button("Grammar")).toBeFocused();
 });
 
 test("a handle says where it stands: after a key step, and when it is pressed, every time", async ({ page }) => {

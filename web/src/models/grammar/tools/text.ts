@@ -1,26 +1,29 @@
-import { withConstants } from "../../../controls/grammar/outline";
+import { outlineOf, withConstants } from "../../../controls/grammar/outline";
 import type { GrammarSource } from "../../../controls/grammar/source";
 import { fromPreset } from "../../../specimen/from_preset";
 import { GRAMMAR } from "../species";
 import type { GrammarSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
 
-const constantsOf = (preset: string) => fromPreset(GRAMMAR, preset).constants;
-
-/** A preset's text with the values that the document gives to its constants; of a document with a text of its own, the preset's own values. */
+/** Values of constants are written into the text as soon as it is the document's own: one number, one place. */
 export const source: GrammarSource<GrammarSpecimen> = {
 	noun: "plant",
 	group: "lines",
 	always: true,
 	builtIn({ preset, grammar, constants }) {
-		const text = fetchedText({ preset, grammar: undefined });
-		return text === undefined
-			? fetchTexts()
-			: withConstants(text, grammar === undefined ? constants : constantsOf(preset));
+		const text = fetchedText({ preset });
+		if (text === undefined) return fetchTexts();
+		return withConstants(text, grammar === undefined ? constants : constantsOf(preset));
 	},
-	// A text of one's own says its values itself.
 	details(text, { preset, grammar, constants }) {
-		if (text !== undefined) return { grammar: text, constants: {} };
-		return { grammar: undefined, constants: grammar === undefined ? constants : constantsOf(preset) };
+		// The built-in text as it stands in the editor has the document's own values.
+		if (text === undefined) return { grammar: text, constants: grammar === undefined ? constants : constantsOf(preset) };
+		const written = new Set(outlineOf(text).constants.map(({ name }) => name));
+		const given = Object.entries(constants).filter(([name]) => !written.has(name));
+		return { grammar: text, constants: Object.fromEntries(given) };
 	},
 };
+
+function constantsOf(preset: string): Readonly<Record<string, number>> {
+	return fromPreset(GRAMMAR, preset).constants;
+}
