@@ -110,4 +110,40 @@ export default [
 			},
 		],
 	},
+	{
+		file: "wasm-core/grammars/grammar/quadratic-gosper.lsys",
+		suites: [`${TESTS}/lsystem/conformance_shape_test.cpp`],
+		faults: [
+			{
+				id: "published-edge-lost",
+				find: "Fr+Fl+Fl Fr+Fl-Fr",
+				replace: "Fr+Fl Fr+Fl-Fr",
+				breaks: "a published curve is not what was published",
+			},
+		],
+	},
+	{
+		file: "wasm-core/grammars/grammar/anabaena.lsys",
+		suites: [`${TESTS}/lsystem/conformance_test.cpp`],
+		faults: [
+			{
+				id: "published-cells-divide-one-way",
+				find: "al --> bl ar",
+				replace: "al --> ar bl",
+				breaks: "the filament's cells divide in one direction only",
+			},
+		],
+	},
+	{
+		file: "wasm-core/grammars/grammar/leaf.lsys",
+		suites: [`${TESTS}/lsystem/conformance_leaf_test.cpp`],
+		faults: [
+			{
+				id: "published-leaf-crosses-itself",
+				find: "L(i) : i<=k --> L(i+1) [+(alpha*i) &(beta*i*24/k) V(i/k).]",
+				replace: "L(i) : i<=k --> [+(alpha*i) &(beta*i*24/k) V(i/k).] L(i+1)",
+				breaks: "the leaf's corners come in the order of the print, which crosses itself",
+			},
+		],
+	},
 ];

@@ -1437,12 +1437,12 @@ K(t) --> ~flower(min(0.8, 0.1*t))
 	"wall-lettuce": `/* Wall lettuce
    kind: inflorescences
    about: Signals stop the growth and wake the branches from the tip downwards. Mycelis muralis.
-   source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.4, model III; Z, X and B are S, T and G there; shapes are ours
+   source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.4, model III; Z, X and B are S, T and G there; that W is considered and the shapes are ours
    page: 90
 */
 angle increment: 30
-derivation length: 56
-consider: M Z X V
+derivation length: 64
+consider: M Z X V W
 
 axiom: I(20) F A(0)
 
