@@ -65,6 +65,14 @@ TEST_CASE("a polygon that does not cross itself is filled exactly, whichever way
   }
 }
 
+TEST_CASE("a corner whose triangle holds another is no ear, wherever one begins") {
+  Corners arrow{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}};
+  for (std::size_t turn = 0; turn < arrow.size(); ++turn) {
+    std::rotate(arrow.begin(), arrow.begin() + 1, arrow.end());
+    CHECK(area_of(arrow, fill_polygon(arrow)) == doctest::Approx(10));
+  }
+}
+
 TEST_CASE("triangles go counter-clockwise seen against the normal of what they fill") {
   const Corners l{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   const auto triangles = fill_polygon(l);

@@ -20,12 +20,6 @@ export default [
 				replace: "true || is_ear(at)",
 				breaks: "triangles lie outside of what they fill",
 			},
-			{
-				id: "polygon-first-twice",
-				find: "while (places_.size() > 1 && is_one(places_.front(), places_.back())) drop_last();",
-				replace: "",
-				breaks: "a polygon that comes back to its first corner has that twice",
-			},
 		],
 	},
 	{

@@ -28,5 +28,4 @@ export const model = {
 	handles: async () => (await import("./areas/area_handles")).areaHandlesOf,
 	studio: async () => (await import("./tools/face")).face,
 	formats: GRAMMAR_FORMATS,
-	studio: async () => (await import("./face")).face,
 } satisfies Model<GrammarSpecimen, GrammarPlant>;

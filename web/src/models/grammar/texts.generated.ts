@@ -1386,7 +1386,7 @@ axiom: C(1, 0, 1) ?P(0,0,0) ?H(0,1,0)
 ?H(x,y,z) --> *
 
 /* The main branch C(area, entered, next place): where it stands and what lies ahead. o: all places are passed. */
-C(a,e,j) > ?P(x,y,z) ?H(u,v,w) : {o=j>places; i=3*min(j,places); p=o*u+!o*(path[i-2]-x); q=o*v+!o*(path[i-1]-y); r=o*w+!o*(path[i]-z)} j>0 -->
+C(a,e,j) > ?P(x,y,z) ?H(u,v,w) : {o=j>places; i=3*min(j,places); p=o*u+!o*(path[i-2]-x); q=o*v+!o*(path[i-1]-y); r=o*w+!o*(path[i]-z)} * -->
   D(a, e, bound(x,y,z,a), reach(x,y,z,p,q,r,a,M), p, q, r, j+(!o && p*p+q*q+r*r<M*M))
 
 /* Laterals A(order, area): Borchert and Slade slow their forking down, so that a shell of any radius is as dense. */
