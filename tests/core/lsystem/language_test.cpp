@@ -105,6 +105,9 @@ TEST_CASE("letters of cpfg are symbols of one's own in the paper's notation") {
   CHECK(heard("axiom: F G(2) T(3) g(4) F").lines.size() == 2);
   CHECK(after("axiom: G(2)\nG(x) --> T(x)", 1) == "T(2)");
   CHECK(heard(cpfg + "F(1,7,8) G(2) F").lines.size() == 3);
+  // What cpfg does not know is the text's own where it rewrites it, and drawn where it does not.
+  CHECK(heard(cpfg + "S(1) T(2) F S(3)").spheres.size() == 2);
+  CHECK(heard(cpfg + "S(1) T(2) F S(3,4)\nS(x,y) --> T\nT --> S(1,2)").spheres.empty());
   CHECK(trouble("axiom: F(1,2)") == "syntax 1:8");
 }
 

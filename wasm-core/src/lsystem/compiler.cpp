@@ -124,9 +124,19 @@ class Compiler {
       for (const NeighbourTree& neighbour : production.right) add_symbol(neighbour.name, production.system);
       for (const ModuleTree& module : production.successor) add_symbol(module.name, module.system);
     }
+    yield();
     if (program_->symbols.size() > most_symbols)
       return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
     return true;
+  }
+
+  // Letters that cpfg does not know are the text's own where it rewrites them.
+  void yield() {
+    for (std::uint32_t symbol = 0; symbol < program_->symbols.size(); ++symbol) {
+      const TurtleSymbol* const turtle = program_->turtle(symbol);
+      if (turtle != nullptr && turtle->yields && is_rewritten(symbol) && grammar_.notation == Notation::cpfg)
+        program_->meanings[symbol] = no_meaning;
+    }
   }
 
   // A symbol of an L-system of its own is another than one that is written the same elsewhere; what holds strings
@@ -243,6 +253,7 @@ class Compiler {
       rules.by_chance |= rules.weighted || added.by_chance;
       rules.in_context |= added.in_context;
       program_->in_context |= added.in_context;
+      program_->looks_right |= added.right.size() > 0;
     }
     return true;
   }
@@ -277,6 +288,9 @@ class Compiler {
     if (!context(tree, tree.left, production.left, to) || !context(tree, tree.right, production.right, to))
       return false;
     production.in_context = production.left.size() + production.right.size() > 0;
+    if (production.left.size() > 0) production.nearest_left = program_->neighbours[production.left.end - 1].symbol;
+    if (production.right.size() > 0) production.nearest_right = program_->neighbours[production.right.begin].symbol;
+    if (production.nearest_right == push_symbol) production.nearest_right = no_symbol;
     if (production.in_context && tree.purpose != Purpose::derivation)
       return fail(Reason::syntax, tree.place,
                   "Productions of a decomposition or homomorphism see no neighbours; take the context out.");

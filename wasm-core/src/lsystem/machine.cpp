@@ -75,7 +75,7 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
 
 bool Machine::sees(const Production& production) {
   std::uint64_t looked = 0;
-  const bool fits = neighbourhood_ != nullptr && neighbourhood_->fits(production, registers_, looked);
+  const bool fits = neighbourhood_->fits(production, registers_, looked);
   return spend(looked / 32) && fits;
 }
 

@@ -56,7 +56,7 @@ class Machine {
   }
 
   // From now on productions see what is around the module at which it stands; before, those in context match nothing.
-  void look_around(const Neighbourhood& neighbourhood) { neighbourhood_ = &neighbourhood; }
+  void look_around(Neighbourhood& neighbourhood) { neighbourhood_ = &neighbourhood; }
 
   // Whether a module that no production matched may be rewritten in a later step, by chance.
   bool tries_again(std::uint32_t header) const {
@@ -92,7 +92,9 @@ class Machine {
  private:
   bool matches(const Production& production, std::uint32_t count) {
     if (production.arity != count || !spend(production.cost)) return false;
-    if (production.in_context && !sees(production)) return false;
+    if (production.in_context &&
+        !(neighbourhood_ != nullptr && neighbourhood_->may_fit(production) && sees(production)))
+      return false;
     if (!production.condition.given) return true;
     return evaluate(production.condition.code) && registers_[production.condition.source] != 0;
   }
@@ -127,7 +129,7 @@ class Machine {
   float* registers_;
   std::uint64_t choice_stream_;
   std::uint64_t spent_ = 0;
-  const Neighbourhood* neighbourhood_ = nullptr;
+  Neighbourhood* neighbourhood_ = nullptr;
   std::uint32_t step_ = 0;
   bool stepping_ = false;
   Sources sources_;

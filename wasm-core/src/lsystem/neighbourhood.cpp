@@ -2,14 +2,30 @@
 
 #include <cstring>
 
-#include "lsystem/branch.hpp"
-
 namespace panicle::lsystem {
 
 bool Neighbourhood::begin(const String& string) {
   string_ = &string;
   at_ = path_length_ = open_count_ = 0;
-  return path_.reserve(string.modules, string.modules);
+  behind_ = nullptr;
+  return path_.reserve(string.modules, string.modules) && (!program_.looks_right || find_ends());
+}
+
+// Where each branch ends, at the place of its bracket: so that looking past one costs the same whatever is on it.
+bool Neighbourhood::find_ends() {
+  if (!ends_.reserve(string_->used, string_->used)) return false;
+  std::uint64_t open = 0;
+  for (const std::uint32_t* at = string_->begin(); at < string_->end(); at += words_of(*at)) {
+    const std::uint32_t symbol = symbol_of(*at);
+    const auto offset = static_cast<std::uint32_t>(at - string_->begin());
+    if (symbol == push_symbol) {
+      if (!open_.reserve(open + 1, string_->modules)) return false;
+      open_.data()[open++] = offset;
+    } else if (symbol == pop_symbol) {
+      ends_.data()[open_.data()[--open]] = offset;
+    }
+  }
+  return true;
 }
 
 bool Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
@@ -27,13 +43,19 @@ bool Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
     }
     at_ += words_of(header);
   }
+  left_ = path_length_ > 0 ? symbol_of(words[path_.data()[path_length_ - 1]]) : no_symbol;
+  if (!program_.looks_right) return true;
+  behind_ = next_seen(words + at + words_of(words[at]), false, looked);
+  right_ = behind_ != nullptr ? symbol_of(*behind_) : no_symbol;
   return true;
 }
 
-bool Neighbourhood::fits(const Production& production, float* registers, std::uint64_t& looked) const {
+bool Neighbourhood::fits(const Production& production, float* registers, std::uint64_t& looked) {
   if (!fits_left(production.left, registers)) return false;
   const Range right = production.right;
   if (right.size() == 0) return true;
+  const Neighbour& wanted = program_.neighbours[right.begin];
+  if (right.size() == 1 && wanted.symbol != push_symbol) return behind_ != nullptr && is(wanted, behind_, registers);
   const std::uint32_t* const module = string_->begin() + at_;
   return follow(right.begin, right.end, module + words_of(*module), registers, looked) != nullptr;
 }
@@ -58,8 +80,8 @@ const std::uint32_t* Neighbourhood::follow(std::uint32_t begin, std::uint32_t en
       if (at == nullptr || (symbol_of(*at) == push_symbol) != branch) return nullptr;
       if (!branch) break;
       const std::uint32_t* const inside = at + words_of(*at);
-      const std::uint32_t* const closed = rest_of_branch(inside, string_->end()).end;
-      looked += static_cast<std::uint64_t>(closed - at);
+      const std::uint32_t* const closed = end_of_branch(at);
+      ++looked;
       at = closed + words_of(*closed);
       if (follow(i + 1, wanted.closed, inside, registers, looked) != nullptr) break;
     }
@@ -78,24 +100,16 @@ const std::uint32_t* Neighbourhood::follow(std::uint32_t begin, std::uint32_t en
 // ends.
 const std::uint32_t* Neighbourhood::next_seen(const std::uint32_t* at, bool into_branches,
                                               std::uint64_t& looked) const {
-  const std::uint32_t* const from = at;
-  const std::uint32_t* const end = string_->end();
-  while (at < end) {
+  for (const std::uint32_t* const end = string_->end(); at < end; at += words_of(*at), ++looked) {
     const std::uint32_t symbol = symbol_of(*at);
-    if (symbol == pop_symbol) break;
+    if (symbol == pop_symbol) return nullptr;
     if (symbol == push_symbol) {
-      if (into_branches) {
-        looked += static_cast<std::uint64_t>(at - from);
-        return at;
-      }
-      at = rest_of_branch(at + words_of(*at), end).end;
+      if (into_branches) return at;
+      at = end_of_branch(at);
     } else if (is_seen(symbol)) {
-      looked += static_cast<std::uint64_t>(at - from);
       return at;
     }
-    at += words_of(*at);
   }
-  looked += static_cast<std::uint64_t>(at - from);
   return nullptr;
 }
 

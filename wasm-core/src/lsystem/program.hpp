@@ -82,7 +82,9 @@ struct Production {
   Value weight;
   bool by_chance = false;   // whether its condition or weight draws
   bool in_context = false;  // whether it wants neighbours
-  Range left;               // neighbours, from the root on
+  // Symbols right before and behind the module, where it wants any there.
+  std::uint32_t nearest_left = no_symbol, nearest_right = no_symbol;
+  Range left;  // neighbours, from the root on
   Range right;
   std::uint32_t cost = 0;  // units of Limits::evaluations that trying it takes
   Template successor;
@@ -137,6 +139,7 @@ class Program {
   std::vector<Neighbour> neighbours;
   std::vector<std::uint8_t> passed_over;  // by symbol: whether contexts do not see it
   bool in_context = false;                // whether any production wants neighbours
+  bool looks_right = false;               // whether any wants them behind it
   std::vector<std::uint32_t> active;      // offsets in a template
   std::uint32_t longest_successor = 0;    // words
   Template axiom;

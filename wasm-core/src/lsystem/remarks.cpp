@@ -27,7 +27,7 @@ class Reader {
     on_axiom_.swap(remarks_);
     for (const ProductionTree& production : grammar_.productions) {
       if (grammar_.axiom[0].place.line < production.place.line) add_those_on_axiom();
-      if (production.predecessor == "S")
+      if (production.predecessor == "S" && grammar_.notation == Notation::huang)
         once("S as a symbol", production.place,
              "S is the turtle's sphere and is drawn where no production rewrites it; give a symbol of your own another "
              "name.");

@@ -50,6 +50,7 @@ function cplusplus({ symbols }) {
 			row.minimum === 0,
 			setting(row),
 			row.notation === "cpfg",
+			row.yields === true,
 		];
 		return `    {${symbol} ${name} Action::${row.action}, ${mostArguments(row)}, ${numbers.join(", ")}},`;
 	});
@@ -81,6 +82,7 @@ struct TurtleSymbol {
   bool non_negative;  // the argument may not be below 0
   Setting setting;    // the line of the text that says what stands in for it
   bool cpfg_only;     // a symbol of the text's own in the other notation
+  bool yields;        // a symbol of the text's own where a text of cpfg's notation rewrites it
 };
 
 // A turtle symbol's number in a derived string is its place here.

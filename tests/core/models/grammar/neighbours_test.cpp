@@ -23,13 +23,13 @@ TEST_CASE("any answer may be rewritten in the next step, with a derivation lengt
   const std::string tip =
       "axiom: A ?E(2.5,0)\nA > ?E(r,n) : n<2 --> F A\nA > ?E(r,n) : n>=2 --> C\n?E(r,n) : n>=2 --> D";
   CHECK(grown_string(tip) == "F F F C D");
-  CHECK(grown_string("derivation length: 2\n" + tip) == "F F A?E(2.5,1)");
+  CHECK(grown_string("derivation length: 2\n" + tip) == "F F A?E(2.5,0)");
   CHECK(grown_string("axiom: ?E(1,5,5)\n?E(r,n,l) : l>0.99 --> F A\nA --> B") == "F B");
 }
 
 TEST_CASE("it is darker below many lines than above them") {
   const std::string answered = grown_string(
-      "derivation length: 1\naxiom: ?E(1,0,0) f(4) [ +(90) F F F ] [ -(90) F F F ] [ &(90) F F F ] F ?E(1,0,0) A\nA "
+      "derivation length: 1\naxiom: ?E(1,0,0) f(4) [ +(90) F F F ] [ -(90) F F F ] [ &(90) F F F ] f(4) ?E(1,0,0) A\nA "
       "--> B");
   const auto light = [&](std::size_t from) {
     return std::stof(answered.substr(answered.find(',', answered.find(',', answered.find("?E", from)) + 1) + 1));

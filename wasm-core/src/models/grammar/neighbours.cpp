@@ -42,7 +42,7 @@ void Neighbours::ask(const lsystem::Turtle& turtle, std::span<float> parameters,
   parameters[1] = static_cast<float>(count);
   if (parameters.size() < 3) return;
   if (near.light == nullptr) near.light = light(radius);
-  parameters[2] = near.light->at(turtle.position);
+  parameters[2] = std::min(1.0f, near.light->at(turtle.position));
 }
 
 Neighbours::Cells& Neighbours::cells(float edge) {
@@ -59,6 +59,9 @@ std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
     low = glm::min(low, end);
     high = glm::max(high, end);
   }
+  // Half a cell of air about all, and more: what is above it stands in the light.
+  low -= edge;
+  high += edge;
   const glm::vec3 size = high - low;
   const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / most_cells);
   const auto along = [&](float length) { return static_cast<std::uint32_t>(length / cell) + 1; };

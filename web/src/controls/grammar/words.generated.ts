@@ -31,7 +31,7 @@ export const WORDS: readonly Word[] = [
 		name: "S",
 		written: "S(i)",
 		title: "sphere",
-		help: "Move ahead by i and draw a sphere of radius i there. Radius 0 draws nothing.",
+		help: "Move ahead by i and draw a sphere of radius i there. Radius 0 draws nothing. Under cpfg a text that rewrites S has it as a symbol of its own.",
 	},
 	{
 		kind: "symbol",
@@ -269,7 +269,7 @@ export const WORDS: readonly Word[] = [
 		name: "T",
 		written: "T(e)",
 		title: "elasticity",
-		help: "The same as @Ts.",
+		help: "The same as @Ts, unless the text rewrites T.",
 	},
 	{
 		kind: "symbol",

@@ -17,7 +17,8 @@ export const source: GrammarSource<GrammarSpecimen> = {
 	},
 	details(text, { preset, grammar, constants }) {
 		// The built-in text as it stands in the editor has the document's own values.
-		if (text === undefined) return { grammar: text, constants: grammar === undefined ? constants : constantsOf(preset) };
+		if (text === undefined)
+			return { grammar: text, constants: grammar === undefined ? constants : constantsOf(preset) };
 		const written = new Set(outlineOf(text).constants.map(({ name }) => name));
 		const given = Object.entries(constants).filter(([name]) => !written.has(name));
 		return { grammar: text, constants: Object.fromEntries(given) };
