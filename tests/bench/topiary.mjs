@@ -9,10 +9,11 @@ export async function benchTopiaries({ core, source }) {
 	const { writeContainer } = await source("web/src/core/container.ts");
 	const { fromPreset } = await source("web/src/specimen/from_preset.ts");
 	const { model } = await source("web/src/models/grammar/index.ts");
-	await model.prepare(fromPreset(model));
+	const { TEXTS } = await source("web/src/models/grammar/texts.generated.ts");
 	const rows = [["topiary", "aim ms", "a step of a drag, wasm ms", "native ms", "ratio", "whole, with sky, wasm ms"]];
-	for (const { name } of model.presets.list.filter(({ kind }) => kind === "topiary")) {
-		const request = (options) => writeContainer(model.encode(fromPreset(model, name), options));
+	for (const { name, text } of model.presets.list.filter(({ kind }) => kind === "topiary")) {
+		const specimen = { ...fromPreset(model, name), grammar: TEXTS[text] };
+		const request = (options) => writeContainer(model.encode(specimen, options));
 		const passing = request({ passing: true });
 		const wasm = microseconds(1, RUNS, grower(core, passing));
 		const native = nativeGrow(passing, 1, RUNS);
