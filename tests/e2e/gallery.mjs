@@ -1,6 +1,6 @@
 /**
- * `npm run gallery [-- MODEL …]`: renders every preset of the models named, or of all, in both themes with the app's own
- * scene, as public/gallery/<model>/*.webp. Run it when a preset or the scene's light has changed, and commit what it writes.
+ * `npm run gallery [-- MODEL[/PRESET] …]`: renders every preset of the models named, or of all, or those whose names begin so, in both
+ * themes with the app's own scene, as public/gallery/<model>/*.webp. Run it when a preset or the scene's light has changed, and commit what it writes.
  */
 import { mkdirSync, readdirSync, writeFileSync } from "node:fs";
 import { repository } from "../../wasm-core/tools/repository.mjs";
@@ -17,7 +17,8 @@ function everyModel() {
 }
 
 const named = process.argv.slice(2);
-for (const model of named.length > 0 ? named : everyModel()) {
+for (const asked of named.length > 0 ? named : everyModel()) {
+	const [model, begin = ""] = asked.split("/");
 	const folder = new URL(`../../public/gallery/${model}/`, import.meta.url);
 	mkdirSync(folder, { recursive: true });
 	let total = 0;
@@ -29,6 +30,7 @@ for (const model of named.length > 0 ? named : everyModel()) {
 			total += bytes.length;
 			writeFileSync(new URL(`${name}-${theme}.webp`, folder), bytes);
 		},
+		({ name }) => name.startsWith(begin),
 	);
 	console.log(`public/gallery/${model}: ${(total / 1024).toFixed(0)} kB in all`);
 }

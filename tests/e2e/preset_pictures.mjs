@@ -62,12 +62,14 @@ async function listPresets(model) {
  * @param {string} model its name
  * @param {Asked[]} asked one after the other
  * @param {(preset: object, drawn: { pictures: Record<string, Buffer>, measures: Record<string, number> }, asked: Asked) => void} keep
+ * @param {(preset: { name: string }) => boolean} wanted
  */
-export async function drawPresets(model, asked, keep) {
+export async function drawPresets(model, asked, keep, wanted = () => true) {
 	const sources = await openSources();
 	for (const each of asked) {
 		const page = await sources.page();
 		for (const preset of await page.evaluate(listPresets, model)) {
+			if (!wanted(preset)) continue;
 			const { pictures, measures } = await page.evaluate(draw, {
 				cores: modulesFolder,
 				model,
