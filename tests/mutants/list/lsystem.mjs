@@ -68,9 +68,39 @@ export default [
 			},
 			{
 				id: "neighbourhood-look-for-free",
-				find: "  looked += static_cast<std::uint64_t>(at - from);\n  return nullptr;",
-				replace: "  return nullptr;",
+				find: "at += words_of(*at), ++looked)",
+				replace: "at += words_of(*at))",
 				breaks: "what looks in vain costs nothing",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/interpretation.cpp`,
+		suites: [`${TESTS}/lsystem/language_test.cpp`],
+		faults: [
+			{
+				id: "language-one-sense",
+				find: "Notation::cpfg ? -1.0f : 1.0f",
+				replace: "Notation::cpfg ? 1.0f : 1.0f",
+				breaks: "cpfg's texts turn as the paper's do",
+			},
+			{
+				id: "language-brackets-end-polygons",
+				find: "if (polygons_.empty()) return note",
+				replace: "if (polygons_.empty() || !stack_.empty()) return note",
+				breaks: "a polygon cannot end in a branch",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/derivation.cpp`,
+		suites: [`${TESTS}/lsystem/language_test.cpp`],
+		faults: [
+			{
+				id: "language-shallow-decomposition",
+				find: "depth < bound_.depths[0] ?",
+				replace: "depth < 1 ?",
+				breaks: "decomposition goes no deeper than once",
 			},
 		],
 	},
@@ -98,8 +128,8 @@ export default [
 		faults: [
 			{
 				id: "remarks-s-as-a-symbol-unsaid",
-				find: 'if (production.predecessor == "S")',
-				replace: 'if (production.predecessor == "")',
+				find: 'production.predecessor == "S" &&',
+				replace: 'production.predecessor == "" &&',
 				breaks: "nothing says why a symbol S draws spheres",
 			},
 			{

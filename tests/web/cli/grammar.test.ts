@@ -33,8 +33,8 @@ describe("--grammar", () => {
 	});
 
 	it("is told where the text is wrong, as compilers do", async () => {
-		expect(await complaint(["--grammar", "g.lsys"], { "g.lsys": "axiom: F\nA --> F(\n" })).toMatch(
-			/^g\.lsys:[23]:\d+: \S/,
+		expect(await complaint(["--grammar", "g.lsys"], { "g.lsys": "axiom: F\n\tA --> F)\n" })).toMatch(
+			/^g\.lsys:2:9: \S.*\n {2}\tA --> F\)\n {2}\t {7}\^$/,
 		);
 	});
 

@@ -49,6 +49,7 @@ export async function complaint(words: string[], ...world: Parameters<typeof mem
 	expect(printed).toEqual([]);
 	expect(written.size).toBe(0);
 	expect(said).toHaveLength(1);
-	expect(said[0]).toMatch(/^grow: [^\n]{1,240}$/);
+	// Below it stands at most a line of a text, and the place in it.
+	expect(said[0]).toMatch(/^grow: [^\n]{1,240}(\n {2}[^\n]+\n\s*\^)?$/);
 	return said[0].slice("grow: ".length);
 }

@@ -29,7 +29,8 @@ export async function run(words: readonly string[], world: Surroundings): Promis
 		else await growAndWrite(call, world);
 		return 0;
 	} catch (error) {
-		world.say(`grow: ${error instanceof Error ? error.message.replaceAll("\n", " ") : error}`);
+		const message = error instanceof Error ? error.message.replaceAll("\n", " ") : error;
+		world.say(`grow: ${message}${error instanceof UsageError ? error.below : ""}`);
 		return error instanceof UsageError ? 2 : 1;
 	}
 }
@@ -65,10 +66,10 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		!json,
 		json || plantFile(ending)?.form !== undefined || ownFormat(model, ending)?.measured === true,
 	];
-	const text = "grammar" in from ? "the link's grammar" : undefined;
+	const own = "grammar" in from && typeof from.grammar === "string" ? from.grammar : undefined;
 	const grow = (each: Specimen, wanted: GrowthOptions) =>
 		growing(
-			call.grammarFile ?? text,
+			own === undefined ? undefined : { name: call.grammarFile ?? "the link's grammar", text: own },
 			growPlant(model, each, wanted, async (_, blocks) => core.grow(blocks)),
 		);
 	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
@@ -114,10 +115,10 @@ function checkForm({ form, out }: Call, ending: string, ages: boolean): void {
 }
 
 /**
- * What the core refuses was asked for in the call; a place in the grammar is given as compilers do.
- * @param grammar what messages call the grammar: its file; undefined for the built-in one
+ * What the core refuses was asked for in the call; a place in the grammar is given as compilers do, with its line.
+ * @param grammar the text and what messages call it: its file; undefined for the built-in one
  */
-async function growing(grammar: string | undefined, grown: Promise<Plant>): Promise<Plant> {
+async function growing(grammar: { name: string; text: string } | undefined, grown: Promise<Plant>): Promise<Plant> {
 	try {
 		return await grown;
 	} catch (error) {
@@ -125,6 +126,15 @@ async function growing(grammar: string | undefined, grown: Promise<Plant>): Prom
 		const { reason, line, column, message } = error;
 		const ofGrammar = grammar !== undefined && reason !== "bad request" && reason !== "bad input";
 		const place = line > 0 ? `:${line}:${column}` : "";
-		throw new UsageError(ofGrammar ? `${grammar}${place}: ${message}` : message);
+		if (!ofGrammar) throw new UsageError(message);
+		throw new UsageError(`${grammar.name}${place}: ${message}`, shown(grammar.text, line, column));
 	}
+}
+
+/** The line of a text below what is said of it, and a sign below the place; nothing where there is none. */
+function shown(text: string, line: number, column: number): string {
+	const said = text.split("\n")[line - 1]?.trimEnd();
+	if (!said) return "";
+	const before = Array.from(said).slice(0, column - 1);
+	return `\n  ${said}\n  ${before.map((letter) => (letter === "\t" ? "\t" : " ")).join("")}^`;
 }

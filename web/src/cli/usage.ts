@@ -12,6 +12,14 @@ import { endingsOf } from "./outputs";
 /** A mistake in how the command was called: one line, and exit status 2. */
 export class UsageError extends Error {
 	override name = "UsageError";
+
+	/** @param below what stands on lines of its own below the message: a text's line and the place in it */
+	constructor(
+		message: string,
+		readonly below = "",
+	) {
+		super(message);
+	}
 }
 
 /** The text of --help: of one model, with the names of the others. */
