@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "environment/openness.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
 #include "geometry/tubes.hpp"
 #include "models/grammar/blades.hpp"
-#include "models/grammar/openness.hpp"
 #include "models/grammar/surfaces.hpp"
 
 namespace panicle::grammar {
