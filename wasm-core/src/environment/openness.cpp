@@ -27,7 +27,9 @@ VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> s
   for (const Screen& screen : screens) hold(screen.place);
   if (!(low.x <= high.x)) low = high = glm::vec3(0);
   const glm::vec3 size = high - low;
-  MatterCells matter(low, high, std::max({size.x, size.y, size.z, least}) / cells);
+  const float edge = std::max({size.x, size.y, size.z, least}) / cells;
+  // A cell of air about all, for what looks out.
+  MatterCells matter(low - edge, high + edge, edge);
   for (const Screen& screen : screens) matter.put(screen.place, screen.area);
   // A rod hides a quarter of its surface.
   for (const Segment& segment : segments)

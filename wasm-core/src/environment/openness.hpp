@@ -21,11 +21,12 @@ struct Screen {
 
 class Openness {
  public:
-  // Of rods and screens. What lies between their ends is the lattice, of 32 cells along its longest edge.
+  // Of rods and screens. What lies between their ends has 32 cells along its longest edge.
   Openness(std::span<const Segment> segments, std::span<const Screen> screens);
 
   // 255 all of the sky, 0 none.
   std::uint8_t at(const glm::vec3& place) const;
+  float edge() const { return light_.edge(); }  // of a cell
   // Of each vertex.
   std::vector<std::uint8_t> of(const Mesh& mesh) const;
 
