@@ -168,7 +168,7 @@ class Compiler {
   // What the turtle does at a symbol that is not its own by number: `~leaf`, `?leaf` or F of another L-system.
   std::uint8_t meaning_of(std::string_view name) const {
     if (name[0] == '~') return meaning_of_sign("~");
-    if (name[0] == '?' && numbers_.size() > turtle_symbols.size()) return meaning_of_sign("@D");
+    if (name[0] == '?' && numbers_.size() > turtle_symbols.size()) return meaning_of_sign("@Di");
     for (std::uint8_t i = 0; i < turtle_symbols.size() && numbers_.size() > turtle_symbols.size(); ++i)
       if (turtle_symbols[i].symbol == name && (!turtle_symbols[i].cpfg_only || grammar_.notation == Notation::cpfg))
         return i;

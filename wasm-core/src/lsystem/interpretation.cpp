@@ -241,15 +241,17 @@ class Interpreter {
       case Action::head_for:
         head_for(turtle_, vector_of(module, 0), vector_of(module, 3));
         break;
-      case Action::tropism:
-        turtle_.tropism = vector_of(module, 0);
-        break;
       case Action::elasticity:
-        turtle_.elasticity = value;
+        if (const glm::vec3 arguments = vector_of(module, 0); arguments[0] == 0) turtle_.elasticity = arguments[1];
         break;
       case Action::size:
+        turtle_.size = value;
+        break;
+      case Action::enlarge:
         turtle_.size *= value;
-        turtle_.width *= value;
+        break;
+      case Action::reduce:
+        if (value > 0) turtle_.size /= value;
         break;
       case Action::next_colour:
         set_colour(given ? value : static_cast<float>(turtle_.colour + 1));
@@ -272,6 +274,7 @@ class Interpreter {
       case Action::surface:
       case Action::ball:
       case Action::disc:
+      case Action::circle:
         if (questions_ != Questions::located && value * turtle_.size != 0)
           draw_whole(action, module, bearer, value * turtle_.size);
         break;
@@ -292,15 +295,19 @@ class Interpreter {
                         lineage_of(bearer));
     if (action == Action::ball) listener_.ball(turtle_, size / 2, lineage_of(bearer));
     if (action == Action::disc) listener_.disc(turtle_, size / 2, lineage_of(bearer));
+    if (action != Action::circle) return;
+    Turtle upright = turtle_;
+    pitch(upright, 90);
+    listener_.disc(upright, size / 2, lineage_of(bearer));
   }
 
   // `!` narrows and `#` widens where they are not told how wide; in the paper's notation ! alone is 1.
   void set_width(float value, bool given, float sign) {
     if (!given && program_.notation == Notation::cpfg) {
-      const float by = said(Said::line_width_increment, 0) * turtle_.size;
+      const float by = said(Said::line_width_increment, 0);
       turtle_.width = std::max(0.0f, turtle_.width + sign * by);
     } else if (given || sign < 0) {
-      turtle_.width = value * turtle_.size;
+      turtle_.width = value;
     }
   }
 

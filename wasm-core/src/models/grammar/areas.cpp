@@ -112,11 +112,18 @@ bool Areas::bound(const glm::vec3& place, float area) const {
   return volume != nullptr && volume->contains(metres_ * place);
 }
 
+std::size_t Areas::around(std::size_t area) const {
+  for (std::size_t before = 1; before < area; ++before)
+    if (volumes_[before - 1].contains(volumes_[area - 1].centre())) return before;
+  return 0;
+}
+
 float Areas::reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const {
   const Volume* volume = find(area);
-  if (volume == nullptr) return 0;
+  const float length = glm::length(way);
+  if (volume == nullptr || !(length > 0)) return 0;
   // All that is asked for is given back as it was asked: texts compare.
-  const float wanted = most * metres_, reached = volume->reach(metres_ * from, way, wanted);
+  const float wanted = most * metres_, reached = volume->reach(metres_ * from, way / length, wanted);
   return reached == wanted ? most : reached / metres_;
 }
 

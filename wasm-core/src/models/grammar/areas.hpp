@@ -40,6 +40,8 @@ class Areas final : public lsystem::Space {
   float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override;
 
   std::size_t size() const { return volumes_.size(); }
+  // The first area before this one that its middle lies in; 0 for none.
+  std::size_t around(std::size_t area) const;
   // Of meshes with gaps or triangles turned against each other, a sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 

@@ -91,10 +91,18 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
   std::vector<bool> grown(areas.size() + 1);
   for (const Mark& mark : sketch.lines)
     if (of(mark).area <= areas.size()) grown[of(mark).area] = true;
-  for (std::size_t area = 1; area <= areas.size(); ++area)
-    if (!grown[area])
-      plant.notes.push_back("Nothing grows in area " + std::to_string(area) +
-                            ": the main branch does not come there. Lead it through, or change the areas' order.");
+  for (std::size_t area = 1; area <= areas.size(); ++area) {
+    if (grown[area]) continue;
+    const std::size_t around = areas.around(area);
+    const std::string nothing = "Nothing grows in area " + std::to_string(area) + ": ";
+    plant.notes.push_back(around == 0
+                              ? nothing +
+                                    "the main branch does not come there. Lead it through, or change the areas' "
+                                    "order; where it is far away, give it more steps (derivation length)."
+                              : nothing + "its middle lies within area " + std::to_string(around) +
+                                    ", and an area's turn comes when the one before it has been left. Move it out, or "
+                                    "take it away.");
+  }
 }
 
 Result<Plant> grow(Request& request, const Limits& given) {

@@ -1400,16 +1400,16 @@ A(k,a) > ?P(x,y,z) ?H(u,v,w) --> J(0)
 
 decomposition
 
-/* P1: outside of an area that it has not entered yet, it goes on, across whatever gap. */
+/* Outside of an area that it has not entered yet, it goes on, across whatever gap. */
 D(a,e,in,s,p,q,r,j) : !in && !e && j<=places --> @R(p,q,r) Area(0,1) F(M) C(a,0,j) ?P(0,0,0) ?H(0,0,0)
-/* P2: inside, it bears laterals, three a node; one segment below the top of the last area it is a lateral itself. */
+/* Inside (P1 of Table 1) it bears laterals, three a node; one segment below the top of the last area it is a lateral itself. */
 D(a,e,in,s,p,q,r,j) : in && (a<areas || s>=M) -->
   @R(p,q,r) /(137.5) [ Area(a) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
   [ Area(a) /(120) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
   [ Area(a) /(240) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
   Area(a,1) F(M) C(a,1,j) ?P(0,0,0) ?H(0,0,0)
 D(a,e,in,s,p,q,r,j) : in --> @R(p,q,r) Area(a) A(1,a) ?P(0,0,0) ?H(0,0,0)
-/* P3: it has left its area: the next is its own now. */
+/* It has left its area (P2): the next is its own now. */
 D(a,e,in,s,p,q,r,j) : !in && e && a<areas --> @R(p,q,r) Area(0,1) F(M) C(a+1,0,j) ?P(0,0,0) ?H(0,0,0)
 D(a,e,in,s,p,q,r,j) --> *
 
