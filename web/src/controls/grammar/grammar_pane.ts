@@ -119,7 +119,7 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 			settle: () => this.#settle(),
 			undo: () => this.desk.undo(),
 			redo: () => this.desk.redo(),
-			leave: () => this.querySelector<HTMLElement>("[data-close]")?.focus(),
+			leave: () => this.#leave(),
 			at: (number, explained) => {
 				this.number = number;
 				this.explained = explained;
@@ -136,6 +136,12 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		desk.edit({ ...withText(this.source, desk.state.specimen, text), run }, GESTURE);
 		clearTimeout(this.#pause);
 		if (run) this.#pause = setTimeout(this.#settle, PAUSE);
+	}
+
+	/** Escape first ends what takes long to grow, as everywhere. */
+	#leave(): void {
+		if (this.desk.state.growing) this.desk.cancel();
+		else this.querySelector<HTMLElement>("[data-close]")?.focus();
 	}
 
 	readonly #settle = (): void => {
