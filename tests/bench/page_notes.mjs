@@ -57,7 +57,10 @@ export function noteAll() {
 }
 
 /** Forgets what was noted. */
-export const forget = (page) => page.evaluate(() => void (window.notes.length = 0));
+export const forget = (page) =>
+	page.evaluate(() => {
+		window.notes.splice(0);
+	});
 
 /**
  * Does something with the hand, waits until the plant that follows has been drawn, and tells how long what took, in milliseconds
