@@ -1,6 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
-import { StudioPage } from "./studio_page";
+import { StudioPage, touchDrag } from "./studio_page";
 
 /** With few and large leaves, which is soon grown. */
 const open = async (page: Page, more = "") => {
@@ -85,3 +85,48 @@ test("the main branch is drawn over the picture, and led back from middle to mid
 	await studio.button("From middle to middle").click();
 	await expect(studio.fingerprint).toHaveText(before ?? "");
 });
+
+for (const [width, height, hasTouch] of [
+	[1440, 900, false],
+	[720, 450, false],
+	[390, 844, true],
+] as const) {
+	test.describe(`at ${width} × ${height}`, () => {
+		test.use({ viewport: { width, height }, hasTouch });
+
+		test("a handle is dragged and stepped by keys: each one step to undo, and the link brings the plant back", async ({
+			page,
+		}) => {
+			const studio = await open(page);
+			const before = (await studio.fingerprint.textContent()) ?? "";
+			await studio.button("Handles of growth areas").click();
+			const second = page.getByRole("button", { name: /^Area 2, a box: / });
+			await expect(second).toBeInViewport({ ratio: 1 });
+			const from = await middleOf(second);
+			if (hasTouch) await touchDrag(page, from, 24, -12);
+			else {
+				await page.mouse.move(from.x, from.y);
+				await page.mouse.down();
+				await page.mouse.move(from.x + 24, from.y - 12, { steps: 5 });
+				await page.mouse.up();
+			}
+			await expect(second).not.toHaveAccessibleName("Area 2, a box: x 0.00, y 2.00, z 0.00");
+			await expect(studio.fingerprint).not.toHaveText(before);
+			await page.keyboard.press("Control+z");
+			await expect(studio.fingerprint).toHaveText(before);
+			await expect(studio.button("Undo")).toBeDisabled();
+			const dragged = await studio.regrown(() => page.keyboard.press("Control+Shift+z"));
+
+			await second.focus();
+			await studio.regrown(() => page.keyboard.press("ArrowUp"));
+			await page.keyboard.press("Control+z");
+			await expect(studio.fingerprint).toHaveText(dragged);
+			await expect.poll(() => areasIn(page)).not.toBe("");
+			const link = await page.evaluate(() => location.href);
+			expect(link).toContain("areas=");
+			await page.goto("about:blank");
+			await page.goto(link);
+			await expect(studio.fingerprint).toHaveText(dragged);
+		});
+	});
+}

@@ -68,6 +68,30 @@ export default [
 				replace: "",
 				breaks: "what is turned by half a circle stands askew",
 			},
+			{
+				id: "dressing-never-coarse",
+				find: "habit.coarse && segments.size() >= many_in_passing",
+				replace: "false",
+				breaks: "a character typed beside 10,000 segments takes four times as long",
+			},
+			{
+				id: "dressing-few-coarse",
+				find: "habit.coarse && segments.size() >= many_in_passing",
+				replace: "habit.coarse",
+				breaks: "a small plant has pentagons for stems while it is dragged",
+			},
+		],
+	},
+	{
+		file: `${WEB}/models/grammar/request.ts`,
+		suites: ["tests/web/models/grammar/grown.test.ts"],
+		faults: [
+			{
+				id: "grammar-fine-in-passing",
+				find: '\t\tpassing && "coarse",\n',
+				replace: "",
+				breaks: "a step of a drag brings meshes that only a plant at rest needs",
+			},
 		],
 	},
 	{

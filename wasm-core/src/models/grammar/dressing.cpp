@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,6 +33,8 @@ constexpr std::size_t many = 30'000;
 constexpr float cosine_of_corner = 0.8192f;
 // From so many of a surface on, each is small beside the plant, and simpler.
 constexpr std::size_t many_surfaces = 4000;
+// From so many lines on meshing takes longer than all else, which a step of a drag has no time for.
+constexpr std::size_t many_in_passing = 2'000;
 
 float extent_of(std::span<const Segment> segments) {
   if (segments.empty()) return 0;
@@ -96,19 +99,24 @@ std::uint8_t sky_of(const Openness& open, const Organ& organ) {
   return organ.tag < first_surface_tag ? base : std::max(base, open.at(along(organ, organ.scale + open.edge())));
 }
 
+// How fine tubes are.
+TubeOptions tubes_of(const std::vector<Segment>& segments, const Dress& habit) {
+  const bool coarse = habit.coarse && segments.size() >= many_in_passing;
+  return {.sides = habit.sides,
+          .most_vertices = most_vertices,
+          .thin = coarse ? std::numeric_limits<float>::max() : thin * extent_of(segments),
+          .thin_sides = segments.size() < many ? std::min(habit.sides, thin_sides) : thinnest_sides,
+          .thin_plain = true};
+}
+
 // Tubes, a run a colour.
-PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, std::uint32_t sides,
+PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, const Dress& habit,
                    const Openness* open) {
   std::vector<std::int32_t> groups;
   groups.reserve(marks.size());
   for (const Mark& mark : marks) groups.push_back(mark.colour);
-  const TubeOptions options{.sides = sides,
-                            .most_vertices = most_vertices,
-                            .thin = thin * extent_of(segments),
-                            .thin_sides = segments.size() < many ? std::min(sides, thin_sides) : thinnest_sides,
-                            .thin_plain = true};
   StemMesh stems = sweep_stems({.segments = segments, .groups = groups, .jointed = false, .corner = cosine_of_corner},
-                               options, 1.0f);
+                               tubes_of(segments, habit), 1.0f);
   Columns columns;
   if (open) columns.add("sky", sky_of(*open, segments, stems));
   PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, std::move(columns)};
@@ -185,7 +193,7 @@ void note_empty(Plant& plant, std::uint32_t empty) {
 void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
   std::optional<Openness> open;
   if (habit.sky) open.emplace(plant.segments, screens_of(plant, sketch, habit.metres));
-  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit.sides, open ? &*open : nullptr);
+  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit, open ? &*open : nullptr);
   std::uint32_t empty = 0;
   PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty);
   note_empty(plant, empty);

@@ -29,7 +29,7 @@ struct Asked {
   std::optional<std::uint32_t> steps;
   std::span<const float> parameters;
   lsystem::Inputs inputs;
-  bool meshes = true, sky = false, mesh_fingerprint = false, string = false;
+  bool meshes = true, sky = false, coarse = false, mesh_fingerprint = false, string = false;
 };
 
 // A name a line, and as many values.
@@ -51,6 +51,7 @@ Result<Asked> read(Request& request) {
   asked.seed = request.word("seed", 1);
   asked.meshes = request.wants("meshes");
   asked.sky = request.wants("sky");
+  asked.coarse = request.wants("coarse");
   asked.mesh_fingerprint = request.wants("mesh_fingerprint");
   asked.string = request.wants("string");
   if (request.has("steps")) asked.steps = request.word("steps");
@@ -138,7 +139,12 @@ Result<Plant> grow(Request& request, const Limits& given) {
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
-  dress(plant, sketch, {.metres = metres, .sides = values.whole(sides), .meshes = asked->meshes, .sky = asked->sky});
+  dress(plant, sketch,
+        {.metres = metres,
+         .sides = values.whole(sides),
+         .meshes = asked->meshes,
+         .sky = asked->sky,
+         .coarse = asked->coarse});
   const auto count = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
   plant.counts = {{"modules", count(lsystem::length(string))},
                   {"steps", derived->steps},

@@ -18,7 +18,13 @@ export interface RequestOptions extends GrowthOptions {
 export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions = {}): Block[] {
 	const { meshes = true, passing = false, meshFingerprint = false, string = false } = options;
 	const { sky = meshes && !passing } = options;
-	const outputs = [meshes && "meshes", sky && "sky", meshFingerprint && "mesh_fingerprint", string && "string"];
+	const outputs = [
+		meshes && "meshes",
+		sky && "sky",
+		passing && "coarse",
+		meshFingerprint && "mesh_fingerprint",
+		string && "string",
+	];
 	const { model, seed, parameters, constants, steps } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
