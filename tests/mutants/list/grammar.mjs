@@ -65,7 +65,7 @@ export default [
 			{
 				id: "dressing-half-turns",
 				find: "if (m[k][k] > m[i][i]) i = k;",
-				replace: "",
+				replace: ";",
 				breaks: "what is turned by half a circle stands askew",
 			},
 		],
