@@ -40,12 +40,24 @@ class Areas final : public lsystem::Space {
   float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override;
 
   std::size_t size() const { return volumes_.size(); }
+  // What area number i, counted from 0, encloses (m³; of a mesh what its triangles do, by their turn), and its surface.
+  double volume(std::size_t i) const;
+  Surface surface(std::size_t i) const;
   // Of meshes with gaps or triangles turned against each other, a sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  // As it was asked for.
+  struct Form {
+    Volume::Kind kind;
+    glm::vec3 centre, size;
+    glm::quat rotation;
+    Surface mesh;
+  };
+
   const Volume* find(float area) const;
 
+  std::vector<Form> forms_;
   std::vector<Volume> volumes_;
   std::vector<glm::vec3> path_;
   std::vector<std::string> notes_;

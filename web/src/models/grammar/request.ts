@@ -17,8 +17,14 @@ export interface RequestOptions extends GrowthOptions {
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions = {}): Block[] {
 	const { meshes = true, passing = false, meshFingerprint = false, string = false } = options;
-	const { sky = meshes && !passing } = options;
-	const outputs = [meshes && "meshes", sky && "sky", meshFingerprint && "mesh_fingerprint", string && "string"];
+	const { measures = !passing, sky = meshes && !passing } = options;
+	const outputs = [
+		meshes && "meshes",
+		measures && "measures",
+		sky && "sky",
+		meshFingerprint && "mesh_fingerprint",
+		string && "string",
+	];
 	const { model, seed, parameters, constants, steps } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
