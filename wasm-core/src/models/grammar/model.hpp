@@ -19,9 +19,9 @@
 //   string                           text, where it is asked for: it reads back as an axiom
 // Measures: measures.generated.hpp. Counts: modules (of the last string), steps (that were taken), segments, organs,
 // polygons. Tags: stem; ball, polygon and the names of surfaces.hpp. Meshes: `stems` (segment: uint32 a vertex; colour:
-// uint8 a run; a run a colour), and where there are such: `blades` (colour: uint8 a run; a run a polygon that shows),
-// `balls` of radius 1 and a mesh for each surface that is drawn, by its name. Sky: of the vertices of stems and blades,
-// and of organs in the mean.
+// uint8 a run; a run a colour), and where there are such: `blades` (colour: uint8 a run; organ: uint32 a run; a run a
+// polygon that shows), `balls` of radius 1 and a mesh for each surface that is drawn, by its name. Sky: of the vertices
+// of stems and blades, and of organs in the mean.
 #pragma once
 
 #include "plant/model.hpp"
