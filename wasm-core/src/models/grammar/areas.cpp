@@ -1,5 +1,6 @@
 #include "models/grammar/areas.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -123,6 +124,13 @@ void Areas::tell(lsystem::Inputs& inputs, float metres) {
   for (const glm::vec3& place : path_)
     for (int k = 0; k < 3; ++k) path.values.push_back(place[k] / metres);
   inputs.arrays.push_back(std::move(path));
+  lsystem::Inputs::Array size{"size", {}};
+  for (const Form& form : forms_) {
+    const glm::vec3 extent = form.kind == Volume::Kind::sphere ? glm::vec3(form.size.x) : form.size;
+    size.values.push_back(std::max({extent.x, extent.y, extent.z}) / metres);
+  }
+  if (size.values.empty()) size.values.push_back(1 / metres);
+  inputs.arrays.push_back(std::move(size));
 }
 
 const Volume* Areas::find(float area) const {
