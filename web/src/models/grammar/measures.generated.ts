@@ -179,7 +179,7 @@ export const MEASURES: readonly MeasureInfo[] = [
 		kind: "number",
 		unit: "cm²",
 		decimals: 1,
-		help: "Area of all polygons and of all surfaces ~leaf, one side of each.",
+		help: "Area of all polygons and of all surfaces that are leaves, such as ~leaf, one side of each.",
 	},
 	{
 		key: "areas",

@@ -1,5 +1,6 @@
 /** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
 import type { OrganRecord, SegmentRecord } from "../../export/json";
+import { shortFloat } from "../../export/numbers";
 import { floats, integers, Rows, vectors, words } from "../../export/rows";
 import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
@@ -85,6 +86,8 @@ function areaRecord({ kind, centre, size, rotation }: Area, i: number, plant: Gr
 		size,
 		rotation,
 		...(belongs ? { segments: belongs.area.reduce((sum, area) => sum + (area === i + 1 ? 1 : 0), 0) } : {}),
-		...(areaMeasures ? { volume: areaMeasures.volume[i], clothed: areaMeasures.clothed[i] } : {}),
+		...(areaMeasures
+			? { volume: shortFloat(areaMeasures.volume[i]), clothed: shortFloat(areaMeasures.clothed[i]) }
+			: {}),
 	};
 }

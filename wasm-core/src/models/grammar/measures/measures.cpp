@@ -1,6 +1,7 @@
 #include "models/grammar/measures/measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,7 +20,11 @@ namespace panicle::grammar {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-constexpr std::uint32_t leaf_tag = first_surface_tag;
+
+// Surfaces of the material of blades, whatever they are called.
+bool is_leaf(std::uint32_t tag) {
+  return tag >= first_surface_tag && surfaces[tag - first_surface_tag].material == "blade";
+}
 
 struct Values {
   std::vector<float> all = std::vector<float>(measure_count, nothing);
@@ -55,9 +60,9 @@ double area_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
 }
 
-// Of the surface ~leaf at size 1.
-double leaf_surface() {
-  const Mesh leaf = make_surface(0);
+// Of a surface at size 1.
+double area_of_surface(std::uint32_t which) {
+  const Mesh leaf = make_surface(which);
   const auto at = [&](std::size_t i) {
     const float* place = &leaf.positions[3 * std::size_t{leaf.indices[i]}];
     return glm::vec3(place[0], place[1], place[2]);
@@ -69,7 +74,8 @@ double leaf_surface() {
 
 // Square metres.
 double leaf_area(const Plant& plant, const Polygons& polygons, double metres) {
-  double filled = 0, squares = 0;
+  double filled = 0, borne = 0;
+  std::array<double, surfaces.size()> squares{};
   for (const Polygon& polygon : polygons.all) {
     const auto corners = std::span(polygons.corners).subspan(polygon.first, polygon.count);
     const std::vector<std::uint32_t> triangles = fill_polygon(corners);
@@ -77,15 +83,18 @@ double leaf_area(const Plant& plant, const Polygons& polygons, double metres) {
       filled += area_of(corners[triangles[i]], corners[triangles[i + 1]], corners[triangles[i + 2]]);
   }
   for (const Organ& organ : plant.organs)
-    if (organ.tag == leaf_tag) squares += static_cast<double>(organ.scale) * static_cast<double>(organ.scale);
-  return filled * metres * metres + (squares > 0 ? squares * leaf_surface() : 0);
+    if (is_leaf(organ.tag))
+      squares[organ.tag - first_surface_tag] += static_cast<double>(organ.scale) * static_cast<double>(organ.scale);
+  for (std::uint32_t which = 0; which < surfaces.size(); ++which)
+    if (squares[which] > 0) borne += squares[which] * area_of_surface(which);
+  return filled * metres * metres + borne;
 }
 
 void measure_areas(Plant& plant, const Areas& areas, Values& values) {
   if (areas.size() == 0) return;
   std::vector<Leaf> leaves;
   for (const Organ& organ : plant.organs)
-    if (organ.tag == leaf_tag) leaves.push_back({organ.position, std::fabs(organ.scale)});
+    if (is_leaf(organ.tag)) leaves.push_back({organ.position, std::fabs(organ.scale)});
   const Clothing clothing(std::move(leaves));
   std::vector<float> volumes, clothed;
   double whole = 0;
