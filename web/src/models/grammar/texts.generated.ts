@@ -649,13 +649,13 @@ F(x) --> F(x*p) + F(x*h) -- F(x*h) + F(x*q)
 #define reach 0.9 /* 0 … 1 */
 #define feather 1 /* 0 … 1 */
 #define stalk 0.35 /* 0 … 2 */
-#define thick 0.0045 /* 0 … 0.02: of the blade; 0.27 mm in the preset's unit */
+#define thick 4.5 /* 0 … 20: of the blade, thousandths; 0.27 mm in the preset's unit */
 #define k floor(n/2)
 #define alpha theta/k
 
 derivation length: k+1
 
-axiom: !(0.03) F(stalk) {(thick) . L(1) [V(0).] R(1) } [!(0.025) M(0)] W(1)
+axiom: !(0.03) F(stalk) {(thick/1000) . L(1) [V(0).] R(1) } [!(0.025) M(0)] W(1)
 
 L(i) : i<=k --> L(i+1) [+(alpha*i) &(beta*i*24/k) V(i/k).]
 R(i) : i<=k --> [-(alpha*i) &(beta*i*24/k) V(i/k).] R(i+1)

@@ -1,4 +1,4 @@
-/** The numbers of what a text has grown: the derivation, and what stands in each growth area. */
+/** What is not measured of what a text has grown: its steps, and what stands in each growth area. */
 import { html, nothing } from "lit";
 import { term } from "../../../controls/term";
 import type { GrammarPlant } from "../grammar_plant";
@@ -9,8 +9,7 @@ export function readout(plant: GrammarPlant): unknown {
 	const { areas = [] } = grammarRecord(plant);
 	return html`<h3>Derivation</h3>
 		<dl>
-			${term("Steps", counts.steps)} ${term("Modules", counts.modules)} ${term("Segments", counts.segments)}
-			${term("Organs", counts.organs)}
+			${term("Steps", counts.steps)}
 		</dl>
 		${areas.some(({ volume }) => volume !== undefined) ? areaTable(areas) : nothing}`;
 }
