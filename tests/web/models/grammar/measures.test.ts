@@ -5,6 +5,7 @@ import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson } from "../../../../web/src/export/json";
 import type { GrammarPlant } from "../../../../web/src/models/grammar/grammar_plant";
 import { model } from "../../../../web/src/models/grammar/index";
+import type { AreaRecord } from "../../../../web/src/models/grammar/record";
 import type { RequestOptions } from "../../../../web/src/models/grammar/request";
 import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
 import { fetchTexts } from "../../../../web/src/models/grammar/texts";
@@ -77,7 +78,7 @@ describe("growth areas", () => {
 		const specimen = { ...fromPreset(model, "topiary-two-cubes"), constants: { part: 12 } };
 		const grown = grow(specimen, { meshes: false });
 		const json = exportJson(model, grown, specimen);
-		const areas = json.areas as { segments: number; volume: number; clothed: number }[];
+		const areas = json.areas as Required<AreaRecord>[];
 		expect(areas.map(({ volume }) => volume)).toEqual([expect.closeTo(1, 5), expect.closeTo(0.85 ** 3, 5)]);
 		expect(json.measures).toMatchObject({
 			areas: 2,

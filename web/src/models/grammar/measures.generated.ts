@@ -183,7 +183,7 @@ export const MEASURES: readonly MeasureInfo[] = [
 	},
 	{
 		key: "areas",
-		label: "Growth areas",
+		label: "Areas",
 		group: "areas",
 		kind: "whole",
 		unit: "",
