@@ -33,7 +33,8 @@ class Areas final : public lsystem::Space {
   static Result<Areas> read(Request& request);
 
   // What a text may declare: `#input areas` (how many), `#input size[]` (the largest extent of each), `#input places`
-  // and `#input path[]` (x, y, z of each place), in its own unit, of which `metres` are one. It is asked in that unit from now on.
+  // and `#input path[]` (x, y, z of each place), in its own unit, of which `metres` are one. It is asked in that unit
+  // from now on.
   void tell(lsystem::Inputs& inputs, float metres);
 
   bool bound(const glm::vec3& place, float area) const override;
