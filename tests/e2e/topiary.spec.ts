@@ -53,12 +53,24 @@ test("areas come, change places and go in the panel, by numbers, and from a file
 	await studio.button("Remove the area").click();
 	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box"]);
 
-	const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
-	await page.getByLabel("A closed mesh as a growth area").setInputFiles({
-		name: "tetrahedron.obj",
-		mimeType: "model/obj",
-		buffer: Buffer.from(tetrahedron),
+	const corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+	const facets = [
+		[0, 2, 1],
+		[0, 1, 3],
+		[0, 3, 2],
+		[1, 2, 3],
+	].map((facet) => facet.map((k) => `vertex ${corners[k]}`));
+	const stlOf = (some: typeof facets) =>
+		`solid\n${some.map((facet) => `facet normal 0 0 0\nouter loop\n${facet.join("\n")}\nendloop\nendfacet`).join("\n")}\nendsolid\n`;
+	const file = (some: typeof facets) => ({
+		name: "tetrahedron.stl",
+		mimeType: "model/stl",
+		buffer: Buffer.from(stlOf(some)),
 	});
+	const chooser = page.getByLabel("A closed mesh as a growth area");
+	await chooser.setInputFiles(file(facets.slice(1)));
+	await expect(studio.notices).toContainText("The mesh is not closed: 3 of its edges");
+	await chooser.setInputFiles(file(facets));
 	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box", "Area 3, a mesh"]);
 	await expect(studio.notices).toContainText("The mesh is a growth area now");
 });

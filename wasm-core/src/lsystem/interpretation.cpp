@@ -72,6 +72,7 @@ class Interpreter {
  private:
   struct Polygon {
     Turtle start;
+    float thickness;
     std::vector<glm::vec3> corners;
   };
 
@@ -260,7 +261,7 @@ class Interpreter {
         set_colour(given ? value : static_cast<float>(turtle_.colour - 1));
         break;
       case Action::begin_polygon:
-        begin_polygon();
+        begin_polygon(value);
         break;
       case Action::corner:
         if (!polygons_.empty())
@@ -313,9 +314,9 @@ class Interpreter {
 
   void set_colour(float value) { turtle_.colour = static_cast<std::int32_t>(std::clamp(value, 1.0f, most_colours)); }
 
-  void begin_polygon() {
+  void begin_polygon(float thickness) {
     if (polygons_.size() < limits_.depth) {
-      polygons_.push_back({turtle_, {}});
+      polygons_.push_back({turtle_, thickness * turtle_.size, {}});
       return;
     }
     machine_.fail(error_at(Reason::limit, {}, "More than % polygons are open at once, which is the limit; close them.",
@@ -328,8 +329,13 @@ class Interpreter {
 
   void end_polygon(const std::uint32_t* bearer) {
     if (polygons_.empty()) return note("A } closes no polygon; it is passed over.", 4);
-    if (questions_ != Questions::located)
-      listener_.polygon(polygons_.back().start, polygons_.back().corners, lineage_of(bearer));
+    if (questions_ != Questions::located) {
+      const Polygon& closed = polygons_.back();
+      if (closed.thickness > 0)
+        listener_.plate(closed.start, closed.corners, closed.thickness, lineage_of(bearer));
+      else
+        listener_.polygon(closed.start, closed.corners, lineage_of(bearer));
+    }
     polygons_.pop_back();
   }
 

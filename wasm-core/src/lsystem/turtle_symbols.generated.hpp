@@ -92,7 +92,7 @@ inline constexpr std::array<TurtleSymbol, 45> turtle_symbols = {{
     {"@v",  "level",         Action::level, 0, 0.0f, 1.0f, false, Setting::none, false, false},
     {"@M",  "go to",         Action::go_to, 3, 0.0f, 1.0f, false, Setting::none, false, false},
     {"@R",  "head for",      Action::head_for, 6, 0.0f, 1.0f, false, Setting::none, false, false},
-    {"{",   "begin polygon", Action::begin_polygon, 0, 0.0f, 1.0f, false, Setting::none, false, false},
+    {"{",   "begin polygon", Action::begin_polygon, 1, 0.0f, 1.0f, true, Setting::none, false, false},
     {".",   "corner",        Action::corner, 0, 0.0f, 1.0f, false, Setting::none, false, false},
     {"}",   "end polygon",   Action::end_polygon, 0, 0.0f, 1.0f, false, Setting::none, false, false},
     {"~",   "surface",       Action::surface, 1, 1.0f, 1.0f, true, Setting::none, false, false},

@@ -57,7 +57,7 @@ ${
 }  --grammar FILE   grammar text in place of the preset's; without a preset, it says by its roles
                    which model it is for, or any text's
   --string         the JSON has the derived string, of plants that any text grows
-  --boundary FILE  a closed mesh, .obj or .glb, that a tree or a root grows in
+  --boundary FILE  a closed mesh, .obj, .glb or .stl, that a tree or a root grows in
   --out FILE       ${endingsOf({ formats })} (an .obj has its
                    .mtl beside it); without it, JSON goes to standard output
   --form FORM      of a .glb: ${FORMS.join(", ")} (default: ${FORMS[0]})

@@ -9,6 +9,7 @@
 #include "models/grammar/belonging.hpp"
 #include "models/grammar/dressing.hpp"
 #include "models/grammar/girth.hpp"
+#include "models/grammar/measures/measures.hpp"
 #include "models/grammar/neighbours.hpp"
 #include "models/grammar/parameters.generated.hpp"
 #include "models/grammar/sketch.hpp"
@@ -29,7 +30,7 @@ struct Asked {
   std::optional<std::uint32_t> steps;
   std::span<const float> parameters;
   lsystem::Inputs inputs;
-  bool meshes = true, sky = false, coarse = false, mesh_fingerprint = false, string = false;
+  bool meshes = true, measures = false, sky = false, coarse = false, mesh_fingerprint = false, string = false;
 };
 
 // A name a line, and as many values.
@@ -50,6 +51,7 @@ Result<Asked> read(Request& request) {
   request.text("model");
   asked.seed = request.word("seed", 1);
   asked.meshes = request.wants("meshes");
+  asked.measures = request.wants("measures");
   asked.sky = request.wants("sky");
   asked.coarse = request.wants("coarse");
   asked.mesh_fingerprint = request.wants("mesh_fingerprint");
@@ -151,6 +153,7 @@ Result<Plant> grow(Request& request, const Limits& given) {
                   {"segments", count(plant.segments.size())},
                   {"organs", count(plant.organs.size())},
                   {"polygons", count(sketch.polygons.all.size())}};
+  if (asked->measures) measure(plant, {sketch, string, areas.value(), metres});
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
   if (asked->string) plant.columns.add("string", lsystem::to_text(*program.value(), string));
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");

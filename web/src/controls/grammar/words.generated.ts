@@ -197,9 +197,9 @@ export const WORDS: readonly Word[] = [
 	{
 		kind: "symbol",
 		name: "{",
-		written: "{",
+		written: "{(h)",
 		title: "begin polygon",
-		help: "Begin a polygon: corners are recorded up to its }. Polygons within it are their own.",
+		help: "Begin a polygon: corners are recorded up to its }. Polygons within it are their own. With h it is a plate so thick, half of it to each side; without, a sheet seen from both sides.",
 	},
 	{
 		kind: "symbol",

@@ -609,12 +609,13 @@ F(x) --> F(x*p) + F(x*h) -- F(x*h) + F(x*q)
 #define reach 0.9 /* 0 … 1 */
 #define feather 1 /* 0 … 1 */
 #define stalk 0.35 /* 0 … 2 */
+#define thick 4.5 /* 0 … 20: of the blade, thousandths; 0.27 mm in the preset's unit */
 #define k floor(n/2)
 #define alpha theta/k
 
 derivation length: k+1
 
-axiom: !(0.03) F(stalk) { . L(1) [V(0).] R(1) } [!(0.025) M(0)] W(1)
+axiom: !(0.03) F(stalk) {(thick/1000) . L(1) [V(0).] R(1) } [!(0.025) M(0)] W(1)
 
 L(i) : i<=k --> L(i+1) [+(alpha*i) &(beta*i*24/k) V(i/k).]
 R(i) : i<=k --> [-(alpha*i) &(beta*i*24/k) V(i/k).] R(i+1)
@@ -1272,19 +1273,18 @@ K(t) --> ~flower(min(0.8, 0.1*t))
 #turtle cpfg
 
 #input areas       /* growth areas, counted from 1 */
+#input size[]      /* of each area the largest extent */
 #input places      /* places that the main branch is led by */
 #input path[]      /* their x, y, z */
 
-#define leaf 0.07     /* 0.03 … 0.3: length of a leaf, metres */
+#define part 15       /* 8 … 24: a leaf is as long as this part of its area's size, */
+#define leaf 0        /* 0 … 0.3: or so long in all of them, metres */
 #define alpha 35      /* 10 … 60: between a branch of a fork and what bears it */
 #define phi 90        /* 0 … 180: how far a fork is rolled against the one before */
 #define spread 70     /* 20 … 110: between a lateral and the main branch */
 #define vary 0.3      /* 0 … 0.9: how much angles differ */
 #define oldest 26     /* 5 … 60: segments from the main branch to a tip, at most */
 #define stride 2      /* 0.5 … 4: from node to node of the main branch, leaves */
-
-#define L leaf*0.85   /* a lateral's segment */
-#define M leaf*stride /* one of the main branch */
 
 #role area Area       /* Area(n): what follows belongs to area n; Area(n,1): and is the main branch's */
 
@@ -1297,38 +1297,39 @@ axiom: C(1, 0, 1) ?P(0,0,0) ?H(0,1,0)
 ?P(x,y,z) --> *
 ?H(x,y,z) --> *
 
-/* The main branch C(area, entered, next place): where it stands and what lies ahead. o: all places are passed. */
-C(a,e,j) > ?P(x,y,z) ?H(u,v,w) : {o=j>places; i=3*min(j,places); p=o*u+!o*(path[i-2]-x); q=o*v+!o*(path[i-1]-y); r=o*w+!o*(path[i]-z)} * -->
-  D(a, e, bound(x,y,z,a), reach(x,y,z,p,q,r,a,M), p, q, r, j+(!o && p*p+q*q+r*r<M*M))
+/* The main branch C(area, entered, next place): where it stands and what lies ahead. h: a leaf's length here; m: a
+   segment's of the main branch; o: all places are passed. */
+C(a,e,j) > ?P(x,y,z) ?H(u,v,w) : {h=leaf+!leaf*size[a]/part; m=h*stride; o=j>places; i=3*min(j,places); p=o*u+!o*(path[i-2]-x); q=o*v+!o*(path[i-1]-y); r=o*w+!o*(path[i]-z)} * -->
+  D(a, e, bound(x,y,z,a), reach(x,y,z,p,q,r,a,m), p, q, r, j+(!o && p*p+q*q+r*r<m*m), h*0.85, m)
 
-/* Laterals A(order, area): Borchert and Slade slow their forking down, so that a shell of any radius is as dense. */
-A(k,a) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*L); f=min(1,(2*k+1)/k^2)} r>=L && k<oldest -->
-  F(L) J(r) /(phi*(1-vary+ran(2*vary))) [ +(alpha*(1-vary+ran(2*vary))) A(k+1,a) ?P(0,0,0) ?H(0,0,0) ] -(alpha*(1-vary+ran(2*vary))) A(k+1,a) ?P(0,0,0) ?H(0,0,0) : f
-A(k,a) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*L); f=min(1,(2*k+1)/k^2)} r>=L && k<oldest -->
-  F(L) J(r) /(phi*(1-vary+ran(2*vary))) +(alpha/2*(1-2*RND(0,1))*(1-vary+ran(2*vary))) A(k+1,a) ?P(0,0,0) ?H(0,0,0) : 1-f
+/* Laterals A(order, area, length of a segment: 0.85 leaves): Borchert and Slade slow their forking down, so that a shell of any radius is as dense. */
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*l); f=min(1,(2*k+1)/k^2)} r>=l && k<oldest -->
+  F(l) J(r,l) /(phi*(1-vary+ran(2*vary))) [ +(alpha*(1-vary+ran(2*vary))) A(k+1,a,l) ?P(0,0,0) ?H(0,0,0) ] -(alpha*(1-vary+ran(2*vary))) A(k+1,a,l) ?P(0,0,0) ?H(0,0,0) : f
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*l); f=min(1,(2*k+1)/k^2)} r>=l && k<oldest -->
+  F(l) J(r,l) /(phi*(1-vary+ran(2*vary))) +(alpha/2*(1-2*RND(0,1))*(1-vary+ran(2*vary))) A(k+1,a,l) ?P(0,0,0) ?H(0,0,0) : 1-f
 /* The last segment is shortened, so that its tip lies on the surface. */
-A(k,a) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,L)} r<L && r>0.15*L --> F(r) J(0)
-A(k,a) > ?P(x,y,z) ?H(u,v,w) --> J(0)
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,l)} r<l && r>0.15*l --> F(r) J(0,l)
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) --> J(0,l)
 
 decomposition
 
 /* Outside of an area that it has not entered yet, it goes on, across whatever gap. */
-D(a,e,in,s,p,q,r,j) : !in && !e && j<=places --> @R(p,q,r) Area(0,1) F(M) C(a,0,j) ?P(0,0,0) ?H(0,0,0)
+D(a,e,in,s,p,q,r,j,l,m) : !in && !e && j<=places --> @R(p,q,r) Area(0,1) F(m) C(a,0,j) ?P(0,0,0) ?H(0,0,0)
 /* Inside (P1 of Table 1) it bears laterals, three a node; one segment below the top of the last area it is a lateral itself. */
-D(a,e,in,s,p,q,r,j) : in && (a<areas || s>=M) -->
-  @R(p,q,r) /(137.5) [ Area(a) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
-  [ Area(a) /(120) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
-  [ Area(a) /(240) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
-  Area(a,1) F(M) C(a,1,j) ?P(0,0,0) ?H(0,0,0)
-D(a,e,in,s,p,q,r,j) : in --> @R(p,q,r) Area(a) A(1,a) ?P(0,0,0) ?H(0,0,0)
+D(a,e,in,s,p,q,r,j,l,m) : in && (a<areas || s>=m) -->
+  @R(p,q,r) /(137.5) [ Area(a) &(spread*(1-vary+ran(2*vary))) A(1,a,l) ?P(0,0,0) ?H(0,0,0) ]
+  [ Area(a) /(120) &(spread*(1-vary+ran(2*vary))) A(1,a,l) ?P(0,0,0) ?H(0,0,0) ]
+  [ Area(a) /(240) &(spread*(1-vary+ran(2*vary))) A(1,a,l) ?P(0,0,0) ?H(0,0,0) ]
+  Area(a,1) F(m) C(a,1,j) ?P(0,0,0) ?H(0,0,0)
+D(a,e,in,s,p,q,r,j,l,m) : in --> @R(p,q,r) Area(a) A(1,a,l) ?P(0,0,0) ?H(0,0,0)
 /* It has left its area (P2): the next is its own now. */
-D(a,e,in,s,p,q,r,j) : !in && e && a<areas --> @R(p,q,r) Area(0,1) F(M) C(a+1,0,j) ?P(0,0,0) ?H(0,0,0)
-D(a,e,in,s,p,q,r,j) --> *
+D(a,e,in,s,p,q,r,j,l,m) : !in && e && a<areas --> @R(p,q,r) Area(0,1) F(m) C(a+1,0,j) ?P(0,0,0) ?H(0,0,0)
+D(a,e,in,s,p,q,r,j,l,m) --> *
 
 homomorphism
 
 /* Leaves where the surface is near. */
-J(r) : r<3*L --> [ /(ran(360)) &(40+ran(30)) ~leaf(leaf) ] [ /(120+ran(60)) &(40+ran(40)) ~leaf(leaf) ] [ /(240+ran(60)) &(20+ran(30)) ~leaf(leaf) ]
+J(r,l) : r<3*l --> [ /(ran(360)) &(40+ran(30)) ~leaf(l/0.85) ] [ /(120+ran(60)) &(40+ran(40)) ~leaf(l/0.85) ] [ /(240+ran(60)) &(20+ran(30)) ~leaf(l/0.85) ]
 `,
 	umbel: `/* Umbel
    about: A raceme without internodes: all stalks from one place.

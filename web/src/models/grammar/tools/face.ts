@@ -5,10 +5,12 @@ import type { Face } from "../../../controls/tool";
 import { areaTools } from "../areas/area_tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
+import { readout } from "./readout";
 import { source } from "./text";
 
 export const face: Face<GrammarSpecimen, GrammarPlant> = {
 	tools: [...grammarTools(source), ...areaTools],
+	readout,
 	about: html`<p>
 			A text grows as a plant: an axiom, and productions that rewrite it. Topiary grows in volumes that you move, turn and
 			widen by their handles; the main branch passes from one to the next.
