@@ -254,6 +254,7 @@ class Compiler {
       rules.in_context |= added.in_context;
       program_->in_context |= added.in_context;
       program_->looks_right |= added.right.size() > 0;
+      program_->looks_far_left |= added.left.size() > 1;
     }
     return true;
   }
@@ -287,10 +288,7 @@ class Compiler {
     std::uint32_t to = tree.arity;
     if (!context(tree, tree.left, production.left, to) || !context(tree, tree.right, production.right, to))
       return false;
-    production.in_context = production.left.size() + production.right.size() > 0;
-    if (production.left.size() > 0) production.nearest_left = program_->neighbours[production.left.end - 1].symbol;
-    if (production.right.size() > 0) production.nearest_right = program_->neighbours[production.right.begin].symbol;
-    if (production.nearest_right == push_symbol) production.nearest_right = no_symbol;
+    set_nearest(production);
     if (production.in_context && tree.purpose != Purpose::derivation)
       return fail(Reason::syntax, tree.place,
                   "Productions of a decomposition or homomorphism see no neighbours; take the context out.");
@@ -355,6 +353,20 @@ class Compiler {
       ++range.end;
     }
     return true;
+  }
+
+  void set_nearest(Production& production) const {
+    const std::vector<Neighbour>& neighbours = program_->neighbours;
+    const Range left = production.left, right = production.right;
+    production.in_context = left.size() + right.size() > 0;
+    production.looks_on = left.size() > 1 || right.size() > 1;
+    const auto kind = [&](const Neighbour& wanted) {
+      production.looks_on |= wanted.arity > 0;
+      return header_of(wanted.symbol, wanted.arity, 0);
+    };
+    if (left.size() > 0) production.nearest_left = kind(neighbours[left.end - 1]);
+    if (right.size() > 0 && neighbours[right.begin].symbol != push_symbol)
+      production.nearest_right = kind(neighbours[right.begin]);
   }
 
   bool may_rewrite(const ProductionTree& tree, std::uint32_t predecessor) {

@@ -47,6 +47,7 @@ class Interpreter {
     questions_ = questions;
     answered_ = answered;
     if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
+    find_quiet_symbols();
     if (questions == Questions::located) find_silent_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
@@ -56,9 +57,8 @@ class Interpreter {
       if (at == end) break;
       const std::uint32_t symbol = symbol_of(*module);
       at += words_of(*module);
-      const bool cut = images_ != nullptr                        ? draw(module, module, 0)
-                       : program_.meanings[symbol] == no_meaning ? false
-                                                                 : act(module, module);
+      if (quiet_[symbol] != 0) continue;
+      const bool cut = has_image(symbol) ? draw(module, module, 0) : act(module, module);
       if (machine_.failed()) return machine_.trouble();
       if (!cut) continue;
       const RestOfBranch rest = rest_of_branch(at, end);
@@ -74,6 +74,63 @@ class Interpreter {
     Turtle start;
     std::vector<glm::vec3> corners;
   };
+
+  bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
+
+  // Whether the turtle goes elsewhere, or later modules lead it elsewhere, after what a symbol means.
+  bool leads_on(std::uint32_t symbol) const {
+    if (program_.meanings[symbol] == no_meaning) return false;
+    switch (turtle_symbols[program_.meanings[symbol]].action) {
+      case Action::width:
+      case Action::widen:
+      case Action::next_colour:
+      case Action::last_colour:
+      case Action::surface:
+      case Action::ball:
+      case Action::disc:
+        return false;
+      default:
+        return true;
+    }
+  }
+
+  // Whether the turtle is behind what is drawn in a module's place as it was before it: that has all its ways in
+  // branches, and no polygon, which could be left open in one.
+  bool comes_back(const Template& image) const {
+    std::uint32_t open = 0;
+    const std::uint32_t* at = program_.words.data() + image.first;
+    for (const std::uint32_t* const end = at + image.words; at < end; at += words_of(*at)) {
+      const std::uint32_t symbol = symbol_of(*at);
+      if (symbol == push_symbol) {
+        ++open;
+      } else if (symbol == pop_symbol) {
+        --open;
+      } else if (has_image(symbol) || draws_polygons(symbol) || (open == 0 && leads_on(symbol))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool draws_polygons(std::uint32_t symbol) const {
+    if (program_.meanings[symbol] == no_meaning) return false;
+    const Action action = turtle_symbols[program_.meanings[symbol]].action;
+    return action == Action::begin_polygon || action == Action::end_polygon || action == Action::corner;
+  }
+
+  // What needs no look: what means nothing, and where nobody hears of what is drawn, what leaves the turtle as it is,
+  // as leaves do.
+  void find_quiet_symbols() {
+    const bool unheard = questions_ == Questions::located;
+    quiet_.resize(program_.symbols.size());
+    for (std::uint32_t symbol = 0; symbol < quiet_.size(); ++symbol) {
+      bool quiet = unheard ? !leads_on(symbol) : program_.meanings[symbol] == no_meaning;
+      const Range images = has_image(symbol) ? images_[symbol].productions : Range{};
+      for (std::uint32_t i = images.begin; i < images.end; ++i)
+        quiet = quiet && unheard && comes_back(program_.productions[i].successor);
+      quiet_[symbol] = quiet;
+    }
+  }
 
   // A branch in which nothing asks where the turtle is: words from its [ to behind its ].
   struct Branch {
@@ -436,7 +493,8 @@ class Interpreter {
   Turtle turtle_;
   const float turns_;  // which way the notation turns
   const Rules* images_ = nullptr;
-  std::vector<Words> image_words_;  // by depth
+  std::vector<Words> image_words_;   // by depth
+  std::vector<std::uint8_t> quiet_;  // by symbol: whether the walk passes over it
   std::vector<Turtle> stack_;
   std::vector<Polygon> polygons_;  // that are open
   std::vector<Branch> branches_;
