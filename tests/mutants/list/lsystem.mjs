@@ -99,6 +99,24 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/lsystem/silence.cpp`,
+		suites: [`${TESTS}/lsystem/language_test.cpp`],
+		faults: [
+			{
+				id: "language-images-lead-nowhere",
+				find: "(open == 0 && means(symbol, leads_on))",
+				replace: "false",
+				breaks: "?P does not know of what is drawn in the place of a module before it",
+			},
+			{
+				id: "language-images-close-polygons",
+				find: "has_image(symbol) || means(symbol, draws_polygons) ||",
+				replace: "has_image(symbol) ||",
+				breaks: "?P does not know of a polygon that a module before it has opened",
+			},
+		],
+	},
+	{
 		file: `${SRC}/lsystem/interpretation.cpp`,
 		suites: [`${TESTS}/lsystem/language_test.cpp`],
 		faults: [
@@ -107,18 +125,6 @@ export default [
 				find: "Notation::cpfg ? -1.0f : 1.0f",
 				replace: "Notation::cpfg ? 1.0f : 1.0f",
 				breaks: "cpfg's texts turn as the paper's do",
-			},
-			{
-				id: "language-images-lead-nowhere",
-				find: "(open == 0 && leads_on(symbol))",
-				replace: "false",
-				breaks: "?P does not know of what is drawn in the place of a module before it",
-			},
-			{
-				id: "language-images-close-polygons",
-				find: "has_image(symbol) || draws_polygons(symbol) ||",
-				replace: "has_image(symbol) ||",
-				breaks: "?P does not know of a polygon that a module before it has opened",
 			},
 			{
 				id: "language-brackets-end-polygons",

@@ -7,6 +7,7 @@
 #include "lsystem/branch.hpp"
 #include "lsystem/machine.hpp"
 #include "lsystem/parser.hpp"
+#include "lsystem/silence.hpp"
 
 namespace panicle::lsystem {
 namespace {
@@ -47,17 +48,18 @@ class Interpreter {
     questions_ = questions;
     answered_ = answered;
     if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
-    find_quiet_symbols();
-    if (questions == Questions::located) find_silent_branches(string);
+    const bool unheard = questions == Questions::located;
+    Silence silence(program_, images_, !unheard);
+    if (unheard) silence.find_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
     for (; at < end; ++module_) {
-      if (questions == Questions::located) at = behind_silent_branches(string, at);
+      if (unheard) at = silence.behind_branches(string, at);
       const std::uint32_t* const module = at;
       if (at == end) break;
       const std::uint32_t symbol = symbol_of(*module);
       at += words_of(*module);
-      if (quiet_[symbol] != 0) continue;
+      if (silence.covers(symbol)) continue;
       const bool cut = has_image(symbol) ? draw(module, module, 0) : act(module, module);
       if (machine_.failed()) return machine_.trouble();
       if (!cut) continue;
@@ -76,95 +78,6 @@ class Interpreter {
   };
 
   bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
-
-  // Whether the turtle goes elsewhere, or later modules lead it elsewhere, after what a symbol means.
-  bool leads_on(std::uint32_t symbol) const {
-    if (program_.meanings[symbol] == no_meaning) return false;
-    switch (turtle_symbols[program_.meanings[symbol]].action) {
-      case Action::width:
-      case Action::widen:
-      case Action::next_colour:
-      case Action::last_colour:
-      case Action::surface:
-      case Action::ball:
-      case Action::disc:
-        return false;
-      default:
-        return true;
-    }
-  }
-
-  // Whether the turtle is behind what is drawn in a module's place as it was before it: that has all its ways in
-  // branches, and no polygon, which could be left open in one.
-  bool comes_back(const Template& image) const {
-    std::uint32_t open = 0;
-    const std::uint32_t* at = program_.words.data() + image.first;
-    for (const std::uint32_t* const end = at + image.words; at < end; at += words_of(*at)) {
-      const std::uint32_t symbol = symbol_of(*at);
-      if (symbol == push_symbol) {
-        ++open;
-      } else if (symbol == pop_symbol) {
-        --open;
-      } else if (has_image(symbol) || draws_polygons(symbol) || (open == 0 && leads_on(symbol))) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  bool draws_polygons(std::uint32_t symbol) const {
-    if (program_.meanings[symbol] == no_meaning) return false;
-    const Action action = turtle_symbols[program_.meanings[symbol]].action;
-    return action == Action::begin_polygon || action == Action::end_polygon || action == Action::corner;
-  }
-
-  // What needs no look: what means nothing, and where nobody hears of what is drawn, what leaves the turtle as it is,
-  // as leaves do.
-  void find_quiet_symbols() {
-    const bool unheard = questions_ == Questions::located;
-    quiet_.resize(program_.symbols.size());
-    for (std::uint32_t symbol = 0; symbol < quiet_.size(); ++symbol) {
-      bool quiet = unheard ? !leads_on(symbol) : program_.meanings[symbol] == no_meaning;
-      const Range images = has_image(symbol) ? images_[symbol].productions : Range{};
-      for (std::uint32_t i = images.begin; i < images.end; ++i)
-        quiet = quiet && unheard && comes_back(program_.productions[i].successor);
-      quiet_[symbol] = quiet;
-    }
-  }
-
-  // A branch in which nothing asks where the turtle is: words from its [ to behind its ].
-  struct Branch {
-    std::uint64_t begin, end;
-  };
-
-  // A growing plant asks at its tips. One walk over the headers finds the branches that need not be walked by the
-  // turtle, each in the order of its [; of one that asks the end is its beginning.
-  void find_silent_branches(const String& string) {
-    std::vector<std::size_t> open;
-    std::uint64_t offset = 0;
-    for (const std::uint32_t* at = string.begin(); at < string.end(); at += words_of(*at)) {
-      const std::uint32_t symbol = symbol_of(*at);
-      offset = static_cast<std::uint64_t>(at - string.begin());
-      if (symbol == push_symbol) {
-        open.push_back(branches_.size());
-        branches_.push_back({offset, offset + 1});
-      } else if (symbol == pop_symbol && !open.empty()) {
-        Branch& closed = branches_[open.back()];
-        if (closed.end != closed.begin) closed.end = offset + words_of(*at);
-        open.pop_back();
-      } else if (program_.asks_turtle(symbol)) {
-        for (std::size_t i = open.size(); i-- > 0 && branches_[open[i]].end != branches_[open[i]].begin;)
-          branches_[open[i]].end = branches_[open[i]].begin;
-      }
-    }
-  }
-
-  const std::uint32_t* behind_silent_branches(const String& string, const std::uint32_t* at) {
-    std::uint64_t offset = static_cast<std::uint64_t>(at - string.begin());
-    for (; next_branch_ < branches_.size() && branches_[next_branch_].begin <= offset; ++next_branch_)
-      if (branches_[next_branch_].begin == offset) offset = branches_[next_branch_].end;
-    return string.begin() + offset;
-  }
 
   // What a homomorphism makes of a module is drawn in its place, each part of it again so, as deep as the text says.
   // True: the rest of the branch is cut.
@@ -493,12 +406,9 @@ class Interpreter {
   Turtle turtle_;
   const float turns_;  // which way the notation turns
   const Rules* images_ = nullptr;
-  std::vector<Words> image_words_;   // by depth
-  std::vector<std::uint8_t> quiet_;  // by symbol: whether the walk passes over it
+  std::vector<Words> image_words_;  // by depth
   std::vector<Turtle> stack_;
   std::vector<Polygon> polygons_;  // that are open
-  std::vector<Branch> branches_;
-  std::size_t next_branch_ = 0;  // that the turtle has not come to
   Words answer_;
   Questions questions_ = Questions::drawn;
   String* answered_ = nullptr;
