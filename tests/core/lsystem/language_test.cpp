@@ -282,6 +282,15 @@ TEST_CASE("questions to the turtle are answered after each step, for contexts to
   CHECK(located("#turtle cpfg\naxiom: ?P(0,0,0) A ?P(0,0,0)\nA --> F(4)\n?P(x,y,z) : y>1 --> *", 2) == "?P(0,0,0)F(4)");
   // Where what is drawn moves the turtle, it counts.
   CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> F(5)", 0) == "A?P(0,5,0)");
+  // So it does where only some of it is in branches, and where it changes what lines after it do.
+  CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> [ +(90) F(2) ~leaf(1) ] '", 0) == "A?P(0,0,0)");
+  CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> [ F(2) ] F(3) [ F ]", 0) == "A?P(0,3,0)");
+  CHECK(located(cpfg + "A F ?P(0,0,0)\nhomomorphism\nA --> [ F(2) ] @D(3)", 0) == "A F?P(0,3,0)");
+  CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nmaximum depth: 2\nA --> [ F(2) ] B\nB --> F(4)", 0) == "A?P(0,4,0)");
+  // An open polygon, in which lines do not bend.
+  const std::string bends = "#turtle cpfg\ntropism: 1, 0, 0, 1\naxiom: A F(1) F(1) ?P(0,0,0)\nhomomorphism\n";
+  CHECK(located(bends + "A --> [ F ]", 0) != "A F(1)F(1)?P(0,2,0)");
+  CHECK(located(bends + "A --> [ { ]", 0) == "A F(1)F(1)?P(0,2,0)");
 }
 
 TEST_CASE("the space answers bound and reach") {

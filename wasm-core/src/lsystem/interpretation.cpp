@@ -7,6 +7,7 @@
 #include "lsystem/branch.hpp"
 #include "lsystem/machine.hpp"
 #include "lsystem/parser.hpp"
+#include "lsystem/silence.hpp"
 
 namespace panicle::lsystem {
 namespace {
@@ -47,18 +48,19 @@ class Interpreter {
     questions_ = questions;
     answered_ = answered;
     if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
-    if (questions == Questions::located) find_silent_branches(string);
+    const bool unheard = questions == Questions::located;
+    Silence silence(program_, images_, !unheard);
+    if (unheard) silence.find_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
     for (; at < end; ++module_) {
-      if (questions == Questions::located) at = behind_silent_branches(string, at);
+      if (unheard) at = silence.behind_branches(string, at);
       const std::uint32_t* const module = at;
       if (at == end) break;
       const std::uint32_t symbol = symbol_of(*module);
       at += words_of(*module);
-      const bool cut = images_ != nullptr                        ? draw(module, module, 0)
-                       : program_.meanings[symbol] == no_meaning ? false
-                                                                 : act(module, module);
+      if (silence.covers(symbol)) continue;
+      const bool cut = has_image(symbol) ? draw(module, module, 0) : act(module, module);
       if (machine_.failed()) return machine_.trouble();
       if (!cut) continue;
       const RestOfBranch rest = rest_of_branch(at, end);
@@ -76,39 +78,7 @@ class Interpreter {
     std::vector<glm::vec3> corners;
   };
 
-  // A branch in which nothing asks where the turtle is: words from its [ to behind its ].
-  struct Branch {
-    std::uint64_t begin, end;
-  };
-
-  // A growing plant asks at its tips. One walk over the headers finds the branches that need not be walked by the
-  // turtle, each in the order of its [; of one that asks the end is its beginning.
-  void find_silent_branches(const String& string) {
-    std::vector<std::size_t> open;
-    std::uint64_t offset = 0;
-    for (const std::uint32_t* at = string.begin(); at < string.end(); at += words_of(*at)) {
-      const std::uint32_t symbol = symbol_of(*at);
-      offset = static_cast<std::uint64_t>(at - string.begin());
-      if (symbol == push_symbol) {
-        open.push_back(branches_.size());
-        branches_.push_back({offset, offset + 1});
-      } else if (symbol == pop_symbol && !open.empty()) {
-        Branch& closed = branches_[open.back()];
-        if (closed.end != closed.begin) closed.end = offset + words_of(*at);
-        open.pop_back();
-      } else if (program_.asks_turtle(symbol)) {
-        for (std::size_t i = open.size(); i-- > 0 && branches_[open[i]].end != branches_[open[i]].begin;)
-          branches_[open[i]].end = branches_[open[i]].begin;
-      }
-    }
-  }
-
-  const std::uint32_t* behind_silent_branches(const String& string, const std::uint32_t* at) {
-    std::uint64_t offset = static_cast<std::uint64_t>(at - string.begin());
-    for (; next_branch_ < branches_.size() && branches_[next_branch_].begin <= offset; ++next_branch_)
-      if (branches_[next_branch_].begin == offset) offset = branches_[next_branch_].end;
-    return string.begin() + offset;
-  }
+  bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
 
   // What a homomorphism makes of a module is drawn in its place, each part of it again so, as deep as the text says.
   // True: the rest of the branch is cut.
@@ -452,8 +422,6 @@ class Interpreter {
   std::vector<Words> image_words_;  // by depth
   std::vector<Turtle> stack_;
   std::vector<Polygon> polygons_;  // that are open
-  std::vector<Branch> branches_;
-  std::size_t next_branch_ = 0;  // that the turtle has not come to
   Words answer_;
   Questions questions_ = Questions::drawn;
   String* answered_ = nullptr;
