@@ -8,6 +8,7 @@
 #include "lsystem/machine.hpp"
 #include "lsystem/parser.hpp"
 #include "lsystem/silence.hpp"
+#include "lsystem/watcher.hpp"
 
 namespace panicle::lsystem {
 namespace {
@@ -27,12 +28,13 @@ enum class Questions : std::uint8_t {
 class Interpreter {
  public:
   Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits,
-              const Space* space)
+              const Space* space, Watcher* watcher = nullptr)
       : machine_(bound, seed, limits, space),
         bound_(bound),
         program_(*bound.program),
         limits_(limits),
         listener_(listener),
+        watcher_(watcher),
         turtle_(start),
         turns_(program_.notation == Notation::cpfg ? -1.0f : 1.0f) {
     if (program_.has(Purpose::homomorphism)) images_ = program_.rules_of(Purpose::homomorphism).data();
@@ -53,6 +55,7 @@ class Interpreter {
     if (unheard) silence.find_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
+    string_ = at;
     for (; at < end; ++module_) {
       if (unheard) at = silence.behind_branches(string, at);
       const std::uint32_t* const module = at;
@@ -395,6 +398,10 @@ class Interpreter {
       return !machine_.fail(
           error_at(Reason::limit, {}, "There is no memory for the answer of ?E; make its production shorter."));
     if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
+    if (watcher_ != nullptr) {
+      watcher_->rewrites(static_cast<std::uint64_t>(module - string_));
+      watcher_->applied(*production, machine_);
+    }
     return draw_all(answer_.data(), answer_.data() + successor.words, module);
   }
 
@@ -416,6 +423,8 @@ class Interpreter {
   const Program& program_;
   const Limits& limits_;
   Listener& listener_;
+  Watcher* watcher_;
+  const std::uint32_t* string_ = nullptr;
   Turtle turtle_;
   const float turns_;  // which way the notation turns
   const Rules* images_ = nullptr;
@@ -447,8 +456,8 @@ Diagnostic write_into(const Bound& bound, String& string, const Turtle& start, L
 }  // namespace
 
 Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                                std::uint64_t seed, const Limits& limits, const Space* space) {
-  return Interpreter(bound, start, listener, seed, limits, space).run(string, Questions::drawn);
+                                std::uint64_t seed, const Limits& limits, const Space* space, Watcher* watcher) {
+  return Interpreter(bound, start, listener, seed, limits, space, watcher).run(string, Questions::drawn);
 }
 
 Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,

@@ -60,11 +60,13 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
     total += weight;
   }
   double left = total * random_unit(sources_.seed, choice_stream_, address);
+  chance_ = {static_cast<float>(total), 0, static_cast<float>(left)};
   const Production* drawn = nullptr;
   for (std::uint32_t i = range.begin; i < range.end && left >= 0; ++i) {
     const float weight = weights_[i - range.begin];
     if (weight == 0) continue;
     drawn = &productions_[i];
+    chance_[1] = weight;
     left -= weight;
   }
   // Neighbours' parameters are where those of the production that was tried last have been put.

@@ -10,6 +10,7 @@ import type { HandlesOf } from "../controls/handles/plant_handle";
 import type { Face } from "../controls/tool";
 import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
+import type { ChronicleAsked } from "../plant/chronicle";
 import type { Part } from "../plant/part";
 import type { Plant } from "../plant/plant";
 import type { FigureMaker } from "../scene/figure";
@@ -27,6 +28,10 @@ export interface GrowthOptions {
 	passing?: boolean;
 	/** Whether the derived string is wanted, of models that have one (`strings`); the default is no. */
 	string?: boolean;
+	/** Of the derivation, in place of what document and text say, of models that have one to tell of. */
+	steps?: number;
+	/** Which step of the derivation is to be told, of models that have one to tell of (`chronicles`); the default is none. */
+	chronicle?: ChronicleAsked;
 }
 
 /** Measures that a person may ask for. */
@@ -72,6 +77,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	readonly pictures?: false;
 	/** Whether it tells the string that its grammar has derived, where that is asked for. */
 	readonly strings?: true;
+	/** Whether it tells how its grammar is derived, step by step, where that is asked for. */
+	readonly chronicles?: true;
 
 	/**
 	 * Fetches what a specimen's request and plant need besides the core, where there is such: to be awaited before `encode`.

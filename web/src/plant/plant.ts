@@ -1,5 +1,7 @@
 /** What every model gives back, typed: the plant that scene, exporters and panels read. Metres, +Y up. */
 
+import type { Chronicle } from "./chronicle";
+
 /** Triangles; normals are of unit length, indices go counter-clockwise seen from outside. */
 export interface Mesh {
 	/** 3 × vertices. */
@@ -93,6 +95,8 @@ export interface Plant {
 	fingerprint: string;
 	/** The same over the meshes; absent if not asked for. */
 	meshFingerprint?: string;
+	/** How its text was derived; absent if not asked for. */
+	chronicle?: Chronicle;
 	/** Wall time measured by the caller, in milliseconds. */
 	timings: { grow: number };
 }

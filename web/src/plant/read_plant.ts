@@ -1,6 +1,7 @@
 /** Columns of an answer → plant (layout: wasm-core/src/boundary/panicle.h). Arrays are views of the answer's bytes. */
 import type { Columns } from "../core/container";
 import type { Answer } from "../core/core";
+import { readChronicle } from "./chronicle";
 import { EMPTY_PLANT, type Mesh, type MeshRun, type Organs, type Plant, type PlantMesh, type Segments } from "./plant";
 
 /** What every model's plant has; models read what is theirs from the same columns. */
@@ -17,6 +18,8 @@ export function readPlant({ columns, milliseconds }: Answer): Plant {
 		timings: { grow: milliseconds },
 	};
 	if (columns.has("measures")) plant.measures = columns.floats("measures");
+	const chronicle = readChronicle(columns);
+	if (chronicle) plant.chronicle = chronicle;
 	if (columns.has("mesh_fingerprint")) plant.meshFingerprint = hexadecimal(columns.words("mesh_fingerprint"));
 	return plant;
 }

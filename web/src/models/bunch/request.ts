@@ -1,6 +1,7 @@
 /** Specimen → the blocks of a request, as wasm-core/src/models/bunch/model.hpp lists them. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
+import { type ChronicleAsked, chronicleBlocks } from "../../plant/chronicle";
 import { GRAMMAR_BYTES } from "../../specimen/limits";
 import type { CoreEntry } from "../../specimen/table";
 import { INPUT_N_LENGTH } from "./details/inputs";
@@ -24,6 +25,10 @@ export interface RequestOptions {
 	passing?: boolean;
 	/** Whether it is wanted how much of the sky the meshes' vertices see; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
+	/** Of the derivation; the text's own by default. */
+	steps?: number;
+	/** Which step of the derivation is to be told; the default is none. */
+	chronicle?: ChronicleAsked;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
 	/** Sides of a stem's tube; the core's own choice by default. */
@@ -34,7 +39,14 @@ export interface RequestOptions {
 
 /** @throws CoreError where the specimen cannot be written as a request: it has not come through specimen/restore.ts */
 export function encodeRequest(specimen: Specimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, stemSides = 0, berrySegments = 0 } = options;
+	const {
+		meshes = true,
+		passing = false,
+		meshFingerprint = false,
+		stemSides = 0,
+		berrySegments = 0,
+		chronicle,
+	} = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const { inputs, thinned, grammar, parameters } = specimen;
 	if (grammar !== undefined && new TextEncoder().encode(grammar).length > GRAMMAR_BYTES) {
@@ -43,7 +55,13 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 	if ((inputs?.n?.length ?? 0) > INPUT_N_LENGTH) {
 		throw new CoreError("limit", `n has more than ${INPUT_N_LENGTH} values.`);
 	}
-	const outputs = [meshes && "meshes", measures && "measures", sky && "sky", meshFingerprint && "mesh_fingerprint"];
+	const outputs = [
+		meshes && "meshes",
+		measures && "measures",
+		sky && "sky",
+		meshFingerprint && "mesh_fingerprint",
+		chronicle && "chronicle",
+	];
 	const words = (name: string, values: readonly number[]) => Uint32Array.from(values, (value) => whole(name, value));
 	const blocks: Block[] = [
 		{ name: "model", data: "bunch" },
@@ -58,6 +76,8 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		{ name: "stem_sides", data: words("stemSides", [stemSides]) },
 		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },
 	];
+	if (options.steps !== undefined) blocks.push({ name: "steps", data: words("steps", [options.steps]) });
+	if (chronicle) blocks.push(...chronicleBlocks(chronicle));
 	if (meshes && hasLeaves(specimen)) blocks.push(...caneLeafBlocks());
 	if (inputs?.m !== undefined) blocks.push({ name: "m", data: Int32Array.of(whole("m", inputs.m)) });
 	if (inputs?.n) blocks.push({ name: "n", data: Int32Array.from(inputs.n, (value) => whole("n", value)) });

@@ -19,6 +19,7 @@ export const model = {
 	wasm: "grammar.wasm",
 	strings: true,
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
+	chronicles: true,
 	encode: encodeGrammar,
 	read: readGrammarPlant,
 	parts: grammarParts,

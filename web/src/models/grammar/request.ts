@@ -1,6 +1,7 @@
 /** Specimen → the blocks of a request, as wasm-core/src/models/grammar/model.hpp lists them. */
 import type { Block } from "../../core/container";
 import { CoreError } from "../../core/errors";
+import { chronicleBlocks } from "../../plant/chronicle";
 import type { GrowthOptions } from "../model";
 import { areaBlocks } from "./areas/blocks";
 import type { GrammarSpecimen } from "./specimen";
@@ -16,7 +17,7 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, string = false } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, string = false, chronicle } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const outputs = [
 		meshes && "meshes",
@@ -25,8 +26,10 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions
 		passing && "coarse",
 		meshFingerprint && "mesh_fingerprint",
 		string && "string",
+		chronicle && "chronicle",
 	];
-	const { model, seed, parameters, constants, steps } = specimen;
+	const { model, seed, parameters, constants, steps: own } = specimen;
+	const { steps = own } = options;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
 	const names = Object.keys(constants);
@@ -46,6 +49,7 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions
 					{ name: "constants.values", data: Float32Array.from(names, (name) => number(name, constants[name])) },
 				]),
 		...areaBlocks(specimen),
+		...(chronicle ? chronicleBlocks(chronicle) : []),
 		{ name: "grammar", data: text },
 	];
 }

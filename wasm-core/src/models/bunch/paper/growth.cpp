@@ -1,14 +1,20 @@
 #include "models/bunch/paper/growth.hpp"
 
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
 #include "foundation/random.hpp"
+#include "lsystem/number_text.hpp"
 
 namespace panicle::bunch {
 
 Growth::Growth(const InteractionOptions& options, const Limits& limits, float largest)
     : SkeletonDrawing(limits), options_(options), structure_(largest) {}
 
-void Growth::begin(const lsystem::Bound& text, const Roles& roles, std::uint64_t seed, std::int32_t first_axis) {
-  SkeletonDrawing::begin(text, roles, first_axis);
+void Growth::begin(const lsystem::Bound& text, const Roles& roles, bool second, std::uint64_t seed,
+                   std::int32_t first_axis) {
+  SkeletonDrawing::begin(text, roles, second, first_axis);
   constants_.narrowing = lsystem::constant(text, "r_w", 1);
   constants_.withered_length = lsystem::constant(text, "l_w", 10);
   constants_.berry_radius = lsystem::constant(text, "b_r", 0);
@@ -36,10 +42,14 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
   const Laid* const laid = find_laid(lineage.address);
   const bool rachis = is_rachis(lineage.parent_symbol);
   Room room;
-  if (laid)
+  std::string why;
+  if (laid) {
     room = laid->room;
-  else if ((!laying_ || rachis) && within(structure_.spheres().size(), limits().spheres, "spheres"))
-    room = find_room(structure_, turtle, newborn(question, turtle, parameters, lineage.address), options_);
+  } else if ((!laying_ || rachis) && within(structure_.spheres().size(), limits().spheres, "spheres")) {
+    const Newborn asking = newborn(question, turtle, parameters, lineage.address);
+    room = find_room(structure_, turtle, asking, options_);
+    if (tells(lineage)) why = told(room, asking);
+  }
   parameters[question.slots.theta] = room.theta;
   if (question.slots.phi) parameters[question.slots.phi] = room.phi;
   tip_of_ = lineage.address;
@@ -47,6 +57,7 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
   if (!laying_ && !room.found) refused_ = true;
   if (room.found) {
     const std::uint32_t sphere = laid ? laid->tip : structure_.add(room.sphere);
+    if (!laid && sphere != SphereGrid::no_sphere) owners_.push_back({lineage.module, question.pedicel, second()});
     if (!question.pedicel) tip_ = sphere;
     if (laying_) laid_.push_back({seed_, lineage.address, room, sphere});
   } else if (question.pedicel) {
@@ -56,7 +67,46 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
     if (!laying_) ++cuts;
     rachis_cut |= rachis;
   }
-  return {question.pedicel, question.pedicel && !room.found, question.width};
+  return {question.pedicel, question.pedicel && !room.found, question.width, std::move(why)};
+}
+
+namespace {
+
+// Of the radii of two spheres: as near as this they are no longer apart (environment/sphere_grid.hpp), rounding included.
+constexpr float touching = 2e-5f;
+
+std::string in_hundredths(float value) { return lsystem::number_text(std::floor(value * 100 + 0.5f) / 100); }
+
+}  // namespace
+
+// What is in a probe's way the most: `touches the berry of module 12`, `overlaps … by 3.2`; nothing where nothing is.
+std::string Growth::in_the_way(const Sphere& probe, std::uint32_t except) const {
+  const std::span<const Sphere> spheres = structure_.spheres();
+  std::uint32_t nearest = SphereGrid::no_sphere;
+  float depth = 0, most = 0;
+  for (std::uint32_t i = 0; i < spheres.size(); ++i) {
+    const float sum = probe.radius + spheres[i].radius;
+    const float overlap = sum - glm::distance(probe.centre, spheres[i].centre);
+    if (i == except || !(overlap + touching * sum > most)) continue;
+    most = overlap + touching * sum;
+    depth = overlap;
+    nearest = i;
+  }
+  if (nearest == SphereGrid::no_sphere) return {};
+  const Owner& owner = owners_[nearest];
+  const std::string whose = std::string(owner.berry ? "the berry" : "the internode") +
+                            (owner.second ? " of the second bunch" : " of module " + std::to_string(owner.module));
+  return depth < 0.005f ? "touches " + whose : "overlaps " + whose + " by " + in_hundredths(depth);
+}
+
+std::string Growth::told(const Room& room, const Newborn& newborn) const {
+  if (room.found && room.adjustments == 0) return "; there is room at once";
+  const std::string turned = in_hundredths(room.turned) + "° in " + std::to_string(room.adjustments) +
+                             (room.adjustments == 1 ? " turn" : " turns");
+  const std::string way = in_the_way(room.found ? room.asked : room.sphere, newborn.parent);
+  if (room.found) return "; there is room after " + turned + (way.empty() ? "" : "; straight on it " + way);
+  return "; no room after " + turned + (way.empty() ? "" : ": it still " + way) +
+         (newborn.pedicel ? ", and withers" : ", and is cut");
 }
 
 void Growth::end_laying() {
