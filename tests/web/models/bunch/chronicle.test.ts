@@ -86,7 +86,9 @@ describe("the paper's bunch, told", () => {
 		const turned = withWords(lastString(specimenFromPreset("long-conical", 1)), /^there is room after/);
 		expect(turned.length).toBeGreaterThan(2);
 		for (const module of turned)
-			expect(words(module)).toMatch(/after [\d.]+° in \d+ turns?; straight on it (overlaps|touches) the (berry|internode) of/);
+			expect(words(module)).toMatch(
+				/after [\d.]+° in \d+ turns?; straight on it (overlaps|touches) the (berry|internode) of/,
+			);
 	});
 
 	it("says nothing of a second bunch, and who it is that stands in the way", () => {

@@ -55,7 +55,8 @@ TEST_CASE("why a berry turns or withers is told, with what is in its way and by 
   growth.finish();
   const auto& told = chronicle->modules();
   CHECK(told[0].answer.empty());
-  // The second comes nearer and nearer to where the two would only touch; the others begin above the first one's centre.
+  // The second comes nearer and nearer to where the two would only touch; the others begin above the first one's
+  // centre.
   CHECK(told[2].answer == "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; there is room at once");
   CHECK(told[6].answer.find("→ 1 0 0 10 2 20; no room after ") != std::string::npos);
   CHECK(told[6].answer.ends_with(" in 50 turns: it still touches the berry of module 2, and withers"));
