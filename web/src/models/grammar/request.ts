@@ -26,7 +26,8 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions
 		string && "string",
 		chronicle && "chronicle",
 	];
-	const { model, seed, parameters, constants, steps } = specimen;
+	const { model, seed, parameters, constants } = specimen;
+	const { steps = specimen.steps } = options;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
 	const names = Object.keys(constants);
