@@ -5,7 +5,7 @@ import type { Drawn } from "../plant/drawn";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
-import type { Desk } from "./desk";
+import type { Desk, Stateful } from "./desk";
 import type { Tool, ToolHands } from "./tool";
 
 /** What draws what shines: scene/lit_figure.ts. */
@@ -30,6 +30,8 @@ export interface DerivedScene {
 	readonly step: number;
 	readonly grown: Plant;
 	readonly from: Specimen;
+	/** Whether it is another than the document's. */
+	readonly instead: boolean;
 	/** Of each segment the module of the step's string that drew it, and of each organ. */
 	readonly segments: Uint32Array;
 	readonly organs: Uint32Array;
@@ -56,13 +58,21 @@ export interface DerivationState {
 	readonly met?: MetModule | undefined;
 }
 
+/** Where it stands, whatever the model. */
+export const DERIVATION: Stateful<DerivationState> = { name: "derivation", initial: { open: false, follows: true } };
+
+/** The plant of a step, where the view shows one in place of the document's; for the words below it. */
+export function steppedScene<S extends Specimen, G extends Plant>(desk: Desk<S, G>): DerivedScene | undefined {
+	const { scene } = desk.toolState(DERIVATION);
+	return scene?.instead ? scene : undefined;
+}
+
 /** The tool that has the derivation's state and its hands in the view; the grammar's pane draws the rest. */
 export function derivationTool<S extends Specimen & WithGrammar, G extends Plant>(
 	source: DerivationSource<S, G>,
 ): Tool<S, G, DerivationState> {
-	const tool: Tool<S, G, DerivationState> = {
-		name: "derivation",
-		initial: { open: false, follows: true },
+	return {
+		...DERIVATION,
 		keys: [
 			{ keys: ["←", "→", "Page ↑", "Page ↓"], does: "In the string of a step: from module to module" },
 			{ keys: ["↑", "↓"], does: "In the string of a step: to the module it came from, to what it becomes" },
@@ -75,13 +85,13 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 			const fetch = async () => {
 				const { DerivationHands } = await import("./grammar/derivation_hands");
 				if (ended) return;
-				hands = new DerivationHands(view, desk, source, tool);
+				hands = new DerivationHands(view, desk, source);
 				hands.update(desk.state);
 			};
 			return {
 				update: (state) => {
 					if (hands) hands.update(state);
-					else if (!asked && desk.toolState(tool).scene) {
+					else if (!asked && desk.toolState(DERIVATION).scene) {
 						asked = true;
 						// Without it the string is there all the same; the next opening asks again.
 						fetch().catch(() => {
@@ -96,5 +106,4 @@ export function derivationTool<S extends Specimen & WithGrammar, G extends Plant
 			};
 		},
 	};
-	return tool;
 }

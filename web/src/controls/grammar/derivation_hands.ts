@@ -3,8 +3,8 @@ import type { Drawn } from "../../plant/drawn";
 import type { Plant } from "../../plant/plant";
 import { sighted } from "../../plant/sighting";
 import type { Specimen } from "../../specimen/specimen";
-import type { DerivationSource, DerivationState, DerivedScene, LitDrawing } from "../derivation_tool";
-import type { Desk, DeskState, Stateful } from "../desk";
+import { DERIVATION, type DerivationSource, type DerivedScene, type LitDrawing } from "../derivation_tool";
+import type { Desk, DeskState } from "../desk";
 import { PickPointer } from "../pick_pointer";
 import type { Sight, ToolHands, ToolView } from "../tool";
 import { drawnBy, drawnIn } from "./lights";
@@ -19,7 +19,6 @@ export class DerivationHands<S extends Specimen, G extends Plant> implements Too
 	readonly #view: ToolView;
 	readonly #desk: Desk<S, G>;
 	readonly #source: DerivationSource<S, G>;
-	readonly #tool: Stateful<DerivationState>;
 	readonly #pointer: PickPointer;
 	#figure: LitDrawing | undefined;
 	#disposed = false;
@@ -27,11 +26,10 @@ export class DerivationHands<S extends Specimen, G extends Plant> implements Too
 	/** What shone last, and how. */
 	#shone: readonly unknown[] = [];
 
-	constructor(view: ToolView, desk: Desk<S, G>, source: DerivationSource<S, G>, tool: Stateful<DerivationState>) {
+	constructor(view: ToolView, desk: Desk<S, G>, source: DerivationSource<S, G>) {
 		this.#view = view;
 		this.#desk = desk;
 		this.#source = source;
-		this.#tool = tool;
 		this.#pointer = new PickPointer(view, {
 			name: "choosing",
 			at: (x, y) => this.#at(x, y),
@@ -49,14 +47,16 @@ export class DerivationHands<S extends Specimen, G extends Plant> implements Too
 		);
 	}
 
-	update({ grown, dark }: DeskState<S, G>): void {
-		const { open, scene, lit } = this.#desk.toolState(this.#tool);
-		this.#view.showInstead(scene && scene.grown !== grown ? scene : undefined);
-		this.#pointer.enabled = open && scene !== undefined && !this.#source.taken?.(this.#desk);
-		const shines = [scene, lit, dark];
+	update({ grownFrom, dark }: DeskState<S, G>): void {
+		const { open, scene, lit } = this.#desk.toolState(DERIVATION);
+		// That of a text just changed stays until the next has grown.
+		this.#view.showInstead(scene?.instead ? scene : undefined);
+		const current = scene?.from === grownFrom ? scene : undefined;
+		this.#pointer.enabled = open && current !== undefined && !this.#source.taken?.(this.#desk);
+		const shines = [current, lit, dark];
 		if (!this.#figure || shines.every((each, index) => each === this.#shone[index])) return;
 		this.#shone = shines;
-		this.#shine(this.#figure, scene, lit ? { ...drawnBy(lit, scene) } : { segments: [], organs: [] });
+		this.#shine(this.#figure, current, lit ? drawnBy(lit, current) : { segments: [], organs: [] });
 	}
 
 	dispose(): void {
@@ -83,7 +83,7 @@ export class DerivationHands<S extends Specimen, G extends Plant> implements Too
 	}
 
 	#at(x: number, y: number): number | undefined {
-		const { scene } = this.#desk.toolState(this.#tool);
+		const { scene } = this.#desk.toolState(DERIVATION);
 		if (!scene) return undefined;
 		const sight = this.#view.sightThrough(x, y);
 		const met = sighted(this.#drawnOf(scene), sight, MISSED * apart(sight, this.#view.sightThrough(x + 1, y)));
@@ -91,11 +91,11 @@ export class DerivationHands<S extends Specimen, G extends Plant> implements Too
 	}
 
 	#meet(module: number | undefined, chosen: boolean): void {
-		const state = this.#desk.toolState(this.#tool);
+		const state = this.#desk.toolState(DERIVATION);
 		const { met, scene } = state;
 		if (met?.module === module && met?.chosen === chosen) return;
 		const next = module === undefined || !scene ? undefined : { module, step: scene.step, chosen };
-		this.#desk.setToolState(this.#tool, { ...state, met: next });
+		this.#desk.setToolState(DERIVATION, { ...state, met: next });
 	}
 
 	#drawnOf({ grown }: DerivedScene): Drawn {
