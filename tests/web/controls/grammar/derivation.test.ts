@@ -78,6 +78,14 @@ describe("a derivation that is looked at", () => {
 		expect(tool().scene?.step).toBe(2);
 	});
 
+	it("shows the document's plant at the last step, whatever comes late", async () => {
+		await to(3);
+		await to(STEPS);
+		plants[0].let();
+		await settle();
+		expect(tool().scene).toMatchObject({ step: STEPS, instead: false });
+	});
+
 	it("walks up to the parent and down to the first child", async () => {
 		await to(3, 3); // ABA|A|B
 		expect(derivation.up()).toBe(true);
@@ -90,6 +98,10 @@ describe("a derivation that is looked at", () => {
 		derivation.down();
 		await settle();
 		expect([derivation.step, derivation.chosen]).toEqual([2, 0]);
+		await to(3, 3);
+		derivation.down();
+		await settle();
+		expect([derivation.step, derivation.chosen]).toEqual([4, 5]);
 		await to(0, 0);
 		expect(derivation.up()).toBe(false);
 		await to(STEPS, 4);

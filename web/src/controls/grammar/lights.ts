@@ -15,7 +15,7 @@ export function drawnBy(
 		const found: number[] = [];
 		for (let index = 0; index < modules.length; index++) {
 			const module = modules[index];
-			if (module !== NOT_DRAWN && module >= first && module - first < count) found.push(index);
+			if (module >= first && module - first < count) found.push(index);
 		}
 		return found;
 	};

@@ -120,7 +120,8 @@ export class Stepper extends ControlElement<GrammarDesk> {
 		const module = derivation.module(chosen);
 		if (!module || chosen === undefined || step === undefined || !counts) {
 			const words = this.line === undefined ? "" : this.#marked(derivation, this.line);
-			return html`<p class="told-hint">${words || "Choose a module, here or in the view: its production, its values, where it came from."}</p>`;
+			const hint = words || "Choose a module, here or in the view: its production, its values, where it came from.";
+			return html`<p class="told-hint">${hint} ${this.#next(derivation)}</p>`;
 		}
 		const { production, fires, answer, chance, parent, children } = module;
 		const line = ({ line, column }: TextPlace) =>
@@ -134,10 +135,23 @@ export class Stepper extends ControlElement<GrammarDesk> {
 				${walk("Parent", "↑", () => derivation.up(), parent === undefined || step === 0)}
 				${walk("Children", "↓", () => derivation.down(), step === last || children.count === 0)}
 			</header>
-			${answer ? html`<p class="told-answer">${answerInWords(answer)}${answer.words ? html`<b>${answer.words}</b>` : nothing}</p>` : nothing}
+			${
+				answer
+					? html`<p class="told-answer">${answerInWords(answer)} ${this.#next(derivation)}${answer.words ? html`<b>${answer.words}</b>` : nothing}</p>`
+					: nothing
+			}
 			${production ? html`<p>Written by ${line(production)}.</p>` : nothing}
 			<p>${fires ? html`Rewritten next by ${line(fires)}${values ? html` with <code>${values}</code>` : nothing}${chance ? html`, ${chanceInWords(chance)}` : nothing}. ` : nothing}
 				${fateOf(module, step === last)}${derivation.bare ? " It draws nothing." : nothing}</p>`;
+	}
+
+	/** From question to question of those that the environment was asked, and round. */
+	#next({ page, chosen = -1 }: Derivation): unknown {
+		const asked = page?.modules.flatMap(({ answer }, index) => (answer ? [page.first + index] : [])) ?? [];
+		const next = asked.find((index) => index > chosen) ?? asked[0];
+		if (next === undefined || next === chosen) return nothing;
+		const press = () => this.#derivation?.choose(next);
+		return html`<button class="to-line" type="button" @click=${press}>Next question</button>`;
 	}
 
 	/** Of the production at the text's cursor. */
