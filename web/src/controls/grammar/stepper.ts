@@ -16,6 +16,7 @@ import {
 } from "./told_module";
 import "./derived_string";
 import "./step_bar";
+import "./steps.css";
 
 /** A step stands so long while they are played, in milliseconds; longer where motion is unwelcome. */
 const STAND = 1100;
