@@ -278,6 +278,7 @@ class Compiler {
       }
     }
     program_->productions.resize(first);
+    program_->named_in.resize(first);
   }
 
   bool production(const ProductionTree& tree, Production& production) {
@@ -294,11 +295,18 @@ class Compiler {
     if (production.in_context && tree.purpose != Purpose::derivation)
       return fail(Reason::syntax, tree.place,
                   "Productions of a decomposition or homomorphism see no neighbours; take the context out.");
+    const auto place = static_cast<std::size_t>(&production - program_->productions.data());
+    Range& named = program_->named_in[place];
+    named.begin = static_cast<std::uint32_t>(program_->namings.size());
+    for (std::uint32_t i = 0; i < tree.formals.size(); ++i)
+      program_->namings.push_back({std::string(tree.formals[i].name), i});
+    first_local_ = program_->namings.size();
     if (!condition(tree, production.condition)) return false;
     const bool answer = tree.predecessor == "?E" && tree.purpose == Purpose::derivation;
     const std::size_t locals = lowering_.locals();
     if (!successor(tree.successor, answer, tree.after, production.successor)) return false;
     lowering_.forget_locals(locals);
+    named.end = static_cast<std::uint32_t>(program_->namings.size());
     if (tree.weight.given() && !value(tree.weight, production.weight)) return false;
     production.by_chance = draws(tree.before) || draws(tree.condition) || draws(tree.weight);
     const std::uint32_t neighbours = production.left.size() + production.right.size();
@@ -326,6 +334,7 @@ class Compiler {
       std::uint32_t source = 0;
       if (!take(lowering_.lower(assignment.expression), source)) return false;
       lowering_.assign(assignment.name, source);
+      name_local(assignment.name, source);
     }
     return true;
   }
@@ -376,6 +385,17 @@ class Compiler {
     const char* otherwise = is_letter(turtle.symbol[0]) ? ", or name a symbol of your own otherwise." : ".";
     return fail(Reason::syntax, place, "'%' (%)%, but here it has %; leave out the rest%",
                 {program_->symbols[symbol], turtle.name, most, std::to_string(count), otherwise});
+  }
+
+  // What a name stands for last is what counts.
+  void name_local(std::string_view name, std::uint32_t source) {
+    std::vector<Naming>& all = program_->namings;
+    const auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first_local_), all.end(),
+                                    [&](const Naming& naming) { return naming.name == name; });
+    if (found == all.end())
+      all.push_back({std::string(name), source});
+    else
+      found->source = source;
   }
 
   // cpfg's lines may have arguments of their own behind the length.
@@ -532,6 +552,7 @@ class Compiler {
   std::vector<std::uint64_t> rewritten_, written_for_;
   std::vector<std::uint32_t> ordinals_;  // by symbol: how many stand before in the successor
   std::uint32_t first_ = 0;              // word of the template
+  std::size_t first_local_ = 0;          // naming of the production
   Diagnostic trouble_;
 };
 

@@ -29,6 +29,7 @@ Derivation::Derivation(const Bound& bound, std::uint64_t seed, const Limits& lim
   if (program_.has(Purpose::decomposition)) parts_ = program_.rules_of(Purpose::decomposition).data();
   if (!begin() || !locate()) now_ = {};
   at_rest_ = now_.active_count == 0;
+  if (around_.watcher != nullptr) around_.watcher->begins(now_.string);
 }
 
 // Room in `next_` for a run and a successor. Inline, as all that the innermost loop consists of: else it takes a tenth
@@ -47,8 +48,9 @@ inline bool Derivation::copy_up_to(std::uint64_t at) {
   return true;
 }
 
-inline bool Derivation::append(const Template& successor, const Origin& origin, std::uint32_t symbol) {
-  if (parts_ != nullptr) return append_parts(successor, origin, symbol, 0);
+inline bool Derivation::append(const Template& successor, const Origin& origin, std::uint32_t symbol,
+                               const Production* by) {
+  if (parts_ != nullptr) return append_parts(successor, origin, symbol, by, 0);
   String& string = next_.string;
   if (!machine_.write(successor, string.words.data() + string.used, origin, symbol)) return false;
   std::uint32_t* const list = next_.active.data() + next_.active_count;
@@ -61,23 +63,39 @@ inline bool Derivation::append(const Template& successor, const Origin& origin, 
   return true;
 }
 
-// A successor whose modules are decomposed, each part of one again so, as deep as the text says.
+// The same of the module at a word, with who watches told of it.
+[[gnu::noinline]] bool Derivation::append_watched(std::uint64_t at, const Production& by, const Origin& origin,
+                                                  std::uint32_t symbol) {
+  Watcher& watcher = *around_.watcher;
+  const std::uint64_t before = next_.string.modules;
+  watcher.rewrites(at);
+  if (!append(by.successor, origin, symbol, &by)) return false;
+  if (parts_ == nullptr) watcher.applied(by, machine_);
+  watcher.rewritten(next_.string.modules - before);
+  return true;
+}
+
+// A successor whose modules are decomposed, each part of one again so, as deep as the text says. It is written `by` a
+// production, or null.
 bool Derivation::append_parts(const Template& successor, const Origin& origin, std::uint32_t symbol,
-                              std::uint32_t depth) {
+                              const Production* by, std::uint32_t depth) {
   if (part_words_.size() <= depth) part_words_.resize(depth + 1);
   if (!machine_.make_room(part_words_[depth], successor.words) ||
       !machine_.write(successor, part_words_[depth].data(), origin, symbol))
     return false;
+  Watcher* const watcher = around_.watcher;
+  if (watcher != nullptr && by != nullptr && depth == 0) watcher->applied(*by, machine_);
   const std::uint32_t* at = part_words_[depth].data();
   const std::uint32_t* const end = at + successor.words;
   for (; at < end; at += words_of(*at)) {
     const Production* const production = depth < bound_.depths[0] ? machine_.choose(at, parts_) : nullptr;
     if (machine_.failed()) return false;
+    if (watcher != nullptr && production == nullptr) watcher->part(by);
     const bool fine =
         production == nullptr
             ? append_module(at)
             : machine_.spend(1) && append_parts(production->successor, has_lineage(*at) ? origin_of(at) : Origin{},
-                                                symbol_of(*at), depth + 1);
+                                                symbol_of(*at), production, depth + 1);
     if (!fine) return false;
   }
   return true;
@@ -109,7 +127,7 @@ bool Derivation::begin() {
   const Template& axiom = program_.axiom;
   const std::uint64_t root = hash_text("axiom");
   machine_.begin(root);
-  if (!make_room(0, axiom) || !append(axiom, {root, no_symbol << 16 | no_symbol}, no_symbol)) return false;
+  if (!make_room(0, axiom) || !append(axiom, {root, no_symbol << 16 | no_symbol}, no_symbol, nullptr)) return false;
   std::swap(now_, next_);
   return true;
 }
@@ -124,11 +142,10 @@ bool Derivation::step() {
   at_rest_ = now_.active_count == 0 || !(rewrote_ || waiting_);
   answered_ = false;
   ++steps_;
-  if (rewrote_ && !locate()) {
-    at_rest_ = true;
-    return false;
-  }
-  return rewrote_;
+  const bool fine = !rewrote_ || locate();
+  if (around_.watcher != nullptr) around_.watcher->ends(now_.string);
+  at_rest_ |= !fine;
+  return fine && rewrote_;
 }
 
 bool Derivation::ask(const Turtle& start, Listener& listener) {
@@ -139,8 +156,10 @@ bool Derivation::ask(const Turtle& start, Listener& listener) {
     if (!heard) return machine_.fail(heard.error());
     listener.answers_begin();
   }
+  if (around_.watcher != nullptr) around_.watcher->asks();
   const Diagnostic trouble = answer(bound_, now_.string, start, listener, seed_, limits_, around_.space);
   if (trouble.reason != Reason::none) return machine_.fail(trouble);
+  if (around_.watcher != nullptr) around_.watcher->answered();
   answered_ = true;
   at_rest_ = false;
   return true;
@@ -158,7 +177,9 @@ inline bool Derivation::rewrite_module(std::uint64_t at) {
   copied_ = at + words_of(header);
   --next_.string.modules;
   rewrote_ = true;
-  return append(production->successor, has_lineage(header) ? origin_of(module) : Origin{}, symbol_of(header));
+  const Origin origin = has_lineage(header) ? origin_of(module) : Origin{};
+  if (around_.watcher != nullptr) return append_watched(at, *production, origin, symbol_of(header));
+  return append(production->successor, origin, symbol_of(header), production);
 }
 
 // One step from `now_` to `next_`, which then change places.
@@ -178,8 +199,9 @@ bool Derivation::rewrite() {
     return true;
   }
   if (!make_room(now_.string.used - copied_, {}) || !copy_up_to(now_.string.used)) return false;
+  if (!machine_.spend(next_.string.used / 32)) return false;
   std::swap(now_, next_);
-  return machine_.spend(now_.string.used / 32);
+  return true;
 }
 
 bool Derivation::keep_active(std::uint64_t at) {
@@ -217,6 +239,7 @@ bool Derivation::cut(std::uint64_t at) {
   copied_ = static_cast<std::uint64_t>(rest.end - string);
   next_.string.modules -= rest.modules;
   rewrote_ = true;
+  if (around_.watcher != nullptr) around_.watcher->removes(at, rest.modules);
   return true;
 }
 
@@ -293,7 +316,7 @@ Result<Derived> develop_so_far(const Bound& bound, std::uint64_t seed, std::opti
                                const Limits& limits, const Surroundings& around) {
   const std::optional<std::uint32_t> steps = steps_of(bound, asked);
   if (steps && *steps > limits.steps) return too_many_asked(*steps, limits);
-  if (!steps) {
+  if (!steps && around.watcher == nullptr) {
     Result<Derived> unfolded = unfold(bound, seed, limits, around);
     if (unfolded || unfolded.error().reason != Reason::limit) return unfolded;
   }

@@ -15,6 +15,7 @@
 #include "lsystem/lsystem.hpp"
 #include "lsystem/machine.hpp"
 #include "lsystem/neighbourhood.hpp"
+#include "lsystem/watcher.hpp"
 #include "lsystem/words.hpp"
 
 namespace panicle::lsystem {
@@ -65,8 +66,10 @@ class Derivation {
   bool copy_up_to(std::uint64_t at);
   void make_ready();
   bool make_room(std::uint64_t run, const Template& successor);
-  bool append(const Template& successor, const Origin& origin, std::uint32_t symbol);
-  bool append_parts(const Template& successor, const Origin& origin, std::uint32_t symbol, std::uint32_t depth);
+  bool append(const Template& successor, const Origin& origin, std::uint32_t symbol, const Production* by);
+  bool append_watched(std::uint64_t at, const Production& by, const Origin& origin, std::uint32_t symbol);
+  bool append_parts(const Template& successor, const Origin& origin, std::uint32_t symbol, const Production* by,
+                    std::uint32_t depth);
   bool append_module(const std::uint32_t* module);
   bool locate();
 

@@ -7,6 +7,7 @@
 #include "lsystem/branch.hpp"
 #include "lsystem/machine.hpp"
 #include "lsystem/parser.hpp"
+#include "lsystem/watcher.hpp"
 
 namespace panicle::lsystem {
 namespace {
@@ -26,12 +27,13 @@ enum class Questions : std::uint8_t {
 class Interpreter {
  public:
   Interpreter(const Bound& bound, const Turtle& start, Listener& listener, std::uint64_t seed, const Limits& limits,
-              const Space* space)
+              const Space* space, Watcher* watcher = nullptr)
       : machine_(bound, seed, limits, space),
         bound_(bound),
         program_(*bound.program),
         limits_(limits),
         listener_(listener),
+        watcher_(watcher),
         turtle_(start),
         turns_(program_.notation == Notation::cpfg ? -1.0f : 1.0f) {
     if (program_.has(Purpose::homomorphism)) images_ = program_.rules_of(Purpose::homomorphism).data();
@@ -50,6 +52,7 @@ class Interpreter {
     if (questions == Questions::located) find_silent_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
+    string_ = at;
     for (; at < end; ++module_) {
       if (questions == Questions::located) at = behind_silent_branches(string, at);
       const std::uint32_t* const module = at;
@@ -412,6 +415,10 @@ class Interpreter {
       return !machine_.fail(
           error_at(Reason::limit, {}, "There is no memory for the answer of ?E; make its production shorter."));
     if (!machine_.write(successor, answer_.data(), {}, ask_symbol)) return false;
+    if (watcher_ != nullptr) {
+      watcher_->rewrites(static_cast<std::uint64_t>(module - string_));
+      watcher_->applied(*production, machine_);
+    }
     return draw_all(answer_.data(), answer_.data() + successor.words, module);
   }
 
@@ -433,6 +440,8 @@ class Interpreter {
   const Program& program_;
   const Limits& limits_;
   Listener& listener_;
+  Watcher* watcher_;
+  const std::uint32_t* string_ = nullptr;
   Turtle turtle_;
   const float turns_;  // which way the notation turns
   const Rules* images_ = nullptr;
@@ -466,8 +475,8 @@ Diagnostic write_into(const Bound& bound, String& string, const Turtle& start, L
 }  // namespace
 
 Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                                std::uint64_t seed, const Limits& limits, const Space* space) {
-  return Interpreter(bound, start, listener, seed, limits, space).run(string, Questions::drawn);
+                                std::uint64_t seed, const Limits& limits, const Space* space, Watcher* watcher) {
+  return Interpreter(bound, start, listener, seed, limits, space, watcher).run(string, Questions::drawn);
 }
 
 Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,

@@ -44,6 +44,7 @@ enum class Lineages { where_needed, always };
 // Table 1 of Huang et al. (2013), or cpfg (docs/turtle.md).
 enum class Notation : std::uint8_t { huang, cpfg };
 
+class Watcher;
 class Program;  // byte code; immutable, shared freely, independent of the text and of inputs
 
 // Errors: syntax, undefined, evaluation (a number for the turtle that is none) and limit; with line and column.
@@ -105,11 +106,12 @@ std::vector<Remark> remarks(const Program& program, std::span<const Inputs::Scal
 std::string to_text(const Remark& remark);
 
 // What surrounds a plant while it is derived: where its turtle begins, for ?P and the like; what bound() and reach()
-// are asked; who answers ?E between steps, if anyone does.
+// are asked; who answers ?E between steps, if anyone does; who watches (watcher.hpp).
 struct Surroundings {
   Turtle start;
   const Space* space = nullptr;
   Listener* answers = nullptr;
+  Watcher* watcher = nullptr;
 };
 
 // A derived string: modules as 32-bit words (header, then parameters as float), with the lineage of each module
@@ -155,8 +157,10 @@ std::string to_text(const Program& program, const String& string);
 
 // Walks the string from left to right and tells the listener. Returns how many lines were drawn. Errors: evaluation
 // (an answer or a position that is no number), limit (brackets, answers), syntax (an answer that cannot be drawn).
+// `watcher` is told which productions answer.
 Result<std::uint32_t> interpret(const Bound& bound, const String& string, const Turtle& start, Listener& listener,
-                                std::uint64_t seed, const Limits& limits, const Space* space = nullptr);
+                                std::uint64_t seed, const Limits& limits, const Space* space = nullptr,
+                                Watcher* watcher = nullptr);
 
 // The same, but ?E neither asks nor draws: for strings whose questions are answered between steps (derivation.hpp).
 Result<std::uint32_t> trace(const Bound& bound, const String& string, const Turtle& start, Listener& listener,

@@ -61,12 +61,14 @@ const Production* Machine::draw_production(const Rules& rules, std::uint32_t cou
     }
   }
   double left = total * random_unit(sources_.seed, choice_stream_, address);
+  chance_ = {static_cast<float>(total), 0, static_cast<float>(left)};
   const Production* drawn = fallback;
   for (std::uint32_t i = rules.productions.begin; i < rules.productions.end && total > 0; ++i) {
     const Production& production = productions_[i];
     float weight = 0;
     if (!production.weight.given || !matches(production, count) || !weigh(production, weight) || weight == 0) continue;
     drawn = &production;
+    chance_[1] = weight;
     left -= weight;
     if (left < 0) break;
   }

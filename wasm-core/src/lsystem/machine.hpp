@@ -1,6 +1,7 @@
 // What derivation and interpretation share: choosing a production for a module and writing its successor.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -57,6 +58,12 @@ class Machine {
 
   // From now on productions see what is around the module at which it stands; before, those in context match nothing.
   void look_around(Neighbourhood& neighbourhood) { neighbourhood_ = &neighbourhood; }
+
+  // What a register holds: of the production that was applied last, what it was used with.
+  float value_of(std::uint32_t source) const { return registers_[source]; }
+  // How one with a weight was drawn last: the sum of the weights of all that matched, its own, and where in the sum the
+  // draw fell.
+  const std::array<float, 3>& chance() const { return chance_; }
 
   // Whether a module that no production matched may be rewritten in a later step, by chance.
   bool tries_again(std::uint32_t header) const {
@@ -133,6 +140,7 @@ class Machine {
   std::uint32_t step_ = 0;
   bool stepping_ = false;
   Sources sources_;
+  std::array<float, 3> chance_ = {};
   Diagnostic trouble_;
 };
 

@@ -90,6 +90,12 @@ struct Production {
   Template successor;
 };
 
+// A value that a production is used with, as the text calls it: a formal, or what a block works out.
+struct Naming {
+  std::string name;
+  std::uint32_t source = 0;  // register
+};
+
 // The productions of one symbol, in the order of the text.
 struct Rules {
   Range productions;
@@ -147,7 +153,9 @@ class Program {
   Code code;
   Range once_bound;                       // code that the inputs alone decide
   std::vector<Declaration> declarations;  // in the order of the text
-  Value steps;                            // the derivation length
+  std::vector<Naming> namings;
+  std::vector<Range> named_in;  // by production: its namings
+  Value steps;                  // the derivation length
   Roles roles;
   std::vector<Remark> remarks;  // on the text alone
   Diagnostic not_drawable;      // the first module in an answer that the turtle cannot draw in place

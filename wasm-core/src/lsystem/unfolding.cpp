@@ -104,7 +104,8 @@ class Unfolding {
 
 Result<Derived> unfold(const Bound& bound, std::uint64_t seed, const Limits& limits, const Surroundings& around) {
   const bool asked = around.answers != nullptr && bound.program->asks;
-  if (asked || bound.program->by_steps()) return develop_to_rest(bound, seed, limits, around);
+  if (asked || around.watcher != nullptr || bound.program->by_steps())
+    return develop_to_rest(bound, seed, limits, around);
   return Unfolding(bound, seed, limits, around.space).run();
 }
 

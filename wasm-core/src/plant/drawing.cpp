@@ -13,7 +13,7 @@ void Drawing::line(std::int32_t, const lsystem::Turtle& before, const lsystem::T
 
 void Drawing::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) {
   if (!within(balls.size(), limits_.spheres, "spheres")) return;
-  balls.push_back({turtle.position, radius, turtle.heading, segment_of(turtle), lineage.address});
+  balls.push_back({turtle.position, radius, turtle.heading, segment_of(turtle), lineage.address, lineage.module});
 }
 
 bool Drawing::within(std::size_t count, std::uint32_t limit, std::string_view what) {

@@ -22,6 +22,7 @@ struct Ball {
   glm::vec3 heading{0, -1, 0};  // of the turtle that drew it, unit
   std::int32_t segment = -1;    // that bears it; −1 for none
   std::uint64_t address = 0;    // of its module in the derivation tree
+  std::uint32_t module = 0;     // that, by its place in the string
 };
 
 // Lengths stay in the grammar's unit. Several interpretations may follow one another; begin() starts each, and parents

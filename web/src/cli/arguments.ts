@@ -1,6 +1,7 @@
 /** The words of the command line → what is asked for, still unread. */
 import { parseArgs } from "node:util";
 import type { FileOptions } from "../export/plant_files";
+import { type ChronicleAsked, MOST_TOLD } from "../plant/chronicle";
 import { BATCH_OPTIONS, type BatchCall, readBatch } from "./batch_arguments";
 import { UsageError } from "./usage";
 
@@ -19,6 +20,8 @@ export interface Call {
 	boundaryFile: string | undefined;
 	/** Whether the JSON is to have the derived string. */
 	string: boolean;
+	/** Which part of the derivation the JSON is to tell of. */
+	chronicle: ChronicleAsked | undefined;
 	/** Which of the files that end like `out`. */
 	form: string | undefined;
 	files: FileOptions;
@@ -35,9 +38,9 @@ export function readArguments(words: readonly string[]): Call {
 		throw new UsageError(`one preset or link at a time: “${positionals[1]}” is one too many; put quotes around a link`);
 	}
 	const batch = readBatch(values);
-	const alone = (["form", "triangles", "thickness", "points", "translucent", "textures", "string"] as const).find(
-		(key) => values[key],
-	);
+	const alone = (
+		["form", "triangles", "thickness", "points", "translucent", "textures", "string", "chronicle"] as const
+	).find((key) => values[key]);
 	if (batch && alone) throw new UsageError(`--${alone} is for one plant’s file; of a series, --as says the kind`);
 	// Each line of a series' table brings its plant back by its link alone, and links hold no meshes.
 	if (batch && values.boundary)
@@ -52,6 +55,7 @@ export function readArguments(words: readonly string[]): Call {
 		grammarFile: last(values.grammar),
 		boundaryFile: last(values.boundary),
 		string: values.string ?? false,
+		chronicle: values.chronicle === undefined ? undefined : readChronicle(values.chronicle.at(-1) ?? ""),
 		out: last(values.out),
 		form: last(values.form),
 		files: {
@@ -74,6 +78,7 @@ const OPTIONS = {
 	grammar: { type: "string", multiple: true },
 	boundary: { type: "string", multiple: true },
 	string: { type: "boolean" },
+	chronicle: { type: "string", multiple: true },
 	out: { type: "string", short: "o", multiple: true },
 	form: { type: "string", multiple: true },
 	triangles: { type: "string", multiple: true },
@@ -103,6 +108,17 @@ function readSetting(setting: string): [string, string] {
 	const at = setting.indexOf("=");
 	if (at < 1) throw new UsageError(`--set ${setting}: write KEY=VALUE, as in --set age=50`);
 	return [setting.slice(0, at).trim(), setting.slice(at + 1).trim()];
+}
+
+/** @throws UsageError where it is no step, with what of its string */
+function readChronicle(text: string): ChronicleAsked {
+	const [step, first, count] = text.split(",").map((word) => (/^\s*\d+\s*$/.test(word) ? Number(word) : Number.NaN));
+	const fits = [step, first ?? 0].every((value) => value <= 0xffffffff) && (count ?? 0) <= MOST_TOLD;
+	if (!fits || text.split(",").length > 3)
+		throw new UsageError(
+			`--chronicle ${text}: a step, 0 or more; then where you like the first module and how many, at most ${MOST_TOLD}: 3,100,50`,
+		);
+	return { step, ...(first === undefined ? {} : { first }), ...(count === undefined ? {} : { count }) };
 }
 
 /** @throws UsageError where it is no number from `least` to `most` */

@@ -59,6 +59,12 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 		throw new UsageError(
 			model.strings ? "--string: the string stands in JSON" : `--string: the ${model.noun} is not grown by any text`,
 		);
+	if (call.chronicle && !(model.chronicles && ending === "json"))
+		throw new UsageError(
+			model.chronicles
+				? "--chronicle: what is told of the derivation stands in JSON"
+				: `--chronicle: the ${model.noun} is not grown by a text`,
+		);
 	const core = await world.loadCore(model.wasm);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
@@ -73,7 +79,13 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 			growPlant(model, each, wanted, async (_, blocks) => core.grow(blocks)),
 		);
 	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
-	const grown = await grow(specimen, { meshes, measures, ...(call.string ? { string: true } : {}) });
+	const { string, chronicle } = call;
+	const grown = await grow(specimen, {
+		meshes,
+		measures,
+		...(string ? { string } : {}),
+		...(chronicle && { chronicle }),
+	});
 	const all: Plant = { ...grown, notes: [...grown.notes, ...notes.map((note) => note.text)] };
 	if (out === undefined) {
 		world.print(jsonOf(model, all, specimen));

@@ -36,8 +36,8 @@ export function usage(model: Model, models: readonly string[]): string {
 	return `Grows a plant; here: ${title.toLowerCase()}.
 
   npm run -s grow -- [MODEL/PRESET | PRESET | LINK] [--seed N] [--set KEY=VALUE …] [--target MEASURE=VALUE …]
-                     [--grammar FILE] [--string] [--boundary FILE] [--out FILE] [--form FORM] [--triangles N]
-                     [--translucent] [--textures] [--thickness MM] [--points N]
+                     [--grammar FILE] [--string] [--chronicle STEP] [--boundary FILE] [--out FILE]
+                     [--form FORM] [--triangles N] [--translucent] [--textures] [--thickness MM] [--points N]
   npm run -s grow -- … --seeds 1-100 [--vary KEY=FROM..TO,…] [--shard PART/PARTS] [--as KIND] --out DIR
   npm run -s grow -- --list
 
@@ -57,6 +57,8 @@ ${
 }  --grammar FILE   grammar text in place of the preset's; without a preset, it says by its roles
                    which model it is for, or any text's
   --string         the JSON has the derived string, of plants that any text grows
+  --chronicle STEP the JSON tells of that step of the derivation: which production fired
+                   where and with what values; STEP,FIRST,COUNT of so many modules from one on
   --boundary FILE  a closed mesh, .obj or .glb, that a tree or a root grows in
   --out FILE       ${endingsOf({ formats })} (an .obj has its
                    .mtl beside it); without it, JSON goes to standard output

@@ -3,6 +3,7 @@
  * shortest decimal that reads back as the same float32, so the fingerprint can be computed again from the document
  * (docs/fingerprint.md).
  */
+import type { Chronicle, ToldModule } from "../plant/chronicle";
 import type { Organs, Plant, Segments } from "../plant/plant";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
@@ -44,6 +45,17 @@ export interface OrganRecord {
 	scale: number;
 }
 
+/** A derivation, and a window of one of its strings. */
+export interface ChronicleRecord {
+	/** How many modules each step's string has; the axiom's first. */
+	counts: number[];
+	/** The step that is told. */
+	step: number;
+	/** Index of the first of `modules` in its string. */
+	first: number;
+	modules: readonly ToldModule[];
+}
+
 /** What every plant's document has; the rest is its model's. */
 export interface PlantDocument<S extends Specimen> {
 	specimen: WrittenSpecimen<S>;
@@ -54,6 +66,8 @@ export interface PlantDocument<S extends Specimen> {
 	segments?: SegmentRecord[];
 	/** Absent where nothing is borne. */
 	organs?: OrganRecord[];
+	/** How its text was derived, where that was asked for. */
+	chronicle?: ChronicleRecord;
 	notes: string[];
 	fingerprint: string;
 	timings: Plant["timings"];
@@ -109,10 +123,15 @@ function contents<S extends Specimen, G extends Plant, R extends object>(
 		...measuresOf(model.table, grown),
 		...plantRecord(grown),
 		...model.record?.(grown, specimen),
+		...(grown.chronicle ? { chronicle: chronicleRecord(grown.chronicle) } : {}),
 		notes,
 		fingerprint,
 		timings,
 	};
+}
+
+function chronicleRecord({ counts, step, first, modules }: Chronicle): ChronicleRecord {
+	return { counts: [...counts], step, first, modules };
 }
 
 /** What was drawn, and what is borne. */

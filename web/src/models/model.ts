@@ -28,7 +28,7 @@ export interface GrowthOptions {
 	passing?: boolean;
 	/** Whether the derived string is wanted, of models that have one (`strings`); the default is no. */
 	string?: boolean;
-	/** Steps of the derivation in place of the document's, of models that tell how it goes (`chronicles`). */
+	/** Of the derivation, in place of what document and text say, of models that have one to tell of. */
 	steps?: number;
 	/** Which step of the derivation is to be told, of models that have one to tell of (`chronicles`); the default is none. */
 	chronicle?: ChronicleAsked;

@@ -1,4 +1,4 @@
-/** What the core tells of a derivation, step by step (columns: wasm-core/src/plant/derivation_record.hpp; docs/language.md). */
+/** What the core tells of a derivation, step by step (columns: wasm-core/src/plant/chronicle.hpp). */
 import type { Block, Columns } from "../core/container";
 
 /** The longest window that may be asked for. */

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh.hpp"
 #include "geometry/tubes.hpp"
+#include "lsystem/chronicle.hpp"
 #include "models/bunch/fruit/berry_body.hpp"
 #include "models/bunch/fruit/berry_surfaces.hpp"
 #include "models/bunch/fruit/flower.hpp"
@@ -84,11 +85,12 @@ struct Grown {
   std::vector<Thinned> thinned;  // the natural procedure's
   std::vector<float> measures;   // in the order of measures.generated.hpp; NaN: does not apply; empty: not asked for
   std::optional<StemMesh> stem;
-  std::optional<Mesh> berry;              // the shared berry, unit radius
-  std::optional<BerrySurfaces> surfaces;  // the natural procedure's berries, each with its own surface
-  std::optional<FlowerMesh> flower;       // the shared flower, where a berry has not yet set or keeps its sepals
-  std::optional<Foliage> foliage;         // leaves and cane, where they were asked for
-  std::optional<SkyBytes> sky;            // where it was asked for
+  std::optional<Mesh> berry;                    // the shared berry, unit radius
+  std::optional<BerrySurfaces> surfaces;        // the natural procedure's berries, each with its own surface
+  std::optional<FlowerMesh> flower;             // the shared flower, where a berry has not yet set or keeps its sepals
+  std::optional<Foliage> foliage;               // leaves and cane, where they were asked for
+  std::optional<SkyBytes> sky;                  // where it was asked for
+  std::optional<lsystem::Chronicle> chronicle;  // where it was asked for: how the first bunch's text was derived
   std::vector<std::string> notes;
   std::uint64_t fingerprint = 0;       // skeleton and organs (docs/fingerprint.md)
   std::uint64_t mesh_fingerprint = 0;  // 0 without meshes

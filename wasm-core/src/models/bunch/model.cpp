@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "models/bunch/stems.hpp"
+#include "plant/chronicle.hpp"
 
 namespace panicle::bunch {
 namespace {
@@ -133,6 +134,18 @@ void add_sky(Plant& plant, SkyBytes sky) {
   plant.columns.add("berries.sky", std::move(sky.berries));
 }
 
+// What was derived, and what of it drew what is there.
+void add_told(Plant& plant, const Grown& grown) {
+  const lsystem::Chronicle& chronicle = *grown.chronicle;
+  if (chronicle.stopped().reason != Reason::none) plant.notes.push_back(cut_short(chronicle));
+  add_chronicle(plant, chronicle);
+  const auto modules = [](const auto& all) {
+    return column_of<std::uint32_t>(all, 1, [](const auto& one, std::uint32_t* at) { *at = one.module; });
+  };
+  plant.columns.add("segments.module", modules(grown.internodes));
+  plant.columns.add("organs.module", modules(grown.berries));
+}
+
 Result<Plant> grow_plant(panicle::Request& blocks, const Limits& limits) {
   const auto request = read_request(blocks);
   if (!request) return request.error();
@@ -163,6 +176,9 @@ Result<Request> read_request(panicle::Request& blocks) {
   request.n.assign(n.begin(), n.end());
   const auto thinned = blocks.words("thinned");
   request.thinned.assign(thinned.begin(), thinned.end());
+  auto chronicle = read_chronicle(blocks);
+  if (!chronicle) return chronicle.error();
+  request.chronicle = chronicle.value();
   request.leaf = blocks.flat_leaf();
   request.stem_sides = blocks.word("stem_sides");
   request.berry_segments = blocks.word("berry_segments");
@@ -198,6 +214,7 @@ Plant plant_of(Grown&& grown) {
                   {"cut", counts.cut}};
   plant.measures = std::move(grown.measures);
   plant.notes = std::move(grown.notes);
+  if (grown.chronicle) add_told(plant, grown);
   plant.fingerprint = grown.fingerprint;
   plant.mesh_fingerprint = grown.mesh_fingerprint;
   return plant;

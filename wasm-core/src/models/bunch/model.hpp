@@ -8,6 +8,7 @@
 //   leaf.points     float32 × 2: a flat leaf, what leaves on the cane are made from (plant/flat_leaf.hpp), with
 //   leaf.between    float32, leaf.uvs: float32 × 2, leaf.triangles: uint32 × 3; where they are absent, the cane has no
 //                   leaves, with a note
+//   outputs         `chronicle` besides everyone's
 //   stem_sides, berry_segments   uint32: of the meshes; 0: default
 //
 // Columns of a plant besides everyone's (boundary/panicle.h); metres:
@@ -25,6 +26,9 @@
 //   berries.positions        float32 × 3, berries.normals × 3, berries.pressed: uint8; of each berry's own surface
 //   berries.sky              uint8: of each vertex of each berry, the pattern's or the shared mesh's, berry by berry;
 //                            where `sky` is asked for
+//   chronicle.…              where it is asked for: how the first bunch's text was derived (plant/chronicle.hpp); and
+//   segments.module, organs.module   uint32 each internode and each berry: the module of its last string that drew it;
+//                            0xffffffff for what it did not draw
 // and the meshes `stems` (segment: uint32 per vertex; axis: int32 per run), `berry`, `flower` (unit: float32, metres to
 // one of its own; a run for each piece, fruit/flower.hpp) and `foliage`.
 #pragma once

@@ -4,13 +4,14 @@
 
 namespace panicle::bunch {
 
-void SkeletonDrawing::begin(const lsystem::Bound& text, const Roles& roles, std::int32_t first_axis) {
+void SkeletonDrawing::begin(const lsystem::Bound& text, const Roles& roles, bool second, std::int32_t first_axis) {
   Drawing::begin();
   roles_ = roles;
   width_ = lsystem::constant(text, "w", 1);
   first_segment_ = segments.size();
   first_ball_ = balls.size();
   first_axis_ = first_axis;
+  second_ = second;
   answering_ = false;
 }
 
@@ -26,7 +27,10 @@ void SkeletonDrawing::ask(const lsystem::Turtle& turtle, std::span<float> parame
   if (!slots_for(parameters.size(), question.slots)) return fail(wrong_arity());
   question.pedicel = parameters[0] == pedicel_type;
   question.width = question.slots.width ? parameters[question.slots.width] : width_;
+  const bool told = tells(lineage);
+  if (told) chronicle_->add_answer(lineage.module, "asked" + lsystem::numbers_text(parameters));
   answer_ = answer(question, turtle, parameters, lineage);
+  if (told) chronicle_->add_answer(lineage.module, " →" + lsystem::numbers_text(parameters) + answer_.why);
   answering_ = true;
   asked_address_ = lineage.address;
   ++questions_;
@@ -34,7 +38,7 @@ void SkeletonDrawing::ask(const lsystem::Turtle& turtle, std::span<float> parame
 
 SkeletonDrawing::Answer SkeletonDrawing::answer(const Question& question, const lsystem::Turtle&, std::span<float>,
                                                 const lsystem::Lineage&) {
-  return {question.pedicel, false, question.width};
+  return {question.pedicel, false, question.width, {}};
 }
 
 void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
@@ -45,6 +49,7 @@ void SkeletonDrawing::line(std::int32_t id, const lsystem::Turtle& before, const
   const Part* const parent = segment.parent < 0 ? nullptr : &parts_[static_cast<std::size_t>(segment.parent)];
   const bool answered = answering_ && lineage.address == asked_address_;
   Part part;
+  if (!second_) part.module = lineage.module;
   part.kind = answered && answer_.pedicel ? Kind::pedicel : roles_.of(lineage.parent_symbol);
   if (answered) {
     part.question = questions_;
@@ -106,7 +111,7 @@ std::uint32_t SkeletonDrawing::finish() {
     const Segment& segment = segments[i];
     const Part& part = parts_[i];
     internodes.push_back({segment.parent, part.kind, part.state, part.axis, segment.start, segment.end, segment.radius,
-                          segment.radius_end, part.joint});
+                          segment.radius_end, part.joint, part.module});
   }
   return static_cast<std::uint32_t>(loose);
 }

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "lsystem/chronicle.hpp"
 #include "lsystem/lsystem.hpp"
 #include "models/bunch/communication.hpp"
 #include "models/bunch/roles.hpp"
@@ -19,8 +21,11 @@ class SkeletonDrawing : public Drawing {
  public:
   using Drawing::Drawing;
 
-  // The next interpretation's text; its first-order axes count on from `first_axis`.
-  void begin(const lsystem::Bound& text, const Roles& roles, std::int32_t first_axis);
+  // The next interpretation's text, of the first bunch or the second; its first-order axes count on from `first_axis`.
+  void begin(const lsystem::Bound& text, const Roles& roles, bool second, std::int32_t first_axis);
+
+  // From now on what modules of the first bunch ask and are answered is told here, if anywhere.
+  void tell(lsystem::Chronicle* chronicle) { chronicle_ = chronicle; }
 
   void line(std::int32_t id, const lsystem::Turtle& before, const lsystem::Turtle& after,
             const lsystem::Lineage& lineage) override;
@@ -47,6 +52,7 @@ class SkeletonDrawing : public Drawing {
     bool pedicel = false;
     bool withered = false;
     float width = 0;  // at the start of its first line; 0: the turtle's own
+    std::string why;  // where it is told
   };
 
   // Changes `parameters` into the answer.
@@ -55,6 +61,12 @@ class SkeletonDrawing : public Drawing {
 
   // Forgets what has been drawn since begin().
   void erase();
+
+  // Whether what this module asks is told.
+  bool tells(const lsystem::Lineage& lineage) const {
+    return chronicle_ != nullptr && !second_ && chronicle_->has(lineage.module);
+  }
+  bool second() const { return second_; }
 
   bool is_rachis(std::uint32_t symbol) const { return roles_.of(symbol) == Kind::rachis; }
 
@@ -69,6 +81,7 @@ class SkeletonDrawing : public Drawing {
     bool joint = false;
     std::uint32_t question = none;  // the number of that whose answer drew it
     std::int32_t rachis_depth = 0;  // rachis internodes from the root to its end
+    std::uint32_t module = no_module;
   };
 
   std::int32_t axis_of(const Segment& segment, Kind kind, const lsystem::Lineage& lineage) const;
@@ -78,6 +91,8 @@ class SkeletonDrawing : public Drawing {
   float width_ = 1;                                 // `w`, for modules that do not carry one
   std::size_t first_segment_ = 0, first_ball_ = 0;  // of this interpretation
   std::int32_t first_axis_ = 0;
+  bool second_ = false;
+  lsystem::Chronicle* chronicle_ = nullptr;
 
   Answer answer_;  // the last
   bool answering_ = false;

@@ -23,7 +23,17 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uin
 
 std::uint64_t second_seed(std::uint64_t seed) { return hash_combine(seed, hash_text("second bunch")); }
 
-Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener) {
+Result<std::optional<lsystem::Chronicle>> tell(const Stock& stock, const Request& request, const Limits& limits) {
+  if (!request.chronicle) return std::optional<lsystem::Chronicle>();
+  auto told = lsystem::chronicle(*stock.bound, stock.seed, request.steps, limits, {}, *request.chronicle);
+  if (!told) return told.error();
+  // One that came to a limit has another last string than is drawn.
+  if (told->stopped().reason == Reason::none) told->watch_drawing(stock.string);
+  return std::optional(std::move(told.value()));
+}
+
+Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,
+                     lsystem::Chronicle* chronicle) {
   lsystem::Turtle turtle;
   const auto& [lean, side, foot] = stock.stance;
   turtle.position = foot;
@@ -31,7 +41,8 @@ Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener
     lsystem::turn(turtle, side == 0 ? lean : -lean);
   else
     lsystem::pitch(turtle, side == 2 ? -lean : lean);
-  const auto drawn = lsystem::interpret(*stock.bound, *stock.string, turtle, listener, stock.seed, limits);
+  const auto drawn =
+      lsystem::interpret(*stock.bound, *stock.string, turtle, listener, stock.seed, limits, nullptr, chronicle);
   return drawn ? Diagnostic{} : drawn.error();
 }
 

@@ -33,7 +33,12 @@ Result<Stock> derive_stock(std::shared_ptr<const lsystem::Bound> bound, std::uin
 // The seed of the second bunch of a specimen.
 std::uint64_t second_seed(std::uint64_t seed);
 
-// Walks the derived string from p1 on. Returns what the interpretation itself ran into.
-Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener);
+// Its derivation told, where the request asks. Errors: those of lsystem::chronicle.
+Result<std::optional<lsystem::Chronicle>> tell(const Stock& stock, const Request& request, const Limits& limits);
+
+// Walks the derived string from p1 on, and tells the chronicle, if any, what answers. Returns what the interpretation
+// itself ran into.
+Diagnostic interpret(const Stock& stock, const Limits& limits, lsystem::Listener& listener,
+                     lsystem::Chronicle* chronicle = nullptr);
 
 }  // namespace panicle::bunch

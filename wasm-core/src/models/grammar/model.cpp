@@ -12,6 +12,7 @@
 #include "models/grammar/neighbours.hpp"
 #include "models/grammar/parameters.generated.hpp"
 #include "models/grammar/sketch.hpp"
+#include "plant/chronicle.hpp"
 #include "plant/plain.hpp"
 #include "plant/values.hpp"
 
@@ -30,6 +31,7 @@ struct Asked {
   std::span<const float> parameters;
   lsystem::Inputs inputs;
   bool meshes = true, sky = false, mesh_fingerprint = false, string = false;
+  std::optional<lsystem::ChronicleAsked> chronicle;
 };
 
 // A name a line, and as many values.
@@ -56,6 +58,9 @@ Result<Asked> read(Request& request) {
   if (request.has("steps")) asked.steps = request.word("steps");
   asked.parameters = request.floats("parameters");
   if (Diagnostic trouble = read_constants(request, asked.inputs); trouble.reason != Reason::none) return trouble;
+  auto chronicle = read_chronicle(request);
+  if (!chronicle) return chronicle.error();
+  asked.chronicle = chronicle.value();
   return asked;
 }
 
@@ -95,6 +100,16 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
     if (!grown[area])
       plant.notes.push_back("Nothing grows in area " + std::to_string(area) +
                             ": the main branch does not come there. Lead it through, or change the areas' order.");
+}
+
+// The derivation told, of a plant whose last string has so many modules.
+Diagnostic tell(Plant& plant, const lsystem::Bound& bound, const Asked& asked, const Limits& limits,
+                const lsystem::Surroundings& around, std::uint64_t modules) {
+  const auto chronicle = lsystem::chronicle(bound, asked.seed, asked.steps, limits, around, *asked.chronicle);
+  if (!chronicle) return chronicle.error();
+  if (chronicle->counts().back() != modules) plant.notes.push_back(cut_short(chronicle.value()));
+  add_chronicle(plant, chronicle.value());
+  return {};
 }
 
 Result<Plant> grow(Request& request, const Limits& given) {
@@ -138,6 +153,10 @@ Result<Plant> grow(Request& request, const Limits& given) {
                   {"organs", count(plant.organs.size())},
                   {"polygons", count(sketch.polygons.all.size())}};
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
+  if (asked->chronicle) {
+    const Diagnostic trouble = tell(plant, *bound.value(), asked.value(), limits, around, lsystem::length(string));
+    if (trouble.reason != Reason::none) return trouble;
+  }
   if (asked->string) plant.columns.add("string", lsystem::to_text(*program.value(), string));
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
   for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), asked->inputs.scalars, asked->steps))

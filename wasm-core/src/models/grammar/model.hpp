@@ -6,7 +6,7 @@
 //   constants.names    text: names of the text's `#define`s and `#input`s, a line each
 //   constants.values   float32: one a name
 //   areas.…, path      volumes that a text may ask for, and places of its main branch (areas.hpp)
-//   outputs            `string` besides everyone's: the derived string as text
+//   outputs            `string` besides everyone's: the derived string as text; `chronicle`: how it was derived
 //
 // Columns of a plant besides everyone's (boundary/panicle.h):
 //   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0
@@ -14,6 +14,7 @@
 //   segments.area, segments.main     uint8 each, where the text declares their role (belonging.hpp): the growth area,
 //                                    from 1, and whether it is the main branch's
 //   string                           text, where it is asked for: it reads back as an axiom
+//   chronicle.…                      where it is asked for: how it was derived (plant/chronicle.hpp)
 // Counts: modules (of the last string), steps (that were taken), segments, organs, polygons. Tags: stem; ball, polygon
 // and the names of surfaces.hpp.
 // Meshes: `stems` (segment: uint32 a vertex; colour: uint8 a run; a run a colour), and where there are such: `blades`

@@ -25,7 +25,7 @@ export interface RequestOptions {
 	passing?: boolean;
 	/** Whether it is wanted how much of the sky the meshes' vertices see; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
-	/** Steps of the derivation; as the text says where absent. */
+	/** Of the derivation; the text's own by default. */
 	steps?: number;
 	/** Which step of the derivation is to be told; the default is none. */
 	chronicle?: ChronicleAsked;
@@ -45,7 +45,6 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		meshFingerprint = false,
 		stemSides = 0,
 		berrySegments = 0,
-		steps,
 		chronicle,
 	} = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
@@ -77,7 +76,7 @@ export function encodeRequest(specimen: Specimen, options: RequestOptions = {}):
 		{ name: "stem_sides", data: words("stemSides", [stemSides]) },
 		{ name: "berry_segments", data: words("berrySegments", [berrySegments]) },
 	];
-	if (steps !== undefined) blocks.push({ name: "steps", data: words("steps", [steps]) });
+	if (options.steps !== undefined) blocks.push({ name: "steps", data: words("steps", [options.steps]) });
 	if (chronicle) blocks.push(...chronicleBlocks(chronicle));
 	if (meshes && hasLeaves(specimen)) blocks.push(...caneLeafBlocks());
 	if (inputs?.m !== undefined) blocks.push({ name: "m", data: Int32Array.of(whole("m", inputs.m)) });

@@ -26,8 +26,8 @@ export function encodeGrammar(specimen: GrammarSpecimen, options: RequestOptions
 		string && "string",
 		chronicle && "chronicle",
 	];
-	const { model, seed, parameters, constants } = specimen;
-	const { steps = specimen.steps } = options;
+	const { model, seed, parameters, constants, steps: own } = specimen;
+	const { steps = own } = options;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
 	const names = Object.keys(constants);

@@ -59,6 +59,7 @@ std::vector<Flower> flowers_of(std::span<const Internode> internodes, std::span<
     flower.id = ids[i];
     flower.bunch = i < second_from ? 0 : 1;
     flower.address = addresses[i];
+    flower.module = i < second_from ? balls[i].module : no_module;
     flower.heading = balls[i].heading;
     flower.axis = internodes[bearer].axis;
     flower.depth = depths[bearer];

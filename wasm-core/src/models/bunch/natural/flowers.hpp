@@ -21,7 +21,8 @@ struct Flower {
   std::int32_t depth = 0;       // internodes from the root to it
   std::int32_t onward = 0;      // those of them that an end structure went on in: along an axis of second order
   std::int32_t place = 0;       // among the flowers of its end structure
-  float strength = 1;           // 0 … 1: how far what bears it has grown; the radius that the text gives to S
+  std::uint32_t module = no_module;
+  float strength = 1;  // 0 … 1: how far what bears it has grown; the radius that the text gives to S
 };
 
 // The internode at which an organ begins that is drawn in several.

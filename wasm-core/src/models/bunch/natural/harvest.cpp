@@ -11,10 +11,10 @@ namespace {
 
 constexpr float seat_depth = 0.96f;  // of a berry's half length, from its centre to where the pedicel ends
 
-void add(Harvest& harvest, std::uint32_t flower, std::uint32_t id, std::int32_t place, const BerryBody& body) {
+void add(Harvest& harvest, std::uint32_t flower, const Flower& of, std::int32_t place, const BerryBody& body) {
   const float ball = body.half_width * cube_root(body.half_length / body.half_width);
   harvest.berries.push_back(
-      {body.centre * metres_per_millimetre, ball * metres_per_millimetre, body.direction, place, id});
+      {body.centre * metres_per_millimetre, ball * metres_per_millimetre, body.direction, place, of.id, of.module});
   harvest.bodies.push_back(body);
   harvest.flowers.push_back(flower);
 }
@@ -48,7 +48,7 @@ Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, 
       harvest.thinned.push_back(
           {flower.id, swollen.lost[k], swollen.ends[crop.berries[k].branch] * metres_per_millimetre});
     else
-      add(harvest, fruitlet.flower, flower.id, place_of(flower),
+      add(harvest, fruitlet.flower, flower, place_of(flower),
           {swollen.centres[k], swollen.directions[k], crop.half_width(k, size), crop.half_length(k, size), 0,
            flower.id});
   }
@@ -58,7 +58,7 @@ Harvest harvest(const Crop& crop, const Sprout& sprout, const Hanging& hanging, 
     if (outcomes[i].fate == Fate::flower) {
       const std::int32_t place = place_of(flower);
       const glm::vec3 end = bent.internodes[static_cast<std::size_t>(place)].end / metres_per_millimetre;
-      add(harvest, i, flower.id, place, {end + flower.heading * half, flower.heading, half, half, 0, flower.id});
+      add(harvest, i, flower, place, {end + flower.heading * half, flower.heading, half, half, 0, flower.id});
     } else if (outcomes[i].fate == Fate::fallen) {
       const std::int32_t from = hanging.stalk_from[static_cast<std::size_t>(flower.bearer)];
       const Internode& first = sprout.internodes[static_cast<std::size_t>(from < 0 ? flower.bearer : from)];

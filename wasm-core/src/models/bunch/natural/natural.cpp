@@ -178,6 +178,31 @@ void remark_crop(const Crop& crop, const Wish& wish, std::size_t flowers, std::v
                     " found room; smaller berries or a larger profile leave room for more.");
 }
 
+std::string_view fate_of(Why why) {
+  switch (why) {
+    case Why::not_set:
+      return "; its flower did not set, for more flowers than berries were wanted";
+    case Why::no_room:
+      return "; its berry was pressed harder than berries can be, and withered";
+    case Why::outside:
+      return "; its berry could not be kept within the outline, and withered";
+    case Why::by_hand:
+      return "; its berry was taken off by hand";
+  }
+  return {};
+}
+
+// What has become of the flowers, told of the modules that bore them.
+void tell_fates(lsystem::Chronicle& chronicle, std::span<const Flower> flowers, const Harvest& hung) {
+  for (const Berry& berry : hung.berries)
+    if (berry.module != no_module) chronicle.add_answer(berry.module, "; what it bears is there");
+  for (const Thinned& one : hung.thinned) {
+    const auto flower =
+        std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });
+    if (flower != flowers.end() && flower->module != no_module) chronicle.add_answer(flower->module, fate_of(one.why));
+  }
+}
+
 }  // namespace
 
 Diagnostic grow_natural(const Request& request, const Values& values, const Limits& limits, Grown& grown) {
@@ -201,6 +226,10 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
   const Season season{values[age], values[sunlight], values[vigour], values[seeds]};
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 
+  if (bunch.chronicle) {
+    tell_fates(*bunch.chronicle, flowers, hung);
+    grown.chronicle = std::move(bunch.chronicle);
+  }
   grown.profile = bunch.profile;
   grown.plan = make_plan(values.profile());
   if (bunch.plans.size() > 1) grown.second = make_plan(scaled(values.profile(), values[wing]));

@@ -150,10 +150,17 @@ class Sower {
     stock->stance = {stance.lean, stance.side, stance.foot / values_[Parameter::unit]};
     if (first) remark_text(*stock->bound, values_, "natural", heeded_by_plan, notes);
     std::vector<std::string> said;
-    drawing.begin(*stock->bound, roles_of(*program_, first ? notes : said), stock->first_axis);
+    drawing.begin(*stock->bound, roles_of(*program_, first ? notes : said), !first, stock->first_axis);
     sprout.bounds.push_back({seedling->plan.envelope, stance});
     sprout.plans.push_back(std::move(seedling->plan));
-    const Diagnostic trouble = interpret(stock.value(), limits_, drawing);
+    if (first) {
+      auto told = tell(stock.value(), request_, limits_);
+      if (!told) return told.error();
+      sprout.chronicle = std::move(told.value());
+    }
+    lsystem::Chronicle* const chronicle = first && sprout.chronicle ? &*sprout.chronicle : nullptr;
+    drawing.tell(chronicle);
+    const Diagnostic trouble = interpret(stock.value(), limits_, drawing, chronicle);
     return trouble.reason == Reason::none ? drawing.trouble() : trouble;
   }
 

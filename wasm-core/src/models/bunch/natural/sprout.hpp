@@ -1,6 +1,7 @@
 // Grammar → a bunch in flower: the skeleton as the text has it, nobody in anybody's way yet.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Sprout {
   std::vector<Internode> internodes;  // parents first; millimetres
   std::vector<Flower> flowers;
   std::int32_t second_root = -1;  // the internode that the second bunch begins with
+  std::optional<lsystem::Chronicle> chronicle;
 };
 
 // Plans each bunch with the constants of the text, so that both lay the same nodes; where flowers are counted on, also

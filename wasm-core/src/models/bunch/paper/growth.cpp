@@ -1,14 +1,20 @@
 #include "models/bunch/paper/growth.hpp"
 
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
 #include "foundation/random.hpp"
+#include "lsystem/number_text.hpp"
 
 namespace panicle::bunch {
 
 Growth::Growth(const InteractionOptions& options, const Limits& limits, float largest)
     : SkeletonDrawing(limits), options_(options), structure_(largest) {}
 
-void Growth::begin(const lsystem::Bound& text, const Roles& roles, std::uint64_t seed, std::int32_t first_axis) {
-  SkeletonDrawing::begin(text, roles, first_axis);
+void Growth::begin(const lsystem::Bound& text, const Roles& roles, bool second, std::uint64_t seed,
+                   std::int32_t first_axis) {
+  SkeletonDrawing::begin(text, roles, second, first_axis);
   constants_.narrowing = lsystem::constant(text, "r_w", 1);
   constants_.withered_length = lsystem::constant(text, "l_w", 10);
   constants_.berry_radius = lsystem::constant(text, "b_r", 0);
@@ -36,10 +42,14 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
   const Laid* const laid = find_laid(lineage.address);
   const bool rachis = is_rachis(lineage.parent_symbol);
   Room room;
-  if (laid)
+  std::string why;
+  if (laid) {
     room = laid->room;
-  else if ((!laying_ || rachis) && within(structure_.spheres().size(), limits().spheres, "spheres"))
-    room = find_room(structure_, turtle, newborn(question, turtle, parameters, lineage.address), options_);
+  } else if ((!laying_ || rachis) && within(structure_.spheres().size(), limits().spheres, "spheres")) {
+    const Newborn asking = newborn(question, turtle, parameters, lineage.address);
+    room = find_room(structure_, turtle, asking, options_);
+    if (tells(lineage)) why = told(room, asking);
+  }
   parameters[question.slots.theta] = room.theta;
   if (question.slots.phi) parameters[question.slots.phi] = room.phi;
   tip_of_ = lineage.address;
@@ -47,6 +57,7 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
   if (!laying_ && !room.found) refused_ = true;
   if (room.found) {
     const std::uint32_t sphere = laid ? laid->tip : structure_.add(room.sphere);
+    if (!laid && sphere != SphereGrid::no_sphere) owners_.push_back({lineage.module, question.pedicel, second()});
     if (!question.pedicel) tip_ = sphere;
     if (laying_) laid_.push_back({seed_, lineage.address, room, sphere});
   } else if (question.pedicel) {
@@ -56,7 +67,41 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
     if (!laying_) ++cuts;
     rachis_cut |= rachis;
   }
-  return {question.pedicel, question.pedicel && !room.found, question.width};
+  return {question.pedicel, question.pedicel && !room.found, question.width, std::move(why)};
+}
+
+namespace {
+
+std::string in_hundredths(float value) { return lsystem::number_text(std::floor(value * 100 + 0.5f) / 100); }
+
+}  // namespace
+
+// What overlaps a probe the most, and by how much.
+std::string Growth::in_the_way(const Sphere& probe, std::uint32_t except) const {
+  const std::span<const Sphere> spheres = structure_.spheres();
+  std::uint32_t deepest = SphereGrid::no_sphere;
+  float depth = 0;
+  for (std::uint32_t i = 0; i < spheres.size(); ++i) {
+    const float overlap = probe.radius + spheres[i].radius - glm::distance(probe.centre, spheres[i].centre);
+    if (i == except || !(overlap > depth)) continue;
+    depth = overlap;
+    deepest = i;
+  }
+  if (deepest == SphereGrid::no_sphere) return {};
+  const Owner& owner = owners_[deepest];
+  return std::string(owner.berry ? "the berry" : "the internode") +
+         (owner.second ? " of the second bunch" : " of module " + std::to_string(owner.module)) + " by " +
+         in_hundredths(depth);
+}
+
+std::string Growth::told(const Room& room, const Newborn& newborn) const {
+  const std::string first = in_the_way(room.asked, newborn.parent);
+  if (room.found && room.adjustments == 0) return "; there is room at once";
+  const std::string turned = in_hundredths(room.turned) + "° in " + std::to_string(room.adjustments) + " turns";
+  if (room.found) return "; there is room after " + turned + "; without them it overlaps " + first;
+  const std::string still = in_the_way(room.sphere, newborn.parent);
+  return "; no room after " + turned + (still.empty() ? "" : ": it still overlaps " + still) +
+         (newborn.pedicel ? ", and it withers" : ", and it is cut");
 }
 
 void Growth::end_laying() {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "environment/sphere_grid.hpp"
@@ -17,8 +18,9 @@ class Growth final : public SkeletonDrawing {
   // `largest` bounds the radius of all spheres.
   Growth(const InteractionOptions& options, const Limits& limits, float largest);
 
-  // The next interpretation's text and seed; its first-order axes count on from `first_axis`.
-  void begin(const lsystem::Bound& text, const Roles& roles, std::uint64_t seed, std::int32_t first_axis);
+  // The next interpretation's text and seed, of the first bunch or the second; its first-order axes count on from
+  // `first_axis`.
+  void begin(const lsystem::Bound& text, const Roles& roles, bool second, std::uint64_t seed, std::int32_t first_axis);
 
   // Between the two, an interpretation lays its rachis and nothing else: it takes its room, and the same text
   // interpreted later finds it again. What grows in between has to make way.
@@ -55,6 +57,8 @@ class Growth final : public SkeletonDrawing {
   Newborn newborn(const Question& question, const lsystem::Turtle& turtle, std::span<const float> parameters,
                   std::uint64_t address) const;
   const Laid* find_laid(std::uint64_t address) const;
+  std::string told(const Room& room, const Newborn& newborn) const;
+  std::string in_the_way(const Sphere& probe, std::uint32_t except) const;
 
   InteractionOptions options_;
   SphereGrid structure_;
@@ -62,6 +66,12 @@ class Growth final : public SkeletonDrawing {
   std::uint64_t seed_ = 0;
   bool laying_ = false, refused_ = false;
   std::vector<Laid> laid_;
+  // Of each sphere of the structure: which module asked for it, and whether for a berry.
+  struct Owner {
+    std::uint32_t module = 0;
+    bool berry = false, second = false;
+  };
+  std::vector<Owner> owners_;
   std::uint32_t tip_ = SphereGrid::no_sphere;  // that the last answer put at the end of what it draws, and whose it is
   std::uint64_t tip_of_ = 0;
   std::vector<std::uint32_t> tips_;  // per internode: the sphere at its tip, or none

@@ -40,11 +40,12 @@ class Search {
       if (push.contacts == 0) {
         const Pose free = adjustments == 0 ? posed(0, 0) : posed_towards(heading);
         push = probe(free.sphere);
-        if (push.contacts == 0) return room(sagged(free));
+        if (push.contacts == 0) return room(true, sagged(free), adjustments, turned);
         heading = free.heading;
       }
-      if (adjustments >= options_.tries) return {};
-      if (!newborn_.pedicel && turned >= options_.delta) return {};
+      const Pose last{0, 0, heading, sphere_towards(heading)};
+      if (adjustments >= options_.tries) return room(false, last, adjustments, turned);
+      if (!newborn_.pedicel && turned >= options_.delta) return room(false, last, adjustments, turned);
 
       // Equation 2: the push's parts along left and up, each times δ, are the turns; together they are one turn of
       // δ |F⊥| towards F⊥.
@@ -52,7 +53,7 @@ class Search {
       const float force = glm::length(push.force);
       if (way.strength <= 1e-3f * force) way = {across(heading, newborn_.tie).direction, force};
       const float turn = options_.delta * way.strength;
-      if (!(turn > 0)) return {};
+      if (!(turn > 0)) return room(false, last, adjustments, turned);
       turned += turn;
       heading = bent(heading, way.direction, turn);
     }
@@ -61,7 +62,9 @@ class Search {
  private:
   Push probe(const Sphere& sphere) const { return structure_.probe(sphere, newborn_.parent, newborn_.tie); }
 
-  static Room room(const Pose& pose) { return {true, pose.theta, pose.phi, pose.sphere}; }
+  Room room(bool found, const Pose& pose, std::uint32_t adjustments, float turned) const {
+    return {found, pose.theta, pose.phi, pose.sphere, sphere_towards(turtle_.heading), adjustments, turned};
+  }
 
   Sphere sphere_towards(const glm::vec3& heading) const {
     const float distance = newborn_.length + (newborn_.pedicel ? newborn_.radius : 0);

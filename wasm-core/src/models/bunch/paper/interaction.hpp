@@ -28,9 +28,12 @@ struct Newborn {
 // The answer: the turns +(θ)&(φ), in degrees, that lead to free space, and the sphere that stands there.
 struct Room {
   bool found = false;
-  float theta = 0;
+  float theta = 0;  // 0 where there is none
   float phi = 0;
   Sphere sphere;
+  Sphere asked;                   // where it would have stood without turning
+  std::uint32_t adjustments = 0;  // that it took, or had tried
+  float turned = 0;               // degrees in all
 };
 
 // Probes, turns towards the push and probes again until the newborn is free or has used up its adjustments; then

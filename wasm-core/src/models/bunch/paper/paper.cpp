@@ -55,25 +55,28 @@ Result<Planned> plan_stocks(const Request& request, const Values& values, const 
 }
 
 // Interprets a bunch into the growth, among what stands there already.
-Diagnostic grow_stock(const Stock& stock, const Roles& roles, const Limits& limits, Growth& growth) {
-  growth.begin(*stock.bound, roles, stock.seed, stock.first_axis);
-  const Diagnostic trouble = interpret(stock, limits, growth);
+Diagnostic grow_stock(const Stock& stock, const Roles& roles, const Limits& limits, Growth& growth, bool second,
+                      lsystem::Chronicle* chronicle = nullptr) {
+  growth.begin(*stock.bound, roles, second, stock.seed, stock.first_axis);
+  const Diagnostic trouble = interpret(stock, limits, growth, chronicle);
   return trouble.reason == Reason::none ? growth.trouble() : trouble;
 }
 
 // The second bunch's rachis is laid first, for it would find no way through the first's berries; the berries of both
 // come later, as in nature. `second_from` becomes the number of the second's first berry.
 Diagnostic grow_stocks(const Planned& planned, const Roles& roles, const Limits& limits, Growth& growth,
-                       std::size_t& second_from) {
+                       lsystem::Chronicle* chronicle, std::size_t& second_from) {
   Diagnostic trouble;
   if (planned.second) {
     growth.begin_laying();
-    trouble = grow_stock(*planned.second, roles, limits, growth);
+    trouble = grow_stock(*planned.second, roles, limits, growth, true);
     growth.end_laying();
   }
-  if (trouble.reason == Reason::none) trouble = grow_stock(planned.first, roles, limits, growth);
+  growth.tell(chronicle);
+  if (trouble.reason == Reason::none) trouble = grow_stock(planned.first, roles, limits, growth, false, chronicle);
   second_from = growth.borne();
-  if (trouble.reason == Reason::none && planned.second) trouble = grow_stock(*planned.second, roles, limits, growth);
+  if (trouble.reason == Reason::none && planned.second)
+    trouble = grow_stock(*planned.second, roles, limits, growth, true);
   return trouble;
 }
 
@@ -94,7 +97,8 @@ std::vector<Berry> berries_of(std::span<const Ball> balls, std::size_t second_fr
   std::vector<Berry> berries;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const Ball& ball = balls[i];
-    berries.push_back({ball.centre * scale, ball.radius * scale, ball.heading, ball.segment, ids[i]});
+    berries.push_back({ball.centre * scale, ball.radius * scale, ball.heading, ball.segment, ids[i],
+                       i < second_from ? ball.module : no_module});
   }
   return berries;
 }
@@ -131,8 +135,12 @@ Diagnostic grow_paper(const Request& request, const Values& values, const Limits
 
   const InteractionOptions interaction{values[delta], static_cast<std::uint32_t>(values[t]), values[sag]};
   Growth growth(interaction, limits, std::max(values[rmin], values[rmax]));
+  auto told = tell(planned->first, request, limits);
+  if (!told) return told.error();
+  grown.chronicle = std::move(told.value());
+  lsystem::Chronicle* const chronicle = grown.chronicle ? &*grown.chronicle : nullptr;
   std::size_t second_from = 0;
-  const Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, second_from);
+  const Diagnostic trouble = grow_stocks(planned.value(), roles, limits, growth, chronicle, second_from);
   if (trouble.reason != Reason::none) return trouble;
   const std::uint32_t loose = growth.finish();
 
