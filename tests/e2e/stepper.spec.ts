@@ -28,8 +28,10 @@ class StepperPage extends StudioPage {
 		return this.slider("Step");
 	}
 
-	async steps(search: string): Promise<this> {
+	/** @param text of a plant in place of the link's */
+	async steps(search: string, text?: string): Promise<this> {
 		await this.open(search);
+		if (text !== undefined) await this.regrown(() => this.drop("own.lsys", Buffer.from(text)));
 		await this.button("Grammar").click();
 		await this.button("Steps").click();
 		await expect(this.modules.first()).toBeVisible();
@@ -157,8 +159,7 @@ test("a mistake in the text leaves the string; a change derives anew", async ({ 
 	await studio.reads("aba");
 	await studio.text.locator(".cm-line", { hasText: /^axiom/ }).click();
 	await page.keyboard.press("End");
-	await page.keyboard.type(" [");
-	await page.keyboard.press("Delete"); // The bracket that is closed by itself.
+	await page.keyboard.type(" )");
 	await expect(page.locator(".pane-told").getByRole("button", { name: /^Line 9/ })).toBeVisible();
 	await studio.reads("aba");
 	await page.keyboard.press("Backspace");
@@ -199,19 +200,27 @@ test.describe("in the view", () => {
 	test.use({ drawn: true, viewport: { width: 1000, height: 700 } });
 
 	test("the chosen module shines, and what is clicked there is chosen in the string", async ({ page }) => {
-		const studio = await new StepperPage(page).steps(ALGAE);
+		const text = "derivation length: 2\naxiom: A\nA --> B C\nB --> F\nC --> F [ +(60) F ] F\n";
+		const studio = await new StepperPage(page).steps("?v=2&model=grammar", text);
 		await studio.stands();
+		await studio.reads("FF[+(60)F]F");
 		const plain = await studio.shining();
-		await studio.modules.nth(30).click();
+		await studio.modules.nth(4).click();
 		await page.mouse.move(5, 5);
-		await expect.poll(async () => (await studio.shining()).count).toBeGreaterThan(plain.count + 30);
+		await expect.poll(async () => (await studio.shining()).count).toBeGreaterThan(plain.count + 60);
 		const { x, y } = await studio.shining();
 		await studio.modules.first().click();
 		await expect(studio.chosen).toHaveAttribute("aria-posinset", "1");
 		await page.mouse.click(x, y);
-		await expect(studio.chosen).toHaveAttribute("aria-posinset", /^(30|31|32)$/);
-		await page.mouse.move(x, y - 1);
-		await expect(studio.string.locator(".pointed")).toHaveCount(1);
+		await expect(studio.chosen).toHaveAttribute("aria-posinset", "5");
+		await page.mouse.move(x + 1, y);
+		await expect(studio.string.locator(".pointed")).toHaveText("F");
+		// In the step before it was not there yet: what it descends from is found, and all that comes of that shines.
+		await studio.button("Show the plant as it was after the step").click();
+		await studio.step.fill("1");
+		await studio.reads("BC");
+		await page.mouse.click(x, y);
+		await expect(studio.chosen).toHaveText("C");
 	});
 
 	test("the plant is shown as it was after the step, and the whole again where that is not wanted", async ({

@@ -11,6 +11,7 @@ import {
 	countInWords,
 	fateOf,
 	moduleInWords,
+	piecesOf,
 	stepInWords,
 	valuesInWords,
 } from "./told_module";
@@ -131,19 +132,29 @@ export class Stepper extends ControlElement<GrammarDesk> {
 			html`<button class="button quiet" type="button" aria-disabled=${off} @click=${() => off || press()}>${arrow} ${words}</button>`;
 		const values = valuesInWords(module);
 		return html`<header>
-				<code>${module.text}</code>
+				<code title=${module.text}>${module.text}</code>
 				<span>${(chosen + 1).toLocaleString("en-GB")} of ${counts[step].toLocaleString("en-GB")}</span>
 				${walk("Parent", "↑", () => derivation.up(), parent === undefined || step === 0)}
 				${walk("Children", "↓", () => derivation.down(), step === last || children.count === 0)}
 			</header>
 			${
 				answer
-					? html`<p class="told-answer">${answerInWords(answer)} ${this.#next(derivation)}${answer.words ? html`<b>${answer.words}</b>` : nothing}</p>`
+					? html`<p class="told-answer">${answerInWords(answer)}. ${this.#next(derivation)}${this.#why(answer.words)}</p>`
 					: nothing
 			}
 			${production ? html`<p>Written by ${line(production)}.</p>` : nothing}
-			<p>${fires ? html`Rewritten next by ${line(fires)}${values ? html` with <code>${values}</code>` : nothing}${chance ? html`, ${chanceInWords(chance)}` : nothing}. ` : nothing}
+			<p>${fires ? html`Rewritten ${step === last ? "where it is drawn" : "next"} by ${line(fires)}${values ? html` with <code>${values}</code>` : nothing}${chance ? html`, ${chanceInWords(chance)}` : nothing}. ` : nothing}
 				${fateOf(module, step === last)}${derivation.bare ? " It draws nothing." : nothing}</p>`;
+	}
+
+	/** The environment's words; modules that it names can be gone to. */
+	#why(words: string | undefined): unknown {
+		if (!words) return nothing;
+		return html`<b>${piecesOf(words).map((piece) =>
+			typeof piece === "string"
+				? piece
+				: html`<button class="to-line" type="button" @click=${() => this.#derivation?.choose(piece)}>module ${piece + 1}</button>`,
+		)}.</b>`;
 	}
 
 	/** From question to question of those that the environment was asked, and round. */

@@ -33,6 +33,12 @@ export function answerInWords({ asked, answered }: ModuleAnswer): string {
 	return asked ? `Asked ${list(asked)} → answered ${list(answered)}` : `Was told ${list(answered)}`;
 }
 
+/** An answer's words in pieces: plain ones, and modules of the same string that they name, by index. */
+export function piecesOf(words: string): readonly (string | number)[] {
+	const said = words.charAt(0).toUpperCase() + words.slice(1);
+	return said.split(/\bmodule (\d+)/).map((piece, index) => (index % 2 === 1 ? Number(piece) : piece));
+}
+
 /** What becomes of it in the next step. */
 export function fateOf(
 	{ fires, children: { count } }: Pick<ToldModule, "fires" | "children">,
@@ -51,12 +57,21 @@ export function moduleInWords(module: ToldModule, isLast: boolean): string {
 	const used = values ? ` with ${values}` : "";
 	return [
 		production ? `Written by the production in line ${production.line}.` : "",
-		fires ? `Rewritten next by line ${fires.line}${used}${chance ? `, ${chanceInWords(chance)}` : ""}.` : "",
-		answer ? `${answerInWords(answer)}.${answer.words ? ` ${answer.words}.` : ""}` : "",
+		fires
+			? `Rewritten ${isLast ? "where it is drawn" : "next"} by line ${fires.line}${used}${chance ? `, ${chanceInWords(chance)}` : ""}.`
+			: "",
+		answer ? `${answerInWords(answer)}.${answer.words ? ` ${toldInWords(answer.words)}.` : ""}` : "",
 		fateOf(module, isLast),
 	]
 		.filter(Boolean)
 		.join(" ");
+}
+
+/** Modules are counted from 1 for people. */
+function toldInWords(words: string): string {
+	return piecesOf(words)
+		.map((piece) => (typeof piece === "number" ? `module ${piece + 1}` : piece))
+		.join("");
 }
 
 const short = (value: number) => String(Number(value.toPrecision(3)));
