@@ -52,8 +52,10 @@ describe("a module in words", () => {
 		expect(answerInWords({ asked: [], answered: ["1"] })).toBe("Asked nothing → answered 1");
 		expect(answerInWords({ answered: ["0", "1", "0"] })).toBe("Was told 0, 1, 0");
 		const { fires, production, chance, ...asked } = module;
-		const answer = { asked: ["1"], answered: ["0"], words: "no room" };
-		expect(moduleInWords({ ...asked, answer }, true)).toBe("Asked 1 → answered 0. no room. The derivation ends here.");
+		const answer = { asked: ["1"], answered: ["0"], words: "no room: it overlaps the berry of module 64 by 4.6" };
+		expect(moduleInWords({ ...asked, answer }, true)).toBe(
+			"Asked 1 → answered 0. No room: it overlaps the berry of module 65 by 4.6. The derivation ends here.",
+		);
 	});
 
 	it("is cut, stays, or leaves nothing", () => {

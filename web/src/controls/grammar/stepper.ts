@@ -5,6 +5,7 @@ import { DERIVATION } from "../derivation_tool";
 import { Derivation } from "./derivation";
 import type { StringEvents } from "./derived_string";
 import type { GrammarDesk } from "./source";
+import STYLE from "./steps.css?inline";
 import {
 	answerInWords,
 	chanceInWords,
@@ -17,7 +18,6 @@ import {
 } from "./told_module";
 import "./derived_string";
 import "./step_bar";
-import "./steps.css";
 
 /** A step stands so long while they are played, in milliseconds; longer where motion is unwelcome. */
 const STAND = 1100;
@@ -52,6 +52,11 @@ export class Stepper extends ControlElement<GrammarDesk> {
 	#derivation: Derivation | undefined;
 	#playing: ReturnType<typeof setTimeout> | undefined;
 	#told: readonly unknown[] = [];
+
+	override connectedCallback(): void {
+		super.connectedCallback();
+		dress();
+	}
 
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
@@ -240,6 +245,17 @@ export class Stepper extends ControlElement<GrammarDesk> {
 		this.#playing = undefined;
 		this.requestUpdate();
 	}
+}
+
+let dressed = false;
+
+/** Its styles come with it, as a constructed sheet, which the page's policy allows: they are no part of what is loaded first. */
+function dress(): void {
+	if (dressed) return;
+	dressed = true;
+	const sheet = new CSSStyleSheet();
+	sheet.replaceSync(STYLE);
+	document.adoptedStyleSheets.push(sheet);
 }
 
 customElements.define("panicle-stepper", Stepper);
