@@ -45,6 +45,20 @@ describe("--grammar", () => {
 		expect(await complaint(["grammar", "--string", "--out", "x.glb"])).toBe("--string: the string stands in JSON");
 	});
 
+	it("tells a step of the derivation where it is asked for", async () => {
+		const { json } = await grow(["--grammar", "g.lsys", "--chronicle", "1"], { "g.lsys": TEXT });
+		expect(json.chronicle.step).toBe(1);
+		expect(json.chronicle.modules.map(({ text }: { text: string }) => text)).toEqual(["F(2)", "A(1)"]);
+		const part = await grow(["--grammar", "g.lsys", "--chronicle", "2,1,1"], { "g.lsys": TEXT });
+		expect(part.json.chronicle).toMatchObject({ step: 2, first: 1, modules: [{ text: "F(2)" }] });
+		expect((await grow(["duku", "--chronicle", "0"])).json.chronicle.modules).toHaveLength(1);
+		expect(await complaint(["leaf", "--chronicle", "0"])).toBe("--chronicle: the leaf is not grown by a text");
+		const alone = "--chronicle: what is told of the derivation stands in JSON";
+		expect(await complaint(["grammar", "--chronicle", "0", "--out", "x.glb"])).toBe(alone);
+		for (const wrong of ["x", "", "1,", "1,2,3,4", "-1", "1,0,2001"])
+			expect(await complaint(["grammar", `--chronicle=${wrong}`])).toMatch(/a step, 0 or more/);
+	});
+
 	it("--set reaches the text's constants, steps and the table", async () => {
 		const call = ["--grammar", "g.lsys", "--set", "a=3", "--set", "steps=1", "--set", "unit=1000"];
 		const { json } = await grow(call, { "g.lsys": TEXT });

@@ -21,7 +21,7 @@ inline bunch::SkeletonDrawing drawn_text(std::string_view text) {
   const auto derived = lsystem::develop(*bound.value(), 1, {}, {});
   REQUIRE(derived);
   std::vector<std::string> notes;
-  drawing.begin(*bound.value(), bunch::roles_of(*program.value(), notes), 0);
+  drawing.begin(*bound.value(), bunch::roles_of(*program.value(), notes), false, 0);
   REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, drawing, 1, {}));
   return drawing;
 }

@@ -17,7 +17,7 @@ Growth grown_from(std::string_view text, float sag = 0) {
   REQUIRE(bound);
   const auto derived = lsystem::develop(*bound.value(), 1, {}, {});
   REQUIRE(derived);
-  growth.begin(*bound.value(), {}, 1, 0);
+  growth.begin(*bound.value(), {}, false, 1, 0);
   REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, growth, 1, {}));
   growth.finish();
   return growth;

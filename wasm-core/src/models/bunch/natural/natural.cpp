@@ -193,9 +193,11 @@ std::string_view fate_of(Why why) {
 }
 
 // What has become of the flowers, told of the modules that bore them.
-void tell_fates(lsystem::Chronicle& chronicle, std::span<const Flower> flowers, const Harvest& hung) {
-  for (const Berry& berry : hung.berries)
-    if (berry.module != no_module) chronicle.add_answer(berry.module, "; what it bears is there");
+void tell_fates(lsystem::Chronicle& chronicle, std::span<const Flower> flowers, const Crop& crop, const Harvest& hung) {
+  for (std::size_t k = 0; k < hung.berries.size(); ++k)
+    if (const std::uint32_t module = hung.berries[k].module; module != no_module)
+      chronicle.add_answer(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
+                                                                          : "; its flower does not set");
   for (const Thinned& one : hung.thinned) {
     const auto flower =
         std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });
@@ -227,7 +229,7 @@ Diagnostic grow_natural(const Request& request, const Values& values, const Limi
   grown.traits = ripen(hung, crop, flowers, situations, season, sunward, request.seed);
 
   if (bunch.chronicle) {
-    tell_fates(*bunch.chronicle, flowers, hung);
+    tell_fates(*bunch.chronicle, flowers, crop, hung);
     grown.chronicle = std::move(bunch.chronicle);
   }
   grown.profile = bunch.profile;

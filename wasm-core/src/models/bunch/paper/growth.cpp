@@ -72,36 +72,41 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
 
 namespace {
 
+// Of the radii of two spheres: as near as this they are no longer apart (environment/sphere_grid.hpp), rounding included.
+constexpr float touching = 2e-5f;
+
 std::string in_hundredths(float value) { return lsystem::number_text(std::floor(value * 100 + 0.5f) / 100); }
 
 }  // namespace
 
-// What overlaps a probe the most, and by how much.
+// What is in a probe's way the most: `touches the berry of module 12`, `overlaps … by 3.2`; nothing where nothing is.
 std::string Growth::in_the_way(const Sphere& probe, std::uint32_t except) const {
   const std::span<const Sphere> spheres = structure_.spheres();
-  std::uint32_t deepest = SphereGrid::no_sphere;
-  float depth = 0;
+  std::uint32_t nearest = SphereGrid::no_sphere;
+  float depth = 0, most = 0;
   for (std::uint32_t i = 0; i < spheres.size(); ++i) {
-    const float overlap = probe.radius + spheres[i].radius - glm::distance(probe.centre, spheres[i].centre);
-    if (i == except || !(overlap > depth)) continue;
+    const float sum = probe.radius + spheres[i].radius;
+    const float overlap = sum - glm::distance(probe.centre, spheres[i].centre);
+    if (i == except || !(overlap + touching * sum > most)) continue;
+    most = overlap + touching * sum;
     depth = overlap;
-    deepest = i;
+    nearest = i;
   }
-  if (deepest == SphereGrid::no_sphere) return {};
-  const Owner& owner = owners_[deepest];
-  return std::string(owner.berry ? "the berry" : "the internode") +
-         (owner.second ? " of the second bunch" : " of module " + std::to_string(owner.module)) + " by " +
-         in_hundredths(depth);
+  if (nearest == SphereGrid::no_sphere) return {};
+  const Owner& owner = owners_[nearest];
+  const std::string whose = std::string(owner.berry ? "the berry" : "the internode") +
+                            (owner.second ? " of the second bunch" : " of module " + std::to_string(owner.module));
+  return depth < 0.005f ? "touches " + whose : "overlaps " + whose + " by " + in_hundredths(depth);
 }
 
 std::string Growth::told(const Room& room, const Newborn& newborn) const {
-  const std::string first = in_the_way(room.asked, newborn.parent);
   if (room.found && room.adjustments == 0) return "; there is room at once";
-  const std::string turned = in_hundredths(room.turned) + "° in " + std::to_string(room.adjustments) + " turns";
-  if (room.found) return "; there is room after " + turned + "; without them it overlaps " + first;
-  const std::string still = in_the_way(room.sphere, newborn.parent);
-  return "; no room after " + turned + (still.empty() ? "" : ": it still overlaps " + still) +
-         (newborn.pedicel ? ", and it withers" : ", and it is cut");
+  const std::string turned = in_hundredths(room.turned) + "° in " + std::to_string(room.adjustments) +
+                             (room.adjustments == 1 ? " turn" : " turns");
+  const std::string way = in_the_way(room.found ? room.asked : room.sphere, newborn.parent);
+  if (room.found) return "; there is room after " + turned + (way.empty() ? "" : "; straight on it " + way);
+  return "; no room after " + turned + (way.empty() ? "" : ": it still " + way) +
+         (newborn.pedicel ? ", and withers" : ", and is cut");
 }
 
 void Growth::end_laying() {
