@@ -1,7 +1,7 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
  * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- topiary` all but those clipped to areas, `npm run bench
- * -- browser` all but the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
+ * -- browser` all but the page, `-- page [FOLDER]` all but texts in the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
  */
 import { join } from "node:path";
 import { runnerImport } from "vite";
@@ -11,6 +11,7 @@ import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel }
 import { benchFrame } from "./frame.mjs";
 import { benchGrammar } from "./grammar.mjs";
 import { benchNatural } from "./natural.mjs";
+import { benchPage } from "./page.mjs";
 import { benchParticles } from "./particles.mjs";
 import { peerModules } from "./peer.mjs";
 import { benchService } from "./service.mjs";
@@ -57,6 +58,7 @@ if (only === undefined || only === "topiary") await benchTopiaries({ core, sourc
 if (only === undefined || only === "grammar") await benchGrammar({ core, source });
 if (only === undefined || only === "service") await benchService();
 if (only === undefined || only === "browser") await benchBrowser();
+if (only === undefined || only === "page") await benchPage(named[0]);
 if (only === undefined || only === "frame") await benchFrame(named[0]);
 if (only === undefined || only === "watching") await benchWatching(named);
 

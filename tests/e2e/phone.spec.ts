@@ -1,19 +1,7 @@
-import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
-import { StudioPage } from "./studio_page";
+import { StudioPage, touchDrag } from "./studio_page";
 
 test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
-
-async function touchDrag(page: Page, from: { x: number; y: number }, dx: number, dy: number): Promise<void> {
-	const session = await page.context().newCDPSession(page);
-	const touch = (type: "touchStart" | "touchMove" | "touchEnd", points: { x: number; y: number }[]) =>
-		session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
-	await touch("touchStart", [from]);
-	for (let step = 1; step <= 5; step++) {
-		await touch("touchMove", [{ x: from.x + (dx * step) / 5, y: from.y + (dy * step) / 5 }]);
-	}
-	await touch("touchEnd", []);
-}
 
 test.describe("to the eye", () => {
 	test.use({ drawn: true });

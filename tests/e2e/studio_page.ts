@@ -162,3 +162,15 @@ export class StudioPage {
 		});
 	}
 }
+
+/** Drags a finger across the page, in pixels. */
+export async function touchDrag(page: Page, from: { x: number; y: number }, dx: number, dy: number): Promise<void> {
+	const session = await page.context().newCDPSession(page);
+	const touch = (type: "touchStart" | "touchMove" | "touchEnd", points: { x: number; y: number }[]) =>
+		session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+	await touch("touchStart", [from]);
+	for (let step = 1; step <= 5; step++) {
+		await touch("touchMove", [{ x: from.x + (dx * step) / 5, y: from.y + (dy * step) / 5 }]);
+	}
+	await touch("touchEnd", []);
+}

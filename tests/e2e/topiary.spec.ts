@@ -1,6 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
-import { StudioPage } from "./studio_page";
+import { StudioPage, touchDrag } from "./studio_page";
 
 /** With few and large leaves, which is soon grown. */
 const open = async (page: Page, more = "") => {
@@ -53,12 +53,24 @@ test("areas come, change places and go in the panel, by numbers, and from a file
 	await studio.button("Remove the area").click();
 	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box"]);
 
-	const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
-	await page.getByLabel("A closed mesh as a growth area").setInputFiles({
-		name: "tetrahedron.obj",
-		mimeType: "model/obj",
-		buffer: Buffer.from(tetrahedron),
+	const corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+	const facets = [
+		[0, 2, 1],
+		[0, 1, 3],
+		[0, 3, 2],
+		[1, 2, 3],
+	].map((facet) => facet.map((k) => `vertex ${corners[k]}`));
+	const stlOf = (some: typeof facets) =>
+		`solid\n${some.map((facet) => `facet normal 0 0 0\nouter loop\n${facet.join("\n")}\nendloop\nendfacet`).join("\n")}\nendsolid\n`;
+	const file = (some: typeof facets) => ({
+		name: "tetrahedron.stl",
+		mimeType: "model/stl",
+		buffer: Buffer.from(stlOf(some)),
 	});
+	const chooser = page.getByLabel("A closed mesh as a growth area");
+	await chooser.setInputFiles(file(facets.slice(1)));
+	await expect(studio.notices).toContainText("The mesh is not closed: 3 of its edges");
+	await chooser.setInputFiles(file(facets));
 	await expect(list.getByRole("button")).toHaveText(["Area 1, a box", "Area 2, a box", "Area 3, a mesh"]);
 	await expect(studio.notices).toContainText("The mesh is a growth area now");
 });
@@ -85,3 +97,48 @@ test("the main branch is drawn over the picture, and led back from middle to mid
 	await studio.button("From middle to middle").click();
 	await expect(studio.fingerprint).toHaveText(before ?? "");
 });
+
+for (const [width, height, hasTouch] of [
+	[1440, 900, false],
+	[720, 450, false],
+	[390, 844, true],
+] as const) {
+	test.describe(`at ${width} × ${height}`, () => {
+		test.use({ viewport: { width, height }, hasTouch });
+
+		test("a handle is dragged and stepped by keys: each one step to undo, and the link brings the plant back", async ({
+			page,
+		}) => {
+			const studio = await open(page);
+			const before = (await studio.fingerprint.textContent()) ?? "";
+			await studio.button("Handles of growth areas").click();
+			const second = page.getByRole("button", { name: /^Area 2, a box: / });
+			await expect(second).toBeInViewport({ ratio: 1 });
+			const from = await middleOf(second);
+			if (hasTouch) await touchDrag(page, from, 24, -12);
+			else {
+				await page.mouse.move(from.x, from.y);
+				await page.mouse.down();
+				await page.mouse.move(from.x + 24, from.y - 12, { steps: 5 });
+				await page.mouse.up();
+			}
+			await expect(second).not.toHaveAccessibleName("Area 2, a box: x 0.00, y 2.00, z 0.00");
+			await expect(studio.fingerprint).not.toHaveText(before);
+			await page.keyboard.press("Control+z");
+			await expect(studio.fingerprint).toHaveText(before);
+			await expect(studio.button("Undo")).toBeDisabled();
+			const dragged = await studio.regrown(() => page.keyboard.press("Control+Shift+z"));
+
+			await second.focus();
+			await studio.regrown(() => page.keyboard.press("ArrowUp"));
+			await page.keyboard.press("Control+z");
+			await expect(studio.fingerprint).toHaveText(dragged);
+			await expect.poll(() => areasIn(page)).not.toBe("");
+			const link = await page.evaluate(() => location.href);
+			expect(link).toContain("areas=");
+			await page.goto("about:blank");
+			await page.goto(link);
+			await expect(studio.fingerprint).toHaveText(dragged);
+		});
+	});
+}

@@ -58,9 +58,13 @@ type Mode = "through" | "trap" | "silence";
 /** Lets a test answer in the worker's place. */
 async function wiretap(page: Page, mode: Mode = "through"): Promise<void> {
 	await page.addInitScript((first) => {
-		const tap = { mode: first, started: 0 };
+		const tap = { mode: first, started: 0, ended: 0 };
 		Object.assign(globalThis, { tap });
-		const { postMessage } = Worker.prototype;
+		const { postMessage, terminate } = Worker.prototype;
+		Worker.prototype.terminate = function (this: Worker) {
+			tap.ended++;
+			terminate.call(this);
+		};
 		Worker.prototype.postMessage = function (this: Worker, ...args: unknown[]) {
 			const message = args[0] as { type: string; id: number };
 			if (message.type === "start") tap.started++;
@@ -80,6 +84,9 @@ const setMode = (page: Page, mode: Mode) =>
 		(globalThis as unknown as { tap: { mode: string } }).tap.mode = next;
 	}, mode);
 
+/** How many workers the page has ended. */
+const ended = (page: Page) => page.evaluate(() => (globalThis as unknown as { tap: { ended: number } }).tap.ended);
+
 test("a worker that traps is replaced; the last bunch stays meanwhile", async ({ page }) => {
 	await wiretap(page);
 	const studio = await new StudioPage(page).open("?preset=short-conical");
@@ -95,19 +102,50 @@ test("a worker that traps is replaced; the last bunch stays meanwhile", async ({
 	).toBeGreaterThan(1);
 });
 
-test("a long growth says so and can be cancelled", async ({ page }) => {
+test("a long growth says so and can be cancelled, by its button and by Escape", async ({ page }) => {
 	await wiretap(page);
 	const studio = await new StudioPage(page).open("?preset=short-conical");
 	const first = await studio.fingerprint.innerText();
+	const growing = page.getByRole("progressbar", { name: "Growing" });
 	await setMode(page, "silence");
-	await studio.slider("Length").press("PageDown");
-	await expect(page.getByRole("progressbar", { name: "Growing" })).toBeVisible();
-	await studio.button("Cancel").click();
-	await expect(page.getByRole("progressbar", { name: "Growing" })).toBeHidden();
-	await expect(studio.notices).toContainText("Growing was cancelled");
-	await expect(studio.fingerprint).toHaveText(first);
+	for (const cancel of [() => studio.button("Cancel").click(), () => page.keyboard.press("Escape")]) {
+		await studio.slider("Length").press("PageDown");
+		await expect(growing).toBeVisible();
+		await cancel();
+		await expect(growing).toBeHidden();
+		await expect(studio.notices).toContainText("Growing was cancelled");
+		await studio.button("Dismiss").click();
+		await expect(studio.fingerprint).toHaveText(first);
+	}
+	expect(await ended(page)).toBeGreaterThan(1);
 	await setMode(page, "through");
 	await studio.regrown(() => studio.slider("Length").press("PageDown"));
+});
+
+test("what takes long to grow from a text is ended by Escape, which stays in the text, and by the next character", async ({
+	page,
+}) => {
+	await wiretap(page);
+	const studio = await new StudioPage(page).open("?model=grammar&preset=koch-curve-a");
+	const first = await studio.fingerprint.innerText();
+	const growing = page.getByRole("progressbar", { name: "Growing" });
+	await studio.button("Grammar").click();
+	const text = page.getByRole("textbox", { name: "Grammar", exact: true });
+	await text.press("Control+End");
+	await setMode(page, "silence");
+	await page.keyboard.type(" ");
+	await expect(growing).toBeVisible();
+	await page.keyboard.press("Escape");
+	await expect(growing).toBeHidden();
+	await expect(text).toBeFocused();
+	expect(await ended(page)).toBe(1);
+	await page.keyboard.type(" ");
+	await expect(growing).toBeVisible();
+	await setMode(page, "through");
+	await page.keyboard.type("F");
+	await expect.poll(() => ended(page)).toBeGreaterThan(1);
+	await expect(growing).toBeHidden();
+	await expect(studio.fingerprint).not.toHaveText(first);
 });
 
 test.describe("to the eye", () => {

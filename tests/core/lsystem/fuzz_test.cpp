@@ -138,7 +138,9 @@ const std::vector<std::string> pool = {"A",
                                        "@v",
                                        "@M(0,1,2)",
                                        "@D(2)",
-                                       "@Ts(0.3)",
+                                       "@Ts(0,0.3)",
+                                       "@Di(2)",
+                                       "\nIterations: 3\n",
                                        "<(30)",
                                        "\n?E(x) : x>0 --> A(x) ?E(x) "};
 

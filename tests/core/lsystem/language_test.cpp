@@ -26,12 +26,16 @@ class Whole : public Recorder {
     modules.push_back(lineage.module);
   }
   void ball(const Turtle&, float radius, const Lineage&) override { balls.push_back(radius); }
-  void disc(const Turtle&, float radius, const Lineage&) override { discs.push_back(radius); }
+  void disc(const Turtle& turtle, float radius, const Lineage&) override {
+    discs.push_back(radius);
+    facing.push_back(turtle.heading);
+  }
   void note(std::string_view sentence) override { notes.emplace_back(sentence); }
 
   std::vector<Polygon> polygons;
   std::vector<std::uint32_t> modules;
   std::vector<float> balls, discs;
+  std::vector<glm::vec3> facing;  // of discs
   std::string surfaces;
   std::vector<std::string> notes;
 };
@@ -128,7 +132,7 @@ TEST_CASE("lines bend towards the tropism") {
   const Whole bent = heard("#turtle cpfg\ntropism: 0, -1, 0, 0.3\naxiom: +(90) F F");
   is_at(bent.lines[0].after.position, -1, 0, 0);
   is_at(bent.lines[1].after.position, -1 - std::cos(0.3f), -std::sin(0.3f), 0);
-  const Whole same = heard(cpfg + "@Tp(0,-1,0) T(0.3) +(90) F F @Ts(0) F F");
+  const Whole same = heard(cpfg + "@Ts(0,0.3) @Ts(1,9) +(90) F F @Ts(0,0) F F");
   is_at(same.lines[1].after.position, -1 - std::cos(0.3f), -std::sin(0.3f), 0);
   CHECK(same.lines[2].after.heading == same.lines[3].after.heading);
   is_at(end_of("#turtle cpfg\ntropism: 0, -1, 0, 0.3\naxiom: F F F"), 0, 3, 0);
@@ -145,9 +149,11 @@ TEST_CASE("the turtle can be levelled, moved, headed and made larger") {
   const Turtle headed = heard(cpfg + "@R(1,0,0,0,1,1) F").lines[0].after;
   is_at(headed.up, 0, 0.70710678f, 0.70710678f);
   is_at(glm::cross(headed.heading, headed.left), headed.up.x, headed.up.y, headed.up.z);
-  is_at(end_of(cpfg + "[@D(3) F F] @D(2) F @D(2) F"), 0, 6, 0);
-  CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[1].after.width == 3);
-  CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[0].after.width == 6);
+  // @D says the size, @Di and @Dd change it; widths stay.
+  is_at(end_of(cpfg + "[@D(3) F F] @D(2) F @D(2) F @D(1) F"), 0, 5, 0);
+  is_at(end_of(cpfg + "@D(2) F @Di(3) F @Dd(4) F @Dd(0) F"), 0, 2 + 6 + 1.5f + 1.5f, 0);
+  CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[1].after.width == 1);
+  CHECK(heard(cpfg + "!(2) @D(3) F !(1) F").lines[0].after.width == 2);
 }
 
 TEST_CASE("polygons are told with their corners, whatever brackets do") {
@@ -177,6 +183,9 @@ TEST_CASE("surfaces, balls, discs and colours") {
   const Whole round = heard(cpfg + "@O(3) @o(2) @c @O(0)");
   CHECK(round.balls == std::vector<float>{1.5f});
   CHECK(round.discs == std::vector<float>{1, 0.5f});
+  // @o lies across the heading; @c in its plane, and that of the left axis.
+  is_at(round.facing[0], 0, 1, 0);
+  is_at(round.facing[1], 0, 0, 1);
   CHECK(after("axiom: ~leaf(2)\n~leaf(s) : s>1 --> ~leaf(s-1) A", 2) == "~leaf(1)A");
 }
 
@@ -273,6 +282,15 @@ TEST_CASE("questions to the turtle are answered after each step, for contexts to
   CHECK(located("#turtle cpfg\naxiom: ?P(0,0,0) A ?P(0,0,0)\nA --> F(4)\n?P(x,y,z) : y>1 --> *", 2) == "?P(0,0,0)F(4)");
   // Where what is drawn moves the turtle, it counts.
   CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> F(5)", 0) == "A?P(0,5,0)");
+  // So it does where only some of it is in branches, and where it changes what lines after it do.
+  CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> [ +(90) F(2) ~leaf(1) ] '", 0) == "A?P(0,0,0)");
+  CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nA --> [ F(2) ] F(3) [ F ]", 0) == "A?P(0,3,0)");
+  CHECK(located(cpfg + "A F ?P(0,0,0)\nhomomorphism\nA --> [ F(2) ] @D(3)", 0) == "A F?P(0,3,0)");
+  CHECK(located(cpfg + "A ?P(0,0,0)\nhomomorphism\nmaximum depth: 2\nA --> [ F(2) ] B\nB --> F(4)", 0) == "A?P(0,4,0)");
+  // An open polygon, in which lines do not bend.
+  const std::string bends = "#turtle cpfg\ntropism: 1, 0, 0, 1\naxiom: A F(1) F(1) ?P(0,0,0)\nhomomorphism\n";
+  CHECK(located(bends + "A --> [ F ]", 0) != "A F(1)F(1)?P(0,2,0)");
+  CHECK(located(bends + "A --> [ { ]", 0) == "A F(1)F(1)?P(0,2,0)");
 }
 
 TEST_CASE("the space answers bound and reach") {

@@ -21,7 +21,6 @@ const Mistake mistakes[] = {
     {"«ω: A\nA --> B", "axiom:"},
     {"«ω : A\nA --> B", "axiom:"},
     {"«w: A\nA --> B", "axiom:"},
-    {"«Axiom: A\nA --> B", "axiom:"},
     {"«axiom A\nA --> B", "axiom:"},
     {"«start: A\nA --> B", "axiom:"},
     {"axiom: A\nA «-> B", "-->"},
@@ -48,6 +47,17 @@ const Mistake mistakes[] = {
     {"«derivation length 5\naxiom: A\nA --> B", "derivation length:"},
     {"«δ = 90\naxiom: A\nA --> B", "angle increment:"},
     {"«angle: 25.7\naxiom: A\nA --> B", "angle increment:"},
+    {"axiom: A\nA --> B\n«iterations: 5", "derivation length:"},
+    {"axiom: A\nA --> B\n«n: 3", "derivation length:"},
+    {"axiom: A\nA(n) --> B(n)\n«n: 3", "derivation length:"},
+    {"axiom: A\nA --> B\n«step: 10", "belongs to no statement"},
+    {"axiom: A\nA --> B\n«my own words: 10", "belongs to no statement"},
+    {"axiom: A\n«angle 60\nA --> B", "angle increment:"},
+    {"axiom: A\nA --> F F\n«decomposition warnings", "goes on with the string"},
+    {"homomorphism: «warnings\naxiom: A\nA --> B", "warnings"},
+    {"#define in«(x,y) x\naxiom: A\nA --> B", "no parameters"},
+    {"axiom: A\nA(n) «A(m) --> B", "one module"},
+    {"axiom: «?(2,0.5) A", "one word|?leaf(0.5)"},
     {"#«ignore +-F\naxiom: A\nA --> B", "ignore:"},
     {"#«include H\naxiom: A\nA --> B", "include"},
     {"#define R «= 1.456\naxiom: A\nA --> B", "="},
@@ -98,6 +108,20 @@ std::string told(const std::string& text) {
 }
 
 }  // namespace
+
+TEST_CASE("words of statements are known in either case, as in cpfg") {
+  const std::string text =
+      "Angle Increment: 25\nIgnore: F\nDerivation Length: 2\nAxiom: A\nA --> F A\nHomomorphism\nMaximum Depth: 2\nA "
+      "--> "
+      "f\nEndLsystem";
+  CHECK(told(text) == "");
+}
+
+TEST_CASE("a successor goes on in the next line, its weight with it") {
+  for (const char* text : {"axiom: A\nA -->\nB A : 0.3", "axiom: A\nA --> F\nB: 0.3\nB --> A",
+                           "axiom: A B\nA --> F\n  B: 0.3", "axiom: A\nA --> F\nF: 2", "axiom:\nA\nA --> Bud\nBud"})
+    CHECK(told(text) == "");
+}
 
 TEST_CASE("mistakes that people make are told at their place, with what to write instead") {
   for (const Mistake& mistake : mistakes) {

@@ -40,8 +40,6 @@ TEST_CASE("symbols that look like the turtle's and are not its are told once, at
         "2:7 F1 is one symbol of its own and draws nothing; write F(1).|"
         "2:12 f20 is one symbol of its own and draws nothing; write f(20).|"
         "2:21 S2 is one symbol of its own and draws nothing; write S(2).");
-  CHECK(remarked("axiom: T(0.2) F T") ==
-        "1:8 T draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.");
   CHECK(
       remarked("axiom: G(1) g(2)") ==
       "1:8 G draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
@@ -96,12 +94,12 @@ TEST_CASE("a remark is written with its place where it has one") {
 }
 
 TEST_CASE("remarks stand in the order of the text") {
-  CHECK(remarked("axiom: !\nA --> T\n  F3\nS --> A").find("1:8 !") == 0);
-  const std::string all = remarked("axiom: !\nA --> T\n  F3\nS --> A");
-  CHECK(all.find("2:7 T") < all.find("3:3 F3"));
+  CHECK(remarked("axiom: !\nA --> G(1)\n  F3\nS --> A").find("1:8 !") == 0);
+  const std::string all = remarked("axiom: !\nA --> G(1)\n  F3\nS --> A");
+  CHECK(all.find("2:7 G") < all.find("3:3 F3"));
   CHECK(all.find("3:3 F3") < all.find("4:1 S"));
-  CHECK(remarked("A --> T !\naxiom: ! G(1)\nB --> F3 T") ==
-        "1:7 T draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
+  CHECK(remarked("A --> g(1) !\naxiom: ! G(1)\nB --> F3 g(1)") ==
+        "1:7 g draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
         "2:8 ! without an argument sets the width to 1; in cpfg it narrows the lines: write !(w).|"
         "2:10 G draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.|"
         "3:7 F3 is one symbol of its own and draws nothing; write F(3).");

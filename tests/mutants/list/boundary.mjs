@@ -82,6 +82,30 @@ export default [
 		],
 	},
 	{
+		file: "web/src/controls/mesh_file/stl.ts",
+		suites: ["tests/web/controls/mesh_file/mesh_file.test.ts"],
+		faults: [
+			{
+				id: "stl-lies-on-its-back",
+				find: "points.push(x, z, -y);",
+				replace: "points.push(x, y, z);",
+				breaks: "what was printed upright is an area that lies",
+			},
+			{
+				id: "stl-solid-is-text",
+				find: "if (count > 0 && bytes",
+				replace: "if (count < 0 && bytes",
+				breaks: "binary STLs hold no triangles",
+			},
+			{
+				id: "stl-normals-are-corners",
+				find: "12 * corner;",
+				replace: "12 * (corner - 1);",
+				breaks: "the first corner of every triangle is its normal",
+			},
+		],
+	},
+	{
 		file: "web/src/controls/mesh_file/glb.ts",
 		suites: ["tests/web/controls/mesh_file/mesh_file.test.ts"],
 		faults: [

@@ -65,8 +65,122 @@ export default [
 			{
 				id: "dressing-half-turns",
 				find: "if (m[k][k] > m[i][i]) i = k;",
-				replace: "",
+				replace: ";",
 				breaks: "what is turned by half a circle stands askew",
+			},
+			{
+				id: "dressing-never-coarse",
+				find: "habit.coarse && segments.size() >= many_in_passing",
+				replace: "false",
+				breaks: "a character typed beside 10,000 segments takes four times as long",
+			},
+			{
+				id: "dressing-few-coarse",
+				find: "habit.coarse && segments.size() >= many_in_passing",
+				replace: "habit.coarse",
+				breaks: "a small plant has pentagons for stems while it is dragged",
+			},
+		],
+	},
+	{
+		file: `${WEB}/models/grammar/request.ts`,
+		suites: ["tests/web/models/grammar/grown.test.ts"],
+		faults: [
+			{
+				id: "grammar-fine-in-passing",
+				find: '\t\tpassing && "coarse",\n',
+				replace: "",
+				breaks: "a step of a drag brings meshes that only a plant at rest needs",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/plate.cpp`,
+		suites: [`${TESTS}/models/grammar/plate_test.cpp`],
+		faults: [
+			{
+				id: "plate-thin-at-bends",
+				find: "std::min(areas[corner] / length, most_mitre)",
+				replace: "std::min(0.98f, most_mitre)",
+				breaks: "bent blades are thinner than said",
+			},
+			{
+				id: "plate-walls-within",
+				find: "place[used[i]] = place[used[k]];",
+				replace: "place[used[i]] = used[i];",
+				breaks: "a slit in a blade has two walls in it",
+			},
+			{
+				id: "plate-walls-inside-out",
+				find: "put(mesh.indices, top, low, far_low);",
+				replace: "put(mesh.indices, top, far_low, low);",
+				breaks: "half of a blade's edge is seen from within",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/blades.cpp`,
+		suites: [`${TESTS}/models/grammar/plate_test.cpp`],
+		faults: [
+			{
+				id: "blades-organ-by-order",
+				find: "organ.push_back(polygon.borne);",
+				replace: "organ.push_back(static_cast<std::uint32_t>(organ.size()));",
+				breaks: "another polygon lights up than the one that is pointed at",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/measures/axes.cpp`,
+		suites: [`${TESTS}/models/grammar/measures_test.cpp`],
+		faults: [
+			{
+				id: "axes-without-lines",
+				find: "if (line > before && !drawn.back()) {",
+				replace: "if (!drawn.back()) {",
+				breaks: "brackets that only bear leaves count as axes",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/measures/clothing.cpp`,
+		suites: [`${TESTS}/models/grammar/measures_test.cpp`],
+		faults: [
+			{
+				id: "clothing-of-one-length",
+				find: "<= leaves_[i].length * leaves_[i].length;",
+				replace: "<= leaves_[0].length * leaves_[0].length;",
+				breaks: "small leaves clothe as far as large ones",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/measures/measures.cpp`,
+		suites: [`${TESTS}/models/grammar/measures_test.cpp`],
+		faults: [
+			{
+				id: "measures-balls-are-points",
+				find: "organ.tag == ball_tag ? std::fabs(organ.scale) : 0",
+				replace: "0.0f",
+				breaks: "what ends in a ball is measured to its middle",
+			},
+			{
+				id: "measures-petals-are-leaves",
+				find: '.material == "blade";',
+				replace: '.material != "skin";',
+				breaks: "a rose's petals are leaf area",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/areas.cpp`,
+		suites: [`${TESTS}/models/grammar/measures_test.cpp`],
+		faults: [
+			{
+				id: "areas-size-in-metres",
+				find: "std::max({extent.x, extent.y, extent.z}) / metres",
+				replace: "std::max({extent.x, extent.y, extent.z})",
+				breaks: "leaves of a topiary in millimetres are a thousandth as long",
 			},
 		],
 	},

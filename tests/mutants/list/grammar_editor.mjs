@@ -69,4 +69,46 @@ export default [
 			},
 		],
 	},
+	{
+		file: `${SRC}/editor.ts`,
+		suites: ["tests/e2e/editor.spec.ts: words are found"],
+		faults: [
+			{
+				id: "grammar-editor-search-unknown",
+				find: "\t\t\t\t\tfinding,\n",
+				replace: "",
+				breaks: "Ctrl and F opens nothing",
+			},
+		],
+	},
+	{
+		file: `${SRC}/typing_room.ts`,
+		suites: ["tests/e2e/editor.spec.ts: the keyboard covers no line"],
+		faults: [
+			{
+				id: "grammar-editor-under-the-keyboard",
+				find: 'root.toggleAttribute("data-keyboard", now);',
+				replace: "",
+				breaks: "a phone's keyboard covers the line that is typed in",
+			},
+		],
+	},
+	{
+		file: `${SRC}/grammar_pane.ts`,
+		suites: ["tests/e2e/trouble.spec.ts: what takes long to grow from a text"],
+		faults: [
+			{
+				id: "grammar-editor-escape-leaves-what-grows",
+				find: "if (this.desk.state.growing) this.desk.cancel();\n\t\telse",
+				replace: "",
+				breaks: "Escape in the text leaves it while a million modules go on growing",
+			},
+			{
+				id: "grammar-editor-next-character-waits",
+				find: "if (desk.state.growing) desk.cancel();",
+				replace: "",
+				breaks: "the next character waits until a million modules of the text before have grown",
+			},
+		],
+	},
 ];

@@ -31,8 +31,8 @@ export default [
 		faults: [
 			{
 				id: "machine-weights-unheeded",
-				find: "if (left < 0) break;",
-				replace: "break;",
+				find: "i < range.end && left >= 0; ++i",
+				replace: "i < range.end && drawn == nullptr; ++i",
 				breaks: "the first of several weighted productions is always taken",
 			},
 			{
@@ -44,14 +44,38 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/lsystem/machine.cpp`,
+		suites: [`${TESTS}/lsystem/contexts_test.cpp`],
+		faults: [
+			{
+				id: "machine-neighbours-of-another",
+				find: "  if (drawn != nullptr && drawn != tried && drawn->in_context) sees(*drawn);",
+				replace: "",
+				breaks: "a production that chance has chosen reads the neighbours of one that was tried after it",
+			},
+		],
+	},
+	{
 		file: `${SRC}/lsystem/neighbourhood.cpp`,
 		suites: [`${TESTS}/lsystem/contexts_test.cpp`],
 		faults: [
 			{
 				id: "neighbourhood-branch-not-left",
-				find: "path_length_ = open_.data()[--open_count_];",
-				replace: "--open_count_;",
+				find: "      last = there[1];",
+				replace: "",
 				breaks: "what stands in a branch is taken for the way to what stands behind it",
+			},
+			{
+				id: "neighbourhood-branch-hides",
+				find: "untold = there[2];",
+				replace: "untold = none;",
+				breaks: "what is behind a branch is not seen from before it",
+			},
+			{
+				id: "neighbourhood-one-before",
+				find: "if (i > wanted.begin) place = before_.data()[place];",
+				replace: "",
+				breaks: "of several modules on the left each is looked for right before the module",
 			},
 			{
 				id: "neighbourhood-one-branch",
@@ -71,6 +95,24 @@ export default [
 				find: "at += words_of(*at), ++looked)",
 				replace: "at += words_of(*at))",
 				breaks: "what looks in vain costs nothing",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lsystem/silence.cpp`,
+		suites: [`${TESTS}/lsystem/language_test.cpp`],
+		faults: [
+			{
+				id: "language-images-lead-nowhere",
+				find: "(open == 0 && means(symbol, leads_on))",
+				replace: "false",
+				breaks: "?P does not know of what is drawn in the place of a module before it",
+			},
+			{
+				id: "language-images-close-polygons",
+				find: "has_image(symbol) || means(symbol, draws_polygons) ||",
+				replace: "has_image(symbol) ||",
+				breaks: "?P does not know of a polygon that a module before it has opened",
 			},
 		],
 	},
@@ -98,8 +140,8 @@ export default [
 		faults: [
 			{
 				id: "language-shallow-decomposition",
-				find: "depth < bound_.depths[0] ?",
-				replace: "depth < 1 ?",
+				find: "depth < bound_.depths[0] &&",
+				replace: "depth < 1 &&",
 				breaks: "decomposition goes no deeper than once",
 			},
 		],

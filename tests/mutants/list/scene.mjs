@@ -214,9 +214,27 @@ export default [
 		faults: [
 			{
 				id: "parts-indices-of-the-whole",
-				find: ".map((index) => index - firstVertex)",
-				replace: "",
+				find: "counted[i] = indices[i] - first;",
+				replace: "counted[i] = indices[i];",
 				breaks: "all but the first part of a mesh are drawn with vertices that are not theirs",
+			},
+			{
+				id: "parts-indices-copied",
+				find: "if (first === 0) return indices;",
+				replace: "",
+				breaks: "a plant of a million lines is copied at every step of a drag",
+			},
+		],
+	},
+	{
+		file: "web/src/scene/shell_figure.ts",
+		suites: ["tests/web/scene/shell_figure.test.ts"],
+		faults: [
+			{
+				id: "shell-edges-looked-for-again",
+				find: "if (before) return before;",
+				replace: "",
+				breaks: "each step of an area's drag looks for the edges of all areas, 20 ms of the page's thread",
 			},
 		],
 	},

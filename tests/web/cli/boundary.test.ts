@@ -34,7 +34,7 @@ describe("--boundary", () => {
 		const tree = (file: string, text: string, ...more: string[]) =>
 			complaint(["tree", "--boundary", file, ...more], { [file]: text });
 		expect(await complaint(["tree", "--boundary", "none.obj"])).toBe("--boundary none.obj: no such file or folder");
-		expect(await tree("m.stl", BOX)).toMatch(/^--boundary m\.stl: m\.stl is neither an OBJ nor a GLB/);
+		expect(await tree("m.ply", BOX)).toMatch(/^--boundary m\.ply: m\.ply is neither an OBJ nor a GLB nor an STL/);
 		expect(await tree("m.obj", "v 0 0 x")).toBe("--boundary m.obj: Line 1 of the OBJ has “x”, which is no number.");
 		expect(await tree("m.obj", BOX.replace("f 4 1 5 8", ""))).toMatch(/^--boundary m\.obj: The mesh is not closed: 4 /);
 		expect(await tree("m.obj", BOX, "--set", "shape=box")).toBe(

@@ -54,7 +54,7 @@ describe("a file brought to the page", () => {
 		expect(picture[0]).toMatch(/ Leaf: a picture of a leaf is traced\.$/);
 		const mesh = await (await brought(leafModel)).bring(new File(["v 0 0 0"], "cube.obj"));
 		expect(mesh[0]).toContain(
-			" Root: a closed mesh (OBJ, GLB) becomes the boundary. Tree: a closed mesh (OBJ, GLB) becomes the boundary.",
+			" Root: a closed mesh (OBJ, GLB, STL) becomes the boundary. Tree: a closed mesh (OBJ, GLB, STL) becomes the boundary.",
 		);
 		const notes = await (await brought(leafModel)).bring(new File(["?"], "notes.txt"));
 		expect(notes[0]).toMatch(/exported by Panicle\.$/);
@@ -62,8 +62,8 @@ describe("a file brought to the page", () => {
 
 	it("becomes a tree's boundary where it is a mesh; other kinds of mesh are told which ones do", async () => {
 		const { bring, studio } = await brought(treeModel);
-		expect(await bring(new File(["solid"], "ball.stl"))).toEqual([
-			expect.stringContaining("ball.stl is neither an OBJ nor a GLB: save the mesh as one of them."),
+		expect(await bring(new File(["ply"], "ball.ply"))).toEqual([
+			expect.stringContaining("ball.ply is neither an OBJ nor a GLB nor an STL: save the mesh as one of them."),
 		]);
 		expect(await bring(new File([[...BALL, ...FACES].join("\n")], "ball.obj"))).toEqual([
 			expect.stringMatching(/^The mesh is the boundary now/),

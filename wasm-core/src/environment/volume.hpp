@@ -26,6 +26,7 @@ class Volume {
   // `most`. Where the surface is met, what is told is less by a hundred-thousandth of the size, so that who goes there
   // is still inside, whatever it rounds; ways of a concave mesh end where they first leave it.
   float reach(const glm::vec3& from, const glm::vec3& way, float most) const;
+  const glm::vec3& centre() const { return centre_; }
 
  private:
   // Into its own frame: centred and not turned.

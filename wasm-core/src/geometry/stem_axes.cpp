@@ -92,7 +92,13 @@ class Finder {
       successor_[parent] = static_cast<std::int32_t>(i);
     }
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      if (alignment[i] < (children[i] == 1 ? cosine_of_only_child : cosine_of_fork)) successor_[i] = none;
+      if (successor_[i] == none) continue;
+      const bool corner = children[i] == 1 && alignment[i] < stems_.corner;
+      if (corner) {
+        corners_.resize(segments_.size());
+        corners_[i] = 1;
+      }
+      if (corner || alignment[i] < (children[i] == 1 ? cosine_of_only_child : cosine_of_fork)) successor_[i] = none;
     }
   }
 
@@ -129,8 +135,11 @@ class Finder {
       return;
     }
     const std::int32_t parent = parents_[first];
-    if (parent != none)
-      axis.origin = {true, successor_[parent] != none, directions_[parent], segments_[parent].radius_end};
+    const bool corner = parent != none && is_corner(parent);
+    axis.to_corner = is_corner(nodes.back().segment);
+    axis.origin.corner = corner;
+    if (parent != none && !corner)
+      axis.origin = {true, successor_[parent] != none, false, directions_[parent], segments_[parent].radius_end};
     for (std::uint32_t i = 0; i < axis.count; ++i) {
       Node& node = nodes[axis.first + i];
       node.radius = std::max(node.radius, result_.finest);
@@ -138,6 +147,8 @@ class Finder {
     bend(axis);
     result_.axes.push_back(axis);
   }
+
+  bool is_corner(std::int32_t segment) const { return !corners_.empty() && corners_[segment] != 0; }
 
   // Tangents: at a node between two segments the shorter one counts more (as in a Catmull–Rom curve over lengths);
   // a branch sets out leaning towards its bearer's direction, and the last segment ends straight.
@@ -159,6 +170,7 @@ class Finder {
   std::vector<std::int32_t> parents_;
   std::vector<glm::vec3> directions_;
   std::vector<std::int32_t> successor_;
+  std::vector<std::uint8_t> corners_;  // whether a line ends where the one that goes on begins at a corner
   StemAxes result_;
 };
 

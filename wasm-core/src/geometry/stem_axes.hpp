@@ -23,6 +23,7 @@ struct Node {
 struct Origin {
   bool attached = false;   // otherwise it begins in the open
   bool passing = false;    // the bearer goes on beyond
+  bool corner = false;     // it meets another there, end to end (Stems::corner)
   glm::vec3 direction{0};  // of the bearer, unit
   float radius = 0;        // of the bearer
 };
@@ -32,6 +33,7 @@ struct StemAxis {
   std::int32_t group = 0;  // that it belongs to (Stems::groups)
   std::uint32_t first = 0, count = 0;
   Origin origin;
+  bool to_corner = false;  // whether another goes on from it at a corner
 };
 
 struct StemAxes {

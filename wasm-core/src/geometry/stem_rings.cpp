@@ -194,8 +194,8 @@ void TubeMaker::make(const StemAxis& axis, Tube& tube) const {
   // A branch begins within its bearer, where a flat end is enough; in the open a cut end is nearly flat too.
   const Ring& first = rings[front];
   const Ring& last = rings[back - 1];
-  const float first_height = 0.3f * first.radius;
-  const float last_height = end_of(axis).height * last.radius;
+  const float first_height = (axis.origin.corner ? 1 : 0.3f) * first.radius;
+  const float last_height = (axis.to_corner ? 1 : end_of(axis).height) * last.radius;
   for (std::size_t i = 0; i < front; ++i) rings[i] = cap_ring(first, cap[front - 1 - i], -first_height);
   for (std::size_t i = 0; i < cap.size(); ++i) rings[back + i] = cap_ring(last, cap[i], last_height);
   tube.first_pole = first.centre - first.tangent * first_height;

@@ -91,7 +91,7 @@ float Thickness::end_factor(float from_end) const {
 // both there is no room beyond the bearer's own width.
 Section Thickness::collar(float radius, float from_start, float from_end) const {
   const float x = from_start * per_emergence_;
-  if (!origin_.attached) radius *= 1 + foot_spread * wide_hill(x);
+  if (!origin_.attached && !origin_.corner) radius *= 1 + foot_spread * wide_hill(x);
   if (!origin_.attached || x >= collar_end) return {radius, radius, 0, 0};
   const float fade = smooth(std::min(1.0f, from_end * per_end_radius_ * (1 / 1.5f)));
   const float lean = origin_.passing ? fade * smooth(std::max(0.0f, 1 - x / collar_end)) : 0;

@@ -1,6 +1,7 @@
 #include "lsystem/code.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 #include "foundation/mathematics.hpp"
@@ -59,13 +60,18 @@ float draw_normal(float mean, float deviation, const Sources& sources, std::uint
   return mean + deviation * std::sqrt(-2 * logarithm(1 - radius)) * sincos_degrees(360 * angle).cosine;
 }
 
-// Without a space everything is outside.
+// Without a space everything is outside. Productions that compete ask the same, one after the other: the last answer of
+// reach() is kept.
 float ask(const Sources& sources, Op op) {
   const std::array<float, most_handed_over>& of = sources.handed_over;
   if (sources.space == nullptr) return 0;
   const glm::vec3 place(of[0], of[1], of[2]);
   if (op == Op::bound) return sources.space->bound(place, of[3]) ? 1.0f : 0.0f;
-  return sources.space->reach(place, {of[3], of[4], of[5]}, of[6], of[7]);
+  if (!sources.reached || std::memcmp(&of, &sources.reached_for, sizeof of) != 0) {
+    sources.reached = sources.space->reach(place, {of[3], of[4], of[5]}, of[6], of[7]);
+    sources.reached_for = of;
+  }
+  return *sources.reached;
 }
 
 void read_element(const std::string& name, const std::vector<float>& array, float index, float& out,
@@ -81,6 +87,23 @@ void read_element(const std::string& name, const std::vector<float>& array, floa
   wrong += size == 0 ? " has no values." : sentence(" goes from 1 to %.", {std::to_string(size)});
 }
 
+// What can go wrong, apart from the rest: that would make room for what went wrong as well.
+[[gnu::noinline]] bool execute_fallible(const Code& code, std::uint32_t at, float* registers, const Sources& sources,
+                                        Diagnostic& fault) {
+  const Instruction& step = code.instructions[at];
+  const float a = registers[step.a];
+  float& out = registers[step.out];
+  std::string wrong;
+  if (step.op == Op::element) {
+    read_element(code.arrays[step.c], sources.arrays[step.c], a, out, wrong);
+  } else {
+    draw_whole(a, registers[step.b], sources, code.streams[step.c], out, wrong);
+  }
+  if (wrong.empty()) return true;
+  fault = error_at(Reason::evaluation, code.places[at], "%", {wrong});
+  return false;
+}
+
 }  // namespace
 
 bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sources& sources, Diagnostic& fault) {
@@ -88,37 +111,30 @@ bool execute_one(const Code& code, std::uint32_t at, float* registers, const Sou
   const float a = registers[step.a];
   const float b = registers[step.b];
   float& out = registers[step.out];
-  std::string wrong;
   switch (step.op) {
     case Op::element:
-      read_element(code.arrays[step.c], sources.arrays[step.c], a, out, wrong);
-      break;
+    case Op::random_whole:
+      return execute_fallible(code, at, registers, sources, fault);
     case Op::curve:
       out = code.curves[step.c].at(a);
-      break;
+      return true;
     case Op::hand_over:
       sources.handed_over[step.c] = a;
-      break;
+      return true;
     case Op::bound:
     case Op::reach:
       out = ask(sources, step.op);
-      break;
-    case Op::random_whole:
-      draw_whole(a, b, sources, code.streams[step.c], out, wrong);
-      break;
+      return true;
     case Op::random_real:
       out = a * random_unit(sources.seed, code.streams[step.c], sources.address);
-      break;
+      return true;
     case Op::random_normal:
       out = draw_normal(a, b, sources, code.streams[step.c]);
-      break;
+      return true;
     default:
       out = pure_functions[static_cast<std::size_t>(step.op) - first_pure](a, b);
-      break;
+      return true;
   }
-  if (wrong.empty()) return true;
-  fault = error_at(Reason::evaluation, code.places[at], "%", {wrong});
-  return false;
 }
 
 }  // namespace panicle::lsystem

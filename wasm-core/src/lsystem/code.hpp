@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,6 +59,8 @@ struct Sources {
   std::uint64_t address = 0;
   const Space* space = nullptr;
   mutable std::array<float, most_handed_over> handed_over{};
+  mutable std::array<float, most_handed_over> reached_for{};  // what reach() was last asked with
+  mutable std::optional<float> reached{};                     // and its answer
 };
 
 // One of the rarer instructions, from Op::remainder on. False when it went wrong; `fault` says how.

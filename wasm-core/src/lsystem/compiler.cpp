@@ -9,12 +9,12 @@
 #include "lsystem/parser.hpp"
 #include "lsystem/program.hpp"
 #include "lsystem/remarks.hpp"
+#include "lsystem/symbol_table.hpp"
 
 namespace panicle::lsystem {
 namespace {
 
 constexpr std::size_t most_symbols = 0xfff0;
-constexpr char unreachable[] = "\x1f";  // in a name that no text can have
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -51,7 +51,10 @@ bool needs_lineages(const Grammar& grammar) {
 class Compiler {
  public:
   Compiler(const Grammar& grammar, Lineages lineages)
-      : grammar_(grammar), program_(std::make_shared<Program>()), lowering_(program_->code) {
+      : grammar_(grammar),
+        program_(std::make_shared<Program>()),
+        lowering_(program_->code),
+        symbols_(grammar, *program_) {
     program_->notation = grammar.notation;
     for (const CurveTree& curve : grammar.curves) program_->code.curves.emplace_back(curve.points);
     program_->lineages = lineages == Lineages::always || needs_lineages(grammar);
@@ -105,84 +108,12 @@ class Compiler {
   }
 
   bool symbols() {
-    for (std::uint32_t i = 0; i < turtle_symbols.size(); ++i) {
-      const TurtleSymbol& turtle = turtle_symbols[i];
-      const bool known = !turtle.cpfg_only || grammar_.notation == Notation::cpfg;
-      add_symbol(known ? std::string(turtle.symbol) : std::string(turtle.symbol) + unreachable, turtle.symbol);
-      if (known) program_->meanings.back() = static_cast<std::uint8_t>(i);
-    }
-    for (const ModuleTree& module : grammar_.axiom) add_symbol(module.name, module.system);
-    for (const ProductionTree& production : grammar_.productions) {
-      const std::uint32_t predecessor = add_symbol(production.predecessor, production.system);
-      const std::uint64_t arity = std::uint64_t{1} << production.arity;
-      if (production.purpose == Purpose::derivation) {
-        if (rewritten_[predecessor] == 0) program_->predecessors.push_back(predecessor);
-        rewritten_[predecessor] |= arity;
-      }
-      written_for_[predecessor] |= arity;
-      for (const NeighbourTree& neighbour : production.left) add_symbol(neighbour.name, production.system);
-      for (const NeighbourTree& neighbour : production.right) add_symbol(neighbour.name, production.system);
-      for (const ModuleTree& module : production.successor) add_symbol(module.name, module.system);
-    }
-    yield();
+    symbols_.fill();
+    ordinals_.assign(program_->symbols.size(), 0);
     if (program_->symbols.size() > most_symbols)
       return fail(Reason::limit, grammar_.axiom.front().place, "The grammar has more than 65,520 symbols; use fewer.");
     return true;
   }
-
-  // Letters that cpfg does not know are the text's own where it rewrites them.
-  void yield() {
-    for (std::uint32_t symbol = 0; symbol < program_->symbols.size(); ++symbol) {
-      const TurtleSymbol* const turtle = program_->turtle(symbol);
-      if (turtle != nullptr && turtle->yields && is_rewritten(symbol) && grammar_.notation == Notation::cpfg)
-        program_->meanings[symbol] = no_meaning;
-    }
-  }
-
-  // A symbol of an L-system of its own is another than one that is written the same elsewhere; what holds strings
-  // together is the same everywhere.
-  std::string full_name(std::string_view name, std::uint32_t system) const {
-    static constexpr std::string_view everywhere = "[]%{}";
-    if (system == 0 || name[0] == '?' || everywhere.find(name) != std::string_view::npos) return std::string(name);
-    return std::string(name) + unreachable + std::to_string(system);
-  }
-  std::uint32_t number_of(std::string_view name, std::uint32_t system) const {
-    return system == 0 ? numbers_.find(name) : numbers_.find(full_name(name, system));
-  }
-  std::uint32_t add_symbol(std::string_view name, std::uint32_t system) {
-    return system == 0 ? add_symbol(name, name) : add_symbol(full_name(name, system), name);
-  }
-
-  std::uint32_t add_symbol(std::string_view full, std::string_view name) {
-    const std::uint32_t number = numbers_.add(full);
-    if (number == program_->symbols.size()) {
-      program_->symbols.emplace_back(name);
-      program_->meanings.push_back(meaning_of(name));
-      rewritten_.push_back(0);
-      written_for_.push_back(0);
-      ordinals_.push_back(0);
-    }
-    return number;
-  }
-
-  // What the turtle does at a symbol that is not its own by number: `~leaf`, `?leaf` or F of another L-system.
-  std::uint8_t meaning_of(std::string_view name) const {
-    if (name[0] == '~') return meaning_of_sign("~");
-    if (name[0] == '?' && numbers_.size() > turtle_symbols.size()) return meaning_of_sign("@D");
-    for (std::uint8_t i = 0; i < turtle_symbols.size() && numbers_.size() > turtle_symbols.size(); ++i)
-      if (turtle_symbols[i].symbol == name && (!turtle_symbols[i].cpfg_only || grammar_.notation == Notation::cpfg))
-        return i;
-    return no_meaning;
-  }
-  static std::uint8_t meaning_of_sign(std::string_view sign) {
-    std::uint8_t i = 0;
-    while (turtle_symbols[i].symbol != sign) ++i;
-    return i;
-  }
-
-  // By a production of whatever purpose.
-  bool is_rewritten(std::uint32_t symbol) const { return written_for_[symbol] != 0; }
-  bool is_turtles(std::uint32_t symbol) const { return program_->meanings[symbol] != no_meaning; }
 
   bool roles() {
     Roles& roles = program_->roles;
@@ -199,11 +130,11 @@ class Compiler {
 
   bool give_role(std::uint32_t role, const Named& symbol) {
     Roles& roles = program_->roles;
-    const std::uint32_t number = numbers_.find(symbol.name);
+    const std::uint32_t number = symbols_.find(symbol.name);
     if (number == Names::none)
       return fail(Reason::undefined, symbol.place,
                   "Neither the axiom nor a production has the symbol '%'; take it out of the role.", {symbol.name});
-    if (is_turtles(number))
+    if (symbols_.is_turtles(number))
       return fail(Reason::syntax, symbol.place,
                   "'%' is the turtle's and has no role; give one to the symbol that writes it.", {symbol.name});
     std::uint32_t& given = roles.of_symbol[number];
@@ -220,7 +151,7 @@ class Compiler {
     const bool consider = sight.kind == SightTree::Kind::consider;
     program_->passed_over.assign(program_->symbols.size(), consider);
     for (const Named& symbol : sight.symbols) {
-      const std::uint32_t number = numbers_.find(symbol.name);
+      const std::uint32_t number = symbols_.find(symbol.name);
       if (number == Names::none)
         return fail(Reason::undefined, symbol.place,
                     "Nothing in this text has the symbol '%'; take it out of the list, or put spaces between several.",
@@ -240,7 +171,7 @@ class Compiler {
   bool productions() {
     make_places();
     for (const ProductionTree& tree : grammar_.productions) {
-      const std::uint32_t predecessor = number_of(tree.predecessor, tree.system);
+      const std::uint32_t predecessor = symbols_.find(tree.predecessor, tree.system);
       if (!may_rewrite(tree, predecessor)) return false;
       Rules& rules = rules_of(tree.purpose)[predecessor];
       std::uint64_t key = rules.productions.size();
@@ -254,6 +185,7 @@ class Compiler {
       rules.in_context |= added.in_context;
       program_->in_context |= added.in_context;
       program_->looks_right |= added.right.size() > 0;
+      program_->looks_far_left |= added.left.size() > 1;
     }
     return true;
   }
@@ -269,7 +201,7 @@ class Compiler {
       const std::uint32_t begin = first;
       for (const ProductionTree& tree : grammar_.productions)
         if (static_cast<std::size_t>(tree.purpose) == purpose)
-          ++counts[number_of(tree.predecessor, tree.system)], ++first;
+          ++counts[symbols_.find(tree.predecessor, tree.system)], ++first;
       if (begin == first && purpose > 0) continue;
       std::uint32_t place = begin;
       for (const std::uint32_t count : counts) {
@@ -282,16 +214,13 @@ class Compiler {
   }
 
   bool production(const ProductionTree& tree, Production& production) {
-    production.predecessor = number_of(tree.predecessor, tree.system);
+    production.predecessor = symbols_.find(tree.predecessor, tree.system);
     production.place = tree.place;
     production.arity = tree.arity;
     std::uint32_t to = tree.arity;
     if (!context(tree, tree.left, production.left, to) || !context(tree, tree.right, production.right, to))
       return false;
-    production.in_context = production.left.size() + production.right.size() > 0;
-    if (production.left.size() > 0) production.nearest_left = program_->neighbours[production.left.end - 1].symbol;
-    if (production.right.size() > 0) production.nearest_right = program_->neighbours[production.right.begin].symbol;
-    if (production.nearest_right == push_symbol) production.nearest_right = no_symbol;
+    set_nearest(production);
     if (production.in_context && tree.purpose != Purpose::derivation)
       return fail(Reason::syntax, tree.place,
                   "Productions of a decomposition or homomorphism see no neighbours; take the context out.");
@@ -348,9 +277,9 @@ class Compiler {
       return fail(Reason::syntax, tree.place,
                   "?E is answered by the environment and has no context; let its neighbour look at it, A > ?E(x).");
     for (const NeighbourTree& neighbour : wanted) {
-      const std::uint32_t symbol = number_of(neighbour.name, tree.system);
-      if (is_turtles(symbol) && !takes(symbol, neighbour.arity, neighbour.place)) return false;
-      if (!stands_for_itself(neighbour.name, symbol)) return read_as_one(neighbour.name, neighbour.place);
+      const std::uint32_t symbol = symbols_.find(neighbour.name, tree.system);
+      if (symbols_.is_turtles(symbol) && !takes(symbol, neighbour.arity, neighbour.place)) return false;
+      if (!symbols_.stands_for_itself(neighbour.name, symbol)) return read_as_one(neighbour.name, neighbour.place);
       if (symbol == push_symbol) open.push_back(range.end);
       if (symbol == pop_symbol) {
         neighbours[open.back()].closed = range.end;
@@ -366,8 +295,22 @@ class Compiler {
     return true;
   }
 
+  void set_nearest(Production& production) const {
+    const std::vector<Neighbour>& neighbours = program_->neighbours;
+    const Range left = production.left, right = production.right;
+    production.in_context = left.size() + right.size() > 0;
+    production.looks_on = left.size() > 1 || right.size() > 1;
+    const auto kind = [&](const Neighbour& wanted) {
+      production.looks_on |= wanted.arity > 0;
+      return header_of(wanted.symbol, wanted.arity, 0);
+    };
+    if (left.size() > 0) production.nearest_left = kind(neighbours[left.end - 1]);
+    if (right.size() > 0 && neighbours[right.begin].symbol != push_symbol)
+      production.nearest_right = kind(neighbours[right.begin]);
+  }
+
   bool may_rewrite(const ProductionTree& tree, std::uint32_t predecessor) {
-    if (!is_turtles(predecessor)) return true;
+    if (!symbols_.is_turtles(predecessor)) return true;
     const Action action = turtle_symbols[program_->meanings[predecessor]].action;
     const bool holds = action == Action::push || action == Action::pop || action == Action::cut;
     if (holds || (tree.predecessor[0] == '?' && tree.purpose != Purpose::derivation))
@@ -426,7 +369,7 @@ class Compiler {
     if (!assign(block)) return false;
     for (const ModuleTree& tree : modules)
       if (!module(tree, answer)) return false;
-    for (const ModuleTree& tree : modules) ordinals_[number_of(tree.name, tree.system)] = 0;
+    for (const ModuleTree& tree : modules) ordinals_[symbols_.find(tree.name, tree.system)] = 0;
     result.modules = static_cast<std::uint32_t>(modules.size());
     result.words = static_cast<std::uint32_t>(program.words.size()) - first_;
     result.code.end = lowering_.here();
@@ -439,17 +382,17 @@ class Compiler {
 
   bool module(const ModuleTree& tree, bool answer) {
     Program& program = *program_;
-    const std::uint32_t symbol = number_of(tree.name, tree.system);
+    const std::uint32_t symbol = symbols_.find(tree.name, tree.system);
     const std::size_t count = tree.arguments.size();
-    if (is_turtles(symbol) && !takes(symbol, count, tree.place)) return false;
+    if (symbols_.is_turtles(symbol) && !takes(symbol, count, tree.place)) return false;
     program.locates |= program.asks_turtle(symbol);
     program.asks |= symbol == ask_symbol;
     if (answer && !drawable(tree, symbol)) return false;
-    if (!stands_for_itself(tree.name, symbol)) return read_as_one(tree.name, tree.place);
+    if (!symbols_.stands_for_itself(tree.name, symbol)) return read_as_one(tree.name, tree.place);
 
     const std::size_t at = program.words.size();
-    const bool active = symbol == cut_symbol || (rewritten_[symbol] >> count & 1) != 0;
-    const bool lineage = program.lineages && remembers(symbol);
+    const bool active = symbol == cut_symbol || symbols_.is_derived(symbol, count);
+    const bool lineage = program.lineages && symbols_.remembers(symbol);
     const std::size_t words = 1 + count + (lineage ? lineage_words : 0);
     program.words.push_back(header_of(symbol, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(words)));
     for (const Expression& argument : tree.arguments)
@@ -466,7 +409,7 @@ class Compiler {
 
   // An answer is drawn in place unless it is rewritten in the next of a given number of steps.
   bool drawable(const ModuleTree& tree, std::uint32_t symbol) {
-    if (is_turtles(symbol) && symbol != ask_symbol) return true;
+    if (symbols_.is_turtles(symbol) && symbol != ask_symbol) return true;
     Diagnostic& trouble = program_->not_drawable;
     if (trouble.reason == Reason::none)
       trouble = error_at(Reason::syntax, tree.place,
@@ -479,36 +422,6 @@ class Compiler {
     return between;
   }
 
-  // Modules whose lineage someone may ask for: those that write others, and those that listeners hear of.
-  bool remembers(std::uint32_t symbol) const {
-    if (is_rewritten(symbol)) return true;
-    if (!is_turtles(symbol)) return false;
-    switch (program_->turtle(symbol)->action) {
-      case Action::line:
-      case Action::line_apart:
-      case Action::sphere:
-      case Action::ball:
-      case Action::disc:
-      case Action::end_polygon:
-      case Action::surface:
-      case Action::ask:
-        return true;
-      default:
-        return false;
-    }
-  }
-
-  // `FF` or `AB` where F, A and B mean something and the whole does not: in cpfg two modules, here one that does
-  // nothing.
-  bool stands_for_itself(std::string_view name, std::uint32_t symbol) const {
-    if (is_turtles(symbol) || is_rewritten(symbol)) return true;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      const std::uint32_t letter = numbers_.find(name.substr(i, 1));
-      if (letter == Names::none || !(is_turtles(letter) || is_rewritten(letter))) return true;
-    }
-    return false;
-  }
-
   bool read_as_one(std::string_view name, const Place& place) {
     return fail(Reason::syntax, place, "'%' is read as one symbol, which nothing defines; put spaces between several.",
                 {name});
@@ -519,7 +432,8 @@ class Compiler {
     std::uint32_t source = 0;
     if (!take(lowering_.lower(expression), source)) return false;
     Demand demand = Demand::none;
-    if (is_turtles(symbol)) demand = program.turtle(symbol)->non_negative ? Demand::not_negative : Demand::finite;
+    if (symbols_.is_turtles(symbol))
+      demand = program.turtle(symbol)->non_negative ? Demand::not_negative : Demand::finite;
     Patch patch{static_cast<std::uint32_t>(program.words.size()) - first_, source, demand, symbol, expression.place};
     std::uint32_t word = 0;
     switch (lowering_.known(source)) {
@@ -547,9 +461,7 @@ class Compiler {
   const Grammar& grammar_;
   std::shared_ptr<Program> program_;
   Lowering lowering_;
-  Names numbers_;  // of symbols
-  // By symbol: a bit for each arity (at most 32) of its productions, those of derivation and all.
-  std::vector<std::uint64_t> rewritten_, written_for_;
+  SymbolTable symbols_;
   std::vector<std::uint32_t> ordinals_;  // by symbol: how many stand before in the successor
   std::uint32_t first_ = 0;              // word of the template
   std::size_t first_local_ = 0;          // naming of the production

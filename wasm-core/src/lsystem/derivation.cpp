@@ -88,7 +88,8 @@ bool Derivation::append_parts(const Template& successor, const Origin& origin, s
   const std::uint32_t* at = part_words_[depth].data();
   const std::uint32_t* const end = at + successor.words;
   for (; at < end; at += words_of(*at)) {
-    const Production* const production = depth < bound_.depths[0] ? machine_.choose(at, parts_) : nullptr;
+    const bool parted = depth < bound_.depths[0] && parts_[symbol_of(*at)].productions.size() > 0;
+    const Production* const production = parted ? machine_.choose(at, parts_) : nullptr;
     if (machine_.failed()) return false;
     if (watcher != nullptr && production == nullptr) watcher->part(by);
     const bool fine =
@@ -219,7 +220,7 @@ bool Derivation::stays_active(std::uint32_t header) const {
 
 // A step that rewrites nothing has its way through the string counted, too: chance may let many of them follow.
 bool Derivation::look_around(std::uint64_t at) {
-  if (!neighbourhood_.go_to(at, walked_)) return out_of_sight();
+  neighbourhood_.go_to(at, walked_);
   const std::uint64_t units = walked_ / 32;
   walked_ %= 32;
   return machine_.spend(units);

@@ -22,20 +22,16 @@ constexpr std::string_view axiom = "The axiom is written axiom: here.";
 constexpr std::string_view wider = "In cpfg this changes the width of lines; here write !(w).";
 constexpr std::string_view side_by_side = "Two values stand side by side here; put an operator such as * between them.";
 
+constexpr std::string_view steps = "The number of steps is written in one line here: derivation length: 10.";
+
 constexpr Entry statements[] = {
-    {"derivation", "The number of steps is written in one line here: derivation length: 10."},
-    {"seed", seed},
-    {"Seed", seed},
-    {"angle", angle},
-    {"Angle", angle},
-    {"delta", angle},
-    {"δ", angle},
-    {"ω", axiom},
-    {"Ω", axiom},
-    {"omega", axiom},
-    {"Axiom", axiom},
-    {"AXIOM", axiom},
+    {"derivation", steps}, {"seed", seed}, {"Seed", seed}, {"angle", angle}, {"Angle", angle}, {"delta", angle},
+    {"δ", angle},          {"ω", axiom},   {"Ω", axiom},   {"omega", axiom}, {"Axiom", axiom}, {"AXIOM", axiom},
 };
+
+constexpr Entry labels[] = {{"iterations", steps}, {"iteration", steps}, {"generations", steps},
+                            {"depth", steps},      {"steps", steps},     {"n", steps},
+                            {"N", steps}};
 
 constexpr Entry directives[] = {
     {"ignore", "What contexts pass over is written ignore: + - F here, without #."},
@@ -77,6 +73,7 @@ constexpr Entry called[] = {
 }  // namespace
 
 std::string_view foreign_statement(std::string_view first_word) { return find(statements, first_word); }
+std::string_view foreign_label(std::string_view first_word) { return find(labels, first_word); }
 std::string_view foreign_directive(std::string_view word) { return find(directives, word); }
 std::string_view foreign_sign(std::string_view character) { return find(signs, character); }
 std::string_view foreign_module(std::string_view token) { return find(modules, token); }

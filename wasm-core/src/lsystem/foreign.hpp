@@ -7,6 +7,7 @@ namespace panicle::lsystem {
 
 // Each returns a sentence, or nothing where it knows none.
 std::string_view foreign_statement(std::string_view first_word);  // of a line
+std::string_view foreign_label(std::string_view first_word);      // of a line that has a colon behind its words
 std::string_view foreign_directive(std::string_view word);        // behind a #
 std::string_view foreign_sign(std::string_view character);        // anywhere
 std::string_view foreign_module(std::string_view token);          // in a string of modules

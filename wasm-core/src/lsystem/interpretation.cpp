@@ -7,6 +7,7 @@
 #include "lsystem/branch.hpp"
 #include "lsystem/machine.hpp"
 #include "lsystem/parser.hpp"
+#include "lsystem/silence.hpp"
 #include "lsystem/watcher.hpp"
 
 namespace panicle::lsystem {
@@ -49,19 +50,20 @@ class Interpreter {
     questions_ = questions;
     answered_ = answered;
     if (questions == Questions::drawn && program_.not_drawable.reason != Reason::none) return program_.not_drawable;
-    if (questions == Questions::located) find_silent_branches(string);
+    const bool unheard = questions == Questions::located;
+    Silence silence(program_, images_, !unheard);
+    if (unheard) silence.find_branches(string);
     const std::uint32_t* at = string.begin();
     const std::uint32_t* const end = string.end();
     string_ = at;
     for (; at < end; ++module_) {
-      if (questions == Questions::located) at = behind_silent_branches(string, at);
+      if (unheard) at = silence.behind_branches(string, at);
       const std::uint32_t* const module = at;
       if (at == end) break;
       const std::uint32_t symbol = symbol_of(*module);
       at += words_of(*module);
-      const bool cut = images_ != nullptr                        ? draw(module, module, 0)
-                       : program_.meanings[symbol] == no_meaning ? false
-                                                                 : act(module, module);
+      if (silence.covers(symbol)) continue;
+      const bool cut = has_image(symbol) ? draw(module, module, 0) : act(module, module);
       if (machine_.failed()) return machine_.trouble();
       if (!cut) continue;
       const RestOfBranch rest = rest_of_branch(at, end);
@@ -75,42 +77,11 @@ class Interpreter {
  private:
   struct Polygon {
     Turtle start;
+    float thickness;
     std::vector<glm::vec3> corners;
   };
 
-  // A branch in which nothing asks where the turtle is: words from its [ to behind its ].
-  struct Branch {
-    std::uint64_t begin, end;
-  };
-
-  // A growing plant asks at its tips. One walk over the headers finds the branches that need not be walked by the
-  // turtle, each in the order of its [; of one that asks the end is its beginning.
-  void find_silent_branches(const String& string) {
-    std::vector<std::size_t> open;
-    std::uint64_t offset = 0;
-    for (const std::uint32_t* at = string.begin(); at < string.end(); at += words_of(*at)) {
-      const std::uint32_t symbol = symbol_of(*at);
-      offset = static_cast<std::uint64_t>(at - string.begin());
-      if (symbol == push_symbol) {
-        open.push_back(branches_.size());
-        branches_.push_back({offset, offset + 1});
-      } else if (symbol == pop_symbol && !open.empty()) {
-        Branch& closed = branches_[open.back()];
-        if (closed.end != closed.begin) closed.end = offset + words_of(*at);
-        open.pop_back();
-      } else if (program_.asks_turtle(symbol)) {
-        for (std::size_t i = open.size(); i-- > 0 && branches_[open[i]].end != branches_[open[i]].begin;)
-          branches_[open[i]].end = branches_[open[i]].begin;
-      }
-    }
-  }
-
-  const std::uint32_t* behind_silent_branches(const String& string, const std::uint32_t* at) {
-    std::uint64_t offset = static_cast<std::uint64_t>(at - string.begin());
-    for (; next_branch_ < branches_.size() && branches_[next_branch_].begin <= offset; ++next_branch_)
-      if (branches_[next_branch_].begin == offset) offset = branches_[next_branch_].end;
-    return string.begin() + offset;
-  }
+  bool has_image(std::uint32_t symbol) const { return images_ != nullptr && images_[symbol].productions.size() > 0; }
 
   // What a homomorphism makes of a module is drawn in its place, each part of it again so, as deep as the text says.
   // True: the rest of the branch is cut.
@@ -244,15 +215,17 @@ class Interpreter {
       case Action::head_for:
         head_for(turtle_, vector_of(module, 0), vector_of(module, 3));
         break;
-      case Action::tropism:
-        turtle_.tropism = vector_of(module, 0);
-        break;
       case Action::elasticity:
-        turtle_.elasticity = value;
+        if (const glm::vec3 arguments = vector_of(module, 0); arguments[0] == 0) turtle_.elasticity = arguments[1];
         break;
       case Action::size:
+        turtle_.size = value;
+        break;
+      case Action::enlarge:
         turtle_.size *= value;
-        turtle_.width *= value;
+        break;
+      case Action::reduce:
+        if (value > 0) turtle_.size /= value;
         break;
       case Action::next_colour:
         set_colour(given ? value : static_cast<float>(turtle_.colour + 1));
@@ -261,7 +234,7 @@ class Interpreter {
         set_colour(given ? value : static_cast<float>(turtle_.colour - 1));
         break;
       case Action::begin_polygon:
-        begin_polygon();
+        begin_polygon(value);
         break;
       case Action::corner:
         if (!polygons_.empty())
@@ -275,6 +248,7 @@ class Interpreter {
       case Action::surface:
       case Action::ball:
       case Action::disc:
+      case Action::circle:
         if (questions_ != Questions::located && value * turtle_.size != 0)
           draw_whole(action, module, bearer, value * turtle_.size);
         break;
@@ -295,23 +269,27 @@ class Interpreter {
                         lineage_of(bearer));
     if (action == Action::ball) listener_.ball(turtle_, size / 2, lineage_of(bearer));
     if (action == Action::disc) listener_.disc(turtle_, size / 2, lineage_of(bearer));
+    if (action != Action::circle) return;
+    Turtle upright = turtle_;
+    pitch(upright, 90);
+    listener_.disc(upright, size / 2, lineage_of(bearer));
   }
 
   // `!` narrows and `#` widens where they are not told how wide; in the paper's notation ! alone is 1.
   void set_width(float value, bool given, float sign) {
     if (!given && program_.notation == Notation::cpfg) {
-      const float by = said(Said::line_width_increment, 0) * turtle_.size;
+      const float by = said(Said::line_width_increment, 0);
       turtle_.width = std::max(0.0f, turtle_.width + sign * by);
     } else if (given || sign < 0) {
-      turtle_.width = value * turtle_.size;
+      turtle_.width = value;
     }
   }
 
   void set_colour(float value) { turtle_.colour = static_cast<std::int32_t>(std::clamp(value, 1.0f, most_colours)); }
 
-  void begin_polygon() {
+  void begin_polygon(float thickness) {
     if (polygons_.size() < limits_.depth) {
-      polygons_.push_back({turtle_, {}});
+      polygons_.push_back({turtle_, thickness * turtle_.size, {}});
       return;
     }
     machine_.fail(error_at(Reason::limit, {}, "More than % polygons are open at once, which is the limit; close them.",
@@ -324,8 +302,13 @@ class Interpreter {
 
   void end_polygon(const std::uint32_t* bearer) {
     if (polygons_.empty()) return note("A } closes no polygon; it is passed over.", 4);
-    if (questions_ != Questions::located)
-      listener_.polygon(polygons_.back().start, polygons_.back().corners, lineage_of(bearer));
+    if (questions_ != Questions::located) {
+      const Polygon& closed = polygons_.back();
+      if (closed.thickness > 0)
+        listener_.plate(closed.start, closed.corners, closed.thickness, lineage_of(bearer));
+      else
+        listener_.polygon(closed.start, closed.corners, lineage_of(bearer));
+    }
     polygons_.pop_back();
   }
 
@@ -448,8 +431,6 @@ class Interpreter {
   std::vector<Words> image_words_;  // by depth
   std::vector<Turtle> stack_;
   std::vector<Polygon> polygons_;  // that are open
-  std::vector<Branch> branches_;
-  std::size_t next_branch_ = 0;  // that the turtle has not come to
   Words answer_;
   Questions questions_ = Questions::drawn;
   String* answered_ = nullptr;

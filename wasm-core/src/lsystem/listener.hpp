@@ -42,6 +42,10 @@ class Listener {
   // { … } closed a polygon: its corners in their order, and the turtle as it was at {. Fewer than three, or all on a
   // line, are told as well.
   virtual void polygon(const Turtle&, std::span<const glm::vec3>, const Lineage&) {}
+  // The same of a polygon that has a thickness, above 0.
+  virtual void plate(const Turtle& turtle, std::span<const glm::vec3> corners, float, const Lineage& lineage) {
+    polygon(turtle, corners, lineage);
+  }
   // ~name drew a surface at the turtle, along its heading, `size` times as large as it is.
   virtual void surface(const Turtle&, std::string_view, float, const Lineage&) {}
   // @O drew a sphere about the turtle, @o a disc across its heading.

@@ -39,39 +39,38 @@ bool Machine::waits_for_chance(std::uint32_t header) const {
 }
 
 // The first production that matches decides: one without a weight applies, one with a weight competes with all others
-// that match and have one. Two walks in place of a list of candidates.
+// that match and have one.
 const Production* Machine::draw_production(const Rules& rules, std::uint32_t count, std::uint64_t address) {
-  const Production* fallback = nullptr;  // the first that matches and has no weight
+  const Range range = rules.productions;
+  if (weights_.size() < range.size()) weights_.resize(range.size());
+  const Production* tried = nullptr;
   double total = 0;
-  for (std::uint32_t i = rules.productions.begin; i < rules.productions.end; ++i) {
+  for (std::uint32_t i = range.begin; i < range.end; ++i) {
     const Production& production = productions_[i];
-    if (fallback != nullptr && !production.weight.given) continue;
+    float& weight = weights_[i - range.begin];
+    weight = 0;
+    if (total > 0 && !production.weight.given) continue;
+    tried = &production;
     if (!matches(production, count)) {
       if (failed()) return nullptr;
       continue;
     }
-    float weight = 0;
-    if (!production.weight.given) {
-      if (total == 0) return &production;
-      fallback = &production;
-    } else if (weigh(production, weight)) {
-      total += weight;
-    } else {
-      return nullptr;
-    }
+    if (!production.weight.given) return &production;
+    if (!weigh(production, weight)) return nullptr;
+    total += weight;
   }
   double left = total * random_unit(sources_.seed, choice_stream_, address);
   chance_ = {static_cast<float>(total), 0, static_cast<float>(left)};
-  const Production* drawn = fallback;
-  for (std::uint32_t i = rules.productions.begin; i < rules.productions.end && total > 0; ++i) {
-    const Production& production = productions_[i];
-    float weight = 0;
-    if (!production.weight.given || !matches(production, count) || !weigh(production, weight) || weight == 0) continue;
-    drawn = &production;
+  const Production* drawn = nullptr;
+  for (std::uint32_t i = range.begin; i < range.end && left >= 0; ++i) {
+    const float weight = weights_[i - range.begin];
+    if (weight == 0) continue;
+    drawn = &productions_[i];
     chance_[1] = weight;
     left -= weight;
-    if (left < 0) break;
   }
+  // Neighbours' parameters are where those of the production that was tried last have been put.
+  if (drawn != nullptr && drawn != tried && drawn->in_context) sees(*drawn);
   return failed() ? nullptr : drawn;
 }
 

@@ -98,12 +98,13 @@ class Machine {
 
  private:
   bool matches(const Production& production, std::uint32_t count) {
-    if (production.arity != count || !spend(production.cost)) return false;
-    if (production.in_context &&
-        !(neighbourhood_ != nullptr && neighbourhood_->may_fit(production) && sees(production)))
-      return false;
+    if (production.arity != count || (production.in_context && !may_fit(production))) return false;
+    if (!spend(production.cost) || (production.looks_on && !sees(production))) return false;
     if (!production.condition.given) return true;
     return evaluate(production.condition.code) && registers_[production.condition.source] != 0;
+  }
+  bool may_fit(const Production& production) const {
+    return neighbourhood_ != nullptr && neighbourhood_->may_fit(production);
   }
   [[gnu::noinline]] bool sees(const Production& production);
   bool evaluate(Range code) { return execute(program_.code, code.begin, code.end, registers_, sources_, trouble_); }
@@ -136,6 +137,7 @@ class Machine {
   float* registers_;
   std::uint64_t choice_stream_;
   std::uint64_t spent_ = 0;
+  std::vector<float> weights_;  // of the productions that compete
   Neighbourhood* neighbourhood_ = nullptr;
   std::uint32_t step_ = 0;
   bool stepping_ = false;

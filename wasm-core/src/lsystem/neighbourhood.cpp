@@ -4,50 +4,87 @@
 
 namespace panicle::lsystem {
 
+Neighbourhood::Neighbourhood(const Program& program) : program_(program), sorts_(program.symbols.size(), passed_over) {
+  for (std::size_t symbol = 0; symbol < sorts_.size(); ++symbol) {
+    const bool is_seen = program.passed_over[symbol] == 0, in_context = program.rules[symbol].in_context;
+    sorts_[symbol] = static_cast<std::uint8_t>((is_seen ? seen : 0) | (in_context ? asking : 0));
+    unseen_ask_ |= in_context && !is_seen;
+  }
+  sorts_[push_symbol] = opens;
+  sorts_[pop_symbol] = closes;
+  wants_ends_ = program.looks_right && unseen_ask_;
+  for (const Production& production : program.productions) wants_ends_ |= production.right.size() > 1;
+}
+
 bool Neighbourhood::begin(const String& string) {
   string_ = &string;
-  at_ = path_length_ = open_count_ = 0;
-  behind_ = nullptr;
-  return path_.reserve(string.modules, string.modules) && (!program_.looks_right || find_ends());
+  next_ = at_ = 0;
+  if (program_.looks_far_left && !before_.reserve(string.used, string.used)) return false;
+  if (wants_ends_ && !ends_.reserve(string.used, string.used)) return false;
+  return walk();
 }
 
-// Where each branch ends, at the place of its bracket: so that looking past one costs the same whatever is on it.
-bool Neighbourhood::find_ends() {
-  if (!ends_.reserve(string_->used, string_->used)) return false;
-  std::uint64_t open = 0;
-  for (const std::uint32_t* at = string_->begin(); at < string_->end(); at += words_of(*at)) {
-    const std::uint32_t symbol = symbol_of(*at);
-    const auto offset = static_cast<std::uint32_t>(at - string_->begin());
-    if (symbol == push_symbol) {
-      if (!open_.reserve(open + 1, string_->modules)) return false;
-      open_.data()[open++] = offset;
-    } else if (symbol == pop_symbol) {
-      ends_.data()[open_.data()[--open]] = offset;
+// What is seen behind a branch stands right behind what is before it.
+bool Neighbourhood::walk() {
+  const std::uint32_t* const words = string_->begin();
+  const auto used = static_cast<std::uint32_t>(string_->used);
+  const std::uint8_t* const sorts = sorts_.data();
+  std::uint32_t last = none;    // seen on the way from the root
+  std::uint32_t untold = none;  // the word of a place that has not been told what is behind it
+  std::uint32_t places = 0, open = 0;
+  for (std::uint32_t at = 0; at < used; at += words_of(words[at])) {
+    const std::uint32_t sort = sorts[symbol_of(words[at])];
+    if (sort == passed_over) continue;
+    if (sort == opens) {
+      if (!open_.reserve(open + walk_words, 3 * string_->modules)) return false;
+      const std::uint32_t here[walk_words] = {at, last, untold};
+      std::memcpy(open_.data() + open, here, sizeof here);
+      open += walk_words;
+      untold = none;
+      continue;
     }
+    if (sort == closes) {
+      std::uint32_t there[walk_words];
+      open -= walk_words;
+      std::memcpy(there, open_.data() + open, sizeof there);
+      if (wants_ends_) ends_.data()[there[0]] = at;
+      last = there[1];
+      untold = there[2];
+      continue;
+    }
+    if ((sort & seen) != 0 && untold != none) places_.data()[untold + 2] = at;
+    if ((sort & asking) != 0) {
+      if (!places_.reserve(places + place_words, 3 * string_->modules)) return false;
+      const std::uint32_t here[place_words] = {at, last, none};
+      std::memcpy(places_.data() + places, here, sizeof here);
+    }
+    if ((sort & seen) != 0) {
+      if (program_.looks_far_left) before_.data()[at] = last;
+      last = at;
+      untold = (sort & asking) != 0 ? places : none;
+    }
+    if ((sort & asking) != 0) places += place_words;
   }
   return true;
 }
 
-bool Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
+void Neighbourhood::go_to(std::uint64_t at, std::uint64_t& looked) {
   const std::uint32_t* const words = string_->begin();
   looked += at - at_;
-  while (at_ < at) {
-    const std::uint32_t header = words[at_], symbol = symbol_of(header);
-    if (symbol == push_symbol) {
-      if (!open_.reserve(open_count_ + 1, string_->modules)) return false;
-      open_.data()[open_count_++] = static_cast<std::uint32_t>(path_length_);
-    } else if (symbol == pop_symbol) {
-      path_length_ = open_.data()[--open_count_];
-    } else if (is_seen(symbol)) {
-      path_.data()[path_length_++] = static_cast<std::uint32_t>(at_);
-    }
-    at_ += words_of(header);
+  at_ = at;
+  std::uint32_t there[place_words];
+  do {
+    std::memcpy(there, places_.data() + next_, sizeof there);
+    next_ += place_words;
+  } while (there[0] != at);
+  before_it_ = there[1];
+  behind_it_ = there[2];
+  if (unseen_ask_ && program_.looks_right) {
+    const std::uint32_t* const behind = next_seen(words + at + words_of(words[at]), false, looked);
+    behind_it_ = behind == nullptr ? none : static_cast<std::uint32_t>(behind - words);
   }
-  left_ = path_length_ > 0 ? symbol_of(words[path_.data()[path_length_ - 1]]) : no_symbol;
-  if (!program_.looks_right) return true;
-  behind_ = next_seen(words + at + words_of(words[at]), false, looked);
-  right_ = behind_ != nullptr ? symbol_of(*behind_) : no_symbol;
-  return true;
+  left_ = kind_at(before_it_);
+  right_ = kind_at(behind_it_);
 }
 
 bool Neighbourhood::fits(const Production& production, float* registers, std::uint64_t& looked) {
@@ -55,16 +92,17 @@ bool Neighbourhood::fits(const Production& production, float* registers, std::ui
   const Range right = production.right;
   if (right.size() == 0) return true;
   const Neighbour& wanted = program_.neighbours[right.begin];
-  if (right.size() == 1 && wanted.symbol != push_symbol) return behind_ != nullptr && is(wanted, behind_, registers);
+  if (right.size() == 1) return behind_it_ != none && is(wanted, string_->begin() + behind_it_, registers);
   const std::uint32_t* const module = string_->begin() + at_;
   return follow(right.begin, right.end, module + words_of(*module), registers, looked) != nullptr;
 }
 
 bool Neighbourhood::fits_left(Range wanted, float* registers) const {
-  if (wanted.size() > path_length_) return false;
-  const std::uint32_t* const path = path_.data() + path_length_ - wanted.size();
-  for (std::uint32_t i = 0; i < wanted.size(); ++i)
-    if (!is(program_.neighbours[wanted.begin + i], string_->begin() + path[i], registers)) return false;
+  std::uint32_t place = before_it_;
+  for (std::uint32_t i = wanted.end; i-- > wanted.begin;) {
+    if (place == none || !is(program_.neighbours[i], string_->begin() + place, registers)) return false;
+    if (i > wanted.begin) place = before_.data()[place];
+  }
   return true;
 }
 
@@ -106,7 +144,7 @@ const std::uint32_t* Neighbourhood::next_seen(const std::uint32_t* at, bool into
     if (symbol == push_symbol) {
       if (into_branches) return at;
       at = end_of_branch(at);
-    } else if (is_seen(symbol)) {
+    } else if ((sorts_[symbol] & seen) != 0) {
       return at;
     }
   }

@@ -3,29 +3,31 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "lsystem/program.hpp"
 #include "lsystem/words.hpp"
 
 namespace panicle::lsystem {
 
-// Goes through one string after the other, from module to module, and keeps the way from the root at hand.
+// One walk over a string finds what stands right beside each module that asks, those whose symbol has a production in
+// context; then it goes from one of these to the next.
 class Neighbourhood {
  public:
   // `program` must outlive it.
-  explicit Neighbourhood(const Program& program) : program_(program) {}
+  explicit Neighbourhood(const Program& program);
 
-  // Begins before the first module of a string, which stays as it is until the next. False: no memory.
+  // Looks at a string, which stays as it is until the next, and begins before its first module. False: no memory.
   bool begin(const String& string);
 
-  // Goes on to the module at a word of the string, no earlier than where it stands. `looked` grows by the words on the
-  // way. False: no memory.
-  bool go_to(std::uint64_t at, std::uint64_t& looked);
+  // Goes on to the asking module at a word of the string, no earlier than where it stands. `looked` grows by the words
+  // on the way.
+  void go_to(std::uint64_t at, std::uint64_t& looked);
 
   // Whether what stands right beside the module is what a production wants there: most productions are out by that.
   bool may_fit(const Production& production) const {
-    return (production.nearest_left == no_symbol || production.nearest_left == left_) &&
-           (production.nearest_right == no_symbol || production.nearest_right == right_);
+    return (production.nearest_left == Neighbour::any || production.nearest_left == left_) &&
+           (production.nearest_right == Neighbour::any || production.nearest_right == right_);
   }
 
   // Whether the module has beside it what a production in context wants. Their parameters are then in the registers
@@ -33,8 +35,18 @@ class Neighbourhood {
   bool fits(const Production& production, float* registers, std::uint64_t& looked);
 
  private:
-  bool is_seen(std::uint32_t symbol) const { return program_.passed_over[symbol] == 0; }
-  bool find_ends();
+  static constexpr std::uint32_t none = 0xffffffff;
+  // What a walk does at a symbol.
+  enum Sort : std::uint32_t { passed_over = 0, seen = 1, asking = 2, opens = 4, closes = 8 };
+  // Of each module that asks: its word, and those of what is seen right before and behind it, or `none`.
+  static constexpr std::uint32_t place_words = 3;
+  // Of each bracket that is open: its word, what was seen last, and who had not been told what is behind it.
+  static constexpr std::uint32_t walk_words = 3;
+
+  bool walk();
+  std::uint32_t kind_at(std::uint32_t place) const {
+    return place == none ? Neighbour::any : Neighbour::kind(string_->begin()[place]);
+  }
   const std::uint32_t* end_of_branch(const std::uint32_t* at) const {
     return string_->begin() + ends_.data()[at - string_->begin()];
   }
@@ -45,15 +57,17 @@ class Neighbourhood {
   bool is(const Neighbour& wanted, const std::uint32_t* module, float* registers) const;
 
   const Program& program_;
+  std::vector<std::uint8_t> sorts_;  // by symbol
+  bool unseen_ask_ = false;          // whether contexts do not see all that ask
+  bool wants_ends_ = false;          // whether branches are passed over or looked into
   const String* string_ = nullptr;
-  std::uint64_t at_ = 0;
-  Words path_;  // places of the modules seen on the way from the root
-  std::uint64_t path_length_ = 0;
-  Words open_;  // the way's length where each open branch begins
-  std::uint64_t open_count_ = 0;
-  Words ends_;                                          // of branches, at the words of their brackets
-  const std::uint32_t* behind_ = nullptr;               // what is seen behind the module on its axis
-  std::uint32_t left_ = no_symbol, right_ = no_symbol;  // what is seen right beside it
+  Words places_, open_;
+  Words before_;            // at the word of what is seen: what is seen before it, where anyone wants more than one
+  Words ends_;              // of branches, at the words of their brackets
+  std::uint64_t next_ = 0;  // word of the places
+  std::uint64_t at_ = 0;    // word of the module, and of what is right beside it
+  std::uint32_t before_it_ = none, behind_it_ = none;
+  std::uint32_t left_ = Neighbour::any, right_ = Neighbour::any;  // their kinds
 };
 
 }  // namespace panicle::lsystem

@@ -46,13 +46,13 @@ class GrammarParser : public ProductionReader {
   bool follows(std::size_t at, char sign) const { return at + 1 < tokens_.size() && tokens_[at + 1].is(sign); }
   bool is_alone(std::size_t at) const { return end_of_line(at) == at + 1; }
 
-  bool is_axiom(std::size_t at) const { return tokens_[at].is("axiom") && follows(at, ':'); }
+  bool is_axiom(std::size_t at) const { return tokens_[at].says("axiom") && follows(at, ':'); }
 
   // Whether the words stand at `at`, and a colon behind them.
   bool is_line(std::size_t at, std::span<const std::string_view> words) const {
     for (const std::string_view word : words) {
       if (word.empty()) break;
-      if (at >= tokens_.size() || !tokens_[at].is(word)) return false;
+      if (at >= tokens_.size() || !tokens_[at].says(word)) return false;
       ++at;
     }
     return at < tokens_.size() && tokens_[at].is(':');
@@ -68,7 +68,7 @@ class GrammarParser : public ProductionReader {
   }
 
   bool is_sight(std::size_t at) const {
-    return (tokens_[at].is("ignore") || tokens_[at].is("consider")) && follows(at, ':') &&
+    return (tokens_[at].says("ignore") || tokens_[at].says("consider")) && follows(at, ':') &&
            arrow_of_line(at) == end_of_line(at);
   }
 
@@ -81,21 +81,21 @@ class GrammarParser : public ProductionReader {
   // `decomposition`, `homomorphism` or `derivation`, alone or with a colon.
   bool is_section(std::size_t at) const {
     const bool named =
-        tokens_[at].is("decomposition") || tokens_[at].is("homomorphism") || tokens_[at].is("derivation");
-    return named && (is_alone(at) || (follows(at, ':') && is_alone(at + 1)));
+        tokens_[at].says("decomposition") || tokens_[at].says("homomorphism") || tokens_[at].says("derivation");
+    const bool says_more = !tokens_[at].says("derivation") && arrow_of_line(at) == end_of_line(at);
+    return named && (is_alone(at) || (follows(at, ':') && (is_alone(at + 1) || says_more)));
   }
 
   bool is_system(std::size_t at) const {
-    const bool begins = (tokens_[at].is("Lsystem") || tokens_[at].is("lsystem")) && follows(at, ':');
-    return begins || (tokens_[at].is("endlsystem") && is_alone(at));
+    return (tokens_[at].says("lsystem") && follows(at, ':')) || (tokens_[at].says("endlsystem") && is_alone(at));
   }
 
   // A line begins a statement when it begins with `#` and a directive, with the words of another statement, or
   // holds an arrow; any other goes on with the one before.
-  bool begins_statement(std::size_t at) const {
+  bool begins_statement(std::size_t at) {
     return is_directive(at) || is_axiom(at) || is_length(at) || is_depth(at) || is_sight(at) || is_section(at) ||
-           is_system(at) || setting_line(at) != nullptr || is_foreign_line(at) || foreign_arrow(at) != 0 ||
-           (tokens_[at].is('#') && is_comment(at)) || arrow_of_line(at) < end_of_line(at);
+           is_system(at) || setting_line(at) != nullptr || is_foreign_line(at) || is_unknown_line(at) ||
+           foreign_arrow(at) != 0 || (tokens_[at].is('#') && is_comment(at)) || arrow_of_line(at) < end_of_line(at);
   }
 
   // `#define` and the like; a # of the turtle stands apart from what follows.
@@ -112,9 +112,52 @@ class GrammarParser : public ProductionReader {
   bool is_foreign_line(std::size_t at) const {
     const std::size_t end = end_of_line(at);
     if (tokens_[at].kind != TokenKind::name || foreign_statement(tokens_[at].text).empty()) return false;
-    const bool followed = at + 1 < end && (tokens_[at].is("derivation") || tokens_[at].is("maximum"));
+    const bool followed = at + 1 < end && (tokens_[at].says("derivation") || tokens_[at].says("maximum") ||
+                                           (at + 2 == end && tokens_[at + 1].kind == TokenKind::number));
     const bool said = at + 1 < end && (tokens_[at + 1].is(':') || (tokens_[at + 1].is('=') && at + 3 == end));
     return arrow_of_line(at) == end && (at + 1 == end || said || followed);
+  }
+
+  // Words and a colon that touches them, none of which is a symbol: `iterations: 3` would otherwise go on with the
+  // statement before it as modules and their weight.
+  bool is_unknown_line(std::size_t at) {
+    if (!is_label_of_line(at)) return false;
+    for (; tokens_[at].kind == TokenKind::name; ++at)
+      if (is_symbol(tokens_[at].text)) return false;
+    return true;
+  }
+
+  bool is_label_of_line(std::size_t at) const {
+    const std::size_t end = end_of_line(at);
+    std::size_t colon = at;
+    while (colon < end && tokens_[colon].kind == TokenKind::name) ++colon;
+    return colon > at && colon < end && tokens_[colon].is(':') && touching(tokens_[colon - 1], tokens_[colon]) &&
+           arrow_of_line(at) == end;
+  }
+
+  // Whether a name is the turtle's or stands among modules somewhere in the text, such lines apart.
+  bool is_symbol(std::string_view name) {
+    if (!strung_known_) find_symbols();
+    return is_turtles(name) || strung_.find(name) != Names::none;
+  }
+
+  void find_symbols() {
+    strung_known_ = true;
+    for (std::size_t at = 0; at < tokens_.size(); at = end_of_line(at))
+      if (!tokens_[at].is('#') && (is_axiom(at) || !is_label_of_line(at))) find_symbols_of_line(at);
+  }
+
+  // Outside of parentheses, of conditions and of weights.
+  void find_symbols_of_line(std::size_t at) {
+    std::uint32_t open = 0;
+    bool among_modules = true;
+    for (const std::size_t end = end_of_line(at), begin = at; at < end; ++at) {
+      if (tokens_[at].is('(')) ++open;
+      if (tokens_[at].is(')') && open > 0) --open;
+      if (tokens_[at].is(':')) among_modules = is_axiom(begin) && at == begin + 1;
+      if (tokens_[at].kind == TokenKind::arrow) among_modules = true;
+      if (open == 0 && among_modules && tokens_[at].kind == TokenKind::name) strung_.add(tokens_[at].text);
+    }
   }
 
   // Where `->`, `=>`, `:=` or `-.33->` stands in a line without an arrow; 0 where neither does.
@@ -143,7 +186,7 @@ class GrammarParser : public ProductionReader {
     bool grows = false;
     for (std::size_t at = 0; at < tokens_.size(); at = end_of_line(at)) {
       grows |= is_axiom(at) || arrow_of_line(at) < end_of_line(at);
-      if (!is_system(at) || tokens_[at].is("endlsystem")) continue;
+      if (!is_system(at) || tokens_[at].says("endlsystem")) continue;
       end_ = end_of_line(at);
       if (!std::exchange(grows, true)) {
         first_system_ = at;
@@ -182,6 +225,8 @@ class GrammarParser : public ProductionReader {
   bool no_statement(std::size_t begin) {
     const Place& place = tokens_[begin].place;
     if (is_foreign_line(begin)) return wrong(place, "%", {foreign_statement(tokens_[begin].text)});
+    if (is_unknown_line(begin) && !foreign_label(tokens_[begin].text).empty())
+      return wrong(place, "%", {foreign_label(tokens_[begin].text)});
     if (const std::size_t arrow = foreign_arrow(begin)) {
       if (tokens_[arrow - 1].kind != TokenKind::number) return wrong(tokens_[arrow].place, "An arrow is written -->.");
       return wrong(tokens_[arrow - 1].place, "A weight stands behind the successor and a colon here: A --> B : %.",
@@ -190,8 +235,8 @@ class GrammarParser : public ProductionReader {
     if (is_comment(begin)) return wrong(place, "A comment is written /* … */ here; // is two rolls of the turtle.");
     return wrong(place,
                  "This line belongs to no statement; begin with #define, #input, #role, #curve, #turtle, axiom:, "
-                 "derivation length:, ignore:, consider:, angle increment:, decomposition, homomorphism or a "
-                 "production with -->.");
+                 "derivation length:, ignore:, consider:, angle increment:, line width:, tropism:, decomposition, "
+                 "homomorphism or a production with -->.");
   }
 
   bool directive() {
@@ -249,6 +294,9 @@ class GrammarParser : public ProductionReader {
     definition.place = tokens_[at_].place;
     ++at_;
     if (!new_name({definition.name, definition.place})) return false;
+    if (on_sign('(') && touching(tokens_[at_ - 1], tokens_[at_]) && at_ + 2 < end_ &&
+        (tokens_[at_ + 2].is(',') || (tokens_[at_ + 2].is(')') && at_ + 3 < end_)))
+      return wrong(here(), "A #define has no parameters; write the expression where it is used, or a #curve.");
     if (on_sign('[')) {
       ++at_;
       if (!expect(']', "An array is declared as #input name[], with nothing between the brackets.")) return false;
@@ -354,16 +402,17 @@ class GrammarParser : public ProductionReader {
   }
 
   bool section() {
-    purpose_ = tokens_[at_].is("decomposition")  ? Purpose::decomposition
-               : tokens_[at_].is("homomorphism") ? Purpose::homomorphism
-                                                 : Purpose::derivation;
-    at_ = end_;
-    return true;
+    purpose_ = tokens_[at_].says("decomposition")  ? Purpose::decomposition
+               : tokens_[at_].says("homomorphism") ? Purpose::homomorphism
+                                                   : Purpose::derivation;
+    at_ += is_alone(at_) ? 1 : 2;
+    return at_ == end_ ||
+           wrong(here(), "Productions follow on lines of their own; take '%' out, which changes nothing.", {found()});
   }
 
   bool system() {
     const std::uint32_t found =
-        tokens_[at_].is("endlsystem") || at_ == first_system_ ? Names::none : systems_.find(tokens_[at_ + 2].text);
+        tokens_[at_].says("endlsystem") || at_ == first_system_ ? Names::none : systems_.find(tokens_[at_ + 2].text);
     system_ = found == Names::none ? 0 : found + 1;
     purpose_ = Purpose::derivation;
     at_ = end_;
@@ -375,7 +424,7 @@ class GrammarParser : public ProductionReader {
     SightTree& sight = grammar_.sight;
     if (sight.kind != SightTree::Kind::all)
       return wrong(keyword.place, "What contexts see is said twice; keep one line with ignore: or consider:.");
-    sight.kind = keyword.is("ignore") ? SightTree::Kind::ignore : SightTree::Kind::consider;
+    sight.kind = keyword.says("ignore") ? SightTree::Kind::ignore : SightTree::Kind::consider;
     at_ += 2;
     while (at_ < end_) {
       Named symbol{{}, here()};
@@ -402,6 +451,8 @@ class GrammarParser : public ProductionReader {
 
   Names defined_;  // in the order of the text
   std::vector<Place> places_;
+  Names strung_;  // of modules, once asked for
+  bool strung_known_ = false;
   Purpose purpose_ = Purpose::derivation;
   std::size_t first_system_ = static_cast<std::size_t>(-1);
   bool notation_said_ = false;

@@ -89,7 +89,13 @@ bool ProductionReader::predecessor(ProductionTree& production) {
     if (!neighbours(end, '>', production.right, beside)) return false;
   }
   production.formals.insert(production.formals.end(), beside.begin(), beside.end());
-  if (at_ < end_ && !on_sign(':')) return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
+  if (at_ < end_ && !on_sign(':')) {
+    if (on_name() || is_turtles(found()))
+      return wrong(
+          here(), "A production rewrites one module, and what stands beside it is its context, A < B > C; here is '%'.",
+          {found()});
+    return wrong(here(), "A condition begins with a colon, but here is '%'.", {found()});
+  }
   end_ = after;
   return different(production.formals);
 }

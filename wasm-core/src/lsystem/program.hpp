@@ -68,6 +68,10 @@ struct Value {
 
 // A module that a production wants beside the one that it rewrites, or a bracket of a branch that it wants there.
 struct Neighbour {
+  static constexpr std::uint32_t any = 0xffffffff;
+  // Of a header: the symbol and how many parameters.
+  static constexpr std::uint32_t kind(std::uint32_t header) { return header & 0xffffff; }
+
   std::uint32_t symbol = 0;
   std::uint32_t arity = 0;
   std::uint32_t to = 0;      // register of its first parameter
@@ -82,8 +86,9 @@ struct Production {
   Value weight;
   bool by_chance = false;   // whether its condition or weight draws
   bool in_context = false;  // whether it wants neighbours
-  // Symbols right before and behind the module, where it wants any there.
-  std::uint32_t nearest_left = no_symbol, nearest_right = no_symbol;
+  bool looks_on = false;    // whether what it wants right before and behind the module is not all there is to look at
+  // What it wants there, as Neighbour::kind has it.
+  std::uint32_t nearest_left = Neighbour::any, nearest_right = Neighbour::any;
   Range left;  // neighbours, from the root on
   Range right;
   std::uint32_t cost = 0;  // units of Limits::evaluations that trying it takes
@@ -146,6 +151,7 @@ class Program {
   std::vector<std::uint8_t> passed_over;  // by symbol: whether contexts do not see it
   bool in_context = false;                // whether any production wants neighbours
   bool looks_right = false;               // whether any wants them behind it
+  bool looks_far_left = false;            // whether any wants more than one before it
   std::vector<std::uint32_t> active;      // offsets in a template
   std::uint32_t longest_successor = 0;    // words
   Template axiom;

@@ -91,6 +91,11 @@ class Reader {
         once("//", modules[i].place,
              "This line is read as two rolls of the turtle and symbols that draw nothing; a comment is written /* … "
              "*/.");
+      if (begins_line && i > 0 && reads_as_words(modules, i))
+        once(
+            "words", modules[i].place,
+            "This line goes on with the string before it, as symbols that draw nothing; if it is meant as a statement, "
+            "there is none of that name.");
     }
   }
 
@@ -132,7 +137,7 @@ class Reader {
     const bool capitals = name.size() > 1 && name.find_first_not_of("FGABCDLRXYIJKPQ") == std::string_view::npos;
     if (capitals && name.find('F') != std::string_view::npos)
       once(name, module.place, "% is one symbol of its own and draws nothing; put spaces between several.", {name});
-    if (name == "T" || ((name == "G" || name == "g") && !module.arguments.empty()))
+    if ((name == "G" || name == "g") && !module.arguments.empty())
       once(name, module.place,
            "% draws nothing in the paper's notation, which this text has; a line #turtle cpfg makes it the turtle's.",
            {name});
@@ -148,6 +153,20 @@ class Reader {
                                 (module.name == "/" || !known(module.name));
                        }) &&
            modules[at + 2].name != "/" && modules[at + 3].name != "/";
+  }
+
+  // A line of nothing but words that mean nothing, two of them or a long one.
+  bool reads_as_words(const std::vector<ModuleTree>& modules, std::size_t at) const {
+    constexpr std::size_t least = 4, long_word = 8;
+    std::size_t letters = 0, words = 0;
+    for (const std::uint32_t line = modules[at].place.line; at < modules.size() && modules[at].place.line == line;
+         ++at) {
+      const ModuleTree& module = modules[at];
+      if (!module.arguments.empty() || module.name.size() < least || known(module.name)) return false;
+      letters += module.name.size();
+      ++words;
+    }
+    return words > 1 || letters >= long_word;
   }
 
   const Grammar& grammar_;

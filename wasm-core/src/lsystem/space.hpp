@@ -13,8 +13,8 @@ class Space {
   // bound(x, y, z, area): whether a place is inside area number `area`, counted from 1; outside of one that is not
   // there.
   virtual bool bound(const glm::vec3& place, float area) const = 0;
-  // reach(x, y, z, hx, hy, hz, area, most): how far along `way`, of unit length, one stays inside the area, at most
-  // `most`; 0 from outside.
+  // reach(x, y, z, hx, hy, hz, area, most): how far along `way`, however long that is, one stays inside the area, at
+  // most `most`; 0 from outside, and without a way.
   virtual float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const = 0;
 };
 

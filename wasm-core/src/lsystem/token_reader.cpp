@@ -6,12 +6,6 @@
 namespace panicle::lsystem {
 namespace {
 
-bool is_turtles(std::string_view name) {
-  for (const TurtleSymbol& symbol : turtle_symbols)
-    if (symbol.symbol == name) return true;
-  return false;
-}
-
 std::string commands_of_turtle(char sign) {
   std::string all;
   for (const TurtleSymbol& symbol : turtle_symbols)
@@ -20,6 +14,12 @@ std::string commands_of_turtle(char sign) {
 }
 
 }  // namespace
+
+bool TokenReader::is_turtles(std::string_view symbol) {
+  for (const TurtleSymbol& turtle : turtle_symbols)
+    if (turtle.symbol == symbol) return true;
+  return false;
+}
 
 bool TokenReader::fail(Reason reason, const Place& place, const char* pattern, Pieces pieces) {
   trouble_ = error_at(reason, place, pattern, pieces);
@@ -83,7 +83,10 @@ bool TokenReader::symbol(std::string_view& name) {
 
 // `?E`, `?P` and the like, or the name of an L-system that is begun.
 bool TokenReader::question(const Token& token, std::string_view& name) {
-  if (!two_signs(token, name, "A question is written in one word: ?E, ?P, ?H, ?L or ?U.")) return false;
+  if (!two_signs(token, name,
+                 "A question is written in one word, ?E, ?P, ?H, ?L or ?U, and a part is begun by its name: [ "
+                 "?leaf(0.5) F ]."))
+    return false;
   if (is_turtles(name) || systems_.find(name.substr(1)) != Names::none) return true;
   return wrong(token.place,
                "There is no %; ?E asks the environment, ?P ?H ?L ?U the turtle, and ?name begins a part that the text "

@@ -24,6 +24,7 @@ class TokenReader {
     return fail(Reason::syntax, place, pattern, pieces);
   }
 
+  static bool is_turtles(std::string_view symbol);
   Place here() const { return place_of(tokens_, at_, end_); }
   bool on_sign(char sign) const { return at_ < end_ && tokens_[at_].is(sign); }
   bool on_name() const { return at_ < end_ && tokens_[at_].kind == TokenKind::name; }

@@ -1,5 +1,6 @@
 #include "lsystem/tokens.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -224,6 +225,13 @@ class Tokenizer {
 };
 
 }  // namespace
+
+bool Token::says(std::string_view word) const {
+  return kind == TokenKind::name &&
+         std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char here, char small) {
+           return here == small || (here >= 'A' && here <= 'Z' && here - 'A' + 'a' == small);
+         });
+}
 
 Result<std::vector<Token>> tokenize(std::string_view text) { return Tokenizer(text).run(); }
 

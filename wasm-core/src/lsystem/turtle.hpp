@@ -15,7 +15,7 @@ struct Turtle {
   float width = 1;
   std::int32_t line = -1;  // the last line drawn on the way here, −1 at the root
   std::int32_t colour = 1;
-  float size = 1;  // of what is drawn; width has been multiplied by it
+  float size = 1;  // of what is drawn, widths apart
   float elasticity = 0;
   glm::vec3 tropism{0, -1, 0};
 };

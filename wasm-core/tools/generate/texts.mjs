@@ -42,6 +42,24 @@ function headerOf(file, text) {
 	return header;
 }
 
+/** What of a header is for making presets alone: to whoever opens the text it would say nothing. */
+const UNTOLD = ["kind", "set"];
+
+/** A text as people read it: its first comment without those lines, and what goes on with them. */
+export function shownText(text) {
+	const end = text.indexOf("*/");
+	let untold = false;
+	const lines = text
+		.slice(0, end)
+		.split("\n")
+		.filter((line) => {
+			const [, key] = /^\s*([a-z]+):\s/.exec(line) ?? [];
+			if (key !== undefined) untold = UNTOLD.includes(key);
+			return !untold || line.trim() === "";
+		});
+	return lines.join("\n") + text.slice(end);
+}
+
 /** Values by the keys of the model's table, split into what the core reads and looks. */
 function valuesOf(name, set, table) {
 	const values = { parameters: {}, look: {} };
@@ -140,7 +158,7 @@ ${presets.map((preset) => `\t${JSON.stringify(preset)},`).join("\n")}
 }
 
 function textsOf({ texts }, notice) {
-	const entries = [...texts].map(([name, text]) => `\t${quoted(name)}: ${literal(text)},`);
+	const entries = [...texts].map(([name, text]) => `\t${quoted(name)}: ${literal(shownText(text))},`);
 	return `${notice}
 
 /** The texts of presets by their names: loaded when the first is grown. */

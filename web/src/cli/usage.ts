@@ -59,7 +59,7 @@ ${
   --string         the JSON has the derived string, of plants that any text grows
   --chronicle STEP the JSON tells of that step of the derivation: which production fired
                    where and with what values; STEP,FIRST,COUNT of so many modules from one on
-  --boundary FILE  a closed mesh, .obj or .glb, that a tree or a root grows in
+  --boundary FILE  a closed mesh, .obj, .glb or .stl, that a tree or a root grows in
   --out FILE       ${endingsOf({ formats })} (an .obj has its
                    .mtl beside it); without it, JSON goes to standard output
   --form FORM      of a .glb: ${FORMS.join(", ")} (default: ${FORMS[0]})

@@ -88,6 +88,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 				keys: ["Alt ↑", "Alt ↓"],
 				does: "In the grammar, at a number: more, less; with Shift ten steps, with Ctrl a tenth",
 			},
+			{ keys: ["Ctrl F", "F3"], does: "In the grammar: find, and the next one" },
 			{ keys: ["Ctrl Space"], does: "In the grammar: what may stand here" },
 			{ keys: ["Esc"], does: "In the grammar: out of the text" },
 		],

@@ -109,8 +109,16 @@ export function cut(mesh: PartMesh, { firstVertex, vertexCount, firstIndex, inde
 		positions: mesh.positions.subarray(3 * firstVertex, 3 * lastVertex),
 		normals: mesh.normals.subarray(3 * firstVertex, 3 * lastVertex),
 		uvs: mesh.uvs.subarray(2 * firstVertex, 2 * lastVertex),
-		indices: mesh.indices.subarray(firstIndex, firstIndex + indexCount).map((index) => index - firstVertex),
+		indices: countedFrom(firstVertex, mesh.indices.subarray(firstIndex, firstIndex + indexCount)),
 		...(colours ? { colours } : {}),
 		...(sky ? { sky } : {}),
 	};
+}
+
+/** Indices counted from another vertex. By a plain loop: `map` takes ten times as long, and a plant may have millions. */
+function countedFrom(first: number, indices: Uint32Array): Uint32Array {
+	if (first === 0) return indices;
+	const counted = new Uint32Array(indices.length);
+	for (let i = 0; i < indices.length; i++) counted[i] = indices[i] - first;
+	return counted;
 }

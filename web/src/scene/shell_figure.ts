@@ -1,5 +1,6 @@
 /** What bounds a plant, in the 3-D view: faint, and its edges where it has any. */
 import {
+	type BufferAttribute,
 	BufferGeometry,
 	DoubleSide,
 	EdgesGeometry,
@@ -20,8 +21,28 @@ const ORDER = 10;
 export interface Shell {
 	/** 3 × points. */
 	points: number[];
-	/** 3 × triangles. */
+	/** 3 × triangles. The same array again is the same body, moved, turned or stretched. */
 	triangles: number[];
+}
+
+/** Edges by the triangles that they are of, two points each. */
+const known = new WeakMap<readonly number[], number[]>();
+
+/**
+ * Which points its edges join. To find them takes longer than to lay a plant on the stage, so a body that is moved or stretched keeps
+ * those it had.
+ */
+function edgesOf(faces: BufferGeometry, triangles: readonly number[]): number[] {
+	const before = known.get(triangles);
+	if (before) return before;
+	const position = faces.attributes.position as BufferAttribute;
+	const points = new Map<string, number>();
+	const keyOf = ({ array }: BufferAttribute, i: number) => `${array[3 * i]} ${array[3 * i + 1]} ${array[3 * i + 2]}`;
+	for (let i = 0; i < position.count; i++) points.set(keyOf(position, i), i);
+	const found = new EdgesGeometry(faces, EDGE).attributes.position as BufferAttribute;
+	const edges = Array.from({ length: found.count }, (_, i) => points.get(keyOf(found, i)) ?? 0);
+	known.set(triangles, edges);
+	return edges;
 }
 
 export class ShellFigure {
@@ -44,9 +65,10 @@ export class ShellFigure {
 		this.#clear();
 		for (const material of [this.#faces, this.#edges]) material.color.set(colour);
 		for (const { points, triangles } of shells) {
-			const geometry = new BufferGeometry();
-			geometry.setAttribute("position", new Float32BufferAttribute(points, 3)).setIndex(triangles);
-			const parts = [new Mesh(geometry, this.#faces), new LineSegments(new EdgesGeometry(geometry, EDGE), this.#edges)];
+			const position = new Float32BufferAttribute(points, 3);
+			const faces = new BufferGeometry().setAttribute("position", position).setIndex(triangles);
+			const edges = new BufferGeometry().setAttribute("position", position).setIndex(edgesOf(faces, triangles));
+			const parts = [new Mesh(faces, this.#faces), new LineSegments(edges, this.#edges)];
 			for (const part of parts) part.renderOrder = ORDER;
 			this.object.add(...parts);
 		}

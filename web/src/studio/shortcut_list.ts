@@ -15,6 +15,7 @@ const FIRST: readonly Shortcut[] = [
 const NEW: Shortcut = { keys: ["N"], does: "New variation" };
 const HELP: Shortcut = { keys: ["?"], does: "This help" };
 const LAST: readonly Shortcut[] = [
+	{ keys: ["Esc"], does: "While a plant takes long to grow: cancel" },
 	{ keys: ["Shift+←", "Shift+→"], does: "On a slider: ten steps" },
 	{ keys: ["←", "→", "↑", "↓"], does: "In the 3-D view: orbit; with Shift: move" },
 	{ keys: ["+", "−", "0"], does: "In the 3-D view: nearer, further, reset view" },

@@ -29,7 +29,9 @@ function commandOf(event: KeyboardEvent, studio: Studio, { saved }: Opens): (() 
 }
 
 function letterOf(event: KeyboardEvent, studio: Studio, { help }: Opens): (() => void) | undefined {
-	if (event.altKey || !studio.state.ui.letters || document.querySelector("dialog[open]")) return undefined;
+	if (event.altKey || document.querySelector("dialog[open]")) return undefined;
+	if (event.key === "Escape" && studio.state.growing) return () => studio.cancel();
+	if (!studio.state.ui.letters) return undefined;
 	// "?" may need Shift; no letter does.
 	if (event.shiftKey && event.key !== "?") return undefined;
 	const pressed = event.key.toLowerCase();

@@ -119,6 +119,45 @@ TEST_CASE("no lateral leaves its area, whatever the areas are and however they a
   CHECK(reached > 60);
 }
 
+TEST_CASE("the main branch ends inside the last area, wherever the places lead that are left") {
+  for (const std::vector<float>& path : {std::vector<float>{0, 0.9f, 0, 0, 9, 0},
+                                         {0, 0.9f, 0, 0.47f, 1.3f, 0},
+                                         {0, 0.5f, 0, 0.45f, 0.9f, 0, 0.8f, 0.9f, 0}}) {
+    const Area cube{Kind::box, {0, 0.85f, 0}, {1, 1, 1}};
+    Blocks blocks({cube});
+    blocks.path = path;
+    Asked asked = in(blocks, topiary());
+    asked.constants = {{"leaf", 0.1f}};
+    const Plant plant = grow(asked);
+    const auto main = column_in<std::uint8_t>(plant.columns, "segments.main");
+    std::size_t segments = 0;
+    glm::vec3 tip(0);
+    for (std::size_t i = 0; i < plant.segments.size(); ++i) {
+      if (main[i] == 0) continue;
+      ++segments;
+      tip = plant.segments[i].end;
+    }
+    CHECK(cube.volume().contains(tip));
+    // It goes on as long as there is room for a segment of it, which are two leaves long.
+    CHECK(segments >= 3);
+    const glm::vec3 way = glm::normalize(glm::vec3(path[path.size() - 3], path[path.size() - 2], 0) - tip);
+    CHECK(cube.volume().reach(tip, way, 1) < 0.2f + 0.2f);
+  }
+}
+
+TEST_CASE("how far a way reaches does not depend on how long it is said to be") {
+  const std::string text =
+      "#input areas\n#input places\n#input path[]\naxiom: F(reach(0,100,0,0,7,0,1,900)) "
+      "F(reach(0,100,0,0,0.01,0,1,900)) "
+      "F(reach(0,100,0,0,0,0,1,900)+1)\n";
+  const Area area{Kind::box, {0, 0.1f, 0}, {1, 0.4f, 1}};
+  const Plant plant = grow({.text = text, .parameters = {{"unit", 1}}, .more = Blocks({area}).views()});
+  REQUIRE(plant.segments.size() == 3);
+  for (const std::size_t i : {0u, 1u})
+    CHECK(1000 * glm::distance(plant.segments[i].start, plant.segments[i].end) == doctest::Approx(200).epsilon(1e-4));
+  CHECK(1000 * glm::distance(plant.segments[2].start, plant.segments[2].end) == doctest::Approx(1).epsilon(1e-4));
+}
+
 TEST_CASE("bound and reach are asked in the text's unit, of areas in metres") {
   const std::string text =
       "#input areas\n#input places\n#input path[]\naxiom: F(reach(0,0,0,0,1,0,1,900)) "
@@ -156,7 +195,16 @@ TEST_CASE("an area that the main branch does not come to is told, and so is a me
   const Plant plant = grow(asked);
   REQUIRE(plant.notes.size() == 2);
   CHECK(plant.notes[0].find("The mesh of area 1 is open at 3 edges") == 0);
-  CHECK(plant.notes[1].find("Nothing grows in area 2") == 0);
+  CHECK(plant.notes[1].find("Nothing grows in area 2: the main branch does not come there") == 0);
+}
+
+TEST_CASE("an area within one before it has no turn, and that is told") {
+  const Blocks blocks({{Kind::box, {0, 0.6f, 0}, {1, 1, 1}}, {Kind::sphere, {0.1f, 0.6f, 0}, {0.4f, 0.4f, 0.4f}}});
+  Asked asked = in(blocks, topiary());
+  asked.constants = {{"leaf", 0.2f}};
+  const Plant plant = grow(asked);
+  REQUIRE(plant.notes.size() == 1);
+  CHECK(plant.notes[0].find("Nothing grows in area 2: its middle lies within area 1") == 0);
 }
 
 TEST_CASE("areas of another form are refused, with the reason") {

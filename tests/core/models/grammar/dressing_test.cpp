@@ -120,5 +120,20 @@ TEST_CASE("a colour other than 1 is the palette's, what is beyond it the last") 
   CHECK(column_in<std::uint8_t>(plant.columns, "organs.colour") == std::vector<std::uint8_t>{7, 7, 4, 8, 8});
 }
 
+TEST_CASE("in passing many lines are meshed coarsely, few as ever; what has grown is the same") {
+  const auto vertices = [](const std::string& length, const std::string& outputs) {
+    const Plant plant =
+        grow({.text = "derivation length: " + length + "\naxiom: A\nA --> F [ +(30) A ] [ -(30) /(90) A ] A",
+              .outputs = outputs});
+    REQUIRE(mesh_of(plant, "stems"));
+    return std::pair(mesh_of(plant, "stems")->mesh.positions.size(), plant.fingerprint);
+  };
+  const auto [fine, fingerprint] = vertices("8", "meshes");
+  const auto [coarse, same] = vertices("8", "meshes coarse");
+  CHECK(coarse < fine / 2);
+  CHECK(same == fingerprint);
+  CHECK(vertices("5", "meshes coarse") == vertices("5", "meshes"));
+}
+
 }  // namespace
 }  // namespace panicle::grammar

@@ -69,12 +69,67 @@ TEST_CASE("the lines of what is many lines large are thicker, up to a limit") {
   CHECK(thinnest("9") == doctest::Approx(0.05 * 3.75));
 }
 
+TEST_CASE("strokes that turn sharply are straight and meet at corners; stems that bend a little are one tube") {
+  for (const char* angle : {"36", "60", "90", "120"}) {
+    const std::string text = std::string("derivation length: 2\nangle increment: ") + angle +
+                             "\naxiom: F - - F - - F\nF --> F + F - - F + F\n";
+    const Plant plant = grow({.text = text, .parameters = {{"unit", 1000}}, .outputs = "meshes"});
+    const PlantMesh* stems = mesh_of(plant, "stems");
+    REQUIRE(stems);
+    const std::vector<float>& at = stems->mesh.positions;
+    float farthest = 0;
+    for (std::size_t v = 0; v < at.size(); v += 3) {
+      const glm::vec3 p(at[v], at[v + 1], at[v + 2]);
+      // It stands on a foot.
+      if (glm::length(p) < 4 * plant.segments[0].radius) continue;
+      float nearest = 1e9f;
+      for (const Segment& segment : plant.segments) {
+        const glm::vec3 along = segment.end - segment.start;
+        const float t = glm::clamp(glm::dot(p - segment.start, along) / glm::dot(along, along), 0.0f, 1.0f);
+        nearest = std::min(nearest, glm::distance(p, segment.start + t * along) - segment.radius);
+      }
+      farthest = std::max(farthest, nearest);
+    }
+    INFO("turns of ", angle);
+    CHECK(farthest < 1e-3f);
+  }
+  const auto tubes = [](const char* angle) {
+    const Plant plant = grow({.text = std::string("axiom: F +(") + angle + ") F\n", .outputs = "meshes"});
+    return mesh_of(plant, "stems")->mesh.positions.size();
+  };
+  CHECK(tubes("36") > tubes("34"));
+}
+
+TEST_CASE("a leaf at the outside of what is dense is light, though what bears it is dark") {
+  const Plant plant = grow({.text = "derivation length: 3000\n#define n 3000\naxiom: A(0)\nA(i) : i<n --> [ /(137.5*i) "
+                                    "&(acos(1-2*(i+0.5)/n)) f(1) ~leaf(0.25) ] A(i+1)\n",
+                            .outputs = "meshes sky"});
+  const auto sky = column_in<std::uint8_t>(plant.columns, "organs.sky");
+  REQUIRE(sky.size() == 3000);
+  double sum = 0;
+  for (const std::uint8_t byte : sky) sum += byte;
+  const double mean = sum / 3000;
+  CHECK(mean > 90);
+}
+
+TEST_CASE("where there are very many of a surface, each is simpler") {
+  const auto triangles = [](const char* steps) {
+    const Plant plant =
+        grow({.text = std::string("derivation length: ") + steps + "\naxiom: A\nA --> ~leaf(1) f(1) A\n",
+              .outputs = "meshes"});
+    return mesh_of(plant, "leaf")->mesh.indices.size() / 3;
+  };
+  CHECK(4 * triangles("4001") <= triangles("4000"));
+}
+
 TEST_CASE("what the text says of widths stands, times the parameter") {
   const Plant plant =
       grow({.text = "axiom: F !(0.5) F [ !(0) F ] F\n", .parameters = {{"unit", 1000}, {"widths", 50}}});
   CHECK(plant.segments[1].radius == doctest::Approx(0.125));
   CHECK(plant.segments[3].radius == doctest::Approx(0.125));
   CHECK(plant.segments[0].radius == doctest::Approx(0.5 * 0.08 * std::pow(2, 0.3)));
+  // A width of 0 is a hair's, and no lack of a width.
+  CHECK(plant.segments[2].radius == doctest::Approx(0.1 * 0.5 * 0.08));
 }
 
 TEST_CASE("a limit that is reached ends the drawing, and what grew so far is shown with a note") {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/particles/branching.hpp"
 #include "models/particles/root/measures/measures.generated.hpp"
+#include "plant/branching.hpp"
 #include "space_growing.hpp"
 
 namespace panicle::particles {

@@ -4,6 +4,7 @@ import { readGlb } from "../../../../web/src/controls/mesh_file/glb";
 import { readObj } from "../../../../web/src/controls/mesh_file/obj";
 import { readMeshFile } from "../../../../web/src/controls/mesh_file/read";
 import { MeshFileError, type Soup } from "../../../../web/src/controls/mesh_file/soup";
+import { readStl } from "../../../../web/src/controls/mesh_file/stl";
 import { exportGlb } from "../../../../web/src/export/glb";
 import { standardMaterial } from "../../../../web/src/plant/material";
 import { MOST_TRIANGLES } from "../../../../web/src/specimen/closed_mesh";
@@ -118,14 +119,78 @@ describe("a closed mesh from a file", () => {
 	});
 
 	it("is refused when the file is of another kind, or damaged", async () => {
-		await expect(readMeshFile(new File(["x"], "box.stl"))).rejects.toThrow(
-			"box.stl is neither an OBJ nor a GLB: save the mesh as one of them.",
+		await expect(readMeshFile(new File(["x"], "box.ply"))).rejects.toThrow(
+			"box.ply is neither an OBJ nor a GLB nor an STL: save the mesh as one of them.",
 		);
 		expect(() => readGlb(new ArrayBuffer(4))).toThrow(MeshFileError);
 		const bytes = new Uint8Array(64).fill(1).buffer;
 		new DataView(bytes).setUint32(0, 0x46546c67, true);
 		expect(() => readGlb(bytes)).toThrow("The GLB does not begin with its JSON.");
 	});
+
+	it.each([["binary"], ["text"]])("comes from an STL, %s, stood up from +Z to +Y", async (kind) => {
+		const box = readObj(BOX);
+		const bytes = kind === "binary" ? binaryStl(box) : textStl(box);
+		const { points, triangles } = await readMeshFile(new File([bytes], "Box.STL"));
+		const same = closedMesh(box);
+		expect(volumeOf({ points, triangles })).toBeCloseTo(0.25);
+		const corners = (mesh: Soup) =>
+			mesh.triangles.map((corner) => mesh.points.slice(3 * corner, 3 * corner + 3).join()).sort();
+		expect(corners({ points, triangles })).toEqual(corners(same));
+	});
+
+	it("is refused where an STL is damaged, and the reason said", () => {
+		const box = readObj(BOX);
+		const unfinished = "The STL is damaged or unfinished: export it again.";
+		expect(() => readStl(binaryStl(box).slice(0, -7).buffer)).toThrow(unfinished);
+		expect(() => readStl(new ArrayBuffer(3))).toThrow(unfinished);
+		expect(() => readStl(new ArrayBuffer(84))).toThrow(unfinished);
+		const bytes = binaryStl(box);
+		new DataView(bytes.buffer).setFloat32(84 + 50 + 16, Number.NaN, true);
+		expect(() => readStl(bytes.buffer)).toThrow("Triangle 2 of the STL has a corner that is no place.");
+		const text = (from: RegExp, to: string) => readStl(textStl(box, from, to).buffer);
+		expect(() => text(/vertex \S+/, "vertex one")).toThrow("Line 4 of the STL has a corner that is not three numbers.");
+		expect(() => text(/vertex.*\n/, "")).toThrow(
+			"Line 7 of the STL has the end of a facet that has not three corners.",
+		);
+		expect(() => text(/endloop\nendfacet\nendsolid[\s\S]*/, "")).not.toThrow();
+		expect(() => text(/vertex[^\n]*\nendloop\nendfacet\nendsolid[\s\S]*/, "")).toThrow(unfinished);
+		const opened = { points: box.points, triangles: box.triangles.slice(3) };
+		expect(() => closedMesh(readStl(binaryStl(opened).buffer))).toThrow("The mesh is not closed: 3 of its edges");
+	});
+
+	it("is refused where it is too large, with what is read at most", async () => {
+		const large = new Uint8Array(84 + 50 * 500_001);
+		new DataView(large.buffer).setUint32(80, 500_001, true);
+		await expect(readMeshFile(new File([large], "dome.stl"))).rejects.toThrow(
+			"dome.stl has 500,001 triangles: simplify it to at most 500,000 first.",
+		);
+	});
+
+	/** A mesh as it is printed: its +Y is the file's +Z. */
+	const printedCorners = ({ points, triangles }: Soup) =>
+		triangles.map((corner) => [points[3 * corner], -points[3 * corner + 2], points[3 * corner + 1]]);
+
+	/** It begins with “solid”, as some programs' binary files do. */
+	function binaryStl(soup: Soup): Uint8Array<ArrayBuffer> {
+		const bytes = new Uint8Array(84 + (50 * soup.triangles.length) / 3);
+		bytes.set(new TextEncoder().encode("solid box facet"));
+		const view = new DataView(bytes.buffer);
+		view.setUint32(80, soup.triangles.length / 3, true);
+		for (const [i, place] of printedCorners(soup).entries()) {
+			const at = 84 + 50 * Math.floor(i / 3) + 12 * ((i % 3) + 1);
+			for (const [k, value] of place.entries()) view.setFloat32(at + 4 * k, value, true);
+		}
+		return bytes;
+	}
+
+	function textStl(soup: Soup, from: RegExp | string = "", to = ""): Uint8Array<ArrayBuffer> {
+		const corners = printedCorners(soup).map((place) => `vertex ${place.map((x) => x.toExponential()).join(" ")}\n`);
+		const facets = corners.flatMap((_, i) =>
+			i % 3 === 0 ? `facet normal 0 0 0\nouter loop\n${corners.slice(i, i + 3).join("")}endloop\nendfacet\n` : [],
+		);
+		return new TextEncoder().encode(`solid box\n${facets.join("")}endsolid box\n`.replace(from, to));
+	}
 
 	/** A GLB whose nodes are as given, with one mesh: a tetrahedron. */
 	function glbOf(nodes: readonly object[], more: object = {}): ArrayBuffer {

@@ -62,6 +62,13 @@ describe("a plant that a text grows", () => {
 		expect(exportJson(model, grow(specimen), specimen)).not.toHaveProperty("string");
 	});
 
+	it("is meshed coarsely in passing where it has many lines, and is the same plant", () => {
+		const text = of("derivation length: 8\naxiom: A\nA --> F [ +(30) A ] [ -(30) /(90) A ] A");
+		const [fine, coarse] = [{}, { passing: true }].map((options) => grow(text, options));
+		expect(coarse.meshes[0].indices.length).toBeLessThan(fine.meshes[0].indices.length / 2);
+		expect(coarse.fingerprint).toBe(fine.fingerprint);
+	});
+
 	it("heeds constants and steps", () => {
 		const wide = grow(of(TWIGS, { constants: { spread: 90 } }));
 		expect(wide.segments.ends[6 + 4]).toBeCloseTo(0.01);

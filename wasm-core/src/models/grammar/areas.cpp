@@ -1,8 +1,13 @@
 #include "models/grammar/areas.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 #include <utility>
+
+#include "foundation/mathematics.hpp"
 
 namespace panicle::grammar {
 namespace {
@@ -55,6 +60,24 @@ std::string note_on(const Surface& surface, std::size_t number) {
   return {};
 }
 
+// Within −1 … 1 each way.
+Surface surface_in_box(Volume::Kind kind, const Surface& mesh) {
+  constexpr std::uint32_t sides = 32;
+  constexpr glm::vec2 cylinder[] = {{1, -1}, {1, 1}}, cone[] = {{1, -1}, {0, 1}};
+  switch (kind) {
+    case Volume::Kind::box:
+      return box(glm::vec3(-1), glm::vec3(1));
+    case Volume::Kind::cylinder:
+      return revolved(cylinder, glm::vec3(0), sides);
+    case Volume::Kind::cone:
+      return revolved(cone, glm::vec3(0), sides);
+    case Volume::Kind::mesh:
+      return stretched(mesh, glm::vec3(-1), glm::vec3(1));
+    default:
+      return ellipsoid(glm::vec3(0), glm::vec3(1), sides);
+  }
+}
+
 }  // namespace
 
 Result<Areas> Areas::read(Request& request) {
@@ -81,8 +104,10 @@ Result<Areas> Areas::read(Request& request) {
     if (kind == Volume::Kind::mesh)
       if (std::string note = note_on(mesh, i + 1); !note.empty()) areas.notes_.push_back(std::move(note));
     const glm::vec3 centre(at[0], at[1], at[2]);
-    areas.volumes_.emplace_back(kind, centre, glm::vec3(at[3], at[4], at[5]), glm::quat(at[9], at[6], at[7], at[8]),
-                                mesh);
+    const glm::vec3 size(at[3], at[4], at[5]);
+    const glm::quat rotation(at[9], at[6], at[7], at[8]);
+    areas.volumes_.emplace_back(kind, centre, size, rotation, mesh);
+    areas.forms_.push_back({kind, centre, size, rotation, std::move(mesh)});
     if (path.empty()) areas.path_.push_back(centre);
   }
   if (!path.empty()) areas.path_ = triples(path);
@@ -99,6 +124,13 @@ void Areas::tell(lsystem::Inputs& inputs, float metres) {
   for (const glm::vec3& place : path_)
     for (int k = 0; k < 3; ++k) path.values.push_back(place[k] / metres);
   inputs.arrays.push_back(std::move(path));
+  lsystem::Inputs::Array size{"size", {}};
+  for (const Form& form : forms_) {
+    const glm::vec3 extent = form.kind == Volume::Kind::sphere ? glm::vec3(form.size.x) : form.size;
+    size.values.push_back(std::max({extent.x, extent.y, extent.z}) / metres);
+  }
+  if (size.values.empty()) size.values.push_back(1 / metres);
+  inputs.arrays.push_back(std::move(size));
 }
 
 const Volume* Areas::find(float area) const {
@@ -112,12 +144,57 @@ bool Areas::bound(const glm::vec3& place, float area) const {
   return volume != nullptr && volume->contains(metres_ * place);
 }
 
+std::size_t Areas::around(std::size_t area) const {
+  for (std::size_t before = 1; before < area; ++before)
+    if (volumes_[before - 1].contains(volumes_[area - 1].centre())) return before;
+  return 0;
+}
+
 float Areas::reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const {
   const Volume* volume = find(area);
-  if (volume == nullptr) return 0;
+  const float length = glm::length(way);
+  if (volume == nullptr || !(length > 0)) return 0;
   // All that is asked for is given back as it was asked: texts compare.
-  const float wanted = most * metres_, reached = volume->reach(metres_ * from, way, wanted);
+  const float wanted = most * metres_, reached = volume->reach(metres_ * from, way / length, wanted);
   return reached == wanted ? most : reached / metres_;
+}
+
+double Areas::volume(std::size_t i) const {
+  const Form& form = forms_[i];
+  const double x = form.size.x, box = x * form.size.y * form.size.z, turn = static_cast<double>(pi);
+  switch (form.kind) {
+    case Volume::Kind::box:
+      return box;
+    case Volume::Kind::sphere:
+      return turn / 6 * x * x * x;
+    case Volume::Kind::ellipsoid:
+      return turn / 6 * box;
+    case Volume::Kind::cylinder:
+      return turn / 4 * box;
+    case Volume::Kind::cone:
+      return turn / 12 * box;
+    case Volume::Kind::mesh:
+      break;
+  }
+  const Surface made = surface(i);
+  double sum = 0;
+  for (std::size_t k = 0; k + 2 < made.triangles.size(); k += 3) {
+    const auto corner = [&](std::size_t m) {
+      return glm::dvec3(made.points[made.triangles[k + m]]) - glm::dvec3(form.centre);
+    };
+    sum += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+  }
+  return std::fabs(sum) / 6;
+}
+
+Surface Areas::surface(std::size_t i) const {
+  const Form& form = forms_[i];
+  Surface made = surface_in_box(form.kind, form.mesh);
+  const glm::vec3 half = 0.5f * (form.kind == Volume::Kind::sphere ? glm::vec3(form.size.x) : form.size);
+  const float length = std::sqrt(glm::dot(form.rotation, form.rotation));
+  const glm::quat turn = length > 0 ? form.rotation / length : glm::quat(1, 0, 0, 0);
+  for (glm::vec3& p : made.points) p = form.centre + turn * (half * p);
+  return made;
 }
 
 }  // namespace panicle::grammar

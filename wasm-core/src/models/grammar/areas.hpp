@@ -32,20 +32,35 @@ class Areas final : public lsystem::Space {
   // corner that is none of the mesh's points. What there is to say of the meshes is said when there is a unit.
   static Result<Areas> read(Request& request);
 
-  // What a text may declare: `#input areas` (how many), `#input places` and `#input path[]` (x, y, z of each place), in
-  // its own unit, of which `metres` are one. It is asked in that unit from now on.
+  // What a text may declare: `#input areas` (how many), `#input size[]` (the largest extent of each), `#input places`
+  // and `#input path[]` (x, y, z of each place), in its own unit, of which `metres` are one. It is asked in that unit
+  // from now on.
   void tell(lsystem::Inputs& inputs, float metres);
 
   bool bound(const glm::vec3& place, float area) const override;
   float reach(const glm::vec3& from, const glm::vec3& way, float area, float most) const override;
 
   std::size_t size() const { return volumes_.size(); }
+  // The first area before this one that its middle lies in; 0 for none.
+  std::size_t around(std::size_t area) const;
+  // What area number i, counted from 0, encloses (m³; of a mesh what its triangles do, by their turn), and its surface.
+  double volume(std::size_t i) const;
+  Surface surface(std::size_t i) const;
   // Of meshes with gaps or triangles turned against each other, a sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  // As it was asked for.
+  struct Form {
+    Volume::Kind kind;
+    glm::vec3 centre, size;
+    glm::quat rotation;
+    Surface mesh;
+  };
+
   const Volume* find(float area) const;
 
+  std::vector<Form> forms_;
   std::vector<Volume> volumes_;
   std::vector<glm::vec3> path_;
   std::vector<std::string> notes_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/polygon.hpp"
+#include "models/grammar/plate.hpp"
 
 namespace panicle::grammar {
 namespace {
@@ -29,7 +30,7 @@ std::vector<glm::vec3> normals_of(std::span<const glm::vec3> corners, const std:
   return sums;
 }
 
-// Seen along the middle normal, the box about the polygon is the picture.
+// Of vertices, each at a corner: seen along the middle normal, the box about the polygon is the picture.
 void add_uvs(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& used) {
   glm::vec3 low = corners[used[0]], high = low;
   for (const std::uint32_t corner : used) {
@@ -47,13 +48,29 @@ void add_uvs(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector<s
   }
 }
 
+// Corners that no triangle has are left out. `used`: of each vertex the corner that it is at.
+void add_sheet(Mesh& mesh, std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& triangles,
+               std::vector<std::uint32_t>& used) {
+  const std::vector<glm::vec3> normals = normals_of(corners, triangles);
+  std::vector<std::uint32_t> number(corners.size(), 0);
+  for (const std::uint32_t corner : triangles) ++number[corner];
+  for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
+    if (number[corner] == 0) continue;
+    number[corner] = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+    used.push_back(corner);
+    put(mesh.positions, corners[corner]);
+    put(mesh.normals, normals[corner]);
+  }
+  for (const std::uint32_t corner : triangles) mesh.indices.push_back(number[corner]);
+}
+
 }  // namespace
 
 PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty) {
   PlantMesh blades{"blades", "blade", {}, {}, {}};
   Mesh& mesh = blades.mesh;
   std::vector<std::uint8_t> colour;
-  std::vector<std::uint32_t> used, number;
+  std::vector<std::uint32_t> used, organ;
   empty = 0;
   for (const Polygon& polygon : polygons.all) {
     const auto corners = std::span(polygons.corners).subspan(polygon.first, polygon.count);
@@ -62,27 +79,22 @@ PlantMesh blades_of(const Polygons& polygons, float scale, std::uint32_t& empty)
       ++empty;
       continue;
     }
-    const std::vector<glm::vec3> normals = normals_of(corners, triangles);
     const auto base = static_cast<std::uint32_t>(mesh.positions.size() / 3);
     const auto first = static_cast<std::uint32_t>(mesh.indices.size());
-    // Corners that no triangle has are left out.
     used.clear();
-    number.assign(corners.size(), 0);
-    for (const std::uint32_t corner : triangles) ++number[corner];
-    for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
-      if (number[corner] == 0) continue;
-      number[corner] = base + static_cast<std::uint32_t>(used.size());
-      used.push_back(corner);
-      put(mesh.positions, corners[corner] * scale);
-      put(mesh.normals, normals[corner]);
-    }
+    if (polygon.thickness > 0)
+      add_plate(mesh, corners, triangles, polygon.thickness, used);
+    else
+      add_sheet(mesh, corners, triangles, used);
+    for (std::size_t i = 3 * std::size_t{base}; i < mesh.positions.size(); ++i) mesh.positions[i] *= scale;
     add_uvs(mesh, corners, used);
-    for (const std::uint32_t corner : triangles) mesh.indices.push_back(number[corner]);
     blades.runs.push_back({"Blade", base, static_cast<std::uint32_t>(used.size()), first,
                            static_cast<std::uint32_t>(mesh.indices.size()) - first});
     colour.push_back(polygon.mark.colour);
+    organ.push_back(polygon.borne);
   }
   blades.columns.add("colour", std::move(colour));
+  blades.columns.add("organ", std::move(organ));
   return blades;
 }
 

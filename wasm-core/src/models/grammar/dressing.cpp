@@ -5,15 +5,17 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "environment/openness.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
 #include "geometry/tubes.hpp"
 #include "models/grammar/blades.hpp"
-#include "models/grammar/openness.hpp"
 #include "models/grammar/surfaces.hpp"
 
 namespace panicle::grammar {
@@ -27,6 +29,12 @@ constexpr std::uint64_t most_vertices = 4'000'000;
 // From so many lines on each is a speck of the whole: thin ones are drawn with the fewest sides, and what a line sees
 // of the sky is told once and not at each of its vertices.
 constexpr std::size_t many = 30'000;
+// Strokes that turn by more than 35° meet at a corner, as those of curves and tilings do; stems bend.
+constexpr float cosine_of_corner = 0.8192f;
+// From so many of a surface on, each is small beside the plant, and simpler.
+constexpr std::size_t many_surfaces = 4000;
+// From so many lines on meshing takes longer than all else, which a step of a drag has no time for.
+constexpr std::size_t many_in_passing = 2'000;
 
 float extent_of(std::span<const Segment> segments) {
   if (segments.empty()) return 0;
@@ -79,18 +87,36 @@ std::vector<std::uint8_t> sky_of(const Openness& open, const std::vector<Segment
   return bytes;
 }
 
+// So far beyond its base along an organ's axis.
+glm::vec3 along(const Organ& organ, float distance) {
+  const glm::quat turned(organ.rotation.w, organ.rotation.x, organ.rotation.y, organ.rotation.z);
+  return organ.position + turned * glm::vec3(0, distance, 0);
+}
+
+// A cell is told what is in it as a whole. A leaf that stands out of it is lit by what is beyond, and that one is seen.
+std::uint8_t sky_of(const Openness& open, const Organ& organ) {
+  const std::uint8_t base = open.at(organ.position);
+  return organ.tag < first_surface_tag ? base : std::max(base, open.at(along(organ, organ.scale + open.edge())));
+}
+
+// How fine tubes are.
+TubeOptions tubes_of(const std::vector<Segment>& segments, const Dress& habit) {
+  const bool coarse = habit.coarse && segments.size() >= many_in_passing;
+  return {.sides = habit.sides,
+          .most_vertices = most_vertices,
+          .thin = coarse ? std::numeric_limits<float>::max() : thin * extent_of(segments),
+          .thin_sides = segments.size() < many ? std::min(habit.sides, thin_sides) : thinnest_sides,
+          .thin_plain = true};
+}
+
 // Tubes, a run a colour.
-PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, std::uint32_t sides,
+PlantMesh stems_of(const std::vector<Segment>& segments, std::span<const Mark> marks, const Dress& habit,
                    const Openness* open) {
   std::vector<std::int32_t> groups;
   groups.reserve(marks.size());
   for (const Mark& mark : marks) groups.push_back(mark.colour);
-  const TubeOptions options{.sides = sides,
-                            .most_vertices = most_vertices,
-                            .thin = thin * extent_of(segments),
-                            .thin_sides = segments.size() < many ? std::min(sides, thin_sides) : thinnest_sides,
-                            .thin_plain = true};
-  StemMesh stems = sweep_stems({.segments = segments, .groups = groups, .jointed = false}, options, 1.0f);
+  StemMesh stems = sweep_stems({.segments = segments, .groups = groups, .jointed = false, .corner = cosine_of_corner},
+                               tubes_of(segments, habit), 1.0f);
   Columns columns;
   if (open) columns.add("sky", sky_of(*open, segments, stems));
   PlantMesh mesh{"stems", "stem", std::move(stems.mesh), {}, std::move(columns)};
@@ -118,8 +144,10 @@ std::vector<Screen> screens_of(const Plant& plant, const Sketch& sketch, float m
   for (const Organ& organ : plant.organs) {
     const float square = organ.scale * organ.scale;
     if (organ.tag == ball_tag) screens.push_back({organ.position, pi * square});
-    if (organ.tag >= first_surface_tag)
-      screens.push_back({organ.position, surfaces[organ.tag - first_surface_tag].area * square});
+    if (organ.tag < first_surface_tag) continue;
+    const float half = 0.5f * surfaces[organ.tag - first_surface_tag].area * square;
+    screens.push_back({organ.position, half});
+    screens.push_back({along(organ, organ.scale), half});
   }
   for (const Polygon& polygon : sketch.polygons.all)
     screens.push_back(screen_of(std::span(sketch.polygons.corners).subspan(polygon.first, polygon.count), metres));
@@ -129,7 +157,9 @@ std::vector<Screen> screens_of(const Plant& plant, const Sketch& sketch, float m
 // The meshes that organs are drawn with, those alone that any has; and their places among the plant's.
 void add_shared(Plant& plant) {
   std::array<std::int32_t, first_surface_tag + surfaces.size()> meshes;
+  std::array<std::size_t, meshes.size()> borne{};
   meshes.fill(-1);
+  for (const Organ& organ : plant.organs) ++borne[organ.tag];
   for (Organ& organ : plant.organs) {
     if (organ.tag == polygon_tag) continue;
     std::int32_t& mesh = meshes[organ.tag];
@@ -140,7 +170,11 @@ void add_shared(Plant& plant) {
       } else {
         const std::uint32_t which = organ.tag - first_surface_tag;
         const Surface& surface = surfaces[which];
-        plant.meshes.push_back({std::string(surface.name), std::string(surface.material), make_surface(which), {}, {}});
+        plant.meshes.push_back({std::string(surface.name),
+                                std::string(surface.material),
+                                make_surface(which, borne[organ.tag] > many_surfaces),
+                                {},
+                                {}});
       }
     }
     organ.mesh = mesh;
@@ -159,14 +193,14 @@ void note_empty(Plant& plant, std::uint32_t empty) {
 void add_meshes(Plant& plant, const Sketch& sketch, const Dress& habit) {
   std::optional<Openness> open;
   if (habit.sky) open.emplace(plant.segments, screens_of(plant, sketch, habit.metres));
-  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit.sides, open ? &*open : nullptr);
+  PlantMesh stems = stems_of(plant.segments, sketch.lines, habit, open ? &*open : nullptr);
   std::uint32_t empty = 0;
   PlantMesh blades = blades_of(sketch.polygons, habit.metres, empty);
   note_empty(plant, empty);
   if (open) {
     if (!blades.runs.empty()) blades.columns.add("sky", open->of(blades.mesh));
     std::vector<std::uint8_t> of_organs;
-    for (const Organ& organ : plant.organs) of_organs.push_back(open->at(organ.position));
+    for (const Organ& organ : plant.organs) of_organs.push_back(sky_of(*open, organ));
     if (!of_organs.empty()) plant.columns.add("organs.sky", std::move(of_organs));
   }
   plant.meshes.push_back(std::move(stems));

@@ -12,7 +12,8 @@ struct Dress {
   float metres = 0.01f;  // of one unit of the grammar
   std::uint32_t sides = 10;
   bool meshes = true;
-  bool sky = false;  // of the meshes
+  bool sky = false;     // of the meshes
+  bool coarse = false;  // what will do while a hand still moves: of a plant of many lines fewer rings and sides
 };
 
 // Segments, organs, their columns, and the meshes that model.hpp lists; a note on polygons that show nothing.

@@ -12,8 +12,10 @@
 namespace panicle::grammar {
 namespace {
 
-// Scaling and counting down by a text's own increment leave it near 0.
-bool unset(const Segment& segment) { return segment.radius < 1e6f * no_width; }
+bool unset(const Segment& segment) { return segment.radius > 0 && segment.radius < 1e6f * no_width; }
+
+// Of a line whose width is said to be 0, as a share of the thinnest of those that say none.
+constexpr float hairline = 0.1f;
 
 // How many tips each bears; itself, where it is one.
 std::vector<std::uint32_t> tips_of(std::span<const Segment> segments) {
@@ -46,8 +48,9 @@ void thicken(std::span<Segment> segments, const Girth& girth) {
   bool any = false;
   for (Segment& segment : segments) {
     length += glm::distance(segment.start, segment.end);
-    any = any || unset(segment);
-    if (unset(segment)) continue;
+    const bool open = unset(segment) || segment.radius == 0;
+    any = any || open;
+    if (open) continue;
     segment.radius *= girth.said;
     segment.radius_end *= girth.said;
   }
@@ -56,6 +59,7 @@ void thicken(std::span<Segment> segments, const Girth& girth) {
   const std::vector<std::uint32_t> tips = tips_of(segments);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Segment& segment = segments[i];
+    if (segment.radius == 0) segment.radius = segment.radius_end = hairline * thinnest;
     if (!unset(segment)) continue;
     segment.radius = segment.radius_end =
         tips[i] == 1 ? thinnest : thinnest * power(static_cast<float>(tips[i]), girth.thickening);

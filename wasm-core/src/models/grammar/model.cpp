@@ -9,6 +9,7 @@
 #include "models/grammar/belonging.hpp"
 #include "models/grammar/dressing.hpp"
 #include "models/grammar/girth.hpp"
+#include "models/grammar/measures/measures.hpp"
 #include "models/grammar/neighbours.hpp"
 #include "models/grammar/parameters.generated.hpp"
 #include "models/grammar/sketch.hpp"
@@ -30,7 +31,7 @@ struct Asked {
   std::optional<std::uint32_t> steps;
   std::span<const float> parameters;
   lsystem::Inputs inputs;
-  bool meshes = true, sky = false, mesh_fingerprint = false, string = false;
+  bool meshes = true, measures = false, sky = false, coarse = false, mesh_fingerprint = false, string = false;
   std::optional<lsystem::ChronicleAsked> chronicle;
 };
 
@@ -52,7 +53,9 @@ Result<Asked> read(Request& request) {
   request.text("model");
   asked.seed = request.word("seed", 1);
   asked.meshes = request.wants("meshes");
+  asked.measures = request.wants("measures");
   asked.sky = request.wants("sky");
+  asked.coarse = request.wants("coarse");
   asked.mesh_fingerprint = request.wants("mesh_fingerprint");
   asked.string = request.wants("string");
   if (request.has("steps")) asked.steps = request.word("steps");
@@ -96,10 +99,18 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
   std::vector<bool> grown(areas.size() + 1);
   for (const Mark& mark : sketch.lines)
     if (of(mark).area <= areas.size()) grown[of(mark).area] = true;
-  for (std::size_t area = 1; area <= areas.size(); ++area)
-    if (!grown[area])
-      plant.notes.push_back("Nothing grows in area " + std::to_string(area) +
-                            ": the main branch does not come there. Lead it through, or change the areas' order.");
+  for (std::size_t area = 1; area <= areas.size(); ++area) {
+    if (grown[area]) continue;
+    const std::size_t around = areas.around(area);
+    const std::string nothing = "Nothing grows in area " + std::to_string(area) + ": ";
+    plant.notes.push_back(around == 0
+                              ? nothing +
+                                    "the main branch does not come there. Lead it through, or change the areas' "
+                                    "order; where it is far away, give it more steps (derivation length)."
+                              : nothing + "its middle lies within area " + std::to_string(around) +
+                                    ", and an area's turn comes when the one before it has been left. Move it out, or "
+                                    "take it away.");
+  }
 }
 
 // The derivation told, of a plant whose last string has so many modules.
@@ -145,13 +156,19 @@ Result<Plant> grow(Request& request, const Limits& given) {
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
-  dress(plant, sketch, {.metres = metres, .sides = values.whole(sides), .meshes = asked->meshes, .sky = asked->sky});
+  dress(plant, sketch,
+        {.metres = metres,
+         .sides = values.whole(sides),
+         .meshes = asked->meshes,
+         .sky = asked->sky,
+         .coarse = asked->coarse});
   const auto count = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
   plant.counts = {{"modules", count(lsystem::length(string))},
                   {"steps", derived->steps},
                   {"segments", count(plant.segments.size())},
                   {"organs", count(plant.organs.size())},
                   {"polygons", count(sketch.polygons.all.size())}};
+  if (asked->measures) measure(plant, {sketch, string, areas.value(), metres});
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
   if (asked->chronicle) {
     const Diagnostic trouble = tell(plant, *bound.value(), asked.value(), limits, around, lsystem::length(string));

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "environment/matter_cells.hpp"
+
 namespace panicle::grammar {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr float own = 1e-3f;           // of the radius: as near as this is wher
 constexpr std::size_t most_radii = 8;  // whose cells are kept at a time
 constexpr float most_cells = 48;       // along an edge of the box
 constexpr std::uint32_t lamps = 24;
-constexpr float matter_of_an_end = 0.5f;
+constexpr float matter_of_an_end = 0.5f;  // of a side of a cell
 
 }  // namespace
 
@@ -64,17 +66,9 @@ std::unique_ptr<VoxelLight> Neighbours::light(float edge) const {
   high += edge;
   const glm::vec3 size = high - low;
   const float cell = std::max(edge, std::max({size.x, size.y, size.z}) / most_cells);
-  const auto along = [&](float length) { return static_cast<std::uint32_t>(length / cell) + 1; };
-  const std::uint32_t x = along(size.x), y = along(size.y), z = along(size.z);
-  std::vector<float> matter(std::size_t{x} * y * z, 0);
-  for (const glm::vec3& end : ends_) {
-    const auto place = [&](float at, float from, std::uint32_t most) {
-      return std::min(most - 1, static_cast<std::uint32_t>((at - from) / cell));
-    };
-    matter[(std::size_t{place(end.z, low.z, z)} * y + place(end.y, low.y, y)) * x + place(end.x, low.x, x)] +=
-        matter_of_an_end / cell;
-  }
-  return std::make_unique<VoxelLight>(low, cell, x, y, z, matter, overcast(lamps));
+  MatterCells matter(low, high, cell);
+  for (const glm::vec3& end : ends_) matter.put(end, matter_of_an_end * cell * cell);
+  return std::make_unique<VoxelLight>(matter.light(overcast(lamps)));
 }
 
 }  // namespace panicle::grammar

@@ -40,11 +40,17 @@ void Sketch::sphere(const lsystem::Turtle& turtle, float radius, const lsystem::
 
 void Sketch::polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners,
                      const lsystem::Lineage& lineage) {
+  plate(turtle, corners, 0, lineage);
+}
+
+void Sketch::plate(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners, float thickness,
+                   const lsystem::Lineage& lineage) {
   if (!within(borne.size(), limits().spheres, "spheres, polygons and surfaces")) return;
   if (!within(polygons.corners.size() + corners.size(), limits().moves, "corners of polygons")) return;
   bear(polygon_tag, turtle, 1, of_blades, lineage);
   polygons.all.push_back({static_cast<std::uint32_t>(polygons.corners.size()),
-                          static_cast<std::uint32_t>(corners.size()), borne.back().mark});
+                          static_cast<std::uint32_t>(corners.size()), static_cast<std::uint32_t>(borne.size() - 1),
+                          thickness, borne.back().mark});
   polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
 }
 

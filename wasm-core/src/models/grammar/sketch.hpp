@@ -37,6 +37,8 @@ struct Borne {
 
 struct Polygon {
   std::uint32_t first = 0, count = 0;  // of the corners
+  std::uint32_t borne = 0;             // which of all that is borne it is
+  float thickness = 0;                 // 0: a sheet
   Mark mark;
 };
 
@@ -55,6 +57,8 @@ class Sketch final : public Drawing {
   void sphere(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;
   void polygon(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners,
                const lsystem::Lineage& lineage) override;
+  void plate(const lsystem::Turtle& turtle, std::span<const glm::vec3> corners, float thickness,
+             const lsystem::Lineage& lineage) override;
   void surface(const lsystem::Turtle& turtle, std::string_view name, float size,
                const lsystem::Lineage& lineage) override;
   void disc(const lsystem::Turtle& turtle, float radius, const lsystem::Lineage& lineage) override;

@@ -6,11 +6,12 @@
 
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
+#include "models/grammar/outlines.hpp"
 
 namespace panicle::grammar {
 namespace {
 
-constexpr std::uint32_t round = 14;  // sides of what is turned
+constexpr std::uint32_t round_sides = 14, plain_sides = 8;  // sides of what is turned
 
 // Half of a blade's outline, from its base (0) to its tip (1), and how it lies.
 struct Blade {
@@ -19,7 +20,15 @@ struct Blade {
   float fold = 0.2f;    // how far margins stand above the midrib, over their distance
   float droop = 0.15f;  // how far the tip lies below the base's plane
   std::uint32_t rows = 8;
+  std::uint32_t across = 5;  // places of a row: 3 with the margins and the midrib alone
 };
+
+// About half the rows, margins and midrib alone.
+Blade plainer(Blade blade) {
+  blade.rows = (blade.rows + 1) / 2;
+  blade.across = 3;
+  return blade;
+}
 
 // Half the width: from nothing at the base through the widest place to the tip, smoothly, the tip pointed.
 float half_width(const Blade& blade, float t) {
@@ -44,15 +53,15 @@ void add_normals(Mesh& mesh) {
   }
 }
 
-// Five across: margins, midrib and what is between.
+// Across it margins, midrib and what is between.
 Mesh blade_of(const Blade& blade) {
-  constexpr std::uint32_t across = 5;
+  const std::uint32_t across = blade.across, middle = across / 2;
   Mesh mesh;
   for (std::uint32_t row = 0; row <= blade.rows; ++row) {
     const float t = static_cast<float>(row) / static_cast<float>(blade.rows);
     const float half = half_width(blade, t);
     for (std::uint32_t k = 0; k < across; ++k) {
-      const float s = static_cast<float>(k) / 2 - 1;
+      const float s = static_cast<float>(k) / static_cast<float>(middle) - 1;
       put(mesh.positions, glm::vec3(s * half, t, blade.fold * std::fabs(s) * half - blade.droop * t * t));
       put(mesh.uvs, glm::vec2(0.5f + s * half / blade.width, 1 - t));
     }
@@ -95,9 +104,8 @@ void add_turned(Mesh& all, const Mesh& one, float tilt, float about) {
   for (const std::uint32_t index : one.indices) all.indices.push_back(base + index);
 }
 
-Mesh flower() {
+Mesh flower(const Mesh& petal) {
   constexpr std::uint32_t petals = 5;
-  const Mesh petal = blade_of({.width = 0.75f, .widest = 0.62f, .fold = 0.25f, .droop = 0.12f, .rows = 6});
   Mesh all;
   for (std::uint32_t k = 0; k < petals; ++k) add_turned(all, petal, 66, 72.0f * static_cast<float>(k));
   return all;
@@ -109,26 +117,26 @@ struct Knot {
 };
 
 // Smooth but where a knot stands twice, for a sharp edge, and at its ends, which may be points.
-Mesh turned(std::span<const Knot> outline) {
+Mesh turned(std::span<const Knot> outline, std::uint32_t sides) {
   Mesh mesh;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Knot& before = outline[i > 0 ? i - 1 : 0];
     const Knot& after = outline[i + 1 < outline.size() ? i + 1 : i];
     const float dr = after.radius - before.radius, dy = after.height - before.height;
     const float length = std::sqrt(dr * dr + dy * dy);
-    for (std::uint32_t k = 0; k <= round; ++k) {
-      const auto [sine, cosine] = sincos_degrees(360.0f * static_cast<float>(k % round) / static_cast<float>(round));
+    for (std::uint32_t k = 0; k <= sides; ++k) {
+      const auto [sine, cosine] = sincos_degrees(360.0f * static_cast<float>(k % sides) / static_cast<float>(sides));
       put(mesh.positions, glm::vec3(outline[i].radius * sine, outline[i].height, outline[i].radius * cosine));
       put(mesh.normals, glm::vec3(dy * sine, -dr, dy * cosine) / length);
-      put(mesh.uvs, glm::vec2(static_cast<float>(k) / static_cast<float>(round),
+      put(mesh.uvs, glm::vec2(static_cast<float>(k) / static_cast<float>(sides),
                               1 - static_cast<float>(i) / static_cast<float>(outline.size() - 1)));
     }
   }
   for (std::uint32_t row = 0; row + 1 < outline.size(); ++row) {
     const Knot &one = outline[row], &next = outline[row + 1];
     if (one.radius == next.radius && one.height == next.height) continue;
-    for (std::uint32_t k = 0; k < round; ++k) {
-      const std::uint32_t a = row * (round + 1) + k, b = a + round + 1;
+    for (std::uint32_t k = 0; k < sides; ++k) {
+      const std::uint32_t a = row * (sides + 1) + k, b = a + sides + 1;
       if (one.radius > 0) put(mesh.indices, a, a + 1, b + 1);
       if (next.radius > 0) put(mesh.indices, a, b + 1, b);
     }
@@ -137,8 +145,8 @@ Mesh turned(std::span<const Knot> outline) {
 }
 
 // On the turtle, not about it.
-Mesh berry() {
-  Mesh mesh = make_ball(round);
+Mesh berry(std::uint32_t sides) {
+  Mesh mesh = make_ball(sides);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     mesh.positions[i] = 0.5f * mesh.positions[i] + (i % 3 == 1 ? 0.5f : 0);
   return mesh;
@@ -152,28 +160,32 @@ std::optional<std::uint32_t> surface_named(std::string_view name) {
   return {};
 }
 
-Mesh make_surface(std::uint32_t which) {
+Mesh make_surface(std::uint32_t which, bool plain) {
   constexpr Knot disc[] = {{0.5f, 0}, {0, 0.02f}};
   constexpr Knot cone[] = {{0, 0}, {0.25f, 0}, {0.25f, 0}, {0, 1}};
   constexpr Knot bud[] = {{0, 0},         {0.1f, 0.04f}, {0.2f, 0.18f},  {0.23f, 0.36f},
                           {0.19f, 0.58f}, {0.1f, 0.82f}, {0.04f, 0.95f}, {0, 1}};
+  const std::uint32_t sides = plain ? plain_sides : round_sides;
+  const auto blade = [plain](const Blade& whole) { return blade_of(plain ? plainer(whole) : whole); };
   switch (which) {
     case 0:
-      return blade_of({.width = 0.46f, .widest = 0.38f, .fold = 0.25f, .droop = 0.16f, .rows = 8});
+      return blade({.width = 0.46f, .widest = 0.38f, .fold = 0.25f, .droop = 0.16f, .rows = 8});
     case 1:
-      return blade_of({.width = 0.7f, .widest = 0.62f, .fold = 0.22f, .droop = 0.14f, .rows = 7});
+      return blade({.width = 0.7f, .widest = 0.62f, .fold = 0.22f, .droop = 0.14f, .rows = 7});
     case 2:
-      return blade_of({.width = 0.28f, .widest = 0.35f, .fold = 0.3f, .droop = 0.08f, .rows = 6});
+      return blade({.width = 0.28f, .widest = 0.35f, .fold = 0.3f, .droop = 0.08f, .rows = 6});
     case 3:
-      return flower();
+      return flower(blade({.width = 0.75f, .widest = 0.62f, .fold = 0.25f, .droop = 0.12f, .rows = 6}));
     case 4:
-      return turned(disc);
+      return turned(disc, sides);
     case 5:
-      return turned(cone);
+      return turned(cone, sides);
     case 6:
-      return turned(bud);
+      return turned(bud, sides);
+    case 7:
+      return berry(sides);
     default:
-      return berry();
+      return blade_within(outlines[which - first_outline_surface], plain);
   }
 }
 

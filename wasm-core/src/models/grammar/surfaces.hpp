@@ -18,7 +18,7 @@ struct Surface {
   float area;                 // that it hides, at size 1
 };
 
-inline constexpr std::array<Surface, 8> surfaces = {{
+inline constexpr std::array<Surface, 20> surfaces = {{
     {"leaf", "blade", 3, 0.3f},
     {"petal", "petal", 5, 0.4f},
     {"sepal", "sepal", 2, 0.2f},
@@ -27,12 +27,28 @@ inline constexpr std::array<Surface, 8> surfaces = {{
     {"cone", "stem", 6, 0.4f},     // half as wide as long
     {"bud", "sepal", 2, 0.5f},
     {"berry", "skin", 7, 0.8f},  // 1 across
+    // Leaves of one rule: the outlines of outlines.hpp, in their order.
+    {"ovate", "blade", 3, 0.23f},
+    {"elliptic", "blade", 3, 0.18f},
+    {"lanceolate", "blade", 3, 0.09f},
+    {"obovate", "blade", 3, 0.19f},
+    {"oblanceolate", "blade", 3, 0.1f},
+    {"orbicular", "blade", 3, 0.39f},
+    {"deltoid", "blade", 3, 0.29f},
+    {"cordate", "blade", 3, 0.48f},
+    {"reniform", "blade", 3, 1.05f},
+    {"fivelobed", "blade", 3, 0.63f},
+    {"threelobed", "blade", 3, 0.57f},
+    {"toothed", "blade", 3, 0.2f},
 }};
+
+inline constexpr std::uint32_t first_outline_surface = 8;
 
 // The place of a name among them; nothing where there is none of that name.
 std::optional<std::uint32_t> surface_named(std::string_view name);
 
-// y where the turtle heads, z to its upper side; triangles counter-clockwise seen from outside, or from above.
-Mesh make_surface(std::uint32_t which);
+// y where the turtle heads, z to its upper side; triangles counter-clockwise seen from outside, or from above. `plain`:
+// of the same size and about a quarter of the triangles.
+Mesh make_surface(std::uint32_t which, bool plain = false);
 
 }  // namespace panicle::grammar

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "environment/voxel_light.hpp"
+#include "environment/openness.hpp"
 #include "foundation/mathematics.hpp"
 #include "geometry/tubes.hpp"
 #include "models/particles/twigs.hpp"
@@ -20,9 +20,6 @@ constexpr std::uint32_t sides = 10, thin_sides = 6;
 // Axes thinner than this share of the thickest are thin; segments thinner than that share of the whole plant are twigs:
 // where all of it is seen, they are a pixel or two wide.
 constexpr float thin = 0.3f, fine_of_all = 0.002f;
-constexpr std::uint32_t sky_cells = 32, sky_directions = 32;
-
-std::uint8_t byte_of(float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); }
 
 // Of each segment the axis that it belongs to: at a fork the heaviest goes on.
 std::vector<std::int32_t> axes_of(const Grown& grown, std::size_t segments) {
@@ -49,34 +46,12 @@ std::vector<std::int32_t> axes_of(const Grown& grown, std::size_t segments) {
   return axes;
 }
 
-// What is open around each cell.
-VoxelLight openness(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
-  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
-  const auto hold = [&](const glm::vec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  };
-  for (const Organ& organ : plant.organs) hold(organ.position);
-  for (const Segment& segment : plant.segments) hold(segment.end);
-  if (!(low.x <= high.x)) low = high = glm::vec3(0);
-  const glm::vec3 size = high - low;
-  const float edge = std::max({size.x, size.y, size.z, 1e-3f}) / static_cast<float>(sky_cells);
-  const glm::ivec3 count = glm::ivec3(size / edge) + 1;
-  std::vector<float> matter(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
-                            static_cast<std::size_t>(count.z));
-  // What a surface hides, taken over all sides, is half of a leaf's area and a quarter of a rod's surface.
-  const float cell = 1 / (edge * edge * edge);
-  const auto put_in = [&](const glm::vec3& p, float area) {
-    const glm::ivec3 at = glm::clamp(glm::ivec3((p - low) / edge), glm::ivec3(0), count - 1);
-    matter[static_cast<std::size_t>((at.z * count.y + at.y) * count.x + at.x)] += area * cell;
-  };
+// What hides sky beside the wood: a leaf, half of its area.
+std::vector<Screen> leaves_of(const Plant& plant, std::uint32_t leaf_tag, float leaf_area) {
+  std::vector<Screen> leaves;
   for (const Organ& organ : plant.organs)
-    if (organ.tag == leaf_tag) put_in(organ.position, 0.5f * leaf_area * organ.scale * organ.scale);
-  for (const Segment& segment : plant.segments)
-    put_in(0.5f * (segment.start + segment.end),
-           0.25f * pi * (segment.radius + segment.radius_end) * glm::distance(segment.start, segment.end));
-  const auto words = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
-  return {low, edge, words(count.x), words(count.y), words(count.z), matter, all_round(sky_directions)};
+    if (organ.tag == leaf_tag) leaves.push_back({organ.position, 0.5f * leaf_area * organ.scale * organ.scale});
+  return leaves;
 }
 
 // Where a branch leaves at a narrow angle, its first rings fold over each other and over what bears it, and normals
@@ -185,14 +160,10 @@ void dress(Plant& plant, const Grown& grown, const DressHabit& habit) {
   StemMesh stems = tubes_of(plant.segments, axes_of(grown, plant.segments.size()), targets, habit.foot);
   Columns columns;
   if (habit.sky) {
-    const VoxelLight open = openness(plant, habit.leaf, habit.leaf_area);
-    std::vector<std::uint8_t> of_stems, of_organs;
-    const std::vector<float>& at = stems.mesh.positions;
-    of_stems.reserve(at.size() / 3);
-    for (std::size_t v = 0; v + 2 < at.size(); v += 3)
-      of_stems.push_back(byte_of(open.at({at[v], at[v + 1], at[v + 2]})));
-    for (const Organ& organ : plant.organs) of_organs.push_back(byte_of(open.at(organ.position)));
-    columns.add("sky", std::move(of_stems));
+    const Openness open(plant.segments, leaves_of(plant, habit.leaf, habit.leaf_area));
+    std::vector<std::uint8_t> of_organs;
+    for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
+    columns.add("sky", open.of(stems.mesh));
     plant.columns.add("organs.sky", std::move(of_organs));
   }
   columns.add("segment", std::move(stems.segment));

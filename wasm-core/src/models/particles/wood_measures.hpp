@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "models/particles/branching.hpp"
+#include "plant/branching.hpp"
 
 namespace panicle::particles {
 

@@ -17,6 +17,7 @@ import { completion } from "./completion";
 import { difference } from "./difference";
 import { EDITOR_STYLE } from "./editor_style";
 import { type Explanation, explain, productionAt } from "./explain";
+import { closeFind, finding, openFind } from "./find";
 import { highlight, outlined } from "./highlight";
 import { NumberDrag, numberHere, scrubbing, stepHere } from "./numbers";
 import type { NumberAt } from "./outline";
@@ -86,6 +87,7 @@ export class Editor {
 					highlight,
 					showProblems,
 					productionMarks,
+					finding,
 					scrubbing({ begin: () => events.settle(), end: () => events.settle() }),
 					EditorView.lineWrapping,
 					EditorView.contentAttributes.of({
@@ -147,6 +149,17 @@ export class Editor {
 		this.#view.focus();
 	}
 
+	/** Scrolls as little as it takes for the line that is typed in to be seen. */
+	showCursor(): void {
+		const { head } = this.#view.state.selection.main;
+		if (this.#view.hasFocus) this.#view.dispatch({ effects: EditorView.scrollIntoView(head, { yMargin: 24 }) });
+	}
+
+	/** Opens the search. */
+	find(): void {
+		openFind(this.#view);
+	}
+
 	/** Takes the cursor to a place, such as that of a problem. */
 	goTo(place: Pick<Problem, "line" | "column">): void {
 		this.select(placeOf(this.#view, place));
@@ -193,10 +206,11 @@ export class Editor {
 			{ key: "Mod-Shift-z", run: done(redo), preventDefault: true },
 			{
 				key: "Escape",
-				// The first closes the list of completions.
-				run: ({ state }) => {
-					if (completionStatus(state) === null) leave();
-					return completionStatus(state) === null;
+				// The first closes the list of completions, the next the search.
+				run: (view) => {
+					if (completionStatus(view.state) !== null) return false;
+					if (!closeFind(view)) leave();
+					return true;
 				},
 			},
 		];

@@ -12,6 +12,7 @@ import type { NumberAt } from "./outline";
 import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText } from "./source";
 import type { ShownProductions } from "./stepper";
 import { type Problem, problemsOf } from "./told";
+import { TypingRoom } from "./typing_room";
 import "./number_pad";
 import "./stepper";
 
@@ -19,7 +20,7 @@ const GESTURE = "grammar";
 /** Who types no further for this long, in milliseconds, has made a step. */
 const PAUSE = 700;
 const KEYS =
-	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
+	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes, Control and F finds. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
 
 /** The grammar beside its plant: every change grows at once, and what is wrong with it is shown where it stands. */
 export class GrammarPane extends ControlElement<GrammarDesk> {
@@ -43,6 +44,7 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 
 	#editor: Editor | undefined;
 	readonly #runs = new KeyRuns();
+	#room: TypingRoom | undefined;
 	#pause: ReturnType<typeof setTimeout> | undefined;
 	/** What had the focus before. */
 	#opener: Element | null = null;
@@ -50,11 +52,14 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 	override connectedCallback(): void {
 		super.connectedCallback();
 		this.#opener = document.activeElement;
+		// Once the page is laid out anew.
+		this.#room = new TypingRoom(() => requestAnimationFrame(() => this.#editor?.showCursor()));
 	}
 
 	override disconnectedCallback(): void {
 		super.disconnectedCallback();
 		this.#settle();
+		this.#room?.end();
 		this.#editor?.destroy();
 		this.#editor = undefined;
 		this.desk.setToolState(DERIVATION, { ...this.desk.toolState(DERIVATION), open: false });
@@ -89,6 +94,9 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 				<button class="button" type="button" aria-expanded=${open} aria-controls=${steps} title="The derivation, step by step" @click=${this.#setSteps}>
 					Steps
 				</button>
+				<button
+					class="button quiet icon" type="button" aria-label="Find" title="Find (Ctrl+F)" aria-keyshortcuts="Control+F" @click=${() => this.#editor?.find()}
+				>${icon("search")}</button>
 				<button class="button quiet icon" type="button" data-close aria-label="Close the grammar" title="Close the grammar" @click=${this.close}>
 					${icon("close")}
 				</button>
@@ -164,7 +172,7 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 			settle: () => this.#settle(),
 			undo: () => this.desk.undo(),
 			redo: () => this.desk.redo(),
-			leave: () => this.querySelector<HTMLElement>("[data-close]")?.focus(),
+			leave: () => this.#leave(),
 			at: (number, explained, production) => {
 				this.number = number;
 				this.explained = explained;
@@ -182,6 +190,12 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		desk.edit({ ...withText(this.source, desk.state.specimen, text), run }, GESTURE);
 		clearTimeout(this.#pause);
 		if (run) this.#pause = setTimeout(this.#settle, PAUSE);
+	}
+
+	/** Escape first ends what takes long to grow, as everywhere. */
+	#leave(): void {
+		if (this.desk.state.growing) this.desk.cancel();
+		else this.querySelector<HTMLElement>("[data-close]")?.focus();
 	}
 
 	readonly #settle = (): void => {

@@ -106,20 +106,21 @@ export class PlantHandleLayer {
 
 	/** Puts the buttons over the handles as they are seen now. */
 	place(): void {
+		// All is asked first and written then: to ask the page for a size after each style would lay it out as often.
 		const { offsetLeft, offsetTop, clientWidth, clientHeight } = this.#host.canvas;
-		const { style } = this.#layer;
-		style.translate = `${offsetLeft}px ${offsetTop}px`;
-		style.width = `${clientWidth}px`;
-		style.height = `${clientHeight}px`;
-		for (const { id, at } of this.#handles) {
-			const { x, y } = this.#host.project(at);
-			this.#buttonOf(id).style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-		}
+		const places = this.#handles.map(({ id, at }) => [id, this.#host.project(at)] as const);
 		const seen = (point: Vector) => {
 			const { x, y } = this.#host.project(point);
 			return `${x.toFixed(1)} ${y.toFixed(1)}`;
 		};
-		this.#lines.setAttribute("d", this.#ends.map((line) => `M${line.map(seen).join("L")}`).join(""));
+		const lines = this.#ends.map((line) => `M${line.map(seen).join("L")}`).join("");
+		const { style } = this.#layer;
+		style.translate = `${offsetLeft}px ${offsetTop}px`;
+		style.width = `${clientWidth}px`;
+		style.height = `${clientHeight}px`;
+		for (const [id, { x, y }] of places)
+			this.#buttonOf(id).style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+		this.#lines.setAttribute("d", lines);
 	}
 
 	/** Puts back what a hand holds. */

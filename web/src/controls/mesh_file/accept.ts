@@ -1,2 +1,2 @@
 /** The files that the picker offers. */
-export const ACCEPT = ".obj,.glb,model/obj,model/gltf-binary";
+export const ACCEPT = ".obj,.glb,.stl,model/obj,model/gltf-binary,model/stl";

@@ -3,16 +3,32 @@ import type { ClosedMesh } from "../../specimen/closed_mesh";
 import { closedMesh } from "./closed";
 import { readGlb } from "./glb";
 import { readObj } from "./obj";
-import { MeshFileError } from "./soup";
+import { MeshFileError, type Soup } from "./soup";
+import { readStl } from "./stl";
 
 /** Bytes that are read at most. */
 const LARGEST = 64 * 1024 * 1024;
+/** Triangles that are welded and simplified at most: more would hold the page for long. */
+const MOST_READ = 500_000;
+
+const READERS: Readonly<Record<string, (file: File) => Promise<Soup>>> = {
+	glb: async (file) => readGlb(await file.arrayBuffer()),
+	obj: async (file) => readObj(await file.text()),
+	stl: async (file) => readStl(await file.arrayBuffer()),
+};
 
 /** @throws MeshFileError with the reason in plain words */
 export async function readMeshFile(file: File): Promise<ClosedMesh> {
 	if (file.size > LARGEST) throw new MeshFileError(`${file.name} is larger than 64 MB: simplify it first.`);
-	const glb = /\.glb$/i.test(file.name);
-	if (!glb && !/\.obj$/i.test(file.name))
-		throw new MeshFileError(`${file.name} is neither an OBJ nor a GLB: save the mesh as one of them.`);
-	return closedMesh(glb ? readGlb(await file.arrayBuffer()) : readObj(await file.text()));
+	const [, ending] = /\.([a-z]+)$/.exec(file.name.toLowerCase()) ?? [];
+	const reader = Object.hasOwn(READERS, ending ?? "") ? READERS[ending] : undefined;
+	if (!reader)
+		throw new MeshFileError(`${file.name} is neither an OBJ nor a GLB nor an STL: save the mesh as one of them.`);
+	const soup = await reader(file);
+	const count = soup.triangles.length / 3;
+	if (count > MOST_READ) {
+		const [has, most] = [count, MOST_READ].map((number) => number.toLocaleString("en"));
+		throw new MeshFileError(`${file.name} has ${has} triangles: simplify it to at most ${most} first.`);
+	}
+	return closedMesh(soup);
 }

@@ -22,6 +22,8 @@ export interface GrammarPlant extends Plant {
 	belongs?: { area: Uint8Array; main: Uint8Array };
 	/** That it has grown in, where there are such. */
 	areas?: readonly Area[];
+	/** Of growth areas, where they were measured: m³, and the share of the surface that is clothed. */
+	areaMeasures?: { volume: Float32Array; clothed: Float32Array };
 	/** Colours of each mesh's runs, by the mesh's name. */
 	runColours: Readonly<Record<string, Uint8Array>>;
 	/** The organ that each run of the mesh `blades` is, where that is told. */
@@ -49,6 +51,9 @@ export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): Gra
 			? { belongs: { area: columns.octets("segments.area"), main: columns.octets("segments.main") } }
 			: {}),
 		...(columns.has("mesh.blades.organ") ? { bladeOrgans: columns.words("mesh.blades.organ") } : {}),
+		...(columns.has("areas.volume")
+			? { areaMeasures: { volume: columns.floats("areas.volume"), clothed: columns.floats("areas.clothed") } }
+			: {}),
 		...(columns.has("string") ? { string: columns.text("string") } : {}),
 	};
 }

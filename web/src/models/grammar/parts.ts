@@ -95,18 +95,8 @@ function* borneParts(
 	materialOf: (kind: string, colour: number) => Material,
 	called: (name: string) => string,
 ): Generator<Part> {
-	const byColour = new Map<number, number[]>();
-	for (let organ = 0; organ < organs.count; organ++) {
-		if (organs.mesh[organ] !== index) continue;
-		const members = byColour.get(borne.colour[organ]) ?? [];
-		byColour.set(borne.colour[organ], members);
-		members.push(organ);
-	}
-	for (const [colour, members] of [...byColour].sort(([a], [b]) => a - b)) {
-		const transforms = new Float32Array(TRANSFORM * members.length);
-		members.forEach((organ, i) => {
-			transforms.set(organs.transforms.subarray(TRANSFORM * organ, TRANSFORM * (organ + 1)), TRANSFORM * i);
-		});
+	for (const [colour, members] of byColour(organs, borne, index)) {
+		const transforms = gatheredTransforms(organs.transforms, members);
 		const kind = titled(organs.tags[organs.tag[members[0]]] ?? mesh.name);
 		const { sky } = organs;
 		const each = (i: number) => ({
@@ -121,11 +111,41 @@ function* borneParts(
 				instances: {
 					transforms,
 					...(organs.count > MOST_NAMED ? {} : { each }),
-					...(sky ? { sky: Uint8Array.from(members, (organ) => sky[organ]) } : {}),
+					...(sky ? { sky: members.length === organs.count ? sky : gatheredSky(sky, members) } : {}),
 				},
 			},
 		};
 	}
+}
+
+/** The organs of a mesh by their colours. Plain loops: there may be a hundred thousand, at every step of a drag. */
+function byColour(organs: GrammarPlant["organs"], { colour }: GrammarPlant["borne"], index: number) {
+	const counts = new Map<number, number>();
+	for (let organ = 0; organ < organs.count; organ++)
+		if (organs.mesh[organ] === index) counts.set(colour[organ], (counts.get(colour[organ]) ?? 0) + 1);
+	return [...counts]
+		.sort(([a], [b]) => a - b)
+		.map(([wanted, count]) => {
+			const members = new Uint32Array(count);
+			let at = 0;
+			for (let organ = 0; organ < organs.count; organ++)
+				if (organs.mesh[organ] === index && colour[organ] === wanted) members[at++] = organ;
+			return [wanted, members] as const;
+		});
+}
+
+function gatheredTransforms(all: Float32Array, members: Uint32Array): Float32Array {
+	if (TRANSFORM * members.length === all.length) return all;
+	const transforms = new Float32Array(TRANSFORM * members.length);
+	let at = 0;
+	for (const member of members) for (let k = 0; k < TRANSFORM; k++) transforms[at++] = all[TRANSFORM * member + k];
+	return transforms;
+}
+
+function gatheredSky(all: Uint8Array, members: Uint32Array): Uint8Array {
+	const sky = new Uint8Array(members.length);
+	for (let i = 0; i < members.length; i++) sky[i] = all[members[i]];
+	return sky;
 }
 
 const titled = (name: string) => `${name.charAt(0).toUpperCase()}${name.slice(1)}`;

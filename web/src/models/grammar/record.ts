@@ -1,5 +1,6 @@
 /** What the JSON document says of what a text has grown, besides and in place of what it says of any plant. */
 import type { OrganRecord, SegmentRecord } from "../../export/json";
+import { shortFloat } from "../../export/numbers";
 import { floats, integers, Rows, vectors, words } from "../../export/rows";
 import type { Area } from "./areas/area";
 import type { GrammarPlant } from "./grammar_plant";
@@ -24,6 +25,16 @@ export interface BorneRecord extends OrganRecord {
 	colour: number;
 }
 
+/** A growth area, and what has grown in it. */
+export interface AreaRecord extends Pick<Area, "kind" | "centre" | "size" | "rotation"> {
+	/** How many belong to it, where the text says it. */
+	segments?: number;
+	/** m³, where measures were asked for. */
+	volume?: number;
+	/** Share of its surface that has the base of a leaf within one leaf's length, where measures were asked for. */
+	clothed?: number;
+}
+
 export interface GrammarRecord {
 	/** Length of the last string. */
 	modules: number;
@@ -32,26 +43,18 @@ export interface GrammarRecord {
 	/** The last string, where it was asked for: it reads back as an axiom. */
 	string?: string;
 	/** What bounds the branches, metres. */
-	areas?: readonly Pick<Area, "kind" | "centre" | "size" | "rotation">[];
+	areas?: readonly AreaRecord[];
 	segments: Rows<LineRecord>;
 	organs: Rows<BorneRecord>;
 }
 
-export function grammarRecord({
-	counts,
-	segments,
-	organs,
-	lines,
-	borne,
-	belongs,
-	areas,
-	string,
-}: GrammarPlant): GrammarRecord {
+export function grammarRecord(plant: GrammarPlant): GrammarRecord {
+	const { counts, segments, organs, lines, borne, belongs, areas, string } = plant;
 	return {
 		modules: counts.modules,
 		steps: counts.steps,
 		...(string === undefined ? {} : { string }),
-		...(areas ? { areas: areas.map(({ kind, centre, size, rotation }) => ({ kind, centre, size, rotation })) } : {}),
+		...(areas ? { areas: areas.map((area, i) => areaRecord(area, i, plant)) } : {}),
 		segments: new Rows<LineRecord>(segments.count, {
 			parent: integers(segments.parent),
 			kind: words(segments.tags, segments.tag),
@@ -72,5 +75,19 @@ export function grammarRecord({
 			module: integers(borne.module),
 			colour: integers(borne.colour),
 		}),
+	};
+}
+
+function areaRecord({ kind, centre, size, rotation }: Area, i: number, plant: GrammarPlant): AreaRecord {
+	const { belongs, areaMeasures } = plant;
+	return {
+		kind,
+		centre,
+		size,
+		rotation,
+		...(belongs ? { segments: belongs.area.reduce((sum, area) => sum + (area === i + 1 ? 1 : 0), 0) } : {}),
+		...(areaMeasures
+			? { volume: shortFloat(areaMeasures.volume[i]), clothed: shortFloat(areaMeasures.clothed[i]) }
+			: {}),
 	};
 }

@@ -3,7 +3,6 @@
 /** The texts of presets by their names: loaded when the first is grown. */
 export const TEXTS: Readonly<Record<string, string>> = {
 	algae: `/* Fibonacci’s filament
-   kind: filaments
    about: The simplest of all L-systems: as many cells as Fibonacci’s rabbits.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 1.2; drawing is ours
    page: 4
@@ -20,7 +19,6 @@ a --> ;(2) F(1) f(0.2)
 b --> ;(7) F(0.5) f(0.2)
 `,
 	"anabaena-heterocysts": `/* Anabaena with heterocysts
-   kind: filaments
    about: A substance leaks out of the cells; where little is left, a cell becomes a heterocyst.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), L-system 1.1; t>0 and the drawing are ours
    page: 44
@@ -44,7 +42,6 @@ F(s,t,c) : t>0 --> ;(2) F(s)
 H(s) --> ;(7) @O(s)
 `,
 	anabaena: `/* Anabaena catenula
-   kind: filaments
    about: A blue-green filament whose cells divide in one of two directions.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.4; after Lindenmayer 1968; drawing is ours
    page: 5
@@ -65,7 +62,6 @@ br --> ;(6) F(0.5) f(0.2)
 bl --> ;(7) F(0.5) f(0.2)
 `,
 	"binary-tree": `/* Binary tree
-   kind: plants
    about: Every branch is the one before, made smaller by R.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.39
    page: 49
@@ -79,7 +75,6 @@ axiom: A(1)
 A(s) --> F(s) [+A(s/R)] [-A(s/R)]
 `,
 	"borchert-slade": `/* Tree that branches ever less
-   kind: trees
    about: How often an axis branches falls with its age, so that the tips are as many as a surface holds.
    source: Synthetic topiary (Prusinkiewicz, James and Měch 1994), section 4; after Borchert and Slade 1981
 */
@@ -94,7 +89,6 @@ A(k) --> /(phi) [+(alpha) F A(k+1)] -(beta) F A(k+1) : min(1, (2*k+1)/k^2)
 A(k) --> /(phi) -(beta) F A(k+1) : max(0, 1-(2*k+1)/k^2)
 `,
 	bush: `/* Bush
-   kind: plants
    about: A bush in space, with leaves.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.25; J is S there
    page: 26
@@ -112,7 +106,6 @@ J --> F L
 L --> [''' ^^ {-f+f+f-|-f+f+f}]
 `,
 	capitulum: `/* Capitulum
-   kind: inflorescences
    about: A raceme without internodes or stalks: the flowers sit on a disc.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -128,11 +121,9 @@ K(n) : n<60 --> ;(6) @O(0.22)
 K(n) --> &(60) ;(5) ~petal(1.4)
 `,
 	"compound-leaf-alternating": `/* Compound leaf with alternating branches
-   kind: leaves
    about: Branches to one side and the other in turn.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.12
    page: 130
-   set: unit=0.2
 */
 #define D 1 /* 0 … 10 */
 #define R 1.36 /* 1 … 2 */
@@ -148,11 +139,9 @@ B(d) : d=0 --> F(1) [-B(D)] F(1) A(0)
 F(a) --> F(a*R)
 `,
 	"compound-leaf": `/* Compound leaf
-   kind: leaves
    about: Leaflets in pairs; each branch is the whole, D steps younger.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.11; fewer steps than there
    page: 129
-   set: unit=1
 */
 #define D 1 /* 0 … 10 */
 #define R 1.5 /* 1 … 2 */
@@ -167,7 +156,6 @@ A(d) : d=0 --> F(1) [+A(D)] [-A(D)] F(1) A(0)
 F(a) --> F(a*R)
 `,
 	"cordate-leaf": `/* Cordate leaf
-   kind: leaves
    about: Its blade is made of polygons between growing ribs.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.5
    page: 122
@@ -182,11 +170,9 @@ B --> [-B {.] . C .}
 C --> G C
 `,
 	crocus: `/* Crocus
-   kind: flowers
    about: Leaves first, then one flower.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 3.2; shapes are ours
    page: 69
-   set: unit=4
 */
 #define Ta 7 /* 2 … 20 */
 #define Tl 9 /* 1 … 20 */
@@ -207,7 +193,6 @@ L(t) --> ~leaf(2*t)
 K(t) --> ~flower(2*t)
 `,
 	"cyme-double": `/* Double cyme
-   kind: inflorescences
    about: Each axis ends in a flower and goes on with two branches.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -223,7 +208,6 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	cyme: `/* Simple cyme
-   kind: inflorescences
    about: Each axis ends in a flower and goes on with one branch, to the same side.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -239,7 +223,6 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	"dragon-curve": `/* Dragon curve
-   kind: edge-rewriting
    about: Two kinds of edge, one turning left and one right.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.10 a
    page: 11
@@ -257,7 +240,6 @@ Fl --> F
 Fr --> F
 `,
 	"flower-field": `/* Flower field
-   kind: flowers
    about: Sixteen plants, no two alike.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.28; rows and distances are ours
    page: 29
@@ -280,7 +262,6 @@ pedicel --> F F
 wedge --> [' ^ F][{&&&& -f+f|-f+f}]
 `,
 	"flowering-plant": `/* Flowering plant
-   kind: flowers
    about: A plant of internodes, leaves and flowers.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.26
    page: 27
@@ -299,7 +280,6 @@ pedicel --> F F
 wedge --> [' ^ F][{&&&& -f+f|-f+f}]
 `,
 	"flowering-signal": `/* Flowering by a signal
-   kind: signals
    about: A signal starts at the base after a while and turns the apex into flowers.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), L-system 3.1, put in other words; values are ours
    page: 77
@@ -331,7 +311,6 @@ K(t) --> ~flower(0.3*t)
 s(i) --> ;(7) @O(0.4)
 `,
 	"hexagonal-gosper": `/* Hexagonal Gosper curve
-   kind: edge-rewriting
    about: A curve that fills a plane of hexagons.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.11 a
    page: 12
@@ -349,7 +328,6 @@ Fl --> F
 Fr --> F
 `,
 	"hilbert-cube": `/* Hilbert curve in space
-   kind: node-rewriting
    about: A curve that comes to every point of a cube once.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.19
    page: 20
@@ -365,7 +343,6 @@ C --> |D^|F^B-F+C^F^A&&F A&F^C+F+B^F^D//
 D --> |C F B-F+B|F A&F^A&&F B-F+B|F C//
 `,
 	"hilbert-curve": `/* Hilbert curve
-   kind: node-rewriting
    about: Four copies, two of them mirrored, joined by three lines.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 1.4.2; after Hilbert 1891
 */
@@ -378,7 +355,6 @@ L --> +R F-L F L-F R+
 R --> -L F+R F R+F L-
 `,
 	"hogeweg-hesper-a": `/* Hogeweg and Hesper’s plant a
-   kind: signals
    about: Cells in one of two states, each changed by its neighbours.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.31 a; after Hogeweg and Hesper 1974; o and i are 0 and 1 there
    page: 35
@@ -401,7 +377,6 @@ i < i > i --> o
 - --> +
 `,
 	"hogeweg-hesper-b": `/* Hogeweg and Hesper’s plant b
-   kind: signals
    about: Cells in one of two states, each changed by its neighbours.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.31 b; after Hogeweg and Hesper 1974; o and i are 0 and 1 there
    page: 35
@@ -424,7 +399,6 @@ i < i > i --> o
 - --> +
 `,
 	"hogeweg-hesper-c": `/* Hogeweg and Hesper’s plant c
-   kind: signals
    about: Cells in one of two states, each changed by its neighbours.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.31 c; after Hogeweg and Hesper 1974; o and i are 0 and 1 there
    page: 35
@@ -447,7 +421,6 @@ i < i > i --> o
 - --> +
 `,
 	"hogeweg-hesper-d": `/* Hogeweg and Hesper’s plant d
-   kind: signals
    about: Cells in one of two states, each changed by its neighbours.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.31 d; after Hogeweg and Hesper 1974; o and i are 0 and 1 there
    page: 35
@@ -470,7 +443,6 @@ i < i > i --> o
 - --> +
 `,
 	"hogeweg-hesper-e": `/* Hogeweg and Hesper’s plant e
-   kind: signals
    about: Cells in one of two states, each changed by its neighbours.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.31 e; after Hogeweg and Hesper 1974; o and i are 0 and 1 there
    page: 35
@@ -493,7 +465,6 @@ i < i > i --> o
 - --> +
 `,
 	"islands-and-lakes": `/* Islands and lakes
-   kind: edge-rewriting
    about: A move without drawing leaves islands in the lakes and lakes in the islands.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.8
    page: 9
@@ -507,7 +478,6 @@ F --> F+f-F F+F+F F+F f+F F-f+F F-F-F F-F f-F F F
 f --> f f f f f f
 `,
 	"koch-curve-a": `/* Koch curve a
-   kind: edge-rewriting
    about: One of a sequence of Koch curves, made by small changes of the successor.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.9 a
    page: 10
@@ -520,7 +490,6 @@ axiom: F-F-F-F
 F --> F F-F-F-F-F-F+F
 `,
 	"koch-curve-b": `/* Koch curve b
-   kind: edge-rewriting
    about: One of a sequence of Koch curves, made by small changes of the successor.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.9 b
    page: 10
@@ -533,7 +502,6 @@ axiom: F-F-F-F
 F --> F F-F-F-F-F F
 `,
 	"koch-curve-c": `/* Koch curve c
-   kind: edge-rewriting
    about: One of a sequence of Koch curves, made by small changes of the successor.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.9 c
    page: 10
@@ -546,7 +514,6 @@ axiom: F-F-F-F
 F --> F F-F+F-F-F F
 `,
 	"koch-curve-d": `/* Koch curve d
-   kind: edge-rewriting
    about: One of a sequence of Koch curves, made by small changes of the successor.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.9 d
    page: 10
@@ -559,7 +526,6 @@ axiom: F-F-F-F
 F --> F F-F--F-F
 `,
 	"koch-curve-e": `/* Koch curve e
-   kind: edge-rewriting
    about: One of a sequence of Koch curves, made by small changes of the successor.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.9 e
    page: 10
@@ -572,7 +538,6 @@ axiom: F-F-F-F
 F --> F-F F--F-F
 `,
 	"koch-curve-f": `/* Koch curve f
-   kind: edge-rewriting
    about: One of a sequence of Koch curves, made by small changes of the successor.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.9 f
    page: 10
@@ -585,7 +550,6 @@ axiom: F-F-F-F
 F --> F-F+F-F-F
 `,
 	"koch-island-18": `/* Koch island with 18 edges
-   kind: edge-rewriting
    about: Each edge of a square is replaced by eighteen.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.7 a
    page: 9
@@ -598,7 +562,6 @@ axiom: F-F-F-F
 F --> F+F F-F F-F-F+F+F F-F-F+F+F F+F F-F
 `,
 	"koch-island": `/* Quadratic Koch island
-   kind: edge-rewriting
    about: Each edge of a square is replaced by eight.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.6
    page: 8
@@ -611,7 +574,6 @@ axiom: F-F-F-F
 F --> F-F+F+F F-F-F+F
 `,
 	"koch-parametric": `/* Uneven Koch curve
-   kind: edge-rewriting
    about: Four edges of three lengths.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.37
    page: 48
@@ -628,10 +590,8 @@ axiom: -(90) F(1)
 F(x) --> F(x*p) + F(x*h) -- F(x*h) + F(x*q)
 `,
 	leaf: `/* Leaf
-   kind: leaves
    about: Blade, midrib and side veins of one rule; its numbers make other outlines.
    source: Interactive fractal tree generation method having multiple clipping volumes (Seo, Kim and Lee 2014), table 2, mended: the order of the corners, the tip and the bend; its choice of Fun is a family of functions, and the veins are ours
-   set: unit=60
 */
 #define n 49 /* 9 … 161 step 8 */
 #define lo 1 /* 0.1 … 3 */
@@ -649,12 +609,13 @@ F(x) --> F(x*p) + F(x*h) -- F(x*h) + F(x*q)
 #define reach 0.9 /* 0 … 1 */
 #define feather 1 /* 0 … 1 */
 #define stalk 0.35 /* 0 … 2 */
+#define thick 4.5 /* 0 … 20: of the blade, thousandths; 0.27 mm in the preset's unit */
 #define k floor(n/2)
 #define alpha theta/k
 
 derivation length: k+1
 
-axiom: !(0.03) F(stalk) { . L(1) [V(0).] R(1) } [!(0.025) M(0)] W(1)
+axiom: !(0.03) F(stalk) {(thick/1000) . L(1) [V(0).] R(1) } [!(0.025) M(0)] W(1)
 
 L(i) : i<=k --> L(i+1) [+(alpha*i) &(beta*i*24/k) V(i/k).]
 R(i) : i<=k --> [-(alpha*i) &(beta*i*24/k) V(i/k).] R(i+1)
@@ -666,7 +627,6 @@ M(t) : {r = offset+lo*(1-fall*t)^bow*exp(-slim*t)*(1-lobe+lobe*abs(cos(turns*t))
 N(t,side) : {r = offset+lo*(1-fall*t)^bow*exp(-slim*t)*(1-lobe+lobe*abs(cos(turns*t)))^round*(1+teeth*cos(3600*t)); x = r*cos(24*beta*t)*cos(theta*t); y = r*cos(24*beta*t)*sin(theta*t); z = r*sin(24*beta*t); s = feather*max(0, x-0.84*y)} --> f(s) +(side*atan2(y, x-s)) &(atan2(z, sqrt((x-s)^2+y^2))) F(0.96*sqrt((x-s)^2+y^2+z^2))
 `,
 	lilac: `/* Lilac
-   kind: inflorescences
    about: A panicle whose branches stand in crossed pairs, grown from its nodes. Syringa vulgaris.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -684,11 +644,9 @@ K(t) : t<6 --> ;(5) ~bud(0.06*t)
 K(t) --> ;(5) ~flower(0.45)
 `,
 	"monopodial-tree": `/* Monopodial tree
-   kind: trees
    about: One trunk goes on; branches go to its sides. After Honda.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 2.6; after Honda 1971
    page: 56
-   set: unit=500 widths=1
 */
 #define r1 0.9 /* 0.5 … 1 */
 #define r2 0.6 /* 0.4 … 1 */
@@ -705,7 +663,6 @@ B(l,w) --> !(w) F(l) [-(a2) $ C(l*r2, w*wr)] C(l*r1, w*wr)
 C(l,w) --> !(w) F(l) [+(a2) $ B(l*r2, w*wr)] B(l*r1, w*wr)
 `,
 	panicle: `/* Panicle
-   kind: inflorescences
    about: A raceme of racemes of racemes.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -722,7 +679,6 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	"parametric-example": `/* Parametric L-system
-   kind: filaments
    about: What numbers do in a grammar, in ten steps.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 1.10; drawing is ours
    page: 42
@@ -742,7 +698,6 @@ B(x) --> ;(6) F(1+x)
 C --> ;(7) F
 `,
 	"peano-curve": `/* Peano curve
-   kind: node-rewriting
    about: Nine copies, joined by eight lines.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 1.4.2; after Peano 1890
 */
@@ -755,11 +710,9 @@ L --> L F R F L-F-R F L F R+F+L F R F L
 R --> R F L F R+F+L F R F L-F-R F L F R
 `,
 	"phyllotaxis-cylinder": `/* Phyllotaxis on a cylinder
-   kind: phyllotaxis
    about: Each scale turned on from the one before and a little higher.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 4.2
    page: 111
-   set: unit=0.1
 */
 #define a 137.5281 /* 130 … 145 step 0.01 */
 #define h 35.3 /* 5 … 100 */
@@ -774,7 +727,6 @@ homomorphism
 D --> ;(3) @O(r/2)
 `,
 	"phyllotaxis-disc": `/* Phyllotaxis on a disc
-   kind: phyllotaxis
    about: Each floret 137.5° on from the one before, as far out as the root of its number.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 4.1; after Vogel 1979
    page: 100
@@ -790,7 +742,6 @@ homomorphism
 D --> ;(6) @O(1.4)
 `,
 	"plant-a": `/* Plant-like structure a
-   kind: plants
    about: A branching structure in a plane, by brackets.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.24 a
    page: 25
@@ -803,7 +754,6 @@ axiom: F
 F --> F[+F]F[-F]F
 `,
 	"plant-b": `/* Plant-like structure b
-   kind: plants
    about: A branching structure in a plane, by brackets.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.24 b
    page: 25
@@ -816,7 +766,6 @@ axiom: F
 F --> F[+F]F[-F][F]
 `,
 	"plant-c": `/* Plant-like structure c
-   kind: plants
    about: A branching structure in a plane, by brackets.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.24 c
    page: 25
@@ -829,7 +778,6 @@ axiom: F
 F --> F F-[-F+F+F]+[+F-F-F]
 `,
 	"plant-d": `/* Plant-like structure d
-   kind: plants
    about: A branching structure in a plane, by brackets.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.24 d
    page: 25
@@ -843,7 +791,6 @@ X --> F[+X]F[-X]+X
 F --> F F
 `,
 	"plant-e": `/* Plant-like structure e
-   kind: plants
    about: A branching structure in a plane, by brackets.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.24 e
    page: 25
@@ -857,7 +804,6 @@ X --> F[+X][-X]F X
 F --> F F
 `,
 	"plant-f": `/* Plant-like structure f
-   kind: plants
    about: A branching structure in a plane, by brackets.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.24 f
    page: 25
@@ -871,7 +817,6 @@ X --> F-[[X]+X]+F[+F X]-X
 F --> F F
 `,
 	"pruned-branch": `/* Branch that is pruned
-   kind: environment
    about: Where an apex leaves the box it dies, and a signal wakes the buds below it.
    source: Synthetic topiary (Prusinkiewicz, James and Měch 1994), section 3; the box, that X vanishes and that a signal leaves its branch are ours; X, Z and D are T, S and @o there
 */
@@ -893,7 +838,6 @@ Z --> *
 D > Z --> [+ F A ?P(0,0,0)]
 `,
 	"pruned-tree": `/* Tree clipped to a cube
-   kind: environment
    about: A tree of Borchert and Slade’s, pruned wherever it leaves a cube.
    source: Synthetic topiary (Prusinkiewicz, James and Měch 1994), section 4; the cube, that X vanishes, that a signal leaves its branch and when a bud wakes are ours; X and Z are T and S there
 */
@@ -918,7 +862,6 @@ B(m,n) > Z --> [+(alpha) F A(m) ?P(0,0,0)]
 B(m,n) > F --> B(m+1,n)
 `,
 	"quadratic-gosper": `/* Quadratic Gosper curve
-   kind: edge-rewriting
    about: A curve that fills a square; it comes to every point of the grid once.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.11 b
    page: 12
@@ -936,7 +879,6 @@ Fl --> F
 Fr --> F
 `,
 	"quadratic-snowflake": `/* Quadratic snowflake curve
-   kind: edge-rewriting
    about: The snowflake curve with right angles.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.7 b
    page: 9
@@ -949,7 +891,6 @@ axiom: -F
 F --> F+F-F-F+F
 `,
 	"raceme-closed": `/* Closed raceme
-   kind: inflorescences
    about: A raceme whose axis ends in a flower.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -966,7 +907,6 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	raceme: `/* Open raceme
-   kind: inflorescences
    about: The axis bears leaves, then flowers from below upwards, without end.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -984,11 +924,9 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	"rose-campion": `/* Rose campion
-   kind: inflorescences
    about: A cyme that forks at every flower, the two branches not of the same age. Lychnis coronaria.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3.2; shapes are ours
    page: 84
-   set: unit=3
 */
 derivation length: 28
 
@@ -1006,11 +944,9 @@ K(t) : t<10 --> ~flower(0.5*t)
 K(t) --> ~bud(3)
 `,
 	"rose-leaf": `/* Rose leaf
-   kind: leaves
    about: A leaf with notches along its margin.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.8
    page: 126
-   set: unit=0.1
 */
 #define LA 5 /* 1 … 10 */
 #define RA 1.15 /* 1 … 1.5 */
@@ -1030,7 +966,6 @@ G(s,r) --> G(s*r,r)
 G(s,r,t) : t>1 --> G(s*r,r,t-1)
 `,
 	"row-of-trees": `/* Row of trees
-   kind: edge-rewriting
    about: The uneven Koch curve with delays grows into trees.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.38
    page: 49
@@ -1048,11 +983,9 @@ F(x,t) : t=0 --> F(x*p,2) + F(x*h,1) -- F(x*h,1) + F(x*q,0)
 F(x,t) : t>0 --> F(x,t-1)
 `,
 	"shepherds-purse": `/* Shepherd’s purse
-   kind: inflorescences
    about: A raceme that goes on for ever: fruit below, buds above. Capsella bursa-pastoris.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3.1; leaf, flower and fruit are ours
    page: 74
-   set: unit=1.5
 */
 angle increment: 18
 derivation length: 34
@@ -1074,7 +1007,6 @@ X(t) : t>0 --> ~flower(6-t)
 X(t) --> ;(4) ~bud(5)
 `,
 	shrub: `/* Shrub
-   kind: trees
    about: A tree whose side branches leave one another by the golden angle, with leaves at its ends: a text to begin with.
    source: own text
 */
@@ -1095,7 +1027,6 @@ B(l) : l<=2.4 --> L /(golden) L
 L --> [ &(35+ran(30)) /(ran(40)-20) F(1.5) ~leaf(blade*(0.7+ran(0.5))) ]
 `,
 	"sierpinski-gasket": `/* Sierpinski gasket
-   kind: edge-rewriting
    about: One curve that fills the gasket.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.10 b
    page: 11
@@ -1113,7 +1044,6 @@ Fl --> F
 Fr --> F
 `,
 	"signal-acropetal": `/* Signal towards the tips
-   kind: signals
    about: A signal goes from the base into every branch.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.30 a; 45° are ours
    page: 33
@@ -1131,7 +1061,6 @@ Fa --> ;(2) F
 Fb --> ;(7) F
 `,
 	"signal-basipetal": `/* Signal towards the base
-   kind: signals
    about: A signal goes from the tip down the axis, and into no branch.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.30 b; 45° are ours
    page: 33
@@ -1149,7 +1078,6 @@ Fa --> ;(2) F
 Fb --> ;(7) F
 `,
 	signal: `/* Signal along a filament
-   kind: signals
    about: A signal passes from cell to cell, one a step.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 1.8; drawing is ours
    page: 30
@@ -1166,11 +1094,9 @@ a --> ;(2) F
 b --> ;(7) F
 `,
 	"simple-leaf": `/* Simple leaf
-   kind: leaves
    about: One rule, six leaves: how fast its segments grow and for how long.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 5.6
    page: 124
-   set: unit=0.3
 */
 #define LA 5 /* 1 … 10 */
 #define RA 1.1 /* 1 … 1.5 */
@@ -1187,7 +1113,6 @@ B(t) : t>0 --> G(LB,RB) B(t-PD)
 G(s,r) --> G(s*r,r)
 `,
 	spike: `/* Spike
-   kind: inflorescences
    about: A raceme whose flowers have no stalks.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -1203,7 +1128,6 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	"square-curve-3": `/* Square-filling curve of 3 × 3 tiles
-   kind: node-rewriting
    about: A curve that comes to every point of a square once.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.16 a
    page: 17
@@ -1217,7 +1141,6 @@ L --> L F+R F R+F L-F-L F L F L-F R F R+
 R --> -L F L F+R F R F R+F+R F-L F L-F R
 `,
 	"square-curve-4": `/* Square-filling curve of 4 × 4 tiles
-   kind: node-rewriting
    about: A curve that comes to every point of a square once.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.16 b
    page: 17
@@ -1231,7 +1154,6 @@ L --> L F L F+R F R+F L F L-F R F-L F L-F R+F+R F-L F L-F R F R F R+
 R --> -L F L F L F+R F R+F L-F-L F+R F R+F L F+R F R F-L F L-F R F R
 `,
 	"square-root-growth": `/* Growth as a square root
-   kind: filaments
    about: A signal runs to and fro between the ends: the length is 4 and the square root of the time.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 1.9; drawing is ours
    page: 38
@@ -1253,7 +1175,6 @@ Fu --> ;(7) F
 Fd --> ;(8) F
 `,
 	"stochastic-plant": `/* Stochastic plant
-   kind: plants
    about: Which of three ways an edge is replaced is drawn by lot.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 1.27; the angle is ours
    page: 29
@@ -1268,7 +1189,6 @@ F --> F[+F]F : 0.33
 F --> F[-F]F : 0.34
 `,
 	sunflower: `/* Sunflower head
-   kind: flowers
    about: Florets by age: seeds within, then flowers, then rays.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 4.3; shapes are ours
    page: 103
@@ -1287,11 +1207,9 @@ C(n) : n<=600 --> ;(6) ^(60) ~petal(5)
 C(n) --> ;(6) ^(20) ~petal(14)
 `,
 	"sympodial-tree": `/* Sympodial tree
-   kind: trees
    about: Every axis ends in two others. After Aono and Kunii.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 2.7; after Aono and Kunii 1984
    page: 59
-   set: unit=500 widths=1
 */
 #define r1 0.9 /* 0.5 … 1 */
 #define r2 0.7 /* 0.4 … 1 */
@@ -1306,11 +1224,9 @@ A(l,w) --> !(w) F(l) [&(a1) B(l*r1, w*wr)] /(180) [&(a2) B(l*r2, w*wr)]
 B(l,w) --> !(w) F(l) [+(a1) $ B(l*r1, w*wr)] [-(a2) $ B(l*r2, w*wr)]
 `,
 	"ternary-tree": `/* Ternary tree
-   kind: trees
    about: Three branches at every node, bent by a tropism.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), figure 2.8
    page: 60
-   set: unit=5
 */
 #define d1 94.74 /* 0 … 360 */
 #define d2 132.63 /* 0 … 360 */
@@ -1332,7 +1248,6 @@ F(l) --> F(l*lr)
 !(w) --> !(w*vr)
 `,
 	thyrsus: `/* Thyrsus
-   kind: inflorescences
    about: A raceme of double cymes.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -1351,28 +1266,25 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	topiary: `/* Topiary
-   kind: none
    about: A main branch that passes from growth area to growth area, and laterals that stay inside theirs.
    source: Seo, Kim and Lee 2014, Table 1, restored
-   set: unit=1000 thickness=9 thickening=0.36 colour1=6b5a45 colour3=3f6b2c sides=8
 */
 
 #turtle cpfg
 
 #input areas       /* growth areas, counted from 1 */
+#input size[]      /* of each area the largest extent */
 #input places      /* places that the main branch is led by */
 #input path[]      /* their x, y, z */
 
-#define leaf 0.07     /* 0.03 … 0.3: length of a leaf, metres */
+#define part 15       /* 8 … 24: a leaf is as long as this part of its area's size, */
+#define leaf 0        /* 0 … 0.3: or so long in all of them, metres */
 #define alpha 35      /* 10 … 60: between a branch of a fork and what bears it */
 #define phi 90        /* 0 … 180: how far a fork is rolled against the one before */
 #define spread 70     /* 20 … 110: between a lateral and the main branch */
 #define vary 0.3      /* 0 … 0.9: how much angles differ */
 #define oldest 26     /* 5 … 60: segments from the main branch to a tip, at most */
 #define stride 2      /* 0.5 … 4: from node to node of the main branch, leaves */
-
-#define L leaf*0.85   /* a lateral's segment */
-#define M leaf*stride /* one of the main branch */
 
 #role area Area       /* Area(n): what follows belongs to area n; Area(n,1): and is the main branch's */
 
@@ -1385,41 +1297,41 @@ axiom: C(1, 0, 1) ?P(0,0,0) ?H(0,1,0)
 ?P(x,y,z) --> *
 ?H(x,y,z) --> *
 
-/* The main branch C(area, entered, next place): where it stands and what lies ahead. o: all places are passed. */
-C(a,e,j) > ?P(x,y,z) ?H(u,v,w) : {o=j>places; i=3*min(j,places); p=o*u+!o*(path[i-2]-x); q=o*v+!o*(path[i-1]-y); r=o*w+!o*(path[i]-z)} * -->
-  D(a, e, bound(x,y,z,a), reach(x,y,z,p,q,r,a,M), p, q, r, j+(!o && p*p+q*q+r*r<M*M))
+/* The main branch C(area, entered, next place): where it stands and what lies ahead. h: a leaf's length here; m: a
+   segment's of the main branch; o: all places are passed. */
+C(a,e,j) > ?P(x,y,z) ?H(u,v,w) : {h=leaf+!leaf*size[a]/part; m=h*stride; o=j>places; i=3*min(j,places); p=o*u+!o*(path[i-2]-x); q=o*v+!o*(path[i-1]-y); r=o*w+!o*(path[i]-z)} * -->
+  D(a, e, bound(x,y,z,a), reach(x,y,z,p,q,r,a,m), p, q, r, j+(!o && p*p+q*q+r*r<m*m), h*0.85, m)
 
-/* Laterals A(order, area): Borchert and Slade slow their forking down, so that a shell of any radius is as dense. */
-A(k,a) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*L); f=min(1,(2*k+1)/k^2)} r>=L && k<oldest -->
-  F(L) J(r) /(phi*(1-vary+ran(2*vary))) [ +(alpha*(1-vary+ran(2*vary))) A(k+1,a) ?P(0,0,0) ?H(0,0,0) ] -(alpha*(1-vary+ran(2*vary))) A(k+1,a) ?P(0,0,0) ?H(0,0,0) : f
-A(k,a) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*L); f=min(1,(2*k+1)/k^2)} r>=L && k<oldest -->
-  F(L) J(r) /(phi*(1-vary+ran(2*vary))) +(alpha/2*(1-2*RND(0,1))*(1-vary+ran(2*vary))) A(k+1,a) ?P(0,0,0) ?H(0,0,0) : 1-f
+/* Laterals A(order, area, length of a segment: 0.85 leaves): Borchert and Slade slow their forking down, so that a shell of any radius is as dense. */
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*l); f=min(1,(2*k+1)/k^2)} r>=l && k<oldest -->
+  F(l) J(r,l) /(phi*(1-vary+ran(2*vary))) [ +(alpha*(1-vary+ran(2*vary))) A(k+1,a,l) ?P(0,0,0) ?H(0,0,0) ] -(alpha*(1-vary+ran(2*vary))) A(k+1,a,l) ?P(0,0,0) ?H(0,0,0) : f
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,3*l); f=min(1,(2*k+1)/k^2)} r>=l && k<oldest -->
+  F(l) J(r,l) /(phi*(1-vary+ran(2*vary))) +(alpha/2*(1-2*RND(0,1))*(1-vary+ran(2*vary))) A(k+1,a,l) ?P(0,0,0) ?H(0,0,0) : 1-f
 /* The last segment is shortened, so that its tip lies on the surface. */
-A(k,a) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,L)} r<L && r>0.15*L --> F(r) J(0)
-A(k,a) > ?P(x,y,z) ?H(u,v,w) --> J(0)
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) : {r=reach(x,y,z,u,v,w,a,l)} r<l && r>0.15*l --> F(r) J(0,l)
+A(k,a,l) > ?P(x,y,z) ?H(u,v,w) --> J(0,l)
 
 decomposition
 
-/* P1: outside of an area that it has not entered yet, it goes on, across whatever gap. */
-D(a,e,in,s,p,q,r,j) : !in && !e && j<=places --> @R(p,q,r) Area(0,1) F(M) C(a,0,j) ?P(0,0,0) ?H(0,0,0)
-/* P2: inside, it bears laterals, three a node; one segment below the top of the last area it is a lateral itself. */
-D(a,e,in,s,p,q,r,j) : in && (a<areas || s>=M) -->
-  @R(p,q,r) /(137.5) [ Area(a) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
-  [ Area(a) /(120) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
-  [ Area(a) /(240) &(spread*(1-vary+ran(2*vary))) A(1,a) ?P(0,0,0) ?H(0,0,0) ]
-  Area(a,1) F(M) C(a,1,j) ?P(0,0,0) ?H(0,0,0)
-D(a,e,in,s,p,q,r,j) : in --> @R(p,q,r) Area(a) A(1,a) ?P(0,0,0) ?H(0,0,0)
-/* P3: it has left its area: the next is its own now. */
-D(a,e,in,s,p,q,r,j) : !in && e && a<areas --> @R(p,q,r) Area(0,1) F(M) C(a+1,0,j) ?P(0,0,0) ?H(0,0,0)
-D(a,e,in,s,p,q,r,j) --> *
+/* Outside of an area that it has not entered yet, it goes on, across whatever gap. */
+D(a,e,in,s,p,q,r,j,l,m) : !in && !e && j<=places --> @R(p,q,r) Area(0,1) F(m) C(a,0,j) ?P(0,0,0) ?H(0,0,0)
+/* Inside (P1 of Table 1) it bears laterals, three a node; one segment below the top of the last area it is a lateral itself. */
+D(a,e,in,s,p,q,r,j,l,m) : in && (a<areas || s>=m) -->
+  @R(p,q,r) /(137.5) [ Area(a) &(spread*(1-vary+ran(2*vary))) A(1,a,l) ?P(0,0,0) ?H(0,0,0) ]
+  [ Area(a) /(120) &(spread*(1-vary+ran(2*vary))) A(1,a,l) ?P(0,0,0) ?H(0,0,0) ]
+  [ Area(a) /(240) &(spread*(1-vary+ran(2*vary))) A(1,a,l) ?P(0,0,0) ?H(0,0,0) ]
+  Area(a,1) F(m) C(a,1,j) ?P(0,0,0) ?H(0,0,0)
+D(a,e,in,s,p,q,r,j,l,m) : in --> @R(p,q,r) Area(a) A(1,a,l) ?P(0,0,0) ?H(0,0,0)
+/* It has left its area (P2): the next is its own now. */
+D(a,e,in,s,p,q,r,j,l,m) : !in && e && a<areas --> @R(p,q,r) Area(0,1) F(m) C(a+1,0,j) ?P(0,0,0) ?H(0,0,0)
+D(a,e,in,s,p,q,r,j,l,m) --> *
 
 homomorphism
 
 /* Leaves where the surface is near. */
-J(r) : r<3*L --> [ /(ran(360)) &(40+ran(30)) ~leaf(leaf) ] [ /(120+ran(60)) &(40+ran(40)) ~leaf(leaf) ] [ /(240+ran(60)) &(20+ran(30)) ~leaf(leaf) ]
+J(r,l) : r<3*l --> [ /(ran(360)) &(40+ran(30)) ~leaf(l/0.85) ] [ /(120+ran(60)) &(40+ran(40)) ~leaf(l/0.85) ] [ /(240+ran(60)) &(20+ran(30)) ~leaf(l/0.85) ]
 `,
 	umbel: `/* Umbel
-   kind: inflorescences
    about: A raceme without internodes: all stalks from one place.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.3: the type; numbers and shapes are ours
 */
@@ -1435,7 +1347,6 @@ L --> ~leaf(1.6)
 K(t) --> ~flower(min(0.8, 0.1*t))
 `,
 	"wall-lettuce": `/* Wall lettuce
-   kind: inflorescences
    about: Signals stop the growth and wake the branches from the tip downwards. Mycelis muralis.
    source: The Algorithmic Beauty of Plants (Prusinkiewicz and Lindenmayer 1990), section 3.4, model III; Z, X and B are S, T and G there; that W is considered and the shapes are ours
    page: 90

@@ -195,7 +195,7 @@ function remedies(studio: Studio, failure: Failure): unknown {
 function progress(studio: Studio): unknown {
 	return html`<div class="growing" role="status">
 		<span>Growing</span><progress aria-label="Growing"></progress>
-		<button class="button quiet" type="button" @click=${() => studio.cancel()}>Cancel</button>
+		<button class="button quiet" type="button" title="Cancel (Esc)" aria-keyshortcuts="Escape" @click=${() => studio.cancel()}>Cancel</button>
 	</div>`;
 }
 

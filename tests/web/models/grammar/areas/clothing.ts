@@ -84,6 +84,21 @@ export function leafBases({ organs }: GrammarPlant): Triple[] {
 		.map((i): Triple => [organs.transforms[8 * i], organs.transforms[8 * i + 1], organs.transforms[8 * i + 2]]);
 }
 
+/** By the area that their segments belong to, the shortest and the longest leaf; those at the foot of the main branch are left out. */
+export function leafLengths({ organs, belongs }: GrammarPlant): Map<number, [number, number]> {
+	const leaf = organs.tags.indexOf("leaf");
+	const found = new Map<number, [number, number]>();
+	for (let i = 0; i < organs.count; i++) {
+		if (organs.tag[i] !== leaf) continue;
+		const area = belongs?.area[organs.segment[i]] ?? 0;
+		if (area === 0) continue;
+		const length = organs.transforms[8 * i + 7];
+		const [least, most] = found.get(area) ?? [length, length];
+		found.set(area, [Math.min(least, length), Math.max(most, length)]);
+	}
+	return new Map([...found].sort(([a], [b]) => a - b));
+}
+
 /** Ends of segments that bear none, of laterals alone. */
 export function lateralTips({ segments, belongs }: GrammarPlant): { at: Triple; area: number }[] {
 	const bearing = new Set(segments.parent);

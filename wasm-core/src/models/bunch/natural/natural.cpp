@@ -197,7 +197,7 @@ void tell_fates(lsystem::Chronicle& chronicle, std::span<const Flower> flowers, 
   for (std::size_t k = 0; k < hung.berries.size(); ++k)
     if (const std::uint32_t module = hung.berries[k].module; module != no_module)
       chronicle.add_answer(module, crop.set.volumes[hung.flowers[k]] > 0 ? "; its flower set, and it bears the berry"
-                                                                          : "; its flower does not set");
+                                                                         : "; its flower does not set");
   for (const Thinned& one : hung.thinned) {
     const auto flower =
         std::find_if(flowers.begin(), flowers.end(), [&](const Flower& each) { return each.id == one.id; });

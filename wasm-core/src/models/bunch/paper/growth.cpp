@@ -72,7 +72,8 @@ SkeletonDrawing::Answer Growth::answer(const Question& question, const lsystem::
 
 namespace {
 
-// Of the radii of two spheres: as near as this they are no longer apart (environment/sphere_grid.hpp), rounding included.
+// Of the radii of two spheres: as near as this they are no longer apart (environment/sphere_grid.hpp), rounding
+// included.
 constexpr float touching = 2e-5f;
 
 std::string in_hundredths(float value) { return lsystem::number_text(std::floor(value * 100 + 0.5f) / 100); }

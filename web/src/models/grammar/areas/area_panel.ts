@@ -52,7 +52,7 @@ export function drawAreas(desk: AreaDesk): unknown {
 			${chooseFile({
 				accept: ACCEPT,
 				label: "A closed mesh as a growth area",
-				words: "A closed mesh (OBJ, GLB)…",
+				words: "A closed mesh (OBJ, GLB, STL)…",
 				take: (file) => void takeAreaMesh(desk, file),
 			})}
 		</div>

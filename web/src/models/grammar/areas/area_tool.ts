@@ -67,7 +67,7 @@ const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
 	applies: (specimen) => hasAreas(specimen) || /\b(bound|reach)\s*\(/.test(fetchedText(specimen) ?? ""),
 	panel: { group: "areas", place: "below", draw: (desk) => drawAreas(desk) },
 	drop: {
-		words: "a closed mesh (OBJ, GLB) becomes a growth area",
+		words: "a closed mesh (OBJ, GLB, STL) becomes a growth area",
 		takes: ({ name }) => /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i.test(name),
 		take: (desk, file) => void takeAreaMesh(desk, file),
 	},

@@ -8,6 +8,7 @@ import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import { grammarInWords } from "../words";
 import { derivation } from "./derivation";
+import { readout } from "./readout";
 import { source } from "./text";
 
 export const face: Face<GrammarSpecimen, GrammarPlant> = {
@@ -18,6 +19,7 @@ export const face: Face<GrammarSpecimen, GrammarPlant> = {
 			? `After step ${stepped.step}: ${grammarInWords(stepped.grown as GrammarPlant)}`
 			: grammarInWords(grown);
 	},
+	readout,
 	about: html`<p>
 			A text grows as a plant: an axiom, and productions that rewrite it. Topiary grows in volumes that you move, turn and
 			widen by their handles; the main branch passes from one to the next.

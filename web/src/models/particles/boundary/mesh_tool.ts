@@ -21,7 +21,7 @@ export function meshTool<S extends BoundedSpecimen>(group: string, height: strin
 		applies: () => true,
 		panel: { group, place: "below", draw: (desk) => draw(desk, height) },
 		drop: {
-			words: "a closed mesh (OBJ, GLB) becomes the boundary",
+			words: "a closed mesh (OBJ, GLB, STL) becomes the boundary",
 			takes: ({ name }) => MESHES.test(name),
 			take: (desk, file) => void takeMesh(desk, file, height),
 		},
@@ -42,7 +42,7 @@ function draw<S extends BoundedSpecimen>(desk: Desk<S, WoodenPlant>, height: str
 		: "No mesh yet: choose a closed one, or drop it on the page. Until then an ellipsoid is grown.";
 	return html`<div class="override">
 		<p>${words}</p>
-		<label class="button">${volume ? "Another mesh (OBJ, GLB)…" : "Choose a mesh (OBJ, GLB)…"}
+		<label class="button">${volume ? "Another mesh (OBJ, GLB, STL)…" : "Choose a mesh (OBJ, GLB, STL)…"}
 			<input class="unseen" type="file" accept=${ACCEPT} @change=${(event: Event) => choose(event, desk, height)}>
 		</label>
 	</div>`;

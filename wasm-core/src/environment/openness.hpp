@@ -4,26 +4,29 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "environment/voxel_light.hpp"
 #include "geometry/mesh.hpp"
-#include "plant/plant.hpp"
+#include "geometry/segment.hpp"
 
-namespace panicle::grammar {
+namespace panicle {
 
 // Something without thickness, or round, that hides some sky.
 struct Screen {
   glm::vec3 place{0};
-  float area = 0;  // that it hides, taken over all sides
+  float area = 0;  // that it hides, taken over all directions
 };
 
 class Openness {
  public:
-  Openness(const std::vector<Segment>& segments, const std::vector<Screen>& screens);
+  // Of rods and screens. What lies between their ends has 32 cells along its longest edge.
+  Openness(std::span<const Segment> segments, std::span<const Screen> screens);
 
   // 255 all of the sky, 0 none.
   std::uint8_t at(const glm::vec3& place) const;
+  float edge() const { return light_.edge(); }  // of a cell
   // Of each vertex.
   std::vector<std::uint8_t> of(const Mesh& mesh) const;
 
@@ -31,4 +34,4 @@ class Openness {
   VoxelLight light_;
 };
 
-}  // namespace panicle::grammar
+}  // namespace panicle

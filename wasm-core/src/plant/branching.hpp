@@ -1,4 +1,4 @@
-// How a tree or a root branches, in numbers.
+// How segments branch, in numbers.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "geometry/segment.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 
 struct Branching {
   double length = 0, volume = 0, surface = 0;  // of all segments, as truncated cones
@@ -26,4 +26,4 @@ struct Branching {
 // Of segments with parents first. Nothing is NaN but what is said to be.
 Branching branching_of(std::span<const Segment> segments);
 
-}  // namespace panicle::particles
+}  // namespace panicle

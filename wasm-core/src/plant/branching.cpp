@@ -1,4 +1,4 @@
-#include "models/particles/branching.hpp"
+#include "plant/branching.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "foundation/mathematics.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
@@ -102,4 +102,4 @@ Branching branching_of(std::span<const Segment> segments) {
   return found;
 }
 
-}  // namespace panicle::particles
+}  // namespace panicle

@@ -1,0 +1,58 @@
+#include "environment/openness.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "environment/matter_cells.hpp"
+#include "foundation/mathematics.hpp"
+
+namespace panicle {
+namespace {
+
+constexpr float cells = 32, least = 1e-6f;  // a lattice's longest edge
+constexpr std::uint32_t directions = 32;
+
+VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> screens) {
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+  const auto hold = [&](const glm::vec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  };
+  for (const Segment& segment : segments) {
+    hold(segment.start);
+    hold(segment.end);
+  }
+  for (const Screen& screen : screens) hold(screen.place);
+  if (!(low.x <= high.x)) low = high = glm::vec3(0);
+  const glm::vec3 size = high - low;
+  const float edge = std::max({size.x, size.y, size.z, least}) / cells;
+  // A cell of air about all, for what looks out.
+  MatterCells matter(low - edge, high + edge, edge);
+  for (const Screen& screen : screens) matter.put(screen.place, screen.area);
+  // A rod hides a quarter of its surface.
+  for (const Segment& segment : segments)
+    matter.put(0.5f * (segment.start + segment.end),
+               0.25f * pi * (segment.radius + segment.radius_end) * glm::distance(segment.start, segment.end));
+  return matter.light(all_round(directions));
+}
+
+}  // namespace
+
+Openness::Openness(std::span<const Segment> segments, std::span<const Screen> screens)
+    : light_(light_of(segments, screens)) {}
+
+std::uint8_t Openness::at(const glm::vec3& place) const {
+  return static_cast<std::uint8_t>(std::clamp(light_.at(place), 0.0f, 1.0f) * 255 + 0.5f);
+}
+
+std::vector<std::uint8_t> Openness::of(const Mesh& mesh) const {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(mesh.positions.size() / 3);
+  for (std::size_t v = 0; v + 2 < mesh.positions.size(); v += 3)
+    bytes.push_back(at({mesh.positions[v], mesh.positions[v + 1], mesh.positions[v + 2]}));
+  return bytes;
+}
+
+}  // namespace panicle

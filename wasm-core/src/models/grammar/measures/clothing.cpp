@@ -1,0 +1,68 @@
+#include "models/grammar/measures/clothing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace panicle::grammar {
+namespace {
+
+constexpr double places = 1000;
+// An additive recurrence (Roberts 2018).
+constexpr double across = 0.7548776662, along = 0.569840291;
+
+double share(double x) { return x - std::floor(x); }
+
+}  // namespace
+
+Clothing::Clothing(std::vector<Leaf> leaves) : leaves_(std::move(leaves)) {
+  std::vector<glm::vec3> bases;
+  float longest = 0;
+  for (const Leaf& leaf : leaves_) {
+    bases.push_back(leaf.base);
+    longest = std::max(longest, leaf.length);
+  }
+  if (longest > 0) grid_.lay(bases, longest);
+}
+
+bool Clothing::reaches(const glm::vec3& place) const {
+  bool found = false;
+  grid_.visit(place, [&](std::uint32_t i) {
+    const glm::vec3 way = leaves_[i].base - place;
+    found = found || glm::dot(way, way) <= leaves_[i].length * leaves_[i].length;
+  });
+  return found;
+}
+
+float Clothing::share_of(const Surface& surface) const {
+  const std::vector<std::uint32_t>& corners = surface.triangles;
+  const auto corner = [&](std::size_t i) -> const glm::vec3& { return surface.points[corners[i]]; };
+  const auto area = [&](std::size_t i) {
+    return static_cast<double>(glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i))));
+  };
+  double whole = 0, done = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) whole += area(i);
+  if (!(whole > 0)) return 0;
+  std::size_t asked = 0, clothed = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    done += area(i);
+    // Of each triangle as many as its share, folded into it.
+    for (const double until = std::floor(places * done / whole + 0.5); static_cast<double>(asked) < until; ++asked) {
+      double u = share(0.5 + across * static_cast<double>(asked)), v = share(0.5 + along * static_cast<double>(asked));
+      if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+      }
+      clothed += reaches(corner(i) + static_cast<float>(u) * (corner(i + 1) - corner(i)) +
+                         static_cast<float>(v) * (corner(i + 2) - corner(i)))
+                     ? 1
+                     : 0;
+    }
+  }
+  return asked > 0 ? static_cast<float>(clothed) / static_cast<float>(asked) : 0;
+}
+
+}  // namespace panicle::grammar

@@ -1,0 +1,33 @@
+// How well leaves clothe a surface.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "environment/point_grid.hpp"
+#include "environment/surface.hpp"
+
+namespace panicle::grammar {
+
+struct Leaf {
+  glm::vec3 base{0};
+  float length = 0;
+};
+
+class Clothing {
+ public:
+  explicit Clothing(std::vector<Leaf> leaves);
+
+  // The share of a surface that has the base of a leaf within that leaf's length: of a thousand places all over it, as
+  // dense everywhere. 0 of a surface without area.
+  float share_of(const Surface& surface) const;
+
+ private:
+  bool reaches(const glm::vec3& place) const;
+
+  std::vector<Leaf> leaves_;
+  PointGrid grid_;
+};
+
+}  // namespace panicle::grammar

@@ -1,0 +1,64 @@
+/**
+ * STL, binary or as text: triangles and nothing else. Printers have +Z up, as Panicle's own prints do: they are stood up
+ * to +Y. Normals and colours are passed over.
+ */
+import { MeshFileError, type Soup } from "./soup";
+
+const HEADER = 80;
+const TRIANGLE = 50;
+
+/** @throws MeshFileError with what cannot be read */
+export function readStl(bytes: ArrayBuffer): Soup {
+	const count = bytes.byteLength < HEADER + 4 ? 0 : new DataView(bytes).getUint32(HEADER, true);
+	// Programs begin binary files with “solid”, too; their length tells.
+	if (count > 0 && bytes.byteLength === HEADER + 4 + TRIANGLE * count) return readBinary(new DataView(bytes), count);
+	const text = new TextDecoder().decode(bytes);
+	if (/^\s*solid\b/.test(text) && /\bfacet\b/.test(text)) return readText(text);
+	throw new MeshFileError("The STL is damaged or unfinished: export it again.");
+}
+
+function readBinary(view: DataView, count: number): Soup {
+	const points: number[] = [];
+	for (let triangle = 0; triangle < count; triangle++) {
+		// Behind the normal stand three corners.
+		for (let corner = 1; corner <= 3; corner++) {
+			const at = HEADER + 4 + TRIANGLE * triangle + 12 * corner;
+			const [x, y, z] = [view.getFloat32(at, true), view.getFloat32(at + 4, true), view.getFloat32(at + 8, true)];
+			if (!Number.isFinite(x + y + z))
+				throw new MeshFileError(`Triangle ${triangle + 1} of the STL has a corner that is no place.`);
+			stand(points, x, y, z);
+		}
+	}
+	return asItStands(points);
+}
+
+function readText(text: string): Soup {
+	const points: number[] = [];
+	for (const [number, line] of text.split("\n").entries()) {
+		const [kind, ...words] = line.trim().split(/\s+/);
+		const corners = points.length / 3;
+		if (kind === "endfacet" && corners % 3 !== 0) throw wrong(number, "the end of a facet that has not three corners");
+		if (kind !== "vertex") continue;
+		const [x, y, z] = words.map(Number);
+		if (words.length !== 3 || !Number.isFinite(x + y + z)) throw wrong(number, "a corner that is not three numbers");
+		stand(points, x, y, z);
+	}
+	if (points.length === 0 || points.length % 9 !== 0)
+		throw new MeshFileError("The STL is damaged or unfinished: export it again.");
+	return asItStands(points);
+}
+
+/** +Z up to +Y up. */
+function stand(points: number[], x: number, y: number, z: number): void {
+	points.push(x, z, -y);
+}
+
+/** Every triangle has corners of its own. */
+const asItStands = (points: number[]): Soup => ({
+	points,
+	triangles: Array.from({ length: points.length / 3 }, (_, corner) => corner),
+});
+
+function wrong(line: number, what: string): MeshFileError {
+	return new MeshFileError(`Line ${line + 1} of the STL has ${what}.`);
+}
