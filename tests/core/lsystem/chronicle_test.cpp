@@ -193,6 +193,13 @@ TEST_CASE("random conditions let modules wait, and each step tells who fired") {
   CHECK(before.find('B') != std::string::npos);
 }
 
+TEST_CASE("steps at the end in which nothing happens are not told") {
+  // B looks for a C for as long as steps are taken.
+  const BoundPointer bound = compiled("axiom: A\nA --> B\nB > C --> F");
+  CHECK(told(*bound, {}, {}).counts() == std::vector<std::uint32_t>{1, 1});
+  CHECK(told(*bound, 9, {.step = 9}).step() == 1);
+}
+
 TEST_CASE("a derivation that a limit ends is told up to the last whole step") {
   const BoundPointer bound = compiled("axiom: A\nA --> A A\n");
   Limits limits;

@@ -39,7 +39,7 @@ export default [
 		faults: [
 			{
 				id: "interaction-never-stops-at-delta",
-				find: "if (!newborn_.pedicel && turned >= options_.delta) return {};",
+				find: "if (!newborn_.pedicel && turned >= options_.delta) return room(false, last, adjustments, turned);",
 				replace: "",
 				breaks: "internodes bend as far as pedicels may",
 			},

@@ -22,6 +22,66 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/lsystem/chronicle.cpp`,
+		suites: [`${TESTS}/lsystem/chronicle_test.cpp`, `${TESTS}/lsystem/chronicle_published_test.cpp`],
+		faults: [
+			{
+				id: "chronicle-last-border-stays",
+				find: "for (; border_ < borders_.size(); ++border_) borders_[border_] = new_;",
+				replace: "",
+				breaks: "a window's last module has the wrong descendants",
+			},
+			{
+				id: "chronicle-broken-step-told",
+				find: "told.fires = {};",
+				replace: "",
+				breaks: "productions of a step that a limit ended seem to have fired",
+			},
+			{
+				id: "chronicle-ancestor-of-copied",
+				find: "before.old_end + (module - before.new_end)",
+				replace: "module",
+				breaks: "what was copied behind a module that grew comes from another one",
+			},
+			{
+				id: "chronicle-decomposed-by-the-parent",
+				find: "i < parts_.size() ? parts_[i] : production_",
+				replace: "production_",
+				breaks: "what a decomposition writes seems to be written by the production before it",
+			},
+			{
+				id: "chronicle-answers-before-they-are-given",
+				find: '"asked" + questions_[i] +',
+				replace: '"asked" + parameters_text(module) +',
+				breaks: "a question seems to have been asked with its answer",
+			},
+			{
+				id: "chronicle-idle-steps",
+				find: "around.answers == nullptr ? derived->steps : told.steps()",
+				replace: "told.steps()",
+				breaks: "steps at the end in which nothing happens are counted",
+			},
+		],
+	},
+	{
+		file: `${SRC}/models/bunch/paper/growth.cpp`,
+		suites: [`${TESTS}/models/bunch/paper/growth_test.cpp`],
+		faults: [
+			{
+				id: "growth-owner-is-the-asker",
+				find: "owners_.push_back({lineage.module,",
+				replace: "owners_.push_back({0,",
+				breaks: "every berry in the way is the first module's",
+			},
+			{
+				id: "growth-touching-by-nothing",
+				find: "depth < 0.005f ?",
+				replace: "depth < -1 ?",
+				breaks: "what is only touched overlaps by 0",
+			},
+		],
+	},
+	{
 		file: `${SRC}/lsystem/machine.cpp`,
 		suites: [
 			`${TESTS}/lsystem/random_values_test.cpp`,

@@ -82,6 +82,15 @@ describe("the paper's bunch, told", () => {
 		}
 	});
 
+	it("tells how far what found room had to turn for it, and from what", () => {
+		const turned = withWords(lastString(specimenFromPreset("long-conical", 1)), /^there is room after/);
+		expect(turned.length).toBeGreaterThan(2);
+		for (const module of turned)
+			expect(words(module)).toMatch(
+				/after [\d.]+° in \d+ turns?; straight on it (overlaps|touches) the (berry|internode) of/,
+			);
+	});
+
 	it("says nothing of a second bunch, and who it is that stands in the way", () => {
 		const specimen = withParameters(crowded(), { wing: 0.7 });
 		const { internodes, chronicle, counts } = tell(specimen);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
 #include <string_view>
 
 using namespace panicle;
@@ -34,6 +35,47 @@ std::string with_answers(std::string_view text) {
 }
 
 }  // namespace
+
+TEST_CASE("why a berry turns or withers is told, with what is in its way and by how much") {
+  std::string text = "axiom: F(40) [ ?E(1,0,0,30,2,20) ] [ +(45) ?E(1,0,0,30,2,20) ]";
+  for (int i = 0; i < 4; ++i) text += " [ ?E(1,0,0,5,2,20) ]";
+  Growth growth({15, 50, 0}, {}, 30);
+  const auto program = lsystem::compile(with_answers(text + "\n"), {}, lsystem::Lineages::always);
+  REQUIRE(program);
+  const auto bound = lsystem::bind(program.value(), {}, {});
+  REQUIRE(bound);
+  const auto derived = lsystem::develop(*bound.value(), 1, {}, {});
+  auto chronicle = lsystem::chronicle(*bound.value(), 1, {}, {}, {}, {});
+  REQUIRE(derived);
+  REQUIRE(chronicle);
+  chronicle->watch_drawing(derived->string);
+  growth.tell(&chronicle.value());
+  growth.begin(*bound.value(), {}, false, 1, 0);
+  REQUIRE(lsystem::interpret(*bound.value(), *derived->string, {}, growth, 1, {}, nullptr, &chronicle.value()));
+  growth.finish();
+  const auto& told = chronicle->modules();
+  CHECK(told[0].answer.empty());
+  // The second comes nearer and nearer to where the two would only touch; the others begin above the first one's
+  // centre.
+  CHECK(told[2].answer == "asked 1 0 0 30 2 20 → 1 0 0 30 2 20; there is room at once");
+  CHECK(told[6].answer.find("→ 1 0 0 10 2 20; no room after ") != std::string::npos);
+  CHECK(told[6].answer.ends_with(" in 50 turns: it still touches the berry of module 2, and withers"));
+  CHECK(told[9].answer.ends_with(" in 50 turns: it still overlaps the berry of module 2 by 0.02, and withers"));
+  std::size_t withered = 0, stood = 0;
+  for (const Internode& one : growth.internodes) {
+    stood += one.state == State::withered;
+    if (one.kind == Kind::pedicel) CHECK(told[one.module].text.starts_with("?E(1,0,0,"));
+  }
+  for (const auto& module : told) {
+    if (!module.answer.ends_with(", and withers")) continue;
+    ++withered;
+    CHECK(module.answer.find("; no room after ") != std::string::npos);
+    CHECK(module.answer.find(" of module ") != std::string::npos);
+    CHECK(module.fires.line == 5);
+  }
+  CHECK(withered == stood);
+  CHECK(withered > 0);
+}
 
 TEST_CASE("the tip of its parent is no obstacle to what grows from it") {
   // Tips 20 across and steps of 12: each would collide with the one before, and only with that.
