@@ -6,8 +6,8 @@
 //   constants.names    text: names of the text's `#define`s and `#input`s, a line each
 //   constants.values   float32: one a name
 //   areas.…, path      volumes that a text may ask for, and places of its main branch (areas.hpp)
-//   outputs            `string` besides everyone's: the derived string as text; `chronicle`: how it was
-//                      derived; `coarse`: meshes that do in passing
+//   outputs            `string` besides everyone's: the derived string as text; `chronicle`: how it was derived;
+//                      `coarse`: meshes that do in passing
 //
 // Columns of a plant besides everyone's (boundary/panicle.h):
 //   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0
