@@ -32,6 +32,7 @@ import rooms from "./rooms.mjs";
 import saved from "./saved.mjs";
 import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
+import stepper from "./stepper.mjs";
 import studio from "./studio.mjs";
 import swelling from "./swelling.mjs";
 import targets from "./targets.mjs";
@@ -72,6 +73,7 @@ export const groups = [
 	...scene,
 	...lives,
 	...grammarEditor,
+	...stepper,
 	...studio,
 	...offline,
 	...files,

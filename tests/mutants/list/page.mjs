@@ -119,7 +119,7 @@ export default [
 		],
 	},
 	{
-		file: "web/src/models/bunch/tools/thinning_pointer.ts",
+		file: "web/src/controls/pick_pointer.ts",
 		suites: [`${E2E}/thin.spec.ts: a drag turns the bunch and takes nothing off`],
 		faults: [
 			{

@@ -63,7 +63,7 @@ export default [
 		faults: [
 			{
 				id: "solid-view-never-held",
-				find: "this.#view.holdView(held);",
+				find: "this.#view.holdView(held || instead !== undefined);",
 				replace: "",
 				breaks: "the view moves away under a drag",
 			},

@@ -3,6 +3,7 @@ import type { Desk } from "../../../web/src/controls/desk";
 import { model as bunch } from "../../../web/src/models/bunch/index";
 import type { BunchDesk } from "../../../web/src/models/bunch/tools/desk";
 import type { Model } from "../../../web/src/models/model";
+import { EMPTY_PLANT } from "../../../web/src/plant/plant";
 import type { Specimen } from "../../../web/src/specimen/specimen";
 import { Studio } from "../../../web/src/studio/studio";
 import type { Surroundings } from "../../../web/src/studio/surroundings";
@@ -16,6 +17,7 @@ export async function studioWith(specimen: Specimen, model: Model = bunchModel, 
 		grow: vi.fn(),
 		cancel: vi.fn(),
 		measure: vi.fn<Surroundings["measure"]>(async () => new Float32Array()),
+		aside: vi.fn<Surroundings["aside"]>(async () => EMPTY_PLANT),
 		settled: vi.fn(),
 		remember: vi.fn(),
 	};

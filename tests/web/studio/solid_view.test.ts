@@ -99,6 +99,25 @@ describe("the 3-D view", () => {
 		expect(view.show).toHaveBeenCalledTimes(1);
 	});
 
+	it("shows a tool's plant in place of the document's, from where that is seen, and never in pictures", async () => {
+		const { specimen } = studio.state;
+		const other = sampleBunch(3);
+		studio.grew(grown, specimen);
+		update();
+		solid.showInstead({ grown: other, from: specimen });
+		expect(view.show.mock.lastCall?.[0]).toBe(other);
+		expect(view.holdView.mock.lastCall).toEqual([true]);
+		update();
+		expect(view.show).toHaveBeenCalledTimes(2);
+		view.snapshot.mockImplementation(async () => expect(view.show.mock.lastCall?.[0]).toBe(grown));
+		await solid.picture();
+		expect(view.snapshot).toHaveBeenCalled();
+		expect(view.show.mock.lastCall?.[0]).toBe(other);
+		solid.showInstead(undefined);
+		expect(view.show.mock.lastCall?.[0]).toBe(grown);
+		expect(view.holdView.mock.lastCall).toEqual([false]);
+	});
+
 	it("takes its pictures of the state as it is", async () => {
 		studio.grew(grown, studio.state.specimen);
 		await solid.picture();

@@ -1,4 +1,5 @@
 /** What controls and tools have of the page: the document before them and the ways to change it. */
+import type { ChronicleAsked } from "../plant/chronicle";
 import type { Plant } from "../plant/plant";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
@@ -68,6 +69,18 @@ export interface NoticeOptions {
 	act?: { readonly words: string; readonly run: () => void };
 }
 
+/** What is wanted of a plant that is not shown. */
+export interface AsideOptions {
+	/** Which step of its derivation is to be told, of models that tell of it; the default is none. */
+	readonly chronicle?: ChronicleAsked;
+	/** Steps of the derivation in place of the document's. */
+	readonly steps?: number;
+	/** Whether triangles are wanted; the default is no. */
+	readonly meshes?: boolean;
+	/** Cancels: the promise rejects with the signal's reason. */
+	readonly signal?: AbortSignal;
+}
+
 /** The studio is one; a test may be another. */
 export interface Desk<S extends Specimen = Specimen, G extends Plant = Plant> {
 	readonly state: DeskState<S, G>;
@@ -88,6 +101,11 @@ export interface Desk<S extends Specimen = Specimen, G extends Plant = Plant> {
 	redo(): void;
 	/** Ends what grows now: what is asked for next begins at once. */
 	cancel(): void;
+	/**
+	 * Grows a specimen without showing it; what is shown grows beside. One at a time: a newer call takes the place of one that has not
+	 * begun, which rejects with Superseded; else it rejects as the core's client does.
+	 */
+	aside(specimen: S, options: AsideOptions): Promise<G>;
 	/** Says something above the page. */
 	notify(title: string, details?: readonly string[], options?: NoticeOptions): void;
 	toolState<T>(tool: Stateful<T>): T;

@@ -2,6 +2,7 @@ import { html, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
+import { type DerivationSource, derivationTool } from "./derivation_tool";
 import type { Desk, Fault } from "./desk";
 import { type GrammarSource, isOwn, withText } from "./grammar/source";
 import { GROWTH_TOPIC, type Tool } from "./tool";
@@ -29,6 +30,7 @@ const CONSTANTS = {
  */
 export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 	source: GrammarSource<S>,
+	derived: DerivationSource<S, G>,
 ): readonly Tool<S, G>[] {
 	const tool = editorTool<S, G>(source);
 	const { group, noun } = source;
@@ -37,6 +39,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 	const words = "Use the built-in grammar";
 	return [
 		tool as Tool<S, G>,
+		derivationTool(derived) as Tool<S, G>,
 		{
 			name: "constants",
 			initial: undefined,

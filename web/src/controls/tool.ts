@@ -50,6 +50,19 @@ export interface ToolPane<S extends Specimen = Specimen, G extends Plant = Plant
 	tell(desk: Desk<S, G>, fault: Fault): void;
 }
 
+/** A line of sight, in the plant's metres. */
+export interface Sight {
+	readonly origin: readonly [x: number, y: number, z: number];
+	/** Of any length. */
+	readonly direction: readonly [x: number, y: number, z: number];
+}
+
+/** A plant that a tool shows in place of the document's, and what it has grown from. */
+export interface Instead {
+	readonly grown: Plant;
+	readonly from: Specimen;
+}
+
 /** What a tool has of the 3-D view. */
 export interface ToolView {
 	readonly canvas: HTMLCanvasElement;
@@ -64,6 +77,10 @@ export interface ToolView {
 	pick(x: number, y: number): number | undefined;
 	/** Marks that, by the same number; nothing where undefined. */
 	mark(picked: number | undefined): void;
+	/** The line of sight through a point of the canvas (CSS pixels from its top left corner). */
+	sightThrough(x: number, y: number): Sight;
+	/** Shows a plant in place of the document's, which comes back where undefined; pictures and files are of the document's all the same. */
+	showInstead(plant: Instead | undefined): void;
 	/** One of the model's figure's ways of showing; the first where undefined. */
 	setMode(mode: string | undefined): void;
 }

@@ -67,6 +67,8 @@ function start(model: Model): void {
 	loadFigure(model).catch(() => {}); // The stage asks again, and says why not.
 	// A core's client grows what it was asked last: what is looked for is not to take the place of what is shown.
 	const searching = new Cores(coreAddress, new Client());
+	// Its worker starts when something is first asked of it.
+	const beside = new Cores(coreAddress, new Client());
 	const growing = new Growing(cores, () => studio);
 	const bar = new AddressBar();
 	const opened = readAddress(model, location);
@@ -77,6 +79,8 @@ function start(model: Model): void {
 			grow: (of, each, options) => void growing.grow(of, each, options),
 			measure: async (of, each, signal) =>
 				(await searching.grow(of, each, { meshes: false, measures: true, signal })).measures ?? new Float32Array(),
+			aside: async (each, options) =>
+				beside.grow(await modelNamed(each.model), each, { meshes: false, measures: false, ...options }),
 			cancel: () => growing.cancel(),
 			settled: (of, each) => void bar.write(of, each),
 			remember: (next, before) => {

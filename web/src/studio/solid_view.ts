@@ -1,6 +1,6 @@
 /** The 3-D view as the studio's state wants it; the one place where the studio meets the scene. */
 import type { Camera, Object3D } from "three";
-import type { Face, ToolHands, ToolView } from "../controls/tool";
+import type { Face, Instead, Sight, ToolHands, ToolView } from "../controls/tool";
 import { loadFigure, loadScene } from "../element/figures";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
@@ -34,6 +34,11 @@ export class SolidView implements ToolView {
 	#awaited: Model | undefined;
 	#shown: Shown | undefined;
 	#look: StudioState["specimen"]["look"] | undefined;
+	/** What a tool shows, and what is shown of that. */
+	#instead: Instead | undefined;
+	#stands: Plant | undefined;
+	/** Whether a picture is being taken. */
+	#taking = false;
 	#dark: boolean | undefined;
 	/** The hands of the tools of `#face`. */
 	#hands: ToolHands[] = [];
@@ -75,16 +80,20 @@ export class SolidView implements ToolView {
 			this.#bring(shown.model);
 			return;
 		}
-		this.#view.holdView(held);
+		const instead = this.#taking ? undefined : this.#instead;
+		// What is compared with the plant is to be seen from where that is.
+		this.#view.holdView(held || instead !== undefined);
 		const look = shown && lookOf(shown, state);
-		if (shown && look && (shown !== this.#shown || look !== this.#look)) {
+		const { grown, from } = instead ?? shown ?? {};
+		if (grown && from && look && (grown !== this.#stands || shown !== this.#shown || look !== this.#look)) {
 			const start = performance.now();
-			this.#view.show(shown.grown, { ...shown.from, look });
+			this.#view.show(grown, { ...from, look });
 			performance.clearMeasures(LAID);
 			performance.measure(LAID, { start });
 		}
 		this.#shown = shown;
 		this.#look = look;
+		this.#stands = grown;
 		if (dark !== this.#dark) this.#view.setTheme(dark ? "dark" : "light");
 		this.#dark = dark;
 		// What is in view may still be another model's.
@@ -92,9 +101,19 @@ export class SolidView implements ToolView {
 		for (const hands of this.#hands) hands.update(state);
 	}
 
-	/** The present view as a PNG. */
-	picture({ height, alone }: PictureOptions = {}): Promise<Blob> {
+	/** The present view as a PNG, of the document's plant. */
+	async picture(options: PictureOptions = {}): Promise<Blob> {
+		this.#taking = true;
 		this.update(this.#studio.state);
+		try {
+			return await this.#taken(options);
+		} finally {
+			this.#taking = false;
+			if (this.#instead) this.update(this.#studio.state);
+		}
+	}
+
+	#taken({ height, alone }: PictureOptions): Promise<Blob> {
 		const { clientWidth, clientHeight } = this.canvas;
 		const scale = height === undefined ? PICTURE_SCALE : height / clientHeight;
 		const [width, tall] = [Math.round(clientWidth * scale), Math.round(clientHeight * scale)];
@@ -156,6 +175,16 @@ export class SolidView implements ToolView {
 		this.#view.mark(picked);
 	}
 
+	sightThrough(x: number, y: number): Sight {
+		return this.#view.sightThrough(x, y);
+	}
+
+	showInstead(plant: Instead | undefined): void {
+		if (plant?.grown === this.#instead?.grown) return;
+		this.#instead = plant;
+		this.update(this.#studio.state);
+	}
+
 	setMode(mode: string | undefined): void {
 		this.#view.setMode(mode ?? this.#view.modes[0]);
 	}
@@ -200,6 +229,7 @@ export class SolidView implements ToolView {
 	/** Gives the canvas into the hands of a model's tools. */
 	#arm(face: Face | undefined): void {
 		if (face === this.#face) return;
+		this.#instead = undefined;
 		for (const hands of this.#hands) hands.dispose();
 		this.#face = face;
 		this.#hands = face?.tools.flatMap((tool) => tool.hands?.(this, this.#studio) ?? []) ?? [];

@@ -26,8 +26,10 @@ const DRAG = "drag";
  */
 export class Studio implements Desk {
 	#state: StudioState;
-	/** What a specimen measures, without showing it. */
+	/** What a specimen measures, and what it grows into, without showing it; the end of what grows now. */
 	readonly measure: Surroundings["measure"];
+	readonly aside: Surroundings["aside"];
+	readonly cancel: Surroundings["cancel"];
 	readonly #listeners = new Set<() => void>();
 	readonly #surroundings: Surroundings;
 	/** Models of all specimens there have been. */
@@ -44,7 +46,7 @@ export class Studio implements Desk {
 
 	constructor(opening: Opening, surroundings: Surroundings) {
 		this.#surroundings = surroundings;
-		this.measure = surroundings.measure;
+		({ measure: this.measure, aside: this.aside, cancel: this.cancel } = surroundings);
 		this.#models.set(opening.model.name, opening.model);
 		this.#state = opened(opening);
 		void this.#bringFace(opening.model);
@@ -160,10 +162,6 @@ export class Studio implements Desk {
 	/** There is no plant to show, and none comes without a remedy. */
 	fail(failure: Failure): void {
 		this.#update({ failure });
-	}
-
-	cancel(): void {
-		this.#surroundings.cancel();
 	}
 
 	/** Asks again, after a failure. */

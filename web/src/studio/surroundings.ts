@@ -1,4 +1,6 @@
+import type { AsideOptions } from "../controls/desk";
 import type { Model } from "../models/model";
+import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { UiState } from "./ui_state";
 
@@ -8,6 +10,8 @@ export interface Surroundings {
 	grow(model: Model, specimen: Specimen, options: { passing: boolean }): void;
 	/** What a specimen measures, without showing it; rejects as growing does, and with the signal's reason. */
 	measure(model: Model, specimen: Specimen, signal: AbortSignal): Promise<Float32Array>;
+	/** Grows a specimen without showing it (Desk.aside). */
+	aside(specimen: Specimen, options: AsideOptions): Promise<Plant>;
 	/** Ends a long growth. */
 	cancel(): void;
 	/** The document came to rest: the address bar is to hold it. */

@@ -43,7 +43,7 @@ interface Probe {
 const parts = new Map<Name, { probe: Probe; asks: ReturnType<typeof vi.fn> }>();
 const studio = new Studio(
 	{ model: bunchModel, specimen: specimenFromPreset(), ui: FIRST_VISIT, systemDark: false },
-	{ grow: vi.fn(), cancel: vi.fn(), measure: vi.fn(), settled: vi.fn(), remember: vi.fn() },
+	{ grow: vi.fn(), cancel: vi.fn(), measure: vi.fn(), aside: vi.fn(), settled: vi.fn(), remember: vi.fn() },
 );
 
 /** The parts that are to be drawn anew after a change; all are drawn then, as the page would. */

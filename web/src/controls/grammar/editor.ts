@@ -16,12 +16,13 @@ import { drawSelection, EditorView, type KeyBinding, keymap, lineNumbers, type V
 import { completion } from "./completion";
 import { difference } from "./difference";
 import { EDITOR_STYLE } from "./editor_style";
-import { type Explanation, explain } from "./explain";
+import { type Explanation, explain, productionAt } from "./explain";
 import { closeFind, finding, openFind } from "./find";
 import { highlight, outlined } from "./highlight";
 import { NumberDrag, numberHere, scrubbing, stepHere } from "./numbers";
 import type { NumberAt } from "./outline";
 import { placeOf, showProblems, tell } from "./problems";
+import { type MarkedProductions, markProductions, productionMarks } from "./production_marks";
 import type { Problem } from "./told";
 
 /** What an editor tells of itself. */
@@ -34,8 +35,8 @@ export interface EditorEvents {
 	redo(): void;
 	/** Escape: the focus is to go elsewhere. */
 	leave(): void;
-	/** The cursor is somewhere else, or what stands there is. */
-	at(number: NumberAt | undefined, explained: Explanation | undefined): void;
+	/** The cursor is somewhere else, or what stands there is. @param production the line of the one that it is in */
+	at(number: NumberAt | undefined, explained: Explanation | undefined, production: number | undefined): void;
 	/** The focus has gone. */
 	blurred(): void;
 }
@@ -85,6 +86,7 @@ export class Editor {
 					autocompletion({ override: [completion(roles)], icons: false }),
 					highlight,
 					showProblems,
+					productionMarks,
 					finding,
 					scrubbing({ begin: () => events.settle(), end: () => events.settle() }),
 					EditorView.lineWrapping,
@@ -134,6 +136,11 @@ export class Editor {
 		this.#view.contentDOM.ariaInvalid = String(problems.some(({ severity }) => severity === "error"));
 	}
 
+	/** Marks productions, in sight. */
+	set productions(productions: MarkedProductions) {
+		markProductions(this.#view, productions);
+	}
+
 	set indents(indents: boolean) {
 		this.#view.dispatch({ effects: this.#tab.reconfigure(tab(indents)) });
 	}
@@ -153,9 +160,9 @@ export class Editor {
 		openFind(this.#view);
 	}
 
-	/** Takes the cursor to a problem. */
-	goTo(problem: Problem): void {
-		this.select(placeOf(this.#view, problem));
+	/** Takes the cursor to a place, such as that of a problem. */
+	goTo(place: Pick<Problem, "line" | "column">): void {
+		this.select(placeOf(this.#view, place));
 	}
 
 	/** Takes the cursor to the beginning of a line, counted from 1. */
@@ -215,7 +222,10 @@ export class Editor {
 		const byHand = docChanged && !update.transactions.every((each) => each.annotation(fromDocument));
 		if (byHand) this.#events.edited(state.doc.toString(), this.#kindOf(update));
 		if (!docChanged && !selectionSet) return;
-		this.#events.at(numberHere(view), explain(state.field(outlined), state.selection.main.head));
+		const { head } = state.selection.main;
+		const outline = state.field(outlined);
+		const production = productionAt(outline.pieces, head, state.doc.lineAt(head).number);
+		this.#events.at(numberHere(view), explain(outline, head), production);
 	}
 
 	/** What kind of change: what is typed on behind the last is of one kind. */

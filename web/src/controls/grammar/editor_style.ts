@@ -74,6 +74,8 @@ export const EDITOR_STYLE = EditorView.theme({
 	".cm-searchMatch.cm-searchMatch-selected": { outline: "2px solid var(--wine)" },
 	".cm-error": { textDecoration: "underline wavy 1.5px var(--code-error)", textUnderlineOffset: "3px" },
 	".cm-remark": { textDecoration: "underline wavy 1px var(--code-function)", textUnderlineOffset: "3px" },
+	".cm-line.cm-fires": { backgroundColor: "var(--lit-wash)", boxShadow: "inset 3px 0 var(--lit)" },
+	".cm-line.cm-wrote": { boxShadow: "inset 3px 0 var(--lit)" },
 	".cm-tooltip": {
 		maxWidth: "min(360px, 90vw)",
 		border: "1px solid var(--hairline)",

@@ -57,6 +57,13 @@ export function formalsAt(pieces: readonly Piece[], place: number): string[] {
 	return [...found];
 }
 
+/** The line of the production that a place is in; undefined where it is in none, or in a comment by itself. */
+export function productionAt(pieces: readonly Piece[], place: number, line: number): number | undefined {
+	if (!pieces.some((piece) => piece.line === line && piece.kind !== "comment")) return undefined;
+	const arrow = arrowBefore(pieces, place);
+	return arrow === undefined ? undefined : pieces[arrow].line;
+}
+
 /** The arrow of the production that a place is in: a statement ends it, a line without an arrow goes on with it. */
 function arrowBefore(pieces: readonly Piece[], place: number): number | undefined {
 	let [arrow, first]: (number | undefined)[] = [undefined, undefined];

@@ -1,5 +1,7 @@
 import { html, nothing } from "lit";
+import type { TextPlace } from "../../plant/chronicle";
 import { ControlElement } from "../control_element";
+import { DERIVATION } from "../derivation_tool";
 import type { Stateful } from "../desk";
 import type { GrammarState } from "../grammar_tool";
 import { icon } from "../icons";
@@ -8,9 +10,11 @@ import { Editor } from "./editor";
 import type { Explanation } from "./explain";
 import type { NumberAt } from "./outline";
 import { type GrammarDesk, type GrammarSource, isOwn, textOf, withText } from "./source";
+import type { ShownProductions } from "./stepper";
 import { type Problem, problemsOf } from "./told";
 import { TypingRoom } from "./typing_room";
 import "./number_pad";
+import "./stepper";
 
 const GESTURE = "grammar";
 /** Who types no further for this long, in milliseconds, has made a step. */
@@ -27,6 +31,7 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		close: { attribute: false },
 		number: { state: true },
 		explained: { state: true },
+		production: { state: true },
 	};
 	declare source: GrammarSource;
 	declare tool: Stateful<GrammarState>;
@@ -34,6 +39,8 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 	/** What the cursor is at. */
 	declare number: NumberAt | undefined;
 	declare explained: Explanation | undefined;
+	/** The line of the production that it is in. */
+	declare production: number | undefined;
 
 	#editor: Editor | undefined;
 	readonly #runs = new KeyRuns();
@@ -55,12 +62,21 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		this.#room?.end();
 		this.#editor?.destroy();
 		this.#editor = undefined;
+		this.desk.setToolState(DERIVATION, { ...this.desk.toolState(DERIVATION), open: false });
 		// The focus goes back, unless it is elsewhere already.
 		if (document.activeElement === document.body && this.#opener instanceof HTMLElement) this.#opener.focus();
 	}
 
 	protected override shows({ state }: GrammarDesk): readonly unknown[] {
-		return [this.#text(), state.specimen.grammar, state.fault, state.grown?.notes, this.desk.toolState(this.tool)];
+		const { open } = this.desk.toolState(DERIVATION);
+		return [
+			this.#text(),
+			state.specimen.grammar,
+			state.fault,
+			state.grown?.notes,
+			this.desk.toolState(this.tool),
+			open,
+		];
 	}
 
 	protected override draw({ state }: GrammarDesk): unknown {
@@ -68,11 +84,16 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		const { specimen } = state;
 		const own = isOwn(specimen);
 		const title = this.idOf("title");
-		return html`<section class="pane" aria-labelledby=${title}>
+		const steps = this.idOf("steps");
+		const { open } = this.desk.toolState(DERIVATION);
+		return html`<section class=${open ? "pane stepping" : "pane"} aria-labelledby=${title}>
 			<header>
 				<h2 id=${title}>Grammar</h2>
 				<p>${own ? `This ${noun}’s own` : "Built in; a change makes it this plant’s own"}</p>
 				${own ? html`<button class="button" type="button" @click=${this.#drop}>Use the built-in grammar</button>` : nothing}
+				<button class="button" type="button" aria-expanded=${open} aria-controls=${steps} title="The derivation, step by step" @click=${this.#setSteps}>
+					Steps
+				</button>
 				<button
 					class="button quiet icon" type="button" aria-label="Find" title="Find (Ctrl+F)" aria-keyshortcuts="Control+F" @click=${() => this.#editor?.find()}
 				>${icon("search")}</button>
@@ -81,6 +102,9 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 				</button>
 			</header>
 			<div class="pane-text"></div>
+			<div class="pane-steps" id=${steps} role="region" aria-label="Derivation" ?hidden=${!open}>
+				${open ? this.#stepper() : nothing}
+			</div>
 			<div class="pane-told" role="status">${this.#said(this.#problems)}</div>
 			<footer>
 				<panicle-number-pad .number=${this.number} .grip=${this.#grip} .step=${this.#step} .done=${this.#settle}></panicle-number-pad>
@@ -108,12 +132,33 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		this.#editor.problems = this.#problems;
 	}
 
-	/** Remarks are of the plant that is shown: while it is another text's they would stand in the wrong place. */
-	get #problems(): Problem[] {
-		const { fault, grown, grownFrom, specimen } = this.desk.state;
-		const current = grownFrom !== undefined && grownFrom.grammar === specimen.grammar;
-		return problemsOf(fault, current ? (grown?.notes ?? []) : []);
+	/** Whether the plant that is shown is of this text: else what is said of it would stand in the wrong place. */
+	get #current(): boolean {
+		const { grownFrom, specimen } = this.desk.state;
+		return grownFrom !== undefined && grownFrom.grammar === specimen.grammar;
 	}
+
+	get #problems(): Problem[] {
+		const { fault, grown } = this.desk.state;
+		return problemsOf(fault, this.#current ? (grown?.notes ?? []) : []);
+	}
+
+	#stepper(): unknown {
+		const goTo = (place: TextPlace) => this.#editor?.goTo(place);
+		return html`<panicle-stepper
+			.desk=${this.desk} .line=${this.#current ? this.production : undefined} .shown=${this.#showProductions} .goTo=${goTo}
+		></panicle-stepper>`;
+	}
+
+	readonly #showProductions = ({ fires, wrote }: ShownProductions): void => {
+		if (!this.#editor || !this.isConnected) return;
+		this.#editor.productions = this.#current ? { fires: fires?.line, wrote: wrote?.line } : {};
+	};
+
+	readonly #setSteps = (): void => {
+		const state = this.desk.toolState(DERIVATION);
+		this.desk.setToolState(DERIVATION, { ...state, open: !state.open });
+	};
 
 	#text(): string | undefined {
 		return textOf(this.source, this.desk.state.specimen, () => this.requestUpdate());
@@ -128,9 +173,10 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 			undo: () => this.desk.undo(),
 			redo: () => this.desk.redo(),
 			leave: () => this.#leave(),
-			at: (number, explained) => {
+			at: (number, explained, production) => {
 				this.number = number;
 				this.explained = explained;
+				this.production = production;
 			},
 			blurred: () => this.#settle(),
 		});

@@ -58,7 +58,10 @@ export function tell(view: EditorView, all: readonly Problem[]): void {
 }
 
 /** The word that a line and a column are of; the last character of a line where they are behind it. */
-export function placeOf({ state }: EditorView, { line, column }: Problem): { from: number; to: number } {
+export function placeOf(
+	{ state }: EditorView,
+	{ line, column }: Pick<Problem, "line" | "column">,
+): { from: number; to: number } {
 	const { from, to, text } = state.doc.line(Math.min(Math.max(line, 1), state.doc.lines));
 	// Columns count characters, not the units of JavaScript's strings.
 	const before = [...text].slice(0, Math.max(0, column - 1)).join("").length;

@@ -26,6 +26,8 @@ export interface GrammarPlant extends Plant {
 	areaMeasures?: { volume: Float32Array; clothed: Float32Array };
 	/** Colours of each mesh's runs, by the mesh's name. */
 	runColours: Readonly<Record<string, Uint8Array>>;
+	/** The organ that each run of the mesh `blades` is, where that is told. */
+	bladeOrgans?: Uint32Array;
 	/** The derived string, where it was asked for. */
 	string?: string;
 }
@@ -48,6 +50,7 @@ export function readGrammarPlant(answer: Answer, { areas }: WithAreas = {}): Gra
 		...(columns.has("segments.area")
 			? { belongs: { area: columns.octets("segments.area"), main: columns.octets("segments.main") } }
 			: {}),
+		...(columns.has("mesh.blades.organ") ? { bladeOrgans: columns.words("mesh.blades.organ") } : {}),
 		...(columns.has("areas.volume")
 			? { areaMeasures: { volume: columns.floats("areas.volume"), clothed: columns.floats("areas.clothed") } }
 			: {}),

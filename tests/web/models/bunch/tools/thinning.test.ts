@@ -60,6 +60,8 @@ function fakeView() {
 		pick: vi.fn((): number | undefined => 41),
 		mark: vi.fn(),
 		setMode: vi.fn(),
+		sightThrough: vi.fn(),
+		showInstead: vi.fn(),
 	};
 	const send = (type: string, more: object = {}) =>
 		listeners.get(type)?.({

@@ -1,5 +1,6 @@
 /** The page's side of the bunch: loaded with the first bunch, in a page alone. */
 import { html } from "lit";
+import { steppedScene } from "../../../controls/derivation_tool";
 import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
 import type { Grown } from "../grown";
@@ -8,6 +9,7 @@ import { bunchInWords, stemsInWords } from "../words";
 import { age } from "./age";
 import { asPrinted } from "./as_printed";
 import { cane } from "./cane";
+import { derivation } from "./derivation";
 import { grammar } from "./grammar";
 import { inputs } from "./inputs";
 import { octahedron } from "./octahedron";
@@ -34,12 +36,14 @@ export const face: Face<BunchSpecimen, Grown> = {
 		pixels,
 		photo,
 		asPrinted,
-		...grammarTools(grammar),
+		...grammarTools(grammar, derivation),
 	],
 	readout,
 	rows: (specimen) => [skinRow(specimen)],
 	caption: (grown, desk) => {
 		const { grownFrom, specimen } = desk.state;
+		const stepped = steppedScene(desk);
+		if (stepped) return `After step ${stepped.step}: ${bunchInWords(stepped.grown as Grown, grownFrom ?? specimen)}`;
 		return desk.toolState(stems) ? stemsInWords(grown) : bunchInWords(grown, grownFrom ?? specimen);
 	},
 	about: html`<p>Drag the handles of a grape bunch and it regrows from its botanical grammar.</p>

@@ -1,9 +1,9 @@
 import { html } from "lit";
+import { PickPointer } from "../../../controls/pick_pointer";
 import { thin, unthinAll } from "../details/thinned";
 import { type BunchDesk, type BunchTool, isNatural } from "./desk";
 import { THIN } from "./icons";
 import { stems } from "./stems";
-import { ThinningPointer } from "./thinning_pointer";
 
 export interface ThinningState {
 	/** Whether a click in the 3-D view takes a berry off. */
@@ -30,8 +30,9 @@ export const thinning: BunchTool<ThinningState> = {
 		draw: (desk) => html`<panicle-thinning .desk=${desk}></panicle-thinning>`,
 	},
 	hands: (view, desk) => {
-		const pointer = new ThinningPointer(view, {
-			berryAt: (x, y) => view.pick(x, y),
+		const pointer = new PickPointer(view, {
+			name: "thinning",
+			at: (x, y) => view.pick(x, y),
 			mark: (id) => mark(desk, id),
 			take: (id) => takeOff(desk, id),
 		});

@@ -1,15 +1,24 @@
 /** The page's side of the model: loaded with the first plant of it, in a page alone. */
 import { html } from "lit";
+import { steppedScene } from "../../../controls/derivation_tool";
 import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
 import { areaTools } from "../areas/area_tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
+import { grammarInWords } from "../words";
+import { derivation } from "./derivation";
 import { readout } from "./readout";
 import { source } from "./text";
 
 export const face: Face<GrammarSpecimen, GrammarPlant> = {
-	tools: [...grammarTools(source), ...areaTools],
+	tools: [...grammarTools(source, derivation), ...areaTools],
+	caption: (grown, desk) => {
+		const stepped = steppedScene(desk);
+		return stepped
+			? `After step ${stepped.step}: ${grammarInWords(stepped.grown as GrammarPlant)}`
+			: grammarInWords(grown);
+	},
 	readout,
 	about: html`<p>
 			A text grows as a plant: an axiom, and productions that rewrite it. Topiary grows in volumes that you move, turn and

@@ -1,18 +1,20 @@
 /**
- * The pointer of thinning by hand: it marks the berry it is over, and a click takes that berry off. A pointer that moves
- * while it is down turns the bunch, as ever, and takes nothing.
+ * A pointer that picks something of the plant in the 3-D view: it marks what it is over, and a click takes that. A pointer that moves
+ * while it is down turns the plant, as ever, and takes nothing.
  */
 
 /** What the pointer has of the view. */
-export interface ThinningView {
+export interface PickView {
 	readonly canvas: HTMLElement;
-	/** Whether pointers turn the bunch: where they do not, a handle has them. */
+	/** Whether pointers turn the plant: where they do not, a handle has them. */
 	readonly orbiting: boolean;
 }
 
-export interface ThinningHost {
-	/** Id of the berry at a point of the canvas, in CSS pixels from its top left corner. */
-	berryAt(x: number, y: number): number | undefined;
+export interface PickHost {
+	/** The canvas's class while it picks. */
+	readonly name: string;
+	/** What is at a point of the canvas, in CSS pixels from its top left corner, by a number of its own. */
+	at(x: number, y: number): number | undefined;
 	mark(id: number | undefined): void;
 	take(id: number): void;
 }
@@ -27,15 +29,15 @@ interface Press {
 	readonly y: number;
 }
 
-export class ThinningPointer {
-	readonly #view: ThinningView;
-	readonly #host: ThinningHost;
+export class PickPointer {
+	readonly #view: PickView;
+	readonly #host: PickHost;
 	#enabled = false;
 	#press: Press | undefined;
 	/** Pointers that are down: two of them zoom. */
 	readonly #down = new Set<number>();
 
-	constructor(view: ThinningView, host: ThinningHost) {
+	constructor(view: PickView, host: PickHost) {
 		this.#view = view;
 		this.#host = host;
 		const { canvas } = view;
@@ -60,7 +62,7 @@ export class ThinningPointer {
 		if (on === this.#enabled) return;
 		this.#enabled = on;
 		this.#press = undefined;
-		this.#view.canvas.classList.toggle("thinning", on);
+		this.#view.canvas.classList.toggle(this.#host.name, on);
 		if (!on) this.#host.mark(undefined);
 	}
 
@@ -73,8 +75,7 @@ export class ThinningPointer {
 	readonly #onMove = (event: PointerEvent): void => {
 		if (!this.#enabled) return;
 		if (this.#press && !near(this.#press, event)) this.#press = undefined;
-		if (event.buttons === 0 && event.pointerType !== "touch" && this.#view.orbiting)
-			this.#host.mark(this.#berryAt(event));
+		if (event.buttons === 0 && event.pointerType !== "touch" && this.#view.orbiting) this.#host.mark(this.#at(event));
 	};
 
 	readonly #onUp = (event: PointerEvent): void => {
@@ -82,7 +83,7 @@ export class ThinningPointer {
 		const press = this.#press;
 		this.#press = undefined;
 		if (!press || press.pointer !== event.pointerId || !near(press, event)) return;
-		const id = this.#berryAt(event);
+		const id = this.#at(event);
 		if (id !== undefined) this.#host.take(id);
 	};
 
@@ -96,9 +97,9 @@ export class ThinningPointer {
 		if (this.#enabled) this.#host.mark(undefined);
 	};
 
-	#berryAt({ clientX, clientY }: PointerEvent): number | undefined {
+	#at({ clientX, clientY }: PointerEvent): number | undefined {
 		const { left, top } = this.#view.canvas.getBoundingClientRect();
-		return this.#host.berryAt(clientX - left, clientY - top);
+		return this.#host.at(clientX - left, clientY - top);
 	}
 }
 

@@ -1,0 +1,92 @@
+/** Derivations step by step: what is read of them, what shines, what is met. */
+const SRC = "web/src/controls/grammar";
+const TESTS = "tests/web/controls/grammar";
+
+export default [
+	{
+		file: `${SRC}/chronicle_reader.ts`,
+		suites: [`${TESTS}/chronicle_reader.test.ts`],
+		faults: [
+			{
+				id: "stepper-string-of-another-step",
+				find: "if (this.#page && this.#page.step !== this.step) this.#page = undefined;",
+				replace: "",
+				breaks: "a slider dragged fast shows the string of a step that it has left",
+			},
+			{
+				id: "stepper-late-answer-of-another-document",
+				find: "if (this.#ask !== ask) {",
+				replace: "if (false) {",
+				breaks: "the string of a text that is no more comes in place of the present one's",
+			},
+			{
+				id: "stepper-long-question-goes-on",
+				find: "running.ending.abort();\n\t\t\tthis.#running = undefined;\n\t\t\tthis.#go();",
+				replace: "",
+				breaks: "a step that takes seconds has to be waited for though nobody wants it any more",
+			},
+		],
+	},
+	{
+		file: `${SRC}/derivation.ts`,
+		suites: [`${TESTS}/derivation.test.ts`],
+		faults: [
+			{
+				id: "stepper-plant-of-a-step-left",
+				find: "this.step !== step || !this.follows) return;",
+				replace: "!this.follows) return;",
+				breaks: "the view shows the plant of a step that has been left",
+			},
+			{
+				id: "stepper-descends-to-the-wrong-child",
+				find: "this.go(this.step + 1, children.first);",
+				replace: "this.go(this.step + 1, this.#chosen);",
+				breaks: "Down leads to a module that is no child",
+			},
+		],
+	},
+	{
+		file: `${SRC}/lights.ts`,
+		suites: [`${TESTS}/told_module.test.ts`, `${TESTS}/derivation.test.ts`],
+		faults: [
+			{
+				id: "stepper-peduncle-lit",
+				find: "return module === NOT_DRAWN ? undefined : module;",
+				replace: "return module;",
+				suites: [`${TESTS}/told_module.test.ts`],
+				breaks: "a click on what the text has not drawn leads beyond the string",
+			},
+			{
+				id: "stepper-itself-lit-in-the-last-plant",
+				find: "scene?.step === counts.length - 1 ? module.last : undefined",
+				replace: "scene?.step === counts.length - 1 ? { first: index, count: 1 } : undefined",
+				suites: [`${TESTS}/derivation.test.ts`],
+				breaks: "a module of an early step lights a foreign segment of the last plant",
+			},
+		],
+	},
+	{
+		file: "web/src/plant/sighting.ts",
+		suites: ["tests/web/plant/sighting.test.ts"],
+		faults: [
+			{
+				id: "stepper-threads-out-of-reach",
+				find: "missed <= radius + slack * at",
+				replace: "missed <= radius",
+				breaks: "no click hits a line that is drawn a pixel wide",
+			},
+		],
+	},
+	{
+		file: "web/src/studio/solid_view.ts",
+		suites: ["tests/web/studio/solid_view.test.ts"],
+		faults: [
+			{
+				id: "stepper-picture-of-a-step",
+				find: "const instead = this.#taking ? undefined : this.#instead;",
+				replace: "const instead = this.#instead;",
+				breaks: "a saved picture carries the link of another plant than it shows",
+			},
+		],
+	},
+];

@@ -1,0 +1,68 @@
+import { describe, expect, it } from "vitest";
+import { type Drawn, drawnOf, trianglesOf } from "../../../web/src/plant/drawn";
+import { sighted } from "../../../web/src/plant/sighting";
+import { toyPlant } from "./toy_plant";
+
+const line = (origin: number[], direction = [0, 0, -1]) => ({ origin, direction });
+
+/** Two upright lines, 1 m and 2 m away, and a square before the second at the right. */
+const drawn: Drawn = {
+	ends: Float32Array.of(0, 0, -1, 0, 1, -1, 0, 0, -2, 0, 3, -2),
+	radii: Float32Array.of(0.1, 0.1, 0.1, 0.02),
+	organs: 2,
+	surface: (organ) =>
+		organ === 1
+			? {
+					positions: Float32Array.of(1, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0),
+					indices: [0, 1, 2, 0, 2, 3],
+					transform: Float32Array.of(0, 0, -1.5, 0, 0, 0, 1, 1),
+				}
+			: undefined,
+};
+
+describe("what a line of sight meets", () => {
+	it("is the nearest, segments as thick as they are", () => {
+		expect(sighted(drawn, line([0, 0.5, 0]), 0)).toEqual({ segment: 0 });
+		expect(sighted(drawn, line([0.05, 1.5, 0]), 0)).toEqual({ segment: 1 });
+		expect(sighted(drawn, line([0.09, 2.9, 0]), 0)).toBeUndefined();
+		expect(sighted(drawn, line([0, 0.5, -1.5]), 0)).toEqual({ segment: 1 });
+	});
+
+	it("may miss a thread by a little, the more the farther it is", () => {
+		expect(sighted(drawn, line([0.09, 2.9, 0]), 0.04)).toEqual({ segment: 1 });
+		expect(sighted(drawn, line([0.2, 0.5, 0]), 0.04)).toBeUndefined();
+	});
+
+	it("is nothing behind the eye", () => {
+		expect(sighted(drawn, line([0, 0.5, 0], [0, 0, 1]), 0)).toBeUndefined();
+	});
+
+	it("is a surface where its triangles are, from both sides", () => {
+		expect(sighted(drawn, line([1.5, 0.2, 0]), 0)).toEqual({ organ: 1 });
+		expect(sighted(drawn, line([1.5, 0.2, -3], [0, 0, 2]), 0)).toEqual({ organ: 1 });
+		expect(sighted(drawn, line([2.05, 0.2, 0]), 0)).toBeUndefined();
+	});
+});
+
+describe("what a plant has drawn", () => {
+	it("has organs where they stand, turned and in their size", () => {
+		const surface = {
+			positions: Float32Array.of(1, 0, 0),
+			indices: [0],
+			transform: Float32Array.of(5, 6, 7, 0, 0, Math.SQRT1_2, Math.SQRT1_2, 2),
+		};
+		const [x, y, z] = trianglesOf(surface);
+		expect([x, y, z].map((each) => Math.round(each * 1e5) / 1e5)).toEqual([5, 8, 7]);
+	});
+
+	it("has an organ's mesh, or the run of a mesh that it is", () => {
+		const plant = toyPlant();
+		const organ = plant.organs.mesh.findIndex((mesh) => mesh >= 0);
+		const whole = drawnOf(plant);
+		expect(whole.surface(organ)?.positions).toBe(plant.meshes[plant.organs.mesh[organ]].positions);
+		const mesh = plant.meshes.find(({ runs }) => runs.length > 1);
+		if (!mesh) throw new Error("No mesh with runs.");
+		const apart = drawnOf(plant, { [mesh.name]: Uint32Array.of(77, 78) });
+		expect(apart.surface(78)).toMatchObject({ positions: mesh.positions, run: mesh.runs[1] });
+	});
+});

@@ -1,0 +1,45 @@
+/** Productions that have to do with a module of the derivation, marked in the text: what rewrites it next, and what wrote it. */
+import { type Extension, StateEffect, StateField } from "@codemirror/state";
+import { Decoration, type DecorationSet, EditorView } from "@codemirror/view";
+
+/** Lines of the text, from 1. */
+export interface MarkedProductions {
+	readonly fires?: number | undefined;
+	readonly wrote?: number | undefined;
+}
+
+const marked = StateEffect.define<DecorationSet>();
+
+const marks = StateField.define<DecorationSet>({
+	create: () => Decoration.none,
+	update(value, transaction) {
+		for (const effect of transaction.effects) if (effect.is(marked)) return effect.value;
+		return value.map(transaction.changes);
+	},
+	provide: (field) => EditorView.decorations.from(field),
+});
+
+const FIRES = Decoration.line({ class: "cm-fires" });
+const WROTE = Decoration.line({ class: "cm-wrote" });
+
+/** Lets an editor mark them. */
+export const productionMarks: Extension = marks;
+
+/** Marks productions, and brings the first of them into sight; the cursor and the focus stay. */
+export function markProductions(view: EditorView, { fires, wrote }: MarkedProductions): void {
+	const { doc } = view.state;
+	const at = (line: number | undefined) =>
+		line === undefined || line < 1 || line > doc.lines ? undefined : doc.line(line).from;
+	const [next, before] = [at(fires), at(wrote)];
+	const ranges = [
+		...(next === undefined ? [] : [FIRES.range(next)]),
+		...(before === undefined ? [] : [WROTE.range(before)]),
+	];
+	const shown = next ?? before;
+	view.dispatch({
+		effects: [
+			marked.of(Decoration.set(ranges, true)),
+			...(shown === undefined ? [] : [EditorView.scrollIntoView(shown, { y: "nearest", yMargin: 30 })]),
+		],
+	});
+}
