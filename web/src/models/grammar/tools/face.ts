@@ -2,13 +2,15 @@
 import { html } from "lit";
 import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
-import { areaTools } from "../areas/area_tool";
+import { areaPanel, areaTools } from "../areas/area_tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import { source } from "./text";
+import { warningsOf } from "./warnings";
 
 export const face: Face<GrammarSpecimen, GrammarPlant> = {
-	tools: [...grammarTools(source), ...areaTools],
+	tools: [areaPanel, ...grammarTools(source), ...areaTools],
+	warnings: warningsOf,
 	about: html`<p>
 			A text grows as a plant: an axiom, and productions that rewrite it. Topiary grows in volumes that you move, turn and
 			widen by their handles; the main branch passes from one to the next.
