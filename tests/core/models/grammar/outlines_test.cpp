@@ -51,6 +51,7 @@ TEST_CASE("a surface that is named for an outline is the leaf which the text of 
     REQUIRE(surfaces[first_outline_surface + i].name == outline.name);
     Asked asked{.text = text, .parameters = {{"unit", 1000}}, .outputs = "meshes"};
     asked.constants = {{"stalk", 0},
+                       {"thick", 0},
                        {"beta", 0},
                        {"veins", 0},
                        {"n", 2.0f * static_cast<float>(outline.rays) + 1},

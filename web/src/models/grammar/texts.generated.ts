@@ -1329,7 +1329,7 @@ D(a,e,in,s,p,q,r,j,l,m) --> *
 homomorphism
 
 /* Leaves where the surface is near. */
-J(r,l) : r<3*l --> [ /(ran(360)) &(40+ran(30)) ~leaf(l/0.85) ] [ /(120+ran(60)) &(40+ran(40)) ~leaf(l/0.85) ] [ /(240+ran(60)) &(20+ran(30)) ~leaf(l/0.85) ]
+J(r,l) : r<3*l --> [ /(ran(360)) &(40+ran(30)) ~elliptic(l/0.85) ] [ /(120+ran(60)) &(40+ran(40)) ~elliptic(l/0.85) ] [ /(240+ran(60)) &(20+ran(30)) ~elliptic(l/0.85) ]
 `,
 	umbel: `/* Umbel
    about: A raceme without internodes: all stalks from one place.

@@ -78,7 +78,7 @@ export function holds(area: Area, at: Triple): boolean {
 
 /** The bases of all leaves. */
 export function leafBases({ organs }: GrammarPlant): Triple[] {
-	const leaf = organs.tags.indexOf("leaf");
+	const leaf = organs.tags.indexOf("elliptic");
 	return Array.from({ length: organs.count }, (_, i) => i)
 		.filter((i) => organs.tag[i] === leaf)
 		.map((i): Triple => [organs.transforms[8 * i], organs.transforms[8 * i + 1], organs.transforms[8 * i + 2]]);
@@ -86,7 +86,7 @@ export function leafBases({ organs }: GrammarPlant): Triple[] {
 
 /** By the area that their segments belong to, the shortest and the longest leaf; those at the foot of the main branch are left out. */
 export function leafLengths({ organs, belongs }: GrammarPlant): Map<number, [number, number]> {
-	const leaf = organs.tags.indexOf("leaf");
+	const leaf = organs.tags.indexOf("elliptic");
 	const found = new Map<number, [number, number]>();
 	for (let i = 0; i < organs.count; i++) {
 		if (organs.tag[i] !== leaf) continue;

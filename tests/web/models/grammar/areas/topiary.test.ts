@@ -99,7 +99,7 @@ describe("a topiary is what its text says", () => {
 	});
 
 	it("draws the leaves that it says", async () => {
-		const bare = await ofText((each) => each.replaceAll("~leaf(l/0.85)", ""));
+		const bare = await ofText((each) => each.replaceAll("~elliptic(l/0.85)", ""));
 		expect(leafBases(bare)).toEqual([]);
 		expect(bare.segments.count).toBe((await plain()).segments.count);
 	});
