@@ -71,7 +71,7 @@ export default [
 	},
 	{
 		file: `${SRC}/editor.ts`,
-		suites: ["tests/e2e/editor.spec.ts: words are found"],
+		suites: ["tests/e2e/editor_find.spec.ts: words are found"],
 		faults: [
 			{
 				id: "grammar-editor-search-unknown",
@@ -83,7 +83,7 @@ export default [
 	},
 	{
 		file: `${SRC}/typing_room.ts`,
-		suites: ["tests/e2e/editor.spec.ts: the keyboard covers no line"],
+		suites: ["tests/e2e/editor_find.spec.ts: the keyboard covers no line"],
 		faults: [
 			{
 				id: "grammar-editor-under-the-keyboard",
