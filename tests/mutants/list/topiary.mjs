@@ -95,4 +95,58 @@ export default [
 			},
 		],
 	},
+	{
+		file: "web/src/models/grammar/tools/warnings.ts",
+		suites: ["tests/web/models/grammar/warnings.test.ts"],
+		faults: [
+			{
+				id: "warnings-mark-the-next-area",
+				find: "?? 0) - 1)",
+				replace: "?? 0))",
+				breaks: "the glass beside the area that is missed is red",
+			},
+			{
+				id: "warnings-steps-unsaid",
+				find: "return done < asked ?",
+				replace: "return done > asked ?",
+				breaks: "nobody learns that 12 of 60 steps are shown",
+			},
+			{
+				id: "warnings-no-area-unsaid",
+				find: "!specimen.areas?.length",
+				replace: "specimen.areas?.length === 0",
+				breaks: "a stub is left where the last area was, and no word",
+			},
+		],
+	},
+	{
+		file: "web/src/scene/shell_figure.ts",
+		suites: ["tests/web/scene/shell_marks.test.ts"],
+		faults: [
+			{
+				id: "shells-marked-by-their-parts",
+				find: "marked.has(at >> 1)",
+				replace: "marked.has(at)",
+				breaks: "half of the wrong area is red",
+			},
+		],
+	},
+	{
+		file: "web/src/models/grammar/areas/area_handles.ts",
+		suites: [EDITS],
+		faults: [
+			{
+				id: "area-handles-removed-for-good",
+				find: "choice.removable ? { remove: change } : {}",
+				replace: "{ remove: change }",
+				breaks: "Delete takes an area from a page that has no way back",
+			},
+			{
+				id: "area-turns-under-the-depth",
+				find: "[-1, 0, 1],",
+				replace: "[-1, 0, -1],",
+				breaks: "a finger cannot choose between a turn and the depth",
+			},
+		],
+	},
 ];

@@ -57,7 +57,9 @@ describe("a file brought to the page", () => {
 			" Root: a closed mesh (OBJ, GLB, STL) becomes the boundary. Tree: a closed mesh (OBJ, GLB, STL) becomes the boundary.",
 		);
 		const notes = await (await brought(leafModel)).bring(new File(["?"], "notes.txt"));
-		expect(notes[0]).toMatch(/exported by Panicle\.$/);
+		expect(notes[0]).toMatch(
+			/exported by Panicle\. A grammar as text \(\.lsys\) grows, whatever is shown\. Leaf: a picture of a leaf is traced\.$/,
+		);
 	});
 
 	it("becomes a tree's boundary where it is a mesh; other kinds of mesh are told which ones do", async () => {

@@ -105,7 +105,8 @@ std::uint8_t* write_plant(Plant& plant) {
   const std::array<std::uint32_t, 3> status{};
   out.add("status", std::span<const std::uint32_t>(status));
   const std::string notes = lines(plant.notes), tags = lines(plant.tags), organ_tags = lines(plant.organ_tags);
-  out.add("notes", std::string_view(notes));
+  // They may be long, and what is long is read where it stands once this has returned: the plant keeps them.
+  plant.columns.add("notes", std::string_view(notes));
   const auto print = halves(plant.fingerprint), mesh_print = halves(plant.mesh_fingerprint);
   out.add("fingerprint", std::span<const std::uint32_t>(print));
   if (plant.mesh_fingerprint != 0) out.add("mesh_fingerprint", std::span<const std::uint32_t>(mesh_print));

@@ -1,4 +1,4 @@
-import { html, svg } from "lit";
+import { html, nothing, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { WithGrammar } from "../specimen/grammar_text";
 import type { Specimen } from "../specimen/specimen";
@@ -15,6 +15,8 @@ export interface GrammarState {
 }
 
 const GRAMMAR = svg`<path d="M7.5 4 3.5 10l4 6M12.5 4l4 6-4 6"/>`;
+
+const EDIT = "Edit the grammar";
 
 /** The group of the panel with a slider for each constant of the text. */
 const CONSTANTS = {
@@ -60,15 +62,22 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 			panel: {
 				group,
 				place: "above",
-				draw: (desk) => html`<div class="override">
+				// The editor says so itself, and has the way back.
+				draw: (desk) =>
+					desk.toolState(tool).open
+						? nothing
+						: html`<div class="override">
 					<p>This ${noun} brings a grammar of its own.</p>
 					<div class="actions">
-						<button class="button" type="button" @click=${() => show(desk, tool)}>Edit the grammar</button>
+						<button class="button" type="button" @click=${() => show(desk, tool)}>${EDIT}</button>
 						<button class="button" type="button" @click=${() => drop(desk)}>${words}</button>
 					</div>
 				</div>`,
 			},
-			remedy: { words, press: drop },
+			remedies: [
+				{ words: EDIT, press: (desk) => show(desk, tool) },
+				{ words, press: drop },
+			],
 		},
 	];
 }
@@ -129,7 +138,7 @@ function tell<S extends Specimen, G extends Plant>(
 	const where = `Line ${line}, column ${column} of the grammar: ${message}`;
 	desk.notify(`This cannot be grown; the last ${noun} stays`, [where], {
 		topic: GROWTH_TOPIC,
-		act: { words: "Edit the grammar", run: () => show(desk, tool) },
+		act: { words: EDIT, run: () => show(desk, tool) },
 	});
 }
 

@@ -12,10 +12,12 @@ export interface ShellDrawing {
 	readonly object: Object3D;
 	/** @param colour any CSS colour */
 	show(shells: readonly ClosedMesh[], colour: string): void;
+	/** Gives some of those shown, counted from 0, a colour of their own, more of it. */
+	mark(marked: ReadonlySet<number>, colour: string): void;
 	dispose(): void;
 }
 
-export interface ShownShells<S extends Specimen> {
+export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
 	/** The tool's. */
 	readonly name: string;
 	readonly icon: SVGTemplateResult;
@@ -28,11 +30,13 @@ export interface ShownShells<S extends Specimen> {
 	figure(): Promise<ShellDrawing>;
 	/** In the plant's metres. */
 	shells(specimen: S): readonly ClosedMesh[];
+	/** Which of them the last plant gives cause to look at, counted from 0; the default is none. */
+	marked?(grown: G): ReadonlySet<number>;
 	/** Whether it means anything to this specimen; the default is yes. */
 	applies?(specimen: S): boolean;
 }
 
-export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShells<S>): Tool<S, G, boolean> {
+export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShells<S, G>): Tool<S, G, boolean> {
 	const { name, icon, label, initial = false, applies } = shown;
 	const tool: Tool<S, G, boolean> = {
 		name,
@@ -48,14 +52,14 @@ export function shownShells<S extends Specimen, G extends Plant>(shown: ShownShe
 class ShellHands<S extends Specimen, G extends Plant> implements ToolHands<S, G> {
 	readonly #view: ToolView;
 	readonly #desk: Desk<S, G>;
-	readonly #what: ShownShells<S>;
+	readonly #what: ShownShells<S, G>;
 	readonly #tool: Tool<S, G, boolean>;
 	/** Loaded when first asked for. */
 	#figure: Promise<ShellDrawing | undefined> | undefined;
-	#shown: { readonly specimen: S; readonly dark: boolean } | undefined;
+	#shown: { readonly specimen: S; readonly dark: boolean; readonly grown: G | undefined } | undefined;
 	#disposed = false;
 
-	constructor(view: ToolView, desk: Desk<S, G>, what: ShownShells<S>, tool: Tool<S, G, boolean>) {
+	constructor(view: ToolView, desk: Desk<S, G>, what: ShownShells<S, G>, tool: Tool<S, G, boolean>) {
 		this.#view = view;
 		this.#desk = desk;
 		this.#what = what;
@@ -83,14 +87,18 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolHands<S, G>
 		return this.#desk.toolState(this.#tool) && (this.#what.applies?.(specimen) ?? true);
 	}
 
-	#show(figure: ShellDrawing, { specimen, dark }: DeskState<S, G>): void {
+	#show(figure: ShellDrawing, { specimen, dark, grown }: DeskState<S, G>): void {
 		const visible = this.#visible(specimen);
+		const { marked } = this.#what;
 		const same = this.#shown?.specimen === specimen && this.#shown.dark === dark;
-		if (visible === figure.object.visible && (same || !visible)) return;
+		const alike = same && (!marked || this.#shown?.grown === grown);
+		if (visible === figure.object.visible && (alike || !visible)) return;
 		figure.object.visible = visible;
-		if (visible && !same) {
-			figure.show(this.#what.shells(specimen), getComputedStyle(this.#view.canvas).color);
-			this.#shown = { specimen, dark };
+		if (visible && !alike) {
+			const style = getComputedStyle(this.#view.canvas);
+			if (!same) figure.show(this.#what.shells(specimen), style.color);
+			if (marked && grown) figure.mark(marked(grown), style.accentColor);
+			this.#shown = { specimen, dark, grown };
 		}
 		this.#view.requestRender();
 	}

@@ -111,8 +111,8 @@ export interface Tool<S extends Specimen = Specimen, G extends Plant = Plant, T 
 	/** What a change brings along, besides what the table's details do: locked sides follow each other. */
 	follow?(change: Change, desk: Desk<S, G>): Change;
 	hands?(view: ToolView, desk: Desk<S, G>): ToolHands<S, G>;
-	/** A way out where this specimen cannot be grown. */
-	readonly remedy?: { readonly words: string; press(desk: Desk<S, G>): void };
+	/** Ways out where this specimen cannot be grown. */
+	readonly remedies?: readonly { readonly words: string; press(desk: Desk<S, G>): void }[];
 	/** Brings what runs by itself to rest: something is to be saved. */
 	rest?(desk: Desk<S, G>): void;
 	/** Works while the model is on the desk; returns what ends it. */
@@ -158,6 +158,8 @@ export interface Face<S extends Specimen = Specimen, G extends Plant = Plant> {
 	rows?(specimen: S): readonly ReadoutRow[];
 	/** The words below the picture, where tools change what is seen; else the model's `words`. */
 	caption?(grown: G, desk: Desk<S, G>): string;
+	/** What the plant lacks of what was asked for, a line each: said over the picture while it is shown. */
+	warnings?(grown: G, specimen: S): readonly string[];
 	/** What the help says of it: what to do, whose paper it follows. */
 	readonly about?: unknown;
 }

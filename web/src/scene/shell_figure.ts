@@ -56,8 +56,14 @@ export class ShellFigure {
 	});
 	readonly #edges = new LineBasicMaterial({ transparent: true, opacity: 0.4, depthWrite: false, toneMapped: false });
 
+	/** Of those marked. */
+	readonly #markedFaces = this.#faces.clone();
+	readonly #markedEdges = this.#edges.clone();
+
 	constructor() {
 		this.object.name = "boundary";
+		this.#markedFaces.opacity = 0.15;
+		this.#markedEdges.opacity = 1;
 	}
 
 	/** @param colour any CSS colour */
@@ -74,10 +80,22 @@ export class ShellFigure {
 		}
 	}
 
+	/** @param marked which of the shells shown, counted from 0; @param colour any CSS colour */
+	mark(marked: ReadonlySet<number>, colour: string): void {
+		for (const material of [this.#markedFaces, this.#markedEdges]) material.color.set(colour);
+		this.object.children.forEach((part, at) => {
+			const its = marked.has(at >> 1);
+			if (part instanceof Mesh) part.material = its ? this.#markedFaces : this.#faces;
+			else (part as LineSegments).material = its ? this.#markedEdges : this.#edges;
+		});
+	}
+
 	dispose(): void {
 		this.#clear();
 		this.#faces.dispose();
 		this.#edges.dispose();
+		this.#markedFaces.dispose();
+		this.#markedEdges.dispose();
 	}
 
 	#clear(): void {

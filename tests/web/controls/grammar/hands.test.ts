@@ -3,7 +3,7 @@ import { added, frameOf, inText, moved, removed, valueAt } from "../../../../web
 import { difference } from "../../../../web/src/controls/grammar/difference";
 import { reach, stepped } from "../../../../web/src/controls/grammar/scrub";
 import { type GrammarSource, withText } from "../../../../web/src/controls/grammar/source";
-import { problemsOf } from "../../../../web/src/controls/grammar/told";
+import { problemsOf, sameProblems } from "../../../../web/src/controls/grammar/told";
 import { specimenFromPreset } from "../../bunch";
 
 const number = (text: string) => ({ text, value: Number(text) });
@@ -93,4 +93,12 @@ describe("what the core says of a text", () => {
 		expect(problemsOf(fault, notes)).toEqual([{ severity: "error", ...fault }]);
 		expect(problemsOf({ ...fault, line: 0 }, notes)).toEqual([]);
 	});
+});
+
+it("problems are the same where place, kind and words are", () => {
+	const remark = { severity: "remark", line: 3, column: 2, message: "odd" } as const;
+	expect(sameProblems([remark], [{ ...remark }])).toBe(true);
+	expect(sameProblems([remark], [])).toBe(false);
+	for (const change of [{ line: 4 }, { column: 1 }, { severity: "error" as const }, { message: "bad" }])
+		expect(sameProblems([remark], [{ ...remark, ...change }])).toBe(false);
 });

@@ -23,7 +23,7 @@ import { NumberDrag, numberHere, scrubbing, stepHere } from "./numbers";
 import type { NumberAt } from "./outline";
 import { placeOf, showProblems, tell } from "./problems";
 import { type MarkedProductions, markProductions, productionMarks } from "./production_marks";
-import type { Problem } from "./told";
+import { type Problem, sameProblems } from "./told";
 
 /** What an editor tells of itself. */
 export interface EditorEvents {
@@ -59,6 +59,9 @@ export class Editor {
 	readonly #view: EditorView;
 	readonly #events: EditorEvents;
 	readonly #tab = new Compartment();
+	#indents: boolean;
+	/** What was told of the text as it stands: to tell it again would lay all of it out anew. */
+	#told: readonly Problem[] | undefined;
 	/** Tells kinds of typing apart, and places: what follows another is a step of its own. */
 	#how = "";
 	#end = -1;
@@ -66,6 +69,7 @@ export class Editor {
 
 	constructor(root: ShadowRoot, { text, label, help, roles, indents }: EditorOptions, events: EditorEvents) {
 		this.#events = events;
+		this.#indents = indents;
 		const described = document.createElement("p");
 		described.id = "keys";
 		described.hidden = true;
@@ -132,6 +136,8 @@ export class Editor {
 	}
 
 	set problems(problems: readonly Problem[]) {
+		if (this.#told && sameProblems(this.#told, problems)) return;
+		this.#told = problems;
 		tell(this.#view, problems);
 		this.#view.contentDOM.ariaInvalid = String(problems.some(({ severity }) => severity === "error"));
 	}
@@ -142,6 +148,8 @@ export class Editor {
 	}
 
 	set indents(indents: boolean) {
+		if (indents === this.#indents) return;
+		this.#indents = indents;
 		this.#view.dispatch({ effects: this.#tab.reconfigure(tab(indents)) });
 	}
 
@@ -219,6 +227,7 @@ export class Editor {
 
 	#updated(update: ViewUpdate): void {
 		const { docChanged, selectionSet, state, view } = update;
+		if (docChanged) this.#told = undefined;
 		const byHand = docChanged && !update.transactions.every((each) => each.annotation(fromDocument));
 		if (byHand) this.#events.edited(state.doc.toString(), this.#kindOf(update));
 		if (!docChanged && !selectionSet) return;

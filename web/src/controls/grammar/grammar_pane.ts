@@ -22,6 +22,11 @@ const PAUSE = 700;
 const KEYS =
 	"Alt with the arrow keys changes the number at the cursor, with Shift by ten steps, with Control by a tenth. Control and Space completes, Control and F finds. Tab goes on to what comes next, unless it is set to indent. Escape leaves the text.";
 
+/** More of what is said is marked in the text alone: nobody reads as many, and to lay thousands of lines out takes seconds. */
+const MOST_SAID = 50;
+/** What opens it, where a key did. */
+const OPENS = ".stage-tools [aria-label=Grammar]";
+
 /** The grammar beside its plant: every change grows at once, and what is wrong with it is shown where it stands. */
 export class GrammarPane extends ControlElement<GrammarDesk> {
 	static override properties = {
@@ -64,7 +69,9 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		this.#editor = undefined;
 		this.desk.setToolState(DERIVATION, { ...this.desk.toolState(DERIVATION), open: false });
 		// The focus goes back, unless it is elsewhere already.
-		if (document.activeElement === document.body && this.#opener instanceof HTMLElement) this.#opener.focus();
+		if (document.activeElement !== document.body) return;
+		const opener = this.#opener === document.body ? document.querySelector(OPENS) : this.#opener;
+		if (opener instanceof HTMLElement) opener.focus();
 	}
 
 	protected override shows({ state }: GrammarDesk): readonly unknown[] {
@@ -227,14 +234,19 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 	}
 
 	#said(problems: readonly Problem[]): unknown {
-		const { fault } = this.desk.state;
+		const { fault, grown, grownFrom, specimen } = this.desk.state;
+		const current = grownFrom?.grammar === specimen.grammar && !fault;
+		const warnings = grown && grownFrom && current ? (this.source.warnings?.(grown, grownFrom) ?? []) : [];
 		const elsewhere = fault && fault.line === 0 ? html`<p class="error">${fault.message}</p>` : nothing;
-		const list = problems.map(
+		const list = problems.slice(0, MOST_SAID).map(
 			(problem) => html`<button type="button" class=${problem.severity} @click=${() => this.#editor?.goTo(problem)}>
 				<b>Line ${problem.line}</b> ${problem.message}
 			</button>`,
 		);
-		return html`${elsewhere}${list}`;
+		const more = problems.length - MOST_SAID;
+		const others =
+			more > 0 ? html`<p class="remark">${more.toLocaleString("en-GB")} more are marked in the text.</p>` : nothing;
+		return html`${elsewhere}${warnings.map((words) => html`<p class="remark">${words}</p>`)}${list}${others}`;
 	}
 }
 

@@ -48,22 +48,25 @@ const colours = ViewPlugin.fromClass(
 	{ decorations: ({ decorations }) => decorations },
 );
 
-const help = hoverTooltip(({ state }, place) => {
-	const found = explain(state.field(outlined), place);
-	if (!found || found.to <= place) return null;
-	return {
-		pos: found.from,
-		end: found.to,
-		create: () => {
-			const dom = document.createElement("div");
-			dom.className = "cm-help";
-			const written = document.createElement("code");
-			written.textContent = found.written;
-			dom.append(written, ` ${found.help}`);
-			return { dom };
-		},
-	};
-});
+const help = hoverTooltip(
+	({ state }, place) => {
+		const found = explain(state.field(outlined), place);
+		if (!found || found.to <= place) return null;
+		return {
+			pos: found.from,
+			end: found.to,
+			create: () => {
+				const dom = document.createElement("div");
+				dom.className = "cm-help";
+				const written = document.createElement("code");
+				written.textContent = found.written;
+				dom.append(written, ` ${found.help}`);
+				return { dom };
+			},
+		};
+	},
+	{ hideOnChange: true },
+);
 
 /** Colours, and help under the pointer. */
 export const highlight: Extension = [outlined, colours, help];

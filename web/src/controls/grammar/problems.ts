@@ -29,25 +29,28 @@ function marks(all: readonly Placed[]): DecorationSet {
 	return Decoration.set(ranges, true);
 }
 
-const hover = hoverTooltip((view, place) => {
-	const here = view.state.field(problems).filter(({ from, to }) => from <= place && place <= to);
-	if (here.length === 0) return null;
-	return {
-		pos: Math.min(...here.map(({ from }) => from)),
-		end: Math.max(...here.map(({ to }) => to)),
-		create: () => {
-			const dom = document.createElement("div");
-			dom.className = "cm-told";
-			for (const { message, severity } of here) {
-				const line = document.createElement("p");
-				line.className = `cm-said-${severity}`;
-				line.textContent = message;
-				dom.append(line);
-			}
-			return { dom };
-		},
-	};
-});
+const hover = hoverTooltip(
+	(view, place) => {
+		const here = view.state.field(problems).filter(({ from, to }) => from <= place && place <= to);
+		if (here.length === 0) return null;
+		return {
+			pos: Math.min(...here.map(({ from }) => from)),
+			end: Math.max(...here.map(({ to }) => to)),
+			create: () => {
+				const dom = document.createElement("div");
+				dom.className = "cm-told";
+				for (const { message, severity } of here) {
+					const line = document.createElement("p");
+					line.className = `cm-said-${severity}`;
+					line.textContent = message;
+					dom.append(line);
+				}
+				return { dom };
+			},
+		};
+	},
+	{ hideOnChange: true },
+);
 
 /** Shows problems in the text, by a wavy line and under the pointer. */
 export const showProblems: Extension = [problems, hover];

@@ -1,4 +1,5 @@
 /** Where a model's grammars come from, and what a change of one writes into the document. */
+import type { Plant } from "../../plant/plant";
 import type { WithGrammar } from "../../specimen/grammar_text";
 import type { Specimen } from "../../specimen/specimen";
 import type { Change, Desk } from "../desk";
@@ -20,6 +21,8 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	readonly always?: boolean;
 	/** Constants that parameters of the table stand for: they have their sliders already. */
 	readonly governed?: ReadonlySet<string>;
+	/** What a plant lacks of what its text asks for, a line each: said below the text. */
+	warnings?(grown: Plant, specimen: S): readonly string[];
 	/** What a text of its own changes in the document; its `grammar` where absent. */
 	details?(text: string | undefined, specimen: S): NonNullable<Change["details"]>;
 }

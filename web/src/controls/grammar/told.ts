@@ -10,6 +10,13 @@ export interface Problem {
 	readonly message: string;
 }
 
+/** Whether the same is said of the same places. */
+export function sameProblems(some: readonly Problem[], others: readonly Problem[]): boolean {
+	const alike = (a: Problem, b: Problem) =>
+		a.line === b.line && a.column === b.column && a.severity === b.severity && a.message === b.message;
+	return some.length === others.length && some.every((each, i) => alike(each, others[i]));
+}
+
 /** What of it has a place in the text. @param notes the plant's, whose remarks name theirs */
 export function problemsOf(fault: Fault | undefined, notes: readonly string[]): Problem[] {
 	if (fault) return fault.line > 0 ? [{ severity: "error", ...fault }] : [];

@@ -18,6 +18,8 @@ export interface PlantHandle {
 	readonly along: readonly Vector[];
 	/** Taken to a place by a pointer. */
 	pull(to: Vector): Change;
+	/** By the Delete key, where it can go. */
+	remove?(): Change;
 	/** One press of an arrow key: 1, 0 or −1 to the right and up. */
 	nudge(right: number, up: number, large: boolean): Change;
 }

@@ -54,6 +54,8 @@ export class PlantHandleLayer {
 	#handles: readonly PlantHandle[] = [];
 	#ends: readonly (readonly Vector[])[] = [];
 	#held: Held | undefined;
+	/** What a hand moved last, and where it was last said to stand; what it has moved may be laid later. */
+	#told: { readonly id: string; readonly value: string | undefined } | undefined;
 	#frame = 0;
 
 	constructor(host: HandleHost) {
@@ -88,6 +90,8 @@ export class PlantHandleLayer {
 		this.#handles = set?.handles ?? [];
 		this.#ends = set?.lines ?? [];
 		const there = new Set(this.#handles.map(({ id }) => id));
+		const before = [...this.#buttons.keys()];
+		const focused = before.findIndex((id) => this.#buttons.get(id)?.matches(":focus"));
 		for (const [id, button] of this.#buttons) {
 			if (there.has(id)) continue;
 			button.remove();
@@ -101,6 +105,8 @@ export class PlantHandleLayer {
 		}
 		const buttons = [...this.#buttons.values()];
 		if (!buttons.some(({ tabIndex }) => tabIndex === 0) && buttons[0]) buttons[0].tabIndex = 0;
+		if (focused >= 0 && !there.has(before[focused])) this.#refocus(focused);
+		this.#say();
 		this.place();
 	}
 
@@ -200,7 +206,7 @@ export class PlantHandleLayer {
 		if (held?.pointer !== event.pointerId) return;
 		this.#pull();
 		this.#end();
-		if (held.moved) this.#settle(held.id);
+		if (held.moved) this.#settle(held.id, undefined);
 	}
 
 	#end(): void {
@@ -215,7 +221,10 @@ export class PlantHandleLayer {
 		const arrow = ARROWS[key];
 		if (arrow) {
 			this.#host.change(handle.nudge(arrow.x, arrow.y, shiftKey));
-			this.#settle(id);
+			this.#settle(id, handle.value);
+		} else if (key === "Delete" && handle.remove) {
+			this.#host.change(handle.remove());
+			this.#host.settle();
 		} else if (key === "PageDown" || key === "PageUp") this.#lead(id, key === "PageDown" ? 1 : -1);
 		else return;
 		event.preventDefault();
@@ -232,9 +241,27 @@ export class PlantHandleLayer {
 		for (const button of this.#buttons.values()) button.tabIndex = button === stop ? 0 : -1;
 	}
 
-	#settle(id: string): void {
-		this.#said.textContent = this.#handles.find((each) => each.id === id)?.value ?? "";
+	/** Where what had the focus has gone: to what stands in its place, or else to the picture. */
+	#refocus(place: number): void {
+		const next = this.#handles[Math.min(place, this.#handles.length - 1)];
+		const to = next ? this.#buttonOf(next.id) : this.#host.canvas;
+		to.focus();
+	}
+
+	/** @param before where it was said to stand */
+	#settle(id: string, before: string | undefined): void {
 		this.#host.settle();
+		this.#told = { id, value: before };
+		this.#say();
+	}
+
+	/** Where a handle stands once a hand has left it. */
+	#say(): void {
+		const told = this.#told;
+		const value = this.#handles.find(({ id }) => id === told?.id)?.value;
+		if (!told || this.#held || value === undefined || value === told.value) return;
+		this.#said.textContent = value;
+		this.#told = { id: told.id, value };
 	}
 
 	/** From the canvas's upper left corner, CSS pixels. */

@@ -22,5 +22,8 @@ export async function textOf(specimen: Pick<GrammarSpecimen, "grammar" | "preset
 	return fetchedText(specimen) ?? "";
 }
 
+/** Whether a text's branches keep within growth areas. */
+export const asksForAreas = (text: string): boolean => /\b(bound|reach)\s*\(/.test(text);
+
 /** The text of a preset by its name. */
 export const presetText = (preset: string): Promise<string> => textOf({ preset });

@@ -45,7 +45,7 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
 		const known = error instanceof reader.FileError;
 		const drop = known ? dropsOf(studio).find(({ takes }) => takes(file)) : undefined;
 		if (drop) drop.take(studio, file);
-		else if (known) refuse([error.message, ...(await elsewhere(studio, file))]);
+		else if (known) refuse([error.message, ...here(studio, file), ...(await elsewhere(studio, file))]);
 		else refuse([`${file.name} could not be read; try to drop it again.`]);
 	}
 }
@@ -63,6 +63,15 @@ async function openText(studio: Studio, file: File): Promise<void> {
 		if (error instanceof TypeError) refuse(`${file.name} is not text in UTF-8.`);
 		else refuse(`${file.name} could not be read; try to drop it again.`);
 	}
+}
+
+/** What this model takes of files, that the message does not name. */
+function here(studio: Studio, { name }: File): string[] {
+	// What is meant to be one of Panicle's own is not well yet.
+	if (/\.(glb|json)$/i.test(name)) return [];
+	const taken = dropsOf(studio).map(({ words }) => words);
+	const { title } = studio.state.model;
+	return ["A grammar as text (.lsys) grows, whatever is shown.", ...taken.map((words) => `${title}: ${words}.`)];
 }
 
 /** What tools of other models would do with the file: "Tree: a closed mesh (OBJ, GLB) becomes the boundary." */

@@ -2,6 +2,7 @@ import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { measured } from "../../controls/measured";
 import { term } from "../../controls/term";
+import { withThousands } from "../../controls/thousands";
 import { allBut } from "../../specimen/all_but";
 import type { MeasureInfo } from "../../specimen/measures";
 import { runningBy } from "../panel_groups";
@@ -41,7 +42,7 @@ export class Readout extends StudioPart {
 				${term("Grown in", `${timings.grow.toFixed(timings.grow < 10 ? 1 : 0)} ms`)} ${term("Version", model.preview ? `${VERSION}, preview` : VERSION)}
 				<dt>Fingerprint</dt><dd class="fingerprint" data-fingerprint>${fingerprint}</dd>
 			</dl>
-			${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+			${notes.length > 0 ? notesInWords(notes) : nothing}
 		</div>`;
 	}
 
@@ -65,6 +66,16 @@ export class Readout extends StudioPart {
 }
 
 const NONE = new Float32Array(0);
+/** To lay thousands of lines out takes seconds. */
+const MOST_NOTES = 50;
+
+function notesInWords(notes: readonly string[]): unknown {
+	const more = notes.length - MOST_NOTES;
+	return html`<ul class="notes">
+		${notes.slice(0, MOST_NOTES).map((note) => html`<li>${withThousands(note)}</li>`)}
+		${more > 0 ? html`<li>And ${more.toLocaleString("en-GB")} more.</li>` : nothing}
+	</ul>`;
+}
 
 /** What stays while a life runs: many lines, and none of them another. */
 function measuredFrom({ measures, model, face, specimen }: StudioState): readonly unknown[] {
@@ -80,7 +91,7 @@ export function inWords(key: string): string {
 /** What there is of a model without words of its own. */
 function counts(numbers: Readonly<Record<string, number>>): unknown {
 	return html`<h3>Counts</h3>
-		<dl>${Object.entries(numbers).map(([key, value]) => term(inWords(key), value))}</dl>`;
+		<dl>${Object.entries(numbers).map(([key, value]) => term(inWords(key), value.toLocaleString("en-GB")))}</dl>`;
 }
 
 customElements.define("panicle-readout", Readout);

@@ -46,9 +46,12 @@ export class ShareBar extends StudioPart {
 
 /** Copies, and says so, and what the link does not hold; where the clipboard is denied, the link is shown for copying by hand. */
 async function copyLink(studio: Studio): Promise<void> {
-	const { model, specimen } = studio.state;
+	const { model, specimen, fault } = studio.state;
 	const link = await linkOf(model, specimen);
-	const lost = notInLink(model, specimen);
+	const lost = [
+		...(fault ? [`Who opens it finds no ${model.noun}: this cannot be grown as it is.`] : []),
+		...notInLink(model, specimen),
+	];
 	try {
 		await navigator.clipboard.writeText(link);
 		studio.notify("Link copied", lost, { topic: "link", brief: lost.length === 0 });

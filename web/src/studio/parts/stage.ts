@@ -49,6 +49,7 @@ export class Stage extends StudioPart {
 			></canvas>
 			<p class="unseen" id=${this.idOf("keys")}>${ORBIT_KEYS}</p>
 			${shown ? caption(studio) : nothing}
+			${warnings(studio)}
 			${this.#trouble && !failure ? message(this.#trouble.title, [this.#trouble.text], this.#trouble.again ? button("Try again", this.#trouble.again) : nothing) : nothing}
 			${failure ? message(failure.title, failure.details, remedies(studio, failure)) : nothing}
 			${this.#solid && !this.#trouble ? this.#tools(studio, this.#solid) : nothing}
@@ -167,6 +168,14 @@ function caption(studio: Studio): unknown {
 	</div>`;
 }
 
+/** What the plant lacks, where the eye is. The pane says it as well, and is the one that is heard where it is open. */
+function warnings(studio: Studio): unknown {
+	const { face, grown, grownFrom, specimen, failure } = studio.state;
+	const lines = grown && grownFrom && !failure ? (face?.warnings?.(grown, grownFrom) ?? []) : [];
+	const read = applying(face?.tools, specimen).some(({ pane }) => pane?.open(studio));
+	return html`<div class="stage-warnings" role=${read ? nothing : "status"}>${lines.map((line) => html`<p>${line}</p>`)}</div>`;
+}
+
 function message(title: string, details: readonly string[], actions: unknown = nothing): unknown {
 	return html`<div class="stage-message" role="alert">
 		<h2>${title}</h2>
@@ -184,8 +193,8 @@ function remedies(studio: Studio, failure: Failure): unknown {
 	return failure.remedies.map((remedy) => {
 		if (remedy === "again") return button("Try again", () => studio.growAgain());
 		const { model, specimen, face } = studio.state;
-		const own = applying(face?.tools, specimen).find((tool) => tool.remedy)?.remedy;
-		if (own) return button(own.words, () => own.press(studio));
+		const own = applying(face?.tools, specimen).flatMap((tool) => tool.remedies ?? []);
+		if (own.length > 0) return own.map(({ words, press }) => button(words, () => press(studio)));
 		const standard = fromPreset(model);
 		if (sameSpecimen(specimen, standard)) return nothing;
 		return button(`Open the default ${model.noun}`, () => studio.replace(standard));

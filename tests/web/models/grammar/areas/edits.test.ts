@@ -12,7 +12,7 @@ import {
 	UNTURNED,
 } from "../../../../../web/src/models/grammar/areas/area";
 import * as edits from "../../../../../web/src/models/grammar/areas/area_edits";
-import { areaHandles } from "../../../../../web/src/models/grammar/areas/area_handles";
+import { areaHandles, areaHandlesOf } from "../../../../../web/src/models/grammar/areas/area_handles";
 import { surfaceOf } from "../../../../../web/src/models/grammar/areas/surface";
 import { GRAMMAR } from "../../../../../web/src/models/grammar/species";
 import type { GrammarSpecimen } from "../../../../../web/src/models/grammar/specimen";
@@ -144,5 +144,45 @@ describe("the surface that is shown of an area", () => {
 			expect(volume / whole).toBeGreaterThan(0.96 * share);
 			expect(volume / whole).toBeLessThan(1.01 * share);
 		}
+	});
+});
+
+describe("the handles of an area", () => {
+	/** As the page first looks: 24° to the right, 7° above; without perspective. */
+	const seen = ([x, y, z]: Vector): readonly [number, number] => {
+		const [a, e] = [24, 7].map((degrees) => (degrees * Math.PI) / 180);
+		const across = x * Math.cos(a) - z * Math.sin(a);
+		return [across, y * Math.cos(e) - (x * Math.sin(a) + z * Math.cos(a)) * Math.sin(e)];
+	};
+	const box: GrammarSpecimen = { ...start, areas: [area("box", [0, 1, 0], [2, 2, 2])] };
+
+	it("stand clear of one another as the page first looks", () => {
+		const places = areaHandles(box, { area: 0 }).handles.map(({ at }) => seen(at));
+		expect(places).toHaveLength(7);
+		for (const [i, [x, y]] of places.entries())
+			for (const [otherX, otherY] of places.slice(i + 1))
+				expect(Math.hypot(x - otherX, y - otherY)).toBeGreaterThan(0.4);
+	});
+
+	it("have an arc each where they turn, about the axis and through the handle", () => {
+		const turned = { ...box, areas: [{ ...(box.areas?.[0] as Area), rotation: turnOf([0, 30, 0]) }] };
+		const { handles, lines } = areaHandles(turned, { area: 0 });
+		expect(lines).toHaveLength(3);
+		for (const [k, { at }] of handles.filter(({ kind }) => kind === "turn").entries()) {
+			const arc = lines[k];
+			expect(arc.some((place) => Math.hypot(...place.map((value, i) => value - at[i])) < 1e-9)).toBe(true);
+			const wide = arc.map((place) => Math.hypot(...place.map((value, i) => value - [0, 1, 0][i])));
+			expect(Math.max(...wide) - Math.min(...wide)).toBeLessThan(1e-9);
+		}
+	});
+
+	it("remove it where they may, and nothing in pages without a way back", () => {
+		const more: GrammarSpecimen = { ...box, areas: [...(box.areas ?? []), area("cone", [0, 3, 0])] };
+		const { handles } = areaHandles(more, { area: 1, removable: true });
+		for (const { id, remove } of handles) {
+			const left = made(remove?.(), more).areas?.map(({ kind }) => kind);
+			expect(left, id).toEqual(id === "area-0" ? ["cone"] : ["box"]);
+		}
+		expect(areaHandlesOf(more).handles.some(({ remove }) => remove)).toBe(false);
 	});
 });

@@ -1,8 +1,18 @@
 /** Areas and path as handles in the 3-D view: each area's middle, of the chosen one its sides and turns; each place of a drawn path. */
 import type { Change } from "../../../controls/desk";
 import type { PlantHandle, PlantHandles, Vector } from "../../../controls/handles/plant_handle";
-import { type Area, degreesOf, placeIn, SMALLEST, type Triple, turned, turnedOn, type WithAreas } from "./area";
-import { changed, movedPlace, placesOf } from "./area_edits";
+import {
+	type Area,
+	degreesOf,
+	placeIn,
+	SMALLEST,
+	type Triple,
+	turned,
+	turnedOn,
+	UNTURNED,
+	type WithAreas,
+} from "./area";
+import { changed, movedPlace, placesOf, removed, removedPlace } from "./area_edits";
 
 const AXES: readonly Vector[] = [
 	[1, 0, 0],
@@ -17,30 +27,52 @@ const STRIDE = 0.1;
 /** Degrees. */
 const TURN = 5;
 const TURN_FAR = 15;
-/** How far from the middle a turn's handle stands, of half the area. */
-const ARM = 1.35;
+/** Where a turn's handle stands, in half areas: across its axis, and in the first view clear of the sides' and of one another. */
+const ARMS: readonly Triple[] = [
+	[0, -1, -1],
+	[-1, 0, 1],
+	[-1.35, 1, 0],
+];
+/** How far to either side of it the arc goes that shows which way it turns, and in how many pieces; degrees. */
+const ARC = 36;
+const PIECES = 12;
 
 export interface Choice {
 	/** Which area has its sides and turns shown. */
 	readonly area?: number | undefined;
 	/** Whether the main branch's places are shown. */
 	readonly path?: boolean;
+	/** Whether Delete removes them: where there is a way back. */
+	readonly removable?: boolean;
 }
 
 export function areaHandles(specimen: WithAreas, choice: Choice = {}): PlantHandles {
 	const { areas = [] } = specimen;
 	const chosen = choice.area === undefined ? undefined : areas[choice.area];
+	const index = choice.area ?? 0;
 	const places = choice.path ? placesOf(specimen) : [];
+	const arms = chosen ? turns(specimen, chosen, index) : [];
+	const gone = (change: () => Change) => (choice.removable ? { remove: change } : {});
 	return {
 		handles: [
 			// Places may stand in the middles: one of the two is shown.
-			...(choice.path ? [] : areas).map((area, i) => middle(specimen, area, i, i === choice.area)),
-			...(chosen && choice.area !== undefined
-				? [...sides(specimen, chosen, choice.area), ...turns(specimen, chosen, choice.area)]
-				: []),
-			...places.map((at, i) => place(specimen, at, i)),
+			...(choice.path ? [] : areas).map((area, i) => ({
+				...middle(specimen, area, i, i === choice.area),
+				...gone(() => removed(specimen, i)),
+			})),
+			...[...(chosen ? sides(specimen, chosen, index) : []), ...arms.map(({ handle }) => handle)].map((handle) => ({
+				...handle,
+				...gone(() => removed(specimen, index)),
+			})),
+			...places.map((at, i) => ({
+				...place(specimen, at, i),
+				...(places.length > 1 ? gone(() => removedPlace(specimen, i)) : {}),
+			})),
 		],
-		lines: choice.path && places.length > 0 ? [[[0, 0, 0], ...places]] : [],
+		lines: [
+			...(choice.path && places.length > 0 ? [[[0, 0, 0] as Vector, ...places]] : []),
+			...arms.map(({ arc }) => arc),
+		],
 	};
 }
 
@@ -96,19 +128,21 @@ function sides(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
 	});
 }
 
-/** About the area's own axes: a handle to each, on an arm across it. */
-function turns(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
+/** About the area's own axes: a handle to each, on an arm across it, and the arc on which it goes. */
+function turns(specimen: WithAreas, area: Area, index: number): { handle: PlantHandle; arc: readonly Vector[] }[] {
 	return AXES.map((own, k) => {
 		const axis = turned(own, area.rotation);
-		// Across the axis, where no side's handle stands.
-		const arm: Triple = [k === 0 ? 0 : -ARM, k === 1 ? 0 : k === 0 ? -ARM : ARM, k === 2 ? 0 : -ARM];
-		const at = placeIn(area, [arm[0] * (k === 2 ? 1 : 0.75), arm[1] * 0.75, arm[2] * 0.75]);
+		const at = placeIn(area, ARMS[k]);
 		const by = (degrees: number): Change =>
 			changed(specimen, index, { rotation: turnedOn(area.rotation, axis, degrees) });
 		const first = from(at, area.centre);
 		const across = cross(axis, first);
 		const [one, other] = [unit(across), unit(cross(across, axis))];
-		return {
+		const arc = Array.from({ length: PIECES + 1 }, (_, i): Vector => {
+			const way = turnedOn(UNTURNED, axis, ARC * ((2 * i) / PIECES - 1));
+			return moved(area.centre, turned(first, way));
+		});
+		const handle: PlantHandle = {
 			id: `turn-${k}`,
 			label: `Turn of area ${index + 1} about its ${NAMES[k]} axis`,
 			value: `${degreesOf(area.rotation)[k].toFixed(0)}°`,
@@ -121,6 +155,7 @@ function turns(specimen: WithAreas, area: Area, index: number): PlantHandle[] {
 			},
 			nudge: (right, up, large) => by((right || up) * (large ? TURN_FAR : TURN)),
 		};
+		return { handle, arc };
 	});
 }
 

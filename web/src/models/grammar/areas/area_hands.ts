@@ -11,7 +11,7 @@ import type { GrammarSpecimen } from "../specimen";
 import type { Triple } from "./area";
 import { placesOf, strokePath, withPath } from "./area_edits";
 import { areaHandles } from "./area_handles";
-import { type AreaDesk, type AreaState, areaTool, choose } from "./area_tool";
+import { type AreaDesk, type AreaState, areaTool, choose, hasAreas } from "./area_tool";
 
 /** CSS pixels between two places of a stroke. */
 const FINE = 6;
@@ -62,12 +62,13 @@ export class AreaHands {
 		view.canvas.addEventListener("lostpointercapture", this.#end);
 	}
 
-	update({ specimen }: State, { handles, chosen, path = false, drawing = false }: AreaState): void {
+	update({ specimen }: State, { handles: wanted, chosen, path = false, drawing = false }: AreaState): void {
 		const { canvas } = this.#view;
+		const handles = wanted && hasAreas(specimen);
 		canvas.classList.toggle(WHOLE_SURFACE, handles);
 		this.#drawing = handles && drawing;
 		canvas.style.cursor = this.#drawing ? "crosshair" : "";
-		this.#layer.lay(handles && !drawing ? areaHandles(specimen, { area: chosen, path }) : undefined);
+		this.#layer.lay(handles && !drawing ? areaHandles(specimen, { area: chosen, path, removable: true }) : undefined);
 		this.#view.requestRender();
 	}
 

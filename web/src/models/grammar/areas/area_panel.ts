@@ -85,9 +85,16 @@ function drawArea(desk: AreaDesk, area: Area, index: number): unknown {
 				desk.set(change);
 				choose(desk, index + 1);
 			})}
-			${button("Remove the area", removed(specimen, index), (change) => {
+			${button("Remove the area", removed(specimen, index), (change, pressed) => {
+				const list = pressed.closest(".group-body");
 				desk.set(change);
 				choose(desk, undefined);
+				// The button goes with its area: the next one has the focus, or what adds one.
+				setTimeout(() => {
+					const left = list?.querySelectorAll<HTMLElement>(".areas button");
+					const next = left?.[Math.min(index, left.length - 1)] ?? list?.querySelector<HTMLElement>(".actions button");
+					next?.focus();
+				});
 			})}
 		</div>
 	</div>`;
@@ -138,6 +145,7 @@ function drawPath(desk: AreaDesk): unknown {
 			${toggle("Draw it in the picture", "drawing")} ${toggle("Show its places", "path")}
 			${button("From middle to middle", specimen.path ? withPath(undefined) : undefined, (change) => desk.set(change))}
 		</div>
+		<p class="note" role="status">${state.drawing ? "Draw in the picture, from the foot upwards through the areas." : nothing}</p>
 		${
 			state.path
 				? places.map(
@@ -154,6 +162,7 @@ function drawPath(desk: AreaDesk): unknown {
 		}`;
 }
 
-function button(words: string, change: Change | undefined, press: (change: Change) => void): unknown {
-	return html`<button class="button" type="button" ?disabled=${!change} @click=${() => change && press(change)}>${words}</button>`;
+function button(words: string, change: Change | undefined, press: (change: Change, pressed: Element) => void): unknown {
+	const click = (event: Event) => change && press(change, event.currentTarget as Element);
+	return html`<button class="button" type="button" ?disabled=${!change} @click=${click}>${words}</button>`;
 }

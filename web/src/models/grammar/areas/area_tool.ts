@@ -4,9 +4,12 @@ import type { Desk, DeskState } from "../../../controls/desk";
 import { sameDocument } from "../../../controls/same_document";
 import { shownShells } from "../../../controls/shell_tool";
 import { FILE_TOPIC, type Tool, type ToolHands, type ToolView } from "../../../controls/tool";
+import type { Group } from "../../../specimen/table";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
-import { fetchedText } from "../texts";
+import { GRAMMAR_TABLE } from "../table";
+import { asksForAreas, fetchedText } from "../texts";
+import { bareAreas } from "../tools/warnings";
 import { added } from "./area_edits";
 import type { AreaHands } from "./area_hands";
 import { drawAreas } from "./area_panel";
@@ -29,7 +32,8 @@ export interface AreaState {
 const GLASS = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200zM4 6.200l6 3.200 6-3.200M10 9.400V17" stroke-dasharray="2 1.500"/>`;
 const HANDLES = svg`<path d="M10 3l6 3.2v7.600L10 17l-6-3.200V6.200z"/><circle cx="10" cy="3" r="1.600" fill="currentcolor"/><circle cx="16" cy="13.800" r="1.600" fill="currentcolor"/><circle cx="4" cy="13.800" r="1.600" fill="currentcolor"/>`;
 
-const hasAreas = ({ areas = [] }: GrammarSpecimen): boolean => areas.length > 0;
+/** Whether there is anything to take hold of. */
+export const hasAreas = ({ areas = [] }: GrammarSpecimen): boolean => areas.length > 0;
 
 /** Faint, until they are hidden. */
 const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
@@ -41,11 +45,12 @@ const areaGlass = shownShells<GrammarSpecimen, GrammarPlant>({
 	applies: hasAreas,
 	figure: async () => new (await import("../../../scene/shell_figure")).ShellFigure(),
 	shells: ({ areas = [] }) => areas.map(surfaceOf),
+	marked: bareAreas,
 });
 
 export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 	name: "areas",
-	initial: { handles: false },
+	initial: { handles: true },
 	applies: hasAreas,
 	press: (desk) => {
 		const state = desk.toolState(areaTool);
@@ -55,17 +60,21 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 	key: { letter: "a", does: "Handles of growth areas, and back" },
 	keys: [
 		{ keys: ["Arrow keys"], does: "On a handle of an area: move, widen or turn it; Shift goes farther" },
+		{ keys: ["Delete"], does: "On a handle of an area: remove it" },
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of an area: to the next one" },
 	],
 	hands: (view, desk) => new LateHands(view, desk),
 };
 
+/** The table's, but open and before the others: where there are areas, they are what hands are for. */
+const GROUP: Group = { ...(GRAMMAR_TABLE.groups.find(({ key }) => key === "areas") as Group), closed: false };
+
 /** A section of the panel, also where there is no area yet but a text that asks for one; and what is dropped on the page. */
-const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
+export const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
 	name: "area-panel",
 	initial: undefined,
-	applies: (specimen) => hasAreas(specimen) || /\b(bound|reach)\s*\(/.test(fetchedText(specimen) ?? ""),
-	panel: { group: "areas", place: "below", draw: (desk) => drawAreas(desk) },
+	applies: (specimen) => hasAreas(specimen) || asksForAreas(fetchedText(specimen) ?? ""),
+	panel: { group: GROUP, place: "below", draw: (desk) => drawAreas(desk) },
 	drop: {
 		words: "a closed mesh (OBJ, GLB, STL) becomes a growth area",
 		takes: ({ name }) => /\.(obj|glb|gltf|stl|ply|off|fbx|dae|3mf|3ds|usdz?|blend)$/i.test(name),
@@ -76,7 +85,6 @@ const areaPanel: Tool<GrammarSpecimen, GrammarPlant> = {
 export const areaTools: readonly Tool<GrammarSpecimen, GrammarPlant>[] = [
 	areaGlass as Tool<GrammarSpecimen, GrammarPlant>,
 	areaTool as Tool<GrammarSpecimen, GrammarPlant>,
-	areaPanel,
 ];
 
 /** Makes a file's mesh one more area, as one step; whatever is wrong with it is said. */
@@ -125,7 +133,8 @@ class LateHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 	}
 
 	update(state: DeskState<GrammarSpecimen, GrammarPlant>): void {
-		if (!this.#desk.toolState(areaTool).handles && !this.#hands) return;
+		const wanted = this.#desk.toolState(areaTool).handles && hasAreas(state.specimen);
+		if (!wanted && !this.#hands) return;
 		this.#hands ??= this.#fetch();
 		void this.#hands.then((hands) => {
 			if (!this.#disposed) hands?.update(state, this.#desk.toolState(areaTool));

@@ -3,16 +3,17 @@ import { html } from "lit";
 import { steppedScene } from "../../../controls/derivation_tool";
 import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
-import { areaTools } from "../areas/area_tool";
+import { areaPanel, areaTools } from "../areas/area_tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import { grammarInWords } from "../words";
 import { derivation } from "./derivation";
 import { readout } from "./readout";
 import { source } from "./text";
+import { warningsOf } from "./warnings";
 
 export const face: Face<GrammarSpecimen, GrammarPlant> = {
-	tools: [...grammarTools(source, derivation), ...areaTools],
+	tools: [areaPanel, ...grammarTools(source, derivation), ...areaTools],
 	caption: (grown, desk) => {
 		const stepped = steppedScene(desk);
 		return stepped
@@ -20,6 +21,7 @@ export const face: Face<GrammarSpecimen, GrammarPlant> = {
 			: grammarInWords(grown);
 	},
 	readout,
+	warnings: warningsOf,
 	about: html`<p>
 			A text grows as a plant: an axiom, and productions that rewrite it. Topiary grows in volumes that you move, turn and
 			widen by their handles; the main branch passes from one to the next.

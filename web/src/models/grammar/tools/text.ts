@@ -1,15 +1,18 @@
 import { outlineOf, withConstants } from "../../../controls/grammar/outline";
 import type { GrammarSource } from "../../../controls/grammar/source";
 import { fromPreset } from "../../../specimen/from_preset";
+import type { GrammarPlant } from "../grammar_plant";
 import { GRAMMAR } from "../species";
 import type { GrammarSpecimen } from "../specimen";
 import { fetchedText, fetchTexts } from "../texts";
+import { warningsOf } from "./warnings";
 
 /** Values of constants are written into the text as soon as it is the document's own: one number, one place. */
 export const source: GrammarSource<GrammarSpecimen> = {
 	noun: "plant",
 	group: "lines",
 	always: true,
+	warnings: (grown, specimen) => warningsOf(grown as GrammarPlant, specimen),
 	builtIn({ preset, grammar, constants }) {
 		const text = fetchedText({ preset });
 		if (text === undefined) return fetchTexts();

@@ -1,0 +1,95 @@
+import { compressText } from "../../web/src/specimen/compressed_text";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+const CUBES = "?v=2&model=grammar&preset=topiary-two-cubes&define=leaf:0.2";
+const over = ".stage-warnings";
+
+test("of a topiary it is told beside the picture what is missed, and what a hand has moved", async ({ page }) => {
+	const studio = await new StudioPage(page).open(`${CUBES}&path=0,0,0,5,0.1,0,5,0.2,0`);
+	await studio.stands();
+	await expect(page.locator(over)).toContainText("Nothing grows in area 2: the main branch does not come there.");
+	await studio.openGroup("Growth areas");
+	await studio.button("From middle to middle").click();
+	await expect(page.locator(over)).toHaveText("");
+
+	// The handles are there from the first.
+	const second = page.getByRole("button", { name: /^Area 2, a box: / });
+	await second.focus();
+	const said = page.locator(".plant-handles [role=status]");
+	for (const x of ["−0.01", "−0.02"]) {
+		await page.keyboard.press("ArrowLeft");
+		await expect(said).toHaveText(`x ${x.replace("−", "-")}, y 2.00, z 0.00`);
+		await expect(second).toHaveAccessibleName(`Area 2, a box: x ${x.replace("−", "-")}, y 2.00, z 0.00`);
+	}
+
+	await page.keyboard.press("Delete");
+	const first = page.getByRole("button", { name: /^Area 1, a box: / });
+	await expect(second).toHaveCount(0);
+	await expect(page.locator(".plant-handles :focus")).toHaveCount(1);
+	await page.keyboard.press("Control+z");
+	await expect(second).toHaveCount(1);
+
+	const list = page.getByRole("list", { name: "Growth areas, in the order of the main branch" });
+	const box = page.getByRole("complementary", { name: "Controls" }).getByRole("button", { name: "Box", exact: true });
+	for (const left of [1, 0]) {
+		await list.getByRole("button").last().click();
+		await studio.button("Remove the area").focus();
+		await page.keyboard.press("Enter");
+		await expect(list.getByRole("button")).toHaveCount(left);
+		await expect(left > 0 ? list.getByRole("button") : box).toBeFocused();
+	}
+	await expect(first).toHaveCount(0);
+	await expect(page.locator(over)).toContainText("There is no growth area");
+});
+
+test("the editor of a text that cannot be grown is offered where the plant would be, and said when its link is copied", async ({
+	page,
+}) => {
+	await page.addInitScript(() => Object.assign(navigator.clipboard, { writeText: async () => {} }));
+	const packed = await compressText("axiom: F(\n");
+	await page.goto(`./?v=2&model=grammar#g=${packed}`);
+	const alert = page.getByRole("alert");
+	await expect(alert).toContainText("This cannot be grown");
+	const studio = new StudioPage(page);
+	await studio.button("Copy link").click();
+	await expect(studio.notices).toContainText("Who opens it finds no plant");
+	await alert.getByRole("button", { name: "Edit the grammar" }).click();
+	const text = page.getByRole("textbox", { name: "Grammar" });
+	await expect(text).toBeFocused();
+	await expect(page.getByText("brings a grammar of its own")).toHaveCount(0);
+	// It was opened by a button that has gone; by its key it is left to the one that stands for it.
+	await page.keyboard.press("Escape");
+	await page.keyboard.press("Enter");
+	await expect(text).toHaveCount(0);
+	await expect(page.getByText("brings a grammar of its own")).toHaveCount(1);
+	await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+	await page.keyboard.press("g");
+	await expect(text).toBeFocused();
+	await page.keyboard.press("Escape");
+	await page.keyboard.press("Enter");
+	await expect(studio.button("Grammar")).toBeFocused();
+});
+
+test("a picture that holds no plant is told what this model takes", async ({ page }) => {
+	const studio = await new StudioPage(page).open(CUBES);
+	const png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==";
+	await studio.drop("a.png", Buffer.from(png, "base64"));
+	await expect(studio.notices).toContainText("(.lsys) grows");
+	await expect(studio.notices).toContainText(/Grammar: a closed mesh .* becomes a growth area/);
+});
+
+test("of very many remarks some are listed, and all are marked", async ({ page }) => {
+	const lines = Array.from({ length: 300 }, (_, i) => `X${i} --> F [ F${i} ]`);
+	const studio = await new StudioPage(page).open(
+		`?v=2&model=grammar#g=${await compressText(["axiom: A", ...lines].join("\n"))}`,
+	);
+	await expect(page.locator(".readout .notes")).toContainText("more.");
+	await page.keyboard.press("g");
+	const told = page.locator(".pane-told");
+	await expect(told.getByRole("button")).toHaveCount(50);
+	await expect(told).toContainText("250 more are marked in the text.");
+	await expect(told).toContainText("The grammar draws nothing.");
+	await expect(page.locator(over)).toContainText("The grammar draws nothing.");
+	await expect(studio.button("Grammar")).toHaveAttribute("aria-pressed", "true");
+});

@@ -1,0 +1,77 @@
+import { readFileSync } from "node:fs";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import { model } from "../../../../web/src/models/grammar/index";
+import type { GrammarSpecimen } from "../../../../web/src/models/grammar/specimen";
+import { fetchTexts } from "../../../../web/src/models/grammar/texts";
+import { bareAreas, warningsOf } from "../../../../web/src/models/grammar/tools/warnings";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { freshCore } from "../../core/wasm";
+
+let core: Core;
+beforeAll(async () => {
+	await fetchTexts();
+	core = await freshCore("grammar.wasm");
+});
+
+const grow = (specimen: GrammarSpecimen) => model.read(core.grow(model.encode(specimen, { meshes: false })), specimen);
+const told = (specimen: GrammarSpecimen) => warningsOf(grow(specimen), specimen);
+const cubes = (): GrammarSpecimen => {
+	const preset = fromPreset(model, "topiary-two-cubes");
+	return { ...preset, constants: { ...preset.constants, leaf: 0.2 } };
+};
+const of = (grammar: string): GrammarSpecimen => ({ ...fromPreset(model), grammar, constants: {} });
+
+describe("what a plant lacks", () => {
+	it("is nothing, in every preset", () => {
+		const wrong = model.presets.list.flatMap(({ name }) => {
+			const specimen = fromPreset(model, name);
+			// Their notes are looked at by grown.test.ts; constants and areas are the specimen's own.
+			return warningsOf({ notes: [], counts: { steps: 4096 } } as never, specimen).map((words) => `${name}: ${words}`);
+		});
+		expect(wrong).toEqual([]);
+		expect(told(cubes())).toEqual([]);
+	});
+
+	it("is each area that the main branch does not come to", () => {
+		const missed = { ...cubes(), path: [0, 0, 0, 5, 0.1, 0, 5, 0.2, 0] };
+		expect([...bareAreas(grow(missed))]).toEqual([1]);
+		expect(told(missed)).toEqual([
+			"Nothing grows in area 2: the main branch does not come there. Lead it through, or change the areas' order.",
+		]);
+		expect([...bareAreas(grow(cubes()))]).toEqual([]);
+		const notes = [1, 2, 4].map((area) => `Nothing grows in area ${area}: it is missed.`);
+		expect(warningsOf({ ...grow(cubes()), notes }, cubes())).toEqual([
+			"Nothing grows in areas 1, 2 and 4: it is missed.",
+		]);
+	});
+
+	it("is every area, where the last is gone", () => {
+		const { areas: _, ...none } = cubes();
+		expect(told(none)).toEqual([expect.stringContaining("There is no growth area")]);
+	});
+
+	it("is what a limit cut off, with the steps that were asked for", () => {
+		const text = "derivation length: 60\naxiom: F\nF --> F [ +F ] F";
+		const words = "What grew so far is shown. ";
+		const plant = grow(of("axiom: F"));
+		const cut = {
+			...plant,
+			notes: [`${words}The string grows beyond 67108864 words.`],
+			counts: { ...plant.counts, steps: 12 },
+		};
+		expect(warningsOf(cut, of(text))).toEqual([
+			"What grew so far is shown. The string grows beyond 67,108,864 words. These are 12 of 60 steps.",
+		]);
+		expect(readFileSync("wasm-core/src/models/grammar/model.cpp", "utf8")).toContain(`"${words}"`);
+	});
+
+	it("is all, where a text draws nothing", () => {
+		expect(told(of("axiom: A"))).toEqual(["The grammar draws nothing."]);
+	});
+
+	it("is the value of a constant that the text has not", () => {
+		const specimen = { ...of("#define n 3\naxiom: F(n)"), constants: { n: 2, foo: 1 } };
+		expect(told(specimen)).toEqual(["The grammar has no #define foo, so its parameter changes nothing."]);
+	});
+});

@@ -1,0 +1,44 @@
+/** What a plant lacks of what was asked for, and why: told beside its picture and below its text. */
+import { withThousands } from "../../../controls/thousands";
+import type { GrammarPlant } from "../grammar_plant";
+import type { GrammarSpecimen } from "../specimen";
+import { asksForAreas, fetchedText } from "../texts";
+
+const BARE = /^Nothing grows in area (\d+)(?=:)/;
+/** Of the core's notes; others stand with the numbers, or have a place in the text. */
+const CUT = /^What grew so far is shown/;
+const SAID = /^The grammar (?:draws nothing|has no #define)/;
+
+/** A line each. @param specimen that the plant has grown from */
+export function warningsOf({ notes, counts }: GrammarPlant, specimen: GrammarSpecimen): readonly string[] {
+	const text = fetchedText(specimen) ?? "";
+	const bare = notes.filter((note) => BARE.test(note));
+	const cut = notes.filter((note) => CUT.test(note)).map(withThousands);
+	return [
+		...(cut.length > 0 ? [[...cut, ...stepsOf(counts.steps, specimen, text)].join(" ")] : []),
+		...notes.filter((note) => SAID.test(note)),
+		...(bare.length > 0 ? [inOne(bare)] : []),
+		...(asksForAreas(text) && !specimen.areas?.length
+			? ["There is no growth area, so the branches have no room. Add one under “Growth areas”, or undo."]
+			: []),
+	];
+}
+
+/** The growth areas in which nothing grows, counted from 0. */
+export function bareAreas({ notes }: Pick<GrammarPlant, "notes">): ReadonlySet<number> {
+	return new Set(notes.flatMap((note) => Number(BARE.exec(note)?.[1] ?? 0) - 1).filter((area) => area >= 0));
+}
+
+/** All such notes as one: they differ by the area alone. */
+function inOne(notes: readonly string[]): string {
+	const numbers = notes.map((note) => BARE.exec(note)?.[1]);
+	if (numbers.length < 2) return notes[0];
+	const areas = `areas ${numbers.slice(0, -1).join(", ")} and ${numbers.at(-1)}`;
+	return notes[0].replace(BARE, `Nothing grows in ${areas}`);
+}
+
+/** How far the derivation has come, where it has not come to its end. */
+function stepsOf(done: number, { steps }: GrammarSpecimen, text: string): string[] {
+	const asked = steps ?? Number(/^[ \t]*derivation length[ \t]*:[ \t]*(\d+)[ \t]*$/m.exec(text)?.[1]);
+	return done < asked ? [`These are ${done} of ${asked} steps.`] : [];
+}
