@@ -156,7 +156,6 @@ async function typing(page) {
 }
 
 async function dragging(page) {
-	await page.getByRole("button", { name: "Handles of growth areas" }).click();
 	const handle = page.getByRole("button", { name: /^Area 2, / });
 	await handle.waitFor();
 	await page.waitForTimeout(500);
