@@ -1,6 +1,6 @@
 /**
- * Goldens of what texts grow: every column of every text, natively and as wasm. They are previews: these may change where what grows
- * becomes better (`UPDATE_GOLDENS=1 npx vitest run tests/golden/grammar`).
+ * Goldens of what texts grow: every column of every text, natively and as wasm. Links hold to segments and organs alone
+ * (links/links.json); what is drawn may change where it becomes better (`UPDATE_GOLDENS=1 npx vitest run tests/golden/grammar`).
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { beforeAll, expect, it } from "vitest";

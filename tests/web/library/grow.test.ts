@@ -127,7 +127,7 @@ describe("files", () => {
 it("the catalogue lists what there is", async () => {
 	expect((await models()).map(({ name, preview }) => [name, preview])).toEqual([
 		["bunch", false],
-		["grammar", true],
+		["grammar", false],
 		["leaf", true],
 		["root", true],
 		["tree", true],

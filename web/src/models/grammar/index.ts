@@ -14,7 +14,6 @@ export const model = {
 	...GRAMMAR,
 	title: "Grammar",
 	shelf: "Grammars",
-	preview: true,
 	noun: "plant",
 	wasm: "grammar.wasm",
 	strings: true,
