@@ -5,6 +5,42 @@ const TESTS = "tests/core";
 
 export default [
 	{
+		file: `${CORE}/models/grammar/outlines.cpp`,
+		suites: [`${TESTS}/models/grammar/outlines_test.cpp`],
+		faults: [
+			{
+				id: "outlines-without-offset",
+				find: "return outline.offset + power(",
+				replace: "return power(",
+				breaks: "a surface has another outline than the leaf of its name",
+			},
+		],
+	},
+	{
+		file: `${CORE}/models/grammar/areas.cpp`,
+		suites: [`${TESTS}/models/grammar/areas_test.cpp`],
+		faults: [
+			{
+				id: "areas-reach-in-ways",
+				find: "way / length, wanted",
+				replace: "way, wanted",
+				breaks: "how far a way reaches depends on how long it is said to be",
+			},
+		],
+	},
+	{
+		file: `${CORE}/lsystem/parser.cpp`,
+		suites: ["tests/core/lsystem/mistakes_test.cpp"],
+		faults: [
+			{
+				id: "parser-eats-unknown-lines",
+				find: "is_foreign_line(at) || is_unknown_line(at) ||",
+				replace: "is_foreign_line(at) ||",
+				breaks: "a line that is no statement goes on with the production before it",
+			},
+		],
+	},
+	{
 		file: `${CORE}/geometry/polygon.cpp`,
 		suites: [`${TESTS}/geometry/polygon_test.cpp`],
 		faults: [
@@ -60,8 +96,26 @@ export default [
 	},
 	{
 		file: `${CORE}/models/grammar/dressing.cpp`,
-		suites: [`${TESTS}/models/grammar/dressing_test.cpp`],
+		suites: [`${TESTS}/models/grammar/dressing_test.cpp`, `${TESTS}/models/grammar/grammar_model_test.cpp`],
 		faults: [
+			{
+				id: "dressing-no-corners",
+				find: ".jointed = false, .corner = cosine_of_corner}",
+				replace: ".jointed = false}",
+				breaks: "strokes of a curve bend into each other",
+			},
+			{
+				id: "dressing-leaves-lit-at-their-feet",
+				find: "std::max(base, open.at(along(organ, organ.scale + open.edge())))",
+				replace: "base",
+				breaks: "leaves at the outside of what is dense are as dark as its inside",
+			},
+			{
+				id: "dressing-never-simpler",
+				find: "borne[organ.tag] > many_surfaces",
+				replace: "false",
+				breaks: "tens of thousands of leaves have as many triangles each as one alone",
+			},
 			{
 				id: "dressing-half-turns",
 				find: "if (m[k][k] > m[i][i]) i = k;",
