@@ -18,7 +18,9 @@ export interface ChronicleAsked {
 
 /** Where a production stands in the text, from 1 on: at its predecessor. */
 export interface TextPlace {
+	/** From 1. */
 	readonly line: number;
+	/** From 1, in characters. */
 	readonly column: number;
 }
 
@@ -80,6 +82,7 @@ export interface Chronicle {
 	readonly step: number;
 	/** Index of the first of `modules` in its string. */
 	readonly first: number;
+	/** The window's modules, in their order. */
 	readonly modules: readonly ToldModule[];
 	/** Of the module of the last string that was asked for: the index of its ancestor in each step. */
 	readonly trail?: Uint32Array;

@@ -37,13 +37,16 @@ describe("what a plant lacks", () => {
 		const missed = { ...cubes(), path: [0, 0, 0, 5, 0.1, 0, 5, 0.2, 0] };
 		expect([...bareAreas(grow(missed))]).toEqual([1]);
 		expect(told(missed)).toEqual([
-			"Nothing grows in area 2: the main branch does not come there. Lead it through, or change the areas' order.",
+			"Nothing grows in area 2: the main branch does not come there. Lead it through, or change the areas' order; where it is far away, give it more steps (derivation length).",
 		]);
 		expect([...bareAreas(grow(cubes()))]).toEqual([]);
 		const notes = [1, 2, 4].map((area) => `Nothing grows in area ${area}: it is missed.`);
 		expect(warningsOf({ ...grow(cubes()), notes }, cubes())).toEqual([
 			"Nothing grows in areas 1, 2 and 4: it is missed.",
 		]);
+		// Those of another reason are told apart.
+		const others = [...notes, "Nothing grows in area 3: it lies within area 2."];
+		expect(warningsOf({ ...grow(cubes()), notes: others }, cubes())).toHaveLength(2);
 	});
 
 	it("is every area, where the last is gone", () => {

@@ -17,7 +17,7 @@ export function warningsOf({ notes, counts }: GrammarPlant, specimen: GrammarSpe
 	return [
 		...(cut.length > 0 ? [[...cut, ...stepsOf(counts.steps, specimen, text)].join(" ")] : []),
 		...notes.filter((note) => SAID.test(note)),
-		...(bare.length > 0 ? [inOne(bare)] : []),
+		...reasonsOf(bare).map(inOne),
 		...(asksForAreas(text) && !specimen.areas?.length
 			? ["There is no growth area, so the branches have no room. Add one under “Growth areas”, or undo."]
 			: []),
@@ -29,7 +29,17 @@ export function bareAreas({ notes }: Pick<GrammarPlant, "notes">): ReadonlySet<n
 	return new Set(notes.flatMap((note) => Number(BARE.exec(note)?.[1] ?? 0) - 1).filter((area) => area >= 0));
 }
 
-/** All such notes as one: they differ by the area alone. */
+/** Such notes, those of one reason together. */
+function reasonsOf(notes: readonly string[]): string[][] {
+	const together = new Map<string, string[]>();
+	for (const note of notes) {
+		const reason = note.replace(BARE, "");
+		together.set(reason, [...(together.get(reason) ?? []), note]);
+	}
+	return [...together.values()];
+}
+
+/** Notes of one reason as one: they differ by the area alone. */
 function inOne(notes: readonly string[]): string {
 	const numbers = notes.map((note) => BARE.exec(note)?.[1]);
 	if (numbers.length < 2) return notes[0];
