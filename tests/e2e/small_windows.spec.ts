@@ -2,28 +2,30 @@ import type { Locator, Page } from "@playwright/test";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
-/** Whether the middle of a control is on the screen with nothing over it; of two handles the nearest is taken, not the upper. */
-const isAtHand = (control: Locator) =>
-	control.evaluate((element) => {
-		element.scrollIntoView({ block: "center", inline: "center" });
-		const { left, top, width, height } = element.getBoundingClientRect();
-		const [x, y] = [left + width / 2, top + height / 2];
-		const hit = (element.getRootNode() as Document | ShadowRoot).elementFromPoint(x, y);
-		const inside = x > 0 && y > 0 && x < innerWidth && y < innerHeight;
-		const same = hit?.closest(".handle") ? element.matches(".handle") : hit?.contains(element) || element.contains(hit);
-		return inside && hit !== null && same === true;
-	});
+/**
+ * Those of some controls whose middle is not on the screen, or has something over it, by their names; of two handles the
+ * nearest is taken, not the upper.
+ */
+const outOfHand = (controls: Locator) =>
+	controls.evaluateAll((elements) =>
+		elements.flatMap((element) => {
+			element.scrollIntoView({ block: "center", inline: "center" });
+			const { left, top, width, height } = element.getBoundingClientRect();
+			const [x, y] = [left + width / 2, top + height / 2];
+			const hit = (element.getRootNode() as Document | ShadowRoot).elementFromPoint(x, y);
+			const inside = x > 0 && y > 0 && x < innerWidth && y < innerHeight;
+			const same = hit?.closest(".handle")
+				? element.matches(".handle")
+				: hit?.contains(element) || element.contains(hit);
+			return inside && hit !== null && same === true ? [] : [element.ariaLabel ?? element.id ?? element.textContent];
+		}),
+	);
 
 async function expectAllAtHand(page: Page, controls: string): Promise<void> {
 	const all = page.locator(controls);
 	expect(await all.count()).toBeGreaterThan(0);
-	for (const control of await all.all()) {
-		const name = await control.evaluate(
-			(element) => element.getAttribute("aria-label") ?? element.id ?? element.textContent,
-		);
-		// A view that has just come to the fore is laid out with the next frame.
-		await expect.poll(() => isAtHand(control), `${controls} ${name}`).toBe(true);
-	}
+	// A view that has just come to the fore is laid out with the next frame.
+	await expect.poll(() => outOfHand(all), controls).toEqual([]);
 }
 
 for (const [width, height] of [
