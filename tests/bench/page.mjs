@@ -156,7 +156,7 @@ async function typing(page) {
 }
 
 async function dragging(page) {
-	const handle = page.getByRole("button", { name: /^Area 2, / });
+	const handle = page.getByRole("button", { name: /^Area 2, .*: x / });
 	await handle.waitFor();
 	await page.waitForTimeout(500);
 	const { x, y, width, height } = await handle.boundingBox();

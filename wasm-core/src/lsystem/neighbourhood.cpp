@@ -7,7 +7,8 @@ namespace panicle::lsystem {
 Neighbourhood::Neighbourhood(const Program& program) : program_(program), sorts_(program.symbols.size(), passed_over) {
   for (std::size_t symbol = 0; symbol < sorts_.size(); ++symbol) {
     const bool is_seen = program.passed_over[symbol] == 0, in_context = program.rules[symbol].in_context;
-    sorts_[symbol] = static_cast<std::uint8_t>((is_seen ? seen : 0) | (in_context ? asking : 0));
+    if (is_seen) sorts_[symbol] |= seen;
+    if (in_context) sorts_[symbol] |= asking;
     unseen_ask_ |= in_context && !is_seen;
   }
   sorts_[push_symbol] = opens;

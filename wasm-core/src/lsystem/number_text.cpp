@@ -22,11 +22,11 @@ bool is_digit(char character) { return character >= '0' && character <= '9'; }
 std::string with_point(std::string digits, int whole) {
   const int count = static_cast<int>(digits.size());
   if (whole > 9 || whole < -4) {
-    if (count > 1) digits.insert(1, ".");
+    if (count > 1) digits.insert(digits.begin() + 1, '.');
     return digits.append("e").append(std::to_string(whole - 1));
   }
-  if (whole <= 0) return digits.insert(0, -whole, '0').insert(0, "0.");
-  return whole >= count ? digits.append(whole - count, '0') : digits.insert(whole, ".");
+  if (whole <= 0) return std::string("0.").append(-whole, '0').append(digits);
+  return whole >= count ? digits.append(whole - count, '0') : digits.substr(0, whole).append(".").append(digits, whole);
 }
 
 }  // namespace
