@@ -79,6 +79,10 @@ export interface ToolView {
 	mark(picked: number | undefined): void;
 	/** The line of sight through a point of the canvas (CSS pixels from its top left corner). */
 	sightThrough(x: number, y: number): Sight;
+	/** Where a place of the plant is seen: CSS pixels from the canvas's top left corner. */
+	project(at: Sight["origin"]): { x: number; y: number };
+	/** Calls back after every draw, for what stands where something is seen. @returns what ends it */
+	onDrawn(listener: () => void): () => void;
 	/** Shows a plant in place of the document's, which comes back where undefined; pictures and files are of the document's all the same. */
 	showInstead(plant: Instead | undefined): void;
 	/** One of the model's figure's ways of showing; the first where undefined. */

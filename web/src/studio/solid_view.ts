@@ -26,6 +26,8 @@ export class SolidView implements ToolView {
 	readonly canvas: HTMLCanvasElement;
 	readonly #view: Viewer<Specimen, Plant>;
 	readonly #studio: Studio;
+	/** Who is told when the picture has been drawn. */
+	readonly #above: Set<() => void>;
 	#orbiting = true;
 	#disposed = false;
 	readonly #ended = new AbortController();
@@ -44,7 +46,13 @@ export class SolidView implements ToolView {
 	#hands: ToolHands[] = [];
 	#face: Face | undefined;
 
-	private constructor(canvas: HTMLCanvasElement, view: Viewer<Specimen, Plant>, studio: Studio) {
+	private constructor(
+		canvas: HTMLCanvasElement,
+		view: Viewer<Specimen, Plant>,
+		studio: Studio,
+		above: Set<() => void>,
+	) {
+		this.#above = above;
 		this.canvas = canvas;
 		this.#view = view;
 		this.#studio = studio;
@@ -57,17 +65,21 @@ export class SolidView implements ToolView {
 		const [{ Viewer }] = await Promise.all([loadScene(), loadFigure(model)]);
 		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 		const theme = dark ? "dark" : "light";
+		const above = new Set<() => void>();
 		const view = new Viewer<Specimen, Plant>(canvas, {
 			reducedMotion: reduced.matches,
 			theme,
 			checked: import.meta.env.DEV,
 			events: {
+				drawn: () => {
+					for (const listener of above) listener();
+				},
 				firstDraw: () => performance.mark("first-bunch"),
 				contextLost: () => events.lost(),
 				contextRestored: () => events.restored(),
 			},
 		});
-		const solid = new SolidView(canvas, view, studio);
+		const solid = new SolidView(canvas, view, studio, above);
 		solid.#follow(reduced);
 		await solid.#use(model);
 		return solid;
@@ -177,6 +189,15 @@ export class SolidView implements ToolView {
 
 	sightThrough(x: number, y: number): Sight {
 		return this.#view.sightThrough(x, y);
+	}
+
+	project([x, y, z]: Sight["origin"]): { x: number; y: number } {
+		return this.#view.project({ x, y, z });
+	}
+
+	onDrawn(listener: () => void): () => void {
+		this.#above.add(listener);
+		return () => this.#above.delete(listener);
 	}
 
 	showInstead(plant: Instead | undefined): void {

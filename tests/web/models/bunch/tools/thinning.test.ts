@@ -61,6 +61,8 @@ function fakeView() {
 		mark: vi.fn(),
 		setMode: vi.fn(),
 		sightThrough: vi.fn(),
+		project: vi.fn(),
+		onDrawn: vi.fn(),
 		showInstead: vi.fn(),
 	};
 	const send = (type: string, more: object = {}) =>

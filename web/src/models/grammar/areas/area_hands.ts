@@ -1,7 +1,6 @@
 /** The handles of growth areas over the 3-D view, and the stroke that draws the main branch. */
-import { BufferGeometry, Mesh, MeshBasicMaterial, Raycaster, Vector2, Vector3 } from "three";
 import type { DeskState } from "../../../controls/desk";
-import { placeUnder, type Ray } from "../../../controls/handles/handle_ways";
+import { placeUnder } from "../../../controls/handles/handle_ways";
 import type { Vector } from "../../../controls/handles/plant_handle";
 import { PlantHandleLayer } from "../../../controls/handles/plant_handle_layer";
 import type { Point } from "../../../controls/handles/point";
@@ -24,9 +23,7 @@ export class AreaHands {
 	readonly #view: ToolView;
 	readonly #desk: AreaDesk;
 	readonly #layer: PlantHandleLayer;
-	readonly #raycaster = new Raycaster();
-	/** Nothing to see: what tells, each time the view is drawn, where the camera stands now. */
-	readonly #anchor = new Mesh(new BufferGeometry(), new MeshBasicMaterial());
+	readonly #undraw: () => void;
 	/** What a cancelled drag brings back. */
 	#before: Pick<GrammarSpecimen, "areas" | "path"> = {};
 	#stroke: Triple[] | undefined;
@@ -36,12 +33,10 @@ export class AreaHands {
 	constructor(view: ToolView, desk: AreaDesk) {
 		this.#view = view;
 		this.#desk = desk;
-		this.#anchor.frustumCulled = false;
-		this.#anchor.onBeforeRender = () => this.#layer.place();
 		this.#layer = new PlantHandleLayer({
 			canvas: view.canvas,
-			project: (at) => this.#project(at),
-			sightThrough: (x, y) => this.#sight(x, y),
+			project: (at) => view.project(at),
+			sightThrough: (x, y) => view.sightThrough(x, y),
 			begin: () => {
 				const { areas, path } = desk.state.specimen;
 				this.#before = { areas, path };
@@ -54,7 +49,7 @@ export class AreaHands {
 			},
 			focused: (id) => this.#focused(id),
 		});
-		view.addOverlay(this.#anchor);
+		this.#undraw = view.onDrawn(() => this.#layer.place());
 		// In the capturing phase, so that the view does not turn under a stroke.
 		view.canvas.addEventListener("pointerdown", this.#begin, { capture: true });
 		view.canvas.addEventListener("pointermove", this.#go);
@@ -81,9 +76,7 @@ export class AreaHands {
 		canvas.classList.remove(WHOLE_SURFACE);
 		canvas.style.cursor = "";
 		this.#view.orbiting = true;
-		this.#view.removeOverlay(this.#anchor);
-		this.#anchor.geometry.dispose();
-		this.#anchor.material.dispose();
+		this.#undraw();
 		this.#layer.dispose();
 	}
 
@@ -93,29 +86,13 @@ export class AreaHands {
 		if (index !== undefined && index !== this.#desk.toolState(areaTool).chosen) choose(this.#desk, index);
 	}
 
-	#project(at: Vector): Point {
-		const { clientWidth, clientHeight } = this.#view.canvas;
-		const seen = this.#anchor.localToWorld(new Vector3(...at)).project(this.#view.camera);
-		return { x: ((seen.x + 1) / 2) * clientWidth, y: ((1 - seen.y) / 2) * clientHeight };
-	}
-
-	#sight(x: number, y: number): Ray {
-		const { clientWidth, clientHeight } = this.#view.canvas;
-		this.#raycaster.setFromCamera(
-			new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight),
-			this.#view.camera,
-		);
-		const ray = this.#raycaster.ray.clone().applyMatrix4(this.#anchor.matrixWorld.clone().invert());
-		return { origin: ray.origin.toArray(), direction: ray.direction.toArray() };
-	}
-
 	/** Where a stroke goes: in the plane through the areas' middle that faces the eye. */
 	#under({ clientX, clientY }: PointerEvent): Triple | undefined {
 		const { left, top, width, height } = this.#view.canvas.getBoundingClientRect();
 		const places = placesOf(this.#desk.state.specimen);
 		const mean = (k: number) => places.reduce((sum, at) => sum + at[k], 0) / Math.max(1, places.length);
 		const middle: Vector = [mean(0), mean(1), mean(2)];
-		const facing = this.#sight(width / 2, height / 2).direction;
+		const facing = this.#view.sightThrough(width / 2, height / 2).direction;
 		const level = Math.hypot(facing[0], facing[2]) || 1;
 		const right: Vector = [-facing[2] / level, 0, facing[0] / level];
 		const up: Vector = [
@@ -123,7 +100,7 @@ export class AreaHands {
 			right[2] * facing[0] - right[0] * facing[2],
 			right[0] * facing[1] - right[1] * facing[0],
 		];
-		const found = placeUnder(middle, [right, up], this.#sight(clientX - left, clientY - top));
+		const found = placeUnder(middle, [right, up], this.#view.sightThrough(clientX - left, clientY - top));
 		return found && [found[0], Math.max(0, found[1]), found[2]];
 	}
 

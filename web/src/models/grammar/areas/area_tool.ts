@@ -120,7 +120,7 @@ export function choose(desk: AreaDesk, chosen: number | undefined): void {
 	desk.setToolState(areaTool, { ...desk.toolState(areaTool), handles: true, chosen });
 }
 
-/** The hands on the canvas, fetched when they are first wanted: three.js comes with them. */
+/** The hands on the canvas, fetched when they are first wanted. */
 class LateHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 	readonly #view: ToolView;
 	readonly #desk: AreaDesk;
