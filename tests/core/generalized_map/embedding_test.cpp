@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -210,6 +211,24 @@ TEST_CASE("placing again with the same shapes gives the same bytes, with others 
   for (Shape& shape : shapes) shape.height = 1;
   placed.embedding.place(shapes);
   CHECK(std::memcmp(before.data(), placed.embedding.positions().data(), before.size() * sizeof(glm::vec3)) == 0);
+}
+
+TEST_CASE("whatever has been grown, glued and split has a place for every vertex") {
+  // Of the first 400 one has a vertex that is in nobody's end, and was made by no cut.
+  for (std::uint64_t seed = 240; seed < 300; ++seed) {
+    CAPTURE(seed);
+    Map map;
+    for (std::uint64_t turn = 0; turn < 40; ++turn) random_operation(map, seed, turn);
+    const Placed placed(map, std::vector<Shape>(map.volumes(), Shape{3, -4, 5, 1, 1, 1}));
+    CHECK(placed.embedding.vertices() == orbits(map, of_cell(0)));
+    float furthest = 0;
+    for (const glm::vec3& position : placed.embedding.positions()) {
+      CHECK(position != glm::vec3(0));  // where they are before anybody proposes
+      furthest = std::max(furthest, glm::length(position));
+    }
+    CHECK(furthest < 2.0f * static_cast<float>(map.volumes()) + 2);  // false of what is not a number, too
+    CHECK(furthest > 0.5f);
+  }
 }
 
 TEST_CASE("map and embedding together take at most 40 bytes a dart") {

@@ -1,5 +1,5 @@
 // Cells and neighbours. A cell of dimension i is all darts that the involutions other than αi lead to: ⟨α1, α2, α3⟩ is
-// a vertex, ⟨α0, α2, α3⟩ an edge, ⟨α0, α1, α3⟩ a face, ⟨α0, α1, α2⟩ a volume (Lienhardt 1994, definition 4).
+// a vertex, ⟨α0, α2, α3⟩ an edge, ⟨α0, α1, α3⟩ a face, ⟨α0, α1, α2⟩ a volume (Lienhardt 1994).
 #pragma once
 
 #include <cstdint>

@@ -12,6 +12,7 @@ void Embedding::lay(const Map& map) {
   places_.assign(vertices.count, glm::vec3(0));
   proposals_.assign(vertices.count, 0);
   frames_.assign(map.volumes(), {});
+  feet_.assign(map.volumes(), glm::vec3(0));
   stands_.clear();
   corners_.clear();
   supports_.clear();
@@ -71,6 +72,10 @@ void Embedding::place(std::span<const Shape> shapes) {
   std::fill(proposals_.begin(), proposals_.end(), 0);
   is_settled_.assign(cuts_.size(), 0);
   for (const Stand& stand : stands_) place(stand, shapes[stand.volume]);
+  // Where what grew on a volume's base was split, and then the volume, its base may have corners that are in nobody's
+  // end.
+  if (!cuts_.empty())
+    for (const Stand& stand : stands_) propose_rest(stand, shapes[stand.volume]);
   for (std::size_t vertex = 0; vertex < places_.size(); ++vertex) {
     if (proposals_[vertex] == 0) continue;
     places_[vertex] /= static_cast<float>(proposals_[vertex]);
@@ -90,10 +95,12 @@ void Embedding::place(const Stand& stand, const Shape& shape) {
   glm::vec3 foot(0);
   if (stand.parent != none) {
     frame = on_face(frames_[stand.parent], stand.parent_order, stand.parent_face);
-    foot = stand.proposes_base
-               ? centre(std::span<const std::uint32_t>(supports_).subspan(stand.support, stand.support_count))
-               : centre(base);
+    foot = centre(stand.proposes_base
+                      ? std::span<const std::uint32_t>(supports_).subspan(stand.support, stand.support_count)
+                      : base,
+                  feet_[stand.parent]);
   }
+  feet_[stand.volume] = foot;
   frame = turned(frame, shape);
   frames_[stand.volume] = frame;
   if (stand.proposes_base) propose(base, frame, shape, foot);
@@ -110,13 +117,30 @@ void Embedding::propose(std::span<const std::uint32_t> vertices, const Frame& fr
   }
 }
 
-glm::vec3 Embedding::centre(std::span<const std::uint32_t> vertices) {
-  glm::vec3 sum(0);
-  for (const std::uint32_t vertex : vertices) {
-    if (!is_proposed(vertex)) settle(vertex);
-    sum += is_proposed(vertex) ? places_[vertex] / static_cast<float>(proposals_[vertex]) : settled_[cut_of_[vertex]];
+void Embedding::propose_rest(const Stand& stand, const Shape& shape) {
+  for (std::uint32_t i = 0; i < stand.order; ++i) {
+    const std::uint32_t vertex = corners_[stand.corners + i];
+    if (is_proposed(vertex) || cut_of_[vertex] != none) continue;
+    const Frame& frame = frames_[stand.volume];
+    const glm::vec2 corner = polygons_[stand.order][i];
+    places_[vertex] = feet_[stand.volume] + corner.x * shape.length * frame.x + corner.y * shape.width * frame.y;
+    proposals_[vertex] = 1;
   }
-  return sum / static_cast<float>(vertices.size());
+}
+
+glm::vec3 Embedding::centre(std::span<const std::uint32_t> vertices, const glm::vec3& otherwise) {
+  glm::vec3 sum(0);
+  float known = 0;
+  for (const std::uint32_t vertex : vertices) {
+    if (!is_proposed(vertex)) {
+      // After splits a vertex may be held by volumes alone that are placed later.
+      if (cut_of_.empty() || cut_of_[vertex] == none) continue;
+      settle(vertex);
+    }
+    sum += is_proposed(vertex) ? places_[vertex] / static_cast<float>(proposals_[vertex]) : settled_[cut_of_[vertex]];
+    ++known;
+  }
+  return known > 0 ? sum / known : otherwise;
 }
 
 // Settles a vertex that only a cut tells of, and the earlier cuts that its edge's ends are.
@@ -152,7 +176,7 @@ void Embedding::settle_cut(std::uint32_t cut) {
 std::uint64_t Embedding::bytes() const {
   const std::uint64_t words = vertex_of_.capacity() + corners_.capacity() + supports_.capacity() + cut_of_.capacity() +
                               proposals_.capacity() + waiting_.capacity() + needed_.capacity();
-  return 4 * words + sizeof(glm::vec3) * (places_.capacity() + settled_.capacity()) +
+  return 4 * words + sizeof(glm::vec3) * (places_.capacity() + settled_.capacity() + feet_.capacity()) +
          sizeof(Stand) * stands_.capacity() + sizeof(Ends) * cuts_.capacity() + sizeof(Frame) * frames_.capacity() +
          is_settled_.capacity();
 }

@@ -51,7 +51,8 @@ class Embedding {
   void place(const Stand& stand, const Shape& shape);
   void propose(std::span<const std::uint32_t> vertices, const Frame& frame, const Shape& shape,
                const glm::vec3& centre);
-  glm::vec3 centre(std::span<const std::uint32_t> vertices);
+  void propose_rest(const Stand& stand, const Shape& shape);
+  glm::vec3 centre(std::span<const std::uint32_t> vertices, const glm::vec3& otherwise);
   bool is_proposed(std::uint32_t vertex) const { return proposals_[vertex] > 0; }
   void settle(std::uint32_t vertex);
   void settle_cut(std::uint32_t cut);
@@ -67,6 +68,7 @@ class Embedding {
   std::vector<glm::vec3> settled_;                // by cut
   std::vector<std::uint8_t> is_settled_;
   std::vector<Frame> frames_;
+  std::vector<glm::vec3> feet_;  // by volume, the middles of bases
   std::vector<std::uint32_t> waiting_, needed_;
 };
 

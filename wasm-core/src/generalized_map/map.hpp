@@ -1,15 +1,16 @@
 // Generalized maps of dimension 3: how volumes, faces, edges and vertices hang together, and nothing of where they are.
 //
-// After Lienhardt 1994, "N-dimensional generalized combinatorial maps and cellular quasi-manifolds" (definitions 1 to
-// 3; sewing is his). The one element is the *dart*: a corner's view along an edge, of a face, of a volume. α0 leads to
-// the dart at the edge's other end, α1 to the other edge at the corner, α2 to the other face at the edge, α3 to the
-// volume on the other side of the face. All four are involutions; α0α2, α0α3 and α1α3 are, too: that is what makes
-// cells meet whole. A cell is what the other involutions reach (cells.hpp). A dart whose α3 is itself is *free*:
-// nothing lies beyond its face. α0, α1 and α2 fix none, so each volume is closed.
+// After Lienhardt 1994, "N-dimensional generalized combinatorial maps and cellular quasi-manifolds"; sewing is his. The
+// one element is the *dart*: a corner's view along an edge, of a face, of a volume. α0 leads to the dart at the edge's
+// other end, α1 to the other edge at the corner, α2 to the other face at the edge, α3 to the volume on the other side
+// of the face. All four are involutions; α0α2, α0α3 and α1α3 are, too: that is what makes cells meet whole. A cell is
+// what the other involutions reach (cells.hpp). A dart whose α3 is itself is *free*: nothing lies beyond its face. α0,
+// α1 and α2 fix none, so each volume is closed.
 //
-// Volumes begin as prisms (prism.hpp) and are made by three operations, those of 3Gmap L-systems: Terraz, Guimberteau,
-// Mérillou, Plemenos and Ghazanfarpour 2009; Petrenko 2014, section 2.2.1, as designed there: grow, glue, split. Each
-// either does all that it says or refuses and leaves the map as it was. `check` (check.hpp) proves what it left.
+// Volumes begin as prisms (prism.hpp) and are made by the three operations of 3Gmap L-systems (Terraz et al. 2009,
+// "3Gmap L-systems: an application to the modelling of wood"; Petrenko 2014, "Simulation of flowering plants",
+// section 2.2.1): grow, glue, split. Each either does all that it says or refuses and leaves the map as it was. `check`
+// (check.hpp) proves what it left.
 #pragma once
 
 #include <array>
