@@ -1,7 +1,16 @@
 /** Which room may use which: what tests/architecture.test.ts holds the sources to. */
 
 /** Rooms of the core, each after those it may include. */
-export const coreRooms = ["foundation", "geometry", "environment", "lsystem", "plant", "models", "boundary"];
+export const coreRooms = [
+	"foundation",
+	"geometry",
+	"generalized_map",
+	"environment",
+	"lsystem",
+	"plant",
+	"models",
+	"boundary",
+];
 
 /** What each room of web/src may import besides itself. `models` is the interface and the index. */
 export const beforeModels = ["core", "specimen", "targets", "plant", "controls", "scene", "export"];

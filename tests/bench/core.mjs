@@ -22,6 +22,10 @@ export const KERNELS = {
 	colonise_space: 9,
 	derive_chance: 10,
 	derive_context: 11,
+	map_build: 12,
+	map_check: 13,
+	map_lay: 14,
+	map_place: 15,
 };
 
 export async function loadBenchCore() {

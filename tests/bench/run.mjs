@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- topiary` all but those clipped to areas, `npm run bench
+ * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- topiary` all but those clipped to areas, `-- maps` all but generalized maps, `npm run bench
  * -- browser` all but the page, `-- page [FOLDER]` all but texts in the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
  */
 import { join } from "node:path";
@@ -10,6 +10,7 @@ import { benchBrowser } from "./browser.mjs";
 import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
 import { benchFrame } from "./frame.mjs";
 import { benchGrammar } from "./grammar.mjs";
+import { benchMaps } from "./maps.mjs";
 import { benchNatural } from "./natural.mjs";
 import { benchPage } from "./page.mjs";
 import { benchParticles } from "./particles.mjs";
@@ -54,6 +55,7 @@ const ratios = [];
 const [, , only, ...named] = process.argv;
 if (only === undefined || only === "core") benchCore();
 if (only === undefined || only === "particles") await benchParticles({ core, source });
+if (only === undefined || only === "maps") benchMaps({ core });
 if (only === undefined || only === "topiary") await benchTopiaries({ core, source });
 if (only === undefined || only === "grammar") await benchGrammar({ core, source });
 if (only === undefined || only === "service") await benchService();

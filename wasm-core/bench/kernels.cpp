@@ -8,6 +8,7 @@
 
 #include "foundation/random.hpp"
 #include "lsystem/lsystem.hpp"
+#include "maps.hpp"
 #include "models/bunch/bunch.hpp"
 #include "models/bunch/grammars.hpp"
 #include "models/bunch/paper/interaction.hpp"
@@ -154,6 +155,18 @@ double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds) {
       case Kernel::colonise_flat:
       case Kernel::colonise_space:
         work = colonise(size, kernel == Kernel::colonise_flat);
+        break;
+      case Kernel::map_build:
+        work = build_map(size);
+        break;
+      case Kernel::map_check:
+        work = check_map(size);
+        break;
+      case Kernel::map_lay:
+        work = lay_map(size);
+        break;
+      case Kernel::map_place:
+        work = place_map(size);
         break;
     }
   }

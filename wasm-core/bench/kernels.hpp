@@ -20,6 +20,11 @@ enum class Kernel : std::uint32_t {
   // Rules that choose by chance, and rules that see their neighbours; `size` steps; work: modules written.
   derive_chance = 10,
   derive_context = 11,
+  // Generalized maps of `size` darts (maps.hpp).
+  map_build = 12,
+  map_check = 13,
+  map_lay = 14,
+  map_place = 15,
 };
 
 // Does the work `rounds` times over and returns how much one round was; negative if it failed.

@@ -16,6 +16,7 @@ import docs from "./docs.mjs";
 import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
+import generalizedMap from "./generalized_map.mjs";
 import grammar from "./grammar.mjs";
 import grammarEditor from "./grammar_editor.mjs";
 import handles from "./handles.mjs";
@@ -42,6 +43,7 @@ import wood from "./wood.mjs";
 
 export const groups = [
 	...rooms,
+	...generalizedMap,
 	...lsystem,
 	...grammar,
 	...particles,

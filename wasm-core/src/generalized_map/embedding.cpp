@@ -1,0 +1,184 @@
+#include "generalized_map/embedding.hpp"
+
+#include <algorithm>
+
+#include "generalized_map/cells.hpp"
+
+namespace panicle::generalized_map {
+
+void Embedding::lay(const Map& map) {
+  Orbits vertices = orbits_of(map, of_cell(0));
+  vertex_of_ = std::move(vertices.of_dart);
+  places_.assign(vertices.count, glm::vec3(0));
+  proposals_.assign(vertices.count, 0);
+  frames_.assign(map.volumes(), {});
+  feet_.assign(map.volumes(), glm::vec3(0));
+  stands_.clear();
+  corners_.clear();
+  supports_.clear();
+
+  std::vector<std::uint8_t> stood(map.volumes(), 0);
+  for (std::uint32_t v = 0; v < map.volumes(); ++v) {
+    waiting_.clear();
+    for (std::uint32_t at = v; at != none && !stood[at]; at = map.volume(at).parent) {
+      waiting_.push_back(at);
+      stood[at] = 1;
+    }
+    for (std::size_t i = waiting_.size(); i-- > 0;) stand(map, waiting_[i]);
+  }
+
+  cuts_.clear();
+  cut_of_.clear();
+  if (map.cuts().empty()) return;
+  cut_of_.assign(vertices.count, none);
+  for (const Cut& cut : map.cuts()) {
+    const std::uint32_t vertex = vertex_of_[cut.first];
+    if (cut_of_[vertex] != none) continue;  // two cuts that were glued together
+    cut_of_[vertex] = static_cast<std::uint32_t>(cuts_.size());
+    cuts_.push_back({vertex, vertex_of_[cut.from], vertex_of_[cut.to]});
+  }
+  settled_.assign(cuts_.size(), glm::vec3(0));
+}
+
+void Embedding::stand(const Map& map, std::uint32_t v) {
+  const Volume& volume = map.volume(v);
+  Stand stand;
+  stand.volume = v;
+  stand.parent = volume.parent;
+  stand.order = volume.order;
+  stand.parent_order = volume.parent == none ? 0 : map.volume(volume.parent).order;
+  stand.parent_face = volume.parent_face;
+  stand.proposes_base = volume.attached || volume.parent == none;
+  stand.corners = static_cast<std::uint32_t>(corners_.size());
+  for (std::uint32_t i = 0; i < volume.order; ++i) corners_.push_back(vertex_of_[map.base_corner(v, i)]);
+  for (std::uint32_t i = 0; i < volume.order; ++i) corners_.push_back(vertex_of_[map.end_corner(v, i)]);
+  stand.support = static_cast<std::uint32_t>(supports_.size());
+  if (volume.attached) {
+    const std::uint32_t start = map.dart_of(volume.parent, volume.parent_face);
+    std::uint32_t d = start;
+    do {
+      supports_.push_back(vertex_of_[d]);
+      d = map.alpha(1, map.alpha(0, d));
+    } while (d != start);
+  }
+  stand.support_count = static_cast<std::uint32_t>(supports_.size()) - stand.support;
+  stands_.push_back(stand);
+  if (polygons_.size() <= volume.order) polygons_.resize(volume.order + 1);
+  if (polygons_[volume.order].empty()) polygons_[volume.order] = polygon(volume.order);
+}
+
+void Embedding::place(std::span<const Shape> shapes) {
+  std::fill(places_.begin(), places_.end(), glm::vec3(0));
+  std::fill(proposals_.begin(), proposals_.end(), 0);
+  is_settled_.assign(cuts_.size(), 0);
+  for (const Stand& stand : stands_) place(stand, shapes[stand.volume]);
+  // Where what grew on a volume's base was split, and then the volume, its base may have corners that are in nobody's
+  // end.
+  if (!cuts_.empty())
+    for (const Stand& stand : stands_) propose_rest(stand, shapes[stand.volume]);
+  for (std::size_t vertex = 0; vertex < places_.size(); ++vertex) {
+    if (proposals_[vertex] == 0) continue;
+    places_[vertex] /= static_cast<float>(proposals_[vertex]);
+    proposals_[vertex] = 1;
+  }
+  // Anew: what was settled on the way was so before all had proposed.
+  for (std::uint32_t cut = 0; cut < cuts_.size(); ++cut)
+    if (!is_proposed(cuts_[cut].vertex)) settle_cut(cut);
+  for (std::uint32_t cut = 0; cut < cuts_.size(); ++cut)
+    if (!is_proposed(cuts_[cut].vertex)) places_[cuts_[cut].vertex] = settled_[cut];
+}
+
+void Embedding::place(const Stand& stand, const Shape& shape) {
+  const std::span<const std::uint32_t> corners(&corners_[stand.corners], 2 * std::size_t{stand.order});
+  const auto base = corners.first(stand.order);
+  Frame frame;
+  glm::vec3 foot(0);
+  if (stand.parent != none) {
+    frame = on_face(frames_[stand.parent], stand.parent_order, stand.parent_face);
+    foot = centre(stand.proposes_base
+                      ? std::span<const std::uint32_t>(supports_).subspan(stand.support, stand.support_count)
+                      : base,
+                  feet_[stand.parent]);
+  }
+  feet_[stand.volume] = foot;
+  frame = turned(frame, shape);
+  frames_[stand.volume] = frame;
+  if (stand.proposes_base) propose(base, frame, shape, foot);
+  propose(corners.last(stand.order), frame, shape, foot + frame.z * (shape.translation * shape.height));
+}
+
+void Embedding::propose(std::span<const std::uint32_t> vertices, const Frame& frame, const Shape& shape,
+                        const glm::vec3& centre) {
+  const std::vector<glm::vec2>& corners = polygons_[vertices.size()];
+  const glm::vec3 along = frame.x * shape.length, across = frame.y * shape.width;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    places_[vertices[i]] += centre + corners[i].x * along + corners[i].y * across;
+    ++proposals_[vertices[i]];
+  }
+}
+
+void Embedding::propose_rest(const Stand& stand, const Shape& shape) {
+  for (std::uint32_t i = 0; i < stand.order; ++i) {
+    const std::uint32_t vertex = corners_[stand.corners + i];
+    if (is_proposed(vertex) || cut_of_[vertex] != none) continue;
+    const Frame& frame = frames_[stand.volume];
+    const glm::vec2 corner = polygons_[stand.order][i];
+    places_[vertex] = feet_[stand.volume] + corner.x * shape.length * frame.x + corner.y * shape.width * frame.y;
+    proposals_[vertex] = 1;
+  }
+}
+
+glm::vec3 Embedding::centre(std::span<const std::uint32_t> vertices, const glm::vec3& otherwise) {
+  glm::vec3 sum(0);
+  float known = 0;
+  for (const std::uint32_t vertex : vertices) {
+    if (!is_proposed(vertex)) {
+      // After splits a vertex may be held by volumes alone that are placed later.
+      if (cut_of_.empty() || cut_of_[vertex] == none) continue;
+      settle(vertex);
+    }
+    sum += is_proposed(vertex) ? places_[vertex] / static_cast<float>(proposals_[vertex]) : settled_[cut_of_[vertex]];
+    ++known;
+  }
+  return known > 0 ? sum / known : otherwise;
+}
+
+// Settles a vertex that only a cut tells of, and the earlier cuts that its edge's ends are.
+void Embedding::settle(std::uint32_t vertex) {
+  waiting_.assign(1, vertex);
+  needed_.clear();
+  while (!waiting_.empty()) {
+    const std::uint32_t at = waiting_.back();
+    waiting_.pop_back();
+    if (is_proposed(at) || is_settled_[cut_of_[at]]) continue;
+    const std::uint32_t cut = cut_of_[at];
+    is_settled_[cut] = 1;
+    needed_.push_back(cut);
+    for (const std::uint32_t end : {cuts_[cut].from, cuts_[cut].to})
+      if (!is_proposed(end) && cut_of_[end] < cut) waiting_.push_back(end);
+  }
+  std::sort(needed_.begin(), needed_.end());
+  for (const std::uint32_t cut : needed_) settle_cut(cut);
+}
+
+// Midway between the ends that are known; glued, an end may be a cut that comes later.
+void Embedding::settle_cut(std::uint32_t cut) {
+  glm::vec3 sum(0);
+  float known = 0;
+  for (const std::uint32_t end : {cuts_[cut].from, cuts_[cut].to}) {
+    if (!is_proposed(end) && cut_of_[end] >= cut) continue;
+    sum += is_proposed(end) ? places_[end] / static_cast<float>(proposals_[end]) : settled_[cut_of_[end]];
+    ++known;
+  }
+  settled_[cut] = known > 0 ? sum / known : glm::vec3(0);
+}
+
+std::uint64_t Embedding::bytes() const {
+  const std::uint64_t words = vertex_of_.capacity() + corners_.capacity() + supports_.capacity() + cut_of_.capacity() +
+                              proposals_.capacity() + waiting_.capacity() + needed_.capacity();
+  return 4 * words + sizeof(glm::vec3) * (places_.capacity() + settled_.capacity() + feet_.capacity()) +
+         sizeof(Stand) * stands_.capacity() + sizeof(Ends) * cuts_.capacity() + sizeof(Frame) * frames_.capacity() +
+         is_settled_.capacity();
+}
+
+}  // namespace panicle::generalized_map

@@ -1,0 +1,169 @@
+// Generalized maps of dimension 3: how volumes, faces, edges and vertices hang together, and nothing of where they are.
+//
+// After Lienhardt 1994, "N-dimensional generalized combinatorial maps and cellular quasi-manifolds"; sewing is his. The
+// one element is the *dart*: a corner's view along an edge, of a face, of a volume. α0 leads to the dart at the edge's
+// other end, α1 to the other edge at the corner, α2 to the other face at the edge, α3 to the volume on the other side
+// of the face. All four are involutions; α0α2, α0α3 and α1α3 are, too: that is what makes cells meet whole. A cell is
+// what the other involutions reach (cells.hpp). A dart whose α3 is itself is *free*: nothing lies beyond its face. α0,
+// α1 and α2 fix none, so each volume is closed.
+//
+// Volumes begin as prisms (prism.hpp) and are made by the three operations of 3Gmap L-systems (Terraz et al. 2009,
+// "3Gmap L-systems: an application to the modelling of wood"; Petrenko 2014, "Simulation of flowering plants",
+// section 2.2.1): grow, glue, split. Each either does all that it says or refuses and leaves the map as it was. `check`
+// (check.hpp) proves what it left.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "foundation/limits.hpp"
+#include "generalized_map/prism.hpp"
+
+namespace panicle::generalized_map {
+
+inline constexpr std::uint32_t none = ~0u;
+
+// Why an operation did nothing.
+enum class Refusal : std::uint8_t {
+  nothing,       // it was done
+  order,         // prisms have 3 to 4096 sides
+  no_face,       // the volume has no face of that name
+  occupied,      // something lies beyond the face, or stands on it
+  not_adjacent,  // the two faces have no edge with nothing between them
+  unequal,       // the two faces have different numbers of edges
+  same_volume,   // a volume is not glued to itself
+  uneven,        // not every corner of the face has one edge that leaves it
+  folded,        // an edge that leaves the face is glued to one of its own
+  full,          // the map would have more darts than it may
+};
+
+// What is wrong, and what to do, in one sentence; empty for `nothing`.
+const char* words(Refusal refusal);
+
+struct Volume {
+  std::uint32_t label = 0;  // the caller's: which word names it
+  std::uint32_t order = 0;
+  std::uint32_t parent = none;  // it grew from, or stands on
+  Face parent_face = base_face;
+  bool attached = false;  // stands on the parent's face, unsewn
+  // Cells of its boundary. Of a prism 2 n, 3 n, n + 2; a cut at one of its edges adds a vertex and an edge, one across
+  // a face an edge and a face.
+  std::uint32_t vertices = 0, edges = 0, faces = 0;
+  // Where its darts are: a prism's stand together, those of what was split are listed in the map.
+  std::uint32_t first = none, corners = none;
+  std::uint32_t last_attached = none, attached_before = none;  // what stands on it, as a list
+};
+
+// An edge that a split has cut: the new vertex, and the ends that the edge had then, as darts at them.
+struct Cut {
+  std::uint32_t first, count;  // the new vertex's darts, which were made together
+  std::uint32_t from, to;
+  std::uint32_t step;
+};
+
+struct Grown {
+  Refusal refusal = Refusal::nothing;
+  std::uint32_t volume = none;
+  bool attached = false;  // orders differ: it stands on the face, sewn to nothing
+};
+
+struct Parted {
+  Refusal refusal = Refusal::nothing;
+  std::uint32_t rest = none, part = none;
+};
+
+// A face that another could be glued to, and a dart of each, which would meet.
+struct Hinge {
+  std::uint32_t volume = none;
+  std::uint32_t own = none, other = none;
+};
+
+class Map {
+ public:
+  // `most`: darts it may have.
+  explicit Map(std::uint32_t most = Limits{}.darts) : most_(most) {}
+
+  void clear();                                              // memory is kept
+  void reserve(std::uint32_t darts, std::uint32_t volumes);  // or doubling takes three times the memory for a while
+
+  std::uint32_t darts() const { return static_cast<std::uint32_t>(volume_.size()); }
+  std::uint32_t volumes() const { return static_cast<std::uint32_t>(list_.size()); }
+  std::uint32_t alpha(std::uint32_t i, std::uint32_t dart) const { return alpha_[i][dart]; }
+  std::span<const std::uint32_t> alphas(std::uint32_t i) const { return alpha_[i]; }
+  std::span<const std::uint32_t> volume_of() const { return volume_; }  // by dart
+  std::span<const Face> face_of() const { return face_; }               // by dart
+  const Volume& volume(std::uint32_t v) const { return list_[v]; }
+  void relabel(std::uint32_t v, std::uint32_t label) { list_[v].label = label; }
+  std::span<const Cut> cuts() const { return cuts_; }
+  std::uint64_t bytes() const;  // that it holds
+
+  bool has(std::uint32_t v, Face face) const { return v < volumes() && face < list_[v].order + 2; }
+
+  // Corner `i` of a volume's base or end: the dart there that looks along the edge to corner i + 1. Neighbours that are
+  // split put further vertices between corners, and leave these.
+  std::uint32_t base_corner(std::uint32_t v, std::uint32_t i) const;
+  std::uint32_t end_corner(std::uint32_t v, std::uint32_t i) const;
+  // A face's first dart: at its lower left corner, along its lower edge. Of a face that a neighbour's split has
+  // divided, of the piece that has this corner.
+  std::uint32_t dart_of(std::uint32_t v, Face face) const;
+  // Edges of the face that a dart is of.
+  std::uint32_t degree(std::uint32_t dart) const;
+  bool is_free(std::uint32_t v, Face face) const;
+
+  // From a free dart round its edge to the only other free dart there: at the same corner, of the face that the gap at
+  // this edge leads to. The dart's own volume where nothing else is at the edge.
+  std::uint32_t across_gap(std::uint32_t dart) const;
+
+  // A prism for itself.
+  Grown plant(std::uint32_t order, std::uint32_t label);
+
+  // A -> A[B(n)]F: a new prism whose base is sewn to the face, its C1 at the face's first edge. Where orders differ no
+  // sewing exists: then it stands on the face (`attached`), which is no longer free.
+  Grown grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t label);
+
+  // A: A_F < A_G -> A_F | A_G: two free faces with a common edge, and nothing between them there, become one, turned
+  // about that edge. Where they have several the first of `face` counts.
+  Refusal glue(std::uint32_t v, Face face, std::uint32_t other, Face other_face);
+
+  // The first free face `other_face`, of a volume of that label, which has a gap with this one; `Hinge{}` where there
+  // is none. `glue` may still find them unequal.
+  Hinge adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face) const;
+
+  // A -F-> B C: every face at F is divided and both halves are closed by a new face. C, the new volume, is the part at
+  // F: a prism as if it had grown where the cut is, its end F and its base the cut, C1 at F's first edge. B keeps A's
+  // number, faces and place, and the cut for F. Where F is the base C is what stands on A's support, and B on C's end.
+  //
+  // The cut goes through each edge that leaves F, so those who share these edges get a vertex more, and those who share
+  // the divided faces an edge across theirs. Splits with the same `step` (other than `none`) meet in the vertices that
+  // one of them has made: neighbours that are split in one step of a derivation are cut all along one surface.
+  Parted split(std::uint32_t v, Face face, std::uint32_t rest_label, std::uint32_t part_label,
+               std::uint32_t step = none);
+
+ private:
+  friend class Splitting;
+  friend struct Tampering;  // tests spoil maps to see that it is noticed
+
+  bool room_for(std::uint64_t darts) const { return this->darts() + darts <= most_; }
+  std::uint32_t add_darts(std::uint32_t count, std::uint32_t v, Face face);
+  std::uint32_t add_prism(std::uint32_t order, std::uint32_t label);
+  void sew(std::uint32_t i, std::uint32_t a, std::uint32_t b) {
+    alpha_[i][a] = b;
+    alpha_[i][b] = a;
+  }
+  // Sews faces of equal degree round, from these two darts on.
+  void sew_faces(std::uint32_t a, std::uint32_t b);
+  void attach(std::uint32_t v, std::uint32_t parent, Face face);
+
+  std::uint32_t most_;
+  std::array<std::vector<std::uint32_t>, 4> alpha_;
+  std::vector<std::uint32_t> volume_;
+  std::vector<Face> face_;
+  std::vector<Volume> list_;
+  // Of each volume that a split has left: the corners of its base, then those of its end.
+  std::vector<std::uint32_t> corners_;
+  std::vector<Cut> cuts_;  // by their first darts
+};
+
+}  // namespace panicle::generalized_map
