@@ -232,3 +232,20 @@ TEST_CASE("answers that are drawn in place are told of the last string") {
   chronicle.add_answer(77, "nobody's");
   CHECK(chronicle.modules()[1].answer == "asked 2 6 → 2 8; because");
 }
+
+TEST_CASE("who watches no drawing is told nothing of one: a limit has left another string than is drawn") {
+  const BoundPointer bound = compiled("axiom: A(9)\nA(n) : n>0 --> ?E(2,6) A(n-1)\n?E(r,n) : n>7 --> F(n)\n");
+  Limits limits;
+  limits.steps = 3;
+  auto chronicle = lsystem::chronicle(*bound, 1, {}, limits, {}, {.step = 9});
+  REQUIRE(chronicle);
+  CHECK(chronicle->stopped().reason == Reason::limit);
+  CHECK(chronicle->counts().back() == 4);
+  const Derived derived = sound(lsystem::develop(*bound, 1, {}, Limits{}));
+  Adding adding;
+  REQUIRE(lsystem::interpret(*bound, *derived.string, {}, adding, 1, Limits{}, nullptr, &chronicle.value()));
+  CHECK(!chronicle->has(0));
+  chronicle->add_answer(0, "of another module");
+  CHECK(lines(chronicle.value(), &ToldModule::fires) == "0:0 0:0 0:0 0:0 ");
+  CHECK(joined(chronicle.value(), &ToldModule::answer, "") == "");
+}

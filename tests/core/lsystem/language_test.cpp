@@ -201,6 +201,12 @@ TEST_CASE("blocks work values out for condition, successor and weight") {
   CHECK(drawn.substr(2, comma - 2) == drawn.substr(comma + 1, drawn.size() - comma - 2));
 }
 
+TEST_CASE("a number in parentheses behind a name that is defined is its value") {
+  CHECK(after("#define f(2)*3\naxiom: A(f)", 0) == "A(6)");
+  CHECK(after("#define f(2)\naxiom: A(f)", 0) == "A(2)");
+  CHECK(trouble("#define f(x)*3\naxiom: A(f)") == "syntax 1:10");
+}
+
 TEST_CASE("lists and curves stand in the text") {
   CHECK(after("#define n 3\n#define a[] 1, n*2, 5\naxiom: A(a[1]) A(a[2]) A(a[n])", 0) == "A(1)A(6)A(5)");
   CHECK(after("#define a[] {1, 2}\naxiom: A(a[2])", 0, {{}, {{"a", {7, 8}}}}) == "A(8)");

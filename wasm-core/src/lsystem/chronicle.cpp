@@ -61,11 +61,13 @@ std::uint32_t Chronicle::index_of(std::uint64_t word) {
 }
 
 ToldModule* Chronicle::find_told(std::uint32_t index) {
-  const bool there = tells_this() && index >= asked_.first && index - asked_.first < modules_.size();
+  const bool there =
+      string_ != nullptr && tells_this() && index >= asked_.first && index - asked_.first < modules_.size();
   return there ? &modules_[index - asked_.first] : nullptr;
 }
 
 void Chronicle::rewrites(std::uint64_t at) {
+  if (string_ == nullptr) return;
   rewriting_ = index_of(at);
   if (drawing_ == nullptr) copied_until(rewriting_);
   parts_.clear();
@@ -172,6 +174,7 @@ void Chronicle::answered() {
 
 void Chronicle::finish(std::uint32_t steps, const Diagnostic& stopped) {
   stopped_ = stopped;
+  string_ = nullptr;
   counts_.resize(std::min<std::size_t>(counts_.size(), steps + 1));
   // What of a step that never ended has been told.
   for (std::uint32_t i = 0; tells_this() && i < modules_.size(); ++i) {

@@ -65,11 +65,12 @@ class Chronicle final : public Watcher {
   // What cut the derivation short: a limit.
   const Diagnostic& stopped() const { return stopped_; }
 
-  // The derivation is over. Of `steps` steps, where more were taken and did nothing.
+  // The derivation is over, and nothing more is heard: its strings are gone. Of `steps` steps, where more were taken
+  // and did nothing.
   void finish(std::uint32_t steps, const Diagnostic& stopped);
   // From now on it watches how the last string is drawn, and tells which production answers a ?E in place.
   void watch_drawing(std::shared_ptr<const String> last);
-  // Whether the window has this module of the last string.
+  // Whether the window has this module of the last string, which is being drawn.
   bool has(std::uint32_t module) { return find_told(module) != nullptr; }
   // What that one was asked and answered while it was drawn; or more of it, behind what is there.
   void add_answer(std::uint32_t module, std::string_view answer);
@@ -110,7 +111,7 @@ class Chronicle final : public Watcher {
   std::vector<std::uint32_t> trail_;
   Diagnostic stopped_;
 
-  const String* string_ = nullptr;
+  const String* string_ = nullptr;         // that is being rewritten or drawn; null: neither
   std::shared_ptr<const String> drawing_;  // the last string, while that is drawn
   std::uint64_t word_ = 0;                 // of the string: up to where modules have been counted
   std::uint32_t index_ = 0;

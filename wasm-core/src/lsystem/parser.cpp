@@ -294,7 +294,9 @@ class GrammarParser : public ProductionReader {
     definition.place = tokens_[at_].place;
     ++at_;
     if (!new_name({definition.name, definition.place})) return false;
+    // A number in the parentheses is no parameter: `f(2)*3` is 6.
     if (on_sign('(') && touching(tokens_[at_ - 1], tokens_[at_]) && at_ + 2 < end_ &&
+        tokens_[at_ + 1].kind == TokenKind::name &&
         (tokens_[at_ + 2].is(',') || (tokens_[at_ + 2].is(')') && at_ + 3 < end_)))
       return wrong(here(), "A #define has no parameters; write the expression where it is used, or a #curve.");
     if (on_sign('[')) {

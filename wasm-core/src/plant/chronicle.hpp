@@ -13,11 +13,11 @@
 //   chronicle.production   uint32 x 2: line and column of the production that wrote it in this step; 0 for none
 //   chronicle.fires        uint32 x 2: of the one that rewrites it next, or draws it where it answers in place
 //   chronicle.values       text, one a line: what that one is used with, `n=3 t=0.5`
-//   chronicle.chance       float32 x 3: where it was drawn by weight: the sum of all weights, its own, where the draw
-//   fell chronicle.children     uint32 x 2: first and count of what it becomes in the next step chronicle.last uint32 x
-//   2: of what it has become in the last string chronicle.answers      text, one a line: `asked 1 0 → 1 3; why`, or of
-//   ?P and the like `written 0 1 0` chronicle.trail        uint32 each step: the ancestor of chronicle_module; where
-//   there is such a module
+//   chronicle.chance       float32 x 3: where it was drawn by weight: the sum of all weights, its own, where it fell
+//   chronicle.children     uint32 x 2: first and count of what it becomes in the next step
+//   chronicle.last         uint32 x 2: of what it has become in the last string
+//   chronicle.answers      text, one a line: `asked 1 0 → 1 3; why`, or of ?P and the like `written 0 1 0`
+//   chronicle.trail        uint32 each step: the ancestor of chronicle_module; where there is such a module
 #pragma once
 
 #include <optional>

@@ -235,3 +235,35 @@ TEST_CASE("the scale scales everything that is a length, and nothing else") {
   for (std::size_t i = 0; i < one.berries.size(); ++i)
     CHECK(two.berries[i].radius == doctest::Approx(2 * one.berries[i].radius).epsilon(1e-4));
 }
+
+TEST_CASE("a bunch whose telling a limit cuts is whole, and its own modules are told no answers of others") {
+  for (const int system : {3, 4}) {
+    CAPTURE(system);
+    // Idle modules, which every step copies and one go writes once.
+    std::string text(builtin_grammar(system));
+    text.insert(text.find("axiom: ") + 7, "ZZ(300) ");
+    text += "ZZ(n) : n>0 --> ZZ(n-1) Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q\n";
+    bunch::Request request = request_for(table3[1].profile());
+    set(request, Parameter::procedure, system == 4 ? 1 : 0);
+    request.grammar = text;
+    Grown plain = grown(request);
+    request.chronicle = lsystem::ChronicleAsked{.step = 9999};
+    Limits limits;
+    limits.evaluations = 8000;
+    auto cut = bunch::grow(request, limits);
+    REQUIRE(cut);
+    REQUIRE(cut->chronicle);
+    CHECK(cut->chronicle->stopped().reason == Reason::limit);
+    std::string answers;
+    for (const auto& told : cut->chronicle->modules()) answers += told.answer;
+    CHECK(answers == "");
+    CHECK(cut->fingerprint == plain.fingerprint);
+    const Plant plant = plant_of(std::move(cut.value()));
+    CHECK(plant.notes.back().starts_with("The derivation is told as far as it goes in steps."));
+    for (const char* of : {"segments.module", "organs.module"}) {
+      const auto modules = column<std::uint32_t>(plant, of);
+      CHECK(modules.size() > 10);
+      CHECK(std::count(modules.begin(), modules.end(), no_module) == static_cast<std::ptrdiff_t>(modules.size()));
+    }
+  }
+}

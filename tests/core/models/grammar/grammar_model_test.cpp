@@ -162,5 +162,27 @@ TEST_CASE("meshes: tubes by their colours, balls; the sky of both") {
   CHECK(plant.organs[0].scale == doctest::Approx(0.003));
 }
 
+TEST_CASE("where a limit cuts the telling, nothing is marked by modules of the string that is not told") {
+  // Idle modules, which every step copies and one go writes once.
+  const std::string text = "axiom: A(300)\nA(n) : n>0 --> A(n-1) F S(1) Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q Q\n";
+  const std::uint32_t step = 9999;
+  const std::vector<ColumnView> asked{
+      {"chronicle_step", Element::uint32, 1, 1, reinterpret_cast<const std::uint8_t*>(&step)}};
+  Limits limits;
+  limits.evaluations = 5000;
+  for (const bool cut : {false, true}) {
+    CAPTURE(cut);
+    const Plant plant = grow({.text = text, .outputs = "chronicle", .limits = cut ? limits : Limits{}, .more = asked});
+    CHECK(plant.segments.size() == 300);
+    const auto told = column_in<std::uint32_t>(plant.columns, "chronicle.counts");
+    CHECK((told.back() == count_of(plant, "modules")) == !cut);
+    for (const char* of : {"segments.module", "organs.module"}) {
+      const auto modules = column_in<std::uint32_t>(plant.columns, of);
+      CHECK(modules.size() == 300);
+      CHECK(std::count(modules.begin(), modules.end(), 0xffffffffu) == (cut ? 300 : 0));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace panicle::grammar

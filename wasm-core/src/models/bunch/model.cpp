@@ -137,10 +137,13 @@ void add_sky(Plant& plant, SkyBytes sky) {
 // What was derived, and what of it drew what is there.
 void add_told(Plant& plant, const Grown& grown) {
   const lsystem::Chronicle& chronicle = *grown.chronicle;
-  if (chronicle.stopped().reason != Reason::none) plant.notes.push_back(cut_short(chronicle));
+  // A limit leaves another last string than was drawn.
+  const bool whole = chronicle.stopped().reason == Reason::none;
+  if (!whole) plant.notes.push_back(cut_short(chronicle));
   add_chronicle(plant, chronicle);
-  const auto modules = [](const auto& all) {
-    return column_of<std::uint32_t>(all, 1, [](const auto& one, std::uint32_t* at) { *at = one.module; });
+  const auto modules = [whole](const auto& all) {
+    return column_of<std::uint32_t>(
+        all, 1, [whole](const auto& one, std::uint32_t* at) { *at = whole ? one.module : no_module; });
   };
   plant.columns.add("segments.module", modules(grown.internodes));
   plant.columns.add("organs.module", modules(grown.berries));

@@ -28,7 +28,7 @@
 //                            where `sky` is asked for
 //   chronicle.…              where it is asked for: how the first bunch's text was derived (plant/chronicle.hpp); and
 //   segments.module, organs.module   uint32 each internode and each berry: the module of its last string that drew it;
-//                            0xffffffff for what it did not draw
+//                            0xffffffff for what it did not draw, and for all where the telling is cut short
 // and the meshes `stems` (segment: uint32 per vertex; axis: int32 per run), `berry`, `flower` (unit: float32, metres to
 // one of its own; a run for each piece, fruit/flower.hpp) and `foliage`.
 #pragma once

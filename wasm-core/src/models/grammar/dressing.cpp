@@ -15,6 +15,7 @@
 #include "foundation/mathematics.hpp"
 #include "geometry/ball.hpp"
 #include "geometry/tubes.hpp"
+#include "lsystem/chronicle.hpp"
 #include "models/grammar/blades.hpp"
 #include "models/grammar/surfaces.hpp"
 
@@ -67,11 +68,12 @@ glm::vec4 quaternion_of(const glm::mat3& m) {
   return q / glm::length(q);
 }
 
-// Of each thing its module and its colour.
+// Of each thing its module, or none, and its colour.
 template <class Rows, class Read>
-void add_marks(Columns& columns, const std::string& of, const Rows& rows, Read mark_of) {
-  columns.add(of + ".module", column_of<std::uint32_t>(
-                                  rows, 1, [&](const auto& row, std::uint32_t* at) { *at = mark_of(row).module; }));
+void add_marks(Columns& columns, const std::string& of, bool marked, const Rows& rows, Read mark_of) {
+  columns.add(of + ".module", column_of<std::uint32_t>(rows, 1, [&](const auto& row, std::uint32_t* at) {
+                *at = marked ? mark_of(row).module : lsystem::ToldModule::none;
+              }));
   columns.add(of + ".colour",
               column_of<std::uint8_t>(rows, 1, [&](const auto& row, std::uint8_t* at) { *at = mark_of(row).colour; }));
 }
@@ -224,9 +226,9 @@ void dress(Plant& plant, const Sketch& sketch, const Dress& habit) {
   for (const Borne& one : sketch.borne)
     plant.organs.push_back(
         {one.tag, one.segment, -1, one.place * habit.metres, quaternion_of(one.frame), one.size * habit.metres});
-  add_marks(plant.columns, "segments", sketch.lines, [](const Mark& mark) { return mark; });
+  add_marks(plant.columns, "segments", habit.marked, sketch.lines, [](const Mark& mark) { return mark; });
   if (!plant.organs.empty())
-    add_marks(plant.columns, "organs", sketch.borne, [](const Borne& one) { return one.mark; });
+    add_marks(plant.columns, "organs", habit.marked, sketch.borne, [](const Borne& one) { return one.mark; });
   if (habit.meshes) add_meshes(plant, sketch, habit);
 }
 

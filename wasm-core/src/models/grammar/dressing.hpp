@@ -13,6 +13,7 @@ struct Dress {
   std::uint32_t sides = 10;
   bool meshes = true;
   bool sky = false;     // of the meshes
+  bool marked = true;   // by the modules that drew things
   bool coarse = false;  // what will do while a hand still moves: of a plant of many lines fewer rings and sides
 };
 

@@ -113,14 +113,13 @@ void add_belongings(Plant& plant, const Sketch& sketch, const std::vector<Belong
   }
 }
 
-// The derivation told, of a plant whose last string has so many modules.
-Diagnostic tell(Plant& plant, const lsystem::Bound& bound, const Asked& asked, const Limits& limits,
-                const lsystem::Surroundings& around, std::uint64_t modules) {
-  const auto chronicle = lsystem::chronicle(bound, asked.seed, asked.steps, limits, around, *asked.chronicle);
-  if (!chronicle) return chronicle.error();
-  if (chronicle->counts().back() != modules) plant.notes.push_back(cut_short(chronicle.value()));
-  add_chronicle(plant, chronicle.value());
-  return {};
+// The derivation told, where that is asked for.
+Result<std::optional<lsystem::Chronicle>> tell(const lsystem::Bound& bound, const Asked& asked, const Limits& limits,
+                                               const lsystem::Surroundings& around) {
+  if (!asked.chronicle) return std::optional<lsystem::Chronicle>();
+  auto told = lsystem::chronicle(bound, asked.seed, asked.steps, limits, around, *asked.chronicle);
+  if (!told) return told.error();
+  return std::optional(std::move(told.value()));
 }
 
 Result<Plant> grow(Request& request, const Limits& given) {
@@ -156,11 +155,16 @@ Result<Plant> grow(Request& request, const Limits& given) {
   plant.notes.insert(plant.notes.end(), sketch.notes.begin(), sketch.notes.end());
   thicken(sketch.segments, {0.01f * values[thickness], values[thickening], 0.01f * values[widths]});
 
+  const auto told = tell(*bound.value(), asked.value(), limits, around);
+  if (!told) return told.error();
+  const std::optional<lsystem::Chronicle>& chronicle = told.value();
+  const bool whole = !chronicle || chronicle->counts().back() == lsystem::length(string);
   dress(plant, sketch,
         {.metres = metres,
          .sides = values.whole(sides),
          .meshes = asked->meshes,
          .sky = asked->sky,
+         .marked = whole,
          .coarse = asked->coarse});
   const auto count = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
   plant.counts = {{"modules", count(lsystem::length(string))},
@@ -170,10 +174,8 @@ Result<Plant> grow(Request& request, const Limits& given) {
                   {"polygons", count(sketch.polygons.all.size())}};
   if (asked->measures) measure(plant, {sketch, string, areas.value(), metres});
   add_belongings(plant, sketch, belongings(*program.value(), string), areas.value());
-  if (asked->chronicle) {
-    const Diagnostic trouble = tell(plant, *bound.value(), asked.value(), limits, around, lsystem::length(string));
-    if (trouble.reason != Reason::none) return trouble;
-  }
+  if (!whole) plant.notes.push_back(cut_short(*chronicle));
+  if (chronicle) add_chronicle(plant, *chronicle);
   if (asked->string) plant.columns.add("string", lsystem::to_text(*program.value(), string));
   if (plant.segments.empty() && plant.organs.empty()) plant.notes.push_back("The grammar draws nothing.");
   for (const lsystem::Remark& remark : lsystem::remarks(*program.value(), asked->inputs.scalars, asked->steps))

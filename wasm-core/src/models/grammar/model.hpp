@@ -10,7 +10,8 @@
 //                      `coarse`: meshes that do in passing
 //
 // Columns of a plant besides everyone's (boundary/panicle.h):
-//   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0
+//   segments.module, organs.module   uint32 each: the module that drew it, by its place in the last string, from 0;
+//                                    0xffffffff for all where the derivation is told, and that is cut short
 //   segments.colour, organs.colour   uint8 each: 1 … 8 of the document's palette
 //   segments.area, segments.main     uint8 each, where the text declares their role (belonging.hpp): the growth area,
 //                                    from 1, and whether it is the main branch's
