@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ChronicleReader, WINDOW, windowAbout } from "../../../../web/src/controls/grammar/chronicle_reader";
+import { Superseded } from "../../../../web/src/core/errors";
 import type { Chronicle, ChronicleAsked } from "../../../../web/src/plant/chronicle";
 
 /** A derivation whose strings double: 1, 2, 4 … modules. */
@@ -147,11 +148,30 @@ describe("a derivation read window by window", () => {
 		await settle();
 		expect(reader.fault).toBe("The core broke.");
 		expect(reader.page).toBeUndefined();
+		// The other steps are in reach.
+		expect(reader.counts).toHaveLength(13);
 		reader.want({ step: 1, about: 0 });
 		asks[2].answer();
 		await settle();
 		expect(reader.fault).toBeUndefined();
 		expect(shown(reader)).toBe("A(1,0)");
+		const next = byHand();
+		reader.begin(next.ask);
+		next.asks[0].fail(new Error("The text is wrong."));
+		await settle();
+		expect(reader.counts).toBeUndefined();
+	});
+
+	it("asks again where another question has taken its place", async () => {
+		const { reader, asks } = await opened();
+		reader.want({ step: 2, about: 0 });
+		asks[1].fail(new Superseded());
+		await settle();
+		expect(reader.fault).toBeUndefined();
+		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([2, 2]);
+		asks[2].answer();
+		await settle();
+		expect(shown(reader)).toBe("A(2,0)");
 	});
 });
 
