@@ -153,6 +153,21 @@ describe("a derivation that is looked at", () => {
 		expect(derivation.chosen).toBe(2);
 	});
 
+	it("takes nothing in the view of the step before for what is in this one, whose plant has not come", async () => {
+		await to(2);
+		plants[0].let();
+		await settle();
+		await to(3);
+		const asked = aside.mock.calls.length;
+		for (const chosen of [false, true]) {
+			desk.setToolState(DERIVATION, { ...tool(), met: { module: 1, step: 2, chosen } });
+			derivation.follow();
+			await settle();
+			expect([derivation.pointed, derivation.chosen]).toEqual([undefined, undefined]);
+		}
+		expect(aside.mock.calls).toHaveLength(asked);
+	});
+
 	it("asks for the ancestor of what is clicked where the window does not tell", async () => {
 		derivation.follows = false;
 		await to(2);

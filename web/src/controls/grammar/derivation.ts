@@ -244,13 +244,17 @@ export class Derivation {
 		const index = met && this.#ancestor(met);
 		if (!met?.chosen) this.point(index);
 		else if (index !== undefined) this.choose(index);
-		else void this.#trace(met);
+		else if (met.step === this.last) void this.#trace(met);
 	}
 
-	/** The module of the step that is shown, of which one in the view is a descendant; undefined where the window does not tell. */
+	/**
+	 * The module of the step that is shown, of which one in the view is a descendant; undefined where the window does not tell, and while
+	 * the view is still of a step between.
+	 */
 	#ancestor({ module, step }: MetModule): number | undefined {
 		const { page } = this;
-		if (!page || step === page.step) return module;
+		if (step === this.step) return module;
+		if (!page || step !== this.last) return undefined;
 		const at = page.modules.findIndex(({ last: { first, count } }) => module >= first && module - first < count);
 		return at < 0 ? undefined : page.first + at;
 	}
