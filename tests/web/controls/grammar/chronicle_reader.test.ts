@@ -94,6 +94,24 @@ describe("a derivation read window by window", () => {
 		expect(reader.fault).toBeUndefined();
 	});
 
+	it("goes on with a question that takes long and is wanted again", async () => {
+		const { reader, asks } = await opened();
+		for (const step of [3, 4, 3]) reader.want({ step, about: 0 });
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(asks[1].signal.aborted).toBe(false);
+		reader.want({ step: 4, about: 0 });
+		expect(asks[1].signal.aborted).toBe(false);
+		await settle();
+		expect(asks[1].signal.aborted).toBe(true);
+		// The same of another document is another question.
+		const next = byHand();
+		for (const step of [5, 6]) reader.want({ step, about: 0 });
+		reader.begin(next.ask);
+		reader.want({ step: 4, about: 0 });
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(asks[2].signal.aborted).toBe(true);
+	});
+
 	it("keeps a window of the same step until the one farther on has come", async () => {
 		const { reader, asks } = await opened();
 		reader.want({ step: 12, about: 3000 });

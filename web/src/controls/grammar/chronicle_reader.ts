@@ -40,7 +40,7 @@ interface Running {
 	readonly from: number;
 	readonly ending: AbortController;
 	/** Ends it, once nobody waits for it any more. */
-	timer?: ReturnType<typeof setTimeout>;
+	timer?: ReturnType<typeof setTimeout> | undefined;
 }
 
 export class ChronicleReader {
@@ -122,6 +122,12 @@ export class ChronicleReader {
 		}, left);
 	}
 
+	/** What was wanted no more is wanted again. */
+	#await(running: Running): void {
+		clearTimeout(running.timer);
+		running.timer = undefined;
+	}
+
 	#asked(): ChronicleAsked {
 		const { step, about } = this.#wanted;
 		const length = this.#counts?.[this.step ?? 0] ?? 0;
@@ -140,7 +146,8 @@ export class ChronicleReader {
 			return;
 		}
 		if (this.#running) {
-			this.#abandon(this.#running);
+			if (this.#running.ask === ask && keyOf(this.#running.asked) === keyOf(asked)) this.#await(this.#running);
+			else this.#abandon(this.#running);
 			return;
 		}
 		const running: Running = {
