@@ -139,6 +139,17 @@ describe("a closed mesh from a file", () => {
 		expect(corners({ points, triangles })).toEqual(corners(same));
 	});
 
+	it("comes from an STL in capitals, and from one with padding behind its triangles", () => {
+		const box = readObj(BOX);
+		const plain = readStl(textStl(box).buffer);
+		const capitals = new TextDecoder().decode(textStl(box)).toUpperCase();
+		expect(readStl(new TextEncoder().encode(capitals).buffer)).toEqual(plain);
+		const bytes = binaryStl(box);
+		const padded = new Uint8Array(bytes.length + 7);
+		padded.set(bytes);
+		expect(readStl(padded.buffer)).toEqual(readStl(bytes.buffer));
+	});
+
 	it("is refused where an STL is damaged, and the reason said", () => {
 		const box = readObj(BOX);
 		const unfinished = "The STL is damaged or unfinished: export it again.";

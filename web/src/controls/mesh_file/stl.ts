@@ -10,10 +10,10 @@ const TRIANGLE = 50;
 /** @throws MeshFileError with what cannot be read */
 export function readStl(bytes: ArrayBuffer): Soup {
 	const count = bytes.byteLength < HEADER + 4 ? 0 : new DataView(bytes).getUint32(HEADER, true);
-	// Programs begin binary files with “solid”, too; their length tells.
-	if (count > 0 && bytes.byteLength === HEADER + 4 + TRIANGLE * count) return readBinary(new DataView(bytes), count);
+	// Programs begin binary files with “solid”, too, and end them with padding; letters, as a number, are more triangles than any file has.
+	if (count > 0 && bytes.byteLength >= HEADER + 4 + TRIANGLE * count) return readBinary(new DataView(bytes), count);
 	const text = new TextDecoder().decode(bytes);
-	if (/^\s*solid\b/.test(text) && /\bfacet\b/.test(text)) return readText(text);
+	if (/^\s*solid\b/i.test(text) && /\bfacet\b/i.test(text)) return readText(text);
 	throw new MeshFileError("The STL is damaged or unfinished: export it again.");
 }
 
@@ -35,7 +35,7 @@ function readBinary(view: DataView, count: number): Soup {
 function readText(text: string): Soup {
 	const points: number[] = [];
 	for (const [number, line] of text.split("\n").entries()) {
-		const [kind, ...words] = line.trim().split(/\s+/);
+		const [kind, ...words] = line.trim().toLowerCase().split(/\s+/);
 		const corners = points.length / 3;
 		if (kind === "endfacet" && corners % 3 !== 0) throw wrong(number, "the end of a facet that has not three corners");
 		if (kind !== "vertex") continue;
