@@ -2,7 +2,7 @@
  * STL, binary or as text: triangles and nothing else. Printers have +Z up, as Panicle's own prints do: they are stood up
  * to +Y. Normals and colours are passed over.
  */
-import { MeshFileError, type Soup } from "./soup";
+import { bounded, MeshFileError, type Soup } from "./soup";
 
 const HEADER = 80;
 const TRIANGLE = 50;
@@ -18,6 +18,7 @@ export function readStl(bytes: ArrayBuffer): Soup {
 }
 
 function readBinary(view: DataView, count: number): Soup {
+	bounded(count);
 	const points: number[] = [];
 	for (let triangle = 0; triangle < count; triangle++) {
 		// Behind the normal stand three corners.
@@ -42,6 +43,7 @@ function readText(text: string): Soup {
 		const [x, y, z] = words.map(Number);
 		if (words.length !== 3 || !Number.isFinite(x + y + z)) throw wrong(number, "a corner that is not three numbers");
 		stand(points, x, y, z);
+		bounded(points.length / 9);
 	}
 	if (points.length === 0 || points.length % 9 !== 0)
 		throw new MeshFileError("The STL is damaged or unfinished: export it again.");
