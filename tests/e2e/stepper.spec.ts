@@ -167,6 +167,24 @@ test("a mistake in the text leaves the string; a change derives anew", async ({ 
 	await studio.reads("abaaba");
 });
 
+test("a step that cannot be told leaves the others in reach", async ({ page }) => {
+	await page.addInitScript(() => {
+		// The core refuses a step that is no whole number.
+		const post = Worker.prototype.postMessage;
+		Worker.prototype.postMessage = function (message, ...more: unknown[]) {
+			for (const block of message.blocks ?? [])
+				if (block.name === "chronicle_step" && block.data[0] === 4) block.data = Float32Array.of(4);
+			Reflect.apply(post, this, [message, ...more]);
+		};
+	});
+	const studio = await new StepperPage(page).steps(ALGAE);
+	await studio.step.fill("4");
+	await expect(page.getByRole("status").filter({ hasText: "The steps cannot be told: " })).toBeVisible();
+	await expect(studio.modules).toHaveCount(0);
+	await studio.button("Step forward").click();
+	await studio.reads(FIBONACCI[5]);
+});
+
 test("steps are played until the last, and stop at a hand on the slider", async ({ page }) => {
 	const studio = await new StepperPage(page).steps(ALGAE);
 	await studio.step.fill("7");

@@ -44,6 +44,46 @@ describe("what a line of sight meets", () => {
 	});
 });
 
+describe("many organs of one mesh", () => {
+	/** Squares in a row, turned by a right angle about z and half as large; an index is counted whenever it is read. */
+	const positions = Float32Array.of(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0);
+	const counted = { reads: 0 };
+	const indices = new Proxy([0, 1, 2, 0, 2, 3], {
+		get: (all, key) => {
+			if (key !== "length") counted.reads++;
+			return Reflect.get(all, key);
+		},
+	});
+	const at = (organ: number) => Float32Array.of(3 * organ, 7, -2, 0, 0, Math.SQRT1_2, Math.SQRT1_2, 0.5);
+	const row: Drawn = {
+		ends: new Float32Array(0),
+		radii: new Float32Array(0),
+		organs: 1000,
+		surface: (organ) => ({ positions, indices, transform: at(organ) }),
+	};
+
+	it("are met each where it stands, up to its corners", () => {
+		for (const organ of [0, 1, 500, 999]) {
+			for (const [x, y] of [
+				[0, 0],
+				[0.49, 0.49],
+				[-0.49, 0.49],
+				[0.49, -0.49],
+			])
+				expect(sighted(row, line([3 * organ + x, 7 + y, 0]), 0)).toEqual({ organ });
+			expect(sighted(row, line([3 * organ + 0.51, 7, 0]), 0)).toBeUndefined();
+		}
+	});
+
+	it("have the triangles of those alone looked at that may be met", () => {
+		const fresh = { ...row };
+		counted.reads = 0;
+		expect(sighted(fresh, line([3 * 20, 7.1, 0]), 0)).toEqual({ organ: 20 });
+		// The mesh once, and the one that is met.
+		expect(counted.reads).toBe(12);
+	});
+});
+
 describe("what a plant has drawn", () => {
 	it("has organs where they stand, turned and in their size", () => {
 		const surface = {

@@ -14,7 +14,7 @@ export interface DrawnSurface {
 	/** From these on, as many; all where absent. */
 	readonly run?: Pick<MeshRun, "firstIndex" | "indexCount">;
 	/** Where it stands: place x y z, rotation x y z w, scale; as it is where absent. */
-	readonly transform?: Float32Array;
+	readonly transform?: Float32Array | undefined;
 }
 
 export interface Drawn {

@@ -1,5 +1,5 @@
 /** What of a plant a line of sight meets first: a segment or an organ. */
-import { type Drawn, trianglesOf } from "./drawn";
+import { type Drawn, type DrawnSurface, trianglesOf } from "./drawn";
 
 /** A line of sight, in metres. */
 export interface Line {
@@ -14,16 +14,16 @@ export interface Sighted {
 	readonly organ?: number;
 }
 
-/** Balls and triangles of organs, made when first asked for. */
-interface Organ {
+/** A ball about an organ. */
+interface Ball {
 	readonly x: number;
 	readonly y: number;
 	readonly z: number;
 	readonly radius: number;
-	readonly corners: Float32Array;
 }
 
-const known = new WeakMap<Drawn, (Organ | undefined)[]>();
+/** Made when first asked for. Triangles are not kept: of many thousands of organs they are hundreds of megabytes. */
+const known = new WeakMap<Drawn, (Ball | undefined)[]>();
 
 /**
  * What is met first.
@@ -33,8 +33,10 @@ export function sighted(drawn: Drawn, { origin, direction }: Line, slack: number
 	const length = Math.hypot(direction[0], direction[1], direction[2]);
 	const along = [direction[0] / length, direction[1] / length, direction[2] / length] as const;
 	let [nearest, found] = [Number.POSITIVE_INFINITY, undefined as Sighted | undefined];
-	organsOf(drawn).forEach((organ, index) => {
-		const at = organ && meetsOrgan(organ, origin, along, nearest);
+	ballsOf(drawn).forEach((ball, index) => {
+		if (!ball || !meetsBall(ball, origin, along, nearest)) return;
+		const surface = drawn.surface(index);
+		const at = surface && meetsTriangles(trianglesOf(surface), origin, along, nearest);
 		if (at !== undefined) [nearest, found] = [at, { organ: index }];
 	});
 	for (let segment = 0; segment < drawn.radii.length / 2; segment++) {
@@ -44,18 +46,33 @@ export function sighted(drawn: Drawn, { origin, direction }: Line, slack: number
 	return found;
 }
 
-function organsOf(drawn: Drawn): (Organ | undefined)[] {
-	const organs =
-		known.get(drawn) ??
-		Array.from({ length: drawn.organs }, (_, index): Organ | undefined => {
+function ballsOf(drawn: Drawn): (Ball | undefined)[] {
+	let balls = known.get(drawn);
+	if (!balls) {
+		// Organs that share a mesh have it in their size.
+		const shared = new Map<Float32Array, Ball | undefined>();
+		balls = Array.from({ length: drawn.organs }, (_, index) => {
 			const surface = drawn.surface(index);
-			return surface && ballAbout(trianglesOf(surface));
+			if (!surface) return undefined;
+			const { positions, transform, run } = surface;
+			if (run) return ballAbout(trianglesOf(surface));
+			if (!shared.has(positions)) shared.set(positions, ballAbout(trianglesOf({ ...surface, transform: undefined })));
+			return standing(shared.get(positions), transform);
 		});
-	known.set(drawn, organs);
-	return organs;
+		known.set(drawn, balls);
+	}
+	return balls;
 }
 
-function ballAbout(corners: Float32Array): Organ | undefined {
+/** A mesh's ball where an organ stands. */
+function standing(ball: Ball | undefined, transform: DrawnSurface["transform"]): Ball | undefined {
+	if (!ball || !transform) return ball;
+	const [x, y, z] = trianglesOf({ positions: Float32Array.of(ball.x, ball.y, ball.z), indices: [0], transform });
+	// Rounding must not leave a corner outside.
+	return { x, y, z, radius: 1.0001 * Math.abs(transform[7]) * ball.radius + 1e-6 * Math.hypot(x, y, z) };
+}
+
+function ballAbout(corners: Float32Array): Ball | undefined {
 	if (corners.length === 0) return undefined;
 	let [x, y, z] = [0, 0, 0];
 	for (let i = 0; i < corners.length; i += 3) {
@@ -69,20 +86,29 @@ function ballAbout(corners: Float32Array): Organ | undefined {
 	for (let i = 0; i < corners.length; i += 3) {
 		radius = Math.max(radius, Math.hypot(corners[i] - x, corners[i + 1] - y, corners[i + 2] - z));
 	}
-	return { x, y, z, radius, corners };
+	return { x, y, z, radius };
 }
 
 type Direction = readonly [number, number, number];
 
-/** How far the first of an organ's triangles is that is met; undefined where none is nearer than what is known. */
-function meetsOrgan(organ: Organ, origin: ArrayLike<number>, along: Direction, nearest: number): number | undefined {
-	const [x, y, z] = [organ.x - origin[0], organ.y - origin[1], organ.z - origin[2]];
+/** Whether a ball is met, nearer than what is known. */
+function meetsBall(ball: Ball, origin: ArrayLike<number>, along: Direction, nearest: number): boolean {
+	const [x, y, z] = [ball.x - origin[0], ball.y - origin[1], ball.z - origin[2]];
 	const middle = x * along[0] + y * along[1] + z * along[2];
-	if (middle - organ.radius > nearest || middle + organ.radius < 0) return undefined;
-	if (x * x + y * y + z * z - middle * middle > organ.radius * organ.radius) return undefined;
+	if (middle - ball.radius > nearest || middle + ball.radius < 0) return false;
+	return x * x + y * y + z * z - middle * middle <= ball.radius * ball.radius;
+}
+
+/** How far the first triangle is that is met; undefined where none is nearer than what is known. */
+function meetsTriangles(
+	corners: Float32Array,
+	origin: ArrayLike<number>,
+	along: Direction,
+	nearest: number,
+): number | undefined {
 	let best: number | undefined;
-	for (let i = 0; i < organ.corners.length; i += 9) {
-		const at = meetsTriangle(organ.corners, i, origin, along);
+	for (let i = 0; i < corners.length; i += 9) {
+		const at = meetsTriangle(corners, i, origin, along);
 		if (at !== undefined && at < (best ?? nearest)) best = at;
 	}
 	return best;

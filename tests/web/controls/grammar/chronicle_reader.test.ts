@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ChronicleReader, WINDOW, windowAbout } from "../../../../web/src/controls/grammar/chronicle_reader";
+import { Superseded } from "../../../../web/src/core/errors";
 import type { Chronicle, ChronicleAsked } from "../../../../web/src/plant/chronicle";
 
 /** A derivation whose strings double: 1, 2, 4 … modules. */
@@ -93,6 +94,24 @@ describe("a derivation read window by window", () => {
 		expect(reader.fault).toBeUndefined();
 	});
 
+	it("goes on with a question that takes long and is wanted again", async () => {
+		const { reader, asks } = await opened();
+		for (const step of [3, 4, 3]) reader.want({ step, about: 0 });
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(asks[1].signal.aborted).toBe(false);
+		reader.want({ step: 4, about: 0 });
+		expect(asks[1].signal.aborted).toBe(false);
+		await settle();
+		expect(asks[1].signal.aborted).toBe(true);
+		// The same of another document is another question.
+		const next = byHand();
+		for (const step of [5, 6]) reader.want({ step, about: 0 });
+		reader.begin(next.ask);
+		reader.want({ step: 4, about: 0 });
+		await vi.advanceTimersByTimeAsync(1000);
+		expect(asks[2].signal.aborted).toBe(true);
+	});
+
 	it("keeps a window of the same step until the one farther on has come", async () => {
 		const { reader, asks } = await opened();
 		reader.want({ step: 12, about: 3000 });
@@ -147,11 +166,30 @@ describe("a derivation read window by window", () => {
 		await settle();
 		expect(reader.fault).toBe("The core broke.");
 		expect(reader.page).toBeUndefined();
+		// The other steps are in reach.
+		expect(reader.counts).toHaveLength(13);
 		reader.want({ step: 1, about: 0 });
 		asks[2].answer();
 		await settle();
 		expect(reader.fault).toBeUndefined();
 		expect(shown(reader)).toBe("A(1,0)");
+		const next = byHand();
+		reader.begin(next.ask);
+		next.asks[0].fail(new Error("The text is wrong."));
+		await settle();
+		expect(reader.counts).toBeUndefined();
+	});
+
+	it("asks again where another question has taken its place", async () => {
+		const { reader, asks } = await opened();
+		reader.want({ step: 2, about: 0 });
+		asks[1].fail(new Superseded());
+		await settle();
+		expect(reader.fault).toBeUndefined();
+		expect(asks.map(({ asked }) => asked.step).slice(1)).toEqual([2, 2]);
+		asks[2].answer();
+		await settle();
+		expect(shown(reader)).toBe("A(2,0)");
 	});
 });
 

@@ -14,6 +14,7 @@ function laid() {
 	const specimen = { model: "grammar" } as Specimen;
 	const plants: { readonly options: AsideOptions; let(): void; refuse(error: Error): void }[] = [];
 	let state: DerivationState = DERIVATION.initial;
+	const followers: Pick<Derivation, "follow">[] = [];
 	const aside = vi.fn(async (_from: Specimen, options: AsideOptions): Promise<Plant> => {
 		const told = (steps: number) => ({ ...EMPTY_PLANT, chronicle: algae(options.chronicle ?? { step: 0 }, steps) });
 		if (options.steps === undefined) return told(STEPS);
@@ -27,19 +28,24 @@ function laid() {
 		toolState: () => state,
 		setToolState: (_tool: unknown, next: DerivationState) => {
 			state = next;
+			// As the stepper does, once it has drawn.
+			queueMicrotask(() => {
+				for (const each of followers) each.follow();
+			});
 		},
 	};
-	return { desk, aside, plants, tool: () => state };
+	return { desk, aside, plants, followers, tool: () => state };
 }
 
 const settle = () => new Promise((resolve) => setTimeout(resolve));
 
 describe("a derivation that is looked at", () => {
-	let { desk, aside, plants, tool } = laid();
+	let { desk, aside, plants, followers, tool } = laid();
 	let derivation: Derivation;
 	beforeEach(async () => {
-		({ desk, aside, plants, tool } = laid());
+		({ desk, aside, plants, followers, tool } = laid());
 		derivation = new Derivation(desk as unknown as Desk, () => {});
+		followers.push(derivation);
 		await settle();
 	});
 
@@ -147,6 +153,21 @@ describe("a derivation that is looked at", () => {
 		expect(derivation.chosen).toBe(2);
 	});
 
+	it("takes nothing in the view of the step before for what is in this one, whose plant has not come", async () => {
+		await to(2);
+		plants[0].let();
+		await settle();
+		await to(3);
+		const asked = aside.mock.calls.length;
+		for (const chosen of [false, true]) {
+			desk.setToolState(DERIVATION, { ...tool(), met: { module: 1, step: 2, chosen } });
+			derivation.follow();
+			await settle();
+			expect([derivation.pointed, derivation.chosen]).toEqual([undefined, undefined]);
+		}
+		expect(aside.mock.calls).toHaveLength(asked);
+	});
+
 	it("asks for the ancestor of what is clicked where the window does not tell", async () => {
 		derivation.follows = false;
 		await to(2);
@@ -174,6 +195,11 @@ describe("a derivation that is looked at", () => {
 		plants[0].refuse(new Error("Too many segments."));
 		await settle();
 		expect(tool().scene).toMatchObject({ step: STEPS, instead: false });
+		derivation.choose(0);
+		await settle();
+		expect(tool().lit).toEqual({ first: 0, count: 8 });
+		// It is not tried again and again.
+		expect(plants).toHaveLength(1);
 		await to(2);
 		plants[1].refuse(new Superseded());
 		await settle();

@@ -139,6 +139,17 @@ describe("a closed mesh from a file", () => {
 		expect(corners({ points, triangles })).toEqual(corners(same));
 	});
 
+	it("comes from an STL in capitals, and from one with padding behind its triangles", () => {
+		const box = readObj(BOX);
+		const plain = readStl(textStl(box).buffer);
+		const capitals = new TextDecoder().decode(textStl(box)).toUpperCase();
+		expect(readStl(new TextEncoder().encode(capitals).buffer)).toEqual(plain);
+		const bytes = binaryStl(box);
+		const padded = new Uint8Array(bytes.length + 7);
+		padded.set(bytes);
+		expect(readStl(padded.buffer)).toEqual(readStl(bytes.buffer));
+	});
+
 	it("is refused where an STL is damaged, and the reason said", () => {
 		const box = readObj(BOX);
 		const unfinished = "The STL is damaged or unfinished: export it again.";
@@ -159,12 +170,21 @@ describe("a closed mesh from a file", () => {
 		expect(() => closedMesh(readStl(binaryStl(opened).buffer))).toThrow("The mesh is not closed: 3 of its edges");
 	});
 
-	it("is refused where it is too large, with what is read at most", async () => {
-		const large = new Uint8Array(84 + 50 * 500_001);
-		new DataView(large.buffer).setUint32(80, 500_001, true);
-		await expect(readMeshFile(new File([large], "dome.stl"))).rejects.toThrow(
-			"dome.stl has 500,001 triangles: simplify it to at most 500,000 first.",
-		);
+	it("is refused before it is read where it has too many triangles, with what is read at most", async () => {
+		const most = 500_000;
+		const refused = "The mesh has more than 500,000 triangles: simplify it first.";
+		const large = new Uint8Array(84 + 50 * (most + 1)).fill(255);
+		new DataView(large.buffer).setUint32(80, most + 1, true);
+		await expect(readMeshFile(new File([large], "dome.stl"))).rejects.toThrow(refused);
+		const text = `solid\nfacet\n${"vertex 0 0 0\n".repeat(3 * most + 1)}vertex 0\n`;
+		expect(() => readStl(new TextEncoder().encode(text).buffer)).toThrow(refused);
+		const quads = `v 0 0 0\n${"f 1 1 1 1\n".repeat(most / 2)}`;
+		expect(() => readObj(`${quads}f 9\n`)).toThrow("a corner, “9”");
+		expect(() => readObj(`${quads}f 1 1 1\nf 9\n`)).toThrow(refused);
+		// Its points lie beyond its end.
+		const count = 3 * (most + 1);
+		const accessors = [0, 1].map((bufferView) => ({ bufferView, componentType: 5126, count, type: "VEC3" }));
+		expect(() => readGlb(glbOf([{ mesh: 0 }], { accessors }))).toThrow(refused);
 	});
 
 	/** A mesh as it is printed: its +Y is the file's +Z. */

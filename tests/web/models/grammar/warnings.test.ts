@@ -66,6 +66,13 @@ describe("what a plant lacks", () => {
 		expect(warningsOf(cut, of(text))).toEqual([
 			"What grew so far is shown. The string grows beyond 67,108,864 words. These are 12 of 60 steps.",
 		]);
+		for (const length of ["Derivation length: 60 /* many */", "#define ν 60 /* 1 … 90 */\nderivation  length : ν"])
+			expect(warningsOf(cut, of(`${length}\naxiom: F`))).toEqual([
+				expect.stringMatching(/These are 12 of 60 steps\.$/),
+			]);
+		const fewer = { ...of("#define n 60\nderivation length: n\naxiom: F"), constants: { n: 20 } };
+		expect(warningsOf(cut, fewer)).toEqual([expect.stringMatching(/These are 12 of 20 steps\.$/)]);
+		expect(warningsOf(cut, of("derivation length: 2*n\naxiom: F"))).toEqual([expect.stringMatching(/words\.$/)]);
 		expect(readFileSync("wasm-core/src/models/grammar/model.cpp", "utf8")).toContain(`"${words}"`);
 	});
 

@@ -2,6 +2,7 @@
  * Reads a derivation window by window, as one asks for it: nothing of another step than the one asked for is ever given. One question
  * is under way at a time; of those that come meanwhile the newest waits.
  */
+import { Superseded } from "../../core/errors";
 import type { Chronicle, ChronicleAsked } from "../../plant/chronicle";
 
 /** Modules of a window. */
@@ -39,7 +40,7 @@ interface Running {
 	readonly from: number;
 	readonly ending: AbortController;
 	/** Ends it, once nobody waits for it any more. */
-	timer?: ReturnType<typeof setTimeout>;
+	timer?: ReturnType<typeof setTimeout> | undefined;
 }
 
 export class ChronicleReader {
@@ -121,6 +122,12 @@ export class ChronicleReader {
 		}, left);
 	}
 
+	/** What was wanted no more is wanted again. */
+	#await(running: Running): void {
+		clearTimeout(running.timer);
+		running.timer = undefined;
+	}
+
 	#asked(): ChronicleAsked {
 		const { step, about } = this.#wanted;
 		const length = this.#counts?.[this.step ?? 0] ?? 0;
@@ -139,7 +146,8 @@ export class ChronicleReader {
 			return;
 		}
 		if (this.#running) {
-			this.#abandon(this.#running);
+			if (this.#running.ask === ask && keyOf(this.#running.asked) === keyOf(asked)) this.#await(this.#running);
+			else this.#abandon(this.#running);
 			return;
 		}
 		const running: Running = {
@@ -181,10 +189,14 @@ export class ChronicleReader {
 		// What was ended is not wanted any more.
 		if (this.#running !== running) return;
 		this.#end(running);
-		if (this.#ask !== running.ask || this.#wanted !== running.wanted) this.#go();
+		// Something else that is asked for aside took its place before it had begun.
+		const again = error instanceof Superseded;
+		if (again || this.#ask !== running.ask || this.#wanted !== running.wanted) this.#go();
 		else {
 			this.#fault = error instanceof Error ? error.message : String(error);
 			this.#page = undefined;
+			// Of a document that nothing was told of the steps are not known.
+			if (this.#kept.size === 0) this.#counts = undefined;
 		}
 		this.#changed();
 	}

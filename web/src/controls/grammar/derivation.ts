@@ -22,6 +22,8 @@ export class Derivation {
 	#met: MetModule | undefined;
 	/** Whose plant after which step is being grown. */
 	#growing: { readonly from: Specimen; readonly step: number; readonly ending: AbortController } | undefined;
+	/** Whose plant after which step cannot be grown. */
+	#ungrown: { readonly from: Specimen; readonly step: number } | undefined;
 	#closed = false;
 
 	/** @param changed called when there is something else to show */
@@ -182,7 +184,9 @@ export class Derivation {
 		const { grown, grownFrom: from } = this.#desk.state;
 		if (this.#closed || !page || stale || !grown || !from || last === undefined || page.step !== step) return;
 		const { scene } = this.#desk.toolState(DERIVATION);
-		const shown = this.follows ? page.step : last;
+		// What no plant can be grown of leaves the last in view.
+		const none = this.#ungrown?.from === from && this.#ungrown.step === page.step;
+		const shown = this.follows && !none ? page.step : last;
 		if (scene?.from === from && scene.step === shown) return;
 		if (shown === last) this.#showWhole(page, grown, from);
 		else void this.#grow(from, shown);
@@ -207,10 +211,8 @@ export class Derivation {
 			this.#show({ step, grown, from, instead: true, segments, organs });
 		} catch (error) {
 			if (this.#growing !== growing || error instanceof Superseded) return;
-			// What no plant can be grown of leaves the last in view.
-			const { page } = this;
-			const { grown, grownFrom } = this.#desk.state;
-			if (page && grown && grownFrom === from) this.#showWhole(page, grown, from);
+			this.#ungrown = { from, step };
+			this.#stage();
 		} finally {
 			if (this.#growing === growing) this.#growing = undefined;
 		}
@@ -242,13 +244,17 @@ export class Derivation {
 		const index = met && this.#ancestor(met);
 		if (!met?.chosen) this.point(index);
 		else if (index !== undefined) this.choose(index);
-		else void this.#trace(met);
+		else if (met.step === this.last) void this.#trace(met);
 	}
 
-	/** The module of the step that is shown, of which one in the view is a descendant; undefined where the window does not tell. */
+	/**
+	 * The module of the step that is shown, of which one in the view is a descendant; undefined where the window does not tell, and while
+	 * the view is still of a step between.
+	 */
 	#ancestor({ module, step }: MetModule): number | undefined {
 		const { page } = this;
-		if (!page || step === page.step) return module;
+		if (step === this.step) return module;
+		if (!page || step !== this.last) return undefined;
 		const at = page.modules.findIndex(({ last: { first, count } }) => module >= first && module - first < count);
 		return at < 0 ? undefined : page.first + at;
 	}

@@ -76,15 +76,18 @@ export class Stepper extends ControlElement<GrammarDesk> {
 		this.#derivation ??= new Derivation(this.desk, () => this.requestUpdate());
 		const derivation = this.#derivation;
 		const { counts, step, page, fault } = derivation;
-		if (fault) return html`<p class="steps-none">The steps cannot be told: ${fault}</p>`;
-		if (!counts || step === undefined) return html`<p class="steps-none" role="status">Deriving …</p>`;
+		const none = html`<p class="steps-none" role="status">${fault ? `The steps cannot be told: ${fault}` : "Deriving …"}</p>`;
+		if (!counts || step === undefined) return none;
 		const last = counts.length - 1;
-		const label = `String: ${stepInWords(step, last)}, ${countInWords(counts[step])}`;
-		return html`<p class="unseen" id="derived-keys">${KEYS}</p>
-			<panicle-steps
+		const bar = html`<panicle-steps
 				.counts=${counts} .step=${step} .playing=${this.#playing !== undefined} .play=${this.#toggle} .go=${this.#go} .by=${this.#by}
 				.follows=${derivation.follows} .follow=${this.#follow}
-			></panicle-steps>
+			></panicle-steps>`;
+		// Another step may be told.
+		if (fault) return html`${bar}${none}`;
+		const label = `String: ${stepInWords(step, last)}, ${countInWords(counts[step])}`;
+		return html`<p class="unseen" id="derived-keys">${KEYS}</p>
+			${bar}
 			<panicle-derived
 				.page=${page} .busy=${!page || derivation.stale} .chosen=${derivation.chosen} .pointed=${derivation.pointed} .line=${this.line} .label=${label}
 				.events=${this.#events}
@@ -104,7 +107,7 @@ export class Stepper extends ControlElement<GrammarDesk> {
 			this.#told = told;
 			this.shown(derivation.stale ? {} : { fires, wrote: production });
 		}
-		if (this.#playing !== undefined && derivation.step === derivation.last) this.#stop();
+		if (this.#playing !== undefined && (derivation.fault || derivation.step === derivation.last)) this.#stop();
 	}
 
 	/** Where the window is in a string that is longer. */

@@ -1,6 +1,6 @@
 /** Binary glTF: the triangles of its scene, as its nodes place them. */
 import { type Mat4, Matrix } from "./matrix";
-import { MeshFileError, type Soup } from "./soup";
+import { bounded, MeshFileError, type Soup } from "./soup";
 
 const MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
@@ -93,6 +93,7 @@ function gather(gltf: Gltf, binary: DataView, index: number, above: Mat4, soup: 
 }
 
 function add(gltf: Gltf, binary: DataView, { attributes, indices }: Primitive, place: Mat4, soup: Soup): void {
+	bounded((soup.triangles.length + (gltf.accessors?.[indices ?? attributes.POSITION].count ?? 0)) / 3);
 	const positions = numbersOf(gltf, binary, attributes.POSITION);
 	const first = soup.points.length / 3;
 	const count = positions.length / 3;

@@ -1,5 +1,5 @@
 /** Wavefront OBJ: positions and faces; the rest of the format says nothing of a boundary. */
-import { MeshFileError, type Soup } from "./soup";
+import { bounded, MeshFileError, type Soup } from "./soup";
 
 /** Polygons become fans. @throws MeshFileError with the line that cannot be read */
 export function readObj(text: string): Soup {
@@ -12,6 +12,7 @@ export function readObj(text: string): Soup {
 		if (kind === "f") {
 			const corners = words.map((word) => corner(word, points.length / 3, number));
 			if (corners.length < 3) throw wrong(number, "a face of fewer than three corners");
+			bounded(triangles.length / 3 + corners.length - 2);
 			for (let i = 2; i < corners.length; i++) triangles.push(corners[0], corners[i - 1], corners[i]);
 		}
 	}

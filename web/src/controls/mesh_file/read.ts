@@ -8,8 +8,6 @@ import { readStl } from "./stl";
 
 /** Bytes that are read at most. */
 const LARGEST = 64 * 1024 * 1024;
-/** Triangles that are welded and simplified at most: more would hold the page for long. */
-const MOST_READ = 500_000;
 
 const READERS: Readonly<Record<string, (file: File) => Promise<Soup>>> = {
 	glb: async (file) => readGlb(await file.arrayBuffer()),
@@ -24,11 +22,5 @@ export async function readMeshFile(file: File): Promise<ClosedMesh> {
 	const reader = Object.hasOwn(READERS, ending ?? "") ? READERS[ending] : undefined;
 	if (!reader)
 		throw new MeshFileError(`${file.name} is neither an OBJ nor a GLB nor an STL: save the mesh as one of them.`);
-	const soup = await reader(file);
-	const count = soup.triangles.length / 3;
-	if (count > MOST_READ) {
-		const [has, most] = [count, MOST_READ].map((number) => number.toLocaleString("en"));
-		throw new MeshFileError(`${file.name} has ${has} triangles: simplify it to at most ${most} first.`);
-	}
-	return closedMesh(soup);
+	return closedMesh(await reader(file));
 }

@@ -2,7 +2,7 @@
  * STL, binary or as text: triangles and nothing else. Printers have +Z up, as Panicle's own prints do: they are stood up
  * to +Y. Normals and colours are passed over.
  */
-import { MeshFileError, type Soup } from "./soup";
+import { bounded, MeshFileError, type Soup } from "./soup";
 
 const HEADER = 80;
 const TRIANGLE = 50;
@@ -10,14 +10,15 @@ const TRIANGLE = 50;
 /** @throws MeshFileError with what cannot be read */
 export function readStl(bytes: ArrayBuffer): Soup {
 	const count = bytes.byteLength < HEADER + 4 ? 0 : new DataView(bytes).getUint32(HEADER, true);
-	// Programs begin binary files with “solid”, too; their length tells.
-	if (count > 0 && bytes.byteLength === HEADER + 4 + TRIANGLE * count) return readBinary(new DataView(bytes), count);
+	// Programs begin binary files with “solid”, too, and end them with padding; letters, as a number, are more triangles than any file has.
+	if (count > 0 && bytes.byteLength >= HEADER + 4 + TRIANGLE * count) return readBinary(new DataView(bytes), count);
 	const text = new TextDecoder().decode(bytes);
-	if (/^\s*solid\b/.test(text) && /\bfacet\b/.test(text)) return readText(text);
+	if (/^\s*solid\b/i.test(text) && /\bfacet\b/i.test(text)) return readText(text);
 	throw new MeshFileError("The STL is damaged or unfinished: export it again.");
 }
 
 function readBinary(view: DataView, count: number): Soup {
+	bounded(count);
 	const points: number[] = [];
 	for (let triangle = 0; triangle < count; triangle++) {
 		// Behind the normal stand three corners.
@@ -35,13 +36,14 @@ function readBinary(view: DataView, count: number): Soup {
 function readText(text: string): Soup {
 	const points: number[] = [];
 	for (const [number, line] of text.split("\n").entries()) {
-		const [kind, ...words] = line.trim().split(/\s+/);
+		const [kind, ...words] = line.trim().toLowerCase().split(/\s+/);
 		const corners = points.length / 3;
 		if (kind === "endfacet" && corners % 3 !== 0) throw wrong(number, "the end of a facet that has not three corners");
 		if (kind !== "vertex") continue;
 		const [x, y, z] = words.map(Number);
 		if (words.length !== 3 || !Number.isFinite(x + y + z)) throw wrong(number, "a corner that is not three numbers");
 		stand(points, x, y, z);
+		bounded(points.length / 9);
 	}
 	if (points.length === 0 || points.length % 9 !== 0)
 		throw new MeshFileError("The STL is damaged or unfinished: export it again.");

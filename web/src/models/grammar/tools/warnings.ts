@@ -48,7 +48,16 @@ function inOne(notes: readonly string[]): string {
 }
 
 /** How far the derivation has come, where it has not come to its end. */
-function stepsOf(done: number, { steps }: GrammarSpecimen, text: string): string[] {
-	const asked = steps ?? Number(/^[ \t]*derivation length[ \t]*:[ \t]*(\d+)[ \t]*$/m.exec(text)?.[1]);
-	return done < asked ? [`These are ${done} of ${asked} steps.`] : [];
+function stepsOf(done: number, { steps, constants }: GrammarSpecimen, text: string): string[] {
+	const asked = steps ?? lengthIn(text, constants);
+	return asked !== undefined && done < asked ? [`These are ${done} of ${asked} steps.`] : [];
+}
+
+/** The derivation length, where it is a number or the name of one; what is reckoned is the core's to know. */
+function lengthIn(text: string, constants: GrammarSpecimen["constants"]): number | undefined {
+	const bare = text.replace(/\/\*[\s\S]*?\*\//g, " ");
+	const [, length = ""] = /^[ \t]*derivation[ \t]+length[ \t]*:[ \t]*([\p{L}\w]+)[ \t]*$/imu.exec(bare) ?? [];
+	const [, defined] = new RegExp(`^[ \\t]*#define[ \\t]+${length}[ \\t]+(\\d+)[ \\t]*$`, "mu").exec(bare) ?? [];
+	const asked = /^\d+$/.test(length) ? length : (constants[length] ?? defined);
+	return asked === undefined ? undefined : Number(asked);
 }
