@@ -114,7 +114,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/dressing.cpp`,
+		file: "wasm-core/src/geometry/wood.cpp",
 		suites: [`${TESTS}/tree_dress_test.cpp`],
 		faults: [
 			{
@@ -174,8 +174,8 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/foot.cpp`,
-		suites: [`${TESTS}/foot_test.cpp`],
+		file: "wasm-core/src/geometry/foot.cpp",
+		suites: ["tests/core/models/particles/foot_test.cpp"],
 		faults: [
 			{
 				id: "foot-cut-aslant",

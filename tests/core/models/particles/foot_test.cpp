@@ -1,5 +1,5 @@
 // How trunks stand on the ground, and roots under their stems.
-#include "models/particles/foot.hpp"
+#include "geometry/foot.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 #include "space_growing.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 namespace {
 
 struct Stand {
@@ -107,4 +107,4 @@ TEST_CASE("feet are the thickest that begin at each target") {
 }
 
 }  // namespace
-}  // namespace panicle::particles
+}  // namespace panicle

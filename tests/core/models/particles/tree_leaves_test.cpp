@@ -5,15 +5,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/particles/tree/blade.hpp"
 #include "models/particles/tree/measures/measures.generated.hpp"
+#include "plant/blade.hpp"
 #include "space_growing.hpp"
 
 namespace panicle::particles {
 namespace {
 
-using tree::Blade;
-using tree::make_blade;
+using panicle::Blade;
+using panicle::make_blade;
 using tree::Measure;
 
 glm::vec3 position(const Mesh& mesh, std::size_t i) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/particles/foot.hpp"
+#include "geometry/foot.hpp"
 #include "models/particles/grown.hpp"
 #include "models/particles/trail_plant.hpp"
 #include "models/particles/trails.hpp"

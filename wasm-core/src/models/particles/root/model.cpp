@@ -19,9 +19,9 @@
 #include "models/particles/root/parameters.generated.hpp"
 #include "models/particles/root/storage.hpp"
 #include "models/particles/space_request.hpp"
-#include "models/particles/wood_measures.hpp"
 #include "plant/plain.hpp"
 #include "plant/values.hpp"
+#include "plant/wood_measures.hpp"
 
 namespace panicle::particles::root {
 namespace {

@@ -9,6 +9,7 @@
 #include "foundation/easing.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
+#include "geometry/turn.hpp"
 
 namespace panicle::particles::tree {
 namespace {
@@ -22,27 +23,6 @@ constexpr float droop = 0.25f;      // of their tips
 constexpr float least_size = 0.7f;  // of the largest
 constexpr float internode = 0.4f;   // from leaf to leaf along the shoot, in leaf lengths
 constexpr float rising = 0.6f;  // how long it takes until the highest leaves begin to unfold, of the time that all take
-
-// A vector at right angles to a unit vector.
-glm::vec3 beside(const glm::vec3& way) {
-  return glm::normalize(glm::cross(way, std::fabs(way.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
-}
-
-// The rotation that takes +Y to `up` and +Z to `front`, unit and at right angles, as a quaternion (Shepperd 1978).
-glm::vec4 turn_to(const glm::vec3& up, const glm::vec3& front) {
-  const glm::vec3 side = glm::cross(up, front);
-  const float trace = side.x + up.y + front.z;
-  glm::vec4 q;
-  if (trace > 0)
-    q = {up.z - front.y, front.x - side.z, side.y - up.x, 1 + trace};
-  else if (side.x > up.y && side.x > front.z)
-    q = {1 + side.x - up.y - front.z, up.x + side.y, front.x + side.z, up.z - front.y};
-  else if (up.y > front.z)
-    q = {up.x + side.y, 1 - side.x + up.y - front.z, front.y + up.z, front.x - side.z};
-  else
-    q = {front.x + side.z, front.y + up.z, 1 - side.x - up.y + front.z, side.y - up.x};
-  return q / glm::length(q);
-}
 
 // A place keeps its luck wherever it stands among the others.
 std::uint64_t luck_of(const glm::vec3& p) {

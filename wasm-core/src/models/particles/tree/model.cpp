@@ -19,14 +19,14 @@
 #include "models/particles/hormone.hpp"
 #include "models/particles/refusals.hpp"
 #include "models/particles/space_request.hpp"
-#include "models/particles/tree/blade.hpp"
 #include "models/particles/tree/crown.hpp"
 #include "models/particles/tree/leaves.hpp"
 #include "models/particles/tree/measures/measures.generated.hpp"
 #include "models/particles/tree/parameters.generated.hpp"
-#include "models/particles/wood_measures.hpp"
+#include "plant/blade.hpp"
 #include "plant/plain.hpp"
 #include "plant/values.hpp"
+#include "plant/wood_measures.hpp"
 
 namespace panicle::particles::tree {
 namespace {

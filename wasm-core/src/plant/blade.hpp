@@ -4,7 +4,7 @@
 #include "geometry/mesh.hpp"
 #include "plant/flat_leaf.hpp"
 
-namespace panicle::particles::tree {
+namespace panicle {
 
 struct Blade {
   // The blade is of length 1; the foot of the petiole is at the origin, the tip near +Y, the upper face looks to +Z.
@@ -19,4 +19,4 @@ Blade make_blade(const FlatLeaf& leaf, float breadth, float fold);
 // Five flat needles that spread from one place.
 Blade make_needles(float breadth);
 
-}  // namespace panicle::particles::tree
+}  // namespace panicle

@@ -1,4 +1,4 @@
-#include "models/particles/tree/blade.hpp"
+#include "plant/blade.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -6,7 +6,7 @@
 
 #include "foundation/mathematics.hpp"
 
-namespace panicle::particles::tree {
+namespace panicle {
 namespace {
 
 constexpr float arch = 0.6f;      // radians a length, petiole and all
@@ -87,4 +87,4 @@ Blade make_needles(float breadth) {
   return blade;
 }
 
-}  // namespace panicle::particles::tree
+}  // namespace panicle

@@ -6,7 +6,7 @@
 
 #include "plant/branching.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 
 // In the order of a model's table. `Measure`: its enumeration, in which both tables have the same keys for what is said
 // of branches; what else there is waits to be set.
@@ -34,4 +34,4 @@ class WoodMeasures {
   std::vector<float> values_;
 };
 
-}  // namespace panicle::particles
+}  // namespace panicle

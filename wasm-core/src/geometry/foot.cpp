@@ -1,4 +1,4 @@
-#include "models/particles/foot.hpp"
+#include "geometry/foot.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 namespace {
 
 constexpr std::uint64_t stream_ridge = 0xf007;
@@ -181,4 +181,4 @@ void set_down(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, con
   if (habit.flare > 0) add_skirt(stems, {trunk, foot.radius, habit.flare, Ridges(habit.seed)});
 }
 
-}  // namespace panicle::particles
+}  // namespace panicle

@@ -10,7 +10,7 @@
 #include "geometry/segment.hpp"
 #include "geometry/tubes.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 
 struct FootHabit {
   float flare = 0;         // of a trunk: how much wider it stands on the ground than it is
@@ -39,4 +39,4 @@ struct TrunkLine {
 // Cuts the trunk's tube off level on the ground, and puts a skirt about it that widens towards the ground in ridges.
 void set_down(StemMesh& stems, const StemPart& tube, const TrunkLine& trunk, const FootHabit& habit);
 
-}  // namespace panicle::particles
+}  // namespace panicle

@@ -1,4 +1,4 @@
-#include "models/particles/twigs.hpp"
+#include "geometry/twigs.hpp"
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "foundation/mathematics.hpp"
 
-namespace panicle::particles {
+namespace panicle {
 namespace {
 
 constexpr std::uint32_t sides = 3;
@@ -107,4 +107,4 @@ void add_twigs(StemMesh& stem, std::span<const Segment> segments, std::span<cons
   }
 }
 
-}  // namespace panicle::particles
+}  // namespace panicle
