@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { type BarkKind, barkPicture } from "../../../../../web/src/models/particles/boundary/bark_picture";
+import { type BarkKind, barkPicture } from "../../../../../web/src/plant/wood/bark_picture";
 
 const KINDS: readonly BarkKind[] = ["furrowed", "paper", "ringed", "fibrous"];
 

@@ -1,11 +1,9 @@
 /** Trees and roots: trails, and of each vertex of their tubes the segment that it goes around. */
 import type { Answer } from "../../../core/core";
+import type { Wooden } from "../../../plant/wood/wooden";
 import { readTrailPlant, type TrailPlant } from "../trails";
 
-export interface WoodenPlant extends TrailPlant {
-	/** By vertex of the mesh `stems`; absent without meshes. */
-	bearing?: Uint32Array;
-}
+export type WoodenPlant = TrailPlant & Wooden;
 
 export function readWoodenPlant(answer: Answer): WoodenPlant {
 	const { columns } = answer;

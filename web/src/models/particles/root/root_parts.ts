@@ -1,10 +1,10 @@
 /** A root in parts: the roots themselves, and particles on their way. */
 import { linear, mixed } from "../../../plant/colour";
 import type { Part } from "../../../plant/part";
-import { barkPicture } from "../boundary/bark_picture";
+import { barkPicture } from "../../../plant/wood/bark_picture";
+import { woodenParts } from "../../../plant/wood/wooden_parts";
 import { obstacleParts } from "../boundary/obstacle_parts";
 import { particleMaterial } from "../boundary/particle_material";
-import { woodenParts } from "../boundary/wooden_parts";
 import type { WoodenPlant } from "../boundary/wooden_plant";
 import type { RootSpecimen } from "./specimen";
 

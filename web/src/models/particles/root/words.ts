@@ -1,5 +1,5 @@
 /** A root in a few plain words: for the caption, the picture's description and the screen reader. */
-import { countInWords, heightsOf, lengthInWords } from "../boundary/words";
+import { countInWords, heightsOf, lengthInWords } from "../../../plant/in_words";
 import type { TrailPlant } from "../trails";
 
 /** "1.4 m deep, 1,800 root tips". */

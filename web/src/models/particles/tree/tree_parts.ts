@@ -1,11 +1,11 @@
 /** A tree in parts: bark, leaves in their tints, particles on their way. */
 import { linear, mixed, toLch } from "../../../plant/colour";
+import { leafTints } from "../../../plant/leaf_colours";
 import type { Part } from "../../../plant/part";
-import { barkPicture } from "../boundary/bark_picture";
+import { barkPicture } from "../../../plant/wood/bark_picture";
+import { woodenParts } from "../../../plant/wood/wooden_parts";
 import { obstacleParts } from "../boundary/obstacle_parts";
 import { particleMaterial } from "../boundary/particle_material";
-import { woodenParts } from "../boundary/wooden_parts";
-import { leafTints } from "./leaf_colours";
 import type { TreeSpecimen } from "./specimen";
 import type { TreePlant } from "./tree_plant";
 

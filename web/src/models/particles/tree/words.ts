@@ -1,5 +1,5 @@
 /** A tree in a few plain words: for the caption, the picture's description and the screen reader. */
-import { countInWords, heightsOf, lengthInWords } from "../boundary/words";
+import { countInWords, heightsOf, lengthInWords } from "../../../plant/in_words";
 import type { TrailPlant } from "../trails";
 
 /** "9.2 m tall, 5,400 leaves". */

@@ -1,7 +1,7 @@
 /** The grips of a boundary from in front. */
 import type { Point } from "../../../../controls/handles/point";
+import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen } from "../bounded";
-import { lengthInWords } from "../words";
 import { FROM_FRONT } from "./facing";
 import { footGrips } from "./feet";
 import type { Pose } from "./grip";

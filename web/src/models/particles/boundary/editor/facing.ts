@@ -1,6 +1,6 @@
 /** From where a flat view looks, and what is up in it. */
 import type { Point } from "../../../../controls/handles/point";
-import { lengthInWords } from "../words";
+import { lengthInWords } from "../../../../plant/in_words";
 
 export interface Facing {
 	/** The coordinate that is up, and whether it grows that way. */

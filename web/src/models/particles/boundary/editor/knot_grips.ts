@@ -1,9 +1,9 @@
 /** The points of a profile as grips. */
 import type { Change } from "../../../../controls/desk";
 import type { Point } from "../../../../controls/handles/point";
+import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen, Knot } from "../bounded";
 import { FEWEST_KNOTS, knotAt, MOST_KNOTS } from "../details/profile";
-import { lengthInWords } from "../words";
 import { axisOf, type Lay, outlineIn } from "./lay";
 import { radiusAt } from "./outline";
 import { heightInWords, withEnd, withPresetsEnd } from "./size_grips";

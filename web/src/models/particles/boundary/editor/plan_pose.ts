@@ -1,6 +1,7 @@
 /** The grips of a plan: the boundary, its obstacles and its targets from above. */
+
+import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen } from "../bounded";
-import { lengthInWords } from "../words";
 import { FROM_ABOVE } from "./facing";
 import { footGrips } from "./feet";
 import type { Pose } from "./grip";

@@ -1,7 +1,7 @@
 /** The ends and the side of a boundary's box as grips. */
 import type { Change } from "../../../../controls/desk";
+import { lengthInWords } from "../../../../plant/in_words";
 import type { BoundedSpecimen } from "../bounded";
-import { lengthInWords } from "../words";
 import { axisOf, type Box, type Lay, LEAST } from "./lay";
 import type { Unstepped } from "./stepped";
 

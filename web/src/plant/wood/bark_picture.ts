@@ -2,9 +2,9 @@
  * Bark as a picture that multiplies the wood's colours: once round the stem, as high as that is, and on and on. Seams do
  * not show.
  */
-import { clamp, smoothstep } from "../../../plant/colour";
-import type { Picture } from "../../../plant/material";
-import { hashFraction } from "../../../plant/noise";
+import { clamp, smoothstep } from "../colour";
+import type { Picture } from "../material";
+import { hashFraction } from "../noise";
 
 /**
  * furrowed: long ridges that part and meet (oak, most trees). paper: pale, with lenticels across and rough dark patches (birch).

@@ -1,11 +1,11 @@
 /** Trees and roots in parts: what is solid as it stands, and what is borne as many instances of one mesh. */
-import type { Material } from "../../../plant/material";
-import { hashFraction } from "../../../plant/noise";
-import { type Part, TRANSFORM } from "../../../plant/part";
-import { partsOf } from "../../../plant/parts_of";
-import { EMPTY_PLANT, type Plant, type PlantMesh } from "../../../plant/plant";
+import type { Material } from "../material";
+import { hashFraction } from "../noise";
+import { type Part, TRANSFORM } from "../part";
+import { partsOf } from "../parts_of";
+import { EMPTY_PLANT, type Plant, type PlantMesh } from "../plant";
 import { type Bark, woodColours } from "./wood_colours";
-import type { WoodenPlant } from "./wooden_plant";
+import type { Wooden } from "./wooden";
 
 /** How leaves differ among themselves: as many materials as there are tints, each for its share of them. */
 export type Tints = readonly Material[];
@@ -22,7 +22,7 @@ export interface Dress {
 /** More of a kind than these nobody picks one by one: none has a name of its own, and files hold them in a few meshes. */
 const MOST_NAMED = 300;
 
-export function* woodenParts(plant: WoodenPlant, { wood, bark, tints }: Dress): Generator<Part> {
+export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Generator<Part> {
 	const { meshes, organs } = plant;
 	const borne = borneIn(organs);
 	// What could be borne and is not, is not there.

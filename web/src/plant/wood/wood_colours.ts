@@ -1,8 +1,8 @@
 /** Thin branches have another bark than thick ones: smoother, younger. */
-import { type Colour, smoothstep } from "../../../plant/colour";
-import { noise } from "../../../plant/noise";
-import type { PlantMesh } from "../../../plant/plant";
-import type { WoodenPlant } from "./wooden_plant";
+import { type Colour, smoothstep } from "../colour";
+import { noise } from "../noise";
+import type { PlantMesh } from "../plant";
+import type { Wooden } from "./wooden";
 
 export interface Bark {
 	readonly old: Colour;
@@ -18,7 +18,7 @@ export interface Bark {
 const CLASSES = 64;
 
 /** 3 × vertices of the tubes, by the radius of what they go around; in passing, when a frame has little time, without the foot's. */
-export function woodColours({ segments, bearing }: WoodenPlant, mesh: PlantMesh, bark: Bark): Float32Array | undefined {
+export function woodColours({ segments, bearing }: Wooden, mesh: PlantMesh, bark: Bark): Float32Array | undefined {
 	if (!bearing || bearing.length !== mesh.positions.length / 3) return undefined;
 	const palette = Float32Array.from({ length: 3 * CLASSES }, (_, i) => {
 		const share = smoothstep(0, 1, Math.floor(i / 3) / (CLASSES - 1));

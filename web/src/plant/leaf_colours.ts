@@ -1,8 +1,8 @@
 /** The colours of leaves through the year: no two turn on the same day. */
-import { type Colour, clamp, fromLch, linear, mixed, toLch } from "../../../plant/colour";
-import type { Veins } from "../../../plant/leaf";
-import { leafPicture } from "../../../plant/leaf_picture";
-import type { Material } from "../../../plant/material";
+import { type Colour, clamp, fromLch, linear, mixed, toLch } from "./colour";
+import type { Veins } from "./leaf";
+import { leafPicture } from "./leaf_picture";
+import type { Material } from "./material";
 
 /** As many sorts of leaves as differ to the eye. */
 const TINTS = 6;
