@@ -29,19 +29,20 @@ const CONSTANTS = {
 /**
  * Grammars as the page has them: the text beside the plant, edited as it grows; sliders of its constants; and where a plant has a text
  * of its own, the way back to the built-in one.
+ * @param derived how its derivation is told step by step; absent where it has none
  */
 export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 	source: GrammarSource<S>,
-	derived: DerivationSource<S, G>,
+	derived?: DerivationSource<S, G>,
 ): readonly Tool<S, G>[] {
-	const tool = editorTool<S, G>(source);
+	const tool = editorTool<S, G>(source, derived !== undefined);
 	const { group, noun } = source;
 	const drop = (desk: Desk<S, G>) =>
 		desk.set(withText(source as unknown as GrammarSource, desk.state.specimen, undefined));
 	const words = "Use the built-in grammar";
 	return [
 		tool as Tool<S, G>,
-		derivationTool(derived) as Tool<S, G>,
+		...(derived ? [derivationTool(derived) as Tool<S, G>] : []),
 		{
 			name: "constants",
 			initial: undefined,
@@ -53,7 +54,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 					return html`<panicle-constants .desk=${desk} .source=${source}></panicle-constants>`;
 				},
 			},
-			applies: (specimen) => source.always === true || isOwn(specimen),
+			applies: (specimen) => source.constants !== false && (source.always === true || isOwn(specimen)),
 		},
 		{
 			name: "own-grammar",
@@ -84,6 +85,7 @@ export function grammarTools<S extends Specimen & WithGrammar, G extends Plant>(
 
 function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 	source: GrammarSource<S>,
+	stepped: boolean,
 ): Tool<S, G, GrammarState> {
 	const tool: Tool<S, G, GrammarState> = {
 		name: "grammar",
@@ -106,7 +108,7 @@ function editorTool<S extends Specimen & WithGrammar, G extends Plant>(
 			open: (desk) => desk.toolState(tool).open,
 			tell: (desk, fault) => tell(desk, tool, source.noun, fault),
 			draw: (desk) => html`<panicle-grammar
-				.desk=${desk} .source=${source} .tool=${tool} .close=${() => close(desk, tool, source.noun)}
+				.desk=${desk} .source=${source} .tool=${tool} .stepped=${stepped} .close=${() => close(desk, tool, source.noun)}
 			></panicle-grammar>`,
 		},
 	};

@@ -28,8 +28,10 @@ export interface ShownShells<S extends Specimen, G extends Plant = Plant> {
 	readonly missed: string;
 	/** Fetches what draws them. */
 	figure(): Promise<ShellDrawing>;
-	/** In the plant's metres. */
-	shells(specimen: S): readonly ClosedMesh[];
+	/** In the plant's metres; `grown` is the last plant, for those that it tells of. */
+	shells(specimen: S, grown: G | undefined): readonly ClosedMesh[];
+	/** Whether they are the last plant's as well as the specimen's; the default is no. */
+	ofPlant?: true;
 	/** Which of them the last plant gives cause to look at, counted from 0; the default is none. */
 	marked?(grown: G): ReadonlySet<number>;
 	/** Whether it means anything to this specimen; the default is yes. */
@@ -89,14 +91,15 @@ class ShellHands<S extends Specimen, G extends Plant> implements ToolHands<S, G>
 
 	#show(figure: ShellDrawing, { specimen, dark, grown }: DeskState<S, G>): void {
 		const visible = this.#visible(specimen);
-		const { marked } = this.#what;
-		const same = this.#shown?.specimen === specimen && this.#shown.dark === dark;
-		const alike = same && (!marked || this.#shown?.grown === grown);
+		const { marked, ofPlant = false } = this.#what;
+		const another = this.#shown?.grown !== grown;
+		const same = this.#shown?.specimen === specimen && this.#shown.dark === dark && !(ofPlant && another);
+		const alike = same && !(marked && another);
 		if (visible === figure.object.visible && (alike || !visible)) return;
 		figure.object.visible = visible;
 		if (visible && !alike) {
 			const style = getComputedStyle(this.#view.canvas);
-			if (!same) figure.show(this.#what.shells(specimen), style.color);
+			if (!same) figure.show(this.#what.shells(specimen, grown), style.color);
 			if (marked && grown) figure.mark(marked(grown), style.accentColor);
 			this.#shown = { specimen, dark, grown };
 		}

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { optionsFor } from "../../../../web/src/controls/grammar/completion";
+import { LSYSTEM } from "../../../../web/src/controls/grammar/dialect";
 import { explain, formalsAt } from "../../../../web/src/controls/grammar/explain";
 import { outlineOf } from "../../../../web/src/controls/grammar/outline";
 import { scan } from "../../../../web/src/controls/grammar/scan";
@@ -12,7 +13,7 @@ const TEXT =
 /** What is offered where a mark stands. */
 const offered = (text: string, word = "") => {
 	const place = text.indexOf("¦");
-	return optionsFor(text.replace("¦", ""), place, word, ["axis", "end"]).map(({ label }) => label);
+	return optionsFor(text.replace("¦", ""), place, word, ["axis", "end"], LSYSTEM).map(({ label }) => label);
 };
 
 describe("the words that the editor knows", () => {
@@ -36,7 +37,7 @@ describe("the words that the editor knows", () => {
 });
 
 describe("help", () => {
-	const at = (words: string) => explain(outlineOf(TEXT), TEXT.indexOf(words));
+	const at = (words: string) => explain(outlineOf(TEXT), TEXT.indexOf(words), LSYSTEM.words);
 
 	it("says what stands at a place", () => {
 		expect(at("F(")).toMatchObject({ written: "F(s)", help: expect.stringContaining("draw a line") });

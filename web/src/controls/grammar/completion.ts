@@ -1,8 +1,9 @@
 /** What may stand at the cursor: the turtle's symbols and the text's own, functions, constants, parameters, roles, statements. */
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from "@codemirror/autocomplete";
+import { type Dialect, dialect } from "./dialect";
 import { formalsAt } from "./explain";
 import { type Outline, outlineOf } from "./outline";
-import { WORDS } from "./words.generated";
+import type { Word } from "./words.generated";
 
 const WORD = /(?:[#?@][\p{L}]*|[\p{L}_][\p{L}\p{N}_]*)$/u;
 
@@ -17,47 +18,56 @@ function complete(context: CompletionContext, roles: readonly string[]): Complet
 	const word = WORD.exec(line.text.slice(0, pos - line.from))?.[0] ?? "";
 	if (word === "" && !explicit) return null;
 	const text = state.doc.toString();
-	const options = optionsFor(text, pos, word, roles);
+	const options = optionsFor(text, pos, word, roles, state.facet(dialect));
 	return options.length > 0 ? { from: pos - word.length, options, validFor: /^[#?@]?[\p{L}\p{N}_]*$/u } : null;
 }
 
 /** What may stand at a place. @param word what of it stands there already */
-export function optionsFor(text: string, place: number, word: string, roles: readonly string[]): Completion[] {
+export function optionsFor(
+	text: string,
+	place: number,
+	word: string,
+	roles: readonly string[],
+	{ scan, words }: Dialect,
+): Completion[] {
 	const from = place - word.length;
 	const start = text.lastIndexOf("\n", from - 1) + 1;
 	const before = text.slice(start, from);
 	if (/^\s*#role\s+$/.test(before)) return roles.map((label) => ({ label, type: "keyword" }));
 	// As if a name stood there: so it is told whether modules are meant, or values.
-	const outline = outlineOf(`${text.slice(0, from)}x${text.slice(place)}`);
+	const asked = `${text.slice(0, from)}x${text.slice(place)}`;
+	const outline = outlineOf(asked, scan(asked));
 	const kind = outline.pieces.find((piece) => piece.from === from)?.kind;
 	if (kind === undefined || kind === "comment") return [];
-	const statements = /^\s*$/.test(before) ? ofKind("statement") : [];
-	if (kind === "name" || kind === "function") return [...statements, ...values(outline, from)];
-	return [...statements, ...modules(outline)];
+	const statements = /^\s*$/.test(before) ? ofKind(words, "statement") : [];
+	if (kind === "name" || kind === "function") return [...statements, ...values(outline, from, words)];
+	return [...statements, ...modules(outline, words)];
 }
 
-function values(outline: Outline, place: number): Completion[] {
+function values(outline: Outline, place: number, words: readonly Word[]): Completion[] {
 	const formals = formalsAt(outline.pieces, place).filter((name) => name !== "x");
 	return [
 		...formals.map((label) => ({ label, detail: "parameter", boost: 2 })),
 		...[...outline.names].map(([label, info]) => ({ label, detail: info.split(/\s/)[0], info, boost: 1 })),
-		...ofKind("function"),
+		...ofKind(words, "function"),
 	];
 }
 
-function modules({ symbols }: Outline): Completion[] {
-	const own = [...symbols].filter(([name]) => name !== "x" && !WORDS.some((word) => word.name === name));
+function modules({ symbols }: Outline, words: readonly Word[]): Completion[] {
+	const own = [...symbols].filter(([name]) => name !== "x" && !words.some((word) => word.name === name));
 	return [
 		...own.map(([label, written]) => ({ label, detail: written === label ? "" : written, boost: 1 })),
-		...ofKind("symbol"),
+		...ofKind(words, "symbol"),
 	];
 }
 
 /** Words of the table that begin as names do: signs are typed sooner than chosen. */
-function ofKind(kind: (typeof WORDS)[number]["kind"]): Completion[] {
-	return WORDS.filter((word) => word.kind === kind && /^[\p{L}#?@]/u.test(word.name)).map((word) => ({
-		label: word.name,
-		detail: kind === "symbol" ? word.title : kind === "function" ? word.written.slice(word.name.length) : "",
-		info: word.help,
-	}));
+function ofKind(words: readonly Word[], kind: Word["kind"]): Completion[] {
+	return words
+		.filter((word) => word.kind === kind && /^[\p{L}#?@]/u.test(word.name))
+		.map((word) => ({
+			label: word.name,
+			detail: kind === "symbol" ? word.title : kind === "function" ? word.written.slice(word.name.length) : "",
+			info: word.help,
+		}));
 }

@@ -14,6 +14,7 @@ import { bracketMatching } from "@codemirror/language";
 import { Annotation, Compartment, EditorState, Prec, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, type KeyBinding, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
 import { completion } from "./completion";
+import { type Dialect, dialect } from "./dialect";
 import { difference } from "./difference";
 import { EDITOR_STYLE } from "./editor_style";
 import { type Explanation, explain, productionAt } from "./explain";
@@ -50,6 +51,8 @@ export interface EditorOptions {
 	readonly roles: readonly string[];
 	/** Whether Tab indents; else it goes on to what comes next. */
 	readonly indents: boolean;
+	/** The language of the text; that of L-systems where absent. */
+	readonly dialect?: Dialect | undefined;
 }
 
 /** A change that came from the document, not from the hand. */
@@ -67,7 +70,11 @@ export class Editor {
 	#end = -1;
 	#turn = 0;
 
-	constructor(root: ShadowRoot, { text, label, help, roles, indents }: EditorOptions, events: EditorEvents) {
+	constructor(
+		root: ShadowRoot,
+		{ text, label, help, roles, indents, dialect: language }: EditorOptions,
+		events: EditorEvents,
+	) {
 		this.#events = events;
 		this.#indents = indents;
 		const described = document.createElement("p");
@@ -88,6 +95,7 @@ export class Editor {
 					bracketMatching(),
 					closeBrackets(),
 					autocompletion({ override: [completion(roles)], icons: false }),
+					...(language ? [dialect.of(language)] : []),
 					highlight,
 					showProblems,
 					productionMarks,
@@ -234,7 +242,7 @@ export class Editor {
 		const { head } = state.selection.main;
 		const outline = state.field(outlined);
 		const production = productionAt(outline.pieces, head, state.doc.lineAt(head).number);
-		this.#events.at(numberHere(view), explain(outline, head), production);
+		this.#events.at(numberHere(view), explain(outline, head, view.state.facet(dialect).words), production);
 	}
 
 	/** What kind of change: what is typed on behind the last is of one kind. */

@@ -1,7 +1,7 @@
 /** What there is to say of a word in a grammar's text: help under the pointer, and at the cursor. */
 import type { Outline } from "./outline";
 import type { Piece } from "./scan";
-import { WORDS, type Word } from "./words.generated";
+import type { Word } from "./words.generated";
 
 /** A word explained. */
 export interface Explanation {
@@ -14,10 +14,10 @@ export interface Explanation {
 }
 
 /** What stands at a place of the text, in words; undefined where nothing is known of it. */
-export function explain(outline: Outline, place: number): Explanation | undefined {
+export function explain(outline: Outline, place: number, words: readonly Word[]): Explanation | undefined {
 	// Between two pieces the one behind is meant, if there is anything to say of it.
 	for (const piece of outline.pieces.filter(({ from, to }) => from <= place && place <= to).reverse()) {
-		const said = explained(outline, piece, place);
+		const said = explained(outline, piece, place, words);
 		if (said) return { from: piece.from, to: piece.to, ...said };
 	}
 	return undefined;
@@ -27,6 +27,7 @@ function explained(
 	{ pieces, names, symbols }: Outline,
 	piece: Piece,
 	place: number,
+	words: readonly Word[],
 ): Pick<Explanation, "written" | "help"> | undefined {
 	const { kind, text } = piece;
 	const defined = names.get(text);
@@ -34,7 +35,7 @@ function explained(
 	if (kind === "name" && formalsAt(pieces, place).includes(text)) {
 		return { written: text, help: "A parameter of the module that the production rewrites, or of a neighbour." };
 	}
-	const word = wordFor(piece);
+	const word = wordFor(piece, words);
 	if (word) return { written: word.written, help: word.title ? `${capital(word.title)}. ${word.help}` : word.help };
 	const own = kind === "symbol" ? symbols.get(text) : undefined;
 	return own ? { written: own, help: "A symbol of this grammar." } : undefined;
@@ -76,14 +77,14 @@ function arrowBefore(pieces: readonly Piece[], place: number): number | undefine
 	return arrow;
 }
 
-const BY_KIND = new Map(WORDS.map((word) => [`${word.kind} ${word.name}`, word]));
-
-function wordFor({ kind, text }: Piece): Word | undefined {
-	if (kind === "arrow") return BY_KIND.get("statement -->");
-	if (kind === "branch") return BY_KIND.get(`symbol ${text}`);
+function wordFor({ kind, text }: Piece, words: readonly Word[]): Word | undefined {
+	const known = (wanted: Word["kind"], name: string) =>
+		words.find((word) => word.kind === wanted && word.name === name);
+	if (kind === "arrow") return known("statement", "-->");
+	if (kind === "branch") return known("symbol", text);
 	// A function may be named before it is called.
-	if (kind === "name") return BY_KIND.get(`function ${text}`);
-	return BY_KIND.get(`${kind} ${text.replace(/\s+/g, " ").replace(/ :$/, ":")}`);
+	if (kind === "name") return known("function", text);
+	return known(kind as Word["kind"], text.replace(/\s+/g, " ").replace(/ :$/, ":"));
 }
 
 function capital(words: string): string {

@@ -33,6 +33,7 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 		...ControlElement.properties,
 		source: { attribute: false },
 		tool: { attribute: false },
+		stepped: { attribute: false },
 		close: { attribute: false },
 		number: { state: true },
 		explained: { state: true },
@@ -40,6 +41,8 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 	};
 	declare source: GrammarSource;
 	declare tool: Stateful<GrammarState>;
+	/** Whether its derivation can be told step by step. */
+	declare stepped: boolean;
 	declare close: () => void;
 	/** What the cursor is at. */
 	declare number: NumberAt | undefined;
@@ -98,9 +101,13 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 				<h2 id=${title}>Grammar</h2>
 				<p>${own ? `This ${noun}’s own` : "Built in; a change makes it this plant’s own"}</p>
 				${own ? html`<button class="button" type="button" @click=${this.#drop}>Use the built-in grammar</button>` : nothing}
-				<button class="button" type="button" aria-expanded=${open} aria-controls=${steps} title="The derivation, step by step" @click=${this.#setSteps}>
+				${
+					this.stepped
+						? html`<button class="button" type="button" aria-expanded=${open} aria-controls=${steps} title="The derivation, step by step" @click=${this.#setSteps}>
 					Steps
-				</button>
+				</button>`
+						: nothing
+				}
 				<button
 					class="button quiet icon" type="button" aria-label="Find" title="Find (Ctrl+F)" aria-keyshortcuts="Control+F" @click=${() => this.#editor?.find()}
 				>${icon("search")}</button>
@@ -173,7 +180,14 @@ export class GrammarPane extends ControlElement<GrammarDesk> {
 
 	#begin(text: string, indents: boolean): Editor {
 		const root = this.querySelector(".pane-text")?.attachShadow({ mode: "open" });
-		const options = { text, indents, label: "Grammar", help: KEYS, roles: this.source.roles ?? [] };
+		const options = {
+			text,
+			indents,
+			label: "Grammar",
+			help: KEYS,
+			roles: this.source.roles ?? [],
+			dialect: this.source.dialect,
+		};
 		return new Editor(root as ShadowRoot, options, {
 			edited: (next, how) => this.#edited(next, how),
 			settle: () => this.#settle(),

@@ -1,5 +1,5 @@
 /** A text's pieces in their colours, read anew with every change of it; only what is seen is marked. */
-import { type Extension, StateField } from "@codemirror/state";
+import { type EditorState, type Extension, StateField } from "@codemirror/state";
 import {
 	Decoration,
 	type DecorationSet,
@@ -8,14 +8,17 @@ import {
 	ViewPlugin,
 	type ViewUpdate,
 } from "@codemirror/view";
+import { dialect } from "./dialect";
 import { explain } from "./explain";
 import { type Outline, outlineOf } from "./outline";
 import type { Kind } from "./scan";
 
+const read = (text: string, state: EditorState): Outline => outlineOf(text, state.facet(dialect).scan(text));
+
 /** What the text has, for all that asks. */
 export const outlined = StateField.define<Outline>({
-	create: ({ doc }) => outlineOf(doc.toString()),
-	update: (value, { docChanged, newDoc }) => (docChanged ? outlineOf(newDoc.toString()) : value),
+	create: (state) => read(state.doc.toString(), state),
+	update: (value, { docChanged, newDoc, startState }) => (docChanged ? read(newDoc.toString(), startState) : value),
 });
 
 const MARKS = new Map<Kind, Decoration>(
@@ -50,7 +53,7 @@ const colours = ViewPlugin.fromClass(
 
 const help = hoverTooltip(
 	({ state }, place) => {
-		const found = explain(state.field(outlined), place);
+		const found = explain(state.field(outlined), place, state.facet(dialect).words);
 		if (!found || found.to <= place) return null;
 		return {
 			pos: found.from,

@@ -47,9 +47,8 @@ export interface Outline {
 	readonly symbols: ReadonlyMap<string, string>;
 }
 
-/** Reads what a text has; whatever cannot be read is left out. */
-export function outlineOf(text: string): Outline {
-	const pieces = scan(text);
+/** Reads what a text has; whatever cannot be read is left out. @param pieces the text's, of a language other than L-systems' */
+export function outlineOf(text: string, pieces: readonly Piece[] = scan(text)): Outline {
 	const constants: Constant[] = [];
 	const curves: Curve[] = [];
 	const names = new Map<string, string>();

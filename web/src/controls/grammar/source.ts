@@ -3,6 +3,7 @@ import type { Plant } from "../../plant/plant";
 import type { WithGrammar } from "../../specimen/grammar_text";
 import type { Specimen } from "../../specimen/specimen";
 import type { Change, Desk } from "../desk";
+import type { Dialect } from "./dialect";
 
 /** What the editor of grammars has to know of a model. */
 export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & WithGrammar> {
@@ -15,8 +16,12 @@ export interface GrammarSource<S extends Specimen & WithGrammar = Specimen & Wit
 	 * kept, this gives it.
 	 */
 	builtIn(specimen: S): string | Promise<unknown>;
+	/** The language of its texts; that of L-systems where absent. */
+	readonly dialect?: Dialect;
 	/** The names that `#role` takes. */
 	readonly roles?: readonly string[];
+	/** Whether its texts have constants; absent: they have. */
+	readonly constants?: false;
 	/** Whether constants have their sliders before the text is the plant's own. */
 	readonly always?: boolean;
 	/** Constants that parameters of the table stand for: they have their sliders already. */

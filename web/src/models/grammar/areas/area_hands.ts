@@ -2,30 +2,27 @@
 import type { DeskState } from "../../../controls/desk";
 import { placeUnder } from "../../../controls/handles/handle_ways";
 import type { Vector } from "../../../controls/handles/plant_handle";
-import { PlantHandleLayer } from "../../../controls/handles/plant_handle_layer";
+import { PlantHands } from "../../../controls/handles/plant_hands";
 import type { Point } from "../../../controls/handles/point";
-import type { ToolView } from "../../../controls/tool";
+import type { ToolHands, ToolView } from "../../../controls/tool";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
 import type { Triple } from "./area";
 import { placesOf, strokePath, withPath } from "./area_edits";
 import { areaHandles } from "./area_handles";
-import { type AreaDesk, type AreaState, areaTool, choose, hasAreas } from "./area_tool";
+import { type AreaDesk, areaTool, choose, hasAreas } from "./area_tool";
 
 /** CSS pixels between two places of a stroke. */
 const FINE = 6;
-/** The canvas's class while handles stand on it: nothing fades at its edge (style/stage.css). */
-const WHOLE_SURFACE = "handles";
 
 type State = DeskState<GrammarSpecimen, GrammarPlant>;
 
-export class AreaHands {
+export class AreaHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
 	readonly #view: ToolView;
 	readonly #desk: AreaDesk;
-	readonly #layer: PlantHandleLayer;
-	readonly #undraw: () => void;
-	/** What a cancelled drag brings back. */
-	#before: Pick<GrammarSpecimen, "areas" | "path"> = {};
+	readonly #handles: PlantHands<GrammarSpecimen, GrammarPlant>;
+	/** The path as it was before a stroke. */
+	#before: GrammarSpecimen["path"];
 	#stroke: Triple[] | undefined;
 	#last: Point = { x: 0, y: 0 };
 	#drawing = false;
@@ -33,23 +30,10 @@ export class AreaHands {
 	constructor(view: ToolView, desk: AreaDesk) {
 		this.#view = view;
 		this.#desk = desk;
-		this.#layer = new PlantHandleLayer({
-			canvas: view.canvas,
-			project: (at) => view.project(at),
-			sightThrough: (x, y) => view.sightThrough(x, y),
-			begin: () => {
-				const { areas, path } = desk.state.specimen;
-				this.#before = { areas, path };
-			},
-			change: (change) => desk.edit(change),
-			settle: () => desk.settle(),
-			cancel: () => {
-				desk.edit({ details: { ...this.#before } });
-				desk.settle();
-			},
+		this.#handles = new PlantHands<GrammarSpecimen, GrammarPlant>(view, desk, {
+			kept: ({ areas, path }) => ({ areas, path }),
 			focused: (id) => this.#focused(id),
 		});
-		this.#undraw = view.onDrawn(() => this.#layer.place());
 		// In the capturing phase, so that the view does not turn under a stroke.
 		view.canvas.addEventListener("pointerdown", this.#begin, { capture: true });
 		view.canvas.addEventListener("pointermove", this.#go);
@@ -57,14 +41,13 @@ export class AreaHands {
 		view.canvas.addEventListener("lostpointercapture", this.#end);
 	}
 
-	update({ specimen }: State, { handles: wanted, chosen, path = false, drawing = false }: AreaState): void {
-		const { canvas } = this.#view;
+	update({ specimen }: State): void {
+		const { handles: wanted, chosen, path = false, drawing = false } = this.#desk.toolState(areaTool);
 		const handles = wanted && hasAreas(specimen);
-		canvas.classList.toggle(WHOLE_SURFACE, handles);
 		this.#drawing = handles && drawing;
-		canvas.style.cursor = this.#drawing ? "crosshair" : "";
-		this.#layer.lay(handles && !drawing ? areaHandles(specimen, { area: chosen, path, removable: true }) : undefined);
-		this.#view.requestRender();
+		this.#view.canvas.style.cursor = this.#drawing ? "crosshair" : "";
+		const shown = handles && !drawing ? areaHandles(specimen, { area: chosen, path, removable: true }) : undefined;
+		this.#handles.lay(shown, handles);
 	}
 
 	dispose(): void {
@@ -73,11 +56,9 @@ export class AreaHands {
 		canvas.removeEventListener("pointermove", this.#go);
 		canvas.removeEventListener("pointerup", this.#end);
 		canvas.removeEventListener("lostpointercapture", this.#end);
-		canvas.classList.remove(WHOLE_SURFACE);
 		canvas.style.cursor = "";
 		this.#view.orbiting = true;
-		this.#undraw();
-		this.#layer.dispose();
+		this.#handles.dispose();
 	}
 
 	#focused(id: string): void {
@@ -110,8 +91,7 @@ export class AreaHands {
 		if (!at) return;
 		this.#stroke = [at];
 		this.#last = { x: event.clientX, y: event.clientY };
-		const { areas, path } = this.#desk.state.specimen;
-		this.#before = { areas, path };
+		this.#before = this.#desk.state.specimen.path;
 		this.#view.orbiting = false;
 		this.#view.canvas.setPointerCapture(event.pointerId);
 	};
@@ -134,7 +114,7 @@ export class AreaHands {
 		this.#stroke = undefined;
 		this.#view.orbiting = true;
 		if (drawn) this.#desk.edit(drawn);
-		else this.#desk.edit(withPath(this.#before.path));
+		else this.#desk.edit(withPath(this.#before));
 		this.#desk.settle();
 		this.#desk.setToolState(areaTool, { ...this.#desk.toolState(areaTool), drawing: false, path: true });
 	};

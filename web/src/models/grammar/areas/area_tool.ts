@@ -1,9 +1,10 @@
 /** Growth areas in the page: as glass and with handles in the 3-D view, in the panel by numbers. */
 import { svg } from "lit";
-import type { Desk, DeskState } from "../../../controls/desk";
+import type { Desk } from "../../../controls/desk";
+import { LateHands } from "../../../controls/handles/late_hands";
 import { sameDocument } from "../../../controls/same_document";
 import { shownShells } from "../../../controls/shell_tool";
-import { FILE_TOPIC, type Tool, type ToolHands, type ToolView } from "../../../controls/tool";
+import { FILE_TOPIC, type Tool } from "../../../controls/tool";
 import type { Group } from "../../../specimen/table";
 import type { GrammarPlant } from "../grammar_plant";
 import type { GrammarSpecimen } from "../specimen";
@@ -11,7 +12,6 @@ import { GRAMMAR_TABLE } from "../table";
 import { asksForAreas, fetchedText } from "../texts";
 import { bareAreas } from "../tools/warnings";
 import { added } from "./area_edits";
-import type { AreaHands } from "./area_hands";
 import { drawAreas } from "./area_panel";
 import { surfaceOf } from "./surface";
 
@@ -63,7 +63,13 @@ export const areaTool: Tool<GrammarSpecimen, GrammarPlant, AreaState> = {
 		{ keys: ["Delete"], does: "On a handle of an area: remove it" },
 		{ keys: ["Page Up", "Page Down"], does: "On a handle of an area: to the next one" },
 	],
-	hands: (view, desk) => new LateHands(view, desk),
+	hands: (view, desk) =>
+		new LateHands({
+			desk,
+			wanted: ({ specimen }) => desk.toolState(areaTool).handles && hasAreas(specimen),
+			fetch: async () => new (await import("./area_hands")).AreaHands(view, desk),
+			missed: () => desk.setToolState(areaTool, { handles: false }),
+		}),
 };
 
 /** The table's, but open and before the others: where there are areas, they are what hands are for. */
@@ -118,40 +124,4 @@ export async function takeAreaMesh(desk: AreaDesk, file: File): Promise<void> {
 /** Shows an area's handles and numbers; none's where undefined. */
 export function choose(desk: AreaDesk, chosen: number | undefined): void {
 	desk.setToolState(areaTool, { ...desk.toolState(areaTool), handles: true, chosen });
-}
-
-/** The hands on the canvas, fetched when they are first wanted. */
-class LateHands implements ToolHands<GrammarSpecimen, GrammarPlant> {
-	readonly #view: ToolView;
-	readonly #desk: AreaDesk;
-	#hands: Promise<AreaHands | undefined> | undefined;
-	#disposed = false;
-
-	constructor(view: ToolView, desk: AreaDesk) {
-		this.#view = view;
-		this.#desk = desk;
-	}
-
-	update(state: DeskState<GrammarSpecimen, GrammarPlant>): void {
-		const wanted = this.#desk.toolState(areaTool).handles && hasAreas(state.specimen);
-		if (!wanted && !this.#hands) return;
-		this.#hands ??= this.#fetch();
-		void this.#hands.then((hands) => {
-			if (!this.#disposed) hands?.update(state, this.#desk.toolState(areaTool));
-		});
-	}
-
-	dispose(): void {
-		this.#disposed = true;
-		void this.#hands?.then((hands) => hands?.dispose());
-	}
-
-	async #fetch(): Promise<AreaHands | undefined> {
-		const script = await import("./area_hands").catch(() => undefined);
-		if (script) return this.#disposed ? undefined : new script.AreaHands(this.#view, this.#desk);
-		this.#hands = undefined;
-		this.#desk.setToolState(areaTool, { handles: false });
-		this.#desk.notify("The handles could not be fetched", ["Check the connection and press their button again."]);
-		return undefined;
-	}
 }

@@ -1,0 +1,17 @@
+/** A language that grammars are written in, as the editor knows it. */
+import { Facet } from "@codemirror/state";
+import { type Piece, scan } from "./scan";
+import { WORDS, type Word } from "./words.generated";
+
+export interface Dialect {
+	/** Takes a text to pieces, blanks left out. */
+	scan(text: string): Piece[];
+	/** What it knows besides the text's own names. */
+	readonly words: readonly Word[];
+}
+
+/** That of L-systems: docs/language.md. */
+export const LSYSTEM: Dialect = { scan, words: WORDS };
+
+/** The language of the text that is edited; L-systems' where nobody says another. */
+export const dialect = Facet.define<Dialect, Dialect>({ combine: ([said = LSYSTEM]) => said });
