@@ -1,19 +1,23 @@
 /**
- * The longer run of a fuzz test, by the number of its cases: `npm run fuzz -- links [100000]`, or `npm run fuzz -- texts [100000]`, which
- * runs natively under the sanitizers. Texts that make the engine fall over are kept as tests/fuzz/grammars/*.lsys.
+ * The longer run of a fuzz test, by the number of its cases: `npm run fuzz -- links [100000]`, or `npm run fuzz -- texts [100000]` and
+ * `-- growth`, which run natively under the sanitizers. Texts that make the engine fall over are kept as tests/fuzz/grammars/*.lsys.
  */
 import { spawnSync } from "node:child_process";
 import { join } from "node:path";
 import { buildCore } from "../../wasm-core/tools/core.mjs";
 import { buildFolder, repository } from "../../wasm-core/tools/repository.mjs";
 
+/** The fuzz tests of a native program. */
+async function native(program) {
+	await buildCore("asan", [program]);
+	return [join(buildFolder, "asan", program), "--source-file=*fuzz*_test.cpp"];
+}
+
 /** What is run, with its arguments. */
 const TESTS = {
 	links: () => [process.execPath, "node_modules/vitest/vitest.mjs", "run", "tests/fuzz/any_link.test.ts"],
-	texts: async () => {
-		await buildCore("asan", ["lsystem_tests"]);
-		return [join(buildFolder, "asan/lsystem_tests"), "--source-file=*fuzz*_test.cpp"];
-	},
+	texts: () => native("lsystem_tests"),
+	growth: () => native("growth_tests"),
 };
 
 const [name = "links", runs = "100000"] = process.argv.slice(2);

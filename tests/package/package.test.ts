@@ -70,7 +70,7 @@ describe("under Node", () => {
 			"?v=1&preset=duku&seed=4294967295": paper["duku 4294967295"].fingerprint,
 			"?v=2&preset=merlot&seed=2": natural["merlot 2"].fingerprint,
 		};
-		const others = ["grammar/shrub", "leaf/oak", "root/carrot", "tree/box"];
+		const others = ["grammar/shrub", "leaf/oak", "root/carrot", "tree/box", "growth/table-1-hat"];
 		for (const each of others) Object.assign(links, { [each]: (await growByCommand([each])).json.fingerprint });
 		await project.write({
 			"goldens.mjs": `import { grow, models } from "panicle";
@@ -80,7 +80,7 @@ describe("under Node", () => {
 		});
 		const said = JSON.parse(project.run("goldens.mjs"));
 		expect(said.prints).toEqual(links);
-		expect(said.models).toEqual(["bunch", "grammar", "leaf", "root", "tree"]);
+		expect(said.models).toEqual(["bunch", "grammar", "growth", "leaf", "root", "tree"]);
 	});
 });
 

@@ -8,12 +8,12 @@ using namespace panicle::lsystem;
 namespace {
 
 // Each token as kind:text@line:column.
-std::string listed(std::string_view text) {
-  const auto tokens = tokenize(text);
+std::string listed(std::string_view text, Writing writing = Writing::modules) {
+  const auto tokens = tokenize(text, writing);
   if (!tokens) return "error";
   std::string list;
   for (const Token& token : tokens.value()) {
-    const char kind = "ndsa"[static_cast<int>(token.kind)];
+    const char kind = "ndsaq"[static_cast<int>(token.kind)];
     list += std::string(list.empty() ? "" : " ") + kind + ":" + std::string(token.text) + "@" +
             std::to_string(token.place.line) + ":" + std::to_string(token.place.column);
   }
@@ -33,6 +33,16 @@ TEST_CASE("names, numbers, signs and arrows are told apart") {
         "n:Ar1@1:1 s:(@1:4 n:l_i@1:5 s:,@1:8 d:2.5e-3@1:9 s:)@1:15 a:-->@1:17 s:/@1:21 s:/@1:22 n:F@1:23");
   CHECK(listed("1.5 .25 3. 2e 7e+2x") == "d:1.5@1:1 d:.25@1:5 d:3.@1:9 d:2@1:12 n:e@1:13 d:7e+2@1:15 n:x@1:19");
   CHECK(listed("a--b") == "n:a@1:1 s:-@1:2 s:-@1:3 n:b@1:4");
+}
+
+TEST_CASE("rules may be written with short arrows, names of parts, quotes and degrees") {
+  CHECK(listed("Volumes.h<5->a →b-->c", Writing::rules) ==
+        "n:Volumes.h@1:1 s:<@1:10 d:5@1:11 a:->@1:12 n:a@1:14 a:→@1:16 n:b@1:17 a:-->@1:18 n:c@1:21");
+  CHECK(listed("f(\"σ 1\", 60°) . x.2", Writing::rules) ==
+        "n:f@1:1 s:(@1:2 q:σ 1@1:3 s:,@1:8 d:60@1:10 s:)@1:13 s:.@1:15 n:x@1:17 d:.2@1:18");
+  for (const char* text : {"\"a", "\"a\n\"", "\"\xff\"°", "°", "“a”"}) CHECK(listed(text, Writing::rules) == "error");
+  CHECK(listed("A -> B.c") == "n:A@1:1 s:-@1:3 s:>@1:4 n:B@1:6 s:.@1:7 n:c@1:8");
+  CHECK(listed("\"a\"") == "error");
 }
 
 TEST_CASE("comments and white space separate tokens and nothing else") {

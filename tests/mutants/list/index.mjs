@@ -19,6 +19,7 @@ import files from "./files.mjs";
 import generalizedMap from "./generalized_map.mjs";
 import grammar from "./grammar.mjs";
 import grammarEditor from "./grammar_editor.mjs";
+import growth from "./growth.mjs";
 import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
@@ -75,6 +76,7 @@ export const groups = [
 	...scene,
 	...lives,
 	...grammarEditor,
+	...growth,
 	...stepper,
 	...studio,
 	...offline,

@@ -19,7 +19,7 @@ struct Spelling {
   char32_t pasted;
   std::string_view written;
 };
-constexpr std::array<Spelling, 16> spellings = {{{U'→', "-->"},
+constexpr std::array<Spelling, 17> spellings = {{{U'→', "-->"},
                                                  {U'⟶', "-->"},
                                                  {U'−', "-"},
                                                  {U'–', "-"},
@@ -34,6 +34,7 @@ constexpr std::array<Spelling, 16> spellings = {{{U'→', "-->"},
                                                  {U'′', "'"},
                                                  {U'’', "'"},
                                                  {U'∼', "~"},
+                                                 {U'≡', "=="},
                                                  {U'⇒', "-->"}}};
 
 // Letters of every script may stand in names; punctuation, arrows, mathematical signs and the like may not.
@@ -71,7 +72,7 @@ CodePoint decode(std::string_view text) {
 
 class Tokenizer {
  public:
-  explicit Tokenizer(std::string_view text) : text_(text) {
+  Tokenizer(std::string_view text, Writing writing) : text_(text), of_rules_(writing == Writing::rules) {
     if (text_.substr(0, 3) == "\xef\xbb\xbf") at_ = 3;  // a byte order mark is no part of the text
   }
 
@@ -149,6 +150,12 @@ class Tokenizer {
       for (int i = 0; i < 3; ++i) advance(1);
       return add(TokenKind::arrow, start, place);
     }
+    if (of_rules_ && (text_.substr(at_, 2) == "->" || point.value == U'→')) {
+      advance(point.bytes);
+      if (point.value == '-') advance(1);
+      return add(TokenKind::arrow, start, place);
+    }
+    if (of_rules_ && point.value == '"') return quoted(place);
     if (point.bytes == 1 && signs.find(text_[at_]) != std::string_view::npos) {
       static constexpr std::string_view of_prose = "'.,;";
       if (of_prose.find(text_[at_]) != std::string_view::npos && in_comment()) return unknown(point);
@@ -166,10 +173,25 @@ class Tokenizer {
   bool name(std::size_t start, const Place& place) {
     while (at_ < text_.size()) {
       const CodePoint point = decode(text_.substr(at_));
-      if (point.bytes == 0 || !(is_letter(point.value) || is_digit(point.value) || point.value == '_')) break;
+      const bool part = of_rules_ && point.value == '.' && is_letter(decode(text_.substr(at_ + 1)).value);
+      if (point.bytes == 0 || !(is_letter(point.value) || is_digit(point.value) || point.value == '_' || part)) break;
       advance(point.bytes);
     }
     return add(TokenKind::name, start, place);
+  }
+
+  // Without its quotes.
+  bool quoted(const Place& place) {
+    advance(1);
+    const std::size_t begin = at_, end = text_.find_first_of("\"\n", at_);
+    if (end == std::string_view::npos || text_[end] == '\n') return fail(place, "These quotes are never closed.");
+    while (at_ < end) {
+      const std::uint32_t bytes = decode(text_.substr(at_)).bytes;
+      advance(bytes == 0 ? 1 : bytes);
+    }
+    tokens_.push_back({TokenKind::quoted, first_on_line_, place, text_.substr(begin, end - begin), 0});
+    advance(1);
+    return true;
   }
 
   void digits() {
@@ -188,7 +210,9 @@ class Tokenizer {
     }
     const float value = number_from(text_.substr(start, at_ - start));
     if (std::isinf(value)) return fail(place, "This number is too large; the largest is 3.4e38.");
-    return add(TokenKind::number, start, place, value);
+    add(TokenKind::number, start, place, value);
+    if (of_rules_ && text_.substr(at_, 2) == "°") advance(2);
+    return true;
   }
 
   bool unknown(const CodePoint& point) {
@@ -197,6 +221,8 @@ class Tokenizer {
       return fail(place_, "A control character cannot stand here; take it out.");
     const std::string character(text_.substr(at_, point.bytes));
     if (in_comment()) return fail(place_, "A comment is written /* … */ here; // is two rolls of the turtle.");
+    if (of_rules_ && (point.value == U'“' || point.value == U'”'))
+      return fail(place_, "Words stand in plain quotes here; write \" in place of %.", {character});
     for (const Spelling& spelling : spellings)
       if (spelling.pasted == point.value)
         return fail(place_, "'%' is not part of the notation; write %.", {character, spelling.written});
@@ -217,6 +243,7 @@ class Tokenizer {
   }
 
   std::string_view text_;
+  bool of_rules_;
   std::size_t at_ = 0;
   Place place_{1, 1};
   bool first_on_line_ = true;
@@ -233,6 +260,6 @@ bool Token::says(std::string_view word) const {
          });
 }
 
-Result<std::vector<Token>> tokenize(std::string_view text) { return Tokenizer(text).run(); }
+Result<std::vector<Token>> tokenize(std::string_view text, Writing writing) { return Tokenizer(text, writing).run(); }
 
 }  // namespace panicle::lsystem

@@ -12,7 +12,7 @@ namespace panicle::lsystem {
 
 // A sign is one character: `//` is two rolls in a string of modules, and it is for the reader of an expression to see
 // `==` or `&&` in two signs that touch.
-enum class TokenKind : std::uint8_t { name, number, sign, arrow };
+enum class TokenKind : std::uint8_t { name, number, sign, arrow, quoted };
 
 struct Token {
   TokenKind kind = TokenKind::sign;
@@ -32,7 +32,11 @@ inline bool touching(const Token& token, const Token& next) {
   return token.text.data() + token.text.size() == next.text.data();
 }
 
+// What a text is written of: strings of modules, or rules as papers print them, where an arrow may be
+// short (->, →), a name may have a part (volume.h), words stand in quotes, and a number may be in degrees (60°).
+enum class Writing : std::uint8_t { modules, rules };
+
 // The tokens of a text. `text` must outlive them. Errors: syntax.
-Result<std::vector<Token>> tokenize(std::string_view text);
+Result<std::vector<Token>> tokenize(std::string_view text, Writing writing = Writing::modules);
 
 }  // namespace panicle::lsystem

@@ -1,16 +1,19 @@
 /**
- * From wasm-core/grammars/<model>/*.lsys, of a model whose presets are texts (kinds.json stands with them): the list of its presets,
+ * From the texts of wasm-core/grammars/<model>/, of a model whose presets are texts (kinds.json stands with them): the list of its presets,
  * their texts by name as a module of its own, which is loaded when one is grown, and a page of docs. Each text begins with a
  * comment that says what it is; variants.json lists presets that share a text.
  */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
-import { coreFolder } from "../repository.mjs";
+import { join, parse } from "node:path";
+import { coreFolder, repository } from "../repository.mjs";
 
 const grammars = join(coreFolder, "grammars");
 
 /** Whether a model's presets are its texts. */
 export const isGrown = (model) => existsSync(join(grammars, model, "kinds.json"));
+
+/** What texts are called, whatever their language: everything there but the lists. */
+const isText = (file) => !file.endsWith(".json");
 
 const json = (path) => (existsSync(path) ? JSON.parse(readFileSync(path, "utf8")) : []);
 
@@ -113,13 +116,16 @@ function read(model) {
 	const folder = join(grammars, model);
 	const kinds = json(join(folder, "kinds.json"));
 	const table = json(join(coreFolder, "parameters", `${model}.json`));
-	const files = readdirSync(folder)
-		.filter((file) => file.endsWith(".lsys"))
-		.sort();
-	const texts = new Map(files.map((file) => [file.replace(/\.lsys$/, ""), readFileSync(join(folder, file), "utf8")]));
+	const files = new Map(
+		readdirSync(folder)
+			.filter(isText)
+			.sort()
+			.map((file) => [parse(file).name, file]),
+	);
+	const texts = new Map([...files].map(([name, file]) => [name, readFileSync(join(folder, file), "utf8")]));
 	const variants = json(join(folder, "variants.json"));
 	const presets = [...texts]
-		.map(([name, text]) => ({ name, header: headerOf(`${model}/${name}.lsys`, text) }))
+		.map(([name, text]) => ({ name, header: headerOf(`${model}/${files.get(name)}`, text) }))
 		.filter(({ header }) => header.kind !== "none")
 		.map(({ name, header }) => presetOf(name, header, name, settingsIn(header.set), { kinds, table }));
 	for (const { name, text, set = {}, ...rest } of variants) {
@@ -130,7 +136,7 @@ function read(model) {
 	}
 	const place = ({ kind }) => kinds.findIndex(({ key }) => key === kind);
 	presets.sort((a, b) => place(a) - place(b));
-	return { kinds: kinds.filter(({ key }) => presets.some(({ kind }) => kind === key)), presets, texts };
+	return { kinds: kinds.filter(({ key }) => presets.some(({ kind }) => kind === key)), presets, texts, files };
 }
 
 /** As a template, so that the text reads as it does in its file. */
@@ -170,13 +176,15 @@ ${entries.join("\n")}
 
 const cell = (text) => String(text).replaceAll("|", "\\|");
 
-function pageOf(model, { kinds, presets }, notice) {
+function pageOf(model, { kinds, presets, files }, notice) {
+	// A language of its own has its page with the model's.
+	const own = existsSync(join(repository, `docs/models/${model}/language.md`));
 	const sections = kinds.map(({ key, title }) => {
 		const rows = presets
 			.filter(({ kind }) => kind === key)
 			.map(
 				({ name, title: called, about, figure, text }) =>
-					`| \`${name}\` | ${cell(called)} | ${cell(figure ? `${about} Figure ${figure}.` : about)} | [${text}.lsys](../../../wasm-core/grammars/${model}/${text}.lsys) |`,
+					`| \`${name}\` | ${cell(called)} | ${cell(figure ? `${about} Figure ${figure}.` : about)} | [${files.get(text)}](../../../wasm-core/grammars/${model}/${files.get(text)}) |`,
 			);
 		return `## ${title}\n\n| preset | title | what it is | text |\n|---|---|---|---|\n${rows.join("\n")}\n`;
 	});
@@ -184,7 +192,7 @@ function pageOf(model, { kinds, presets }, notice) {
 
 # Grammars
 
-${presets.length} texts that grow as presets of the model [grammar](grammar.md), in the notation of [the language](../../language.md).
+${presets.length} texts that grow as presets of the model [${model}](${model}.md), in the notation of [${own ? "its language](language.md" : "the language](../../language.md"}).
 
 ${sections.join("\n")}`;
 }

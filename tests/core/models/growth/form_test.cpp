@@ -1,0 +1,240 @@
+// Shapes of trees: laws that hold for every text, whatever it looks like.
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "foundation/mathematics.hpp"
+#include "models/growth/foliage.hpp"
+#include "models/growth/moment.hpp"
+#include "models/growth/texts.hpp"
+
+using namespace panicle;
+using namespace panicle::growth;
+using namespace panicle::growth::tests;
+
+namespace {
+
+struct Tree {
+  Population population;
+  Form form;
+};
+
+Tree tree_of(std::string_view text, std::uint16_t steps, std::uint64_t seed = 1, FormHabit habit = {}) {
+  Tree tree{grown(text, steps, seed), {}};
+  habit.seed = seed;
+  tree.form = form_of(tree.population, habit);
+  return tree;
+}
+
+Moment at(const Tree& tree, float time) {
+  return sound(moment_of(tree.population, tree.form, time, WoodHabit{}, Limits{}));
+}
+
+const std::string& sigma() {
+  static const std::string text = text_named("table-1-sigma1");
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("whatever is counted is there: a shoot for each, none of them at a point") {
+  for (const auto& path : files()) {
+    CAPTURE(path.filename().string());
+    const Tree tree = tree_of(content(path), 7);
+    const Moment moment = at(tree, 7);
+    CHECK(moment.branches == tree.population.branches);
+    std::vector<bool> seen(tree.population.shoots.size());
+    for (std::size_t i = 0; i < moment.segments.size(); ++i) {
+      seen[static_cast<std::size_t>(moment.axes[i])] = true;
+      const Segment& segment = moment.segments[i];
+      CHECK(segment.parent < static_cast<std::int32_t>(i));
+      CHECK(glm::distance(segment.start, segment.end) > 0);
+      CHECK(segment.radius > 0);
+      CHECK(segment.radius_end > 0);
+      CHECK(segment.radius_end <= segment.radius * 1.0001f);
+      if (segment.parent >= 0) {
+        const Segment& bearer = moment.segments[static_cast<std::size_t>(segment.parent)];
+        CHECK(segment.start == bearer.end);
+        CHECK(segment.radius <= bearer.radius * 1.0001f);
+      }
+    }
+    // A child trunk that came with the last step has not risen yet.
+    for (std::size_t q = 0; q < seen.size(); ++q)
+      CHECK((seen[q] || (tree.population.shoots[q].trunk && tree.population.shoots[q].born == 7)));
+  }
+}
+
+TEST_CASE("pipes: a stem to the power is the sum of what it bears") {
+  const Tree tree = tree_of(sigma(), 6);
+  const Moment moment = at(tree, 6);
+  const float pipe = WoodHabit{}.pipe;
+  std::vector<float> sums(moment.segments.size(), 0);
+  for (const Segment& segment : moment.segments)
+    if (segment.parent >= 0) sums[static_cast<std::size_t>(segment.parent)] += power(segment.radius, pipe);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i] > 0) CHECK(power(moment.segments[i].radius, pipe) == doctest::Approx(sums[i]).epsilon(1e-3));
+}
+
+TEST_CASE("nothing jumps as a tree ages: no end of a shoot moves farther than the time that passes allows") {
+  const Tree tree = tree_of(text_named("figure-7"), 8);
+  const auto tips = [&](float time) {
+    const Moment moment = at(tree, time);
+    std::vector<glm::vec3> found(tree.form.ways.size(), glm::vec3(-1000));
+    std::vector<float> radii(tree.form.ways.size(), 0);
+    for (std::size_t i = 0; i < moment.segments.size(); ++i) {
+      found[static_cast<std::size_t>(moment.axes[i])] = moment.segments[i].end;
+      radii[static_cast<std::size_t>(moment.axes[i])] =
+          std::max(radii[static_cast<std::size_t>(moment.axes[i])], moment.segments[i].radius);
+    }
+    return std::pair(found, radii);
+  };
+  // The longest that anything grows in a step, twice deformed: of whole steps.
+  constexpr float fastest = 6, step = 0.01f;
+  auto before = tips(0.5f);
+  for (float time = 0.5f + step; time < 8; time += step) {
+    auto now = tips(time);
+    for (std::size_t q = 0; q < now.first.size(); ++q) {
+      if (now.first[q].x < -999 || before.first[q].x < -999) continue;
+      CHECK(glm::distance(now.first[q], before.first[q]) <= fastest * step);
+      CHECK(std::abs(now.second[q] - before.second[q]) <= 0.1f * step);
+    }
+    before = std::move(now);
+  }
+}
+
+TEST_CASE("an earlier age is a part of a later one: what has been laid stays where it is") {
+  const Tree tree = tree_of(sigma(), 8);
+  const Moment young = at(tree, 5), old = at(tree, 8);
+  CHECK(young.branches == grown(sigma(), 5).branches);
+  float farthest = 0;
+  for (std::size_t node = 0; node < tree.form.nodes.size(); ++node) {
+    if (young.of_node[node] < 0) continue;
+    REQUIRE(old.of_node[node] >= 0);
+    for (const auto& [moment, segment] : {std::pair(&young, young.of_node[node]), std::pair(&old, old.of_node[node])})
+      farthest = std::max(
+          farthest, glm::distance(moment->segments[static_cast<std::size_t>(segment)].end, tree.form.nodes[node]));
+  }
+  CHECK(farthest < 1e-5f);
+  CHECK(at(tree, 0).segments.empty());
+}
+
+TEST_CASE("a growth volume says how high the tree is, how wide, and where it leans and stands") {
+  const auto reach = [](std::string_view volume) {
+    std::string text = "footprint -> ";
+    text.append(volume).append("\ntree -> DivFunc(\"sigma1\"){branches}\n");
+    const Tree tree = tree_of(text, 8);
+    glm::vec3 top(0, -1000, 0);
+    float wide = 0;
+    const Moment moment = at(tree, 8);
+    for (std::size_t i = 0; i < moment.segments.size(); ++i) {
+      const Segment& segment = moment.segments[i];
+      if (segment.tag == 0 && segment.end.y > top.y) top = segment.end;
+      wide = std::max(wide, std::abs(segment.end.x - moment.feet[0].x));
+    }
+    return std::pair(top, wide);
+  };
+  const auto [top, wide] = reach("GrowVol(1, 1, 4, 10, 2.5, 0)");
+  CHECK(top.y == doctest::Approx(9.7f).epsilon(0.02));
+  CHECK(glm::length(glm::vec2(top.x, top.z)) < 0.8f);
+  CHECK(reach("GrowVol(1, 1, 4, 20, 2.5, 0)").first.y == doctest::Approx(19.4f).epsilon(0.02));
+  CHECK(reach("GrowVol(1, 1, 12, 10, 9, 0)").second > 1.3f * wide);
+  // Leaning by 30° towards +Z, from where it stands.
+  const glm::vec3 leant = reach("GrowVol(1, 1, 4, 10, 2.5, 30, towards(90), at(5, -3))").first;
+  CHECK(leant.x == doctest::Approx(5).epsilon(0.1));
+  CHECK(leant.z == doctest::Approx(-3 + 4.85f).epsilon(0.15));
+}
+
+TEST_CASE("gravity draws down, light up; a branch with a will of its own is longer") {
+  const auto middle = [](std::string_view rules) {
+    const Tree tree = tree_of(std::string(rules) + "tree -> DivFunc(\"hat1\"){branches}\n", 8);
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Segment& segment : at(tree, 8).segments)
+      if (segment.tag == 1) {
+        sum += static_cast<double>(glm::normalize(segment.end - segment.start).y);
+        ++count;
+      }
+    return sum / static_cast<double>(count);
+  };
+  const double plain = middle("");
+  CHECK(middle("gravitropism = 0.8\n") < plain - 0.1);
+  CHECK(middle("phototropism = 0.9\n") > plain + 0.1);
+  const auto length = [](std::string_view rules) {
+    const Tree tree = tree_of(std::string(rules) + "tree -> DivFunc(\"hat1\"){branches}\n", 8);
+    double sum = 0;
+    for (const Segment& segment : at(tree, 8).segments)
+      sum += static_cast<double>(glm::distance(segment.start, segment.end));
+    return sum;
+  };
+  CHECK(length("ndv < 0 -> length = length * 2\n") > 1.1 * length(""));
+}
+
+TEST_CASE("shoots keep apart where neighbours count, and do not where they do not") {
+  const auto nearest = [](std::string_view rules) {
+    const Tree tree = tree_of(std::string(rules) + sigma(), 8);
+    const Moment moment = at(tree, 8);
+    double sum = 0;
+    for (std::size_t i = 0; i < moment.segments.size(); ++i) {
+      float best = 1e9f;
+      for (std::size_t k = 0; k < moment.segments.size(); ++k)
+        if (moment.axes[k] != moment.axes[i])
+          best = std::min(best, glm::distance(moment.segments[i].end, moment.segments[k].end));
+      sum += static_cast<double>(best);
+    }
+    return sum / static_cast<double>(moment.segments.size());
+  };
+  CHECK(nearest("neighbours = 1\n") > 1.02 * nearest("neighbours = 0\n"));
+}
+
+TEST_CASE("leaves hang on what came with them; those about to fall are told, fall when shaken, and are gone a step later") {
+  const std::string text = text_named("figure-5");
+  const auto leaves = [&](float time, float fallen) {
+    const Tree tree = tree_of(text, 8);
+    Plant plant;
+    LeafHabit habit;
+    habit.fallen = fallen;
+    const Moment moment = at(tree, time);
+    CHECK(add_leaves(plant, tree.population, tree.form, moment, time, habit, Limits{}).reason == Reason::none);
+    for (const Organ& leaf : plant.organs) {
+      REQUIRE(leaf.segment >= 0);
+      const Segment& twig = moment.segments[static_cast<std::size_t>(leaf.segment)];
+      if (leaf.tag != fallen_tag)
+        CHECK(glm::distance(leaf.position, twig.end) <= glm::distance(twig.start, twig.end) * 1.001f);
+      else
+        CHECK(leaf.position.y < 0.05f);
+      CHECK(glm::length(leaf.rotation) == doctest::Approx(1).epsilon(1e-4));
+    }
+    std::array<std::size_t, 3> counts{};
+    for (const Organ& leaf : plant.organs) ++counts[leaf.tag];
+    return counts;
+  };
+  for (float time = 4; time <= 8; ++time) {
+    const auto still = leaves(time, 0), shaken = leaves(time, 1), half = leaves(time, 0.5f);
+    CHECK(still[fallen_tag] == 0);
+    CHECK(shaken[falling_tag] == 0);
+    CHECK(shaken[fallen_tag] == still[falling_tag]);
+    CHECK(half[falling_tag] + half[fallen_tag] == still[falling_tag]);
+    CHECK(shaken[leaf_tag] == still[leaf_tag]);
+  }
+  const Population population = grown(text, 8);
+  std::size_t falling = 0, hanging = 0;
+  for (const Leaf& leaf : population.leaves) {
+    if (leaf.born <= 8 && leaf.falls == 8) ++falling;
+    if (leaf.born <= 8 && leaf.falls > 8) ++hanging;
+  }
+  CHECK(leaves(8, 0)[falling_tag] == falling);
+  CHECK(leaves(8, 0)[leaf_tag] == hanging);
+}
+
+TEST_CASE("what is too much is refused in words, before memory is asked for it") {
+  const Tree tree = tree_of(sigma(), 9);
+  Limits few;
+  few.segments = 100;
+  const auto refused = moment_of(tree.population, tree.form, 9, WoodHabit{}, few);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("more than 100 shoots") != std::string::npos);
+  few.copies = 10;
+  Plant plant;
+  LeafHabit habit;
+  habit.many = 12;
+  CHECK(add_leaves(plant, tree.population, tree.form, at(tree, 9), 9, habit, few).reason == Reason::limit);
+}

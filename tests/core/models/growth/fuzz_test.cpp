@@ -1,0 +1,171 @@
+// Texts put together from tokens at random, and good texts with tokens changed: each ends in a tree or a diagnostic,
+// whatever it is. The seeds are fixed, so a failure comes again.
+#include <cstdlib>
+
+#include "foundation/random.hpp"
+#include "models/growth/texts.hpp"
+
+using namespace panicle;
+using namespace panicle::growth;
+using namespace panicle::growth::tests;
+
+namespace {
+
+const std::vector<std::string> pool = {"footprint",
+                                       "tree",
+                                       "bud",
+                                       "branch",
+                                       "leaf",
+                                       "fallingLeaf",
+                                       "childTrunk",
+                                       "gs",
+                                       "gs.rand",
+                                       "k",
+                                       "N",
+                                       "ndv",
+                                       "nbr",
+                                       "nlf",
+                                       "B",
+                                       "L",
+                                       "D",
+                                       "E",
+                                       "order",
+                                       "length",
+                                       "gravitropism",
+                                       "phototropism",
+                                       "neighbours",
+                                       "GrowVol",
+                                       "GrowVol.h",
+                                       "GrowVol.id",
+                                       "DivFunc",
+                                       "\"sigma1\"",
+                                       "\"sigma1b\"",
+                                       "\"hat\"",
+                                       "\"star2\"",
+                                       "\"exp\"",
+                                       "\"",
+                                       "{branches}",
+                                       "{leaves}",
+                                       "{",
+                                       "}",
+                                       "(",
+                                       "(",
+                                       ")",
+                                       ")",
+                                       ",",
+                                       ",",
+                                       ":",
+                                       "->",
+                                       "->",
+                                       "→",
+                                       "-",
+                                       "+",
+                                       "*",
+                                       "/",
+                                       "^",
+                                       "=",
+                                       "==",
+                                       "<",
+                                       ">",
+                                       "&&",
+                                       "||",
+                                       "0",
+                                       "1",
+                                       "2",
+                                       "3",
+                                       "8",
+                                       "0.1",
+                                       "1e9",
+                                       "1e-9",
+                                       "60°",
+                                       "°",
+                                       ".",
+                                       "cnt.rand",
+                                       "size.rand",
+                                       "size",
+                                       "h",
+                                       "at",
+                                       "RND",
+                                       "ran",
+                                       "abs",
+                                       "min",
+                                       "\n",
+                                       "\n",
+                                       "\n",
+                                       "/*",
+                                       "*/",
+                                       "σ",
+                                       "\xff",
+                                       "[",
+                                       "]",
+                                       "#"};
+
+// The n-th draw of one text.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t text) : text_(text) {}
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(random_integer(13, text_, drawn_++, 0, static_cast<std::int32_t>(count) - 1));
+  }
+
+ private:
+  std::uint64_t text_, drawn_ = 0;
+};
+
+std::uint64_t runs(std::uint64_t otherwise) {
+  const char* const asked = std::getenv("PANICLE_FUZZ");
+  return asked == nullptr ? otherwise : std::strtoull(asked, nullptr, 10);
+}
+
+Limits small_limits() {
+  Limits limits;
+  limits.evaluations = 20'000;
+  limits.segments = 500;
+  limits.copies = 2000;
+  limits.pieces = 2000;
+  return limits;
+}
+
+// Whether it is a tree; a diagnostic says something, at a place of the text or at none.
+bool grows(const std::string& text) {
+  const Diagnostic told = trouble(text, 7, small_limits());
+  if (told.reason == Reason::none) return true;
+  CHECK_FALSE(told.message.empty());
+  CHECK((told.line == 0) == (told.column == 0));
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("growth grammars of random tokens end in a tree or a diagnostic") {
+  for (std::uint64_t text = 0; text < runs(3000); ++text) {
+    CAPTURE(text);
+    Dice dice(text);
+    std::string written;
+    for (std::size_t token = dice.below(60); token > 0; --token) written += pool[dice.below(pool.size())] + " ";
+    grows(written);
+  }
+}
+
+TEST_CASE("growth grammars with tokens changed end in a tree or a diagnostic") {
+  std::vector<std::string> good;
+  for (const auto& path : files()) good.push_back(content(path));
+  std::size_t grown = 0;
+  for (std::uint64_t text = 0; text < runs(1500); ++text) {
+    CAPTURE(text);
+    Dice dice(100'000 + text);
+    std::string written = good[dice.below(good.size())];
+    for (std::size_t change = 1 + dice.below(4); change > 0; --change) {
+      const std::size_t at = dice.below(written.size());
+      const std::size_t way = dice.below(3);
+      if (way == 0) {
+        written.insert(at, " " + pool[dice.below(pool.size())] + " ");
+      } else {
+        written.erase(at, 1 + dice.below(8));
+        if (way == 2) written.insert(at, pool[dice.below(pool.size())]);
+      }
+    }
+    grown += grows(written);
+  }
+  CHECK(grown > 0);
+}

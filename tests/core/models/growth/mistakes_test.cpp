@@ -1,0 +1,172 @@
+// What people write wrong in a growth grammar: each mistake is told at its place, in a sentence that says what to
+// write.
+#include "models/growth/texts.hpp"
+
+using namespace panicle;
+using namespace panicle::growth;
+using namespace panicle::growth::tests;
+
+namespace {
+
+struct Mistake {
+  // « stands before the place that is told.
+  std::string text;
+  // What the sentence has in it.
+  const char* advice;
+};
+
+const std::string tree = "tree -> DivFunc(\"sigma1\"){branches}\n";
+
+const Mistake mistakes[] = {
+    {"«", "empty"},
+    {"«footprnt -> GrowVol(1,1,1,1,1,1)", "footprint"},
+    {"«axiom: A", "none of these"},
+    {"«steps = 8", "cannot be set"},
+    {"«F(1)", "none of these"},
+    {"«-> ndv = 1", "condition is missing"},
+    {"gs = «x", "write a number"},
+    {"gs = 8\n«gs = 9", "once"},
+    {"«gs.rand(1)", "gs.rand(7, 8)"},
+    {tree + "gs = «1.5", "whole number"},
+    {tree + "gs = «-1", "from 0 to"},
+    // Footprints.
+    {"footprint «: 1 -> GrowVol()", "no condition"},
+    {"footprint -> «Vol(1)", "GrowVol(cnt, id, wb, h, wt, grad)"},
+    {"footprint -> «GrowVol(1, 2, 3)", "(cnt, id, wb, h, wt, grad)"},
+    {"footprint -> «GrowVol(1, 2", "never closed"},
+    {"footprint -> GrowVol(«width(3))", "no such function"},
+    {"footprint -> GrowVol(«width.rand(3))", "cnt, id, wb, h, wt, grad, size, towards and at"},
+    {"footprint -> GrowVol(«h.random(3))", "h.rand"},
+    {"footprint -> GrowVol(«h(3, 4))", "one number"},
+    {"footprint -> GrowVol(«size.rand(3))", "four numbers"},
+    {"footprint -> GrowVol(«at(3))", "at(x, z)"},
+    {"footprint -> GrowVol(h(3) «h(4))", "comma"},
+    {"footprint -> GrowVol(h(3),«)", "value is missing"},
+    {"footprint -> GrowVol(h(3), «4)", "has no name comes first"},
+    {"footprint -> GrowVol(h(«k))", "write a number"},
+    {"footprint -> GrowVol(h(«D(3)))", "write a number"},
+    {"footprint -> GrowVol(h(3)) «: 0.5", "certain"},
+    {tree + "footprint -> GrowVol(h(«0))", "h is from 0.1"},
+    {tree + "footprint -> GrowVol(grad(«90))", "grad is from -80 to 80"},
+    {tree + "footprint -> «GrowVol(cnt(1.5))", "whole number"},
+    // Trees.
+    {"tree -> «sigma1", "DivFunc(\"sigma1\"){branches}"},
+    {"tree -> DivFunc(«sigma1){branches}", "in quotes"},
+    {"tree -> DivFunc(«\"sigma1){branches}", "never closed"},
+    {"tree -> DivFunc(«“sigma1”){branches}", "write \" in place"},
+    {"tree -> DivFunc(«\"tau\"){branches}", "\"star1\""},
+    {"tree -> DivFunc(«\"sigma\"){branches}", "its power"},
+    {"tree -> DivFunc(«\"sigma1\", 1){branches}", "power in its name"},
+    {"tree -> DivFunc(«\"sigma1b\", 1){branches}", "remainder"},
+    {"tree -> DivFunc(«\"exp\", 3){branch}", "x^y"},
+    {"tree -> DivFunc(\"sigma1\")«", "{branches} or {leaves}"},
+    {"tree -> DivFunc(\"sigma1\"){«flowers}", "{branches} or {leaves}"},
+    {"tree -> DivFunc(\"sigma1b\", «2, 2){branches}", "The remainder is from 0 to 1"},
+    {"tree -> DivFunc(\"sigma1b\", 0, «0){branches}", "What is divided by is from 1"},
+    {"tree -> DivFunc(\"sigma\", «-1){branches}", "The power is from 0"},
+    {tree + "tree -> «DivFunc(\"hat1\"){branches}", "already"},
+    {"tree -> DivFunc(\"sigma1\"){branches} «DivFunc(\"hat1\"){branches}", "already"},
+    {"«gravitropism = 1", "which divisor function D is"},
+    {"k == 1 -> nbr = «E(1)\nbud(1) -> branch", "which divisor function D is"},
+    // Buds.
+    {tree + "bud «-> branch", "bud(k - 1)"},
+    {tree + "bud(«gs) -> branch", "There is no 'gs' here; there are k."},
+    {tree + "«bud(ran(3)) -> branch", "k alone"},
+    {tree + "bud(1) -> «leaf", "bud(k - 1) -> branch"},
+    {tree + "bud(1) «k < 3 -> branch", "behind a colon"},
+    {tree + "bud(1) -> branch : «2", "probability is from 0 to 1"},
+    {tree + "bud(1) -> branch :«", "probability is missing"},
+    // Conditions and what follows from them.
+    {tree + "«trunk : k > 1 -> nbr = 1", "none of these"},
+    {tree + "k > 1 «: k < 3 -> nbr = 1", "colon"},
+    {tree + "«age > 1 -> nbr = 1", "there are k, N, gs"},
+    {tree + "k > 1«) -> nbr = 1", "An arrow is expected"},
+    {tree + "bud(k)«) -> branch", "colon"},
+    {tree + "k > 1 -> «k = 1", "cannot be set"},
+    {tree + "k > 1 -> «grow", "cannot happen"},
+    {tree + "k > 1 -> «3", "cannot happen"},
+    {tree + "k > 1 -> leaf«", "How many"},
+    {tree + "k > 1 -> «leaf(1, 2)", "one number"},
+    {tree + "k > 1 -> nbr = 1,«", "What happens is missing"},
+    {tree + "«k > 1 -> phototropism = 0.3", "single branch"},
+    {tree + "GrowVol.h > 1 -> gravitropism = «20", "from -10 to 10"},
+    {tree + "GrowVol.h > 1 -> gravitropism = 1 : «1.5", "probability is from 0 to 1"},
+    {tree + "k > 1 -> length = «-1", "length is from 0"},
+    {tree + "«GrowVol.size > 1 -> gravitropism = 1", "GrowVol.h"},
+    {tree + "ndv «≡ 0 -> childTrunk", "write =="},
+    {tree + "k =«> 1 -> nbr = 1", ">="},
+    {tree + "nbr = «D(0.5)", "whole numbers from 0"},
+    {tree + "nbr = «D(1000)", "whole numbers from 0"},
+    {tree + "nbr = «D[1]", "round ones"},
+    {tree + "nbr = «sigma(1)", "no such function"},
+    {tree + "nbr = «bound(1, 2, 3, 4)", "take it out"},
+    {tree + "nbr = «1/0", "finite number"},
+    {tree + "nbr =«", "value is missing"},
+    {tree + "nbr = «(1 + 2", "never closed"},
+    {tree + "nbr = 1 «2", "operator"},
+};
+
+// Where « stands, and the text without it.
+Diagnostic place_in(std::string& text) {
+  const std::size_t at = text.find("«");
+  REQUIRE(at != std::string::npos);
+  Diagnostic place{Reason::none, "", 1, 1};
+  for (std::size_t i = 0; i < at; ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) ++place.column;
+    if (text[i] == '\n') {
+      ++place.line;
+      place.column = 1;
+    }
+  }
+  text.erase(at, 2);
+  return place;
+}
+
+}  // namespace
+
+TEST_CASE("mistakes in a growth grammar are told at their place, with advice") {
+  for (Mistake mistake : mistakes) {
+    CAPTURE(mistake.text);
+    const Diagnostic place = place_in(mistake.text);
+    const Diagnostic told = trouble(mistake.text);
+    CAPTURE(told.message);
+    CHECK(told.reason != Reason::none);
+    CHECK(told.line == place.line);
+    CHECK(told.column == place.column);
+    CHECK(told.message.find(mistake.advice) != std::string::npos);
+    CHECK(told.message.find('%') == std::string::npos);
+  }
+}
+
+TEST_CASE("what a text gives in vain is noted") {
+  const auto notes_of = [](std::string_view text) {
+    std::string all;
+    for (const std::string& note : rules_of(text).notes) all += note;
+    return all;
+  };
+  const std::string footprint = "footprint -> GrowVol(1, 1, 4, 10, 2, 0)\n";
+  CHECK(notes_of(tree).find("no footprint") != std::string::npos);
+  CHECK(notes_of(footprint + tree) == "");
+  CHECK(notes_of(footprint + tree + "k == 1 -> nbr = 2\nnlf = 0\nbud(1) -> branch").find("reads D") !=
+        std::string::npos);
+  CHECK(notes_of(footprint + tree + "nlf = 0\ntree -> DivFunc(\"hat1\"){leaves}").find("reads E") != std::string::npos);
+  CHECK(notes_of(footprint + tree + "nbr = D(k)\ntree -> DivFunc(\"exp\", 2, 1){branch}").find("reads B") !=
+        std::string::npos);
+  CHECK(notes_of(footprint + tree + "nlf = E(k)\ntree -> DivFunc(\"exp\", 2, 1){leaf}").find("reads L") !=
+        std::string::npos);
+}
+
+TEST_CASE("a growth grammar may be written as papers are") {
+  const Population plain = grown("tree -> DivFunc(\"sigma1\"){branches}\nndv < 0 -> length = 2", 8);
+  for (const char* text : {"tree → DivFunc(\"sigma1\"){branches}\nndv<0→length=2",
+                           "tree --> DivFunc (\"sigma\", 1) {\n  branches\n}\nndv < 0\n  -> length = 2",
+                           "/* a comment */ tree ->\n  DivFunc(\"sigma1\") { branch }\nndv < 0 ->\n  length = 2 : 1",
+                           "tree -> DivFunc(\"sigma1\"){branches}\r\nndv < 0 && (k > 0 ||\n k < 0) -> length = 1,\r\n "
+                           "length = length * 2"}) {
+    CAPTURE(text);
+    const Population same = grown(text, 8);
+    CHECK(same.branches == plain.branches);
+    REQUIRE(same.deformations.size() == plain.deformations.size());
+    CHECK(same.deformations[0].length == 2);
+  }
+}

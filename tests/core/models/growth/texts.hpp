@@ -1,0 +1,63 @@
+// What the tests of growth grammars share: texts read and populated in one line.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "models/growth/population.hpp"
+
+namespace panicle::growth::tests {
+
+template <class Value>
+Value sound(Result<Value> result) {
+  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
+  return std::move(result.value());
+}
+
+inline Rules rules_of(std::string_view text) { return sound(read_rules(text)); }
+
+inline Population grown(const Rules& rules, std::uint16_t steps, std::uint64_t seed = 1) {
+  std::vector<std::string> notes;
+  return sound(populate(rules, seed, steps, Limits{}, notes));
+}
+
+inline Population grown(std::string_view text, std::uint16_t steps, std::uint64_t seed = 1) {
+  return grown(rules_of(text), steps, seed);
+}
+
+// What is wrong with a text that is read and grown; nothing where it is sound.
+inline Diagnostic trouble(std::string_view text, std::uint16_t steps = 6, const Limits& limits = {}) {
+  const auto rules = read_rules(text, limits);
+  if (!rules) return rules.error();
+  std::vector<std::string> notes;
+  if (const auto own = steps_of(rules.value(), 1, 6); !own) return own.error();
+  const auto population = populate(rules.value(), 1, steps, limits, notes);
+  return population ? Diagnostic{} : population.error();
+}
+
+inline std::vector<std::filesystem::path> files() {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/growth"))
+    if (entry.path().extension() == ".growth") found.push_back(entry.path());
+  return found;
+}
+
+inline std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline std::string text_named(const std::string& name) {
+  const std::string text = content(PANICLE_GRAMMARS "/growth/" + name + ".growth");
+  REQUIRE_FALSE(text.empty());
+  return text;
+}
+
+}  // namespace panicle::growth::tests

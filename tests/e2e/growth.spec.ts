@@ -1,0 +1,46 @@
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+const caption = /(\d+(?:\.\d+)?) m tall, (\d+) branches/;
+
+test("a growth volume is stretched by its handle: the text follows, undo and the link bring the tree back", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=table-1-sigma1&steps=5");
+	const words = page.getByText(caption).first();
+	await expect(words).toBeVisible();
+	const tall = async () => Number(caption.exec((await words.textContent()) ?? "")?.[1]);
+	const branches = async () => caption.exec((await words.textContent()) ?? "")?.[2];
+	const [before, count] = [await tall(), await branches()];
+	const height = page.getByRole("button", { name: /^Height of growth volume 1/ });
+	await studio.regrown(() => height.press("Shift+ArrowUp"));
+	await expect.poll(tall).toBeGreaterThan(before + 0.5);
+	// How many there are does not depend on where they find room.
+	expect(await branches()).toBe(count);
+	await expect(height).toHaveAccessibleName(/11\.0 m/);
+	await studio.button("Grammar").click();
+	await expect(page.getByRole("region", { name: "Grammar" }).locator(".cm-content")).toContainText(
+		"footprint -> GrowVol(1, 1, 4, 11, 2.5, 0, towards(0), at(0, 0))",
+	);
+	// No derivation is told step by step.
+	await expect(page.getByRole("button", { name: "Steps" })).toHaveCount(0);
+	await studio.button("Close the grammar").click();
+	const grown = await studio.fingerprint.textContent();
+	const link = page.url();
+	await studio.button("Undo").click();
+	await expect.poll(tall).toBe(before);
+	await page.goto(link);
+	await expect(studio.fingerprint).toHaveText(grown ?? "");
+});
+
+test("a mistake in the text is told at its place, and the last tree stays", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=figure-5&steps=4");
+	await studio.button("Grammar").click();
+	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
+	await text.click();
+	await page.keyboard.press("ControlOrMeta+End");
+	const before = await studio.fingerprint.textContent();
+	await page.keyboard.insertText("\ntree -> Leaves(3)");
+	await expect(page.getByText(/A tree consists of divisor functions/).first()).toBeVisible();
+	expect(await studio.fingerprint.textContent()).toBe(before);
+});

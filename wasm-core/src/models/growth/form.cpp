@@ -1,0 +1,264 @@
+#include "models/growth/form.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "environment/point_grid.hpp"
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+#include "geometry/turn.hpp"
+
+namespace panicle::growth {
+namespace {
+
+constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 1, stream_reach = stream_angle + 2,
+                        stream_crook = stream_angle + 3, stream_trunk = stream_angle + 4;
+
+// The growth space of a bud (p_c, r, l): so far ahead it looks, in internodes; how near another node may be to a place
+// that is free, in those; within which angle of its way places lie, as a cosine.
+constexpr float reach = 1.3f, apart = 0.55f, ahead = 0.3f;
+constexpr std::size_t looks = 64;
+constexpr float outside = 0.05f, upwards = 0.5f;  // what a place outside the volume is worth, and one that is higher
+constexpr float crowded = 0.3f, short_shoot = 0.3f;
+constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
+// Of a volume's height the trunk reaches so much; a branch of it at least so much of the half width, in so many steps.
+constexpr float trunk_share = 0.97f, filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
+constexpr float most_left = 6;
+constexpr float floor_share = 0.012f;  // of a volume's height, which tips do not come below
+constexpr float golden = 0.618034f, first_along = 0.2f, bole_along = 0.8f;
+constexpr float trunk_crook = 0.35f;  // of that of branches
+constexpr float leaning = 18;         // degrees by which child trunks lean out
+
+const std::array<glm::vec3, looks>& directions() {
+  static const std::array<glm::vec3, looks> all = [] {
+    std::array<glm::vec3, looks> made{};
+    for (std::size_t i = 0; i < looks; ++i) {
+      const float y = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(looks);
+      const float out = std::sqrt(std::max(0.0f, 1 - y * y));
+      const SinCos way = sincos_degrees(137.50776f * static_cast<float>(i));
+      made[i] = {out * way.cosine, y, out * way.sine};
+    }
+    return made;
+  }();
+  return all;
+}
+
+glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
+  const float length = glm::length(v);
+  return length > 1e-6f ? v / length : otherwise;
+}
+
+bool holds(const GrowthVolume& volume, const glm::vec3& axis, const glm::vec3& p) {
+  const glm::vec3 from = p - volume.at;
+  const float up = glm::dot(from, axis);
+  if (!(up >= 0 && up <= volume.height)) return false;
+  const glm::vec3 out = from - up * axis;
+  const float radius = radius_at(volume, up / volume.height);
+  return glm::dot(out, out) <= radius * radius;
+}
+
+class Maker {
+ public:
+  Maker(const Population& population, const FormHabit& habit) : population_(population), habit_(habit) {}
+
+  Form run() {
+    lay_out();
+    for (std::uint16_t step = 1; step <= population_.steps; ++step) grow(step);
+    return std::move(form_);
+  }
+
+ private:
+  std::uint32_t internode_at(const Shoot& shoot, std::uint16_t age) const {
+    return shoot.trunk ? std::max<std::uint32_t>(age, 1) - 1u : age;
+  }
+
+  // How many internodes each shoot comes to have is known, and so where its nodes stand.
+  void lay_out() {
+    std::uint32_t nodes = 0;
+    std::vector<std::uint32_t> borne(population_.shoots.size(), 0);
+    for (const Shoot& shoot : population_.shoots) {
+      Way way;
+      way.first = nodes;
+      way.from = static_cast<std::uint16_t>(shoot.born + (shoot.trunk ? 1 : 0));
+      way.count = population_.steps >= way.from ? population_.steps - way.from + 1u : 0;
+      if (shoot.parent >= 0 && !shoot.trunk) {
+        const auto parent = static_cast<std::size_t>(shoot.parent);
+        way.internode = internode_at(population_.shoots[parent], shoot.node);
+        const std::uint32_t place = borne[parent]++;
+        ordinals_.push_back(place);
+        const float turns = golden * static_cast<float>(place + 1);
+        const bool low = population_.shoots[parent].trunk && way.internode == 0;
+        const float least = low ? bole_along : first_along;
+        way.along = least + (1 - least) * (turns - std::floor(turns));
+      } else {
+        ordinals_.push_back(0);
+      }
+      nodes += way.count + 1;
+      form_.ways.push_back(way);
+    }
+    form_.nodes.resize(nodes);
+    for (const GrowthVolume& volume : population_.volumes) axes_.push_back(axis_of(volume));
+  }
+
+  void grow(std::uint16_t step) {
+    grid_.lay(laid_, std::max(cell_, 0.05f));
+    standing_.assign(laid_.begin(), laid_.end());
+    while (next_ < population_.deformations.size() && population_.deformations[next_].step < step) ++next_;
+    for (std::uint32_t q = 0; q < population_.shoots.size(); ++q) {
+      const Way& way = form_.ways[q];
+      if (step < way.from || way.count == 0) continue;
+      extend(q, step - way.from, step);
+    }
+  }
+
+  Deformation deformation_of(std::uint32_t shoot, std::uint16_t step) const {
+    for (std::size_t i = next_; i < population_.deformations.size() && population_.deformations[i].step == step; ++i)
+      if (population_.deformations[i].shoot == shoot) return population_.deformations[i];
+    return {};
+  }
+
+  glm::vec3 begin(std::uint32_t q, glm::vec3& ahead_of) {
+    const Shoot& shoot = population_.shoots[q];
+    const GrowthVolume& volume = population_.volumes[shoot.volume];
+    const Way& way = form_.ways[q];
+    if (shoot.trunk) {
+      ahead_of = axes_[shoot.volume];
+      if (shoot.parent >= 0) {
+        const SinCos out = sincos_degrees(leaning);
+        const SinCos about = sincos_degrees(360 * random_unit(habit_.seed, stream_trunk, q));
+        ahead_of = unit(out.cosine * ahead_of + out.sine * glm::vec3(about.cosine, 0, about.sine), ahead_of);
+      }
+      return volume.at;
+    }
+    const Way& bearer = form_.ways[static_cast<std::size_t>(shoot.parent)];
+    const glm::vec3 from = form_.nodes[bearer.first + way.internode],
+                    to = form_.nodes[bearer.first + way.internode + 1];
+    const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = beside(along), other = glm::cross(along, one);
+    const float angle =
+        (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
+        (1 + spread * (2 * random_unit(habit_.seed, stream_angle, q) - 1));
+    const SinCos off = sincos_degrees(angle);
+    const SinCos about = sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) +
+                                        stray * (2 * random_unit(habit_.seed, stream_turn, q) - 1));
+    ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
+    return glm::mix(from, to, way.along);
+  }
+
+  float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip) const {
+    const Shoot& shoot = population_.shoots[q];
+    const GrowthVolume& volume = population_.volumes[shoot.volume];
+    const float high = volume.height / 10;
+    if (shoot.trunk) {
+      const float whole = trunk_share * volume.height;
+      if (internode == 0) return habit_.bole * whole + (form_.ways[q].count == 1 ? (1 - habit_.bole) * whole : 0);
+      return (1 - habit_.bole) * whole / static_cast<float>(form_.ways[q].count - 1);
+    }
+    const float own = habit_.shoot * high * power(habit_.order_ratio, static_cast<float>(shoot.order) - 1) *
+                      power(habit_.age_ratio, static_cast<float>(internode));
+    if (shoot.order > 1 || internode > 0) return own;
+    const float up = glm::dot(tip - volume.at, axes_[shoot.volume]) / volume.height;
+    const float wide = std::max(radius_at(volume, std::clamp(up, 0.0f, 1.0f)), least_width * volume.base);
+    const float left = static_cast<float>(population_.steps - shoot.born + 1);
+    return std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left));
+  }
+
+  // Σ w d of the places that are free ahead of a tip, and Σ w.
+  glm::vec3 free_about(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward, float r, float regard,
+                       std::uint64_t address, float& sum) {
+    near_.clear();
+    const float far = (1 + apart) * r;
+    grid_.within(tip - far, tip + far, [&](std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t slot = first; slot < end; ++slot) {
+        const glm::vec3& node = standing_[grid_.ids()[slot]];
+        const glm::vec3 from = node - tip;
+        const float square = glm::dot(from, from);
+        if (square < far * far && square > 1e-8f) near_.push_back(node);
+      }
+    });
+    const GrowthVolume& volume = population_.volumes[shoot.volume];
+    glm::vec3 middle(0);
+    sum = 0;
+    for (std::size_t i = 0; i < looks; ++i) {
+      const glm::vec3& d = directions()[i];
+      if (glm::dot(d, forward) < ahead) continue;
+      const float out = 0.5f + 0.5f * random_unit(habit_.seed, stream_reach, hash_combine(address, i));
+      const glm::vec3 place = tip + out * r * d;
+      const bool taken = std::any_of(near_.begin(), near_.end(), [&](const glm::vec3& node) {
+        const glm::vec3 from = node - place;
+        return glm::dot(from, from) < apart * r * apart * r;
+      });
+      const float weight = (taken ? 1 - regard : 1) * (holds(volume, axes_[shoot.volume], place) ? 1 : outside) *
+                           (1 + upwards * std::max(0.0f, d.y));
+      middle += weight * d;
+      sum += weight;
+    }
+    return middle;
+  }
+
+  void extend(std::uint32_t q, std::uint32_t internode, std::uint16_t step) {
+    const Shoot& shoot = population_.shoots[q];
+    const Way& way = form_.ways[q];
+    glm::vec3* const nodes = &form_.nodes[way.first];
+    glm::vec3 forward(0, 1, 0);
+    if (internode == 0) {
+      nodes[0] = begin(q, forward);
+      laid_.push_back(nodes[0]);
+    } else {
+      forward = unit(nodes[internode] - nodes[internode - 1], forward);
+    }
+    const glm::vec3 tip = nodes[internode];
+    float length = length_of(q, internode, tip);
+    cell_ = std::max(cell_, 0.5f * length);
+    const std::uint64_t address = hash_combine(q, internode);
+    const glm::vec3 luck = habit_.crook * random_direction(habit_.seed, stream_crook, address);
+    if (shoot.trunk) {
+      const glm::vec3 back = 0.3f * axes_[shoot.volume];
+      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + back, forward);
+    } else {
+      const Environment& around = population_.environments[shoot.volume];
+      const Deformation deformed = deformation_of(q, step);
+      length *= deformed.length;
+      float sum = 0;
+      const glm::vec3 middle =
+          free_about(shoot, tip, forward, reach * length, std::clamp(around.neighbours, 0.0f, 1.0f), address, sum);
+      const float order = std::min(static_cast<float>(shoot.order) - 1, 2.0f) / 2;
+      const float up = around.phototropism - around.gravitropism - deformed.gravitropism - habit_.hang * order;
+      forward = unit(habit_.inertia * forward + habit_.space * unit(middle, glm::vec3(0)) + glm::vec3(0, up, 0) + luck,
+                     forward);
+      // Never death: how many there are is the text's to say.
+      if (sum < crowded) length *= short_shoot;
+      const float floor = floor_share * population_.volumes[shoot.volume].height;
+      if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
+    }
+    nodes[internode + 1] = tip + length * forward;
+    laid_.push_back(nodes[internode + 1]);
+  }
+
+  const Population& population_;
+  const FormHabit& habit_;
+  Form form_;
+  std::vector<std::uint32_t> ordinals_;  // of each shoot among those of its parent
+  std::vector<glm::vec3> axes_;          // of the volumes
+  std::vector<glm::vec3> laid_;          // every node so far
+  std::vector<glm::vec3> standing_;      // those that the grid has: of the steps before
+  PointGrid grid_;
+  float cell_ = 0;
+  std::vector<glm::vec3> near_;
+  std::size_t next_ = 0;  // deformation
+};
+
+}  // namespace
+
+glm::vec3 axis_of(const GrowthVolume& volume) {
+  const float s = sine(volume.gradient);
+  return {s * cosine(volume.towards), cosine(volume.gradient), s * sine(volume.towards)};
+}
+
+float radius_at(const GrowthVolume& volume, float up) { return 0.5f * glm::mix(volume.base, volume.top, up); }
+
+Form form_of(const Population& population, const FormHabit& habit) { return Maker(population, habit).run(); }
+
+}  // namespace panicle::growth

@@ -1,0 +1,184 @@
+#include "models/growth/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "environment/openness.hpp"
+#include "foundation/mathematics.hpp"
+#include "geometry/wood.hpp"
+#include "models/growth/foliage.hpp"
+#include "models/growth/form.hpp"
+#include "models/growth/measures/measures.generated.hpp"
+#include "models/growth/moment.hpp"
+#include "models/growth/parameters.generated.hpp"
+#include "models/growth/population.hpp"
+#include "models/growth/rules.hpp"
+#include "plant/blade.hpp"
+#include "plant/plain.hpp"
+#include "plant/values.hpp"
+#include "plant/wood_measures.hpp"
+
+namespace panicle::growth {
+namespace {
+
+using GrowthValues = Values<Parameter, parameter_table>;
+using enum Parameter;
+
+constexpr std::uint16_t usual_steps = 8;
+constexpr std::uint32_t no_leaf = 0, needle = 1;  // of the kinds: all others come with the request
+
+FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
+  FormHabit habit;
+  habit.shoot = values[shoot];
+  habit.order_ratio = values[order_ratio];
+  habit.age_ratio = values[age_ratio];
+  habit.bole = values[bole];
+  habit.trunk_angle = values[trunk_angle];
+  habit.branch_angle = values[branch_angle];
+  habit.turn = values[turn];
+  habit.inertia = values[inertia];
+  habit.space = values[space];
+  habit.crook = values[crook];
+  habit.hang = values[hang];
+  habit.seed = seed;
+  return habit;
+}
+
+void add_columns(Plant& plant, const Population& population, const Moment& moment) {
+  std::vector<std::uint32_t> shoots, born;
+  std::vector<std::uint8_t> orders;
+  for (const std::int32_t axis : moment.axes) {
+    const Shoot& of = population.shoots[static_cast<std::size_t>(axis)];
+    shoots.push_back(static_cast<std::uint32_t>(axis));
+    orders.push_back(of.order);
+    born.push_back(of.born);
+  }
+  plant.columns.add("segments.shoot", std::move(shoots));
+  plant.columns.add("segments.order", std::move(orders));
+  plant.columns.add("segments.born", std::move(born));
+  std::vector<std::uint8_t> child(population.volumes.size(), 0);
+  for (const Shoot& of : population.shoots)
+    if (of.trunk && of.parent >= 0) child[of.volume] = 1;
+  plant.columns.add("volumes.child", std::move(child));
+  plant.columns.add("volumes.id",
+                    column_of<std::uint32_t>(population.volumes, 1,
+                                             [](const GrowthVolume& each, std::uint32_t* at) { *at = each.id; }));
+  plant.columns.add("volumes.shape",
+                    column_of<float>(population.volumes, 5,
+                                     [](const GrowthVolume& each, float* at) {
+                                       at[0] = each.base;
+                                       at[1] = each.height;
+                                       at[2] = each.top;
+                                       at[3] = each.gradient * 180 / pi;
+                                       at[4] = each.towards * 180 / pi;
+                                     }),
+                    5);
+  plant.columns.add("volumes.at",
+                    column_of<float>(population.volumes, 2,
+                                     [](const GrowthVolume& each, float* at) {
+                                       at[0] = each.at.x;
+                                       at[1] = each.at.z;
+                                     }),
+                    2);
+}
+
+void measure(Plant& plant, float leaf_area) {
+  const Branching branching = branching_of(plant.segments);
+  WoodMeasures<Measure> measures(branching, measure_count);
+  double area = 0;
+  for (const Organ& organ : plant.organs) area += static_cast<double>(leaf_area * organ.scale * organ.scale);
+  const double shaded = 0.25 * static_cast<double>(pi * branching.width_x * branching.width_z);
+  measures.set(Measure::height, std::max(branching.high, 0.0f));
+  measures.set(Measure::trunk_width, 100 * branching.thickest);
+  measures.set(Measure::leaf_count, static_cast<double>(plant.organs.size()));
+  measures.set(Measure::leaf_area, area);
+  measures.set(Measure::leaf_index, shaded > 0 ? area / shaded : std::numeric_limits<double>::quiet_NaN());
+  plant.measures = measures.values();
+}
+
+void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky, const FootHabit& foot) {
+  StemMesh stems = sweep_wood(plant.segments, moment.axes, moment.feet, foot);
+  Columns columns;
+  if (sky) {
+    std::vector<Screen> screens;
+    for (const Organ& organ : plant.organs)
+      screens.push_back({organ.position, 0.5f * blade.area * organ.scale * organ.scale});
+    const Openness open(plant.segments, screens);
+    std::vector<std::uint8_t> of_organs;
+    for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
+    columns.add("sky", open.of(stems.mesh));
+    plant.columns.add("organs.sky", std::move(of_organs));
+  }
+  columns.add("segment", std::move(stems.segment));
+  plant.meshes.push_back({"stems", "bark", std::move(stems.mesh), {}, std::move(columns)});
+  const bool leafy = !plant.organs.empty() && !blade.mesh.indices.empty();
+  for (Organ& organ : plant.organs) organ.mesh = leafy ? 1 : -1;
+  if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
+}
+
+Result<Plant> grow(Request& request, const Limits& limits) {
+  request.text("model");
+  const FlatLeaf flat = request.flat_leaf();
+  const std::uint64_t seed = request.word("seed", 1);
+  const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
+             mesh_fingerprint = request.wants("mesh_fingerprint");
+  const std::span<const float> asked = request.floats("parameters");
+  const bool has_text = request.has("rules");
+  const std::string_view text = request.text("rules");
+  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
+  if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
+  Plant plant;
+  const GrowthValues values(asked, plant.notes);
+  const auto rules = read_rules(text, limits);
+  if (!rules) return rules.error();
+  plant.notes.insert(plant.notes.end(), rules->notes.begin(), rules->notes.end());
+  const auto told = steps_of(rules.value(), seed, usual_steps);
+  if (!told) return told.error();
+  const auto count = values.whole(steps) > 0 ? static_cast<std::uint16_t>(values.whole(steps)) : told.value();
+  const auto population = populate(rules.value(), seed, count, limits, plant.notes);
+  if (!population) return population.error();
+
+  const float time = values[age] / 100 * static_cast<float>(count);
+  const Form form = form_of(population.value(), form_habit(values, seed));
+  auto moment = moment_of(population.value(), form, time, {0.001f * values[twig], values[pipe]}, limits);
+  if (!moment) return moment.error();
+  plant.tags = {"trunk", "branch"};
+  plant.organ_tags = {"leaf", "falling", "fallen"};
+  plant.segments = moment->segments;
+  const std::uint32_t kind = values.whole(leaf_kind);
+  if (kind != no_leaf) {
+    const LeafHabit habit{0.01f * values[leaf_size], values.whole(leaf_many), 0.01f * values[fallen], kind == needle,
+                          seed};
+    const Diagnostic trouble = add_leaves(plant, population.value(), form, moment.value(), time, habit, limits);
+    if (trouble.reason != Reason::none) return trouble;
+  }
+  const Blade blade =
+      kind == needle ? make_needles(values[leaf_breadth]) : make_blade(flat, values[leaf_breadth], values[leaf_fold]);
+  if (meshes && blade.mesh.indices.empty() && !plant.organs.empty())
+    plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
+  add_columns(plant, population.value(), moment.value());
+  const auto falling = static_cast<std::uint32_t>(
+      std::count_if(plant.organs.begin(), plant.organs.end(), [](const Organ& leaf) { return leaf.tag != leaf_tag; }));
+  plant.counts = {{"branches", moment->branches},
+                  {"steps", count},
+                  {"segments", static_cast<std::uint32_t>(plant.segments.size())},
+                  {"leaves", static_cast<std::uint32_t>(plant.organs.size())},
+                  {"falling", falling}};
+  if (measures) measure(plant, blade.area);
+  if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
+  plant.fingerprint = fingerprint_of(plant);
+  if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  return plant;
+}
+
+}  // namespace
+
+extern const Model model;
+const Model model{"growth", grow};
+
+}  // namespace panicle::growth

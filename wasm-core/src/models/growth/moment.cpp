@@ -1,0 +1,149 @@
+#include "models/growth/moment.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle::growth {
+namespace {
+
+constexpr std::uint32_t trunk_tag = 0, branch_tag = 1;
+constexpr float tapered = 0.6f;  // the end of a shoot against where it begins to be one
+
+struct Growing {
+  const Population& population;
+  const Form& form;
+  float time;
+  const WoodHabit& habit;
+  Moment moment;
+  std::vector<std::uint32_t> children;  // of all shoots, side by side, in the order in which they stand on theirs
+  std::vector<std::uint32_t> first;     // of each shoot's in `children`, and the end
+
+  bool there(std::uint32_t shoot) const {
+    const Way& way = form.ways[shoot];
+    return way.count > 0 && come(way.from, time) > 0;
+  }
+
+  void sort_children() {
+    const std::size_t count = form.ways.size();
+    first.assign(count + 1, 0);
+    for (std::uint32_t q = 0; q < count; ++q)
+      if (borne(q)) ++first[static_cast<std::size_t>(population.shoots[q].parent) + 1];
+    for (std::size_t q = 0; q < count; ++q) first[q + 1] += first[q];
+    children.resize(first[count]);
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t q = 0; q < count; ++q)
+      if (borne(q)) children[next[static_cast<std::size_t>(population.shoots[q].parent)]++] = q;
+    for (std::size_t q = 0; q < count; ++q)
+      std::sort(children.begin() + first[q], children.begin() + first[q + 1], [&](std::uint32_t a, std::uint32_t b) {
+        const Way &one = form.ways[a], &other = form.ways[b];
+        if (one.internode != other.internode) return one.internode < other.internode;
+        return one.along != other.along ? one.along < other.along : a < b;
+      });
+  }
+
+  bool borne(std::uint32_t q) const {
+    return population.shoots[q].parent >= 0 && !population.shoots[q].trunk && there(q);
+  }
+
+  // Of each shoot that is borne, the segment that ends where it begins.
+  std::vector<std::int32_t> bearers;
+
+  void lay(std::uint32_t q) {
+    const Shoot& shoot = population.shoots[q];
+    const Way& way = form.ways[q];
+    const bool standing = shoot.trunk;
+    std::int32_t last = standing ? -1 : bearers[q];
+    const glm::vec3* const nodes = &form.nodes[way.first];
+    glm::vec3 at = last >= 0 ? moment.segments[static_cast<std::size_t>(last)].end : nodes[0];
+    if (standing) moment.feet.push_back(at);
+    if (!standing) ++moment.branches;
+    std::uint32_t child = first[q];
+    for (std::uint32_t i = 0; i < way.count; ++i) {
+      const float share = come(static_cast<std::uint16_t>(way.from + i), time);
+      if (!(share > 0)) break;
+      const glm::vec3 from = at, whole = share * (nodes[i + 1] - nodes[i]);
+      for (; child < first[q + 1] && form.ways[children[child]].internode == i; ++child) {
+        const glm::vec3 place = from + form.ways[children[child]].along * whole;
+        if (glm::distance(place, at) > 0) add(q, last, at, place);
+        bearers[children[child]] = last;
+      }
+      add(q, last, at, from + whole);
+      moment.of_node[way.first + i + 1] = last;
+    }
+  }
+
+  void add(std::uint32_t q, std::int32_t& last, glm::vec3& at, const glm::vec3& end) {
+    Segment segment;
+    segment.parent = last;
+    segment.tag = population.shoots[q].trunk ? trunk_tag : branch_tag;
+    segment.start = at;
+    segment.end = end;
+    last = static_cast<std::int32_t>(moment.segments.size());
+    moment.segments.push_back(segment);
+    moment.axes.push_back(static_cast<std::int32_t>(q));
+    at = end;
+  }
+
+  // By pipes from the tips down: a shoot that has just come has hardly one.
+  void thicken() {
+    std::vector<float> sums(moment.segments.size(), 0);
+    for (std::size_t i = moment.segments.size(); i-- > 0;) {
+      const auto q = static_cast<std::uint32_t>(moment.axes[i]);
+      if (!goes_on(i)) sums[i] += come(form.ways[q].from, time);
+      if (moment.segments[i].parent >= 0) sums[static_cast<std::size_t>(moment.segments[i].parent)] += sums[i];
+    }
+    for (std::size_t i = 0; i < moment.segments.size(); ++i) {
+      const Shoot& shoot = population.shoots[static_cast<std::size_t>(moment.axes[i])];
+      const float twig = 0.5f * habit.twig * population.volumes[shoot.volume].height / 10;
+      moment.segments[i].radius = twig * power(sums[i], 1 / habit.pipe);
+    }
+    for (std::size_t i = 0; i < moment.segments.size(); ++i)
+      moment.segments[i].radius_end =
+          goes_on(i) ? moment.segments[next_[i]].radius : tapered * moment.segments[i].radius;
+  }
+
+  // Whether its shoot has a segment behind it.
+  bool goes_on(std::size_t i) {
+    if (next_.empty()) {
+      next_.assign(moment.segments.size(), none);
+      for (std::size_t k = 0; k < moment.segments.size(); ++k) {
+        const std::int32_t parent = moment.segments[k].parent;
+        if (parent >= 0 && moment.axes[static_cast<std::size_t>(parent)] == moment.axes[k])
+          next_[static_cast<std::size_t>(parent)] = k;
+      }
+    }
+    return next_[i] != none;
+  }
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> next_ = {};
+};
+
+}  // namespace
+
+float come(std::uint16_t step, float time) { return std::clamp(time - static_cast<float>(step) + 1, 0.0f, 1.0f); }
+
+Result<Moment> moment_of(const Population& population, const Form& form, float time, const WoodHabit& habit,
+                         const Limits& limits) {
+  Growing growing{population, form, time, habit, {}, {}, {}, {}};
+  growing.moment.of_node.assign(form.nodes.size(), -1);
+  growing.bearers.assign(form.ways.size(), -1);
+  growing.sort_children();
+  for (std::uint32_t q = 0; q < form.ways.size(); ++q) {
+    if (!growing.there(q)) continue;
+    growing.lay(q);
+    if (growing.moment.segments.size() > limits.segments)
+      return Diagnostic{Reason::limit,
+                        "The tree has more than " + std::to_string(limits.segments) +
+                            " shoots; ask for fewer steps, or for a divisor function that grows less.",
+                        0, 0};
+  }
+  growing.thicken();
+  return std::move(growing.moment);
+}
+
+}  // namespace panicle::growth

@@ -1,0 +1,348 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "foundation/random.hpp"
+#include "lsystem/diagnostics.hpp"
+#include "lsystem/number_text.hpp"
+#include "models/growth/population.hpp"
+#include "models/growth/volumes.hpp"
+
+namespace panicle::growth {
+namespace {
+
+using lsystem::error_at;
+
+// What the rules make of one shoot at one step.
+struct Outcome {
+  bool known = false;
+  std::uint32_t branches = 0, leaves = 0, falling = 0;  // of each new branch so many leaves
+  const Rule* buds = nullptr;                           // the last rule of buds that holds; none: no branch needs a bud
+  float bud_chance = 1;
+  std::vector<std::pair<const Rule*, float>> child_trunks;  // and how likely each is
+  float gravitropism = 0, length = 1;
+};
+
+// What a shoot remembers.
+struct Memory {
+  std::uint64_t address = 0;
+  std::uint32_t buds_used = 0;
+  std::uint32_t first_leaf = 0, leaves = 0;  // that came of it last
+  std::uint16_t leaves_step = 0;
+  float gravitropism = 0, length = 1;
+};
+
+// Numbers of branches and leaves that a rule may ask for: beyond, the limits tell.
+constexpr float most_at_once = 1e7f;
+constexpr std::size_t most_outcomes = 1 << 16;
+
+class Growth {
+ public:
+  Growth(const Rules& rules, std::uint64_t seed, const Limits& limits)
+      : rules_(rules), seed_(seed), limits_(limits), evaluation_(rules, seed) {}
+
+  Result<Population> run(std::uint16_t steps) {
+    const bool fine = steps <= limits_.steps || too_many("steps", limits_.steps);
+    if (!fine || !begin(steps)) return evaluation_.trouble();
+    for (std::uint16_t step = 1; step <= steps; ++step)
+      if (!grow(step)) return evaluation_.trouble();
+    plant_.steps = steps;
+    return std::move(plant_);
+  }
+
+ private:
+  bool begin(std::uint16_t steps) {
+    if (!draw_functions(rules_, seed_, steps, evaluation_)) return false;
+    std::vector<GrowthVolume> volumes;
+    if (!draw_volumes(rules_, seed_, evaluation_, volumes)) return false;
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      if (!add_trunk(volumes[i], -1, 0, hash_combine(hash_text("trunk"), i))) return false;
+    return true;
+  }
+
+  bool add_trunk(const GrowthVolume& volume, std::int32_t parent, std::uint16_t step, std::uint64_t address) {
+    const auto number = static_cast<std::uint32_t>(plant_.volumes.size());
+    Environment environment;
+    if (!environment_of(rules_, seed_, volume, number, evaluation_, environment)) return false;
+    plant_.volumes.push_back(volume);
+    plant_.environments.push_back(environment);
+    trunk_born_.push_back(step);
+    return add_shoot({parent, number, step, static_cast<std::uint16_t>(parent < 0 ? 0 : 1), 0, true}, address);
+  }
+
+  bool add_shoot(const Shoot& shoot, std::uint64_t address) {
+    if (plant_.shoots.size() >= limits_.segments) return too_many("shoots", limits_.segments);
+    plant_.shoots.push_back(shoot);
+    Memory memory;
+    memory.address = address;
+    memories_.push_back(memory);
+    plant_.branches += shoot.trunk ? 0 : 1;
+    return true;
+  }
+
+  // All that stand before a step grow in it.
+  bool grow(std::uint16_t step) {
+    outcomes_.clear();
+    const std::size_t standing = plant_.shoots.size();
+    if (rules_.repeatable && plant_.volumes.size() * step <= most_outcomes)
+      outcomes_.resize(plant_.volumes.size() * step);
+    for (std::size_t i = 0; i < standing; ++i)
+      if (!spend(1) || !grow(static_cast<std::uint32_t>(i), step)) return false;
+    return true;
+  }
+
+  bool grow(std::uint32_t number, std::uint16_t step) {
+    const Shoot shoot = plant_.shoots[number];
+    const auto age = static_cast<std::uint16_t>(step - shoot.born);
+    Outcome own;
+    Outcome& outcome = outcomes_.empty() ? own : outcomes_[std::size_t{shoot.volume} * step + age - 1];
+    if (!outcome.known && !decide(number, step, outcome)) return false;
+    return deform(number, step, outcome) && shed(number, step, outcome.falling) && branch(number, step, outcome) &&
+           trunks(number, step, outcome);
+  }
+
+  bool decide(std::uint32_t number, std::uint16_t step, Outcome& outcome) {
+    const Shoot& shoot = plant_.shoots[number];
+    const float age = static_cast<float>(step - shoot.born);
+    enter_volume(plant_.volumes[shoot.volume], plant_.environments[shoot.volume], evaluation_);
+    evaluation_.at(hash_combine(memories_[number].address, step));
+    evaluation_.set(Word::k, age);
+    evaluation_.set(Word::n, static_cast<float>(step - trunk_born_[shoot.volume] + 1));
+    evaluation_.set(Word::gs, step);
+    evaluation_.set(Word::order, shoot.order);
+    for (const Word word : {Word::ndv, Word::nbr, Word::nlf}) evaluation_.set(word, 0);
+    evaluation_.set(Word::length, 1);
+    for (const Rule& rule : rules_.of_shoots)
+      if (!spend(1) || !apply(rule, number, step, outcome)) return false;
+    if (!amount(evaluation_.get(Word::nbr), outcome.branches)) return false;
+    outcome.gravitropism = evaluation_.get(Word::gravitropism) - plant_.environments[shoot.volume].gravitropism;
+    outcome.length = evaluation_.get(Word::length);
+    outcome.known = true;
+    return true;
+  }
+
+  bool apply(const Rule& rule, std::uint32_t number, std::uint16_t step, Outcome& outcome) {
+    if (!evaluation_.holds(rule.condition)) return !evaluation_.failed();
+    float chance = 1;
+    if (!evaluation_.probability(rule.probability, chance)) return false;
+    const Consequence::Kind kind = rule.consequences[0].kind;
+    if (kind == Consequence::Kind::buds) {
+      outcome.buds = &rule;
+      outcome.bud_chance = chance;
+      return true;
+    }
+    if (kind == Consequence::Kind::child_trunk && rule.consequences.size() == 1) {
+      if (plant_.shoots[number].trunk) outcome.child_trunks.emplace_back(&rule, chance);
+      return true;
+    }
+    if (chance < 1 && random_unit(seed_, rule.stream, hash_combine(memories_[number].address, step)) >= chance)
+      return true;
+    return std::all_of(rule.consequences.begin(), rule.consequences.end(),
+                       [&](const Consequence& each) { return happen(rule, each, number, outcome); });
+  }
+
+  bool happen(const Rule& rule, const Consequence& each, std::uint32_t number, Outcome& outcome) {
+    float value = 0;
+    switch (each.kind) {
+      case Consequence::Kind::set:
+        if (!set(each)) return false;
+        break;
+      case Consequence::Kind::leaf:
+        return evaluation_.work_out(each.number, value) && amount(value, outcome.leaves);
+      case Consequence::Kind::falling_leaf:
+        return evaluation_.work_out(each.number, value) && amount(value, outcome.falling);
+      case Consequence::Kind::child_trunk:
+        if (plant_.shoots[number].trunk) outcome.child_trunks.emplace_back(&rule, 1.0f);
+        break;
+      case Consequence::Kind::buds:
+        break;
+    }
+    return true;
+  }
+
+  bool set(const Consequence& each) {
+    float value = 0;
+    bool fine = false;
+    if (each.word == Word::length) {
+      fine = evaluation_.within(each.number, 0, 10, "length", value);
+    } else if (each.word == Word::gravitropism) {
+      fine = evaluation_.within(each.number, -10, 10, "gravitropism", value);
+    } else {
+      fine = evaluation_.work_out(each.number, value);
+    }
+    if (fine) evaluation_.set(each.word, value);
+    return fine;
+  }
+
+  // The whole number that is meant; none below 0.
+  bool amount(float value, std::uint32_t& out) {
+    if (value > most_at_once) return too_many("branches or leaves at once", static_cast<std::uint32_t>(most_at_once));
+    out = value > 0 ? static_cast<std::uint32_t>(std::floor(value + 0.5f)) : 0;
+    return true;
+  }
+
+  bool deform(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
+    Memory& memory = memories_[number];
+    if (memory.gravitropism == outcome.gravitropism && memory.length == outcome.length) return true;
+    memory.gravitropism = outcome.gravitropism;
+    memory.length = outcome.length;
+    if (plant_.deformations.size() >= limits_.pieces) return too_many("deformations", limits_.pieces);
+    plant_.deformations.push_back({number, step, outcome.gravitropism, outcome.length});
+    return true;
+  }
+
+  // "Leaves that are generated in the previous step are assigned as falling leaves" (section 3.3).
+  bool shed(std::uint32_t number, std::uint16_t step, std::uint32_t falling) {
+    const Memory& memory = memories_[number];
+    if (memory.leaves_step + 1 != step) return true;
+    for (std::uint32_t i = 0; i < std::min(falling, memory.leaves); ++i)
+      plant_.leaves[memory.first_leaf + i].falls = step;
+    return true;
+  }
+
+  bool branch(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
+    const Shoot shoot = plant_.shoots[number];
+    const auto age = static_cast<std::uint16_t>(step - shoot.born);
+    std::uint32_t grown = outcome.branches;
+    if (outcome.buds != nullptr && !open_buds(number, step, outcome, grown)) return false;
+    if (grown == 0) return true;
+    const std::uint32_t first = memories_[number].buds_used;
+    std::uint16_t node = age;
+    std::uint32_t laid = 0;
+    if (outcome.buds != nullptr) laid = buds_until(node = 1);
+    const auto first_leaf = static_cast<std::uint32_t>(plant_.leaves.size());
+    for (std::uint32_t i = 0; i < grown; ++i) {
+      // Buds open in the order in which they were laid.
+      while (outcome.buds != nullptr && laid <= first + i && node < age) laid = buds_until(++node);
+      const std::uint64_t address = hash_combine(memories_[number].address, (std::uint64_t{step} << 32) + i);
+      const auto order = static_cast<std::uint8_t>(std::min(shoot.order + 1, 255));
+      if (!add_shoot({static_cast<std::int32_t>(number), shoot.volume, step, node, order, false}, address))
+        return false;
+      if (!add_leaves(step, outcome.leaves)) return false;
+    }
+    if (outcome.buds != nullptr) memories_[number].buds_used += grown;
+    memories_[number].first_leaf = first_leaf;
+    memories_[number].leaves = static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf;
+    memories_[number].leaves_step = step;
+    return true;
+  }
+
+  // Of the buds that have not grown yet each is fit by chance: as many branches come as are fit, and are asked for.
+  bool open_buds(std::uint32_t number, std::uint16_t step, const Outcome& outcome, std::uint32_t& grown) {
+    const Memory& memory = memories_[number];
+    const auto age = static_cast<std::uint16_t>(step - plant_.shoots[number].born);
+    if (!lay_buds(*outcome.buds, age)) return false;
+    const std::uint32_t laid = buds_until(age), asked = grown;
+    const std::uint64_t address = hash_combine(memory.address, step);
+    grown = 0;
+    for (std::uint32_t bud = memory.buds_used; bud < laid && grown < asked; ++bud) {
+      if (!spend(1)) return false;
+      if (outcome.bud_chance >= 1 ||
+          random_unit(seed_, hash_combine(outcome.buds->stream, bud), address) < outcome.bud_chance)
+        ++grown;
+    }
+    return true;
+  }
+
+  // How many buds the internodes laid up to an age bear, by the rule that was looked at last.
+  std::uint32_t buds_until(std::uint16_t age) const { return buds_until_[age]; }
+
+  bool lay_buds(const Rule& rule, std::uint16_t age) {
+    if (laid_by_ != &rule) {
+      laid_by_ = &rule;
+      buds_until_.assign(1, 0);
+    }
+    while (buds_until_.size() <= age) {
+      evaluation_.set(Word::k, static_cast<float>(buds_until_.size()));
+      float value = 0;
+      std::uint32_t buds = 0;
+      if (!evaluation_.work_out(rule.consequences[0].number, value) || !amount(value, buds)) return false;
+      buds_until_.push_back(std::min<std::uint32_t>(buds_until_.back() + buds, 1u << 30));
+    }
+    return true;
+  }
+
+  // Each on the shoot that came last.
+  bool add_leaves(std::uint16_t step, std::uint32_t leaves) {
+    if (plant_.leaves.size() + leaves > limits_.copies) return too_many("leaves", limits_.copies);
+    const auto shoot = static_cast<std::uint32_t>(plant_.shoots.size() - 1);
+    for (std::uint32_t i = 0; i < leaves; ++i) plant_.leaves.push_back({shoot, step, Leaf::never});
+    return true;
+  }
+
+  bool trunks(std::uint32_t number, std::uint16_t step, const Outcome& outcome) {
+    for (std::size_t i = 0; i < outcome.child_trunks.size(); ++i) {
+      const auto& [rule, chance] = outcome.child_trunks[i];
+      const std::uint64_t address = hash_combine(memories_[number].address, step);
+      if (chance < 1 && random_unit(seed_, rule->stream, address) >= chance) continue;
+      const GrowthVolume parent = plant_.volumes[plant_.shoots[number].volume];
+      const float share = random_unit(seed_, hash_combine(rule->stream, 1), address);
+      if (!add_trunk(smaller(parent, share), static_cast<std::int32_t>(number), step,
+                     hash_combine(hash_combine(address, rule->stream), i)))
+        return false;
+    }
+    return true;
+  }
+
+  // "A random size is determined between [1, GrowVol.size / 2]" (section 3.4): one draw for all lengths, so that a
+  // child trunk's crown has its parent's form. Where half is less than 1 it is half.
+  static GrowthVolume smaller(const GrowthVolume& parent, float share) {
+    const auto drawn = [share](float whole) {
+      const float half = whole / 2, least = std::min(1.0f, half);
+      return least + (half - least) * share;
+    };
+    GrowthVolume volume = parent;
+    volume.base = drawn(parent.base);
+    volume.height = drawn(parent.height);
+    volume.top = drawn(parent.top);
+    volume.size = parent.size * volume.height / parent.height;
+    return volume;
+  }
+
+  bool spend(std::uint64_t units) {
+    spent_ += units;
+    return spent_ <= limits_.evaluations || too_many("decisions", limits_.evaluations);
+  }
+
+  bool too_many(std::string_view what, std::uint32_t most) {
+    return evaluation_.fail(
+        error_at(Reason::limit, {},
+                 "The tree grows to more than % %, which is the limit; let it take fewer steps, or give "
+                 "its rules smaller numbers.",
+                 {std::to_string(most), what}));
+  }
+
+  const Rules& rules_;
+  std::uint64_t seed_;
+  const Limits& limits_;
+  Evaluation evaluation_;
+  Population plant_;
+  std::vector<Memory> memories_;           // one a shoot
+  std::vector<std::uint16_t> trunk_born_;  // one a volume
+  std::vector<Outcome> outcomes_;          // of this step, by volume and age, where shoots do the same
+  std::vector<std::uint32_t> buds_until_;  // by age
+  const Rule* laid_by_ = nullptr;
+  std::uint64_t spent_ = 0;
+};
+
+}  // namespace
+
+Result<Population> populate(const Rules& rules, std::uint64_t seed, std::uint16_t steps, const Limits& limits,
+                            std::vector<std::string>& notes) {
+  notes.insert(notes.end(), rules.notes.begin(), rules.notes.end());
+  return Growth(rules, seed, limits).run(steps);
+}
+
+Result<std::uint16_t> steps_of(const Rules& rules, std::uint64_t seed, std::uint16_t otherwise) {
+  if (!rules.steps_from.value.given) return otherwise;
+  Evaluation evaluation(rules, seed);
+  evaluation.at(hash_text("gs"));
+  std::uint32_t from = 0, to = 0;
+  if (!evaluation.whole(rules.steps_from, 0, 4096, "gs", from)) return evaluation.trouble();
+  if (!rules.steps_to.value.given) return static_cast<std::uint16_t>(from);
+  if (!evaluation.whole(rules.steps_to, 0, 4096, "gs", to)) return evaluation.trouble();
+  return static_cast<std::uint16_t>(
+      random_integer(seed, hash_text("gs"), 0, static_cast<std::int32_t>(from), static_cast<std::int32_t>(to)));
+}
+
+}  // namespace panicle::growth

@@ -1,0 +1,72 @@
+// A plant's shoots and leaves in the order in which they came: who bears whom and when. No shape yet: how many there
+// are never depends on where they find room (Kim, Kim and Cho 2013, section 3.3).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "models/growth/rules.hpp"
+
+namespace panicle::growth {
+
+struct Shoot {
+  std::int32_t parent = -1;  // index of the shoot that bears it; −1: rises from the ground
+  std::uint32_t volume = 0;  // index of the growth volume that shapes its tree (Population::volumes)
+  std::uint16_t born = 0;    // step at which it came
+  std::uint16_t node = 0;    // which internode of its parent bears it: that laid at the parent's age `node`
+  std::uint8_t order = 0;    // 0 a trunk or child trunk, 1 a branch of a trunk, …
+  bool trunk = false;
+};
+
+// What the text's conditions changed for one shoot at one step ("ndv < 0 -> …"), valid from that step on.
+struct Deformation {
+  std::uint32_t shoot = 0;
+  std::uint16_t step = 0;
+  float gravitropism = 0;  // added
+  float length = 1;        // factor
+};
+
+struct Leaf {
+  static constexpr std::uint16_t never = 0xffff;
+
+  std::uint32_t shoot = 0;
+  std::uint16_t born = 0;
+  std::uint16_t falls = never;  // step at which it becomes a falling leaf
+};
+
+// wb, h, wt of section 3.3 in metres, gradient in radians.
+struct GrowthVolume {
+  std::uint32_t id = 0;
+  float base = 0, height = 0, top = 0, gradient = 0;
+  glm::vec3 at{0};
+  float size = 1;
+  float towards = 0;  // where it leans, in radians from +X to +Z
+};
+
+// Of a volume, after the text's conditions.
+struct Environment {
+  float phototropism = 0.1f, gravitropism = 0, neighbours = 1;
+};
+
+struct Population {
+  std::vector<Shoot> shoots;  // parents first, by step
+  std::vector<Deformation> deformations;
+  std::vector<Leaf> leaves;
+  std::vector<GrowthVolume> volumes;
+  std::vector<Environment> environments;  // one a volume
+  std::uint16_t steps = 0;
+  std::uint32_t branches = 0;  // without trunks, as Table 1 counts them
+};
+
+// The counts of a text after `steps` steps. Pure: the same text, seed and steps give the same. A later step only adds
+// to an earlier one (populate(s) is a prefix of populate(s+1) per shoot), so that age can be continuous. Errors:
+// evaluation, with line and column (an expression that gives no number that can be used); bad_input (sums of divisors
+// beyond what is exact, told before anything grows); limit.
+Result<Population> populate(const Rules& rules, std::uint64_t seed, std::uint16_t steps, const Limits& limits,
+                            std::vector<std::string>& notes);
+
+}  // namespace panicle::growth

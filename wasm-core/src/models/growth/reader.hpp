@@ -1,0 +1,78 @@
+// A growth grammar's text → rules, statement by statement.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "lsystem/lowering.hpp"
+#include "lsystem/token_reader.hpp"
+#include "models/growth/rules.hpp"
+
+namespace panicle::growth {
+
+// What a text says of its own: the standard lines are for the rest (standard.hpp).
+struct Said {
+  bool counts = false, buds = false, leaves = false;
+};
+
+class Reader : lsystem::TokenReader {
+ public:
+  Reader(std::span<const lsystem::Token> tokens, Rules& rules, lsystem::Lowering& lowering);
+
+  // False: `trouble()`.
+  bool run();
+  const Diagnostic& trouble() const { return trouble_; }
+  const Said& said() const { return said_; }
+  std::uint32_t used() const { return used_; }
+  // A rule that uses D or E, which a `tree` has to give: where.
+  const lsystem::Place& needs_function() const { return needs_function_; }
+
+ private:
+  bool statement();
+  bool setting();
+  bool steps();
+  bool footprint();
+  bool growth_volume();
+  bool next_argument();
+  bool attribute(std::string_view name, VolumeRule& rule);
+  bool range_of(std::vector<Number>& values, bool drawn, std::string_view name, VolumeRule& rule,
+                const lsystem::Place& place);
+  bool positional(std::vector<Number>& values, VolumeRule& rule);
+  bool tree();
+  bool divisor_function(TreeRule& rule);
+  bool type_of(const lsystem::Token& token, DivisorFunction& function);
+  bool parameters_fit(const lsystem::Token& type, DivisorFunction& function);
+  bool buds();
+  bool conditional();
+  bool condition(std::size_t end, Rule& rule);
+  bool consequences(std::size_t end, Rule& rule);
+  bool consequence(std::size_t end, Rule& rule);
+  bool assigned(const lsystem::Token& name, Consequence& consequence);
+  bool called(const lsystem::Token& name, std::size_t end, Consequence& consequence);
+  bool weight(Number& number);
+  bool place_rule(Rule rule);
+
+  bool number(std::size_t end, std::uint32_t may_use, Number& number);
+  bool rewritten(lsystem::Expression& tree, std::uint32_t may_use, Number& number);
+  bool unknown_word(const lsystem::Node& node, std::uint32_t may_use);
+  // The values of a call whose ( is here.
+  bool numbers(std::uint32_t may_use, std::vector<Number>& values);
+  bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
+  std::size_t statement_end() const;
+  // The last colon outside of all brackets behind the arrow, or the end.
+  std::size_t colon_after_arrow() const;
+  std::size_t colon_before_arrow() const;
+
+  Rules& rules_;
+  lsystem::Lowering& lowering_;
+  std::vector<lsystem::Named> formals_;
+  std::size_t successors_end_ = 0;
+  // Of a footprint, and of all else: a footprint that is written otherwise leaves what others draw as it is.
+  std::array<std::uint64_t, 2> expressions_{};
+  bool in_footprint_ = false;
+  std::uint32_t used_ = 0;
+  Said said_;
+  lsystem::Place needs_function_;
+};
+
+}  // namespace panicle::growth

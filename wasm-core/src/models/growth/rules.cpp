@@ -1,0 +1,101 @@
+#include "models/growth/rules.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "models/growth/reader.hpp"
+#include "models/growth/standard.hpp"
+
+namespace panicle::growth {
+namespace {
+
+// Reads lines of the standard, which have no mistakes.
+std::uint32_t add_standard(std::string_view text, Rules& rules, lsystem::Lowering& lowering) {
+  const auto tokens = lsystem::tokenize(text, lsystem::Writing::rules);
+  Reader reader(tokens.value(), rules, lowering);
+  reader.run();
+  return reader.used();
+}
+
+// Whether the text gives a divisor function, or with `argument` a factor, to branches or leaves.
+bool gives(const Rules& rules, DivisorFunction::Of of, bool argument) {
+  for (const TreeRule& rule : rules.tree)
+    for (const DivisorFunction& function : rule.functions)
+      if (function.of == of && function.argument == argument) return true;
+  return false;
+}
+
+// A function that is given twice, where that is not by chance; null where none is.
+const DivisorFunction* given_twice(const Rules& rules) {
+  for (std::size_t i = 0; i < rules.tree.size(); ++i) {
+    for (const DivisorFunction& function : rules.tree[i].functions) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        if (j != i && rules.tree[i].weight.value.given && rules.tree[j].weight.value.given) continue;
+        for (const DivisorFunction& earlier : rules.tree[j].functions) {
+          if (&earlier == &function) break;
+          if (earlier.of == function.of && earlier.argument == function.argument) return &function;
+        }
+      }
+    }
+  }
+  return nullptr;
+}
+
+// What the text gives and nothing reads.
+void note_unused(Rules& rules, std::uint32_t used) {
+  const auto note = [&](bool given, bool read, std::string_view what, std::string_view name) {
+    if (!given || read) return;
+    rules.notes.push_back(
+        lsystem::sentence("The text gives %, and no rule of it reads %: it changes nothing.", {what, name}));
+  };
+  const bool leaves = gives(rules, DivisorFunction::Of::leaves, false);
+  note(gives(rules, DivisorFunction::Of::branches, false),
+       rules.uses_branch_function || (rules.uses_leaf_function && !leaves), "a divisor function for branches", "D");
+  note(leaves, rules.uses_leaf_function, "a divisor function for leaves", "E");
+  note(gives(rules, DivisorFunction::Of::branches, true), (used & bit(Word::b)) != 0, "exp for branches", "B");
+  note(gives(rules, DivisorFunction::Of::leaves, true), (used & bit(Word::l)) != 0, "exp for leaves", "L");
+}
+
+}  // namespace
+
+Result<Rules> read_rules(std::string_view text, const Limits& limits) {
+  using lsystem::error_at;
+  if (text.size() > limits.text_bytes)
+    return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",
+                    {std::to_string(limits.text_bytes)});
+  const auto tokens = lsystem::tokenize(text, lsystem::Writing::rules);
+  if (!tokens) return tokens.error();
+  if (tokens->empty())
+    return error_at(Reason::syntax, {1, 1}, "The text is empty; begin with tree -> DivFunc(\"sigma1\"){branches}.");
+
+  Rules rules;
+  lsystem::Lowering lowering(rules.code);
+  lowering.define_array("D");
+  lowering.define_array("E");
+  Reader reader(tokens.value(), rules, lowering);
+  if (!reader.run()) return reader.trouble();
+
+  const Said& said = reader.said();
+  std::vector<Rule> own = std::exchange(rules.of_shoots, {});
+  std::uint32_t used = reader.used();
+  if (!said.counts) used |= add_standard(standard_counts, rules, lowering);
+  if (!said.buds) used |= add_standard(standard_buds, rules, lowering);
+  if (!said.leaves && !rules.tree.empty()) used |= add_standard(standard_leaves, rules, lowering);
+  rules.of_shoots.insert(rules.of_shoots.end(), std::make_move_iterator(own.begin()),
+                         std::make_move_iterator(own.end()));
+
+  if (!gives(rules, DivisorFunction::Of::branches, false) && (rules.uses_branch_function || rules.uses_leaf_function))
+    return error_at(Reason::undefined,
+                    reader.needs_function().line > 0 ? reader.needs_function() : lsystem::Place{1, 1},
+                    "Nothing says which divisor function D is; write tree -> DivFunc(\"sigma1\"){branches}.");
+  if (const DivisorFunction* const again = given_twice(rules))
+    return error_at(Reason::syntax, again->place,
+                    "% has been given a DivFunc of this kind already; take one out, or give both lines a probability.",
+                    {again->of == DivisorFunction::Of::leaves ? "{leaves}" : "{branches}"});
+  if (rules.footprint.empty())
+    rules.notes.push_back("The text has no footprint: its growth volume is GrowVol(1, 1, 4, 10, 2.5, 0).");
+  note_unused(rules, used);
+  return rules;
+}
+
+}  // namespace panicle::growth

@@ -1,0 +1,121 @@
+// A growth grammar as it is read (docs/models/growth/language.md): byte code for its numbers, nothing of its text.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "foundation/divisors.hpp"
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "lsystem/program.hpp"
+
+namespace panicle::growth {
+
+// What a text calls by name, in registers of the byte code from 0 on.
+enum class Word : std::uint8_t {
+  k,    // a shoot's age in steps
+  n,    // N: k < N − 1 of a branch, k = N − 1 of its trunk
+  gs,   // the growth step
+  ndv,  // what the divisor functions say
+  nbr,  // branches that it makes
+  nlf,  // leaves
+  b,    // B(x, y)
+  l,    // L(x, y)
+  order,
+  phototropism,
+  gravitropism,
+  neighbours,
+  length,
+  count,  // of the growth volume, from here on
+  id,
+  base,
+  height,
+  top,
+  gradient,
+  one,  // what no text can spell: 1
+};
+inline constexpr std::size_t words = 20;
+inline constexpr std::array<std::string_view, words> word_names = {
+    "k",          "N",          "gs",           "ndv",          "nbr",          "nlf",    "B",
+    "L",          "order",      "phototropism", "gravitropism", "neighbours",   "length", "GrowVol.cnt",
+    "GrowVol.id", "GrowVol.wb", "GrowVol.h",    "GrowVol.wt",   "GrowVol.grad", "1"};
+
+constexpr std::uint32_t bit(Word word) { return 1u << static_cast<std::uint32_t>(word); }
+
+// An expression of the text.
+struct Number {
+  lsystem::Value value;
+  std::uint32_t uses = 0;  // bits of words
+  bool draws = false;
+};
+
+// `name(values)` or `name.rand(values)` of a growth volume.
+struct Attribute {
+  enum class Kind : std::uint8_t { count, id, base, height, top, gradient, towards, at };
+  Kind kind = Kind::count;
+  bool drawn = false;           // between the values
+  std::array<Number, 2> range;  // the first alone where it is not drawn, but for `at`: x and z
+};
+
+struct VolumeRule {
+  std::vector<Attribute> attributes;  // later ones win
+  lsystem::Place place;
+};
+
+// `DivFunc(type, parameters){what}`
+struct DivisorFunction {
+  enum class Of : std::uint8_t { branches, leaves };
+  Of of = Of::branches;
+  bool argument = false;  // exp: B(x, y) or L(x, y), parameters x and y
+  DivisorRule::Kind kind = DivisorRule::Kind::all;
+  std::uint32_t power = 0;  // where the name has it
+  bool powered = false;
+  std::vector<Number> parameters;  // a where the name has no power, then b and m of a residue
+  lsystem::Place place;
+};
+
+struct TreeRule {
+  std::vector<DivisorFunction> functions;
+  Number weight;  // where given, one of all that have one is drawn
+  lsystem::Place place;
+};
+
+struct Consequence {
+  enum class Kind : std::uint8_t { set, leaf, falling_leaf, child_trunk, buds };
+  Kind kind = Kind::set;
+  Word word = Word::ndv;  // that is set
+  Number number;
+};
+
+// `condition -> consequences : probability`
+struct Rule {
+  Number condition;  // where given
+  std::vector<Consequence> consequences;
+  Number probability;  // where given; of `bud(…) -> branch`, each bud's
+  std::uint64_t stream = 0;
+  lsystem::Place place;
+};
+
+struct Rules {
+  std::vector<VolumeRule> footprint;
+  std::vector<TreeRule> tree;
+  std::vector<Rule> of_volumes;  // decided once a volume, before anything grows
+  std::vector<Rule> of_shoots;   // at every step of each
+  Number steps_from, steps_to;   // gs, where given; the second where it is drawn
+  bool repeatable =
+      true;  // whether shoots of one volume and age do the same, but for the luck of buds and child trunks
+  bool uses_branch_function = false, uses_leaf_function = false;
+  lsystem::Code code;
+  std::vector<std::string> notes;  // on what the text says in vain
+};
+
+// Errors: syntax, undefined and limit, with line and column.
+Result<Rules> read_rules(std::string_view text, const Limits& limits = {});
+
+// How many steps the text itself says (`gs = 8`), or `otherwise`. Error: evaluation.
+Result<std::uint16_t> steps_of(const Rules& rules, std::uint64_t seed, std::uint16_t otherwise);
+
+}  // namespace panicle::growth

@@ -1,0 +1,29 @@
+/** Trees by divisor functions (Kim, Kim and Cho 2013): docs/models/growth/growth.md. */
+import type { Model } from "../model";
+import { fetchLeafOf, type GrowthPlant, readGrowthPlant } from "./growth_plant";
+import { growthParts } from "./parts";
+import { growthRecord } from "./record";
+import { encodeGrowth } from "./request";
+import { GROWTH } from "./species";
+import type { GrowthSpecimen } from "./specimen";
+import { fetchTexts } from "./texts";
+import { growthInWords } from "./words";
+
+export const model = {
+	...GROWTH,
+	title: "Growth",
+	shelf: "Growth grammars",
+	preview: true,
+	noun: "tree",
+	wasm: "growth.wasm",
+	prepare: async (specimen) => {
+		await Promise.all([fetchLeafOf(specimen), ...(specimen.grammar === undefined ? [fetchTexts()] : [])]);
+	},
+	encode: encodeGrowth,
+	read: readGrowthPlant,
+	parts: growthParts,
+	titled: ({ grammar }) => (grammar === undefined ? undefined : "A growth grammar of one’s own"),
+	words: growthInWords,
+	record: growthRecord,
+	studio: async () => (await import("./tools/face")).face,
+} satisfies Model<GrowthSpecimen, GrowthPlant>;

@@ -1,0 +1,20 @@
+/** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+import { grammarText } from "../../specimen/grammar_text";
+import { Presets } from "../../specimen/presets";
+import type { Species } from "../../specimen/species";
+import { PRESET_KINDS, PRESETS } from "./presets.generated";
+import type { GrowthSpecimen } from "./specimen";
+import { GROWTH_TABLE } from "./table";
+
+/** The preset a link without `preset` means. */
+export const DEFAULT_PRESET = "figure-5";
+
+/** What begins a line of a growth grammar, and of no L-system. */
+const OWN = /^[ \t]*(?:footprint|tree)[ \t]*(?:-->|->|→)/m;
+
+export const GROWTH: Species<GrowthSpecimen> = {
+	name: "growth",
+	table: GROWTH_TABLE,
+	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	details: [grammarText((text) => OWN.test(text))],
+};

@@ -1,0 +1,13 @@
+import type { GrammarSource } from "../../../controls/grammar/source";
+import type { GrowthSpecimen } from "../specimen";
+import { fetchedText, fetchTexts } from "../texts";
+import { GROWTH_LANGUAGE } from "./language";
+
+/** Where a tree's text comes from. */
+export const source: GrammarSource<GrowthSpecimen> = {
+	noun: "tree",
+	group: "life",
+	dialect: GROWTH_LANGUAGE,
+	constants: false,
+	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
+};

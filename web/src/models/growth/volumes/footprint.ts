@@ -1,0 +1,94 @@
+/** The growth volumes that a growth grammar's `footprint` has, read from its text and written into it: the text owns them. */
+import type { GrowthVolume } from "./volume";
+
+const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?°?$/i;
+/** What has a number of its own in brackets. */
+const CALL = /^(\w+)\s*\(([^()]*)\)$/;
+
+/** A text with its comments as blanks: places stay what they are. */
+const withoutComments = (text: string): string =>
+	text.replace(/\/\*[\s\S]*?(?:\*\/|$)/g, (comment) => comment.replace(/[^\n]/g, " "));
+
+/** Where the footprints of a text stand, and what is in the brackets of each volume. */
+function footprintsOf(text: string): { from: number; to: number; volumes: string[] }[] {
+	const bare = withoutComments(text);
+	return [...bare.matchAll(/\bfootprint\s*(?:-->|->|→)/g)].map((head) => {
+		const volumes: string[] = [];
+		let to = head.index + head[0].length;
+		for (;;) {
+			const opened = /^\s*,?\s*GrowVol\s*\(/.exec(bare.slice(to));
+			if (!opened) break;
+			const inside = to + opened[0].length;
+			const end = closing(bare, inside);
+			volumes.push(bare.slice(inside, end));
+			to = Math.min(bare.length, end + 1);
+		}
+		return { from: head.index, to, volumes };
+	});
+}
+
+/** The place of the bracket that closes what was opened right before; the end where none does. */
+function closing(text: string, from: number): number {
+	let depth = 1;
+	for (let at = from; at < text.length; at++) {
+		if (text[at] === "(") depth++;
+		else if (text[at] === ")" && --depth === 0) return at;
+	}
+	return text.length;
+}
+
+/** Whether a text has nothing of its volumes drawn by chance or worked out: its footprint is what it says, in numbers alone. */
+export function writtenVolumes(text: string): readonly GrowthVolume[] | undefined {
+	const found = footprintsOf(text)
+		.flatMap(({ volumes }) => volumes)
+		.map(volumeOf);
+	const volumes = found.filter((volume) => volume !== undefined);
+	return found.length > 0 && volumes.length === found.length ? volumes : undefined;
+}
+
+/** From one volume to the next, degrees: where each leans to if nobody says. */
+const TURN = 137.5;
+
+/** `1, 1, 4, 10, 2.5, 0, towards(90), at(1, 2)`. Where those behind the first stand is worked out, unless it is said. */
+function volumeOf(inside: string, index: number): GrowthVolume | undefined {
+	const parts = inside.split(/,(?![^(]*\))/).map((part) => part.trim());
+	const numbers = parts.filter((part) => NUMBER.test(part)).map(Number.parseFloat);
+	const calls = parts.filter((part) => !NUMBER.test(part)).map((part) => CALL.exec(part));
+	if (numbers.length !== 6 || numbers[0] !== 1) return undefined;
+	const [, id, base, height, top, gradient] = numbers;
+	if (index > 0 && !calls.some((call) => call?.[1] === "at")) return undefined;
+	let volume: GrowthVolume = { id, base, height, top, gradient, towards: (TURN * index) % 360, at: [0, 0] };
+	for (const call of calls) {
+		const values = call?.[2].split(",").map((value) => value.trim()) ?? [];
+		if (!call || !values.every((value) => NUMBER.test(value))) return undefined;
+		const [first, second] = values.map(Number.parseFloat);
+		if (call[1] === "towards" && values.length === 1) volume = { ...volume, towards: first };
+		else if (call[1] === "at" && values.length === 2) volume = { ...volume, at: [first, second] };
+		else return undefined;
+	}
+	return volume;
+}
+
+/** Shortest to the hundredth: centimetres, and hundredths of a degree. */
+const written = (value: number): string => String(Math.round(value * 100) / 100 + 0);
+
+/** A volume as the language has it; `at` and `towards` are always said, so that it stands where it stood. */
+function lineOf({ id, base, height, top, gradient, towards, at }: GrowthVolume): string {
+	const numbers = [1, id, base, height, top, gradient].map(written).join(", ");
+	return `GrowVol(${numbers}, towards(${written(towards)}), at(${at.map(written).join(", ")}))`;
+}
+
+/**
+ * A text with these volumes in place of those it had: its first footprint holds them all, in numbers, and any other is taken out.
+ * A text without a footprint gets one at its end.
+ */
+export function withVolumes(text: string, volumes: readonly GrowthVolume[]): string {
+	const head = "footprint -> ";
+	const footprint = head + volumes.map(lineOf).join(`\n${" ".repeat(head.length)}`);
+	const [first, ...others] = footprintsOf(text);
+	if (!first) return `${text.replace(/\s*$/, "\n")}${footprint}\n`;
+	let changed = text;
+	for (const { from, to } of others.reverse())
+		changed = changed.slice(0, from) + changed.slice(to).replace(/^[ \t]*\n?/, "");
+	return changed.slice(0, first.from) + footprint + changed.slice(first.to);
+}

@@ -1,0 +1,72 @@
+/**
+ * A growth volume, the solid of revolution that tells a tree how far its branches reach (Kim, Kim and Cho 2013, section 3.3):
+ * the frustum between a circle of the width at its base and one of the width at its top, which leans. Pure maths.
+ */
+
+export type Triple = readonly [x: number, y: number, z: number];
+
+export interface GrowthVolume {
+	readonly id: number;
+	/** Widths and height along its axis, metres: `wb`, `h`, `wt`. */
+	readonly base: number;
+	readonly height: number;
+	readonly top: number;
+	/** How far its axis leans, degrees: `grad`. */
+	readonly gradient: number;
+	/** Where it leans to, degrees from +X to +Z. */
+	readonly towards: number;
+	/** Where it stands, metres. */
+	readonly at: readonly [x: number, z: number];
+}
+
+const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+
+/** Its axis, of length 1. */
+export function axisOf({ gradient, towards }: Pick<GrowthVolume, "gradient" | "towards">): Triple {
+	const [out, way] = [Math.sin(radians(gradient)), radians(towards)];
+	return [out * Math.cos(way), Math.cos(radians(gradient)), out * Math.sin(way)];
+}
+
+/** The direction square to the axis in which its widths are shown: across where it leans to. */
+export function acrossOf({ towards }: Pick<GrowthVolume, "towards">): Triple {
+	const way = radians(towards);
+	return [-Math.sin(way) + 0, 0, Math.cos(way)];
+}
+
+/** A place in it: `up` of its height, `out` metres from its axis to a side, `about` degrees from `acrossOf`. */
+export function placeIn(volume: GrowthVolume, up: number, out = 0, about = 0): Triple {
+	const axis = axisOf(volume);
+	const one = acrossOf(volume);
+	const other: Triple = [
+		one[1] * axis[2] - one[2] * axis[1],
+		one[2] * axis[0] - one[0] * axis[2],
+		one[0] * axis[1] - one[1] * axis[0],
+	];
+	const [along, cosine, sine] = [up * volume.height, out * Math.cos(radians(about)), out * Math.sin(radians(about))];
+	const foot: Triple = [volume.at[0], 0, volume.at[1]];
+	return [0, 1, 2].map((k) => foot[k] + along * axis[k] + cosine * one[k] + sine * other[k]) as unknown as Triple;
+}
+
+const SIDES = 32;
+
+/** Its surface, for the view. */
+export function surfaceOf(volume: GrowthVolume): { points: number[]; triangles: number[] } {
+	const rings: [up: number, out: number][] = [
+		[0, 0],
+		[0, volume.base / 2],
+		[1, volume.top / 2],
+		[1, 0],
+	];
+	const points = rings.flatMap(([up, out]) =>
+		Array.from({ length: SIDES }, (_, i) => placeIn(volume, up, out, (360 * i) / SIDES)).flat(),
+	);
+	return { points, triangles: TRIANGLES };
+}
+
+/** One array for all: the view knows by it that a body is the same one stretched. */
+const TRIANGLES = [0, 1, 2].flatMap((ring) =>
+	Array.from({ length: SIDES }, (_, i) => {
+		const [a, b] = [ring * SIDES + i, ring * SIDES + ((i + 1) % SIDES)];
+		return [a, b + SIDES, b, a, a + SIDES, b + SIDES];
+	}).flat(),
+);

@@ -1,0 +1,75 @@
+/** Growth volumes in the page: as glass and with handles in the 3-D view. What hands make of them is written into the text. */
+import { svg } from "lit";
+import type { Change, Desk } from "../../../controls/desk";
+import { LateHands } from "../../../controls/handles/late_hands";
+import { shownShells } from "../../../controls/shell_tool";
+import type { Tool } from "../../../controls/tool";
+import type { GrowthPlant } from "../growth_plant";
+import type { GrowthSpecimen } from "../specimen";
+import { fetchedText } from "../texts";
+import { withVolumes, writtenVolumes } from "./footprint";
+import { type GrowthVolume, surfaceOf } from "./volume";
+
+export type VolumeDesk = Desk<GrowthSpecimen, GrowthPlant>;
+
+/** What of the volumes is in hand. */
+export interface VolumeState {
+	/** Whether handles are shown. */
+	readonly handles: boolean;
+	/** Which volume has its height, lean and widths shown. */
+	readonly chosen: number;
+}
+
+const GLASS = svg`<path d="M6.500 4h7M4 16.500h12M6.500 4L4 16.500M13.500 4L16 16.500" stroke-dasharray="2 1.500"/>`;
+const HANDLES = svg`<path d="M6.500 4h7L16 16.500H4z"/><circle cx="10" cy="4" r="1.600" fill="currentcolor"/><circle cx="16" cy="16.500" r="1.600" fill="currentcolor"/><circle cx="4" cy="16.500" r="1.600" fill="currentcolor"/>`;
+
+/** As the text writes them, and where it draws or works them out as the last plant has them. */
+export function volumesOf(specimen: GrowthSpecimen, grown: GrowthPlant | undefined): readonly GrowthVolume[] {
+	const text = fetchedText(specimen);
+	return (text === undefined ? undefined : writtenVolumes(text)) ?? grown?.volumes ?? [];
+}
+
+/** The text with these volumes in it: a preset's becomes the plant's own. */
+export function put(specimen: GrowthSpecimen, volumes: readonly GrowthVolume[]): Change {
+	const text = fetchedText(specimen);
+	return text === undefined ? {} : { details: { grammar: withVolumes(text, volumes) } };
+}
+
+const volumeGlass = shownShells<GrowthSpecimen, GrowthPlant>({
+	name: "glass",
+	icon: GLASS,
+	label: "Growth volumes as glass",
+	initial: true,
+	missed: "The volumes could not be fetched",
+	ofPlant: true,
+	figure: async () => new (await import("../../../scene/shell_figure")).ShellFigure(),
+	shells: (specimen, grown) => volumesOf(specimen, grown).map(surfaceOf),
+});
+
+export const volumeTool: Tool<GrowthSpecimen, GrowthPlant, VolumeState> = {
+	name: "volumes",
+	initial: { handles: true, chosen: 0 },
+	press: (desk) => {
+		const state = desk.toolState(volumeTool);
+		desk.setToolState(volumeTool, { ...state, handles: !state.handles });
+	},
+	button: { icon: HANDLES, label: "Handles of growth volumes", pressed: (desk) => desk.toolState(volumeTool).handles },
+	key: { letter: "a", does: "Handles of growth volumes, and back" },
+	keys: [
+		{ keys: ["Arrow keys"], does: "On a handle of a growth volume: move, stretch or lean it; Shift goes farther" },
+		{ keys: ["Delete"], does: "On the handle of a growth volume: remove it, if it is not the only one" },
+		{ keys: ["Page Up", "Page Down"], does: "On a handle of a growth volume: to the next one" },
+	],
+	hands: (view, desk) =>
+		new LateHands({
+			desk,
+			wanted: () => desk.toolState(volumeTool).handles,
+			fetch: async () => new (await import("./volume_hands")).VolumeHands(view, desk),
+			missed: () => desk.setToolState(volumeTool, { ...desk.toolState(volumeTool), handles: false }),
+		}),
+};
+
+export const volumeTools: readonly Tool<GrowthSpecimen, GrowthPlant>[] = [
+	volumeGlass as Tool<GrowthSpecimen, GrowthPlant>,
+	volumeTool as Tool<GrowthSpecimen, GrowthPlant>,
+];

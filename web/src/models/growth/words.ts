@@ -1,0 +1,14 @@
+/** A tree of a growth grammar in a few plain words: for the caption, the picture's description and the screen reader. */
+import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
+import type { GrowthPlant } from "./growth_plant";
+
+/** "9.7 m tall, 230 branches, 2,100 leaves". */
+export function growthInWords({ segments, counts }: GrowthPlant): string {
+	const { high } = heightsOf(segments.ends);
+	const parts = [
+		`${lengthInWords(Math.max(0, high))} tall`,
+		countInWords(counts.branches, "branch", "branches"),
+		counts.leaves === 0 ? "bare" : countInWords(counts.leaves, "leaf", "leaves"),
+	];
+	return parts.join(", ");
+}
