@@ -103,6 +103,12 @@ export default [
 				replace: "12 * (corner - 1);",
 				breaks: "the first corner of every triangle is its normal",
 			},
+			{
+				id: "stl-read-without-bound",
+				find: "bounded(count);",
+				replace: "",
+				breaks: "a file of a million triangles is taken in before it is refused",
+			},
 		],
 	},
 	{

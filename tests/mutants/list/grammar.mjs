@@ -160,9 +160,15 @@ export default [
 			},
 			{
 				id: "plate-walls-within",
-				find: "place[used[i]] = place[used[k]];",
-				replace: "place[used[i]] = used[i];",
+				find: "place[used[k]] = place[cells.put(used[k])];",
+				replace: "cells.put(used[k]);",
 				breaks: "a slit in a blade has two walls in it",
+			},
+			{
+				id: "plate-places-by-cells-alone",
+				find: "around < 27",
+				replace: "around < 0",
+				breaks: "a walk that comes back beside a cell's border leaves a wall within",
 			},
 			{
 				id: "plate-walls-inside-out",

@@ -56,6 +56,12 @@ export default [
 				breaks: "a question seems to have been asked with its answer",
 			},
 			{
+				id: "chronicle-hears-another-drawing",
+				find: "  string_ = nullptr;\n",
+				replace: "",
+				breaks: "what a limit left untold is told of a string that is gone, or of another",
+			},
+			{
 				id: "chronicle-idle-steps",
 				find: "around.answers == nullptr ? derived->steps : told.steps()",
 				replace: "told.steps()",

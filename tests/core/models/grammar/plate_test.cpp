@@ -147,13 +147,35 @@ TEST_CASE("a plate is closed whatever a turtle has walked") {
   }
 }
 
+TEST_CASE("corners far apart are no more work where they lie in one plane, whichever that is") {
+  // The plane square to the way that corners are put in order by. All pairs would be thousands of millions.
+  const glm::vec3 way = glm::normalize(glm::vec3(0.61f, 0.47f, 0.64f));
+  const glm::vec3 right = glm::normalize(glm::cross(way, {1, 0, 0})), up = glm::cross(way, right);
+  constexpr std::uint32_t count = 100'000;
+  Corners corners;
+  std::vector<std::uint32_t> fan;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto [sine, cosine] = sincos_degrees(360.0f * static_cast<float>(i) / static_cast<float>(count));
+    corners.push_back(cosine * right + sine * up);
+    if (i > 1) fan.insert(fan.end(), {0, i - 1, i});
+  }
+  Mesh mesh;
+  std::vector<std::uint32_t> from;
+  add_plate(mesh, corners, fan, 0.1f, from);
+  CHECK(volume_of(mesh) == near(0.1 * 3.14159265, 1e-2));
+}
+
 TEST_CASE("where a walk goes in and out again there is no wall") {
-  const Corners slit{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 0.4f, 0}, {1, 1, 0}, {0, 1, 0}};
-  const Mesh mesh = plate_of(slit, 0.1f);
-  CHECK(volume_of(mesh) == near(0.2, 1e-4));
-  CHECK(edges_of(mesh).open == 0);
-  // Two faces, each of the four sides and the corner within, and four walls.
-  CHECK(mesh.indices.size() == 3 * (2 * 4 + 2 * 4));
+  for (const float beside : {0.0f, 1e-6f}) {
+    CAPTURE(beside);
+    const Corners slit{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 0.4f, 0}, {1 - beside, 1, 0}, {0, 1, 0}};
+    const Mesh mesh = plate_of(slit, 0.1f);
+    CHECK(volume_of(mesh) == near(0.2, 1e-4));
+    CHECK(edges_of(mesh).open == 0);
+    // Two faces, each of the four sides and the corner within, and four walls. Where it does not come back to the very
+    // place, a face is cut otherwise, and has two triangles more.
+    CHECK(mesh.indices.size() == 3 * (2 * (beside > 0 ? 6 : 4) + 2 * 4));
+  }
 }
 
 TEST_CASE("a text says how thick a polygon is, in its unit and its size; without, it is a sheet") {

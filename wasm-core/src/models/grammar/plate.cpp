@@ -1,10 +1,12 @@
 #include "models/grammar/plate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace panicle::grammar {
@@ -17,6 +19,57 @@ constexpr float most_mitre = 4;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
+// The cells of a box, each as wide as what is one place; the corners of each, the last one first.
+class Cells {
+ public:
+  Cells(std::span<const glm::vec3> corners, const glm::vec3& low, float size)
+      : corners_(corners), low_(low), size_(size), before_(corners.size(), none) {}
+
+  // Puts a corner into its cell. Returns one that was put in before and stands at its place; itself where none does.
+  // Corners around are only looked at for the first of a cell: all of one cell are one place.
+  std::uint32_t put(std::uint32_t corner) {
+    const Cell own = cell_of(corners_[corner]);
+    std::uint32_t& last = last_.try_emplace(key_of(own), none).first->second;
+    before_[corner] = last;
+    last = corner;
+    if (before_[corner] != none) return before_[corner];
+    for (std::uint32_t around = 0; around < 27; ++around) {
+      // Cells are counted from 1, so that there is one before the first.
+      const auto found =
+          last_.find(key_of({own[0] + around % 3 - 1, own[1] + around / 3 % 3 - 1, own[2] + around / 9 - 1}));
+      for (std::uint32_t other = found == last_.end() ? none : found->second; other != none; other = before_[other])
+        if (other != corner && is_one(corners_[other], corners_[corner])) return other;
+    }
+    return corner;
+  }
+
+ private:
+  using Cell = std::array<std::uint32_t, 3>;
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  // What is no number, as where a box has no size or too much of one, is in the first.
+  Cell cell_of(const glm::vec3& p) const {
+    const glm::vec3 share = (p - low_) / size_;
+    Cell cell{};
+    for (int k = 0; k < 3; ++k)
+      cell[static_cast<std::size_t>(k)] = 1 + (share[k] > 0 ? static_cast<std::uint32_t>(share[k] / same_place) : 0);
+    return cell;
+  }
+  static std::uint64_t key_of(const Cell& cell) {
+    return std::uint64_t{cell[0]} << 42 | std::uint64_t{cell[1]} << 21 | cell[2];
+  }
+  bool is_one(const glm::vec3& a, const glm::vec3& b) const {
+    const glm::vec3 apart = glm::abs(a - b);
+    return std::max({apart.x, apart.y, apart.z}) <= same_place * size_;
+  }
+
+  std::span<const glm::vec3> corners_;
+  glm::vec3 low_;
+  float size_;
+  std::unordered_map<std::uint64_t, std::uint32_t> last_;  // by cell
+  std::vector<std::uint32_t> before_;                      // by corner, of the same cell
+};
+
 // Of each corner the first one that stands at its place: ways there and back are one way.
 std::vector<std::uint32_t> places_of(std::span<const glm::vec3> corners, std::span<const std::uint32_t> triangles) {
   std::vector<std::uint32_t> used(triangles.begin(), triangles.end());
@@ -28,19 +81,18 @@ std::vector<std::uint32_t> places_of(std::span<const glm::vec3> corners, std::sp
     high = glm::max(high, corners[corner]);
   }
   const glm::vec3 size = high - low;
-  const float near = same_place * std::max({size.x, size.y, size.z});
-  // By how far they are along a way that no row of corners is likely to stand square to.
+  const float extent = std::max({size.x, size.y, size.z});
+  // By how far they are along a way that few corners are likely to stand square to: only who is no farther than the one
+  // before may be at its place.
   const auto along = [&](std::uint32_t corner) { return glm::dot(corners[corner] - low, {0.61f, 0.47f, 0.64f}); };
   std::stable_sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) { return along(a) < along(b); });
   std::vector<std::uint32_t> place(corners.size());
   std::iota(place.begin(), place.end(), 0u);
-  for (std::size_t i = 0; i < used.size(); ++i)
-    for (std::size_t k = i; k-- > 0 && along(used[i]) - along(used[k]) <= 2 * near;) {
-      const glm::vec3 apart = glm::abs(corners[used[i]] - corners[used[k]]);
-      if (std::max({apart.x, apart.y, apart.z}) > near) continue;
-      place[used[i]] = place[used[k]];
-      break;
-    }
+  Cells cells(corners, low, extent);
+  for (std::size_t i = 0, end = 0; i < used.size(); i = end) {
+    for (end = i + 1; end < used.size() && along(used[end]) - along(used[end - 1]) <= 2 * same_place * extent;) ++end;
+    for (std::size_t k = i; end - i > 1 && k < end; ++k) place[used[k]] = place[cells.put(used[k])];
+  }
   return place;
 }
 
