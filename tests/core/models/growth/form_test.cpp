@@ -185,7 +185,8 @@ TEST_CASE("shoots keep apart where neighbours count, and do not where they do no
   CHECK(nearest("neighbours = 1\n") > 1.02 * nearest("neighbours = 0\n"));
 }
 
-TEST_CASE("leaves hang on what came with them; those about to fall are told, fall when shaken, and are gone a step later") {
+TEST_CASE(
+    "leaves hang on what came with them; those about to fall are told, fall when shaken, and are gone a step later") {
   const std::string text = text_named("figure-5");
   const auto leaves = [&](float time, float fallen) {
     const Tree tree = tree_of(text, 8);
