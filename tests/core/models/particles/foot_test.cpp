@@ -9,7 +9,7 @@
 
 #include "space_growing.hpp"
 
-namespace panicle {
+namespace panicle::particles {
 namespace {
 
 struct Stand {
@@ -107,4 +107,4 @@ TEST_CASE("feet are the thickest that begin at each target") {
 }
 
 }  // namespace
-}  // namespace panicle
+}  // namespace panicle::particles

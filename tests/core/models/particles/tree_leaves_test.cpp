@@ -74,7 +74,7 @@ TEST_CASE("its halves stand up along the midrib, its tip hangs, and it is as bro
 TEST_CASE("the area is that of the triangles, without the petiole; needles have theirs, and no leaf has none") {
   const Blade blade = make_blade(flat_leaf(), 1, 20);
   CHECK(static_cast<double>(blade.area) == doctest::Approx(area_of(blade.mesh, 2)));
-  const Blade needles = tree::make_needles(1), wide = tree::make_needles(2);
+  const Blade needles = make_needles(1), wide = make_needles(2);
   CHECK(static_cast<double>(needles.area) == doctest::Approx(area_of(needles.mesh, 5)));
   CHECK(wide.area == doctest::Approx(2 * needles.area));
   CHECK(make_blade({}, 1, 20).mesh.indices.empty());
