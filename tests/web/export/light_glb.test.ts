@@ -48,9 +48,15 @@ describe.each([
 	["tree/bonsai", 5.2e6, 0.25],
 	["root/carrot", 0.2e6, 0.01],
 ])("the light forms of %s", (source, mostBytes, leastAlike) => {
+	let parts: Awaited<ReturnType<typeof grownParts>>["parts"];
+	let about: Awaited<ReturnType<typeof grownParts>>["about"];
+	let detailed: Mesh[];
+	beforeAll(async () => {
+		({ parts, about } = await grownParts(source));
+		detailed = await meshesIn(exportGlb(parts(), about));
+	});
+
 	it("for the web: small, few draw calls, the same to look at, and valid where it can be looked into", async () => {
-		const { parts, about } = await grownParts(source);
-		const detailed = await meshesIn(exportGlb(parts(), about));
 		const [web, twin] = [await webGlb(parts(), about), await webGlb(parts(), about, false)];
 		expect(web.length).toBeLessThan(mostBytes);
 		expect(await complaints(twin)).toEqual([]);
@@ -74,8 +80,6 @@ describe.each([
 	});
 
 	it("low: no more triangles than asked for, and the same outline", async () => {
-		const { parts, about } = await grownParts(source);
-		const detailed = await meshesIn(exportGlb(parts(), about));
 		for (const budget of [LOW_TRIANGLES, 5000]) {
 			const low = await lowGlb(parts(), about, budget);
 			expect(await complaints(low)).toEqual([]);
