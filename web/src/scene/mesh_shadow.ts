@@ -1,16 +1,20 @@
 import { CustomBlending, DoubleSide, InstancedMesh, MaxEquation, Mesh, OneFactor, ShaderMaterial } from "three";
 import type { PaperShadow } from "./paper_shadow";
+import { WIND_CHUNK, type WindUniforms } from "./wind";
 
 const VERTEX = /* glsl */ `
 uniform float paper;
 uniform vec3 lamp;
 varying float way;
+${WIND_CHUNK}
 void main() {
 	vec4 point = vec4(position, 1.0);
+	vec3 held = position;
 	#ifdef USE_INSTANCING
 		point = instanceMatrix * point;
+		held = instanceMatrix[3].xyz;
 	#endif
-	vec3 from = (modelViewMatrix * point).xyz;
+	vec3 from = (modelViewMatrix * vec4(blown(point.xyz, held), 1.0)).xyz;
 	way = max(0.0, from.z - paper) / lamp.z;
 	gl_Position = projectionMatrix * vec4(from.xy - lamp.xy * way, paper, 1.0);
 }
@@ -30,13 +34,13 @@ export class MeshShadow {
 	readonly #shadow: PaperShadow;
 	readonly #material: ShaderMaterial;
 
-	constructor(shadow: PaperShadow) {
+	constructor(shadow: PaperShadow, wind: WindUniforms) {
 		this.#shadow = shadow;
 		this.#material = new ShaderMaterial({
 			name: "mesh-shadow",
 			vertexShader: VERTEX,
 			fragmentShader: FRAGMENT,
-			uniforms: { ...shadow.uniforms },
+			uniforms: { ...shadow.uniforms, ...wind },
 			side: DoubleSide,
 			blending: CustomBlending,
 			blendEquation: MaxEquation,
