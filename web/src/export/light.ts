@@ -18,14 +18,16 @@ const UNSEEN = 1 / 4000;
 export interface Light {
 	/** Triangles at the most; without it as few as look the same. */
 	triangles?: number;
+	/** Whether what is to sway says where it is held. */
+	held?: boolean;
 	/** Pixels that pictures have along an edge, at the most. */
 	pixels: number;
 }
 
 /** One part for each thing that is drawn at once; at most 5. */
-export async function lightParts(parts: Iterable<Part>, { triangles, pixels }: Light): Promise<Part[]> {
+export async function lightParts(parts: Iterable<Part>, { triangles, pixels, held = false }: Light): Promise<Part[]> {
 	const all = triangles === undefined ? parts : sparse([...parts], triangles);
-	const calls = drawCalls(visible([...piecesOf(all)]), MOST_DRAWN);
+	const calls = drawCalls(visible([...piecesOf(all, held)]), MOST_DRAWN);
 	const light = await simplified(calls, triangles === undefined ? { error: UNSEEN } : { triangles });
 	const small = new Map<Picture, Picture>();
 	return light.map(({ material, mesh }) => {

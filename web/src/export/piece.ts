@@ -10,18 +10,27 @@ export interface Piece {
 	mesh: PartMesh;
 }
 
-/** Every mesh, and every instance of one by itself. */
-export function* piecesOf(parts: Iterable<Part>): Generator<Piece> {
+/**
+ * Every mesh, and every instance of one by itself.
+ * @param held whether instances are to say where they are held (`feet`)
+ */
+export function* piecesOf(parts: Iterable<Part>, held = false): Generator<Piece> {
 	for (const { shape } of everyPart(parts)) {
-		if (shape?.instances) yield* instancesOf(shape, shape.instances.transforms, shape.instances.sky);
+		if (shape?.instances) yield* instancesOf(shape, shape.instances.transforms, shape.instances.sky, held);
 		else if (shape) yield piece(shape);
 	}
 }
 
-function* instancesOf({ mesh, material }: Shape, transforms: Float32Array, sky?: Uint8Array): Generator<Piece> {
+function* instancesOf(
+	{ mesh, material }: Shape,
+	transforms: Float32Array,
+	sky: Uint8Array | undefined,
+	held: boolean,
+): Generator<Piece> {
 	for (let i = 0; i < transforms.length / TRANSFORM; i++) {
 		const { positions, normals } = placed(mesh, transforms.subarray(TRANSFORM * i, TRANSFORM * (i + 1)));
 		const own: PartMesh = { ...mesh, positions: Float32Array.from(positions), normals: Float32Array.from(normals) };
+		if (held) own.feet = own.positions.map((_, at) => transforms[TRANSFORM * i + (at % 3)]);
 		if (sky) own.sky = new Uint8Array(positions.length / 3).fill(sky[i]);
 		yield piece({ mesh: own, material });
 	}

@@ -70,7 +70,9 @@ export function swing({ foot, up, height, reach }: Sway, place: Vector, held: Ve
 	const late = (WAVE * (0.8 * dx + 0.5 * dy + 0.6 * dz)) / size;
 	const [c, s] = [bob * Math.cos(late), bob * Math.sin(late)];
 	const own = (FLUTTER * (held[0] + 1.7 * held[1] + 2.3 * held[2])) / size;
-	const [lc, ls] = [LEAF * Math.cos(own), LEAF * Math.sin(own)];
+	// What has fallen lies still.
+	const turns = LEAF * Math.min(1, 8 * h);
+	const [lc, ls] = [turns * Math.cos(own), turns * Math.sin(own)];
 	// About the horizontal axis across the wind.
 	const [ox, oy, oz] = [place[0] - held[0], place[1] - held[1], place[2] - held[2]];
 	const turn: Vector = [-0.8 * oy, 0.8 * ox + 0.6 * oz, -0.6 * oy];

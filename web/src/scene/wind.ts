@@ -25,10 +25,10 @@ vec3 blown(vec3 point, vec3 held) {
 	float c = bob * cos(late), s = bob * sin(late);
 	float own = ${float(FLUTTER)} * dot(vec3(1.0, 1.7, 2.3), held) / windForm.w;
 	vec3 o = point - held;
-	vec3 turn = vec3(-0.8 * o.y, 0.8 * o.x + 0.6 * o.z, -0.6 * o.y);
+	vec3 turn = ${float(LEAF)} * min(1.0, 8.0 * h) * vec3(-0.8 * o.y, 0.8 * o.x + 0.6 * o.z, -0.6 * o.y);
 	float along = bend + c, across = 0.4 * bend + 0.5 * c;
-	vec3 sine = vec3(0.8 * along - 0.3 * s, 0.6 * c, 0.6 * along + 0.4 * s) + ${float(LEAF)} * cos(own) * turn;
-	vec3 cosine = vec3(-0.8 * s - 0.6 * across, -0.6 * s, -0.6 * s + 0.8 * across) - ${float(LEAF)} * sin(own) * turn;
+	vec3 sine = vec3(0.8 * along - 0.3 * s, 0.6 * c, 0.6 * along + 0.4 * s) + cos(own) * turn;
+	vec3 cosine = vec3(-0.8 * s - 0.6 * across, -0.6 * s, -0.6 * s + 0.8 * across) - sin(own) * turn;
 	return point + windBeat.x * sine + windBeat.y * cosine;
 }
 `;
