@@ -67,6 +67,14 @@ describe("the wind form", () => {
 		expect(Math.max(...first.map((place, i) => place.distanceTo(last[i])))).toBeLessThan(1e-4);
 	});
 
+	it("leaves stone where it is", async () => {
+		const stone = { ...PULP, still: true } as const;
+		const parts = [{ name: "Wall", shape: { mesh: tetrahedron([0.2, 1, 0], 0.5), material: stone } }];
+		const { rest, at } = await played(await windGlb(parts, ABOUT, SWAY));
+		const still = rest();
+		expect(Math.max(...at(BEAT / 4).map((place, i) => place.distanceTo(still[i])))).toBe(0);
+	});
+
 	it("is the plant at rest where nothing plays, and without animation where nothing sways", async () => {
 		const swaying = await load(await windGlb(fruits(), ABOUT, SWAY));
 		const still = await load(await windGlb(fruits(), ABOUT, undefined));

@@ -19,6 +19,6 @@ export async function windGlb(
 	sway: Sway | undefined,
 	triangles = WIND_TRIANGLES,
 ): Promise<Uint8Array<ArrayBuffer>> {
-	const light = paletted(await lightParts(parts, { triangles, pixels: PIXELS, held: true }));
+	const light = paletted(await lightParts(parts, { triangles, pixels: PIXELS, still: sway?.foot }));
 	return exportGlb(light, about, sway ? { sway } : {});
 }

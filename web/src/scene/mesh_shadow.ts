@@ -1,6 +1,16 @@
-import { CustomBlending, DoubleSide, InstancedMesh, MaxEquation, Mesh, OneFactor, ShaderMaterial } from "three";
+import {
+	type BufferGeometry,
+	CustomBlending,
+	DoubleSide,
+	InstancedMesh,
+	type Material,
+	MaxEquation,
+	Mesh,
+	OneFactor,
+	ShaderMaterial,
+} from "three";
 import type { PaperShadow } from "./paper_shadow";
-import { WIND_CHUNK, type WindUniforms } from "./wind";
+import { WIND_CHUNK, type WindUniforms, windUniforms } from "./wind";
 
 const VERTEX = /* glsl */ `
 uniform float paper;
@@ -32,31 +42,23 @@ void main() {
 export class MeshShadow {
 	readonly #cast: Mesh[] = [];
 	readonly #shadow: PaperShadow;
-	readonly #material: ShaderMaterial;
+	readonly #blown: ShaderMaterial;
+	readonly #still: ShaderMaterial;
 
 	constructor(shadow: PaperShadow, wind: WindUniforms) {
 		this.#shadow = shadow;
-		this.#material = new ShaderMaterial({
-			name: "mesh-shadow",
-			vertexShader: VERTEX,
-			fragmentShader: FRAGMENT,
-			uniforms: { ...shadow.uniforms, ...wind },
-			side: DoubleSide,
-			blending: CustomBlending,
-			blendEquation: MaxEquation,
-			blendSrc: OneFactor,
-			blendDst: OneFactor,
-			depthTest: false,
-			depthWrite: false,
-			toneMapped: false,
-		});
+		this.#blown = casting(shadow, wind);
+		this.#still = casting(shadow, windUniforms());
 	}
 
-	/** What casts, in place of the last; the meshes stay whose they are. */
-	lay(meshes: readonly (Mesh | InstancedMesh)[]): void {
+	/**
+	 * What casts, in place of the last; the meshes stay whose they are.
+	 * @param blown whether wind moves what is of a material
+	 */
+	lay(meshes: readonly Mesh<BufferGeometry, Material>[], blown: (material: Material) => boolean = () => true): void {
 		this.#clear();
 		for (const mesh of meshes) {
-			const cast = sharing(mesh, this.#material);
+			const cast = sharing(mesh, blown(mesh.material) ? this.#blown : this.#still);
 			cast.frustumCulled = false;
 			this.#shadow.hard.add(cast);
 			this.#cast.push(cast);
@@ -65,13 +67,31 @@ export class MeshShadow {
 
 	dispose(): void {
 		this.#clear();
-		this.#material.dispose();
+		this.#blown.dispose();
+		this.#still.dispose();
 	}
 
 	#clear(): void {
 		for (const cast of this.#cast) cast.removeFromParent();
 		this.#cast.length = 0;
 	}
+}
+
+function casting(shadow: PaperShadow, wind: WindUniforms): ShaderMaterial {
+	return new ShaderMaterial({
+		name: "mesh-shadow",
+		vertexShader: VERTEX,
+		fragmentShader: FRAGMENT,
+		uniforms: { ...shadow.uniforms, ...wind },
+		side: DoubleSide,
+		blending: CustomBlending,
+		blendEquation: MaxEquation,
+		blendSrc: OneFactor,
+		blendDst: OneFactor,
+		depthTest: false,
+		depthWrite: false,
+		toneMapped: false,
+	});
 }
 
 /** The same geometry at the same places, of another material. */

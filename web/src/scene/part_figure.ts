@@ -62,11 +62,11 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		this.#wardrobe.change();
 		this.#shown = new PartMeshes(parts, this.#wardrobe);
 		for (const object of this.#shown.objects) {
-			object.customDepthMaterial = this.#depth;
+			if (object.material.userData.blown) object.customDepthMaterial = this.#depth;
 			this.#stage.root.add(object);
 		}
 		this.#sway = this.#swayOf(grown);
-		this.#shadow.lay(this.#shown.objects);
+		this.#shadow.lay(this.#shown.objects, ({ userData }) => userData.blown);
 		this.#bounds = boundsOf(parts);
 		this.#about = this.#room(specimen);
 		this.#lights.shade(ballOf(this.#bounds));

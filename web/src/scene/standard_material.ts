@@ -36,7 +36,7 @@ export interface StandardOptions extends PlainOptions {
 	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
 	sky?: boolean;
 	shares?: LampShares;
-	/** What moves it; where absent it stands still. */
+	/** What moves it; where absent it stands still. `userData.blown` of the material says which. */
 	wind?: WindUniforms;
 }
 
@@ -67,6 +67,7 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	if (made.map) made.userData.picture = material.textures?.colour;
 	const sheet = material.sheet && sheetUniforms();
 	made.userData.sheet = sheet;
+	made.userData.blown = options.wind !== undefined;
 	setSheet(made, material);
 	setPicture(made, material);
 	made.onBeforeCompile = (shader) => lit(shader, sheet, options);

@@ -90,7 +90,7 @@ export class Wardrobe {
 				coloured,
 				sky: true,
 				maps,
-				...(this.#wind ? { wind: this.#wind } : {}),
+				...(this.#wind && !material.still ? { wind: this.#wind } : {}),
 			}),
 			worn: 0,
 			shows,
