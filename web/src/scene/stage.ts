@@ -65,8 +65,8 @@ export class Stage<S, G> implements Drawable {
 	show(grown: G, specimen: S): Bodies {
 		if (!this.#figure) throw new Error("There is no figure to show a plant with: give the viewer one to use.");
 		this.#figure.show(grown, specimen);
-		this.wind.fit(this.#figure.sway?.());
 		this.#marked = undefined;
+		this.wind.fit(this.#figure.sway?.());
 		this.#fill();
 		return this.#figure.bounds();
 	}
