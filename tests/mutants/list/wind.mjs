@@ -2,6 +2,18 @@
 export default [
 	{
 		file: "web/src/plant/sway.ts",
+		suites: ["tests/web/plant/sway.test.ts"],
+		faults: [
+			{
+				id: "wind-hanging-stands",
+				find: "const up = high - first >= first - low ? 1 : -1;",
+				replace: "const up = 1;",
+				breaks: "bunches, which hang, do not sway",
+			},
+		],
+	},
+	{
+		file: "web/src/plant/swing.ts",
 		suites: ["tests/web/plant/sway.test.ts", "tests/web/export/wind_glb.test.ts"],
 		faults: [
 			{
@@ -15,12 +27,6 @@ export default [
 				find: "const [ox, oy, oz] = [place[0] - held[0], place[1] - held[1], place[2] - held[2]];",
 				replace: "const [ox, oy, oz] = [place[0] - foot[0], place[1] - foot[1], place[2] - foot[2]];",
 				breaks: "leaves leave their twigs in the wind",
-			},
-			{
-				id: "wind-hanging-stands",
-				find: "const up = high - first >= first - low ? 1 : -1;",
-				replace: "const up = 1;",
-				breaks: "bunches, which hang, do not sway",
 			},
 		],
 	},

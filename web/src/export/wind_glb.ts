@@ -1,6 +1,6 @@
 /**
  * The *wind* form: a plant that sways for ever, in plain glTF. Every vertex has two targets of morphing, where a sine and where a cosine
- * of time take it (plant/sway.ts); an animation of their weights goes round without a seam. What readers play nothing is at rest.
+ * of time take it (plant/swing.ts); an animation of their weights goes round without a seam. What readers play nothing is at rest.
  */
 import type { Part } from "../plant/part";
 import type { Sway } from "../plant/sway";

@@ -1,4 +1,4 @@
-/** Wind over what stands on a stage: plant/sway.ts for shaders, and its clock. */
+/** Wind over what stands on a stage: plant/swing.ts for shaders, and its clock. */
 import { Vector2, Vector3, Vector4 } from "three";
 import { BEAT, BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "../plant/sway";
 import { float } from "./glsl";
