@@ -50,10 +50,14 @@ export class StandardLights {
 		camera.updateProjectionMatrix();
 	}
 
-	/** Brings the lamps to the light, which turns with the viewer. */
-	aim({ rig, uniforms }: StageLight, camera: PerspectiveCamera, { windBeat }: WindUniforms): void {
-		if (!this.#beat.equals(windBeat.value)) this.#key.shadow.needsUpdate = true;
-		this.#beat.copy(windBeat.value);
+	/**
+	 * Brings the lamps to the light, which turns with the viewer.
+	 * @param wind what moves what throws shadows, where something does
+	 */
+	aim({ rig, uniforms }: StageLight, camera: PerspectiveCamera, wind?: WindUniforms): void {
+		const beat = wind?.windBeat.value ?? this.#beat;
+		if (!this.#beat.equals(beat)) this.#key.shadow.needsUpdate = true;
+		this.#beat.copy(beat);
 		this.#aimKey(uniforms.keyDirection.value);
 		this.#key.color.setRGB(...rig.key.irradiance);
 		this.#rim.position.copy(uniforms.rimDirection.value);

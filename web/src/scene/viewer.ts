@@ -170,10 +170,7 @@ export class Viewer<S, G> {
 		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
 	}
 
-	/**
-	 * What is under a point of the canvas (CSS pixels from its top left corner), by the figure's number for it. Undefined where
-	 * there is nothing.
-	 */
+	/** What is under a point of the canvas, CSS pixels from its top left corner, by the figure's number for it, if anything. */
 	pick(x: number, y: number): number | undefined {
 		return this.#stage.pick(this.sightThrough(x, y));
 	}
