@@ -146,6 +146,26 @@ test("what is off screen grows when it comes near, and turns only where it is se
 	await expect.poll(frames).toBeGreaterThan(3);
 	await page.emulateMedia({ reducedMotion: "reduce" });
 	await expect.poll(frames).toBe(0);
+	await test.step("and sways in the wind likewise", async () => {
+		const attributes = (from: string, to: string) =>
+			page.locator("#first").evaluate(
+				(element, names) => {
+					element.removeAttribute(names[0]);
+					element.setAttribute(names[1], "");
+				},
+				[from, to],
+			);
+		await attributes("autorotate", "wind");
+		await expect.poll(frames).toBe(0);
+		await page.emulateMedia({ reducedMotion: "no-preference" });
+		await expect.poll(frames).toBeGreaterThan(3);
+		await page.locator("#second").scrollIntoViewIfNeeded();
+		await expect.poll(frames).toBe(0);
+		await page.evaluate(() => scrollTo(0, 0));
+		await expect.poll(frames).toBeGreaterThan(3);
+		await attributes("wind", "alt");
+		await expect.poll(frames).toBe(0);
+	});
 	await close();
 });
 

@@ -15,17 +15,16 @@ test("every preset grows in Chromium what it grows in Node, to the bit", async (
 	expect(module.grownInNode.length).toBeGreaterThanOrEqual(15 + 12);
 });
 
-test("the gallery tells shapes, varieties and other fruits apart", async ({ page }) => {
+test("the gallery tells shapes, varieties and other fruits apart, each with its picture in both themes", async ({
+	page,
+}) => {
 	await new StudioPage(page).open();
 	const strip = page.getByRole("navigation", { name: "Presets" });
 	const names = (section: string) => strip.getByRole("region", { name: section }).getByRole("button");
 	await expect(names("Shapes")).toHaveCount(10);
 	await expect(names("Other fruits")).toHaveText([/Redcurrant/, /Rubus/, /Lychee/, /Longan/, /Duku/]);
 	expect(await names("Varieties").count()).toBeGreaterThanOrEqual(12);
-});
-
-test("every preset has its picture, in both themes", async ({ page }) => {
-	await new StudioPage(page).open();
+	// Each with its picture.
 	for (const theme of ["Dark theme", "Light theme"]) {
 		const missing = await page.locator(".preset img").evaluateAll(async (pictures: HTMLImageElement[]) => {
 			// Those far along the strip would not be fetched before they are scrolled to.

@@ -11,8 +11,16 @@ declare global {
 	}
 }
 
+/** Where this worker has built the page, once for all its tests. */
+let folder: string | undefined;
+
 /** Builds the page that is nothing but views (tests/views) and serves it. */
 export async function serveViews(): Promise<{ address: string; close(): Promise<void> }> {
+	folder ??= builtHere();
+	return serveUnder("/", folder);
+}
+
+function builtHere(): string {
 	// Another worker's tests may be looking at what it has built.
 	const folder = `build/views/${process.env.TEST_PARALLEL_INDEX}`;
 	const built = [
@@ -24,7 +32,7 @@ export async function serveViews(): Promise<{ address: string; close(): Promise<
 		"--emptyOutDir",
 	];
 	execFileSync(process.execPath, ["node_modules/vite/bin/vite.js", ...built]);
-	return serveUnder("/", folder);
+	return folder;
 }
 
 export async function openViews(page: Page, address: string): Promise<void> {

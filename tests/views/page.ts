@@ -10,6 +10,7 @@ import { encodeRequest } from "../../web/src/models/bunch/request";
 import { BUNCH } from "../../web/src/models/bunch/species";
 import type { BunchSpecimen } from "../../web/src/models/bunch/specimen";
 import type { Material } from "../../web/src/plant/material";
+import { swayOf } from "../../web/src/plant/sway";
 import { blurred, COSINE_SHARPNESS, rigOf, type Theme } from "../../web/src/scene/light";
 import { partFigure } from "../../web/src/scene/part_figure";
 import { Renderer } from "../../web/src/scene/renderer";
@@ -78,6 +79,6 @@ function card(viewer: Viewer<undefined, undefined>, albedo: number, theme: Theme
 	});
 }
 
-const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchFigure, partFigure, bunchParts };
+const tools = { grow, canvas, view, card, pixels, Viewer, Renderer, bunchFigure, partFigure, bunchParts, swayOf };
 export type Views = typeof tools;
 Object.assign(window, { views: tools });

@@ -40,6 +40,7 @@ import swelling from "./swelling.mjs";
 import targets from "./targets.mjs";
 import topiary from "./topiary.mjs";
 import webCore from "./web_core.mjs";
+import wind from "./wind.mjs";
 import wood from "./wood.mjs";
 
 export const groups = [
@@ -74,6 +75,7 @@ export const groups = [
 	...bunchFigure,
 	...saved,
 	...scene,
+	...wind,
 	...lives,
 	...grammarEditor,
 	...growth,

@@ -60,7 +60,7 @@ describe("what cannot be used", () => {
 		);
 		expect(await complaint(["--out", "x.PNG"])).toMatch(/^--out x.PNG: pictures take a graphics card/);
 		expect(await complaint(["--out", "x.glb", "--form", "tiny"])).toBe(
-			"--form tiny: the forms are detailed, web, low, instanced, growth",
+			"--form tiny: the forms are detailed, web, low, instanced, growth, wind",
 		);
 		expect(await complaint(["--set", "procedure=paper", "--out", "x.glb", "--form", "growth"])).toBe(
 			"--form growth: this plant has no ages to show",

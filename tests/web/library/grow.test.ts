@@ -95,6 +95,7 @@ describe("files", () => {
 			[{ translucent: true }, ["--translucent"]],
 			[{ form: "low", triangles: 900 }, ["--form", "low", "--triangles", "900"]],
 			[{ form: "growth" }, ["--form", "growth"]],
+			[{ form: "wind", triangles: 900 }, ["--form", "wind", "--triangles", "900"]],
 		] as const)
 			expect(
 				Buffer.from(await toGLB(grown, options)).equals((await byCommand(...words)) as Buffer),

@@ -18,13 +18,14 @@ import type { Plant } from "../../../web/src/plant/plant";
 import { PaperShadow } from "../../../web/src/scene/paper_shadow";
 import { partFigure } from "../../../web/src/scene/part_figure";
 import { StageLight } from "../../../web/src/scene/stage_light";
+import { windUniforms } from "../../../web/src/scene/wind";
 import { fruits, PULP, tetrahedron } from "../export/toy_parts";
 import { toyPlant } from "../plant/toy_plant";
 
 const plant = toyPlant();
 
 function staged() {
-	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 	const figure = partFigure<unknown, Plant>((grown) => partsOf(grown))(stage);
 	const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 	return { stage, figure, meshes };
@@ -63,7 +64,7 @@ describe("the figure of any plant", () => {
 	});
 
 	it("lays pictures on what has textures, and others in their place, in the same materials", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const figure = partFigure<unknown, Part[]>((parts) => parts)(stage);
 		const meshes = () => stage.root.children.filter((child): child is Mesh => "isMesh" in child);
 		const picture = (shade: number): Picture => ({ width: 2, height: 1, pixels: new Uint8Array(6).fill(shade) });
@@ -222,7 +223,7 @@ describe("the figure of any plant", () => {
 	});
 
 	it("lays a material's picture on its mesh, the same texture for the same picture", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const colour = { width: 1, height: 1, pixels: Uint8Array.of(1, 2, 3) };
 		const figure = partFigure<unknown, Plant>((grown) =>
 			[...partsOf(grown)].map(({ shape, ...part }) => ({
@@ -244,7 +245,7 @@ describe("the figure of any plant", () => {
 	});
 
 	it("shows colours of vertices in place of the material's", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const figure = partFigure(() => fruits())(stage);
 		figure.show({}, {});
 		const [fruit, , tuft] = stage.root.children.filter((child): child is Mesh => "isMesh" in child);

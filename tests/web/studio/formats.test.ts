@@ -34,11 +34,12 @@ it("names files after what grew", () => {
 describe("what can be downloaded", () => {
 	it("is what every plant has, and a picture where there is a view", () => {
 		const keys = (picture?: () => Promise<Blob>) => formatsOf(shown([]), picture).map(({ key }) => key);
-		expect(keys()).toEqual(["glb", "glb-web", "glb-low", "usdz", "ply", "3mf", "stl", "obj", "json"]);
+		expect(keys()).toEqual(["glb", "glb-web", "glb-low", "glb-wind", "usdz", "ply", "3mf", "stl", "obj", "json"]);
 		expect(keys(async () => new Blob())).toEqual([
 			"glb",
 			"glb-web",
 			"glb-low",
+			"glb-wind",
 			"usdz",
 			"ply",
 			"3mf",

@@ -20,7 +20,11 @@ it("is followed by the 3-D view for as long as there is one", async () => {
 	const query = Object.assign(new EventTarget(), { matches: true });
 	vi.stubGlobal("matchMedia", () => query);
 	const { studio } = await studioWith(specimenFromPreset());
-	const solid = await SolidView.create({} as HTMLCanvasElement, studio, { lost: vi.fn(), restored: vi.fn() });
+	const solid = await SolidView.create({} as HTMLCanvasElement, studio, {
+		lost: vi.fn(),
+		restored: vi.fn(),
+		motion: vi.fn(),
+	});
 	expect(view.reducedMotion).toBe(true);
 	const change = (matches: boolean) => query.dispatchEvent(Object.assign(new Event("change"), { matches }));
 	change(false);

@@ -47,7 +47,7 @@ const canvas = () => {
 	const stub = { classList: classes, clientWidth: 400, clientHeight: 300 };
 	return { ...stub, addEventListener: vi.fn(), removeEventListener: vi.fn() } as unknown as HTMLCanvasElement;
 };
-const events = { lost: vi.fn(), restored: vi.fn() };
+const events = { lost: vi.fn(), restored: vi.fn(), motion: vi.fn() };
 const grown = sampleBunch(5);
 
 describe("the 3-D view", () => {

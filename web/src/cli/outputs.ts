@@ -5,6 +5,7 @@ import type { Aged } from "../export/growth_glb";
 import { exportJson } from "../export/json";
 import { exportObj } from "../export/obj";
 import { type FileOptions, PLANT_FILES, plantFile } from "../export/plant_files";
+import { swayed } from "../files/swayed";
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
 import { encodeLink } from "../specimen/link";
@@ -56,7 +57,7 @@ export async function filesOf(
 	const about = await aboutPlant(model, grown, specimen);
 	const meshes = plantFile(ending, form);
 	const parts = model.parts(grown, specimen);
-	if (meshes) return [[file, await meshes.make(parts, about, options, aged)]];
+	if (meshes) return [[file, await meshes.make(parts, about, options, { aged, sway: swayed(model, grown) })]];
 	const stem = file.slice(0, -".obj".length);
 	const { obj, mtl, pictures } = exportObj(parts, about, basename(stem));
 	return [

@@ -16,6 +16,7 @@ const DRAWINGS = {
 	again: svg`<rect x="3.5" y="3.5" width="13" height="13" rx="3"/><path d="M7 7v.1M13 7v.1M10 10v.1M7 13v.1M13 13v.1" stroke-width="2"/>`,
 	play: svg`<path d="M6.5 4.2v11.6L16 10z" fill="currentcolor"/>`,
 	pause: svg`<path d="M7 4.5v11M13 4.5v11" stroke-width="2.6"/>`,
+	wind: svg`<path d="M2.5 8h9a2.3 2.3 0 1 0-2.2-3M2.5 11h13a2.3 2.3 0 1 1-2.2 3M2.5 14h6.5"/>`,
 	step: svg`<path d="M5 4.8v10.4L12 10z" fill="currentcolor"/><path d="M15 4.8v10.4" stroke-width="2"/>`,
 	scrub: svg`<path d="M6.5 6.5 3 10l3.5 3.5M13.5 6.5 17 10l-3.5 3.5M3 10h14"/>`,
 	search: svg`<circle cx="8.5" cy="8.5" r="5"/><path d="m12.3 12.3 4.2 4.2"/>`,

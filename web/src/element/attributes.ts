@@ -10,6 +10,7 @@ export const OWN_ATTRIBUTES = [
 	"loading",
 	"poster",
 	"autorotate",
+	"wind",
 	"controls",
 	"handles",
 	"app",

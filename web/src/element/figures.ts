@@ -1,6 +1,7 @@
 /** What draws plants: scripts that come when they are first asked for. */
 import type { Model } from "../models/model";
 import type { Plant } from "../plant/plant";
+import { swayOf } from "../plant/sway";
 import type { FigureMaker } from "../scene/figure";
 import type { Specimen } from "../specimen/specimen";
 
@@ -27,7 +28,13 @@ export function loadFigure(model: Model): Promise<Maker> {
 	if (before) return before;
 	const figure =
 		model.figure?.() ??
-		import("../scene/part_figure").then(({ partFigure }) => partFigure((grown, from) => model.parts(grown, from)));
+		import("../scene/part_figure").then(({ partFigure }) =>
+			partFigure(
+				(grown, from) => model.parts(grown, from),
+				undefined,
+				(grown) => swayOf(grown),
+			),
+		);
 	figures.set(model, figure);
 	figure.catch(() => figures.delete(model));
 	return figure;

@@ -174,6 +174,7 @@ export class PanicleSpecimen extends HTMLElement {
 		} else if (name === "alt") this.#say();
 		else if (name === "theme") this.#withView((view) => view.setDark(isDark(this.getAttribute("theme"))));
 		else if (name === "autorotate") this.#withView((view) => view.setTurning(this.getAttribute("autorotate")));
+		else if (name === "wind") this.#withView((view) => view.setWind(this.getAttribute("wind")));
 		this.#extras.follow();
 	}
 
@@ -191,10 +192,9 @@ export class PanicleSpecimen extends HTMLElement {
 
 	#begin(options: GrowthOptions): Promise<GrownDetail> {
 		this.#due = false;
-		const growing = this.#grow(options);
-		this.#growing = growing;
-		growing.catch(() => {});
-		return growing;
+		this.#growing = this.#grow(options);
+		this.#growing.catch(() => {});
+		return this.#growing;
 	}
 
 	/** Grows as soon as it may. */
@@ -259,6 +259,7 @@ export class PanicleSpecimen extends HTMLElement {
 				if (life.signal.aborted) return made.dispose();
 				made.setDark(isDark(this.getAttribute("theme")));
 				made.setTurning(this.getAttribute("autorotate"));
+				made.setWind(this.getAttribute("wind"));
 				made.setSeen(this.#seen);
 			},
 			() => {

@@ -21,6 +21,7 @@ export class SpecimenView {
 	#turning = 0;
 	#frame = 0;
 	#grasped = false;
+	#windy = false;
 	readonly #reduced: MediaQueryList;
 	/** What lies over the picture, and is told when that has been drawn. */
 	readonly #above: Set<() => void>;
@@ -85,6 +86,7 @@ export class SpecimenView {
 	setSeen(seen: boolean): void {
 		this.#seen = seen;
 		this.#turn();
+		this.#blow();
 	}
 
 	/** @param said the attribute: null for a plant that stands, a number of degrees a second, or anything else for a slow one */
@@ -92,6 +94,12 @@ export class SpecimenView {
 		const speed = Number(said || TURNING);
 		this.#turning = said === null ? 0 : Number.isFinite(speed) ? speed : TURNING;
 		this.#turn();
+	}
+
+	/** @param said the attribute: null where it is calm */
+	setWind(said: string | null): void {
+		this.#windy = said !== null;
+		this.#blow();
 	}
 
 	/** Whether it may turn by itself: less motion is wished for where not. */
@@ -152,6 +160,7 @@ export class SpecimenView {
 	#followMotion(): void {
 		this.#viewer.reducedMotion = this.#reduced.matches;
 		this.#turn();
+		this.#blow();
 	}
 
 	#grasp(grasped: boolean): void {
@@ -162,6 +171,11 @@ export class SpecimenView {
 	#passWheel(event: WheelEvent): void {
 		const { activeElement } = this.#canvas.getRootNode() as ShadowRoot;
 		if (activeElement !== this.#canvas) event.stopPropagation();
+	}
+
+	/** Only where it is seen, and nobody wishes for less motion. */
+	#blow(): void {
+		this.#viewer.wind = this.#windy && this.#seen && !this.#reduced.matches;
 	}
 
 	/** Begins or ends turning by itself. */

@@ -1,4 +1,6 @@
-/** What a glTF animation is made of: here, things that are seen for a while. */
+/** What a glTF animation is made of: things that are seen for a while, and what sways for ever. */
+import { BEAT } from "../plant/sway";
+
 type Json = Record<string, unknown>;
 
 /** When something is to be seen, seconds; what has no end is seen until the rest ends. */
@@ -22,6 +24,19 @@ export function keysOf(moment: Moment): { times: number[]; scales: number[]; sca
 	return { times, scales: seen.flatMap((value) => [value, value, value]), scale: ends ? 0 : 1 };
 }
 
+/** Keys of a swing from its beginning to where it begins anew: between them weights run straight. */
+const KEYS = 24;
+
+/** Times of a whole swing, and at each the weights of its sine and of its cosine; the last are the first. */
+export function swingKeys(): { times: number[]; weights: number[] } {
+	const steps = Array.from({ length: KEYS + 1 }, (_, i) => i);
+	const angle = (i: number) => (2 * Math.PI * (i % KEYS)) / KEYS;
+	return {
+		times: steps.map((i) => (BEAT * i) / KEYS),
+		weights: steps.flatMap((i) => [Math.sin(angle(i)), Math.cos(angle(i))]),
+	};
+}
+
 /** Collects channels; all begin together. */
 export class Animation {
 	readonly #channels: Json[] = [];
@@ -29,7 +44,16 @@ export class Animation {
 
 	/** Has a property of a node go from value to value without between; both are accessors. */
 	step(node: number, path: string, input: number, output: number): void {
-		const sampler = this.#samplers.push({ input, output, interpolation: "STEP" }) - 1;
+		this.#add(node, path, { input, output, interpolation: "STEP" });
+	}
+
+	/** The same by straight lines between. */
+	run(node: number, path: string, input: number, output: number): void {
+		this.#add(node, path, { input, output, interpolation: "LINEAR" });
+	}
+
+	#add(node: number, path: string, made: Json): void {
+		const sampler = this.#samplers.push(made) - 1;
 		this.#channels.push({ sampler, target: { node, path } });
 	}
 

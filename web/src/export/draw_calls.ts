@@ -108,12 +108,15 @@ function merged({ material, pieces }: Call): Piece {
 		uvs: new Float32Array(material.textures ? 2 * vertices : 0),
 		indices: new Uint32Array(corners),
 		...(coloured ? { colours: new Float32Array(3 * vertices) } : {}),
+		...(pieces.some(({ piece }) => piece.mesh.feet) ? { feet: new Float32Array(3 * vertices) } : {}),
 	};
 	let [vertex, corner] = [0, 0];
 	for (const { piece, tint } of pieces) {
 		const { positions, normals, uvs, indices, colours } = piece.mesh;
 		mesh.positions.set(positions, 3 * vertex);
 		mesh.normals.set(normals, 3 * vertex);
+		// What is held nowhere goes with where it is.
+		mesh.feet?.set(piece.mesh.feet ?? positions, 3 * vertex);
 		if (material.textures) mesh.uvs.set(uvs, 2 * vertex);
 		mesh.colours?.set(scaled(colours ?? filled(plainBase(piece.material), piece.mesh), tint), 3 * vertex);
 		for (let i = 0; i < indices.length; i++) mesh.indices[corner + i] = indices[i] + vertex;

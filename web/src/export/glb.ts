@@ -1,8 +1,10 @@
 /** Any plant's parts → binary glTF 2.0, in metres, +Y up. What is in the file, and why it is so, is in docs/export.md. */
 import type { Colour } from "../plant/colour";
 import type { Material, Picture } from "../plant/material";
-import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+import { everyPart, type Instances, type Part, type PartMesh, type Shape, TRANSFORM, type Vector } from "../plant/part";
 import { tinted } from "../plant/picture";
+import type { Sway } from "../plant/sway";
+import { swing } from "../plant/swing";
 import type { About } from "./about";
 import type { Moment } from "./animation";
 import type { Encoder } from "./binary_gltf";
@@ -29,6 +31,8 @@ export interface GlbOptions {
 	encoder?: Encoder;
 	/** When parts are to be seen, by their names: an animation. What ends is not seen by readers that play none. */
 	moments?: ReadonlyMap<string, Moment>;
+	/** How wind moves it, of parts without instances: an animation without end. */
+	sway?: Sway;
 	/** Whether light comes through flesh, which costs readers a pass of its own; without it flesh is as bright, and opaque. */
 	translucent?: boolean;
 }
@@ -57,6 +61,7 @@ class PartsWriter {
 	readonly #instancing: boolean;
 	readonly #translucent: boolean;
 	readonly #moments: GlbOptions["moments"];
+	readonly #sway: Sway | undefined;
 	/** The brightest colour of all vertices of a material. */
 	readonly #bases = new Map<Material, Colour>();
 	/** The same as a picture, where there is one. */
@@ -73,12 +78,13 @@ class PartsWriter {
 	constructor(
 		document: GltfDocument,
 		parts: readonly Part[],
-		{ instancing = false, translucent = false, moments }: GlbOptions,
+		{ instancing = false, translucent = false, moments, sway }: GlbOptions,
 	) {
 		this.#document = document;
 		this.#instancing = instancing;
 		this.#translucent = translucent;
 		this.#moments = moments;
+		this.#sway = sway;
 		for (const { shape } of everyPart(parts)) {
 			const colours = shape && writtenColours(shape.mesh, shape.material);
 			if (!colours) continue;
@@ -115,7 +121,10 @@ class PartsWriter {
 		let frame = parent;
 		if (shape?.instances)
 			held.push(...this.#instances(node, name, shape, shape.instances, parent, children.length > 0));
-		else if (shape) frame = this.#draw(node, name, shape, parent);
+		else if (shape) {
+			frame = this.#draw(node, name, shape, parent);
+			if (this.#sway) this.#document.swing(index);
+		}
 		held.push(...children.map((child) => this.#part(child, frame)));
 		if (held.length > 0) node.children = held;
 		const moment = this.#moments?.get(name);
@@ -199,7 +208,9 @@ class PartsWriter {
 		const base = written && this.#bases.get(material);
 		const colours = written && base && sharesOf(written, base);
 		const tangents = material.textures?.normal && tangentsOf(mesh);
-		return this.#document.mesh(mesh.name ?? name, mesh, this.#material(material, base), { centre, colours, tangents });
+		const moved = this.#sway && swingOf(mesh, this.#sway);
+		const options = { centre, colours, tangents, ...(moved ? { swing: moved } : {}) };
+		return this.#document.mesh(mesh.name ?? name, mesh, this.#material(material, base), options);
 	}
 
 	#material(material: Material, base: Colour | undefined): number {
@@ -226,6 +237,18 @@ class PartsWriter {
 			kinds.map(([kind, picture]) => [kind, this.#document.texture(`${name} ${kind}`, png(picture), repeats)]),
 		);
 	}
+}
+
+/** How a sine and a cosine of time move every vertex. */
+function swingOf({ positions, feet = positions }: PartMesh, sway: Sway): [sine: Float32Array, cosine: Float32Array] {
+	const [sines, cosines] = [new Float32Array(positions.length), new Float32Array(positions.length)];
+	for (let i = 0; i < positions.length; i += 3) {
+		const at = (all: Float32Array): Vector => [all[i], all[i + 1], all[i + 2]];
+		const { sine, cosine } = swing(sway, at(positions), at(feet));
+		sines.set(sine, i);
+		cosines.set(cosine, i);
+	}
+	return [sines, cosines];
 }
 
 /** The same without the flesh that light comes through. */

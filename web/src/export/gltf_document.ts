@@ -3,7 +3,7 @@
  * validators ask. Meshes are written in full (float32, read everywhere) or compact (KHR_mesh_quantization).
  */
 import type { Mesh } from "../plant/plant";
-import { Animation, keysOf, type Moment } from "./animation";
+import { Animation, keysOf, type Moment, swingKeys } from "./animation";
 import { type AccessorData, BinaryGltf, COMPRESSION, type Encoder, type ViewLayout } from "./binary_gltf";
 import { GENERATOR } from "./generator";
 import type { GltfMaterial } from "./gltf_material";
@@ -27,7 +27,9 @@ const VIEWS: Record<string, ViewLayout> = {
 	colours: { target: "vertices", stride: 4 },
 	shortIndices: { target: "indices" },
 	longIndices: { target: "indices" },
+	swings: { target: "vertices", stride: 12 },
 	times: {},
+	weights: {},
 	sizes: {},
 	translations: {},
 	rotations: {},
@@ -55,6 +57,8 @@ export interface MeshOptions {
 	colours?: Uint8Array;
 	/** 4 × vertices (tangents.ts). */
 	tangents?: Float32Array;
+	/** 3 × vertices each: how far a sine and a cosine of time take them. */
+	swing?: readonly [sine: Float32Array, cosine: Float32Array];
 }
 
 /** What a node needs to draw a mesh where it was: its origin, and what a unit of its coordinates is. */
@@ -75,6 +79,8 @@ export class GltfDocument {
 	readonly #textures: Json[] = [];
 	readonly #samplers: Json[] = [];
 	readonly #animation = new Animation();
+	/** Accessors of the keys by which all swing. */
+	#swing: { input: number; output: number } | undefined;
 	/** Accessors of texture coordinates and of triangles that were there before. */
 	readonly #charts = new Map<Float32Array, number>();
 	readonly #lists = new Map<Uint32Array, number>();
@@ -124,13 +130,27 @@ export class GltfDocument {
 		this.#animation.step(index, "scale", input, output);
 	}
 
+	/** Has a node swing whose mesh says how. */
+	swing(index: number): void {
+		this.#swing ??= this.#swingKeys();
+		this.#animation.run(index, "weights", this.#swing.input, this.#swing.output);
+	}
+
+	#swingKeys() {
+		const { times, weights } = swingKeys();
+		return {
+			input: this.#binary.add("times", Float32Array.from(times), "SCALAR", { bounds: true }),
+			output: this.#binary.add("weights", Float32Array.from(weights), "SCALAR"),
+		};
+	}
+
 	/** Attributes of instances: appends to the view of that name, returns the accessor. */
 	instances(view: "translations" | "rotations" | "scales", data: AccessorData): number {
 		return this.#binary.add(view, data, view === "rotations" ? "VEC4" : "VEC3");
 	}
 
 	/** Appends a mesh of one material; arrays of texture coordinates and triangles that were there before are shared. */
-	mesh(name: string, mesh: Mesh, material: number, { centre, colours, tangents }: MeshOptions = {}): Placed {
+	mesh(name: string, mesh: Mesh, material: number, { centre, colours, tangents, swing }: MeshOptions = {}): Placed {
 		const { attributes, ...place } = this.compact
 			? this.#compactAttributes(mesh, centre)
 			: this.#fullAttributes(mesh, centre);
@@ -138,7 +158,10 @@ export class GltfDocument {
 		if (uvs !== undefined) attributes.TEXCOORD_0 = uvs;
 		if (tangents) attributes.TANGENT = this.#tangents(tangents);
 		if (colours) attributes.COLOR_0 = this.#binary.add("colours", colours, "VEC4", { normalized: true });
-		const index = this.#meshes.push({ name, primitives: [{ attributes, indices, material }] }) - 1;
+		const targets = swing?.map((each) => ({ POSITION: this.#binary.add("swings", each, "VEC3", { bounds: true }) }));
+		const moved = targets ? { weights: [0, 0], extras: { targetNames: ["sine", "cosine"] } } : {};
+		const primitive = { attributes, indices, material, ...(targets ? { targets } : {}) };
+		const index = this.#meshes.push({ name, primitives: [primitive], ...moved }) - 1;
 		return { mesh: index, ...place };
 	}
 
@@ -156,7 +179,7 @@ export class GltfDocument {
 				textures: this.#textures,
 				images: this.#images,
 				samplers: this.#samplers,
-				animations: this.#animation.written("Growth"),
+				animations: this.#animation.written(this.#swing ? "Wind" : "Growth"),
 			}),
 		});
 	}

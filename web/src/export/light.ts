@@ -3,7 +3,7 @@
  * single parts have no names any more. Of the parts of any model.
  */
 import type { Material, Picture, Textures } from "../plant/material";
-import type { Part } from "../plant/part";
+import type { Part, Vector } from "../plant/part";
 import { drawCalls } from "./draw_calls";
 import { withoutHidden } from "./hidden";
 import { extentOf, type Piece, piecesOf } from "./piece";
@@ -18,14 +18,16 @@ const UNSEEN = 1 / 4000;
 export interface Light {
 	/** Triangles at the most; without it as few as look the same. */
 	triangles?: number;
+	/** Where what stands still is held, of what is to sway: vertices then say where they are (`feet`). */
+	still?: Vector | undefined;
 	/** Pixels that pictures have along an edge, at the most. */
 	pixels: number;
 }
 
 /** One part for each thing that is drawn at once; at most 5. */
-export async function lightParts(parts: Iterable<Part>, { triangles, pixels }: Light): Promise<Part[]> {
+export async function lightParts(parts: Iterable<Part>, { triangles, pixels, still }: Light): Promise<Part[]> {
 	const all = triangles === undefined ? parts : sparse([...parts], triangles);
-	const calls = drawCalls(visible([...piecesOf(all)]), MOST_DRAWN);
+	const calls = drawCalls(visible([...piecesOf(all, still)]), MOST_DRAWN);
 	const light = await simplified(calls, triangles === undefined ? { error: UNSEEN } : { triangles });
 	const small = new Map<Picture, Picture>();
 	return light.map(({ material, mesh }) => {

@@ -1,6 +1,6 @@
 /** What light forms of a file are made from: all that is drawn of a plant, each where it stands. */
 import type { Material } from "../plant/material";
-import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM } from "../plant/part";
+import { everyPart, type Part, type PartMesh, type Shape, TRANSFORM, type Vector } from "../plant/part";
 import { placed } from "./together";
 import { writtenColours } from "./vertex_colours";
 
@@ -10,21 +10,36 @@ export interface Piece {
 	mesh: PartMesh;
 }
 
-/** Every mesh, and every instance of one by itself. */
-export function* piecesOf(parts: Iterable<Part>): Generator<Piece> {
+/**
+ * Every mesh, and every instance of one by itself.
+ * @param still where what stands still is held: then instances, too, say where they are (`feet`)
+ */
+export function* piecesOf(parts: Iterable<Part>, still?: Vector): Generator<Piece> {
 	for (const { shape } of everyPart(parts)) {
-		if (shape?.instances) yield* instancesOf(shape, shape.instances.transforms, shape.instances.sky);
-		else if (shape) yield piece(shape);
+		if (shape?.instances) yield* instancesOf(shape, shape.instances.transforms, shape.instances.sky, still);
+		else if (shape) yield piece(still && shape.material.still ? { ...shape, mesh: heldAt(still, shape.mesh) } : shape);
 	}
 }
 
-function* instancesOf({ mesh, material }: Shape, transforms: Float32Array, sky?: Uint8Array): Generator<Piece> {
+function* instancesOf(
+	{ mesh, material }: Shape,
+	transforms: Float32Array,
+	sky: Uint8Array | undefined,
+	still: Vector | undefined,
+): Generator<Piece> {
 	for (let i = 0; i < transforms.length / TRANSFORM; i++) {
 		const { positions, normals } = placed(mesh, transforms.subarray(TRANSFORM * i, TRANSFORM * (i + 1)));
-		const own: PartMesh = { ...mesh, positions: Float32Array.from(positions), normals: Float32Array.from(normals) };
+		const bare: PartMesh = { ...mesh, positions: Float32Array.from(positions), normals: Float32Array.from(normals) };
+		const [x, y, z] = transforms.subarray(TRANSFORM * i, TRANSFORM * i + 3);
+		const own = still ? heldAt([x, y, z], bare) : bare;
 		if (sky) own.sky = new Uint8Array(positions.length / 3).fill(sky[i]);
 		yield piece({ mesh: own, material });
 	}
+}
+
+/** The same mesh held at a place. */
+function heldAt(place: Vector, mesh: PartMesh): PartMesh {
+	return { ...mesh, feet: mesh.positions.map((_, at) => place[at % 3]) };
 }
 
 function piece({ mesh, material }: Pick<Shape, "mesh" | "material">): Piece {

@@ -1,11 +1,12 @@
 /** Files with meshes that there are of every plant: what they are called, and what makes them when one is asked for. */
 import type { Part } from "../plant/part";
+import type { Sway } from "../plant/sway";
 import type { About } from "./about";
 import type { Aged } from "./growth_glb";
 
 /** What a person may say of a file; what a file does not heed changes nothing. */
 export interface FileOptions {
-	/** Of the *low* form, at the most. */
+	/** Of the *low* and the *wind* form, at the most. */
 	readonly triangles?: number;
 	/** Whether light comes through flesh in the *detailed* and the *instanced* form; readers take another pass for it. */
 	readonly translucent?: boolean;
@@ -23,6 +24,14 @@ export const FILE_RANGES = {
 	thickness: [0.2, 20],
 	points: [1, 2_000_000],
 } as const satisfies Partial<Record<keyof FileOptions, readonly [least: number, most: number]>>;
+
+/** How a plant changes, for files that move. */
+export interface Motion {
+	/** The plant at other ages, for what is of its `life`; absent where it has none. */
+	readonly aged?: Aged | undefined;
+	/** How wind moves it; absent where it stands still. */
+	readonly sway?: Sway | undefined;
+}
 
 export interface PlantFile {
 	/** Its name for programs: `glb-web`. */
@@ -44,13 +53,14 @@ export interface PlantFile {
 	readonly slow?: true;
 	/** Whether it is of the plant at many ages, and so of plants that have any. */
 	readonly life?: true;
-	/**
-	 * @param parts only read; the same parts and options give the same bytes
-	 * @param aged the plant at other ages, for what is of its `life`
-	 */
-	make(parts: Iterable<Part>, about: About, options: FileOptions, aged?: Aged): Promise<Uint8Array<ArrayBuffer>>;
+	/** Whether it is of what wind moves: of what stands still it shows just that. */
+	readonly blown?: true;
+	/** @param parts only read; the same parts and options give the same bytes */
+	make(parts: Iterable<Part>, about: About, options: FileOptions, motion?: Motion): Promise<Uint8Array<ArrayBuffer>>;
 }
 
+/** Of the *wind* form, where nobody says otherwise. */
+export const WIND_TRIANGLES = 40_000;
 /** Of the *low* form, where nobody says otherwise. */
 export const LOW_TRIANGLES = 20_000;
 
@@ -114,10 +124,22 @@ export const PLANT_FILES: readonly PlantFile[] = [
 		suffix: "-growth.glb",
 		life: true,
 		slow: true,
-		make: async (_, about, __, aged) => {
+		make: async (_, about, __, { aged } = {}) => {
 			if (!aged) throw new Error("This plant has no ages to show.");
 			return (await import("./growth_glb")).growthGlb(aged, about);
 		},
+	},
+	{
+		...GLB,
+		key: "glb-wind",
+		form: "wind",
+		title: "GLB, in the wind",
+		about: "Swaying as an animation without end; opens everywhere",
+		suffix: "-wind.glb",
+		blown: true,
+		slow: true,
+		make: async (parts, about, { triangles }, { sway } = {}) =>
+			(await import("./wind_glb")).windGlb(parts, about, sway, triangles),
 	},
 	{
 		key: "usdz",

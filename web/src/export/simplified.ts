@@ -125,13 +125,14 @@ export function taken(mesh: PartMesh, from: Uint32Array): PartMesh {
 			for (let k = 0; k < width; k++) own[width * to + k] = values[width * vertex + k];
 		return own;
 	};
-	const { positions, normals, uvs, indices, colours, name } = mesh;
+	const { positions, normals, uvs, indices, colours, feet, name } = mesh;
 	return {
 		positions: each(positions, 3),
 		normals: each(normals, 3),
 		uvs: each(uvs, 2),
 		indices,
 		...(colours ? { colours: each(colours, 3) } : {}),
+		...(feet ? { feet: each(feet, 3) } : {}),
 		...(name === undefined ? {} : { name }),
 	};
 }

@@ -8,6 +8,7 @@ import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import { agedOf } from "./aged";
 import type { FileRequest } from "./messages";
+import { swayed } from "./swayed";
 import { zip } from "./zip";
 
 const encoder = new TextEncoder();
@@ -30,7 +31,9 @@ export async function makeFile(model: Model, request: FileRequest, grow?: Growin
 	const parts = model.parts(grown, specimen);
 	if (file) {
 		const aged = file.life && grow ? agedOf(model, specimen, grow) : undefined;
-		return new Blob([await file.make(parts, about, options ?? {}, aged)], { type: file.type });
+		return new Blob([await file.make(parts, about, options ?? {}, { aged, sway: swayed(model, grown) })], {
+			type: file.type,
+		});
 	}
 	if (format !== "obj") throw new RangeError(`There is no file “${format}” of a ${model.noun}.`);
 	const { obj, mtl, pictures } = exportObj(parts, about, name);

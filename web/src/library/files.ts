@@ -14,13 +14,13 @@ import { formats } from "./catalogue";
 import { type Grown, growHeld, type Specimen } from "./grow";
 
 /** The forms of a GLB: docs/export.md says what is in each. */
-export type GlbForm = "detailed" | "web" | "low" | "instanced" | "growth";
+export type GlbForm = "detailed" | "web" | "low" | "instanced" | "growth" | "wind";
 
 /** What may be said of a GLB. */
 export interface GlbOptions {
-	/** `detailed` where absent. `web` and `instanced` are for readers of extensions of glTF, `growth` is the plant's life as an animation. */
+	/** `detailed` where absent. `web` and `instanced` are for readers of extensions of glTF, `growth` is the plant's life as an animation, `wind` its swaying. */
 	readonly form?: GlbForm;
-	/** Of the form `low`, at the most; 20,000 where absent. */
+	/** Of the form `low`, at the most, 20,000 where absent; and of the form `wind`, 40,000 where absent. */
 	readonly triangles?: number;
 	/** Whether light comes through flesh in the forms `detailed` and `instanced`; readers take another pass for it. */
 	readonly translucent?: boolean;

@@ -40,6 +40,8 @@ export interface Material {
 	colour: Colour;
 	/** 0 mirror … 1 matt. */
 	roughness: number;
+	/** Whether wind leaves what is made of it alone: stone. */
+	still?: true;
 	/** Of sheets without thickness. */
 	doubleSided?: boolean;
 	/**

@@ -9,6 +9,7 @@ import {
 } from "three";
 import type { PaperShadow } from "./paper_shadow";
 import { fillInstances } from "./streams";
+import { WIND_CHUNK, type WindUniforms } from "./wind";
 
 /** Bodies as cylinders with round ends; balls begin where they end. Metres. */
 export interface Capsules {
@@ -28,14 +29,15 @@ uniform vec3 lamp;
 uniform float spread;
 varying vec2 at;
 varying vec2 capsule;
+${WIND_CHUNK}
 vec2 landing(vec3 from, out float way) {
 	way = max(0.0, from.z - paper) / lamp.z;
 	return from.xy - lamp.xy * way;
 }
 void main() {
 	float way, other;
-	vec2 from = landing((viewMatrix * vec4(begins.xyz, 1.0)).xyz, way);
-	vec2 to = landing((viewMatrix * vec4(ends, 1.0)).xyz, other);
+	vec2 from = landing((viewMatrix * vec4(blown(begins.xyz, begins.xyz), 1.0)).xyz, way);
+	vec2 to = landing((viewMatrix * vec4(blown(ends, ends), 1.0)).xyz, other);
 	float blur = spread * 0.5 * (way + other);
 	float reach = begins.w + blur;
 	vec2 run = to - from;
@@ -64,7 +66,7 @@ void main() {
 export class CapsuleShadow {
 	readonly #mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
 
-	constructor(shadow: PaperShadow) {
+	constructor(shadow: PaperShadow, wind: WindUniforms) {
 		const geometry = new InstancedBufferGeometry();
 		const corners = new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
 		geometry.setAttribute("position", new BufferAttribute(corners, 3));
@@ -73,7 +75,7 @@ export class CapsuleShadow {
 			name: "capsule-shadow",
 			vertexShader: VERTEX,
 			fragmentShader: FRAGMENT,
-			uniforms: { ...shadow.uniforms },
+			uniforms: { ...shadow.uniforms, ...wind },
 			blending: CustomBlending,
 			blendSrc: ZeroFactor,
 			blendDst: OneMinusSrcAlphaFactor,

@@ -1,8 +1,10 @@
 /** A plant as it stands on the stage. Where parts are all there is to say of a model, `partFigure` is its figure. */
 import type { Object3D, PerspectiveCamera } from "three";
+import type { Sway } from "../plant/sway";
 import type { Bodies } from "./camera_fit";
 import type { PaperShadow } from "./paper_shadow";
 import type { StageLight } from "./stage_light";
+import type { WindUniforms } from "./wind";
 
 export type Vector = readonly [x: number, y: number, z: number];
 
@@ -21,6 +23,8 @@ export interface FigureStage {
 	readonly light: StageLight;
 	/** Where it puts what casts its shadow on the paper. */
 	readonly shadow: PaperShadow;
+	/** The wind there is, for the shaders of what it moves. */
+	readonly wind: WindUniforms;
 	/** To be called where the figure changes by itself, so that it is drawn again; absent where nobody looks on. */
 	readonly changed?: () => void;
 }
@@ -37,6 +41,8 @@ export interface Figure<S, G> {
 	rehearse?(): void;
 	/** What the view is to hold. */
 	bounds(): Bodies;
+	/** How wind moves what is shown; where absent it stands still. */
+	sway?(): Sway | undefined;
 	/** Settles what depends on where the viewer stands; called before each drawing, the light aimed. */
 	prepare(camera: PerspectiveCamera): void;
 	/** What is met first along a line of sight, by the model's own number for it; undefined where nothing is. */

@@ -1,16 +1,30 @@
-import { CustomBlending, DoubleSide, InstancedMesh, MaxEquation, Mesh, OneFactor, ShaderMaterial } from "three";
+import {
+	type BufferGeometry,
+	CustomBlending,
+	DoubleSide,
+	InstancedMesh,
+	type Material,
+	MaxEquation,
+	Mesh,
+	OneFactor,
+	ShaderMaterial,
+} from "three";
 import type { PaperShadow } from "./paper_shadow";
+import { WIND_CHUNK, type WindUniforms, windUniforms } from "./wind";
 
 const VERTEX = /* glsl */ `
 uniform float paper;
 uniform vec3 lamp;
 varying float way;
+${WIND_CHUNK}
 void main() {
 	vec4 point = vec4(position, 1.0);
+	vec3 held = position;
 	#ifdef USE_INSTANCING
 		point = instanceMatrix * point;
+		held = instanceMatrix[3].xyz;
 	#endif
-	vec3 from = (modelViewMatrix * point).xyz;
+	vec3 from = (modelViewMatrix * vec4(blown(point.xyz, held), 1.0)).xyz;
 	way = max(0.0, from.z - paper) / lamp.z;
 	gl_Position = projectionMatrix * vec4(from.xy - lamp.xy * way, paper, 1.0);
 }
@@ -28,31 +42,23 @@ void main() {
 export class MeshShadow {
 	readonly #cast: Mesh[] = [];
 	readonly #shadow: PaperShadow;
-	readonly #material: ShaderMaterial;
+	readonly #blown: ShaderMaterial;
+	readonly #still: ShaderMaterial;
 
-	constructor(shadow: PaperShadow) {
+	constructor(shadow: PaperShadow, wind: WindUniforms) {
 		this.#shadow = shadow;
-		this.#material = new ShaderMaterial({
-			name: "mesh-shadow",
-			vertexShader: VERTEX,
-			fragmentShader: FRAGMENT,
-			uniforms: { ...shadow.uniforms },
-			side: DoubleSide,
-			blending: CustomBlending,
-			blendEquation: MaxEquation,
-			blendSrc: OneFactor,
-			blendDst: OneFactor,
-			depthTest: false,
-			depthWrite: false,
-			toneMapped: false,
-		});
+		this.#blown = casting(shadow, wind);
+		this.#still = casting(shadow, windUniforms());
 	}
 
-	/** What casts, in place of the last; the meshes stay whose they are. */
-	lay(meshes: readonly (Mesh | InstancedMesh)[]): void {
+	/**
+	 * What casts, in place of the last; the meshes stay whose they are.
+	 * @param blown whether wind moves what is of a material
+	 */
+	lay(meshes: readonly Mesh<BufferGeometry, Material>[], blown: (material: Material) => boolean = () => true): void {
 		this.#clear();
 		for (const mesh of meshes) {
-			const cast = sharing(mesh, this.#material);
+			const cast = sharing(mesh, blown(mesh.material) ? this.#blown : this.#still);
 			cast.frustumCulled = false;
 			this.#shadow.hard.add(cast);
 			this.#cast.push(cast);
@@ -61,13 +67,31 @@ export class MeshShadow {
 
 	dispose(): void {
 		this.#clear();
-		this.#material.dispose();
+		this.#blown.dispose();
+		this.#still.dispose();
 	}
 
 	#clear(): void {
 		for (const cast of this.#cast) cast.removeFromParent();
 		this.#cast.length = 0;
 	}
+}
+
+function casting(shadow: PaperShadow, wind: WindUniforms): ShaderMaterial {
+	return new ShaderMaterial({
+		name: "mesh-shadow",
+		vertexShader: VERTEX,
+		fragmentShader: FRAGMENT,
+		uniforms: { ...shadow.uniforms, ...wind },
+		side: DoubleSide,
+		blending: CustomBlending,
+		blendEquation: MaxEquation,
+		blendSrc: OneFactor,
+		blendDst: OneFactor,
+		depthTest: false,
+		depthWrite: false,
+		toneMapped: false,
+	});
 }
 
 /** The same geometry at the same places, of another material. */

@@ -1,12 +1,14 @@
-import { Color, InstancedMesh, Mesh, type PerspectiveCamera, Raycaster, Vector3 } from "three";
+import { Color, InstancedMesh, Mesh, type MeshDepthMaterial, type PerspectiveCamera, Raycaster, Vector3 } from "three";
 import type { Picture } from "../plant/material";
 import type { Part } from "../plant/part";
+import type { Sway } from "../plant/sway";
 import type { Bodies } from "./camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "./figure";
 import { MeshShadow } from "./mesh_shadow";
 import { ballOf, boundsOf, joined } from "./part_bounds";
 import { PartMeshes, type PartObject } from "./part_meshes";
 import { StandardLights } from "./standard_lights";
+import { windyDepth } from "./standard_material";
 import { type Drawn, Wardrobe } from "./wardrobe";
 
 /** The light that marks a part. */
@@ -24,24 +26,33 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	readonly #lights = new StandardLights();
 	readonly #shadow: MeshShadow;
 	readonly #wardrobe: Wardrobe;
+	readonly #depth: MeshDepthMaterial;
+	readonly #swayOf: (grown: G) => Sway | undefined;
+	#sway: Sway | undefined;
 	#shown: PartMeshes;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 	/** 3 × points that the view is to hold besides. */
 	#about: Float32Array = new Float32Array(0);
 	#mark: PartObject | undefined;
 
-	/** @param room points that the view is to hold besides the parts, metres */
+	/**
+	 * @param room points that the view is to hold besides the parts, metres
+	 * @param swayOf how wind moves a plant; where absent it stands still
+	 */
 	constructor(
 		stage: FigureStage,
 		parts: (grown: G, specimen: S) => Iterable<Part>,
 		room: (specimen: S) => Float32Array = () => new Float32Array(0),
+		swayOf: (grown: G) => Sway | undefined = () => undefined,
 	) {
 		this.#stage = stage;
 		this.#parts = parts;
 		this.#room = room;
-		this.#wardrobe = new Wardrobe(stage.light.uniforms);
+		this.#swayOf = swayOf;
+		this.#wardrobe = new Wardrobe(stage.light.uniforms, stage.wind);
+		this.#depth = windyDepth(stage.wind);
 		this.#shown = new PartMeshes([], this.#wardrobe);
-		this.#shadow = new MeshShadow(stage.shadow);
+		this.#shadow = new MeshShadow(stage.shadow, stage.wind);
 		stage.root.add(this.#lights.group);
 	}
 
@@ -50,8 +61,12 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		const parts = [...this.#parts(grown, specimen)];
 		this.#wardrobe.change();
 		this.#shown = new PartMeshes(parts, this.#wardrobe);
-		for (const object of this.#shown.objects) this.#stage.root.add(object);
-		this.#shadow.lay(this.#shown.objects);
+		for (const object of this.#shown.objects) {
+			if (object.material.userData.blown) object.customDepthMaterial = this.#depth;
+			this.#stage.root.add(object);
+		}
+		this.#sway = this.#swayOf(grown);
+		this.#shadow.lay(this.#shown.objects, ({ userData }) => userData.blown);
 		this.#bounds = boundsOf(parts);
 		this.#about = this.#room(specimen);
 		this.#lights.shade(ballOf(this.#bounds));
@@ -62,8 +77,12 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		return { spheres, points: joined([points, this.#about]) };
 	}
 
+	sway(): Sway | undefined {
+		return this.#sway;
+	}
+
 	prepare(camera: PerspectiveCamera): void {
-		this.#lights.aim(this.#stage.light, camera);
+		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
 	}
 
 	pick({ origin, direction }: Ray): number | undefined {
@@ -111,6 +130,7 @@ export class PartFigure<S, G> implements Figure<S, G> {
 	dispose(): void {
 		this.#clear();
 		this.#wardrobe.dispose();
+		this.#depth.dispose();
 		this.#shadow.dispose();
 		this.#lights.dispose();
 	}
@@ -137,6 +157,7 @@ function countOf(object: PartObject): number {
 export function partFigure<S, G>(
 	parts: (grown: G, specimen: S) => Iterable<Part>,
 	room?: (specimen: S) => Float32Array,
+	swayOf?: (grown: G) => Sway | undefined,
 ): FigureMaker<S, G> {
-	return (stage) => new PartFigure(stage, parts, room);
+	return (stage) => new PartFigure(stage, parts, room, swayOf);
 }

@@ -6,10 +6,12 @@ import type { Theme } from "./light";
 import { PaperShadow } from "./paper_shadow";
 import type { Drawable } from "./renderer";
 import { StageLight } from "./stage_light";
+import { Wind } from "./wind";
 
 /** A figure, its light and the paper behind it: everything that is drawn, whatever it is drawn on. */
 export class Stage<S, G> implements Drawable {
 	readonly scene = new Scene();
+	readonly wind = new Wind();
 	readonly #light = new StageLight();
 	readonly #shadow = new PaperShadow();
 	readonly #backdrop = new Backdrop(this.#shadow.texture);
@@ -33,7 +35,13 @@ export class Stage<S, G> implements Drawable {
 		this.#root.removeFromParent();
 		this.#root = new Group();
 		this.scene.add(this.#root);
-		this.#figure = make({ root: this.#root, light: this.#light, shadow: this.#shadow, changed: this.#changed });
+		this.#figure = make({
+			root: this.#root,
+			light: this.#light,
+			shadow: this.#shadow,
+			wind: this.wind.uniforms,
+			changed: this.#changed,
+		});
 		this.#mode = this.#figure.modes[0];
 		this.#empty();
 	}
@@ -58,6 +66,7 @@ export class Stage<S, G> implements Drawable {
 		if (!this.#figure) throw new Error("There is no figure to show a plant with: give the viewer one to use.");
 		this.#figure.show(grown, specimen);
 		this.#marked = undefined;
+		this.wind.fit(this.#figure.sway?.());
 		this.#fill();
 		return this.#figure.bounds();
 	}

@@ -1,6 +1,7 @@
-import { DirectionalLight, Group, LightProbe, type PerspectiveCamera, Vector3 } from "three";
+import { DirectionalLight, Group, LightProbe, type PerspectiveCamera, Vector2, Vector3 } from "three";
 import { probeOf } from "./probe";
 import type { StageLight } from "./stage_light";
+import type { WindUniforms } from "./wind";
 
 /** Shadow maps are so large each way, and blurred by so many of their pixels: the window is a large lamp. */
 const SHADOW_PIXELS = 1024;
@@ -22,6 +23,8 @@ export class StandardLights {
 	readonly #sky = new LightProbe();
 
 	#shaded: Ball | undefined;
+	/** Of the wind, when the shadow was drawn last. */
+	readonly #beat = new Vector2();
 
 	constructor() {
 		// A directional light shines from its position towards its target.
@@ -47,8 +50,14 @@ export class StandardLights {
 		camera.updateProjectionMatrix();
 	}
 
-	/** Brings the lamps to the light, which turns with the viewer. */
-	aim({ rig, uniforms }: StageLight, camera: PerspectiveCamera): void {
+	/**
+	 * Brings the lamps to the light, which turns with the viewer.
+	 * @param wind what moves what throws shadows, where something does
+	 */
+	aim({ rig, uniforms }: StageLight, camera: PerspectiveCamera, wind?: WindUniforms): void {
+		const beat = wind?.windBeat.value ?? this.#beat;
+		if (!this.#beat.equals(beat)) this.#key.shadow.needsUpdate = true;
+		this.#beat.copy(beat);
 		this.#aimKey(uniforms.keyDirection.value);
 		this.#key.color.setRGB(...rig.key.irradiance);
 		this.#rim.position.copy(uniforms.rimDirection.value);

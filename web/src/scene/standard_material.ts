@@ -3,6 +3,7 @@ import {
 	Color,
 	DoubleSide,
 	FrontSide,
+	MeshDepthMaterial,
 	MeshPhysicalMaterial,
 	MeshStandardMaterial,
 	ShaderChunk,
@@ -14,6 +15,7 @@ import {
 import type { Material } from "../plant/material";
 import { LIGHT_CHUNK, type LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
+import { WIND_CHUNK, type WindUniforms } from "./wind";
 
 /** How much of both lamps' light reaches a vertex, where a figure knows that better than a shadow map. */
 export interface LampShares {
@@ -34,6 +36,8 @@ export interface StandardOptions extends PlainOptions {
 	/** Whether vertices or instances have `sky`, 0 none … 1 all; where they have not, all of it is open. */
 	sky?: boolean;
 	shares?: LampShares;
+	/** What moves it; where absent it stands still. `userData.blown` of the material says which. */
+	wind?: WindUniforms;
 }
 
 /** What three's physically based material makes of one of ours in any scene. Light through sheets and flesh is left out. */
@@ -63,11 +67,12 @@ export function standardMaterial(material: Material, options: StandardOptions): 
 	if (made.map) made.userData.picture = material.textures?.colour;
 	const sheet = material.sheet && sheetUniforms();
 	made.userData.sheet = sheet;
+	made.userData.blown = options.wind !== undefined;
 	setSheet(made, material);
 	setPicture(made, material);
 	made.onBeforeCompile = (shader) => lit(shader, sheet, options);
-	const { sky = false, shares } = options;
-	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, sheet !== undefined]);
+	const { sky = false, shares, wind } = options;
+	made.customProgramCacheKey = () => JSON.stringify([sky, shares?.chunk, sheet !== undefined, wind !== undefined]);
 	return made;
 }
 
@@ -147,8 +152,9 @@ function lit(
 	sheet: SheetUniforms | undefined,
 	options: StandardOptions,
 ): void {
-	const { light, sky, shares } = options;
+	const { light, sky, shares, wind } = options;
 	Object.assign(shader.uniforms, light, shares?.uniforms, sheet);
+	if (wind) blow(shader, wind);
 	const varyings = `${sky ? "varying float openSky;" : ""}\n${shares ? "varying vec2 lampShares;" : ""}\n`;
 	shader.vertexShader = shader.vertexShader
 		.replace(
@@ -170,6 +176,43 @@ function lit(
 		.replace("#include <lights_fragment_end>", `${MIRRORED}#include <lights_fragment_end>`)
 		.replace("#include <aomap_fragment>", sky ? SHADED : "");
 }
+
+/** Has a program of three's draw every vertex, and look for its shadow, where the wind has it. */
+function blow(shader: WebGLProgramParametersWithUniforms, wind: WindUniforms): void {
+	Object.assign(shader.uniforms, wind);
+	shader.vertexShader = shader.vertexShader
+		.replace("#include <common>", `#include <common>\n${WIND_CHUNK}`)
+		.replace("#include <project_vertex>", `${BLOWN}#include <project_vertex>\n${PROJECTED}`)
+		.replace("#include <worldpos_vertex>", `#include <worldpos_vertex>\n${IN_WORLD}`);
+}
+
+/** The material of what is drawn into shadow maps of what wears `standardMaterial` with a wind. */
+export function windyDepth(wind: WindUniforms): MeshDepthMaterial {
+	const made = new MeshDepthMaterial();
+	made.onBeforeCompile = (shader) => blow(shader, wind);
+	made.customProgramCacheKey = () => "wind";
+	return made;
+}
+
+const BLOWN = /* glsl */ `
+vec4 still = vec4(transformed, 1.0);
+vec3 held = transformed;
+#ifdef USE_INSTANCING
+	still = instanceMatrix * still;
+	held = instanceMatrix[3].xyz;
+#endif
+vec4 windy = vec4(blown(still.xyz, held), 1.0);
+`;
+const PROJECTED = /* glsl */ `
+mvPosition = modelViewMatrix * windy;
+gl_Position = projectionMatrix * mvPosition;
+`;
+/** Only programs that throw or catch shadows have it. */
+const IN_WORLD = /* glsl */ `
+#ifdef USE_SHADOWMAP
+	worldPosition = modelMatrix * windy;
+#endif
+`;
 
 /** Where a vertex stands in the plant, instances as they are placed. */
 const PLACED = /* glsl */ `

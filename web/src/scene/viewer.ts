@@ -1,7 +1,7 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { type Spindle, spindleOf } from "./camera_fit";
 import type { FigureMaker, Ray } from "./figure";
-import { FrameLoop } from "./frame_loop";
+import { type Frame, FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
 import { type Drawable, Renderer, type Size } from "./renderer";
 import { Stage } from "./stage";
@@ -58,8 +58,7 @@ export class Viewer<S, G> {
 		this.#events = options.events ?? {};
 		this.#renderer = options.renderer ?? new Renderer(canvas, options.checked ?? false);
 		if (options.renderer) this.#copied = canvas.getContext("2d", { alpha: false }) ?? undefined;
-		const { slow } = this.#renderer;
-		this.#loop = new FrameLoop(({ ratio, now }) => this.#frame(ratio, now), window.devicePixelRatio, slow);
+		this.#loop = new FrameLoop((frame) => this.#frame(frame), window.devicePixelRatio, this.#renderer.slow);
 		this.#turntable = new Turntable(canvas, options.reducedMotion ?? false, () => this.#loop.request(true));
 		if (options.still) this.#turntable.controls.disconnect();
 		this.setTheme(options.theme ?? "light");
@@ -109,9 +108,8 @@ export class Viewer<S, G> {
 
 	/** While held (a control is being dragged), the view goes after the plant only where that outgrows it; let go, it follows. */
 	holdView(held: boolean): void {
-		if (held === this.#held) return;
+		if (!held && this.#held && this.#spindle) this.#turntable.follow(this.#spindle, false);
 		this.#held = held;
-		if (!held && this.#spindle) this.#turntable.follow(this.#spindle, false);
 	}
 
 	/** Turns the plant, by radians to the right and down. */
@@ -143,6 +141,12 @@ export class Viewer<S, G> {
 		this.#turntable.reducedMotion = on;
 	}
 
+	/** Whether a wind blows: then it draws frame after frame. Pictures are of the plant at rest. */
+	set wind(on: boolean) {
+		this.#stage.wind.blowing = on;
+		this.#loop.request(true);
+	}
+
 	/** Whether pointers turn the plant; a handle in the scene switches this off while it is dragged. */
 	set orbiting(enabled: boolean) {
 		this.#turntable.controls.enabled = enabled;
@@ -166,10 +170,7 @@ export class Viewer<S, G> {
 		return { x: (0.5 + 0.5 * at.x) * this.#size.width, y: (0.5 - 0.5 * at.y) * this.#size.height };
 	}
 
-	/**
-	 * What is under a point of the canvas (CSS pixels from its top left corner), by the figure's number for it. Undefined where
-	 * there is nothing.
-	 */
+	/** What is under a point of the canvas, CSS pixels from its top left corner, by the figure's number for it, if anything. */
 	pick(x: number, y: number): number | undefined {
 		return this.#stage.pick(this.sightThrough(x, y));
 	}
@@ -229,7 +230,7 @@ export class Viewer<S, G> {
 		const { width: shownWidth, height: shownHeight } = this.#size;
 		this.#setSize(width, height);
 		try {
-			return take();
+			return this.#stage.wind.calm(take);
 		} finally {
 			this.#setSize(shownWidth, shownHeight);
 			this.#draw(this.#loop.rest);
@@ -271,10 +272,10 @@ export class Viewer<S, G> {
 		this.#turntable.setAspect(this.#size.width / this.#size.height);
 	}
 
-	#frame(ratio: number, now: number): boolean {
-		const moving = this.#turntable.advance(now);
+	#frame({ ratio, now }: Frame): boolean {
+		const moves = [this.#turntable.advance(now), this.#stage.wind.blow(now)];
 		this.#draw(ratio);
-		return moving;
+		return moves.includes(true);
 	}
 
 	#draw(ratio: number): void {
@@ -283,9 +284,8 @@ export class Viewer<S, G> {
 		this.#submit(this.#stage, ratio);
 		this.#rendered++;
 		this.#events.drawn?.();
-		if (!this.#stage.filled || this.#drawnFirst) return;
-		this.#drawnFirst = true;
-		this.#events.firstDraw?.();
+		if (this.#stage.filled && !this.#drawnFirst) this.#events.firstDraw?.();
+		this.#drawnFirst ||= this.#stage.filled;
 	}
 
 	#submit(stage: Drawable, ratio: number): void {

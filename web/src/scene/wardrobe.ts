@@ -3,6 +3,7 @@ import type { Material, Picture } from "../plant/material";
 import type { LightUniforms } from "./light_shader";
 import { pictureTexture } from "./picture_texture";
 import { standardMaterial } from "./standard_material";
+import type { WindUniforms } from "./wind";
 
 /** The textures that are drawn, and what of a material of three's shows each. */
 const DRAWN = { colour: "map", normal: "normalMap" } as const;
@@ -25,14 +26,17 @@ interface Kept {
  */
 export class Wardrobe {
 	readonly #light: LightUniforms;
+	readonly #wind: WindUniforms | undefined;
 	/** By all that tells two apart; with the plant that last wore them. */
 	readonly #kept = new Map<string, Kept>();
 	/** The textured materials of the plant that is being dressed, in order: pictures may change, their place stays. */
 	readonly #textured = new Map<Material, number>();
 	#plant = 0;
 
-	constructor(light: LightUniforms) {
+	/** @param wind what moves all that is worn; where absent it stands still */
+	constructor(light: LightUniforms, wind?: WindUniforms) {
 		this.#light = light;
+		this.#wind = wind;
 	}
 
 	/** Another plant is to be dressed, the last one is off the stage: of what the last two have not worn only so much stays. */
@@ -80,7 +84,17 @@ export class Wardrobe {
 		const maps = Object.fromEntries(
 			KINDS.flatMap((kind) => (shows[kind] ? [[kind, pictureTexture(shows[kind], kind === "colour", repeats)]] : [])),
 		);
-		return { made: standardMaterial(material, { light: this.#light, coloured, sky: true, maps }), worn: 0, shows };
+		return {
+			made: standardMaterial(material, {
+				light: this.#light,
+				coloured,
+				sky: true,
+				maps,
+				...(this.#wind && !material.still ? { wind: this.#wind } : {}),
+			}),
+			worn: 0,
+			shows,
+		};
 	}
 }
 

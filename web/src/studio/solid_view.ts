@@ -15,6 +15,8 @@ import { TRY_AGAIN } from "./types";
 export interface SolidViewEvents {
 	lost(): void;
 	restored(): void;
+	/** Less motion is wished for from now on, or no more. */
+	motion(): void;
 }
 
 /** The measure of laying a plant on the stage, up to where three.js has it: the last one stands (`npm run bench`). */
@@ -26,6 +28,8 @@ export class SolidView implements ToolView {
 	readonly canvas: HTMLCanvasElement;
 	readonly #view: Viewer<Specimen, Plant>;
 	readonly #studio: Studio;
+	readonly #reduced = matchMedia("(prefers-reduced-motion: reduce)");
+	#wind = false;
 	/** Who is told when the picture has been drawn. */
 	readonly #above: Set<() => void>;
 	#orbiting = true;
@@ -63,11 +67,10 @@ export class SolidView implements ToolView {
 		const { model, dark } = studio.state;
 		// Both first: a canvas gives one context, so that nothing may fail once it is taken.
 		const [{ Viewer }] = await Promise.all([loadScene(), loadFigure(model)]);
-		const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 		const theme = dark ? "dark" : "light";
 		const above = new Set<() => void>();
 		const view = new Viewer<Specimen, Plant>(canvas, {
-			reducedMotion: reduced.matches,
+			reducedMotion: matchMedia("(prefers-reduced-motion: reduce)").matches,
 			theme,
 			checked: import.meta.env.DEV,
 			events: {
@@ -80,7 +83,7 @@ export class SolidView implements ToolView {
 			},
 		});
 		const solid = new SolidView(canvas, view, studio, above);
-		solid.#follow(reduced);
+		solid.#follow(() => events.motion());
 		await solid.#use(model);
 		return solid;
 	}
@@ -140,6 +143,21 @@ export class SolidView implements ToolView {
 	/** The whole plant again, as the page opens with it. */
 	reset(): void {
 		this.#view.resetView();
+	}
+
+	/** Whether anything may move by itself: less motion is wished for where not. */
+	get movesByItself(): boolean {
+		return !this.#reduced.matches;
+	}
+
+	/** Whether a wind blows on the plant. */
+	get wind(): boolean {
+		return this.#wind;
+	}
+
+	set wind(on: boolean) {
+		this.#wind = on && this.movesByItself;
+		this.#view.wind = this.#wind;
 	}
 
 	/** The canvas has another size. */
@@ -211,11 +229,13 @@ export class SolidView implements ToolView {
 	}
 
 	/** Motion may become unwelcome, or welcome, while the page stands. */
-	#follow(reduced: MediaQueryList): void {
+	#follow(tell: () => void): void {
 		const follow = ({ matches }: MediaQueryListEvent) => {
 			this.#view.reducedMotion = matches;
+			this.wind = false;
+			tell();
 		};
-		reduced.addEventListener("change", follow, { signal: this.#ended.signal });
+		this.#reduced.addEventListener("change", follow, { signal: this.#ended.signal });
 	}
 
 	/** Puts a model's figure on the stage, in place of the last one's. */

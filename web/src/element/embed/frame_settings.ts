@@ -10,7 +10,7 @@ export interface FrameSettings {
 }
 
 /** Keys of the frame's query that go to the element; no parameter is called so. */
-export const FRAME_KEYS = ["autorotate", "controls", "handles", "theme", "alt", "loading"] as const;
+export const FRAME_KEYS = ["autorotate", "wind", "controls", "handles", "theme", "alt", "loading"] as const;
 
 export function frameSettings({ search, hash }: { search: string; hash: string }): FrameSettings {
 	const query = new URLSearchParams(search);

@@ -47,7 +47,9 @@ export function formatsOf(shown: Shown, picture: StudioState["picture"], write =
 	const { model, grown } = shown;
 	const own = (model.formats ?? []).filter(({ applies }) => applies?.(grown) ?? true);
 	const core = hasAges(model, shown.from) ? coreAddress(model.wasm) : undefined;
-	const meshes = PLANT_FILES.filter(({ shared, life }) => (!shared || hasInstances(shown)) && (!life || core));
+	const meshes = PLANT_FILES.filter(
+		({ shared, life, blown }) => (!shared || hasInstances(shown)) && (!life || core) && !(blown && model.still),
+	);
 	const listed: Listed[] = [...meshes, ...OF_EVERY_PLANT, ...own];
 	const written = listed.map(({ key, title, about, suffix, slow = false }): Download => {
 		const make: Download["make"] = ({ plant: { model, grown, from }, ...asked }, signal) => {

@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { type IconName, icon } from "../../controls/icons";
+import { icon } from "../../controls/icons";
 import { rove, stopAt } from "../../controls/roving";
 import { ORBIT_KEYS } from "../../scene/orbit_keys";
 import { fromPreset } from "../../specimen/from_preset";
@@ -93,6 +93,7 @@ export class Stage extends StudioPart {
 						text: "The graphics card dropped it; it comes back by itself in a moment.",
 					}),
 				restored: () => this.#say(undefined),
+				motion: () => this.requestUpdate(),
 			});
 			if (!this.isConnected) {
 				solid.dispose();
@@ -122,17 +123,21 @@ export class Stage extends StudioPart {
 	}
 
 	#tools(studio: Studio, solid: SolidView): unknown {
-		const { face, specimen } = studio.state;
+		const { face, specimen, model } = studio.state;
 		const button = (drawn: Parameters<typeof icon>[0], label: string, click: () => void, pressed?: boolean) =>
 			html`<button
 				class="button icon" type="button" aria-label=${label} title=${label} aria-pressed=${pressed ?? nothing} @click=${click}
 			>${icon(drawn)}</button>`;
-		const frame: IconName = "frame";
+		const blow = () => {
+			solid.wind = !solid.wind;
+			this.requestUpdate();
+		};
 		return html`<div
 			class="stage-tools" role="toolbar" aria-orientation="vertical" aria-label="3-D view"
 			@keydown=${(event: KeyboardEvent) => rove(event, this.#buttons())} @focusin=${(event: Event) => stopAt(this.#buttons(), event.target as HTMLElement)}
 		>
-			${button(frame, "Reset view", () => solid.reset())}
+			${button("frame", "Reset view", () => solid.reset())}
+			${model.still || !solid.movesByItself ? nothing : button("wind", "Wind", blow, solid.wind)}
 			${applying(face?.tools, specimen).map((tool) =>
 				tool.button
 					? button(tool.button.icon, tool.button.label, () => tool.press?.(studio), tool.button.pressed?.(studio))

@@ -19,6 +19,7 @@ import { AMBER, HALO, SCAR, SEAT, WAX } from "../../../../../web/src/models/bunc
 import { everyPart } from "../../../../../web/src/plant/part";
 import { PaperShadow } from "../../../../../web/src/scene/paper_shadow";
 import { StageLight } from "../../../../../web/src/scene/stage_light";
+import { windUniforms } from "../../../../../web/src/scene/wind";
 import { SKETCH } from "../fixture";
 import { makeNatural } from "../natural_fixture";
 import { pressedBunch } from "../pressed_bunch";
@@ -27,7 +28,7 @@ import { LOOK } from "../sample_bunch";
 type Part = Mesh<InstancedBufferGeometry, ShaderMaterial>;
 
 function staged(grown: Grown) {
-	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+	const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 	const figure = bunchFigure(stage);
 	figure.show(grown, { look: LOOK });
 	const part = (name: string) => stage.root.getObjectByName(name) as Part;

@@ -18,6 +18,7 @@ import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/spe
 import { asCardsTakeIt } from "../../../../../web/src/plant/picture";
 import { PaperShadow } from "../../../../../web/src/scene/paper_shadow";
 import { StageLight } from "../../../../../web/src/scene/stage_light";
+import { windUniforms } from "../../../../../web/src/scene/wind";
 
 const specimen = leafFromPreset("willow");
 specimen.parameters.n = 300;
@@ -78,7 +79,7 @@ function staged() {
 	const bench = new Bench();
 	const changed = vi.fn();
 	const root = new Group();
-	const stage = { root, light: new StageLight(), shadow: new PaperShadow(), changed };
+	const stage = { root, light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms(), changed };
 	const figure = new LeafFigure(stage, (deliver) => new Commission(deliver, () => bench));
 	const drawn = (side: "upper" | "lower") => {
 		const face = root.children.find((one): one is Mesh => one instanceof Mesh && one.name.includes(side));

@@ -7,6 +7,7 @@ import { pit } from "../../../../../web/src/models/particles/root/soil";
 import type { RootSpecimen } from "../../../../../web/src/models/particles/root/specimen";
 import { PaperShadow } from "../../../../../web/src/scene/paper_shadow";
 import { StageLight } from "../../../../../web/src/scene/stage_light";
+import { windUniforms } from "../../../../../web/src/scene/wind";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { decodeLink, encodeLink } from "../../../../../web/src/specimen/link";
 import { growBounded, particlesCore } from "../boundary/particles";
@@ -76,7 +77,7 @@ describe("the pit about a root", () => {
 	});
 
 	it("stands about the root on the stage, throws no shadow, and goes with it", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const figure = cutFigure(stage);
 		const specimen = fromPreset(model, "carrot");
 		const plant = grow(specimen);
@@ -94,7 +95,7 @@ describe("the pit about a root", () => {
 	});
 
 	it("is not dug anew while particles run, and is dug for the whole root when they rest", () => {
-		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow() };
+		const stage = { root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() };
 		const figure = cutFigure(stage);
 		const at = (age: number, reach = 1) => {
 			const specimen = fromPreset(model, "tap");

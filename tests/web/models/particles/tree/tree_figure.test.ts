@@ -6,6 +6,7 @@ import { model } from "../../../../../web/src/models/particles/tree/index";
 import { fitView, needsRefit, spindleOf } from "../../../../../web/src/scene/camera_fit";
 import { PaperShadow } from "../../../../../web/src/scene/paper_shadow";
 import { StageLight } from "../../../../../web/src/scene/stage_light";
+import { windUniforms } from "../../../../../web/src/scene/wind";
 import { fromPreset } from "../../../../../web/src/specimen/from_preset";
 import { particlesCore } from "../boundary/particles";
 
@@ -14,7 +15,7 @@ beforeAll(async () => {
 	core = await particlesCore();
 });
 
-const stage = () => ({ root: new Group(), light: new StageLight(), shadow: new PaperShadow() });
+const stage = () => ({ root: new Group(), light: new StageLight(), shadow: new PaperShadow(), wind: windUniforms() });
 
 /** The view of a plant of few particles and no leaves. */
 async function fitOf(kind: typeof model | typeof rootModel, preset: string, life: "run" | "grow", age: number) {

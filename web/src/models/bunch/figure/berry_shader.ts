@@ -2,6 +2,7 @@ import { NOISE_CHUNK } from "../../../plant/noise";
 import { float, step, vec3 } from "../../../scene/glsl";
 import { LIGHT_CHUNK } from "../../../scene/light_shader";
 import { OUTPUT_CHUNK } from "../../../scene/output_shader";
+import { WIND_CHUNK } from "../../../scene/wind";
 import {
 	AMBER,
 	AMONG_CLEAR,
@@ -58,6 +59,7 @@ ${LIGHT_CHUNK}
 ${LAMP_CHUNK}
 ${NOISE_CHUNK}
 ${FLESH_CHUNK}
+${WIND_CHUNK}
 vec2 halves(uint word) {
 	return vec2(word & 0xffffu, word >> 16u) / ${float(65535 / 2)} - 1.0;
 }
@@ -85,7 +87,7 @@ void main() {
 	chart = vec4(uv, float((record.y >> 16u) & 0xffu) / 255.0, 0.5);
 	glow = vec4(0.0, 0.0, 0.0, sky);
 	hue = ambient = mirrored = vec4(0.0);
-	gl_Position = projectionMatrix * viewMatrix * vec4(point, 1.0);
+	gl_Position = projectionMatrix * viewMatrix * vec4(blown(point, point), 1.0);
 
 	vec3 v = normalize(toEye);
 	float nv = dot(n, v);

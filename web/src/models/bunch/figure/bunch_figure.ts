@@ -1,4 +1,5 @@
 import type { PerspectiveCamera } from "three";
+import { type Sway, swayOf } from "../../../plant/sway";
 import type { Bodies } from "../../../scene/camera_fit";
 import { CapsuleShadow } from "../../../scene/capsule_shadow";
 import type { Figure, FigureStage, Ray } from "../../../scene/figure";
@@ -50,11 +51,12 @@ export class BunchFigure implements Figure<Dress, Grown> {
 		this.#stage = stage;
 		this.#shared = {
 			...stage.light.uniforms,
+			...stage.wind,
 			casterRecords: { value: this.#casterRecords.texture },
 			berriesShown: { value: 1 },
 		};
 		this.#surface = new BunchSurface(this.#materials());
-		this.#shadow = new CapsuleShadow(stage.shadow);
+		this.#shadow = new CapsuleShadow(stage.shadow, stage.wind);
 		stage.root.add(this.#surface.group, this.#lights.group);
 	}
 
@@ -63,7 +65,7 @@ export class BunchFigure implements Figure<Dress, Grown> {
 		const { casterRecords, berriesShown } = this.#shared;
 		const firstInternode = this.#firstInternode;
 		const { cane, leaf, petiole } = foliageMaterials(0);
-		const lit = { light, coloured: true, sky: true };
+		const lit = { light, coloured: true, sky: true, wind: this.#stage.wind };
 		const shares = (chunk: string) => ({
 			chunk: LAMP_CHUNK + chunk,
 			uniforms: { casterRecords, berriesShown, firstInternode },
@@ -109,8 +111,12 @@ export class BunchFigure implements Figure<Dress, Grown> {
 		return { spheres: berries.spheres, points };
 	}
 
+	sway(): Sway | undefined {
+		return this.#grown && swayOf(this.#grown);
+	}
+
 	prepare(camera: PerspectiveCamera): void {
-		this.#lights.aim(this.#stage.light, camera);
+		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
 		if (!this.#receivers) return;
 		const { key, rim, keyDirection, rimDirection } = this.#stage.light.uniforms;
 		const keyLamp = { direction: keyDirection.value.toArray(), spread: key.value.spread };

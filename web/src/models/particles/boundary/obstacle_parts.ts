@@ -5,7 +5,7 @@ import type { Part, PartMesh } from "../../../plant/part";
 import type { Bounded } from "./bounded";
 import { wallsOf } from "./editor/walls";
 
-const STONE: Material = { name: "Obstacle", colour: linear("b9b2a6"), roughness: 0.95 };
+const STONE: Material = { name: "Obstacle", colour: linear("b9b2a6"), roughness: 0.95, still: true };
 /** Sides and rings of an ellipsoid. */
 const [ROUND, RINGS] = [32, 16];
 

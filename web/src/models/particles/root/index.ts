@@ -14,6 +14,7 @@ export const model = {
 	...ROOT,
 	title: "Root",
 	preview: true,
+	still: true,
 	noun: "root",
 	wasm: "particles.wasm",
 	bounded: (specimen, file) => boundedBy(ROOT, specimen, file, "reach"),

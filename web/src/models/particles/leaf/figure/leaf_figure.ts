@@ -5,6 +5,7 @@
  */
 import type { PerspectiveCamera } from "three";
 import type { Picture } from "../../../../plant/material";
+import { type Sway, swayOf } from "../../../../plant/sway";
 import type { Bodies } from "../../../../scene/camera_fit";
 import type { Figure, FigureMaker, FigureStage, Ray } from "../../../../scene/figure";
 import { PartFigure } from "../../../../scene/part_figure";
@@ -41,7 +42,12 @@ export class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 		painters: (deliver: (faces: Faces, passing: boolean) => void) => Commission = (to) => new Commission(to),
 	) {
 		this.#stage = stage;
-		this.#parts = new PartFigure(stage, (leaf, specimen) => leafParts(leaf, specimen, this.#faces));
+		this.#parts = new PartFigure(
+			stage,
+			(leaf, specimen) => leafParts(leaf, specimen, this.#faces),
+			undefined,
+			(leaf) => swayOf(leaf),
+		);
 		this.#painters = painters((faces, passing) => (passing ? this.#pass(faces) : this.#deliver(faces)));
 	}
 
@@ -61,6 +67,10 @@ export class LeafFigure implements Figure<LeafSpecimen, Leaf> {
 
 	bounds(): Bodies {
 		return this.#parts.bounds();
+	}
+
+	sway(): Sway | undefined {
+		return this.#parts.sway();
 	}
 
 	prepare(camera: PerspectiveCamera): void {

@@ -1,0 +1,116 @@
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+import { openViews, serveViews } from "./views_page";
+
+/** How many frames a page asks for in half a second. */
+const framesOf = (page: Page) =>
+	page.evaluate(async () => {
+		let count = 0;
+		const asked = window.requestAnimationFrame;
+		window.requestAnimationFrame = (callback) => {
+			count++;
+			return asked.call(window, callback);
+		};
+		await new Promise((resolve) => setTimeout(resolve, 500));
+		window.requestAnimationFrame = asked;
+		return count;
+	});
+
+test("a button has the wind blow, and nothing is drawn when it is over", async ({ page }) => {
+	const studio = await new StudioPage(page).open();
+	await studio.stands();
+	const wind = studio.button("Wind");
+	await expect(wind).toHaveAttribute("aria-pressed", "false");
+	await expect.poll(() => framesOf(page)).toBe(0);
+	await wind.press("Enter");
+	await expect(wind).toHaveAttribute("aria-pressed", "true");
+	await expect.poll(() => framesOf(page)).toBeGreaterThan(3);
+	await test.step("another plant stands in it, too", async () => {
+		await page.locator("[data-preset=merlot]").click();
+		await expect(page).toHaveTitle(/Merlot/);
+		await expect.poll(() => framesOf(page)).toBeGreaterThan(3);
+	});
+	await wind.press("Enter");
+	await expect(wind).toHaveAttribute("aria-pressed", "false");
+	await expect.poll(() => framesOf(page)).toBe(0);
+});
+
+test("there is no wind where less motion is wished for, nor for a root", async ({ page }) => {
+	await page.emulateMedia({ reducedMotion: "reduce" });
+	const studio = await new StudioPage(page).open();
+	await expect(studio.button("Reset view")).toBeVisible();
+	await expect(studio.button("Wind")).toHaveCount(0);
+	await page.emulateMedia({ reducedMotion: "no-preference" });
+	await studio.button("Wind").click();
+	await expect.poll(() => framesOf(page)).toBeGreaterThan(3);
+	await page.emulateMedia({ reducedMotion: "reduce" });
+	await expect.poll(() => framesOf(page)).toBe(0);
+	await page.emulateMedia({ reducedMotion: "no-preference" });
+	await expect(studio.button("Wind")).toHaveAttribute("aria-pressed", "false");
+	await page.locator("[data-preset=carrot]").click();
+	await expect(page.getByRole("application", { name: /^Root/ })).toBeVisible();
+	await expect(studio.button("Wind")).toHaveCount(0);
+});
+
+test.describe("to the eye", () => {
+	test.use({ drawn: true });
+	let host: Awaited<ReturnType<typeof serveViews>>;
+	test.beforeAll(async () => {
+		host = await serveViews();
+	});
+	test.afterAll(() => host.close());
+
+	/** A bunch's own shaders, and three's with a shadow map. */
+	for (const figure of ["bunchFigure", "partFigure"] as const) {
+		test(`what ${figure} draws sways while the wind blows, and is at rest before, after and in pictures`, async ({
+			page,
+		}) => {
+			await openViews(page, host.address);
+			const { moved, pictured, left } = await page.evaluate(async (figure) => {
+				const { bunchFigure, bunchParts, canvas, grow, partFigure, pixels, swayOf, Viewer } = window.views;
+				const [side, drawn] = [96, canvas(96, 96)];
+				const copy = new OffscreenCanvas(side, side).getContext("2d", {
+					willReadFrequently: true,
+				}) as OffscreenCanvasRenderingContext2D;
+				const frames: Uint8ClampedArray[] = [];
+				const viewer = new Viewer<ReturnType<typeof grow>["specimen"], ReturnType<typeof grow>["grown"]>(drawn, {
+					still: true,
+					reducedMotion: true,
+					checked: true,
+					events: {
+						// A canvas keeps what was drawn until the task is over.
+						drawn: () => {
+							copy.drawImage(drawn, 0, 0, side, side);
+							frames.push(copy.getImageData(0, 0, side, side).data);
+						},
+					},
+				});
+				const { grown, specimen } = grow("?v=2&preset=redcurrant&count=20");
+				const parts = () => bunchParts(grown, specimen);
+				viewer.use(figure === "bunchFigure" ? bunchFigure : partFigure(parts, undefined, swayOf));
+				viewer.show(grown, specimen);
+				await viewer.whenIdle();
+				const rest = frames[frames.length - 1];
+				const unlike = (one: Uint8ClampedArray, other: Uint8ClampedArray) =>
+					one.filter((level, at) => Math.abs(level - other[at]) > 8).length;
+				const before = await pixels(await viewer.snapshot(side, side));
+				viewer.wind = true;
+				const from = performance.now();
+				while (performance.now() < from + 1500) await new Promise(requestAnimationFrame);
+				const blown = frames[frames.length - 1];
+				const during = await pixels(await viewer.snapshot(side, side));
+				viewer.wind = false;
+				await viewer.whenIdle();
+				return {
+					moved: unlike(rest, blown),
+					pictured: unlike(before.data, during.data),
+					left: unlike(rest, frames[frames.length - 1]),
+				};
+			}, figure);
+			expect(moved).toBeGreaterThan(100);
+			// As where an edge goes just through a pixel.
+			expect(Math.max(pictured, left)).toBeLessThan(20);
+		});
+	}
+});

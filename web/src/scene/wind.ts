@@ -1,0 +1,96 @@
+/** Wind over what stands on a stage: plant/swing.ts for shaders, and its clock. */
+import { Vector2, Vector3, Vector4 } from "three";
+import { BEAT, BRANCH, FLUTTER, LEAF, type Sway, TRUNK, WAVE } from "../plant/sway";
+import { float } from "./glsl";
+
+/** How fast it rises and falls, a second. */
+const RISE = 1.5;
+
+/**
+ * For vertex shaders: `vec3 blown(vec3 point, vec3 held)` is where a point of the plant is, of what is held at `held`; without wind it
+ * is the point to the bit.
+ */
+export const WIND_CHUNK = /* glsl */ `
+uniform vec3 windFoot;
+uniform vec4 windForm;
+uniform vec2 windBeat;
+vec3 blown(vec3 point, vec3 held) {
+	if (windBeat == vec2(0.0)) return point;
+	vec3 d = held - windFoot;
+	float h = clamp(windForm.x * d.y / windForm.y, 0.0, 1.0);
+	float r = clamp(length(d.xz) / windForm.z, 0.0, 1.0);
+	float bend = ${float(TRUNK)} * windForm.y * h * h * (1.5 - 0.5 * h);
+	float bob = ${float(BRANCH)} * windForm.z * r * r * h * (2.0 - h);
+	float late = ${float(WAVE)} * dot(vec3(0.8, 0.5, 0.6), d) / windForm.w;
+	float c = bob * cos(late), s = bob * sin(late);
+	float own = ${float(FLUTTER)} * dot(vec3(1.0, 1.7, 2.3), held) / windForm.w;
+	vec3 o = point - held;
+	vec3 turn = ${float(LEAF)} * min(1.0, 8.0 * h) * vec3(-0.8 * o.y, 0.8 * o.x + 0.6 * o.z, -0.6 * o.y);
+	float along = bend + c, across = 0.4 * bend + 0.5 * c;
+	vec3 sine = vec3(0.8 * along - 0.3 * s, 0.6 * c, 0.6 * along + 0.4 * s) + cos(own) * turn;
+	vec3 cosine = vec3(-0.8 * s - 0.6 * across, -0.6 * s, -0.6 * s + 0.8 * across) - sin(own) * turn;
+	return point + windBeat.x * sine + windBeat.y * cosine;
+}
+`;
+
+export function windUniforms() {
+	return {
+		windFoot: { value: new Vector3() },
+		/** Upwards or down, height, reach, the larger of both. */
+		windForm: { value: new Vector4(1, 1, 1, 1) },
+		/** Sine and cosine of the time, as strong as it blows; none where it is calm. */
+		windBeat: { value: new Vector2() },
+	};
+}
+
+export type WindUniforms = ReturnType<typeof windUniforms>;
+
+/** One wind for all that stands on a stage. */
+export class Wind {
+	/** One object for all materials. */
+	readonly uniforms = windUniforms();
+	#sway: Sway | undefined;
+	#strength = 0;
+	#before: number | undefined;
+	/** Whether it blows, or will. */
+	blowing = false;
+
+	/** What it blows on from now on: nothing where absent. */
+	fit(sway: Sway | undefined): void {
+		this.#sway = sway;
+		if (!sway) return;
+		const { foot, up, height, reach } = sway;
+		this.uniforms.windFoot.value.fromArray(foot);
+		this.uniforms.windForm.value.set(up, height, reach, Math.max(height, reach));
+	}
+
+	/** Has it be calm while something is done: pictures are of plants at rest. */
+	calm<Done>(work: () => Done): Done {
+		const { value } = this.uniforms.windBeat;
+		const beat = value.toArray();
+		value.set(0, 0);
+		try {
+			return work();
+		} finally {
+			value.fromArray(beat);
+		}
+	}
+
+	/**
+	 * Has it be that time.
+	 * @param now milliseconds
+	 * @returns whether anything moves
+	 */
+	blow(now: number): boolean {
+		const seconds = Math.min(0.1, (now - (this.#before ?? now)) / 1000);
+		const wanted = this.blowing && this.#sway ? 1 : 0;
+		const moves = wanted > 0 || this.#strength > 0;
+		this.#before = moves ? now : undefined;
+		const step = RISE * seconds;
+		this.#strength = Math.max(0, this.#strength + Math.min(step, Math.max(-step, wanted - this.#strength)));
+		const angle = (2 * Math.PI * now) / (1000 * BEAT);
+		const eased = this.#strength * this.#strength * (3 - 2 * this.#strength);
+		this.uniforms.windBeat.value.set(eased * Math.sin(angle), eased * Math.cos(angle));
+		return moves;
+	}
+}
