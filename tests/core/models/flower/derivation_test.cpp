@@ -70,18 +70,18 @@ TEST_CASE("lists of numbers are read by how many there are") {
         "#define A(8,1,2,3,4,5,6,7)\n#define T(8,.5,1,2,3,4,5,6,7)\n#axiom: A\nA -> A[" + list + "]_{E}", steps(1));
     return flower.derived.values[1];
   };
-  CHECK(values("A(8,0,0,0,9,9,9,9)") == Values{8, 1, 0, 0, 0, 9, 9, 9, 9});
-  CHECK(values("A(8,.25,0,0,0,9,9,9,9)") == Values{8, .25f, 0, 0, 0, 9, 9, 9, 9});
-  CHECK(values("A(,,,,9)") == Values{8, 1, 1, 2, 3, 9, 5, 6, 7});
-  CHECK(values("A(,,,,,4.1,5,1.5,)") == Values{8, 1, 1, 2, 3, 4.1f, 5, 1.5f, 7});
-  CHECK(values("T(,,9)") == Values{8, .5f, 9, 2, 3, 4, 5, 6, 7});
-  CHECK(values("T(,,,,4.1,5,1.5,)") == Values{8, .5f, 1, 2, 3, 4.1f, 5, 1.5f, 7});
-  CHECK(values("A(,,,,,,)") == Values{8, 1, 1, 2, 3, 4, 5, 6, 7});
-  CHECK(values("A()") == Values{8, 1, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(values("A(8,0,0,0,9,9,9,9)") == VolumeValues{8, 1, 0, 0, 0, 9, 9, 9, 9});
+  CHECK(values("A(8,.25,0,0,0,9,9,9,9)") == VolumeValues{8, .25f, 0, 0, 0, 9, 9, 9, 9});
+  CHECK(values("A(,,,,9)") == VolumeValues{8, 1, 1, 2, 3, 9, 5, 6, 7});
+  CHECK(values("A(,,,,,4.1,5,1.5,)") == VolumeValues{8, 1, 1, 2, 3, 4.1f, 5, 1.5f, 7});
+  CHECK(values("T(,,9)") == VolumeValues{8, .5f, 9, 2, 3, 4, 5, 6, 7});
+  CHECK(values("T(,,,,4.1,5,1.5,)") == VolumeValues{8, .5f, 1, 2, 3, 4.1f, 5, 1.5f, 7});
+  CHECK(values("A(,,,,,,)") == VolumeValues{8, 1, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(values("A()") == VolumeValues{8, 1, 1, 2, 3, 4, 5, 6, 7});
   CHECK(values("A(4)")[0] == 4);
   // Ten numbers are one angle too many (Table 3's petal).
   const Flower ten = grown("#define P(4,1,0,0,0,0,5,0.5,1,4)\n#axiom: P", steps(1));
-  CHECK(ten.derived.values[0] == Values{4, 1, 0, 0, 0, 5, .5f, 1, 4});
+  CHECK(ten.derived.values[0] == VolumeValues{4, 1, 0, 0, 0, 5, .5f, 1, 4});
   CHECK(ten.noted("ten numbers"));
 }
 
@@ -327,4 +327,16 @@ TEST_CASE("every grammar of the shelf grows to a whole map, and the same one eac
     CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
     CHECK(flower.derived.values == again.derived.values);
   }
+}
+
+TEST_CASE("the examples of the language's page grow") {
+  const std::string page = content(PANICLE_GRAMMARS "/../../docs/models/flower/language.md");
+  std::size_t examples = 0;
+  for (std::size_t at = 0; (at = page.find("```flower\n", at)) != std::string::npos; ++examples) {
+    at += 10;
+    const std::string text = page.substr(at, page.find("```", at) - at);
+    CAPTURE(text);
+    CHECK(grown(text).derived.map.volumes() > 20);
+  }
+  CHECK(examples >= 2);
 }

@@ -56,7 +56,7 @@ class Deriver {
     Record record;
     record.label = main.axiom;
     record.address = derived_.instances[0].address;
-    Values values;
+    VolumeValues values;
     if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, 4, values)) return false;
     const auto grown = derived_.map.plant(static_cast<std::uint32_t>(values[0]), main.axiom);
     if (grown.refusal != Refusal::nothing) return stop(grown.refusal, 0), true;
@@ -66,7 +66,7 @@ class Deriver {
     return true;
   }
 
-  void keep(const Record& record, const Values& values) {
+  void keep(const Record& record, const VolumeValues& values) {
     if (record.volume >= derived_.record_of.size()) derived_.record_of.resize(record.volume + 1, nobody);
     derived_.record_of[record.volume] = static_cast<std::uint32_t>(derived_.records.size());
     derived_.records.push_back(record);
@@ -195,7 +195,7 @@ class Deriver {
         hash_combine(hash_combine(derived_.records[before].address, of_step + step_), of_face + chosen.face);
     if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address});
     const auto order = static_cast<float>(derived_.map.degree(derived_.map.dart_of(volume, chosen.face)));
-    Values values;
+    VolumeValues values;
     if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, order, values)) return false;
     const auto grown = derived_.map.grow(volume, chosen.face, static_cast<std::uint32_t>(values[0]), record.label);
     if (grown.refusal != Refusal::nothing) {
@@ -232,7 +232,7 @@ class Deriver {
       record.instance = record.maker = instance_;
       record.step = step_;
       record.address = hash_combine(hash_combine(derived_.records[before].address, of_step + step_), rest ? 1 : 2);
-      Values values;
+      VolumeValues values;
       if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values,
                              static_cast<float>(derived_.map.volume(record.volume).order), values))
         return false;
@@ -337,9 +337,9 @@ class Deriver {
 std::vector<generalized_map::Shape> Derived::shapes() const {
   std::vector<generalized_map::Shape> shapes;
   shapes.reserve(record_of.size());
-  const auto of = [](const Values& all, Field field) { return all[static_cast<std::size_t>(field)]; };
+  const auto of = [](const VolumeValues& all, Field field) { return all[static_cast<std::size_t>(field)]; };
   for (const std::uint32_t record : record_of) {
-    const Values& v = values[record];
+    const VolumeValues& v = values[record];
     shapes.push_back({of(v, Field::turn_x), of(v, Field::turn_y), of(v, Field::turn_z), of(v, Field::height),
                       of(v, Field::length), of(v, Field::width), of(v, Field::translation)});
   }
@@ -350,12 +350,12 @@ Result<Derived> derive(const Program& program, const Given& given, const Limits&
   return Deriver(program, given, limits).run();
 }
 
-Result<std::vector<Values>> reworked(const Program& program, const Given& given, const Derived& derived,
+Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
                                      const Limits& limits) {
   Evaluation evaluation(program, given);
   Numbers numbers(program, evaluation);
   if (!evaluation.bind(limits)) return evaluation.trouble();
-  std::vector<Values> all(derived.records.size());
+  std::vector<VolumeValues> all(derived.records.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Record& record = derived.records[i];
     const auto order = static_cast<float>(derived.map.volume(record.volume).order);

@@ -107,7 +107,7 @@ bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address) {
   return true;
 }
 
-void Evaluation::stand(const Values& values, std::uint32_t step) {
+void Evaluation::stand(const VolumeValues& values, std::uint32_t step) {
   std::copy(values.begin(), values.end(), registers_.begin());
   set(Word::step, static_cast<float>(step));
 }
@@ -122,7 +122,7 @@ bool Evaluation::run(lsystem::Range code, std::uint64_t address) {
   return lsystem::execute(program_.code, code.begin, code.end, registers_.data(), sources_, trouble_);
 }
 
-bool Evaluation::describe(const Description& description, std::uint64_t address, Values& values) {
+bool Evaluation::describe(const Description& description, std::uint64_t address, VolumeValues& values) {
   if (description.given == 0) return true;
   if (!run(description.code, address)) return false;
   for (std::size_t i = 0; i < fields; ++i) {

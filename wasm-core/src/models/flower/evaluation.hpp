@@ -33,13 +33,13 @@ class Evaluation {
   bool enter(std::uint32_t grammar, std::uint64_t address);
 
   // The volume that a production is for, or that another grows from.
-  void stand(const Values& values, std::uint32_t step);
+  void stand(const VolumeValues& values, std::uint32_t step);
   void face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
   bool holds(const Number& condition, std::uint64_t address);
   bool run(lsystem::Range code, std::uint64_t address);
   float at(std::uint32_t source) const { return registers_[source]; }
   // What a description gives, over what is there. False where one of them cannot be.
-  bool describe(const Description& description, std::uint64_t address, Values& values);
+  bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
 
   // Variables of the text itself, by their place in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }

@@ -5,7 +5,7 @@
 namespace panicle::flower {
 namespace {
 
-constexpr Values nothing_said = {4, 1, 0, 0, 0, 1, 1, 1, 1};
+constexpr VolumeValues nothing_said = {4, 1, 0, 0, 0, 1, 1, 1, 1};
 
 constexpr std::size_t at(Field field) { return static_cast<std::size_t>(field); }
 
@@ -25,15 +25,15 @@ bool Numbers::enter(const std::vector<Instance>& instances, std::uint32_t instan
   return evaluation_.enter(instances[instance].grammar, instances[instance].address);
 }
 
-bool Numbers::of_label(const Record& record, Values& values) {
+bool Numbers::of_label(const Record& record, VolumeValues& values) {
   return evaluation_.describe(program_.labels[record.label].description, record.address, values);
 }
 
 bool Numbers::work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
-                       const std::vector<Values>& known, float order, Values& values) {
+                       const std::vector<VolumeValues>& known, float order, VolumeValues& values) {
   values = nothing_said;
   values[at(Field::order)] = order;
-  const Values& before = record.before == nobody ? values : known[record.before];
+  const VolumeValues& before = record.before == nobody ? values : known[record.before];
   if (record.kind == Record::Kind::rest || record.kind == Record::Kind::part) {
     const Production& split = production(record.source);
     const bool rest = record.kind == Record::Kind::rest;

@@ -14,14 +14,14 @@ class Numbers {
   // A record's values, where those of the records before it are known. `order`: of the face that it stands on, for
   // volumes that do not say. False: the evaluation's trouble.
   bool work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
-                const std::vector<Values>& known, float order, Values& values);
+                const std::vector<VolumeValues>& known, float order, VolumeValues& values);
   const Growth& growth(std::uint32_t number) const { return *growths_[number]; }
   const Production& production(std::uint32_t number) const { return *productions_[number]; }
   // The instance whose variables are in force.
   bool enter(const std::vector<Instance>& instances, std::uint32_t instance);
 
  private:
-  bool of_label(const Record& record, Values& values);
+  bool of_label(const Record& record, VolumeValues& values);
 
   const Program& program_;
   Evaluation& evaluation_;

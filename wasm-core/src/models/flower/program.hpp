@@ -33,7 +33,7 @@ enum class Field : std::uint8_t {
 };
 inline constexpr std::size_t fields = 9;
 inline constexpr std::array<std::string_view, fields> field_names = {"N", "T", "atx", "aty", "atz", "H", "L", "W", "m"};
-using Values = std::array<float, fields>;
+using VolumeValues = std::array<float, fields>;
 
 // What expressions call by name besides variables and the predecessor's fields, in registers of the byte code behind
 // those.
@@ -116,6 +116,14 @@ struct Variable {
   bool rebuilds = false;  // whether the map depends on it, and not only where its corners are
 };
 
+// `#material 4 petal "c8102e" "f6d55c"`: what a volume's m means.
+struct Material {
+  std::uint32_t number = 0;
+  std::string kind;            // stem, leaf, sepal, petal, stamen, pistil or seed
+  std::uint32_t base = 0, tip = 0;  // red, green and blue where an organ begins and where it ends, 8 bits each, as sRGB
+  lsystem::Place place;
+};
+
 // The text itself, or one of its modules.
 struct Grammar {
   std::string name;
@@ -132,6 +140,7 @@ struct Program {
   std::vector<Label> labels;
   std::vector<Variable> variables;
   std::vector<Production> productions;  // those of a label together, in the order of the text
+  std::vector<Material> materials;
   std::uint32_t growths = 0;
   bool age_rebuilds = false, values_rebuild = false;  // whether the map depends on `age`, or on volumes' own numbers
   lsystem::Code code;

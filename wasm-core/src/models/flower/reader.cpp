@@ -16,9 +16,11 @@ using lsystem::Token;
 using lsystem::TokenKind;
 
 constexpr std::size_t most_variables = 1000, most_labels = 4000, most_modules = 256;
+constexpr std::uint32_t most_material = 255;
+constexpr std::array<std::string_view, 7> material_kinds = {"stem", "leaf", "sepal", "petal", "stamen", "pistil", "seed"};
 constexpr std::string_view final_step = "finalStep";
 constexpr const char* directives =
-    "A line with # is #define NAME(…), #define name=…, #axiom: NAME or #module NAME; '%' is none of these.";
+    "A line with # is #define NAME(…), #define name=…, #axiom: NAME, #module NAME or #material; '%' is none of these.";
 
 bool is_axiom(const Token& token) { return token.is("axiom") || token.is("axiome"); }
 
@@ -120,7 +122,7 @@ bool Reader::declare(const Statement& statement) {
   grammar_ = statement.grammar;
   if (!on_sign('#')) return true;
   ++at_;
-  if (on_name() && is_axiom(tokens_[at_])) return true;
+  if (on_name() && (is_axiom(tokens_[at_]) || found() == "material")) return true;
   if (!on_name() || found() != "define") return wrong(here(), directives, {found()});
   ++at_;
   if (!on_name()) return wrong(here(), "A name is expected here, as in #define STEM(8, 0, 0, 0, 1, 1, 1, 1).");
@@ -178,6 +180,7 @@ bool Reader::statement(const Statement&) {
   if (!on_sign('#')) return production();
   ++at_;
   if (is_axiom(tokens_[at_])) return axiom();
+  if (found() == "material") return material();
   ++at_;
   return definition();
 }
@@ -232,6 +235,42 @@ bool Reader::axiom() {
   if (!label_named(grammar.axiom)) return false;
   lowering_.begin_production(formals_, hash_combine(hash_text("axiom"), next_key()));
   return description(forms_[grammar.axiom], Scope::description, grammar.axiom_arguments);
+}
+
+// `#material 4 petal "c8102e" "f6d55c"`
+bool Reader::material() {
+  static constexpr const char* advice = "A material is a number, a kind and one or two colours: #material 4 petal \"c8102e\".";
+  Material material;
+  material.place = here();
+  ++at_;
+  if (at_ >= end_ || tokens_[at_].kind != TokenKind::number) return wrong(here(), advice);
+  const float number = tokens_[at_].number;
+  material.number = number >= 0 && number <= most_material ? static_cast<std::uint32_t>(number) : most_material + 1;
+  if (static_cast<float>(material.number) != number) return wrong(here(), "A material's number is a whole number from 0 to 255.");
+  for (const Material& other : program_.materials)
+    if (other.number == material.number) return wrong(here(), "This number has a material already; take one out.");
+  ++at_;
+  if (!on_name() || std::find(material_kinds.begin(), material_kinds.end(), found()) == material_kinds.end())
+    return wrong(here(), "The kinds are stem, leaf, sepal, petal, stamen, pistil and seed; '%' is none.", {found()});
+  material.kind = std::string(found());
+  ++at_;
+  if (!colour(material.base)) return false;
+  material.tip = material.base;
+  if (at_ < end_ && !colour(material.tip)) return false;
+  program_.materials.push_back(std::move(material));
+  return true;
+}
+
+bool Reader::colour(std::uint32_t& colour) {
+  static constexpr const char* advice = "A colour is six hexadecimal digits in quotes, such as \"c8102e\".";
+  if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.size() != 6) return wrong(here(), advice);
+  colour = 0;
+  for (const char c : tokens_[at_].text) {
+    const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    if (digit < 0) return wrong(here(), advice);
+    colour = 16 * colour + static_cast<std::uint32_t>(digit);
+  }
+  return ++at_, true;
 }
 
 // To the comma or the ) that ends what stands here.

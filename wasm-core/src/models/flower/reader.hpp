@@ -57,6 +57,8 @@ class Reader : lsystem::TokenReader {
   bool volume();
   bool variable();
   bool axiom();
+  bool material();
+  bool colour(std::uint32_t& colour);
   bool production();
   bool blocks(Blocks& blocks);
   bool block(std::size_t& begin, std::size_t& end);
