@@ -11,7 +11,7 @@
 namespace panicle::generalized_map {
 
 struct Boundary {
-  ClosedSurface surface;                    // its vertices are the embedding's
+  ClosedSurface surface;              // its vertices are the embedding's
   std::vector<std::uint32_t> volume;  // of its faces, whose they are
   std::vector<Face> face;             // and which
 };

@@ -351,7 +351,7 @@ Result<Derived> derive(const Program& program, const Given& given, const Limits&
 }
 
 Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
-                                     const Limits& limits) {
+                                           const Limits& limits) {
   Evaluation evaluation(program, given);
   Numbers numbers(program, evaluation);
   if (!evaluation.bind(limits)) return evaluation.trouble();

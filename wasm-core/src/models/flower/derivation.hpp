@@ -44,7 +44,7 @@ struct Derived {
 
   generalized_map::Map map;
   std::vector<Record> records;           // each after those that it refers to
-  std::vector<VolumeValues> values;            // of each
+  std::vector<VolumeValues> values;      // of each
   std::vector<std::uint32_t> record_of;  // by volume, its last
   std::vector<Instance> instances;
   std::vector<std::string> notes;
@@ -59,7 +59,7 @@ Result<Derived> derive(const Program& program, const Given& given, const Limits&
 // The same map with other numbers: for given values that no order, face, condition or number of steps depends on
 // (Variable::rebuilds). Errors: evaluation, bad_input.
 Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
-                                     const Limits& limits = {});
+                                           const Limits& limits = {});
 
 // Whether what has been given changes the map, and not only where its corners are.
 bool rebuilds(const Program& program, const Given& before, const Given& now);

@@ -37,7 +37,8 @@ std::vector<std::string> words_of(std::string_view text) {
 }
 
 // The middle of a face's corners.
-glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embedding& embedding, std::uint32_t volume, bool end) {
+glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embedding& embedding, std::uint32_t volume,
+                    bool end) {
   const std::uint32_t order = map.volume(volume).order;
   glm::vec3 sum(0);
   for (std::uint32_t i = 0; i < order; ++i)
@@ -45,7 +46,8 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
   return upright(sum / static_cast<float>(order));
 }
 
-void add_segments(Plant& plant, const Program& program, const Derived& derived, const generalized_map::Embedding& embedding) {
+void add_segments(Plant& plant, const Program& program, const Derived& derived,
+                  const generalized_map::Embedding& embedding) {
   const Ranks ranks = ranks_of(derived);
   std::vector<std::int32_t> tags(program.labels.size(), -1), of_volume(derived.map.volumes(), -1);
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
@@ -61,7 +63,8 @@ void add_segments(Plant& plant, const Program& program, const Derived& derived, 
     }
     const VolumeValues& values = derived.values[derived.record_of[v]];
     const float thick = 0.25f * metres *
-                        (std::abs(values[static_cast<std::size_t>(Field::length)]) + std::abs(values[static_cast<std::size_t>(Field::width)]));
+                        (std::abs(values[static_cast<std::size_t>(Field::length)]) +
+                         std::abs(values[static_cast<std::size_t>(Field::width)]));
     Segment segment;
     segment.parent = parent;
     segment.start = middle_of(derived.map, embedding, v, false);
@@ -73,7 +76,8 @@ void add_segments(Plant& plant, const Program& program, const Derived& derived, 
   }
 }
 
-void add_columns(Plant& plant, const Program& program, const Derived& derived, bool whole, const generalized_map::Embedding& embedding) {
+void add_columns(Plant& plant, const Program& program, const Derived& derived, bool whole,
+                 const generalized_map::Embedding& embedding) {
   std::string labels;
   for (const Label& label : program.labels) labels.append(labels.empty() ? "" : " ").append(label.name);
   plant.columns.add("labels", labels);
@@ -97,12 +101,11 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
   }
   const auto volumes = derived.map.volume_of();
   plant.columns.add("darts.volume", std::vector<std::uint32_t>(volumes.begin(), volumes.end()));
-  const auto faces = derived.map.face_of();
-  plant.columns.add("darts.face", std::vector<std::uint32_t>(faces.begin(), faces.end()));
-  plant.columns.add("darts.position",
-                    column_of<float>(embedding.vertex_of(), 3,
-                                     [&](std::uint32_t vertex, float* at) { put(upright(embedding.positions()[vertex]), at); }),
-                    3);
+  plant.columns.add("darts.vertex",
+                    std::vector<std::uint32_t>(embedding.vertex_of().begin(), embedding.vertex_of().end()));
+  plant.columns.add(
+      "vertices.position",
+      column_of<float>(embedding.positions(), 3, [](const glm::vec3& each, float* at) { put(upright(each), at); }), 3);
 }
 
 void add_materials(Plant& plant, const Program& program) {

@@ -1,8 +1,8 @@
 // A flower of a grammar on generalized maps (Petrenko 2014; docs/models/flower/flower.md).
 //
-// Blocks of a request besides everyone's (plant/request.hpp): `text`, which must be there, a text of the flower language;
-// `values.names` (text, words) and `values` (float32, as many): variables of the text that are given. Outputs besides
-// everyone's: `map`.
+// Blocks of a request besides everyone's (plant/request.hpp): `text`, which must be there, a text of the flower
+// language; `values.names` (text, words) and `values` (float32, as many): variables of the text that are given. Outputs
+// besides everyone's: `map`.
 //
 // A segment for each volume that has grown end on end in its organ, tagged by its label. Columns besides everyone's
 // (boundary/panicle.h), of volumes in the order in which they were made:
@@ -12,8 +12,7 @@
 //   volumes.values     float32 × 9: N, T, atx, aty, atz, H, L, W, m
 //   materials.number   uint32, one a mesh
 //   materials.colours  uint32 × 2: where an organ begins and ends, red, green and blue of 8 bits each
-//   variables          text: names of the text's variables; variables.values float32, as they are
-// with `map`: alpha0 … alpha3 (uint32 a dart), darts.volume, darts.face (uint32), darts.position (float32 × 3, metres).
+// with `map`: alpha0 … alpha3, darts.volume, darts.vertex (uint32 a dart), vertices.position (float32 × 3).
 // Meshes: skin.hpp. Counts: volumes, darts, organs, triangles.
 #pragma once
 

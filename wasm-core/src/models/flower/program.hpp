@@ -119,7 +119,7 @@ struct Variable {
 // `#material 4 petal "c8102e" "f6d55c"`: what a volume's m means.
 struct Material {
   std::uint32_t number = 0;
-  std::string kind;            // stem, leaf, sepal, petal, stamen, pistil or seed
+  std::string kind;                 // stem, leaf, sepal, petal, stamen, pistil or seed
   std::uint32_t base = 0, tip = 0;  // red, green and blue where an organ begins and where it ends, 8 bits each, as sRGB
   lsystem::Place place;
 };

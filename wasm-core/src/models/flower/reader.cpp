@@ -17,7 +17,8 @@ using lsystem::TokenKind;
 
 constexpr std::size_t most_variables = 1000, most_labels = 4000, most_modules = 256;
 constexpr std::uint32_t most_material = 255;
-constexpr std::array<std::string_view, 7> material_kinds = {"stem", "leaf", "sepal", "petal", "stamen", "pistil", "seed"};
+constexpr std::array<std::string_view, 7> material_kinds = {"stem",   "leaf",   "sepal", "petal",
+                                                            "stamen", "pistil", "seed"};
 constexpr std::string_view final_step = "finalStep";
 constexpr const char* directives =
     "A line with # is #define NAME(…), #define name=…, #axiom: NAME, #module NAME or #material; '%' is none of these.";
@@ -239,14 +240,16 @@ bool Reader::axiom() {
 
 // `#material 4 petal "c8102e" "f6d55c"`
 bool Reader::material() {
-  static constexpr const char* advice = "A material is a number, a kind and one or two colours: #material 4 petal \"c8102e\".";
+  static constexpr const char* advice =
+      "A material is a number, a kind and one or two colours: #material 4 petal \"c8102e\".";
   Material material;
   material.place = here();
   ++at_;
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::number) return wrong(here(), advice);
   const float number = tokens_[at_].number;
   material.number = number >= 0 && number <= most_material ? static_cast<std::uint32_t>(number) : most_material + 1;
-  if (static_cast<float>(material.number) != number) return wrong(here(), "A material's number is a whole number from 0 to 255.");
+  if (static_cast<float>(material.number) != number)
+    return wrong(here(), "A material's number is a whole number from 0 to 255.");
   for (const Material& other : program_.materials)
     if (other.number == material.number) return wrong(here(), "This number has a material already; take one out.");
   ++at_;
@@ -263,10 +266,14 @@ bool Reader::material() {
 
 bool Reader::colour(std::uint32_t& colour) {
   static constexpr const char* advice = "A colour is six hexadecimal digits in quotes, such as \"c8102e\".";
-  if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.size() != 6) return wrong(here(), advice);
+  if (at_ >= end_ || tokens_[at_].kind != TokenKind::quoted || tokens_[at_].text.size() != 6)
+    return wrong(here(), advice);
   colour = 0;
   for (const char c : tokens_[at_].text) {
-    const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+    const int digit = c >= '0' && c <= '9'   ? c - '0'
+                      : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                      : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                             : -1;
     if (digit < 0) return wrong(here(), advice);
     colour = 16 * colour + static_cast<std::uint32_t>(digit);
   }

@@ -71,7 +71,8 @@ Diagnostic add_skin(Plant& plant, const Program& program, const Derived& derived
   std::uint64_t triangles = 2ull * boundary.surface.half_edges();
   for (std::uint32_t round = 1; round < rounds; ++round) triangles *= 4;
   if (triangles > most_triangles)
-    return lsystem::error_at(Reason::limit, {}, "The flower has % triangles; the limit is %. Ask for it less smooth, or for fewer steps.",
+    return lsystem::error_at(Reason::limit, {},
+                             "The flower has % triangles; the limit is %. Ask for it less smooth, or for fewer steps.",
                              {std::to_string(triangles), std::to_string(most_triangles)});
   const Skin skin = rounded(boundary.surface, rounds);
   const ClosedSurface& surface = skin.surface;
@@ -136,7 +137,8 @@ Diagnostic add_skin(Plant& plant, const Program& program, const Derived& derived
     if (sky) {
       const std::uint32_t second = surface.next[first], third = surface.next[second];
       const glm::vec3& a = surface.positions[surface.origin[first]];
-      const glm::vec3 b = surface.positions[surface.origin[second]] - a, c = surface.positions[surface.origin[third]] - a;
+      const glm::vec3 b = surface.positions[surface.origin[second]] - a,
+                      c = surface.positions[surface.origin[third]] - a;
       screens.push_back({metres * upright(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
     }
   }

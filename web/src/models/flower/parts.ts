@@ -11,6 +11,9 @@ const OWN: Readonly<Record<string, Partial<Material>>> = {
 	petal: { sheen: { colour: [0.12, 0.1, 0.11], roughness: 0.5 } },
 };
 
+/** How much of an organ's length its foot's colour reaches up. */
+const FOOT = 0.6;
+
 const KINDS: Readonly<Record<string, string>> = { leaf: "blade" };
 
 export function* flowerParts(plant: FlowerPlant): Generator<Part> {
@@ -36,11 +39,11 @@ export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 
 const colourOf = (packed: number): Colour => linear(packed.toString(16).padStart(6, "0"));
 
-/** Along organs from their foot to their tip; what lies beside the middle is a little lighter, as petals are. */
+/** Along organs: from the colour of their foot to that of their tip, which most of them has. */
 function coloured(mesh: PartMesh, base: Colour, tip: Colour): PartMesh {
 	const colours = new Float32Array(mesh.positions.length);
 	for (let v = 0; v < colours.length / 3; v++) {
-		const along = mesh.uvs[2 * v];
+		const along = Math.min(1, mesh.uvs[2 * v] / FOOT);
 		const part = along * along * (3 - 2 * along);
 		for (let c = 0; c < 3; c++) colours[3 * v + c] = base[c] + (tip[c] - base[c]) * part;
 	}

@@ -9,7 +9,7 @@ import { fetchedText } from "./texts";
 export interface RequestOptions extends GrowthOptions {
 	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
 	sky?: boolean;
-	/** Whether the map is wanted, dart by dart; the default is no. */
+	/** Whether the map is wanted, dart by dart; the default is yes, but not in passing. */
 	map?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
@@ -17,8 +17,8 @@ export interface RequestOptions extends GrowthOptions {
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, map = false, meshFingerprint = false } = options;
-	const { measures = !passing, sky = meshes && !passing } = options;
+	const { meshes = true, passing = false, meshFingerprint = false } = options;
+	const { measures = !passing, sky = meshes && !passing, map = !passing } = options;
 	const outputs = [
 		meshes && "meshes",
 		measures && "measures",

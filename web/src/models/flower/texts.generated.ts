@@ -33,16 +33,16 @@ NODE -> NODE[&BELL]_{C4}
 #define finalStep=7
 #define size=math.random(0.9,1.05)
 #axiom: STALK(,<math.random(5,20)>,,,,,,)
-STALK{}{step<4}{} -> STALK[STALK(,22,,,1.8,,,)]_{E}
+STALK{}{step<4}{} -> STALK[STALK(,15,,,2.4,,,)]_{E}
 STALK{}{step==4}{} -> STALK[RECEPTACLE]_{E}
 RECEPTACLE -> RECEPTACLE[&TEPAL]_{C1,C3,C5,C7,C9,C11}
 
 #module TEPAL
 #define K=9
 #define len=18
-#define half=5.2/2
+#define half=6/2
 #define t=0.5
-#define cup=10
+#define cup=12
 #define finalStep=11
 #define VEIN(8,0,0,0,len*sin(90/K)*sin(90/K),t,t,4)
 #define RU1(4,0,0,0,1,t,1,4)
@@ -57,8 +57,8 @@ RECEPTACLE -> RECEPTACLE[&TEPAL]_{C1,C3,C5,C7,C9,C11}
 #define LM2(4,0,0,0,1,t,1,4)
 #define LL1(4,0,0,0,1,t,1,5)
 #define LL2(4,0,0,0,1,t,1,5)
-#axiom: VEIN(, -20+math.random(-4,4), , , , , , )
-VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-300+290*u+260*u^2+80*u^3)*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
+#axiom: VEIN(, -60+math.random(-4,4), , , , , , )
+VEIN{u=step/K}{step<K}{} -> VEIN[VEIN(,<(-50+640*max(0,u-0.6))*sin(90/K)*sin(180*(step+1)/K)>,0,0,<len*sin(90/K)*sin(180*(step+1.5)/K)>,,,)]_{E}
 VEIN{s=step/K}{}{} -> VEIN[RL1(,0,<45+cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C2}
 VEIN{s=step/K}{}{} -> VEIN[RM1(,0,<cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C3}
 VEIN{s=step/K}{}{} -> VEIN[RU1(,0,<-45+cup/2>,0,<max(0.02, half*(0.001+3.993*s+8.85*s^2-76.644*s^3+165.715*s^4-152.872*s^5+50.957*s^6))/2>,0.3*t,H,)]_{C4}
@@ -136,6 +136,7 @@ LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
 #define CUP(21,0,0,0,1.2,7.2,7.2,2)
 #define RIM(21,0,0,0,0.5,8.4,8.4,2)
 #define DISC(21,0,0,0.365,0.05,8.4,8.4,6)
+#define BARE(21,0,0,0,0,8.4,8.4,6)
 #define finalStep=86
 
 #material 1 stem "6f8f4a" "87a65c"
@@ -151,8 +152,7 @@ CUP -> CUP[RIM]_{E}
 CUP -> CUP[&BRACT]_{C1,C3,C5,C7,C9,C11,C13,C15,C17,C19,C21}
 RIM -> RIM[DISC]_{E}
 RIM -> RIM[&RAY]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14,C15,C16,C17,C18,C19,C20,C21}
-DISC{k=step-11;r=sqrt(max(0.02,1-k/discs))}{step<finalStep-1}{} -> DISC[DISC(,,,,<0.03+0.08*k/discs>,<2*radius*r>,<2*radius*r>,)]_{E}
-DISC{k=step-11}{}{} -> DISC[&FLORET(,<-40-50*k/discs>,,,,,,)]_{C(1+8*k%21)}
+DISC{k=step-11;r=sqrt(max(0.02,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<0.03+0.08*k/discs>,<2*radius*r>,<2*radius*r>,)]_{E}[&FLORET(,<-40-50*k/discs>,,,,,,)]_{C(1+8*k%21)}
 
 #module RAY
 #define K=6
@@ -666,6 +666,7 @@ LID -> LID[LID(,,,,0.6,3,3,)]_{E}
 #define RIM(21,0,0,0,6,104,104,2)
 #define SECOND(21,0,0,8.57,3,104,104,6)
 #define DISC(21,0,0,0.365,0.06,104,104,6)
+#define BARE(21,0,0,0,0,104,104,6)
 #define finalStep=340
 
 #material 1 stem "7a944c" "8aa458"
@@ -687,8 +688,7 @@ RIM -> RIM[SECOND]_{E}
 RIM -> RIM[&RAY]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14,C15,C16,C17,C18,C19,C20,C21}
 SECOND -> SECOND[DISC]_{E}
 SECOND -> SECOND[&RAY]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13,C14,C15,C16,C17,C18,C19,C20,C21}
-DISC{k=step-14;r=sqrt(max(0.002,1-k/discs))}{step<finalStep-1}{} -> DISC[DISC(,,,,<0.02+0.04*k/discs>,<2*radius*r>,<2*radius*r>,)]_{E}
-DISC{k=step-14}{}{} -> DISC[&FLORET(,<-62-26*k/discs>,,,,,,)]_{C(1+8*k%21)}
+DISC{k=step-14;r=sqrt(max(0.002,1-k/discs))}{step<finalStep-1}{} -> BARE[DISC(,,,,<0.02+0.04*k/discs>,<2*radius*r>,<2*radius*r>,)]_{E}[&FLORET(,<-62-26*k/discs>,,,,,,)]_{C(1+8*k%21)}
 
 #module RAY
 #define K=9

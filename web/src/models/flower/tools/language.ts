@@ -29,7 +29,12 @@ function scan(text: string): Piece[] {
 	return pieces;
 }
 
-const statement = (name: string, written: string, help: string) => ({ kind: "statement" as const, name, written, help });
+const statement = (name: string, written: string, help: string) => ({
+	kind: "statement" as const,
+	name,
+	written,
+	help,
+});
 const word = (name: string, help: string, written = name) => ({ kind: "function" as const, name, written, help });
 
 export const FLOWER_LANGUAGE: Dialect = {
