@@ -16,7 +16,6 @@ export const model = {
 	preview: true,
 	noun: "flower",
 	wasm: "flower.wasm",
-	pictures: false,
 	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
 	encode: encodeFlower,
 	read: readFlowerPlant,

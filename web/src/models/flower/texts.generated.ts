@@ -129,7 +129,7 @@ LM1 : LM1_C4 < LU1_C2 -> LM1_C4 | LU1_C2
    about: A head of white rays round a dome of yellow florets in spirals by the golden angle.
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define length=90
+#define length=48
 #define discs=72
 #define radius=4.2
 #define STEM(12,0,0,0,24,1.4,1.4,1)
@@ -366,7 +366,7 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
    about: Four crumpled petals in two whorls, many dark stamens, and a capsule under its lid of stigmas.
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
-#define length=380
+#define length=180
 #define STEM(12,0,0,0,24,2.4,2.4,1)
 #define RECEPTACLE(12,0,0,0,1.2,4.5,4.5,1)
 #define BASE(12,0,0,0,1.2,4.5,4.5,1)
