@@ -16,6 +16,7 @@ import docs from "./docs.mjs";
 import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
+import flower from "./flower.mjs";
 import generalizedMap from "./generalized_map.mjs";
 import grammar from "./grammar.mjs";
 import grammarEditor from "./grammar_editor.mjs";
@@ -78,6 +79,7 @@ export const groups = [
 	...wind,
 	...lives,
 	...grammarEditor,
+	...flower,
 	...growth,
 	...stepper,
 	...studio,

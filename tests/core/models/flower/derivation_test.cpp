@@ -1,0 +1,342 @@
+// What grows from a flower's text: by the laws that the thesis's productions state, and by its own printed grammars.
+#include <cmath>
+#include <set>
+
+#include "flowers.hpp"
+#include "generalized_map/cells.hpp"
+#include "generalized_map/embedding.hpp"
+
+using namespace panicle;
+using namespace panicle::flower;
+using namespace panicle::flower::tests;
+namespace gm = panicle::generalized_map;
+
+namespace {
+
+const std::string volume =
+    "#define A(4,0,0,0,1,1,1,1)\n#define B(4,0,0,0,2,1,1,2)\n#define C(4,0,0,0,3,1,1,3)\n#axiom: A\n";
+
+}  // namespace
+
+TEST_CASE("a chain grows by a volume a step") {
+  const Flower flower = grown(volume + "A -> A[A]_{E}", steps(7));
+  CHECK(flower.derived.map.volumes() == 8);
+  CHECK(flower.derived.map.darts() == 8 * 48);
+  CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
+  for (std::uint32_t v = 1; v < 8; ++v) {
+    CHECK(flower.derived.map.volume(v).parent == v - 1);
+    CHECK(flower.derived.map.volume(v).parent_face == gm::end_face);
+    CHECK_FALSE(flower.derived.map.volume(v).attached);
+  }
+  CHECK(flower.derived.notes.empty());
+}
+
+TEST_CASE("all productions apply that fit, and of those on one face the last listed wins") {
+  const Flower flower = grown(volume + "A -> A[B]_{C1}\nA -> A[B]_{E}\nA -> A[C]_{E}\nA -> A[C]_{C1,C3}", steps(1));
+  CHECK(flower.count("B") == 0);
+  CHECK(flower.count("C") == 3);
+  // Only where it fits: the last of those that do.
+  const Flower other = grown(volume + "A{}{step>=0}{} -> A[B]_{E}\nA{}{step>0}{} -> A[C]_{E}", steps(3));
+  CHECK(other.count("B") == 1);
+  CHECK(other.count("C") == 0);
+}
+
+TEST_CASE("a face that is taken is passed over, and all that fits goes on") {
+  const Flower flower = grown(volume + "A -> A[B]_{E}\nA{}{step==3}{} -> A[C]_{E,C2}", steps(6));
+  CHECK(flower.count("B") == 1);
+  CHECK(flower.count("C") == 1);
+  CHECK(flower.derived.map.volume(2).parent_face == gm::side(2));
+}
+
+TEST_CASE("what a list leaves empty is the predecessor's where that has the same name, else the definition's") {
+  const Flower flower = grown(volume + "A -> A[A(,5,,,,3*L,,)]_{E}\nA -> A[B(,,,,,W+7,,)]_{C1}", steps(2));
+  // A grows A, which is thrice as long and turned by 5.
+  REQUIRE(flower.name(1) == "A");
+  CHECK(flower.value(1, Field::length) == 3);
+  CHECK(flower.value(1, Field::turn_x) == 5);
+  CHECK(flower.value(1, Field::height) == 1);
+  CHECK(flower.value(1, Field::material) == 1);
+  // B has its own height and material.
+  REQUIRE(flower.name(2) == "B");
+  CHECK(flower.value(2, Field::length) == 8);
+  CHECK(flower.value(2, Field::height) == 2);
+  CHECK(flower.value(2, Field::material) == 2);
+  CHECK(flower.value(3, Field::length) == 9);
+}
+
+TEST_CASE("lists of numbers are read by how many there are") {
+  const auto values = [](const std::string& list) {
+    const Flower flower = grown(
+        "#define A(8,1,2,3,4,5,6,7)\n#define T(8,.5,1,2,3,4,5,6,7)\n#axiom: A\nA -> A[" + list + "]_{E}", steps(1));
+    return flower.derived.values[1];
+  };
+  CHECK(values("A(8,0,0,0,9,9,9,9)") == VolumeValues{8, 1, 0, 0, 0, 9, 9, 9, 9});
+  CHECK(values("A(8,.25,0,0,0,9,9,9,9)") == VolumeValues{8, .25f, 0, 0, 0, 9, 9, 9, 9});
+  CHECK(values("A(,,,,9)") == VolumeValues{8, 1, 1, 2, 3, 9, 5, 6, 7});
+  CHECK(values("A(,,,,,4.1,5,1.5,)") == VolumeValues{8, 1, 1, 2, 3, 4.1f, 5, 1.5f, 7});
+  CHECK(values("T(,,9)") == VolumeValues{8, .5f, 9, 2, 3, 4, 5, 6, 7});
+  CHECK(values("T(,,,,4.1,5,1.5,)") == VolumeValues{8, .5f, 1, 2, 3, 4.1f, 5, 1.5f, 7});
+  CHECK(values("A(,,,,,,)") == VolumeValues{8, 1, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(values("A()") == VolumeValues{8, 1, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(values("A(4)")[0] == 4);
+  // Ten numbers are one angle too many (Table 3's petal).
+  const Flower ten = grown("#define P(4,1,0,0,0,0,5,0.5,1,4)\n#axiom: P", steps(1));
+  CHECK(ten.derived.values[0] == VolumeValues{4, 1, 0, 0, 0, 5, .5f, 1, 4});
+  CHECK(ten.noted("ten numbers"));
+}
+
+TEST_CASE("a volume without numbers has as many sides as what it grows on") {
+  const Flower flower =
+      grown("#define A\n#define B(7,0,0,0,1,1,1,1)\n#axiom: B\nB -> B[A]_{E}\n#define D\nA -> A[D]_{C1}", steps(2));
+  CHECK(flower.derived.map.volume(1).order == 7);
+  CHECK(flower.derived.map.volume(2).order == 4);
+  CHECK(flower.noted("without numbers"));
+}
+
+TEST_CASE("a face may be worked out") {
+  const Flower flower = grown(
+      "#define A(21,0,0,0,1,1,1,1)\n#define F(4,0,0,0,face,1,1,2)\n#axiom: A\n"
+      "A -> A[A]_{E}\nA -> A[F]_{C(1 + 8*step%21)}",
+      steps(5));
+  std::vector<std::uint32_t> sides;
+  for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
+    if (flower.name(v) != "F") continue;
+    sides.push_back(gm::side_number(flower.derived.map.volume(v).parent_face));
+    CHECK(flower.value(v, Field::height) == static_cast<float>(sides.back()));
+  }
+  CHECK(std::set<std::uint32_t>(sides.begin(), sides.end()) == std::set<std::uint32_t>{1, 9, 17, 4, 12});
+}
+
+TEST_CASE("blocks work values out for what stands behind them") {
+  const Flower flower = grown(volume + "A{w = 2*step+1; v = w*w;}{w < 6}{u = v+1} -> A[A(,,,,w,v,u,)]_{E}", steps(6));
+  REQUIRE(flower.derived.map.volumes() == 4);
+  for (std::uint32_t v = 1; v < 4; ++v) {
+    const auto w = static_cast<float>(2 * v - 1);
+    CHECK(flower.value(v, Field::height) == w);
+    CHECK(flower.value(v, Field::length) == w * w);
+    CHECK(flower.value(v, Field::width) == w * w + 1);
+  }
+}
+
+TEST_CASE("a glue waits until its faces are adjacent, and one that never was is noted") {
+  // A stack whose sides grow; the lobes' neighbouring sides meet.
+  const std::string lobes =
+      "#define V(4,0,0,0,1,1,1,1)\n#define R(4,0,0,0,1,1,1,2)\n#axiom: V\n"
+      "V -> V[V]_{E}\nV -> V[R]_{C2}\n";
+  const Flower flower = grown(lobes + "R : R_C1 < R_C3 -> R_C1 | R_C3", steps(6));
+  CHECK(flower.count("R") == 6);
+  std::size_t glued = 0;
+  gm::OrbitWalk walk(flower.derived.map);
+  for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v)
+    if (flower.name(v) == "R")
+      glued += gm::neighbours(walk, flower.derived.map, v, flower.derived.map.volume(v).label).size();
+  CHECK(glued == 2 * 5);
+  CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
+  CHECK(flower.derived.notes.empty());
+  CHECK(grown(lobes + "R : R_C2 < R_C4 -> R_C2 | R_C4", steps(6)).noted("never came to be adjacent"));
+}
+
+TEST_CASE("a split halves a volume, and both go on growing") {
+  const Flower flower = grown(volume + "A{}{step==0}{} -E-> B C\nC{}{step==1}{} -> C[A]_{E}", steps(2));
+  REQUIRE(flower.derived.map.volumes() == 3);
+  CHECK(flower.name(0) == "B");
+  CHECK(flower.name(1) == "C");
+  CHECK(flower.value(0, Field::height) == 0.5f);
+  CHECK(flower.value(1, Field::height) == 0.5f);
+  CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
+  gm::Embedding embedding;
+  embedding.lay(flower.derived.map);
+  embedding.place(flower.derived.shapes());
+  float top = 0;
+  for (const glm::vec3& at : embedding.positions()) top = std::max(top, at.z);
+  CHECK(top == doctest::Approx(2));
+  CHECK(grown(volume + "A -E-> B(,,,,.25) C(,,,,.75)", steps(1)).value(1, Field::height) == 0.75f);
+}
+
+TEST_CASE("what a production makes of its predecessor has that one's productions from then on") {
+  const Flower flower = grown(volume + "A -> B\nB -> B[C]_{E}", steps(2));
+  CHECK(flower.name(0) == "B");
+  CHECK(flower.count("C") == 1);
+  CHECK(flower.noted("A becomes B"));
+}
+
+TEST_CASE("a module has a step of its own and is run to its end") {
+  const std::string text =
+      volume +
+      "A{}{step==1}{} -> A[&M(,,,,9,,,)]_{E}\n#define finalStep=2\n"
+      "#module M\n#define A(4,0,0,0,7,1,1,5)\n#define B(4,0,0,0,1,1,1,1)\n#axiom: A\n#define finalStep=5\n"
+      "A -> A[A(,,,,step,,,)]_{E}\nA{}{step==finalStep-1}{} -> A[B]_{C1}";
+  const Flower flower = grown(text);
+  // Its A is not the text's.
+  CHECK(flower.derived.map.volumes() == 1 + 1 + 5 + 5);
+  CHECK(flower.derived.instances.size() == 2);
+  CHECK(flower.value(1, Field::height) == 9);
+  CHECK(flower.value(1, Field::material) == 5);
+  float step = 0;
+  for (std::uint32_t v = 2; v < flower.derived.map.volumes(); ++v)
+    if (flower.name(v) == "A") CHECK(flower.value(v, Field::height) == step++);
+  CHECK(step == 5);
+}
+
+TEST_CASE("modules that hold themselves end, with a note") {
+  const Flower flower =
+      grown(volume + "A -> A[&M]_{E}\n#module M\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M]_{E}", steps(1));
+  CHECK(flower.derived.instances.size() == 33);
+  CHECK(flower.noted("more than 32 deep"));
+}
+
+TEST_CASE("variables are the text's or their module's, and given ones take their place") {
+  const std::string text =
+      "#define a=2\n#define b=a*3\n" + volume +
+      "A -> A[&M(,,,,b,a,,)]_{E}\n#module M\n#define b=a+100\n#define A(4,0,0,0,1,1,b,1)\n#axiom: A";
+  const Flower flower = grown(text, steps(1));
+  CHECK(flower.value(1, Field::height) == 6);
+  CHECK(flower.value(1, Field::length) == 2);
+  CHECK(flower.value(1, Field::width) == 102);
+  Given given = steps(1);
+  given.values = {{"a", 5}};
+  const Flower other = grown(text, given);
+  CHECK(other.value(1, Field::height) == 15);
+  CHECK(other.value(1, Field::width) == 105);
+  given.values = {{"c", 5}};
+  CHECK(trouble(text, given).message.find("'c'") != std::string::npos);
+}
+
+TEST_CASE("luck is a volume's own: uniform, the same for the same seed, another for each") {
+  const std::string text =
+      "#define r=7\n#define V(4,0,0,0,1,1,1,1)\n#define P(4,0,0,0,1,1,1,1)\n#axiom: V\nV -> V[V]_{E}\nV -> "
+      "V[P(,<math.random(-r,r)>,,,,,,)]_{C2}";
+  const auto angles = [&](std::uint64_t seed) {
+    const Flower flower = grown(text, steps(200, seed));
+    std::vector<float> all;
+    for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v)
+      if (flower.name(v) == "P") all.push_back(flower.value(v, Field::turn_x));
+    return all;
+  };
+  const std::vector<float> one = angles(1);
+  CHECK(one == angles(1));
+  CHECK(one != angles(2));
+  REQUIRE(one.size() == 200);
+  double mean = 0;
+  std::size_t high = 0;
+  for (const float angle : one) {
+    CHECK(std::abs(angle) <= 7);
+    mean += static_cast<double>(angle) / 200;
+    high += angle > 3.5f;
+  }
+  CHECK(std::abs(mean) < 1);
+  CHECK(high > 30);
+  CHECK(high < 70);
+  CHECK(std::set<float>(one.begin(), one.end()).size() > 195);
+  // Each instance of a module draws its own variables.
+  const Flower modules = grown(
+      "#define V(4,0,0,0,1,1,1,1)\n#axiom: V\nV -> V[V]_{E}\nV -> V[&M]_{C1}\n#module M\n#define "
+      "h=math.random(1,2)\n#define w=2*h\n#define A(4,0,0,0,h,w,1,1)\n#axiom: A\nA -> A[A(,,,,,w,h,)]_{E}\n#define "
+      "finalStep=1",
+      steps(9));
+  std::set<float> heights;
+  for (std::uint32_t v = 0; v < modules.derived.map.volumes(); ++v) {
+    if (modules.name(v) != "A") continue;
+    CHECK(modules.value(v, Field::length) == 2 * modules.value(v, Field::height));
+    heights.insert(modules.value(v, Field::height));
+  }
+  CHECK(heights.size() == 9);
+}
+
+TEST_CASE("other numbers are placed on the same map as if it had grown with them") {
+  const std::string text = text_named("table-3");
+  const Program program = program_of(text);
+  for (const float turn : {0.0f, 3.0f, 40.0f}) {
+    Given before, now;
+    now.values = {{"rd", turn}};
+    CHECK_FALSE(flower::rebuilds(program, before, now));
+    const Derived derived = sound(derive(program, before));
+    const Derived anew = sound(derive(program, now));
+    CHECK(sound(reworked(program, now, derived)) == anew.values);
+    CHECK(anew.map.darts() == derived.map.darts());
+  }
+  const Program orders =
+      program_of("#define n=6\n#define m=n\n#define k=3\n#define A(m,0,0,0,1,1,k,1)\n#axiom: A\nA{x=k}{}{}->A[A]_{E}");
+  CHECK(flower::rebuilds(orders, {{{"n", 6}}, 0, 1, 1}, {{{"n", 7}}, 0, 1, 1}));
+  CHECK_FALSE(flower::rebuilds(orders, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));
+  CHECK(flower::rebuilds(orders, {}, {{}, 0, 1, 2}));
+  CHECK(flower::rebuilds(orders, {}, steps(3)));
+  const Program conditions =
+      program_of("#define k=3\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA{x=k}{step<x}{}->A[A]_{E}");
+  CHECK(flower::rebuilds(conditions, {{{"k", 6}}, 0, 1, 1}, {{{"k", 7}}, 0, 1, 1}));
+}
+
+TEST_CASE("Table 3 has one receptacle, four petals and four modules") {
+  for (std::uint32_t n = 11; n <= 24; ++n) {
+    CAPTURE(n);
+    const Flower flower = grown(text_named("table-3"), steps(n));
+    CHECK(flower.count("RECEPTACLE") == 1);
+    CHECK(flower.count("PETAL") == 4);
+    CHECK(flower.derived.instances.size() == 5);
+    CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
+  }
+  const Flower flower = grown(text_named("table-3"));
+  CHECK(flower.noted("ten numbers"));
+  CHECK(flower.noted("PTULIP stands on faces"));
+  for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
+    if (flower.name(v) != "PETAL") continue;
+    const std::uint32_t side = gm::side_number(flower.derived.map.volume(v).parent_face);
+    if (side == 5) CHECK(flower.value(v, Field::turn_y) == 2);
+    if (side == 9) CHECK(flower.value(v, Field::turn_y) == -3);
+    if (side != 13 && side != 17) continue;
+    CHECK(flower.value(v, Field::turn_x) > 0);
+    CHECK(flower.value(v, Field::turn_x) < 7);
+  }
+}
+
+TEST_CASE("figure 16 has its whorls: six sepals, six petals, six stamens, a carpel") {
+  const Flower flower = grown(text_named("figure-16"), steps(3));
+  std::array<std::size_t, 5> of{};
+  for (const Instance& instance : flower.derived.instances) ++of[instance.grammar];
+  CHECK(of == std::array<std::size_t, 5>{1, 6, 6, 6, 0});
+  const Flower whole = grown(text_named("figure-16"), steps(4));
+  of = {};
+  for (const Instance& instance : whole.derived.instances) ++of[instance.grammar];
+  // The relabelled base bears petals and stamens of its own.
+  CHECK(of[4] == 1);
+  CHECK(whole.noted("BASEC becomes BASE"));
+  CHECK(whole.noted("CARPEL stands on faces"));
+  CHECK(gm::check(whole.derived.map).fault == gm::Fault::nothing);
+}
+
+TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
+  Limits limits;
+  limits.darts = 48 * 100;
+  const Flower flower = grown(volume + "A -> A[A]_{E}", steps(500), limits);
+  CHECK(flower.derived.map.volumes() == 100);
+  CHECK(flower.noted("Growth ended in step 99"));
+  CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
+  limits = {};
+  limits.evaluations = 50;
+  CHECK(grown(volume + "A -> A[A]_{E,C1}", steps(500), limits).noted("which is the limit"));
+  limits = {};
+  limits.steps = 9;
+  CHECK(trouble(volume + "A -> A[A]_{E}\n#define finalStep=10", {}, limits).reason == Reason::limit);
+}
+
+TEST_CASE("every grammar of the shelf grows to a whole map, and the same one each time") {
+  for (const auto& file : files()) {
+    CAPTURE(file.string());
+    const Flower flower = grown(content(file)), again = grown(content(file));
+    CHECK(flower.derived.map.volumes() > 1);
+    CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
+    CHECK(flower.derived.values == again.derived.values);
+  }
+}
+
+TEST_CASE("the examples of the language's page grow") {
+  const std::string page = content(PANICLE_GRAMMARS "/../../docs/models/flower/language.md");
+  std::size_t examples = 0;
+  for (std::size_t at = 0; (at = page.find("```flower\n", at)) != std::string::npos; ++examples) {
+    at += 10;
+    const std::string text = page.substr(at, page.find("```", at) - at);
+    CAPTURE(text);
+    CHECK(grown(text).derived.map.volumes() > 20);
+  }
+  CHECK(examples >= 2);
+}

@@ -1,0 +1,87 @@
+// What the tests of flowers share: texts read and grown in one line.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "generalized_map/check.hpp"
+#include "models/flower/derivation.hpp"
+
+namespace panicle::flower::tests {
+
+template <class Value>
+Value sound(Result<Value> result) {
+  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
+  return std::move(result.value());
+}
+
+inline Program program_of(std::string_view text) { return sound(read_program(text)); }
+
+inline Given steps(std::uint32_t steps, std::uint64_t seed = 1) {
+  Given given;
+  given.steps = steps;
+  given.seed = seed;
+  return given;
+}
+
+struct Flower {
+  Program program;
+  Derived derived;
+
+  // How many volumes have a label now.
+  std::size_t count(std::string_view label) const {
+    std::size_t found = 0;
+    for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) found += name(v) == label;
+    return found;
+  }
+  const std::string& name(std::uint32_t volume) const { return program.labels[derived.map.volume(volume).label].name; }
+  float value(std::uint32_t volume, Field field) const {
+    return derived.values[derived.record_of[volume]][static_cast<std::size_t>(field)];
+  }
+  bool noted(std::string_view words) const {
+    return std::any_of(derived.notes.begin(), derived.notes.end(),
+                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  }
+};
+
+inline Flower grown(std::string_view text, const Given& given = {}, const Limits& limits = {}) {
+  Program program = program_of(text);
+  Derived derived = sound(derive(program, given, limits));
+  return {std::move(program), std::move(derived)};
+}
+
+// What is wrong with a text that is read and grown; nothing where it is sound.
+inline Diagnostic trouble(std::string_view text, const Given& given = {}, const Limits& limits = {}) {
+  const auto program = read_program(text, limits);
+  if (!program) return program.error();
+  const auto derived = derive(program.value(), given, limits);
+  return derived ? Diagnostic{} : derived.error();
+}
+
+inline std::vector<std::filesystem::path> files() {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/flower"))
+    if (entry.path().extension() == ".gl3") found.push_back(entry.path());
+  return found;
+}
+
+inline std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline std::string text_named(const std::string& name) {
+  const std::string text = content(PANICLE_GRAMMARS "/flower/" + name + ".gl3");
+  REQUIRE_FALSE(text.empty());
+  return text;
+}
+
+}  // namespace panicle::flower::tests

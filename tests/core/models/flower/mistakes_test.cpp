@@ -1,0 +1,153 @@
+// What people write wrong in a flower's grammar: each mistake is told at its place, in a sentence that says what to
+// write.
+#include "flowers.hpp"
+
+using namespace panicle;
+using namespace panicle::flower;
+using namespace panicle::flower::tests;
+
+namespace {
+
+struct Mistake {
+  // « stands before the place that is told.
+  std::string text;
+  // What the sentence has in it.
+  const char* advice;
+};
+
+const std::string good = "#define A(4,0,0,0,1,1,1,1)\n#define B(4,0,0,0,1,1,1,1)\n#axiom: A\n";
+
+const Mistake mistakes[] = {
+    {"«", "empty"},
+    {"«@ volumes\n#define A(4)", "end it with @"},
+    {"«@ all @", "empty"},
+    {"«A -> A[A]_{E}", "add #define A(N, atx"},
+    {"«#define A(4)", "#axiom"},
+    {"#«volume A", "#define NAME"},
+    {"#define «(4)", "A name is expected"},
+    {"#define A «4", "behind its name"},
+    {"#define A«(4", "never closed"},
+    {"#define A(«ten)", "'ten'"},
+    {"#define A«(1,2,3,4,5,6,7,8,9,10,11)", "here are 11"},
+    {"#define A(4,0,0,0,0,«2,1,1,1,1)", "ten numbers"},
+    {"#define A(4)\n#define «A(5)", "already"},
+    {"#define a=1\n#define «a=2", "already"},
+    {"#define a=«", "value is missing"},
+    {"#define a=1 +« ", "value is missing"},
+    {"#define a=«b\n#define b=1", "Nothing above this line"},
+    {"#define a=«step", "another from volume"},
+    {"#define «step=1", "meaning of its own"},
+    {"#define finalStep=2\n#define «finalStep=3", "already"},
+    {"#define a=«math.random", "math.random(from, to)"},
+    {"#define a=«math.random(1", "math.random(from, to)"},
+    {"#define a=«math.random(1)", "math.random(from, to)"},
+    {"#define a=«math.random(1,2,3)", "math.random(from, to)"},
+    {"#define a=«math.random(1,math.random(2,3))", "no other draw"},
+    {"#axiom «A", "colon"},
+    {"#axiom: «A", "add #define A"},
+    {"#axiom:« ", "volume's name"},
+    {good + "#«axiom: A", "already"},
+    {good + "#module« ", "has a name"},
+    {good + "#module M\n#axiom: A\n#module «M", "already"},
+    {good + "#module «M\n", "the module M"},
+    // Productions.
+    {good + "«4 -> A", "begins with a volume's name"},
+    {good + "p1 «C -> A", "add #define C"},
+    {good + "A A«", "An arrow"},
+    {good + "A ->« ", "volume's name"},
+    {good + "A -> A«", "Nothing happens"},
+    {good + "A -> A[«", "A volume's name"},
+    {good + "A -> A«[B", "never closed"},
+    {good + "A -> A[«C]_{E}", "add #define C"},
+    {good + "A -> A[&«M]_{E}", "#module M"},
+    {good + "A -> A[B]«", "face is O, E"},
+    {good + "A -> A[B]_{«D}", "face is O, E"},
+    {good + "A -> A[B]_{«C0}", "face is O, E"},
+    {good + "A -> A[B]_{«C9999}", "face is O, E"},
+    {good + "A -> A[B]_«{E", "end with a }"},
+    {good + "A -> A[B]_{C(«)}", "value is missing"},
+    {good + "A -> A[B]_{«C(1}", "never closed"},
+    {good + "A -> A[B]_{E} «C", "cannot stand here"},
+    {good + "A -> A[B(4) «D]_{E}", "] is expected"},
+    {good + "A -> A[B(,«k,,)]_{E}", "There is no 'k'"},
+    {good + "A -> A[B(,2 «3,,)]_{E}", "operator"},
+    {good + "A -> A[B(,«x[1],,)]_{E}", "no lists"},
+    {good + "A -> A[B(,«bound(1,2,3,4),,)]_{E}", "does not know"},
+    {good + "A -> A«(4)[B]_{E}", "keeps its numbers"},
+    {good + "A{}«-> A[B]_{E}", "Three blocks"},
+    {good + "A{}{step<3}«-> A[B]_{E}", "Three blocks"},
+    {good + "A«{step", "never closed"},
+    {good + "A{«step<3}{}{} -> A[B]_{E}", "gives names"},
+    {good + "A{«step=3;}{}{} -> A[B]_{E}", "cannot be set"},
+    {good + "A{w=«;}{}{} -> A[B]_{E}", "value is missing"},
+    {good + "A{}{step =«> 3}{} -> A[B]_{E}", ">="},
+    {good + "A{}{«w}{} -> A[B]_{E}", "There is no"},
+    // Glue and split.
+    {good + "A : «B_C1 < B_C2 -> B_C1 | B_C2", "before the colon"},
+    {good + "A : «A < A_C2 -> A_C1 | A_C2", "PETAL_C3"},
+    {good + "A : A_C1 «-> A_C2", "< is expected"},
+    {good + "A : A_C1 < «D_C2 -> A_C1 | D_C2", "add #define D"},
+    {good + "A : A_C1 < «A_D2 -> A_C1 | A_D2", "PETAL_C3"},
+    {good + "A : A_C1 < A_C3« ", "An arrow"},
+    {good + "A : A_C1 < A_C3 -> «A_C2 | A_C3", "the same two faces"},
+    {good + "A : A_C1 < A_C3 -> A_C1 «A_C3", "| is expected"},
+    {good + "A -«C(2)-> A B", "has a name"},
+    {good + "A -E «A B", "arrow"},
+    {good + "A -E-> A« ", "volume's name"},
+    // While it grows.
+    {good + "A -> A[B]_{«C5}", "4 sides, which has no C5"},
+    {good + "A -> A[B]_{«C(0.5)}", "whole number"},
+    {good + "A -> A[B]_{«C(-1)}", "whole number"},
+    {good + "A -> A[«B(2)]_{E}", "3 to 4096"},
+    {good + "A -> A[«B(4.5)]_{E}", "3 to 4096"},
+    {good + "A -> A[«B(,1e7)]_{E}", "between"},
+    {good + "A -> A[«B(,1/(step-step))]_{E}", "between"},
+    {good + "#define finalStep=«1.5", "whole number"},
+    {good + "#define finalStep=«-1", "whole number"},
+    {good + "#define finalStep=«5000", "limit"},
+    {good + "#define a=«1/0", "finite"},
+};
+
+// Where « stands, which is taken out.
+Diagnostic place_in(std::string& text) {
+  const std::size_t at = text.find("«");
+  Diagnostic place{Reason::none, "", 1, 1};
+  for (std::size_t i = 0; i < at; ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) ++place.column;
+    if (text[i] == '\n') {
+      ++place.line;
+      place.column = 1;
+    }
+  }
+  text.erase(at, 2);
+  return place;
+}
+
+}  // namespace
+
+TEST_CASE("mistakes in a flower's grammar are told at their place, with advice") {
+  for (Mistake mistake : mistakes) {
+    CAPTURE(mistake.text);
+    const Diagnostic place = place_in(mistake.text);
+    const Diagnostic told = trouble(mistake.text);
+    CAPTURE(told.message);
+    CHECK(told.reason != Reason::none);
+    CHECK(told.line == place.line);
+    CHECK(told.column == place.column);
+    CHECK(told.message.find(mistake.advice) != std::string::npos);
+    CHECK(told.message.find('%') == std::string::npos);
+  }
+}
+
+TEST_CASE("a flower's grammar may be written as the thesis writes it, or more plainly") {
+  const Flower plain = grown(good + "A -> A[A]_{E}\nA -> A[B]_{C1,C3}", steps(4));
+  for (const char* rules :
+       {"p00 A->A[A(,,,,,,)]_ {E}\np00 A->A[B(,,,,,,)]_{C1,C3}", "(p1) A → A[A]E\n(p2) A --> A[B]C1,C3",
+        "@rules@ A{ }{ }{ }->A\n  [A]_ {E}\n  [B]_{C1, C3}", "/* mail@place */ A -> A[A]_{E}[B]C(1),C(1+2)"}) {
+    CAPTURE(rules);
+    const Flower same = grown(good + rules, steps(4));
+    CHECK(same.derived.map.volumes() == plain.derived.map.volumes());
+    CHECK(same.derived.values == plain.derived.values);
+  }
+  CHECK(grown("#define A(4)\r\n#axiome: A\r\nA -> A[A]_{E}\r\n", steps(2)).derived.map.volumes() == 3);
+}

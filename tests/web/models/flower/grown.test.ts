@@ -1,0 +1,117 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import { aboutPlant } from "../../../../web/src/export/about_plant";
+import { exportGlb } from "../../../../web/src/export/glb";
+import { exportJson } from "../../../../web/src/export/json";
+import { type FlowerPlant, readFlowerPlant } from "../../../../web/src/models/flower/flower_plant";
+import { model } from "../../../../web/src/models/flower/index";
+import type { RequestOptions } from "../../../../web/src/models/flower/request";
+import type { FlowerSpecimen } from "../../../../web/src/models/flower/specimen";
+import { fetchTexts } from "../../../../web/src/models/flower/texts";
+import { everyPart } from "../../../../web/src/plant/part";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+import { freshCore } from "../../core/wasm";
+import { complaints } from "../../export/reading";
+
+let core: Core;
+beforeAll(async () => {
+	await fetchTexts();
+	core = await freshCore("flower.wasm");
+});
+
+const grow = (specimen: FlowerSpecimen, options?: RequestOptions): FlowerPlant =>
+	readFlowerPlant(core.grow(model.encode(specimen, options)));
+
+describe("a flower", () => {
+	it("has no note but on what stands unsewn, and on readings of what is printed, for every preset", () => {
+		const allowed = /attached there|ten numbers|without numbers|becomes (?:BASE|BARE)/;
+		for (const { name } of model.presets.list) {
+			const { notes, counts } = grow(fromPreset(model, name), { meshes: false, map: false });
+			expect(
+				notes.filter((note) => !allowed.test(note)),
+				name,
+			).toEqual([]);
+			expect(counts.darts, name).toBeGreaterThan(2000);
+		}
+	});
+
+	it("tells its map in the JSON document, whose αs are involutions as they must be", () => {
+		const specimen = fromPreset(model, "petal");
+		const grown = grow(specimen);
+		const { alpha = [], volume = [], position = [], order, label } = exportJson(model, grown, specimen);
+		expect(volume).toHaveLength(grown.counts.darts);
+		expect(position).toHaveLength(grown.counts.darts);
+		expect(order).toHaveLength(grown.counts.volumes);
+		expect(label).toContain("VEIN");
+		expect(alpha).toHaveLength(4);
+		const [a0, a1, a2, a3] = alpha;
+		const wrong: [string, number][] = [];
+		for (let dart = 0; dart < volume.length; dart++) {
+			const must = (what: string, holds: boolean) => holds || wrong.push([what, dart]);
+			for (const a of alpha) must("involution", a[a[dart]] === dart);
+			for (const a of [a0, a1, a2]) must("of one volume", a[dart] !== dart && volume[a[dart]] === volume[dart]);
+			for (const [a, b] of [
+				[a0, a2],
+				[a0, a3],
+				[a1, a3],
+			])
+				must("product", b[a[b[a[dart]]]] === dart);
+			for (const a of [a1, a2, a3]) must("corner", `${position[a[dart]]}` === `${position[dart]}`);
+		}
+		expect(wrong).toEqual([]);
+	});
+
+	it("is closed in all its skin, and each triangle faces outwards", () => {
+		const parts = [...everyPart(model.parts(grow(fromPreset(model, "petal"))))];
+		let volume = 0;
+		const met = new Map<string, number>();
+		for (const { shape } of parts) {
+			if (!shape) continue;
+			const { positions, indices } = shape.mesh;
+			const at = (i: number) => [...positions.subarray(3 * i, 3 * i + 3)];
+			for (let i = 0; i < indices.length; i += 3) {
+				const [a, b, c] = [at(indices[i]), at(indices[i + 1]), at(indices[i + 2])];
+				volume +=
+					a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+				for (const [from, to] of [
+					[a, b],
+					[b, c],
+					[c, a],
+				]) {
+					const [there, back] = [`${from} ${to}`, `${to} ${from}`];
+					met.set(there, (met.get(there) ?? 0) + 1);
+					met.set(back, (met.get(back) ?? 0) - 1);
+				}
+			}
+		}
+		expect(volume).toBeGreaterThan(0);
+		expect([...met.values()].filter((left) => left !== 0)).toEqual([]);
+	});
+
+	it("goes from the colour of an organ's foot to that of its tip, as the text says", () => {
+		const text = '#define A(4,0,0,0,5,5,5,3)\n#axiom: A\nA -> A[A]_{E}\n#material 3 petal "ff0000" "0000ff"';
+		const [{ name, shape }] = [...model.parts(grow({ ...fromPreset(model), grammar: text }))];
+		expect(name).toBe("Petal");
+		const { positions, colours = new Float32Array() } = shape?.mesh ?? { positions: new Float32Array() };
+		for (let v = 0; v < positions.length / 3; v++) {
+			const high = positions[3 * v + 1];
+			if (high < 0.004) expect(colours[3 * v]).toBeGreaterThan(0.95);
+			if (high > 0.05) expect(colours[3 * v + 2]).toBeGreaterThan(0.95);
+		}
+	});
+
+	it("is a GLB that Khronos's validator takes", async () => {
+		const specimen = fromPreset(model, "tulip");
+		const grown = grow(specimen);
+		const about = await aboutPlant(model, grown, specimen, "https://example.org/");
+		expect(await complaints(exportGlb(model.parts(grown), about, {}))).toEqual([]);
+	});
+
+	it("is known by its text", () => {
+		const [{ claims }] = model.details;
+		expect(claims?.("#define A(4)\n#axiom: A\nA -> A[A]_ {E}")).toBe(true);
+		expect(claims?.("#axiome: A\nA->A[&B]C1,C2")).toBe(true);
+		expect(claims?.("axiom: A\nA --> F[+A]F")).toBe(false);
+		expect(claims?.('tree -> DivFunc("sigma1"){branches}')).toBe(false);
+	});
+});

@@ -1,0 +1,22 @@
+// What a map shows to the world: its free faces, which are a closed surface, for at each edge exactly two of them meet.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "generalized_map/embedding.hpp"
+#include "generalized_map/map.hpp"
+#include "geometry/subdivision.hpp"
+
+namespace panicle::generalized_map {
+
+struct Boundary {
+  ClosedSurface surface;              // its vertices are the embedding's
+  std::vector<std::uint32_t> volume;  // of its faces, whose they are
+  std::vector<Face> face;             // and which
+};
+
+// Of a map that `embedding` has laid and placed. Where sheets touch in a vertex alone they share it.
+Boundary boundary_of(const Map& map, const Embedding& embedding);
+
+}  // namespace panicle::generalized_map

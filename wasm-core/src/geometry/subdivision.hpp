@@ -1,0 +1,27 @@
+// Closed surfaces of polygons as half-edges, and their subdivision (Catmull and Clark 1978, "Recursively generated
+// B-spline surfaces on arbitrary topological meshes"). Nothing has a border, so no case is special.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace panicle {
+
+// A half-edge runs from its origin along its face, which lies to its left seen from outside.
+struct ClosedSurface {
+  std::vector<std::uint32_t> origin, next, twin, face;  // of half-edges
+  std::vector<glm::vec3> positions;                     // of vertices
+  std::uint32_t faces = 0;
+
+  std::uint32_t half_edges() const { return static_cast<std::uint32_t>(origin.size()); }
+};
+
+// Each half-edge becomes a quad, with its number: from its origin over its own middle and the face's to the middle of
+// the half-edge before. Vertices keep their numbers; those of edges and faces come behind them.
+ClosedSurface subdivided(const ClosedSurface& surface);
+
+// Unit normals of the vertices: of the faces about them, by their area.
+std::vector<glm::vec3> normals_of(const ClosedSurface& surface);
+
+}  // namespace panicle

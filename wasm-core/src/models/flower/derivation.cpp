@@ -1,0 +1,384 @@
+#include "models/flower/derivation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "foundation/random.hpp"
+#include "lsystem/number_text.hpp"
+#include "models/flower/numbers.hpp"
+
+namespace panicle::flower {
+namespace {
+
+using generalized_map::none;
+using generalized_map::Refusal;
+using lsystem::error_at;
+using lsystem::number_text;
+using lsystem::sentence;
+
+constexpr std::uint32_t deepest = 32;  // modules in one another
+constexpr std::uint64_t of_step = 0x73746570, of_face = 0x66616365;
+
+class Deriver {
+ public:
+  Deriver(const Program& program, const Given& given, const Limits& limits)
+      : program_(program),
+        limits_(limits),
+        evaluation_(program, given),
+        numbers_(program, evaluation_),
+        derived_(limits.darts),
+        attached_(program.growths, 0),
+        glued_(program.productions.size(), 0),
+        waited_(program.productions.size(), 0) {}
+
+  Result<Derived> run() {
+    derived_.notes = program_.notes;
+    if (!evaluation_.bind(limits_) || !begin()) return evaluation_.trouble();
+    // Instances come at the end while these run.
+    for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
+      if (!run(instance)) return evaluation_.trouble();
+    tell();
+    return std::move(derived_);
+  }
+
+ private:
+  struct Chosen {
+    Face face;
+    std::uint32_t growth;
+  };
+
+  std::uint32_t label_of(std::uint32_t volume) const { return derived_.map.volume(volume).label; }
+
+  bool begin() {
+    const Grammar& main = program_.grammars[0];
+    derived_.instances.push_back({0, 0, hash_text("flower")});
+    Record record;
+    record.label = main.axiom;
+    record.address = derived_.instances[0].address;
+    VolumeValues values;
+    if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, 4, values)) return false;
+    const auto grown = derived_.map.plant(static_cast<std::uint32_t>(values[0]), main.axiom);
+    if (grown.refusal != Refusal::nothing) return stop(grown.refusal, 0), true;
+    record.volume = grown.volume;
+    keep(record, values);
+    firsts_.push_back(grown.volume);
+    return true;
+  }
+
+  void keep(const Record& record, const VolumeValues& values) {
+    if (record.volume >= derived_.record_of.size()) derived_.record_of.resize(record.volume + 1, nobody);
+    derived_.record_of[record.volume] = static_cast<std::uint32_t>(derived_.records.size());
+    derived_.records.push_back(record);
+    derived_.values.push_back(values);
+  }
+
+  bool run(std::uint32_t instance) {
+    instance_ = instance;
+    active_ = {firsts_[instance]};
+    standing_ = {firsts_[instance]};
+    const std::uint32_t steps = evaluation_.steps(derived_.instances[instance].grammar);
+    for (step_ = 0; step_ < steps && !stopped_; ++step_) {
+      if (active_.empty()) break;
+      made_.clear();
+      still_.clear();
+      for (const std::uint32_t volume : active_) {
+        if (!rewrite(volume)) return false;
+        if (stopped_) return true;
+      }
+      still_.insert(still_.end(), made_.begin(), made_.end());
+      standing_.insert(standing_.end(), made_.begin(), made_.end());
+      std::swap(active_, still_);
+      glue_all();
+      ++stamp_;
+    }
+    return true;
+  }
+
+  // What all productions do to one volume in one step.
+  bool rewrite(std::uint32_t volume) {
+    if (++work_ > limits_.evaluations) return stop_for_work();
+    const std::uint32_t record = derived_.record_of[volume];
+    const Label& label = program_.labels[label_of(volume)];
+    const std::uint64_t address = hash_combine(derived_.records[record].address, step_);
+    std::uint32_t becomes = nobody, split = nobody;
+    bool may_act = false;
+    chosen_.clear();
+    if (!numbers_.enter(derived_.instances, instance_)) return false;
+    for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
+      const Production& production = program_.productions[i];
+      if (production.kind == Production::Kind::glue) continue;
+      const bool grows = production.kind == Production::Kind::grow;
+      if (grows && production.becomes == nobody && !room_for(production, volume)) continue;
+      may_act = true;
+      evaluation_.stand(derived_.values[record], step_);
+      evaluation_.face(0);
+      if (!evaluation_.holds(production.condition, address)) {
+        if (evaluation_.failed()) return false;
+        continue;
+      }
+      if (!grows) split = i;
+      if (production.becomes != nobody) becomes = production.becomes;
+      for (const Growth& growth : production.growths)
+        if (!choose(growth, volume, address)) return false;
+    }
+    for (const Chosen& each : chosen_) {
+      if (!grow(volume, record, each)) return false;
+      if (stopped_) return true;
+    }
+    if (becomes != nobody) derived_.map.relabel(volume, becomes);
+    if (split != nobody && !part(volume, record, program_.productions[split])) return false;
+    if (may_act || becomes != nobody || split != nobody) still_.push_back(volume);
+    return true;
+  }
+
+  // Whether a face that it could grow on is free; one that is worked out may be.
+  bool room_for(const Production& production, std::uint32_t volume) const {
+    for (const Growth& growth : production.growths)
+      for (const FaceOf& face : growth.faces)
+        if (face.worked_out || !derived_.map.has(volume, face.face) || derived_.map.is_free(volume, face.face))
+          return true;
+    return false;
+  }
+
+  // Notes the faces that something is to grow on; later ones displace earlier ones.
+  bool choose(const Growth& growth, std::uint32_t volume, std::uint64_t address) {
+    const bool worked_out =
+        std::any_of(growth.faces.begin(), growth.faces.end(), [](const FaceOf& face) { return face.worked_out; });
+    if (worked_out && !evaluation_.run(growth.blocks, address)) return false;
+    for (const FaceOf& of : growth.faces) {
+      Face face = of.face;
+      if (of.worked_out) {
+        const float side = evaluation_.at(of.source);
+        if (!(side >= 1 && side <= generalized_map::largest_order && std::floor(side) == side))
+          return evaluation_.fail(error_at(Reason::evaluation, of.place,
+                                           "A face's number comes to %; it is a whole number from 1 on.",
+                                           {number_text(side)}));
+        face = generalized_map::side(static_cast<std::uint32_t>(side));
+      }
+      if (!derived_.map.has(volume, face))
+        return evaluation_.fail(
+            error_at(Reason::evaluation, of.place, "% is a prism with % sides, which has no C%.",
+                     {program_.labels[label_of(volume)].name, std::to_string(derived_.map.volume(volume).order),
+                      std::to_string(generalized_map::side_number(face))}));
+      if (!derived_.map.is_free(volume, face)) continue;
+      const auto same =
+          std::find_if(chosen_.begin(), chosen_.end(), [&](const Chosen& each) { return each.face == face; });
+      if (same == chosen_.end()) {
+        chosen_.push_back({face, growth.number});
+      } else {
+        same->growth = growth.number;
+      }
+    }
+    return true;
+  }
+
+  bool grow(std::uint32_t volume, std::uint32_t before, const Chosen& chosen) {
+    const Growth& growth = numbers_.growth(chosen.growth);
+    const Instance& host = derived_.instances[instance_];
+    if (growth.module && host.depth + 1 > deepest) {
+      too_deep_ = true;
+      return true;
+    }
+    Record record;
+    record.kind = Record::Kind::grown;
+    record.side = static_cast<std::uint16_t>(
+        generalized_map::is_side(chosen.face) ? generalized_map::side_number(chosen.face) : 0);
+    record.before = before;
+    record.source = chosen.growth;
+    record.label = growth.module ? program_.grammars[growth.target].axiom : growth.target;
+    record.inherits = !growth.module && record.label == label_of(volume);
+    record.instance = growth.module ? static_cast<std::uint32_t>(derived_.instances.size()) : instance_;
+    record.maker = instance_;
+    record.step = step_;
+    record.address =
+        hash_combine(hash_combine(derived_.records[before].address, of_step + step_), of_face + chosen.face);
+    if (growth.module) derived_.instances.push_back({growth.target, host.depth + 1, record.address});
+    const auto order = static_cast<float>(derived_.map.degree(derived_.map.dart_of(volume, chosen.face)));
+    VolumeValues values;
+    if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values, order, values)) return false;
+    const auto grown = derived_.map.grow(volume, chosen.face, static_cast<std::uint32_t>(values[0]), record.label);
+    if (grown.refusal != Refusal::nothing) {
+      if (growth.module) derived_.instances.pop_back();
+      return stop(grown.refusal, step_), true;
+    }
+    attached_[chosen.growth] += grown.attached;
+    record.volume = grown.volume;
+    keep(record, values);
+    if (growth.module) {
+      firsts_.push_back(grown.volume);
+    } else {
+      made_.push_back(grown.volume);
+    }
+    return numbers_.enter(derived_.instances, instance_);
+  }
+
+  bool part(std::uint32_t volume, std::uint32_t before, const Production& production) {
+    const auto parted = derived_.map.split(volume, production.face, production.rest, production.part, stamp_);
+    if (parted.refusal == Refusal::full) return stop(parted.refusal, step_), true;
+    if (parted.refusal != Refusal::nothing) {
+      refused_ = sentence("Line %: % cannot be split there, and stays whole: %",
+                          {std::to_string(production.place.line), program_.labels[production.predecessor].name,
+                           generalized_map::words(parted.refusal)});
+      return true;
+    }
+    for (const bool rest : {true, false}) {
+      Record record;
+      record.kind = rest ? Record::Kind::rest : Record::Kind::part;
+      record.volume = rest ? volume : parted.part;
+      record.before = before;
+      record.source = production.number;
+      record.label = rest ? production.rest : production.part;
+      record.instance = record.maker = instance_;
+      record.step = step_;
+      record.address = hash_combine(hash_combine(derived_.records[before].address, of_step + step_), rest ? 1 : 2);
+      VolumeValues values;
+      if (!numbers_.work_out(record, derived_.records, derived_.instances, derived_.values,
+                             static_cast<float>(derived_.map.volume(record.volume).order), values))
+        return false;
+      keep(record, values);
+      if (!rest) made_.push_back(parted.part);
+    }
+    return true;
+  }
+
+  // Every production that glues, for all that stands by now: what is not adjacent yet waits.
+  void glue_all() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+      const std::uint32_t volume = standing_[i];
+      if (wants_glue(volume)) standing_[kept++] = volume;
+    }
+    standing_.resize(kept);
+  }
+
+  // False: it never will again.
+  bool wants_glue(std::uint32_t volume) {
+    const Label& label = program_.labels[label_of(volume)];
+    bool waits = false;
+    for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
+      const Production& production = program_.productions[i];
+      // What is relabelled or split may come to want it.
+      if (production.kind != Production::Kind::glue) {
+        waits |= production.becomes != nobody || production.kind == Production::Kind::split;
+        continue;
+      }
+      if (!derived_.map.has(volume, production.face) || !derived_.map.is_free(volume, production.face)) continue;
+      ++work_;
+      const auto hinge = derived_.map.adjacent(volume, production.face, production.other, production.other_face);
+      const bool here =
+          hinge.volume != none && instance_of(hinge.volume) == instance_ &&
+          derived_.map.glue(volume, production.face, hinge.volume, production.other_face) == Refusal::nothing;
+      (here ? glued_ : waited_)[production.number] += 1;
+      waits |= !here;
+    }
+    return waits;
+  }
+
+  std::uint32_t instance_of(std::uint32_t volume) const {
+    return derived_.records[derived_.record_of[volume]].instance;
+  }
+
+  void stop(Refusal refusal, std::uint32_t step) {
+    stopped_ = true;
+    derived_.notes.push_back(
+        sentence("Growth ended in step %: %", {std::to_string(step), generalized_map::words(refusal)}));
+  }
+
+  bool stop_for_work() {
+    stopped_ = true;
+    derived_.notes.push_back(sentence(
+        "Growth ended in step %: productions were tried more than % times, which is the limit; let fewer things "
+        "wait for their turn.",
+        {std::to_string(step_), std::to_string(limits_.evaluations)}));
+    return true;
+  }
+
+  // What did not come as the text has it.
+  void tell() {
+    for (std::size_t i = 0; i < attached_.size(); ++i) {
+      if (attached_[i] == 0) continue;
+      const Growth& growth = numbers_.growth(static_cast<std::uint32_t>(i));
+      const std::string& name =
+          growth.module ? program_.grammars[growth.target].name : program_.labels[growth.target].name;
+      derived_.notes.push_back(sentence(
+          "Line %: % stands on faces that have other numbers of edges (% times): it is attached there, and sewn to "
+          "nothing.",
+          {std::to_string(growth.arguments.place.line), name, std::to_string(attached_[i])}));
+    }
+    for (const Production& production : program_.productions)
+      if (production.kind == Production::Kind::glue && glued_[production.number] == 0)
+        derived_.notes.push_back(sentence("Line %: these faces never came to be adjacent, and nothing was glued.",
+                                          {std::to_string(production.place.line)}));
+    if (!refused_.empty()) derived_.notes.push_back(refused_);
+    if (too_deep_)
+      derived_.notes.push_back(sentence("Modules stand in one another more than % deep; what is deeper was left out.",
+                                        {std::to_string(deepest)}));
+  }
+
+  const Program& program_;
+  const Limits& limits_;
+  Evaluation evaluation_;
+  Numbers numbers_;
+  Derived derived_;
+  std::vector<std::uint32_t> firsts_;                            // of each instance the volume that it begins with
+  std::vector<std::uint32_t> active_, still_, made_, standing_;  // volumes of this instance
+  std::vector<Chosen> chosen_;
+  std::vector<std::uint32_t> attached_, glued_, waited_;  // of growths and productions, how often
+  std::uint32_t instance_ = 0, step_ = 0;
+  std::uint32_t stamp_ = 0;  // one a step of an instance: what is split in it is cut together
+  std::uint64_t work_ = 0;
+  bool stopped_ = false, too_deep_ = false;
+  std::string refused_;
+};
+
+}  // namespace
+
+std::vector<generalized_map::Shape> Derived::shapes() const {
+  std::vector<generalized_map::Shape> shapes;
+  shapes.reserve(record_of.size());
+  const auto of = [](const VolumeValues& all, Field field) { return all[static_cast<std::size_t>(field)]; };
+  for (const std::uint32_t record : record_of) {
+    const VolumeValues& v = values[record];
+    shapes.push_back({of(v, Field::turn_x), of(v, Field::turn_y), of(v, Field::turn_z), of(v, Field::height),
+                      of(v, Field::length), of(v, Field::width), of(v, Field::translation)});
+  }
+  return shapes;
+}
+
+Result<Derived> derive(const Program& program, const Given& given, const Limits& limits) {
+  return Deriver(program, given, limits).run();
+}
+
+Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& given, const Derived& derived,
+                                           const Limits& limits) {
+  Evaluation evaluation(program, given);
+  Numbers numbers(program, evaluation);
+  if (!evaluation.bind(limits)) return evaluation.trouble();
+  std::vector<VolumeValues> all(derived.records.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Record& record = derived.records[i];
+    const auto order = static_cast<float>(derived.map.volume(record.volume).order);
+    if (!numbers.work_out(record, derived.records, derived.instances, all, order, all[i])) return evaluation.trouble();
+  }
+  return all;
+}
+
+bool rebuilds(const Program& program, const Given& before, const Given& now) {
+  if (before.seed != now.seed || before.steps != now.steps) return true;
+  if (program.values_rebuild) return true;
+  if (program.age_rebuilds && before.age != now.age) return true;
+  const auto value_of = [](const Given& given, const std::string& name) -> const Given::Value* {
+    const auto found = std::find_if(given.values.begin(), given.values.end(),
+                                    [&](const Given::Value& each) { return each.name == name; });
+    return found == given.values.end() ? nullptr : &*found;
+  };
+  for (const Variable& variable : program.variables) {
+    if (!variable.rebuilds || variable.grammar != 0) continue;
+    const Given::Value *const a = value_of(before, variable.name), *const b = value_of(now, variable.name);
+    if ((a == nullptr) != (b == nullptr) || (a != nullptr && a->value != b->value)) return true;
+  }
+  return false;
+}
+
+}  // namespace panicle::flower

@@ -1,0 +1,144 @@
+#include "models/flower/evaluation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "foundation/random.hpp"
+#include "generalized_map/prism.hpp"
+#include "lsystem/number_text.hpp"
+
+namespace panicle::flower {
+namespace {
+
+using lsystem::error_at;
+using lsystem::number_text;
+
+constexpr float largest = 1e6f;
+constexpr std::uint32_t otherwise_steps = 10;  // where a grammar does not say how many
+
+}  // namespace
+
+Evaluation::Evaluation(const Program& program, const Given& given)
+    : program_(program), given_(given), registers_(program.code.registers) {
+  sources_.seed = given.seed;
+  set(Word::age, given.age);
+}
+
+bool Evaluation::bind(const Limits& limits) {
+  for (const Given::Value& value : given_.values) {
+    const bool known = std::any_of(program_.variables.begin(), program_.variables.end(), [&](const Variable& variable) {
+      return variable.grammar == 0 && variable.name == value.name;
+    });
+    if (!known)
+      return fail(error_at(Reason::bad_input, {}, "There is no variable '%' in the text; a value was given for it.",
+                           {value.name}));
+    if (!std::isfinite(value.value))
+      return fail(error_at(Reason::bad_input, {}, "'%' was given %; give it a finite number.",
+                           {value.name, number_text(value.value)}));
+  }
+  variables_.assign(program_.variables.size(), 0);
+  for (std::size_t i = 0; i < program_.variables.size(); ++i)
+    if (!variable(i, hash_text(program_.grammars[program_.variables[i].grammar].name))) return false;
+  settle();
+  for (const Grammar& grammar : program_.grammars) {
+    std::uint32_t& steps = steps_.emplace_back(otherwise_steps);
+    if (&grammar == &program_.grammars[0] && given_.steps > 0) {
+      steps = given_.steps;
+      if (steps > limits.steps)
+        return fail(error_at(Reason::limit, {}, "% steps are asked for; the limit is %.",
+                             {std::to_string(steps), std::to_string(limits.steps)}));
+    } else if (!count(grammar.final_step, limits, steps)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Evaluation::count(const Number& number, const Limits& limits, std::uint32_t& steps) {
+  if (!number.value.given) return true;
+  if (!run(number.value.code, hash_text("finalStep"))) return false;
+  const float value = at(number.value.source);
+  if (!(value >= 0 && std::floor(value) == value))
+    return fail(error_at(Reason::evaluation, number.value.place,
+                         "finalStep comes to %; it must be a whole number of 0 or more.", {number_text(value)}));
+  if (value > static_cast<float>(limits.steps))
+    return fail(error_at(Reason::limit, number.value.place, "finalStep comes to %; the limit is %.",
+                         {number_text(value), std::to_string(limits.steps)}));
+  steps = static_cast<std::uint32_t>(value);
+  return true;
+}
+
+bool Evaluation::variable(std::size_t at, std::uint64_t address) {
+  const Variable& variable = program_.variables[at];
+  float value = 0;
+  const auto given = std::find_if(given_.values.begin(), given_.values.end(), [&](const Given::Value& each) {
+    return variable.grammar == 0 && each.name == variable.name;
+  });
+  if (given != given_.values.end()) {
+    value = given->value;
+  } else {
+    settle();
+    const lsystem::Value& of = variable.number.value;
+    if (!run(of.code, address)) return false;
+    value = this->at(of.source);
+    if (!std::isfinite(value))
+      return fail(error_at(Reason::evaluation, of.place, "'%' comes to %; it must be a finite number.",
+                           {variable.name, number_text(value)}));
+  }
+  registers_[variable.to] = value;
+  variables_[at] = value;
+  return true;
+}
+
+// What follows from variables alone.
+void Evaluation::settle() {
+  Diagnostic unheard;
+  for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at)
+    lsystem::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);
+}
+
+bool Evaluation::enter(std::uint32_t grammar, std::uint64_t address) {
+  set(Word::final_step, static_cast<float>(steps_[grammar]));
+  const Grammar& of = program_.grammars[grammar];
+  if (!of.draws || grammar == 0) return true;
+  for (std::uint32_t i = of.variables.begin; i < of.variables.end; ++i)
+    if (!variable(i, address)) return false;
+  settle();
+  return true;
+}
+
+void Evaluation::stand(const VolumeValues& values, std::uint32_t step) {
+  std::copy(values.begin(), values.end(), registers_.begin());
+  set(Word::step, static_cast<float>(step));
+}
+
+bool Evaluation::holds(const Number& condition, std::uint64_t address) {
+  if (!condition.value.given) return true;
+  return run(condition.value.code, address) && at(condition.value.source) != 0;
+}
+
+bool Evaluation::run(lsystem::Range code, std::uint64_t address) {
+  sources_.address = address;
+  return lsystem::execute(program_.code, code.begin, code.end, registers_.data(), sources_, trouble_);
+}
+
+bool Evaluation::describe(const Description& description, std::uint64_t address, VolumeValues& values) {
+  if (description.given == 0) return true;
+  if (!run(description.code, address)) return false;
+  for (std::size_t i = 0; i < fields; ++i) {
+    if ((description.given >> i & 1) == 0) continue;
+    const float value = at(description.sources[i]);
+    if (!(value >= -largest && value <= largest))
+      return fail(error_at(Reason::evaluation, description.place,
+                           "% comes to %; it must be a number between -1000000 and 1000000.",
+                           {field_names[i], number_text(value)}));
+    if (i == 0 && !(std::floor(value) == value && value >= generalized_map::least_order &&
+                    value <= generalized_map::largest_order))
+      return fail(error_at(Reason::evaluation, description.place,
+                           "N comes to %; a prism has a whole number of sides, 3 to 4096.", {number_text(value)}));
+    values[i] = value;
+  }
+  return true;
+}
+
+}  // namespace panicle::flower

@@ -1,0 +1,68 @@
+// A flower's numbers worked out: for which volume, at which step, by which luck.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "models/flower/program.hpp"
+
+namespace panicle::flower {
+
+// What is given beside the text.
+struct Given {
+  struct Value {
+    std::string name;  // of a variable of the text itself
+    float value = 0;
+  };
+  std::vector<Value> values;
+  std::uint32_t steps = 0;  // of the text itself; 0: as many as it says
+  float age = 1;
+  std::uint64_t seed = 1;
+};
+
+class Evaluation {
+ public:
+  Evaluation(const Program& program, const Given& given);
+  Evaluation(const Evaluation&) = delete;
+
+  // Works out the variables of all grammars, and how many steps each has. False: `trouble()`.
+  bool bind(const Limits& limits);
+  std::uint32_t steps(std::uint32_t grammar) const { return steps_[grammar]; }
+  // The values of a grammar's variables are now those of one of its instances, whose own draws go by `address`.
+  bool enter(std::uint32_t grammar, std::uint64_t address);
+
+  // The volume that a production is for, or that another grows from.
+  void stand(const VolumeValues& values, std::uint32_t step);
+  void face(std::uint32_t side) { set(Word::face, static_cast<float>(side)); }
+  bool holds(const Number& condition, std::uint64_t address);
+  bool run(lsystem::Range code, std::uint64_t address);
+  float at(std::uint32_t source) const { return registers_[source]; }
+  // What a description gives, over what is there. False where one of them cannot be.
+  bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
+
+  // Variables of the text itself, by their place in the program, as they were bound.
+  const std::vector<float>& variables() const { return variables_; }
+  bool failed() const { return trouble_.reason != Reason::none; }
+  const Diagnostic& trouble() const { return trouble_; }
+  bool fail(Diagnostic trouble) {
+    trouble_ = std::move(trouble);
+    return false;
+  }
+
+ private:
+  void set(Word word, float value) { registers_[static_cast<std::size_t>(word)] = value; }
+  bool variable(std::size_t at, std::uint64_t address);
+  void settle();
+  bool count(const Number& number, const Limits& limits, std::uint32_t& steps);
+
+  const Program& program_;
+  const Given& given_;
+  std::vector<float> registers_;
+  std::vector<float> variables_;
+  std::vector<std::uint32_t> steps_;
+  lsystem::Sources sources_;
+  Diagnostic trouble_;
+};
+
+}  // namespace panicle::flower

@@ -1,0 +1,205 @@
+#include "models/flower/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generalized_map/embedding.hpp"
+#include "models/flower/derivation.hpp"
+#include "models/flower/measures/measures.generated.hpp"
+#include "models/flower/parameters.generated.hpp"
+#include "models/flower/ranks.hpp"
+#include "models/flower/skin.hpp"
+#include "plant/plain.hpp"
+#include "plant/values.hpp"
+
+namespace panicle::flower {
+namespace {
+
+using FlowerValues = Values<Parameter, parameter_table>;
+using enum Parameter;
+
+constexpr float metres = 0.001f;
+
+glm::vec3 upright(const glm::vec3& v) { return metres * glm::vec3(v.x, v.z, -v.y); }
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> all;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (end > 0) all.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return all;
+}
+
+// The middle of a face's corners.
+glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embedding& embedding, std::uint32_t volume,
+                    bool end) {
+  const std::uint32_t order = map.volume(volume).order;
+  glm::vec3 sum(0);
+  for (std::uint32_t i = 0; i < order; ++i)
+    sum += embedding.positions()[embedding.vertex_of()[end ? map.end_corner(volume, i) : map.base_corner(volume, i)]];
+  return upright(sum / static_cast<float>(order));
+}
+
+void add_segments(Plant& plant, const Program& program, const Derived& derived,
+                  const generalized_map::Embedding& embedding) {
+  const Ranks ranks = ranks_of(derived);
+  std::vector<std::int32_t> tags(program.labels.size(), -1), of_volume(derived.map.volumes(), -1);
+  for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
+    const Record& record = derived.records[derived.record_of[v]];
+    const std::uint32_t before = record.before == nobody ? nobody : derived.records[record.before].volume;
+    const std::int32_t parent = before == nobody || before == v ? -1 : of_volume[before];
+    of_volume[v] = parent;
+    if (ranks.of_volume[v].beside > 0) continue;
+    const std::uint32_t label = derived.map.volume(v).label;
+    if (tags[label] < 0) {
+      tags[label] = static_cast<std::int32_t>(plant.tags.size());
+      plant.tags.push_back(program.labels[label].name);
+    }
+    const VolumeValues& values = derived.values[derived.record_of[v]];
+    const float thick = 0.25f * metres *
+                        (std::abs(values[static_cast<std::size_t>(Field::length)]) +
+                         std::abs(values[static_cast<std::size_t>(Field::width)]));
+    Segment segment;
+    segment.parent = parent;
+    segment.start = middle_of(derived.map, embedding, v, false);
+    segment.end = middle_of(derived.map, embedding, v, true);
+    segment.radius = segment.radius_end = thick;
+    segment.tag = static_cast<std::uint32_t>(tags[label]);
+    of_volume[v] = static_cast<std::int32_t>(plant.segments.size());
+    plant.segments.push_back(segment);
+  }
+}
+
+void add_columns(Plant& plant, const Program& program, const Derived& derived, bool whole,
+                 const generalized_map::Embedding& embedding) {
+  std::string labels;
+  for (const Label& label : program.labels) labels.append(labels.empty() ? "" : " ").append(label.name);
+  plant.columns.add("labels", labels);
+  std::vector<std::uint32_t> label, order, parent;
+  std::vector<float> values;
+  for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
+    label.push_back(derived.map.volume(v).label);
+    order.push_back(derived.map.volume(v).order);
+    parent.push_back(derived.map.volume(v).parent);
+    const VolumeValues& own = derived.values[derived.record_of[v]];
+    values.insert(values.end(), own.begin(), own.end());
+  }
+  plant.columns.add("volumes.label", std::move(label));
+  plant.columns.add("volumes.order", std::move(order));
+  plant.columns.add("volumes.parent", std::move(parent));
+  plant.columns.add("volumes.values", std::move(values), fields);
+  if (!whole) return;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const auto alpha = derived.map.alphas(i);
+    plant.columns.add("alpha" + std::to_string(i), std::vector<std::uint32_t>(alpha.begin(), alpha.end()));
+  }
+  const auto volumes = derived.map.volume_of();
+  plant.columns.add("darts.volume", std::vector<std::uint32_t>(volumes.begin(), volumes.end()));
+  plant.columns.add("darts.vertex",
+                    std::vector<std::uint32_t>(embedding.vertex_of().begin(), embedding.vertex_of().end()));
+  plant.columns.add(
+      "vertices.position",
+      column_of<float>(embedding.positions(), 3, [](const glm::vec3& each, float* at) { put(upright(each), at); }), 3);
+}
+
+void add_materials(Plant& plant, const Program& program) {
+  std::vector<std::uint32_t> numbers, colours;
+  for (const PlantMesh& mesh : plant.meshes) {
+    const auto number = static_cast<std::uint32_t>(std::stoul(mesh.name.substr(1)));
+    const Material material = material_of(program, number);
+    numbers.push_back(number);
+    colours.push_back(material.base);
+    colours.push_back(material.tip);
+  }
+  plant.columns.add("materials.number", std::move(numbers));
+  plant.columns.add("materials.colours", std::move(colours), 2);
+}
+
+void measure(Plant& plant, const generalized_map::Embedding& embedding, std::size_t organs) {
+  plant.measures.assign(measure_count, 0);
+  const auto set = [&](Measure which, float value) { plant.measures[static_cast<std::size_t>(which)] = value; };
+  glm::vec3 low(1e9f), high(-1e9f);
+  for (const glm::vec3& each : embedding.positions()) {
+    low = glm::min(low, upright(each));
+    high = glm::max(high, upright(each));
+  }
+  set(Measure::height, 100 * (high.y - low.y));
+  set(Measure::spread, 50 * (high.x - low.x + high.z - low.z));
+  double area = 0;
+  for (const PlantMesh& each : plant.meshes) {
+    const auto corner = [&](std::uint32_t i) {
+      const float* const at = &each.mesh.positions[3 * each.mesh.indices[i]];
+      return glm::vec3(at[0], at[1], at[2]);
+    };
+    for (std::uint32_t i = 0; i + 2 < each.mesh.indices.size(); i += 3)
+      area += 0.5 * static_cast<double>(glm::length(glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i))));
+  }
+  set(Measure::surface, plant.meshes.empty() ? std::nanf("") : static_cast<float>(1e4 * area));
+  set(Measure::organs, static_cast<float>(organs));
+}
+
+bool read_values(Request& request, Given& given) {
+  const std::vector<std::string> names = words_of(request.text("values.names"));
+  const std::span<const float> values = request.floats("values");
+  if (names.size() != values.size()) return false;
+  for (std::size_t i = 0; i < names.size(); ++i) given.values.push_back({names[i], values[i]});
+  return true;
+}
+
+Result<Plant> grow(Request& request, const Limits& limits) {
+  request.text("model");
+  Given given;
+  given.seed = request.word("seed", 1);
+  const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
+             whole = request.wants("map"), mesh_fingerprint = request.wants("mesh_fingerprint");
+  const std::span<const float> asked = request.floats("parameters");
+  const bool has_text = request.has("text");
+  const std::string_view text = request.text("text");
+  const bool paired = read_values(request, given);
+  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (!has_text) return Diagnostic{Reason::bad_request, "The request has no text.", 0, 0};
+  if (!paired) return Diagnostic{Reason::bad_request, "There are not as many values as names of values.", 0, 0};
+  Plant plant;
+  const FlowerValues values(asked, plant.notes);
+  given.steps = values.whole(steps);
+  given.age = values[age];
+  const auto program = read_program(text, limits);
+  if (!program) return program.error();
+  const auto derived = derive(program.value(), given, limits);
+  if (!derived) return derived.error();
+  plant.notes.insert(plant.notes.end(), derived->notes.begin(), derived->notes.end());
+
+  generalized_map::Embedding embedding;
+  embedding.lay(derived->map);
+  embedding.place(derived->shapes());
+  add_segments(plant, program.value(), derived.value(), embedding);
+  add_columns(plant, program.value(), derived.value(), whole, embedding);
+  if (meshes) {
+    const Diagnostic trouble = add_skin(plant, program.value(), derived.value(), embedding, values.whole(smooth), sky);
+    if (trouble.reason != Reason::none) return trouble;
+    add_materials(plant, program.value());
+  }
+  std::uint32_t triangles = 0;
+  for (const PlantMesh& mesh : plant.meshes) triangles += static_cast<std::uint32_t>(mesh.mesh.indices.size() / 3);
+  plant.counts = {{"volumes", derived->map.volumes()},
+                  {"darts", derived->map.darts()},
+                  {"organs", static_cast<std::uint32_t>(derived->instances.size() - 1)},
+                  {"triangles", triangles}};
+  if (measures) measure(plant, embedding, derived->instances.size() - 1);
+  plant.fingerprint = fingerprint_of(plant);
+  if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  return plant;
+}
+
+}  // namespace
+
+extern const Model model;
+const Model model{"flower", grow};
+
+}  // namespace panicle::flower

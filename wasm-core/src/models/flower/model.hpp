@@ -1,0 +1,25 @@
+// A flower of a grammar on generalized maps (Petrenko 2014; docs/models/flower/flower.md).
+//
+// Blocks of a request besides everyone's (plant/request.hpp): `text`, which must be there, a text of the flower
+// language; `values.names` (text, words) and `values` (float32, as many): variables of the text that are given. Outputs
+// besides everyone's: `map`.
+//
+// A segment for each volume that has grown end on end in its organ, tagged by its label. Columns besides everyone's
+// (boundary/panicle.h), of volumes in the order in which they were made:
+//   volumes.label      uint32, into labels (text, words)
+//   volumes.order      uint32
+//   volumes.parent     uint32, 0xffffffff of the first
+//   volumes.values     float32 × 9: N, T, atx, aty, atz, H, L, W, m
+//   materials.number   uint32, one a mesh
+//   materials.colours  uint32 × 2: where an organ begins and ends, red, green and blue of 8 bits each
+// with `map`: alpha0 … alpha3, darts.volume, darts.vertex (uint32 a dart), vertices.position (float32 × 3).
+// Meshes: skin.hpp. Counts: volumes, darts, organs, triangles.
+#pragma once
+
+#include "plant/model.hpp"
+
+namespace panicle::flower {
+
+extern const Model model;
+
+}  // namespace panicle::flower

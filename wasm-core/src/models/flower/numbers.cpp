@@ -1,0 +1,83 @@
+#include "models/flower/numbers.hpp"
+
+#include "foundation/random.hpp"
+
+namespace panicle::flower {
+namespace {
+
+constexpr VolumeValues nothing_said = {4, 1, 0, 0, 0, 1, 1, 1, 1};
+
+constexpr std::size_t at(Field field) { return static_cast<std::size_t>(field); }
+
+}  // namespace
+
+Numbers::Numbers(const Program& program, Evaluation& evaluation)
+    : program_(program), evaluation_(evaluation), growths_(program.growths), productions_(program.productions.size()) {
+  for (const Production& production : program.productions) {
+    productions_[production.number] = &production;
+    for (const Growth& growth : production.growths) growths_[growth.number] = &growth;
+  }
+}
+
+bool Numbers::enter(const std::vector<Instance>& instances, std::uint32_t instance) {
+  if (entered_ == instance) return true;
+  entered_ = instance;
+  return evaluation_.enter(instances[instance].grammar, instances[instance].address);
+}
+
+bool Numbers::of_label(const Record& record, VolumeValues& values) {
+  return evaluation_.describe(program_.labels[record.label].description, record.address, values);
+}
+
+bool Numbers::work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
+                       const std::vector<VolumeValues>& known, float order, VolumeValues& values) {
+  values = nothing_said;
+  values[at(Field::order)] = order;
+  const VolumeValues& before = record.before == nobody ? values : known[record.before];
+  if (record.kind == Record::Kind::rest || record.kind == Record::Kind::part) {
+    const Production& split = production(record.source);
+    const bool rest = record.kind == Record::Kind::rest;
+    const bool across = !generalized_map::is_side(split.face);
+    values = before;
+    if (across) values[at(Field::height)] *= 0.5f;
+    // What was cut off stands straight on the cut; of a base's split that is what is left.
+    const bool straight = across ? rest == (split.face == generalized_map::base_face) : !rest;
+    if (straight)
+      for (const Field turn : {Field::turn_x, Field::turn_y, Field::turn_z}) values[at(turn)] = 0;
+    if (!across && !rest) {
+      values[at(Field::order)] = order;
+      values[at(Field::height)] = 0.5f * before[at(Field::width)];
+      values[at(Field::length)] = before[at(Field::length)];
+      values[at(Field::width)] = before[at(Field::height)];
+    }
+    if (!enter(instances, record.instance)) return false;
+    evaluation_.stand(before, record.step);
+    evaluation_.face(record.side);
+    return evaluation_.run(split.blocks, records[record.before].address) &&
+           evaluation_.describe(rest ? split.rest_description : split.part_description, record.address, values);
+  }
+  if (record.inherits) {
+    values = before;
+  } else {
+    if (!enter(instances, record.instance)) return false;
+    evaluation_.stand(before, 0);
+    evaluation_.face(record.side);
+    if (!of_label(record, values)) return false;
+  }
+  const bool begins = record.before == nobody || record.instance != record.maker;
+  if (begins) {
+    if (!enter(instances, record.instance)) return false;
+    const Grammar& grammar = program_.grammars[instances[record.instance].grammar];
+    if (!evaluation_.describe(grammar.axiom_arguments, record.address, values)) return false;
+  }
+  if (record.kind == Record::Kind::axiom) return true;
+  if (!enter(instances, record.maker)) return false;
+  const Growth& growth = this->growth(record.source);
+  if (growth.arguments.given == 0) return true;
+  evaluation_.stand(before, record.step);
+  evaluation_.face(record.side);
+  return evaluation_.run(growth.blocks, hash_combine(records[record.before].address, record.step)) &&
+         evaluation_.describe(growth.arguments, record.address, values);
+}
+
+}  // namespace panicle::flower

@@ -1,0 +1,33 @@
+// The numbers of the volumes of one flower, record by record: the same code when it grows and when it is placed anew.
+#pragma once
+
+#include <vector>
+
+#include "models/flower/derivation.hpp"
+
+namespace panicle::flower {
+
+class Numbers {
+ public:
+  Numbers(const Program& program, Evaluation& evaluation);
+
+  // A record's values, where those of the records before it are known. `order`: of the face that it stands on, for
+  // volumes that do not say. False: the evaluation's trouble.
+  bool work_out(const Record& record, const std::vector<Record>& records, const std::vector<Instance>& instances,
+                const std::vector<VolumeValues>& known, float order, VolumeValues& values);
+  const Growth& growth(std::uint32_t number) const { return *growths_[number]; }
+  const Production& production(std::uint32_t number) const { return *productions_[number]; }
+  // The instance whose variables are in force.
+  bool enter(const std::vector<Instance>& instances, std::uint32_t instance);
+
+ private:
+  bool of_label(const Record& record, VolumeValues& values);
+
+  const Program& program_;
+  Evaluation& evaluation_;
+  std::vector<const Growth*> growths_;
+  std::vector<const Production*> productions_;
+  std::uint32_t entered_ = nobody;
+};
+
+}  // namespace panicle::flower

@@ -1,0 +1,118 @@
+#include "models/flower/program.hpp"
+
+#include <utility>
+
+#include "models/flower/reader.hpp"
+#include "models/flower/text.hpp"
+
+namespace panicle::flower {
+namespace {
+
+using lsystem::error_at;
+using lsystem::Token;
+using lsystem::TokenKind;
+using Tokens = std::vector<Token>;
+
+constexpr std::string_view random_number = "math.random";
+
+// The thesis's draw, in functions that there are: math.random() as ran(1), math.random(a, b) as a + ran(b − a).
+class Draws {
+ public:
+  explicit Draws(const Tokens& tokens) : tokens_(tokens) {}
+
+  Result<Tokens> spelled_out() {
+    while (at_ < tokens_.size()) {
+      if (!tokens_[at_].is(random_number)) {
+        out_.push_back(tokens_[at_++]);
+      } else if (!spell_out()) {
+        return trouble_;
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  bool wrong() {
+    trouble_ =
+        error_at(Reason::syntax, tokens_[at_].place,
+                 "A random number is drawn by math.random(from, to), with no other draw in what it is drawn from.");
+    return false;
+  }
+
+  bool spell_out() {
+    const lsystem::Place place = tokens_[at_].place;
+    const bool first = tokens_[at_].first_on_line;
+    const auto put = [&](TokenKind kind, std::string_view text, float number = 0) {
+      out_.push_back({kind, first, place, text, number});
+    };
+    const auto put_all = [&](std::size_t begin, std::size_t end) {
+      put(TokenKind::sign, "(");
+      out_.insert(out_.end(), tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  tokens_.begin() + static_cast<std::ptrdiff_t>(end));
+      put(TokenKind::sign, ")");
+    };
+    const std::size_t open = at_ + 1;
+    if (open >= tokens_.size() || !tokens_[open].is('(')) return wrong();
+    std::size_t close = open, comma = 0, depth = 0;
+    for (; close < tokens_.size(); ++close) {
+      const Token& token = tokens_[close];
+      if (close > open && (token.is(random_number) || token.is("ran") || token.is("RND") || token.is("nran")))
+        return wrong();
+      depth += token.is('(');
+      depth -= token.is(')');
+      if (depth == 0) break;
+      if (depth > 1 || !token.is(',')) continue;
+      if (comma != 0) return wrong();
+      comma = close;
+    }
+    if (close == tokens_.size() || (comma == 0 && close > open + 1)) return wrong();
+    if (comma != 0) {
+      put(TokenKind::sign, "(");
+      put_all(open + 1, comma);
+      put(TokenKind::sign, "+");
+    }
+    put(TokenKind::name, "ran");
+    put(TokenKind::sign, "(");
+    if (comma != 0) {
+      put_all(comma + 1, close);
+      put(TokenKind::sign, "-");
+      put_all(open + 1, comma);
+    } else {
+      put(TokenKind::number, "1", 1);
+    }
+    put(TokenKind::sign, ")");
+    if (comma != 0) put(TokenKind::sign, ")");
+    at_ = close + 1;
+    return true;
+  }
+
+  const Tokens& tokens_;
+  std::size_t at_ = 0;
+  Tokens out_;
+  Diagnostic trouble_;
+};
+
+}  // namespace
+
+Result<Program> read_program(std::string_view text, const Limits& limits) {
+  if (text.size() > limits.text_bytes)
+    return error_at(Reason::limit, {}, "The text is longer than % bytes, which is the limit; make it shorter.",
+                    {std::to_string(limits.text_bytes)});
+  const auto kept = without_comments(text);
+  if (!kept) return kept.error();
+  const auto written = lsystem::tokenize(kept.value(), lsystem::Writing::rules);
+  if (!written) return written.error();
+  const auto tokens = Draws(written.value()).spelled_out();
+  if (!tokens) return tokens.error();
+  if (tokens->empty())
+    return error_at(Reason::syntax, {1, 1},
+                    "The text is empty; begin with #define STEM(8, 0, 0, 0, 1, 1, 1, 1) and #axiom: STEM.");
+  Program program;
+  lsystem::Lowering lowering(program.code);
+  Reader reader(tokens.value(), program, lowering);
+  if (!reader.run()) return reader.trouble();
+  program.once_bound = lowering.finish();
+  return program;
+}
+
+}  // namespace panicle::flower

@@ -1,0 +1,154 @@
+// A flower's grammar as it is read (Petrenko 2014, section 2.2.1 and Table 3; docs/models/flower/language.md): volumes,
+// variables, productions and modules, with byte code for their numbers and nothing of their text.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "foundation/limits.hpp"
+#include "foundation/result.hpp"
+#include "generalized_map/prism.hpp"
+#include "lsystem/program.hpp"
+
+namespace panicle::flower {
+
+using generalized_map::Face;
+
+inline constexpr std::uint32_t nobody = ~0u;
+
+// What a volume's numbers say, in the order of Table 4. The thesis's text has them without the translation.
+enum class Field : std::uint8_t {
+  order,        // of the prism
+  translation,  // how far the end lies from the base, in heights
+  turn_x,       // degrees
+  turn_y,
+  turn_z,
+  height,  // lengths in millimetres
+  length,
+  width,
+  material,
+};
+inline constexpr std::size_t fields = 9;
+inline constexpr std::array<std::string_view, fields> field_names = {"N", "T", "atx", "aty", "atz", "H", "L", "W", "m"};
+using VolumeValues = std::array<float, fields>;
+
+// What expressions call by name besides variables and the predecessor's fields, in registers of the byte code behind
+// those.
+enum class Word : std::uint8_t {
+  step = fields,  // of the grammar that the volume is of, from 0 on
+  final_step,
+  face,  // the side's number that it grows on, 0 on O and E
+  age,   // of the flower: 0 a bud, 1 open, 2 wilted
+};
+inline constexpr std::size_t words = 4;
+inline constexpr std::array<std::string_view, words> word_names = {"step", "finalStep", "face", "age"};
+
+// An expression of the text, with code of its own.
+struct Number {
+  lsystem::Value value;
+  bool draws = false;
+};
+
+// What a list of numbers says of a volume; what it leaves empty is inherited. One code for all.
+struct Description {
+  lsystem::Range code;
+  std::array<std::uint32_t, fields> sources{};  // registers
+  std::uint16_t given = 0;                      // bits of fields
+  lsystem::Place place;
+
+  bool has(Field field) const { return (given >> static_cast<std::uint32_t>(field) & 1) != 0; }
+};
+
+struct Label {
+  std::string name;
+  std::uint32_t grammar = 0;
+  Description description;
+  lsystem::Range productions;  // in Program::productions
+  lsystem::Place place;
+};
+
+// `E`, `O`, `C4`, or `C(expression)`.
+struct FaceOf {
+  Face face = generalized_map::base_face;
+  bool worked_out = false;  // a side, whose number is that of a register
+  std::uint32_t source = 0;
+  lsystem::Place place;
+};
+
+// `[NEW(…)]_{faces}`, or with & a module.
+struct Growth {
+  bool module = false;
+  std::uint32_t target = 0;  // a label, or a grammar
+  std::vector<FaceOf> faces;
+  lsystem::Range blocks;  // what the production works out before, and the faces
+  Description arguments;
+  std::uint32_t number = 0;  // among all of the program, for notes
+};
+
+// `predecessor {before} {condition} {after} -> successor`
+struct Production {
+  enum class Kind : std::uint8_t { grow, glue, split };
+  Kind kind = Kind::grow;
+  std::uint32_t predecessor = 0;  // a label
+  lsystem::Place place;
+  Number condition;  // where given
+  // grow
+  std::uint32_t becomes = nobody;  // another label, where the successor begins with one
+  std::vector<Growth> growths;
+  // glue: own face, and whose other one; split: where
+  Face face = generalized_map::base_face, other_face = generalized_map::base_face;
+  std::uint32_t other = 0;
+  std::uint32_t rest = 0, part = 0;
+  Description rest_description, part_description;
+  lsystem::Range blocks;
+  std::uint32_t number = 0;  // among all of the program
+};
+
+// `#define name=expression`
+struct Variable {
+  std::string name;
+  std::uint32_t grammar = 0;
+  std::uint32_t to = 0;  // register
+  Number number;
+  bool rebuilds = false;  // whether the map depends on it, and not only where its corners are
+};
+
+// `#material 4 petal "c8102e" "f6d55c"`: what a volume's m means.
+struct Material {
+  std::uint32_t number = 0;
+  std::string kind;                 // stem, leaf, sepal, petal, stamen, pistil or seed
+  std::uint32_t base = 0, tip = 0;  // red, green and blue where an organ begins and where it ends, 8 bits each, as sRGB
+  lsystem::Place place;
+};
+
+// The text itself, or one of its modules.
+struct Grammar {
+  std::string name;
+  std::uint32_t axiom = nobody;  // a label
+  Description axiom_arguments;
+  lsystem::Range variables;  // in Program::variables
+  Number final_step;         // where given
+  bool draws = false;        // whether a variable does, so that each instance has its own
+  lsystem::Place place;
+};
+
+struct Program {
+  std::vector<Grammar> grammars;  // the text itself first
+  std::vector<Label> labels;
+  std::vector<Variable> variables;
+  std::vector<Production> productions;  // those of a label together, in the order of the text
+  std::vector<Material> materials;
+  std::uint32_t growths = 0;
+  bool age_rebuilds = false, values_rebuild = false;  // whether the map depends on `age`, or on volumes' own numbers
+  lsystem::Code code;
+  lsystem::Range once_bound;  // to run when variables are known
+  std::vector<std::string> notes;
+};
+
+// Errors: syntax, undefined and limit, with line and column.
+Result<Program> read_program(std::string_view text, const Limits& limits = {});
+
+}  // namespace panicle::flower

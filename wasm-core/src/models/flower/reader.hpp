@@ -1,0 +1,110 @@
+// A flower's text → program, statement by statement.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lsystem/lowering.hpp"
+#include "lsystem/token_reader.hpp"
+#include "models/flower/program.hpp"
+
+namespace panicle::flower {
+
+// How many of the thesis's numbers a list has, and so which: the text has eight, its tables nine with the translation.
+enum class Form : std::uint8_t { plain, translated };
+
+inline constexpr const char* numbers_of_volume = "(N, atx, aty, atz, H, L, W, m)";
+
+class Reader : lsystem::TokenReader {
+ public:
+  Reader(std::span<const lsystem::Token> tokens, Program& program, lsystem::Lowering& lowering);
+
+  // False: `trouble()`.
+  bool run();
+  const Diagnostic& trouble() const { return trouble_; }
+
+ private:
+  struct Statement {
+    std::size_t begin, end;
+    std::uint32_t grammar;
+  };
+  // What of a plant an expression depends on.
+  struct Uses {
+    std::vector<std::uint32_t> variables;
+    bool age = false, values = false, locals = false;
+    void add(const Uses& other);
+  };
+  // What an expression may call by name.
+  enum class Scope : std::uint8_t { variable, description, production };
+  struct Blocks {
+    std::size_t before = 0, condition = 0, after = 0;  // first tokens within, 0 where there are none
+    std::size_t before_end = 0, condition_end = 0, after_end = 0;
+  };
+
+  // First pass: statements, names of modules, volumes and variables.
+  bool part();
+  bool begin_module(std::size_t end);
+  bool declare(const Statement& statement);
+  bool declare_volume(const Statement& statement);
+  bool declare_variable(const Statement& statement);
+  std::size_t statement_end(std::size_t at) const;
+
+  // Second pass.
+  bool statement(const Statement& statement);
+  bool definition();
+  bool volume();
+  bool variable();
+  bool axiom();
+  bool material();
+  bool colour(std::uint32_t& colour);
+  bool production();
+  bool blocks(Blocks& blocks);
+  bool block(std::size_t& begin, std::size_t& end);
+  bool assignments(std::size_t begin, std::size_t end);
+  bool condition_of(const Blocks& blocks, Production& production);
+  bool both_blocks(const Blocks& blocks, const Production& production);
+  bool grow(const Blocks& blocks, Production& production);
+  bool growth(const Blocks& blocks, Production& production);
+  Form form_of_module(std::uint32_t grammar) const;
+  bool faces(Growth& growth);
+  bool face(FaceOf& face);
+  bool glue(Production& production);
+  bool split(const Blocks& blocks, Production& production);
+  bool label_with_face(std::uint32_t& label, Face& face);
+  bool label_named(std::uint32_t& label);
+
+  // `( , , 2, )`, where there is one: what is given, each in its field.
+  bool description(Form form, Scope scope, Description& description);
+  bool entry_end(std::size_t& end) const;
+  bool number(std::size_t end, Scope scope, bool of_map, Number& number);
+  bool rewritten(lsystem::Expression& tree, Scope scope, Uses& uses, bool& draws);
+  bool unknown(const lsystem::Node& node, Scope scope);
+  void rebuilds(const Uses& uses);
+  bool opens(std::size_t at) const { return at < end_ && tokens_[at].is('('); }
+  std::uint32_t find_label(std::string_view name) const;
+  std::uint32_t find_variable(std::string_view name, std::uint32_t grammar) const;
+  std::uint32_t find_grammar(std::string_view name) const;
+  std::string key_of(std::string_view name, std::uint32_t grammar) const;
+  std::uint64_t next_key() { return ++keys_; }
+  void finish();
+
+  Program& program_;
+  lsystem::Lowering& lowering_;
+  std::vector<lsystem::Named> formals_;
+  std::vector<Statement> statements_;
+  std::vector<Form> forms_;  // of labels
+  std::vector<std::string_view> keys_of_variables_;
+  std::vector<Uses> uses_of_variables_;
+  lsystem::Names labels_, variables_, grammars_;  // by key_of; modules by name
+  std::deque<std::string> spelled_;
+  std::vector<std::string_view> locals_;
+  Uses of_blocks_;
+  std::uint32_t grammar_ = 0;  // that is read
+  std::uint32_t known_variables_ = 0;
+  std::uint64_t keys_ = 0;
+  std::uint64_t production_key_ = 0;
+};
+
+}  // namespace panicle::flower

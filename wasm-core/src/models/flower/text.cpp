@@ -1,0 +1,44 @@
+#include "models/flower/text.hpp"
+
+#include "lsystem/diagnostics.hpp"
+
+namespace panicle::flower {
+namespace {
+
+bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }
+
+}  // namespace
+
+Result<std::string> without_comments(std::string_view text) {
+  std::string kept;
+  kept.reserve(text.size());
+  lsystem::Place place{1, 1}, opened;
+  bool comment = false, bracket = false, other_comment = false;
+  char before = 0;
+  for (const char c : text) {
+    if (!comment && before == '/' && c == '*') other_comment = true;
+    if (other_comment && before == '*' && c == '/') other_comment = false;
+    before = c;
+    if (c == '@' && !other_comment) {
+      comment = !comment;
+      opened = place;
+      kept += ' ';
+    } else if (comment && c != '\n' && c != '\r') {
+      if (begins_character(c)) kept += ' ';
+    } else {
+      const bool of_bracket = c == '_' && bracket;
+      kept += of_bracket ? ' ' : c;
+      bracket = c == ']' || (bracket && c == ' ');
+    }
+    if (c == '\n') {
+      ++place.line;
+      place.column = 1;
+    } else if (begins_character(c)) {
+      ++place.column;
+    }
+  }
+  if (comment) return lsystem::error_at(Reason::syntax, opened, "This comment is never closed; end it with @.");
+  return kept;
+}
+
+}  // namespace panicle::flower

@@ -1,0 +1,27 @@
+/** Flowers from generalized maps (Petrenko 2014): docs/models/flower/flower.md. */
+import type { Model } from "../model";
+import { type FlowerPlant, readFlowerPlant } from "./flower_plant";
+import { flowerParts } from "./parts";
+import { flowerRecord } from "./record";
+import { encodeFlower } from "./request";
+import { FLOWER } from "./species";
+import type { FlowerSpecimen } from "./specimen";
+import { fetchTexts } from "./texts";
+import { flowerInWords } from "./words";
+
+export const model = {
+	...FLOWER,
+	title: "Flower",
+	shelf: "Flowers",
+	preview: true,
+	noun: "flower",
+	wasm: "flower.wasm",
+	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
+	encode: encodeFlower,
+	read: readFlowerPlant,
+	parts: flowerParts,
+	titled: ({ grammar }) => (grammar === undefined ? undefined : "A flower grammar of one’s own"),
+	words: flowerInWords,
+	record: flowerRecord,
+	studio: async () => (await import("./tools/face")).face,
+} satisfies Model<FlowerSpecimen, FlowerPlant>;

@@ -1,0 +1,42 @@
+/** What the JSON document says of a flower besides what it says of any plant: its map, so that anyone can check it. */
+import { shortFloat } from "../../export/numbers";
+import type { FlowerPlant } from "./flower_plant";
+
+export interface FlowerRecord {
+	/** What each volume is called, and how many sides it has. */
+	label: string[];
+	order: number[];
+	/** The volume that each grew from; −1 of the first. */
+	parent: number[];
+	/** Of each volume N, T, atx, aty, atz, H, L, W, m. */
+	values: number[][];
+	/** α0 … α3: of each dart the one that it leads to. */
+	alpha?: number[][];
+	/** Of each dart its volume. */
+	volume?: number[];
+	/** Of each dart where it stands, metres. */
+	position?: number[][];
+}
+
+const NOBODY = 0xffffffff;
+
+export function flowerRecord({ volumes, darts }: FlowerPlant): FlowerRecord {
+	const { labels, label, order, parent, values } = volumes;
+	const record: FlowerRecord = {
+		label: Array.from(label, (of) => labels[of]),
+		order: [...order],
+		parent: Array.from(parent, (of) => (of === NOBODY ? -1 : of)),
+		values: Array.from(label, (_, i) => Array.from(values.subarray(9 * i, 9 * i + 9), shortFloat)),
+	};
+	if (!darts) return record;
+	const { alpha, volume, vertex, positions } = darts;
+	const places = Array.from({ length: positions.length / 3 }, (_, i) =>
+		Array.from(positions.subarray(3 * i, 3 * i + 3), shortFloat),
+	);
+	return {
+		...record,
+		alpha: alpha.map((each) => Array.from(each)),
+		volume: Array.from(volume),
+		position: Array.from(vertex, (at) => places[at]),
+	};
+}

@@ -1,0 +1,47 @@
+/** Specimen → the blocks of a request, as wasm-core/src/models/flower/model.hpp lists them. */
+import type { Block } from "../../core/container";
+import { CoreError } from "../../core/errors";
+import type { GrowthOptions } from "../model";
+import type { FlowerSpecimen } from "./specimen";
+import { FLOWER_TABLE } from "./table";
+import { fetchedText } from "./texts";
+
+export interface RequestOptions extends GrowthOptions {
+	/** Whether it is wanted how much of the sky is seen; the default is wherever there are meshes, but not in passing. */
+	sky?: boolean;
+	/** Whether the map is wanted, dart by dart; the default is yes, but not in passing. */
+	map?: boolean;
+	/** Whether the fingerprint of the meshes is wanted; the default is no. */
+	meshFingerprint?: boolean;
+}
+
+/** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
+export function encodeFlower(specimen: FlowerSpecimen, options: RequestOptions = {}): Block[] {
+	const { meshes = true, passing = false, meshFingerprint = false } = options;
+	const { measures = !passing, sky = meshes && !passing, map = !passing } = options;
+	const outputs = [
+		meshes && "meshes",
+		measures && "measures",
+		sky && "sky",
+		map && "map",
+		meshFingerprint && "mesh_fingerprint",
+	];
+	const { model, seed, parameters } = specimen;
+	const text = fetchedText(specimen);
+	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
+	return [
+		{ name: "model", data: model },
+		{ name: "seed", data: Uint32Array.of(seed) },
+		{ name: "outputs", data: outputs.filter(Boolean).join(" ") },
+		{
+			name: "parameters",
+			data: Float32Array.from(FLOWER_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
+		},
+		{ name: "text", data: text },
+	];
+}
+
+function number(key: string, value: number): number {
+	if (Number.isFinite(value)) return value;
+	throw new CoreError("bad request", `${key} is not a number.`);
+}

@@ -1,0 +1,20 @@
+/** The document's side of the model: its table, its presets, and what a specimen of it holds besides. */
+import { grammarText } from "../../specimen/grammar_text";
+import { Presets } from "../../specimen/presets";
+import type { Species } from "../../specimen/species";
+import { PRESET_KINDS, PRESETS } from "./presets.generated";
+import type { FlowerSpecimen } from "./specimen";
+import { FLOWER_TABLE } from "./table";
+
+/** The preset a link without `preset` means. */
+export const DEFAULT_PRESET = "tulip";
+
+/** A production on a face, or a volume's numbers: what begins a line of a flower's grammar, and of no L-system. */
+const OWN = /\]\s*_?\s*\{?\s*(?:[OE]|C\d+|C\()|^[ \t]*#module\b/m;
+
+export const FLOWER: Species<FlowerSpecimen> = {
+	name: "flower",
+	table: FLOWER_TABLE,
+	presets: new Presets(PRESETS, PRESET_KINDS, DEFAULT_PRESET),
+	details: [grammarText((text) => OWN.test(text) && /^[ \t]*#axiome?\b/m.test(text))],
+};

@@ -1,0 +1,16 @@
+/** The page's side of the model: loaded with the first flower, in a page alone. */
+import { html } from "lit";
+import { grammarTools } from "../../../controls/grammar_tool";
+import type { Face } from "../../../controls/tool";
+import type { FlowerPlant } from "../flower_plant";
+import type { FlowerSpecimen } from "../specimen";
+import { source } from "./text";
+
+export const face: Face<FlowerSpecimen, FlowerPlant> = {
+	tools: [...grammarTools<FlowerSpecimen, FlowerPlant>(source)],
+	about: html`<p>
+			A flower is made of volumes that grow on each other’s faces, are glued and split, as its text says; organs are modules of
+			it.
+		</p>
+		<p>After O. Petrenko, <i>Simulation of flowering plants</i> (thesis, University of Limoges, 2014).</p>`,
+};

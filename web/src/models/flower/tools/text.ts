@@ -1,0 +1,13 @@
+import type { GrammarSource } from "../../../controls/grammar/source";
+import type { FlowerSpecimen } from "../specimen";
+import { fetchedText, fetchTexts } from "../texts";
+import { FLOWER_LANGUAGE } from "./language";
+
+/** Where a flower's text comes from. */
+export const source: GrammarSource<FlowerSpecimen> = {
+	noun: "flower",
+	group: "life",
+	dialect: FLOWER_LANGUAGE,
+	constants: false,
+	builtIn: ({ preset }) => fetchedText({ preset }) ?? fetchTexts(),
+};
