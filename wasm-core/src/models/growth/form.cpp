@@ -24,13 +24,17 @@ constexpr std::size_t looks = 64;
 constexpr float outside = 0.05f, upwards = 0.5f;  // what a place outside the volume is worth, and one that is higher
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
 constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
-// Of a volume's height the trunk reaches so much; a branch of it at least so much of the half width, in so many steps.
-constexpr float trunk_share = 0.97f, filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
+// A branch of the trunk reaches at least so much of the half width, in so many steps.
+constexpr float filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
 constexpr float most_left = 6;
 constexpr float floor_share = 0.012f;  // of a volume's height, which tips do not come below
 constexpr float golden = 0.618034f, first_along = 0.2f, bole_along = 0.8f;
 constexpr float trunk_crook = 0.35f;  // of that of branches
 constexpr float leaning = 18;         // degrees by which child trunks lean out
+// How many steps tell how far it is to a volume's edge, and how far that may be in its heights; how much of it is grown.
+constexpr int feels = 24;
+constexpr float farthest = 1.2f, to_edge = 0.9f;
+constexpr float of_wire = 0.2f;  // how far canes lean off the upright, at the most
 
 const std::array<glm::vec3, looks>& directions() {
   static const std::array<glm::vec3, looks> all = [] {
@@ -92,7 +96,8 @@ class Maker {
         const float turns = golden * static_cast<float>(place + 1);
         const bool low = population_.shoots[parent].trunk && way.internode == 0;
         const float least = low ? bole_along : first_along;
-        way.along = least + (1 - least) * (turns - std::floor(turns));
+        way.along = glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
+                             population_.shoots[parent].trunk ? habit_.whorl : 0);
       } else {
         ordinals_.push_back(0);
       }
@@ -100,6 +105,7 @@ class Maker {
       form_.ways.push_back(way);
     }
     form_.nodes.resize(nodes);
+    firsts_.assign(form_.ways.size(), 0);
     for (const GrowthVolume& volume : population_.volumes) axes_.push_back(axis_of(volume));
   }
 
@@ -144,25 +150,47 @@ class Maker {
     const SinCos about = sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) +
                                         stray * (2 * random_unit(habit_.seed, stream_turn, q) - 1));
     ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
+    if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
+    if (shoot.order == 1 && habit_.cordon > 0)
+      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * random_direction(habit_.seed, stream_trunk, q), along);
     return glm::mix(from, to, way.along);
   }
 
-  float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip) const {
+  // From a place to where a volume ends.
+  float room(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
+    const GrowthVolume& volume = population_.volumes[shoot.volume];
+    const float whole = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
+    for (int i = 1; i <= feels; ++i) {
+      const float out = whole * static_cast<float>(i) / static_cast<float>(feels);
+      if (!holds(volume, axes_[shoot.volume], tip + out * forward)) return out - 0.5f * whole / static_cast<float>(feels);
+    }
+    return whole;
+  }
+
+  float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip, const glm::vec3& forward) {
     const Shoot& shoot = population_.shoots[q];
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     const float high = volume.height / 10;
     if (shoot.trunk) {
-      const float whole = trunk_share * volume.height;
+      if (habit_.cordon > 0)
+        return internode == 0 ? habit_.cordon : volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
+      const float whole = habit_.leader * volume.height;
       if (internode == 0) return habit_.bole * whole + (form_.ways[q].count == 1 ? (1 - habit_.bole) * whole : 0);
       return (1 - habit_.bole) * whole / static_cast<float>(form_.ways[q].count - 1);
     }
     const float own = habit_.shoot * high * power(habit_.order_ratio, static_cast<float>(shoot.order) - 1) *
                       power(habit_.age_ratio, static_cast<float>(internode));
-    if (shoot.order > 1 || internode > 0) return own;
+    if (shoot.order > 1) return own;
+    if (internode > 0) return glm::mix(own, firsts_[q] * power(habit_.age_ratio, static_cast<float>(internode)), habit_.reach);
     const float up = glm::dot(tip - volume.at, axes_[shoot.volume]) / volume.height;
     const float wide = std::max(radius_at(volume, std::clamp(up, 0.0f, 1.0f)), least_width * volume.base);
     const float left = static_cast<float>(population_.steps - shoot.born + 1);
-    return std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left));
+    // Of lengths that shrink by a ratio, as many as are to come: the first of them.
+    const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
+    const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
+    firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * room(shoot, tip, forward) / sum);
+    return glm::mix(std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left)),
+                    firsts_[q], habit_.reach);
   }
 
   // Σ w d of the places that are free ahead of a tip, and Σ w.
@@ -210,13 +238,19 @@ class Maker {
       forward = unit(nodes[internode] - nodes[internode - 1], forward);
     }
     const glm::vec3 tip = nodes[internode];
-    float length = length_of(q, internode, tip);
+    float length = length_of(q, internode, tip, forward);
     cell_ = std::max(cell_, 0.5f * length);
     const std::uint64_t address = hash_combine(q, internode);
     const glm::vec3 luck = habit_.crook * random_direction(habit_.seed, stream_crook, address);
     if (shoot.trunk) {
       const glm::vec3 back = 0.3f * axes_[shoot.volume];
-      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + back, forward);
+      if (internode == 1 && habit_.cordon > 0) {
+        const float towards = population_.volumes[shoot.volume].towards;
+        forward = {cosine(towards), 0, sine(towards)};
+      }
+      const bool wired = habit_.cordon > 0;
+      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + (wired ? glm::vec3(0) : back), forward);
+      if (internode > 0 && wired) forward = unit({forward.x, 0.3f * forward.y, forward.z}, forward);
     } else {
       const Environment& around = population_.environments[shoot.volume];
       const Deformation deformed = deformation_of(q, step);
@@ -242,6 +276,7 @@ class Maker {
   Form form_;
   std::vector<std::uint32_t> ordinals_;  // of each shoot among those of its parent
   std::vector<glm::vec3> axes_;          // of the volumes
+  std::vector<float> firsts_;            // of each branch of a trunk the first length by which it comes to the edge
   std::vector<glm::vec3> laid_;          // every node so far
   std::vector<glm::vec3> standing_;      // those that the grid has: of the steps before
   PointGrid grid_;
@@ -257,7 +292,11 @@ glm::vec3 axis_of(const GrowthVolume& volume) {
   return {s * cosine(volume.towards), cosine(volume.gradient), s * sine(volume.towards)};
 }
 
-float radius_at(const GrowthVolume& volume, float up) { return 0.5f * glm::mix(volume.base, volume.top, up); }
+float radius_at(const GrowthVolume& volume, float up) {
+  const float square = volume.base * volume.base * (1 - up) * (1 - 2 * up) +
+                       volume.middle * volume.middle * 4 * up * (1 - up) + volume.top * volume.top * up * (2 * up - 1);
+  return 0.5f * std::sqrt(std::max(0.0f, square));
+}
 
 Form form_of(const Population& population, const FormHabit& habit) { return Maker(population, habit).run(); }
 

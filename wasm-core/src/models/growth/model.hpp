@@ -9,10 +9,13 @@
 //   segments.born    uint16 as uint32: the step at which that shoot came
 //   volumes.id       uint32, one a growth volume, those of child trunks behind the others
 //   volumes.shape    float32 × 5: wb, h and wt in metres; grad and towards in degrees
+//   volumes.middle   float32: wm, metres
 //   volumes.at       float32 × 2: x and z
 //   volumes.child    uint8: 1 of a child trunk's
-// Organs: `leaf`, `falling` (about to fall), `fallen` (on the ground). Meshes: `stems` (segment: uint32 a vertex) and
-// `leaves`. Counts: branches (without trunks), steps, leaves, falling.
+// Organs: `leaf`, `falling` (about to fall), `fallen` (of these, on the ground), `shed` (on the ground in autumn),
+// `blossom`, and `bunch`, which has no mesh: where fruit hangs, +Y the way it does. Meshes: `stems` (segment: uint32 a
+// vertex), `leaves` and `blossoms`, those that are borne. Counts: branches (without trunks), steps, segments, leaves
+// (without those shed), falling, shed, blossoms, bunches.
 #pragma once
 
 #include "plant/model.hpp"
