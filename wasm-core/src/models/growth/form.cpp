@@ -173,7 +173,7 @@ class Maker {
     const float high = volume.height / 10;
     if (shoot.trunk) {
       if (habit_.cordon > 0)
-        return internode == 0 ? habit_.cordon : volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
+        return internode == 0 ? habit_.cordon : 0.5f * volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
       const float whole = habit_.leader * volume.height;
       if (internode == 0) return habit_.bole * whole + (form_.ways[q].count == 1 ? (1 - habit_.bole) * whole : 0);
       return (1 - habit_.bole) * whole / static_cast<float>(form_.ways[q].count - 1);
@@ -263,7 +263,7 @@ class Maker {
       forward = unit(habit_.inertia * forward + habit_.space * unit(middle, glm::vec3(0)) + glm::vec3(0, up, 0) + luck,
                      forward);
       // Never death: how many there are is the text's to say.
-      if (sum < crowded) length *= short_shoot;
+      if (sum < crowded && habit_.cordon <= 0) length *= short_shoot;
       const float floor = floor_share * population_.volumes[shoot.volume].height;
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
     }

@@ -306,7 +306,7 @@ export const PARAMETERS: readonly Entry[] = [
 		kind: "number",
 		unit: "×",
 		min: 0.02,
-		max: 0.6,
+		max: 0.9,
 		default: 0.16,
 		step: 0.01,
 		help: "How much of the height bears no branch.",
@@ -489,7 +489,7 @@ export const PARAMETERS: readonly Entry[] = [
 		max: 3,
 		default: 0,
 		step: 0.05,
-		help: "Height at which a trunk is bent level along a wire, as long as its volume is wide; branches stand up from it. 0: not trained.",
+		help: "Height at which a trunk is bent level along a wire, out to its volume's edge; branches stand up from it. 0: not trained.",
 		since: 2,
 	},
 	{
