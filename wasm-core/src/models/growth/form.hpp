@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/growth/population.hpp"
+#include "models/growth/surroundings.hpp"
 
 namespace panicle::growth {
 
@@ -41,6 +42,6 @@ struct Form {
 glm::vec3 axis_of(const GrowthVolume& volume);
 float radius_at(const GrowthVolume& volume, float up);
 
-Form form_of(const Population& population, const FormHabit& habit);
+Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about = {});
 
 }  // namespace panicle::growth

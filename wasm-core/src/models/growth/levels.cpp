@@ -26,7 +26,6 @@ constexpr std::array<float, level_count> bend{0.0008f, 0.004f, 0.012f, 0.04f};
 constexpr std::array<float, 2> shares{0.5f, 0.18f};
 constexpr std::array<std::array<std::uint32_t, 3>, level_count> sides_of{
     {{{8, 5, 3}}, {{5, 4, 3}}, {{4, 3, 3}}, {{3, 3, 3}}}};
-constexpr std::uint32_t most_sides = 8;
 constexpr float folded = 20;           // degrees that each half of a leaf stands up
 constexpr float least_breadth = 0.5f;  // of a merged leaf, of its length: needles together are a tuft
 constexpr float sparse = 0.8f;         // leaves that reach less far than this share of the tree do not tell its outline

@@ -127,14 +127,6 @@ void add_levels(Plant& plant, const Moment& moment, float leaf_area) {
   plant.columns.add("levels.tolerance", std::vector<float>(levels.tolerance.begin(), levels.tolerance.end()));
 }
 
-// What stands about the tree (model.hpp), or nothing.
-Diagnostic check(std::span<const float> about) {
-  if (about.empty()) return {};
-  if (about.size() == 16 && std::all_of(about.begin(), about.end(), [](float each) { return std::isfinite(each); }))
-    return {};
-  return {Reason::bad_request, "The surroundings are not sixteen numbers.", 0, 0};
-}
-
 Result<Plant> grow(Request& request, const Limits& limits) {
   request.text("model");
   const FlatLeaf flat = request.flat_leaf();
@@ -147,7 +139,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
   if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
-  if (Diagnostic trouble = check(about); trouble.reason != Reason::none) return trouble;
+  const Result<Surroundings> surroundings = about.empty() ? Surroundings() : Surroundings::of(about);
+  if (!surroundings) return surroundings.error();
   Plant plant;
   const GrowthValues values(asked, plant.notes);
   const auto rules = read_rules(text, limits);
@@ -160,7 +153,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!population) return population.error();
 
   const float time = values[age] / 100 * static_cast<float>(count);
-  const Form form = form_of(population.value(), form_habit(values, seed));
+  const Form form = form_of(population.value(), form_habit(values, seed), surroundings.value());
   auto moment = moment_of(population.value(), form, time, {0.001f * values[twig], values[pipe]}, limits);
   if (!moment) return moment.error();
   plant.tags = {"trunk", "branch"};

@@ -3,7 +3,7 @@
 // Blocks of a request besides everyone's (plant/request.hpp): `rules`, which must be there, a text of the growth
 // language; of plant/flat_leaf.hpp the leaf that it bears, but needles; and `surroundings` (float32 × 16), what stands
 // about it: eight heights of the horizon, in degrees above level, at the azimuths 0°, 45° … (from +X to +Z), then
-// eight metres of free room from the first volume's foot in those directions. Absent: it stands alone.
+// eight metres of free room from the origin in those directions. Absent: it stands alone.
 //
 // Columns of a plant besides everyone's (boundary/panicle.h):
 //   segments.shoot   uint32: the shoot that each is of
