@@ -34,10 +34,16 @@ MatterCells cells_of(const Population& population) {
 
 CrownLight::CrownLight(const Population& population, const Surroundings& about)
     : matter_(cells_of(population)), lamps_(about.sky(directions)) {
-  glm::vec3 sum(0);
-  for (const Lamp& lamp : about.sky(sky_directions)) sum += lamp.share * lamp.towards;
-  if (about.alone() || !(glm::length(sum) > 1e-3f)) return;
-  sky_ = glm::normalize(sum);
+  const auto middle = [](const std::vector<Lamp>& lamps) {
+    glm::vec3 sum(0);
+    for (const Lamp& lamp : lamps) sum += lamp.share * lamp.towards;
+    return sum;
+  };
+  if (about.alone()) return;
+  // A spiral's own middle is not quite above.
+  const glm::vec3 whole = middle(overcast(sky_directions)), open = middle(about.sky(sky_directions));
+  const glm::vec3 level = open - glm::vec3(whole.x, 0, whole.z);
+  if (glm::length(level) > 1e-3f) sky_ = glm::normalize(level);
 }
 
 void CrownLight::put(const glm::vec3& place, float area) { matter_.put(place, area); }

@@ -26,8 +26,8 @@ constexpr std::size_t looks = 64;
 constexpr float outside = 0.05f, lightwards = 0.5f;  // what a place outside the volume is worth, and one in the light
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
 constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
-// Of a volume's height the trunk reaches so much; a branch of it at least so much of the half width, in so many steps.
-constexpr float trunk_share = 0.97f, filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
+// A branch of the trunk reaches at least so much of the half width, in so many steps.
+constexpr float filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
 constexpr float most_left = 6;
 constexpr float floor_share = 0.012f;  // of a volume's height, which tips do not come below
 constexpr float golden = 0.618034f, first_along = 0.2f, bole_along = 0.8f;
@@ -37,6 +37,11 @@ constexpr float leaning = 18;         // degrees by which child trunks lean out
 constexpr float node_shade = 0.06f, leaf_shade = 0.02f;
 constexpr int most_halvings = 6;  // of a shoot that would leave the room
 constexpr float far_away = 1e6f;
+// How many steps tell how far it is to a volume's edge, and how far that may be in its heights; how much of it is
+// grown.
+constexpr int feels = 24;
+constexpr float farthest = 1.2f, to_edge = 0.9f;
+constexpr float of_wire = 0.2f;  // how far canes lean off the upright, at the most
 
 const std::array<glm::vec3, looks>& directions() {
   static const std::array<glm::vec3, looks> all = [] {
@@ -99,7 +104,8 @@ class Maker {
         const float turns = golden * static_cast<float>(place + 1);
         const bool low = population_.shoots[parent].trunk && way.internode == 0;
         const float least = low ? bole_along : first_along;
-        way.along = least + (1 - least) * (turns - std::floor(turns));
+        way.along = glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
+                             population_.shoots[parent].trunk ? habit_.whorl : 0);
       } else {
         ordinals_.push_back(0);
       }
@@ -109,6 +115,7 @@ class Maker {
     form_.nodes.resize(nodes);
     laid_.reserve(nodes);
     deformed_.resize(population_.shoots.size());
+    firsts_.assign(form_.ways.size(), 0);
     for (const GrowthVolume& volume : population_.volumes) axes_.push_back(axis_of(volume));
     for (std::uint32_t k = 0; k <= population_.steps; ++k)
       by_age_.push_back(power(habit_.age_ratio, static_cast<float>(k)));
@@ -173,24 +180,49 @@ class Maker {
     const SinCos about = sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) +
                                         stray * (2 * random_unit(habit_.seed, stream_turn, q) - 1));
     ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
+    if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
+    if (shoot.order == 1 && habit_.cordon > 0)
+      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * random_direction(habit_.seed, stream_trunk, q), along);
     return glm::mix(from, to, way.along);
   }
 
-  float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip) const {
+  // From a place to where a volume ends.
+  float room(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
+    const GrowthVolume& volume = population_.volumes[shoot.volume];
+    const float whole = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
+    for (int i = 1; i <= feels; ++i) {
+      const float out = whole * static_cast<float>(i) / static_cast<float>(feels);
+      const glm::vec3 place = tip + out * forward;
+      if (!holds(volume, axes_[shoot.volume], place) || !about_.holds(place))
+        return out - 0.5f * whole / static_cast<float>(feels);
+    }
+    return whole;
+  }
+
+  float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip, const glm::vec3& forward) {
     const Shoot& shoot = population_.shoots[q];
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     const float high = volume.height / 10;
     if (shoot.trunk) {
-      const float whole = trunk_share * volume.height;
+      if (habit_.cordon > 0)
+        return internode == 0 ? habit_.cordon
+                              : volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
+      const float whole = habit_.leader * volume.height;
       if (internode == 0) return habit_.bole * whole + (form_.ways[q].count == 1 ? (1 - habit_.bole) * whole : 0);
       return (1 - habit_.bole) * whole / static_cast<float>(form_.ways[q].count - 1);
     }
     const float own = habit_.shoot * high * by_order_[shoot.order] * by_age_[internode];
-    if (shoot.order > 1 || internode > 0) return own;
+    if (shoot.order > 1) return own;
+    if (internode > 0) return glm::mix(own, firsts_[q] * by_age_[internode], habit_.reach);
     const float up = glm::dot(tip - volume.at, axes_[shoot.volume]) / volume.height;
     const float wide = std::max(radius_at(volume, std::clamp(up, 0.0f, 1.0f)), least_width * volume.base);
     const float left = static_cast<float>(population_.steps - shoot.born + 1);
-    return std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left));
+    // Of lengths that shrink by a ratio, as many as are to come: the first of them.
+    const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
+    const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
+    firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * room(shoot, tip, forward) / sum);
+    return glm::mix(std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left)),
+                    firsts_[q], habit_.reach);
   }
 
   // Σ w d of the places that are free ahead of a tip, and Σ w.
@@ -256,13 +288,19 @@ class Maker {
       forward = unit(nodes[internode] - nodes[internode - 1], forward);
     }
     const glm::vec3 tip = nodes[internode];
-    float length = length_of(q, internode, tip);
+    float length = length_of(q, internode, tip, forward);
     cell_ = std::max(cell_, 0.5f * length);
     const std::uint64_t address = hash_combine(q, internode);
     const glm::vec3 luck = habit_.crook * random_direction(habit_.seed, stream_crook, address);
     if (shoot.trunk) {
       const glm::vec3 back = 0.3f * axes_[shoot.volume];
-      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + back, forward);
+      if (internode == 1 && habit_.cordon > 0) {
+        const float towards = population_.volumes[shoot.volume].towards;
+        forward = {cosine(towards), 0, sine(towards)};
+      }
+      const bool wired = habit_.cordon > 0;
+      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + (wired ? glm::vec3(0) : back), forward);
+      if (internode > 0 && wired) forward = unit({forward.x, 0.3f * forward.y, forward.z}, forward);
     } else {
       const Environment& around = population_.environments[shoot.volume];
       const Deformation& deformed = deformed_[q];
@@ -298,6 +336,7 @@ class Maker {
   CrownLight light_;
   std::vector<std::uint32_t> ordinals_;   // of each shoot among those of its parent
   std::vector<glm::vec3> axes_;           // of the volumes
+  std::vector<float> firsts_;             // of each branch of a trunk the first length by which it comes to the edge
   std::vector<float> by_age_, by_order_;  // what lengths are multiplied by
   std::vector<glm::vec3> laid_;           // every node so far, and the shoots that they are of
   std::vector<std::uint32_t> of_laid_;
@@ -317,7 +356,11 @@ glm::vec3 axis_of(const GrowthVolume& volume) {
   return {s * cosine(volume.towards), cosine(volume.gradient), s * sine(volume.towards)};
 }
 
-float radius_at(const GrowthVolume& volume, float up) { return 0.5f * glm::mix(volume.base, volume.top, up); }
+float radius_at(const GrowthVolume& volume, float up) {
+  const float square = volume.base * volume.base * (1 - up) * (1 - 2 * up) +
+                       volume.middle * volume.middle * 4 * up * (1 - up) + volume.top * volume.top * up * (2 * up - 1);
+  return 0.5f * std::sqrt(std::max(0.0f, square));
+}
 
 Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about) {
   return Maker(population, habit, about).run();

@@ -8,7 +8,7 @@
 namespace panicle::growth {
 namespace {
 
-constexpr float most_room = 1e6f;
+constexpr float least_room = 1e-3f, most_room = 1e6f;
 constexpr float diagonal = 0.70710678f;
 constexpr std::array<float, Surroundings::sides> east{1, diagonal, 0, -diagonal, -1, -diagonal, 0, diagonal},
     south{0, diagonal, 1, diagonal, 0, -diagonal, -1, -diagonal};  // +X, and +Z
@@ -30,7 +30,7 @@ Result<Surroundings> Surroundings::of(std::span<const float> numbers) {
   about.alone_ = false;
   for (std::size_t i = 0; i < sides; ++i) {
     about.horizon_[i] = std::clamp(numbers[i], 0.0f, 90.0f);
-    about.room_[i] = std::clamp(numbers[sides + i], 0.0f, most_room);
+    about.room_[i] = std::clamp(numbers[sides + i], least_room, most_room);
   }
   return about;
 }
