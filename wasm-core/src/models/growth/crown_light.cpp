@@ -12,7 +12,7 @@ namespace panicle::growth {
 namespace {
 
 constexpr float cells = 8;  // along the longest edge of what the volumes take
-constexpr std::uint32_t directions = 12, sky_directions = 64;
+constexpr std::uint32_t directions = 16, sky_directions = 64;
 constexpr float contrast = 1.5f;  // what light that grows from dark to full in an edge counts against the sky
 
 MatterCells cells_of(const Population& population) {

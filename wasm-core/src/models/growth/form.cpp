@@ -35,6 +35,7 @@ constexpr float trunk_crook = 0.35f;  // of that of branches
 constexpr float leaning = 18;         // degrees by which child trunks lean out
 // What a node and a leaf that is counted shade, of a branch's first internode squared: the leaves about it.
 constexpr float node_shade = 0.06f, leaf_shade = 0.02f;
+constexpr float beyond = 0.5f;    // how far a shoot grows that would end outside its volume
 constexpr int most_halvings = 6;  // of a shoot that would leave the room
 constexpr float far_away = 1e6f;
 // How many steps tell how far it is to a volume's edge, and how far that may be in its heights; how much of it is
@@ -317,6 +318,10 @@ class Maker {
       // Never death: how many there are is the text's to say.
       if (sum < crowded) length *= short_shoot;
       for (int i = 0; i < most_halvings && regard > 0 && !about_.holds(tip + length * forward); ++i) length *= 0.5f;
+      // The volume guides: beyond it grows half as far what has no will of its own.
+      if (deformed.length <= 1 &&
+          !holds(population_.volumes[shoot.volume], axes_[shoot.volume], tip + length * forward))
+        length *= beyond;
       const float floor = floor_share * population_.volumes[shoot.volume].height;
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
     }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<const char*, level_count> names{"level0", "level1", "level2", "level3"};
 // Triangles fall by so much a level at the least, and the last has no more than so many.
-constexpr float falls_by = 2.75f, most_far = 144;
+constexpr float falls_by = 2.6f, most_far = 144;
 // Of all triangles wood's share in the first level, so much is left to it in each: far away leaves tell more.
 constexpr std::array<float, level_count> wood_share{1, 0.9f, 0.75f, 0.6f};
 // How far what is drawn may leave a shoot's own line, of the tree's height.
@@ -201,7 +201,9 @@ class Maker {
     std::vector<std::uint32_t> of_segment(moment_.segments.size());
     for (std::uint32_t i = 0; i < shoots_.size(); ++i)
       std::fill_n(of_segment.begin() + shoots_[i].first, shoots_[i].count, i);
+    constexpr int below = 3;  // where trunks stand
     for (int side = 0; side < 6; ++side) {
+      if (side == below) continue;
       float farthest = -std::numeric_limits<float>::max();
       std::int32_t at = -1;
       for (std::size_t i = 0; i < moment_.segments.size(); ++i) {

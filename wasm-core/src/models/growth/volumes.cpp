@@ -126,7 +126,7 @@ float half_width(const GrowthVolume& volume) { return std::max({volume.base, vol
 
 bool draw_volumes(const Rules& rules, std::uint64_t seed, Evaluation& evaluation, std::vector<GrowthVolume>& volumes) {
   Drawer drawer{rules, seed, evaluation};
-  const GrowthVolume otherwise{1, 4, 10, 2.5f, 0, {}, 1, 0, 3.25f};
+  const GrowthVolume otherwise{1, 8, 10, 5, 0, {}, 1, 0, 6.5f};
   for (std::uint64_t i = 0; i < rules.footprint.size(); ++i) {
     const VolumeRule& rule = rules.footprint[i];
     std::uint32_t count = 1;
