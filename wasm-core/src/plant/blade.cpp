@@ -103,7 +103,8 @@ Blade make_blossom() {
   for (int k = 0; k < petals; ++k) {
     const auto turn = sincos_degrees(360.0f * static_cast<float>(k) / petals);
     const glm::vec3 out(turn.cosine, 0, turn.sine), across(-turn.sine, 0, turn.cosine), heart(0, stalk, 0);
-    const glm::vec3 middle = heart + 0.34f * out + glm::vec3(0, 0.1f, 0), tip = heart + 0.5f * out + glm::vec3(0, 0.13f, 0);
+    const glm::vec3 middle = heart + 0.34f * out + glm::vec3(0, 0.1f, 0),
+                    tip = heart + 0.5f * out + glm::vec3(0, 0.13f, 0);
     put_point(blade.mesh, middle, -0.21f * across, heart);
     put_point(blade.mesh, middle, 0.21f * across, tip);
   }

@@ -19,10 +19,10 @@ constexpr std::uint64_t stream_turn = 0x6c656166, stream_face = stream_turn + 1,
 constexpr float golden_angle = 137.50776f, golden = 0.618034f;
 constexpr float least_size = 0.7f;  // of the largest
 constexpr float outwards = 0.45f, strewn = 0.5f, droop = 0.25f;
-constexpr float drift = 0.15f;     // how far they come down from below where they hung, of that height
-constexpr float above = 0.01f;     // the ground, metres
+constexpr float drift = 0.15f;         // how far they come down from below where they hung, of that height
+constexpr float above = 0.01f;         // the ground, metres
 constexpr float least_bearing = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
-constexpr float near_tip = 0.35f;  // from where on along an internode they stand
+constexpr float near_tip = 0.35f;      // from where on along an internode they stand
 
 // The year, from 0 to 1: when the first bud opens, over how long others follow, how long one takes; when the first leaf
 // falls, and over how long; and the same of blossoms, which come before the leaves and wither while these unfold.
@@ -123,8 +123,7 @@ class Crown {
   Organ on(const Place& place, float back) const {
     Organ organ;
     organ.segment = place.bearer;
-    organ.position =
-        moment_.segments[static_cast<std::size_t>(place.bearer)].end - back * place.length * place.along;
+    organ.position = moment_.segments[static_cast<std::size_t>(place.bearer)].end - back * place.length * place.along;
     return organ;
   }
 
@@ -155,8 +154,9 @@ class Crown {
         glm::vec3(0, 1, 0) + outwards * place.along + strewn * random_direction(habit_.seed, stream_face, address);
     Organ leaf = on(place, (1 - near_tip) * (turns - std::floor(turns)));
     leaf.tag = place.falls ? falling_tag : leaf_tag;
-    leaf.rotation = habit_.needles ? turn_to(out, beside(out))
-                                   : turned(out, glm::length(face) > 1e-3f ? glm::normalize(face) : beside(place.along));
+    leaf.rotation = habit_.needles
+                        ? turn_to(out, beside(out))
+                        : turned(out, glm::length(face) > 1e-3f ? glm::normalize(face) : beside(place.along));
     leaf.scale = share * habit_.size * (least_size + (1 - least_size) * random_unit(habit_.seed, stream_size, address));
     if (shed(address))
       lie_down(leaf, shed_tag, habit_.seed, address);

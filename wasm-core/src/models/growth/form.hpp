@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/growth/population.hpp"
+#include "models/growth/surroundings.hpp"
 
 namespace panicle::growth {
 
@@ -18,10 +19,10 @@ struct FormHabit {
   float trunk_angle = 60, branch_angle = 45;  // degrees between a branch and what bears it
   float turn = 137.5f;                        // degrees from one branch to the next
   float inertia = 1, space = 0.7f, crook = 0.08f;
-  float hang = 0;   // gravitropism of branches of branches, besides the text's
-  float reach = 0;  // how far lengths of the trunk's branches are those that come to the volume's edge, 0 … 1
-  float whorl = 0;  // how near to its end an internode bears its branches, 0 … 1
-  float flat = 0;   // how level branches of branches leave, 0 … 1
+  float hang = 0;    // gravitropism of branches of branches, besides the text's
+  float reach = 0;   // how far lengths of the trunk's branches are those that come to the volume's edge, 0 … 1
+  float whorl = 0;   // how near to its end an internode bears its branches, 0 … 1
+  float flat = 0;    // how level branches of branches leave, 0 … 1
   float cordon = 0;  // metres, where a trunk is bent level, along a wire; 0: not trained
   std::uint64_t seed = 1;
 };
@@ -47,6 +48,6 @@ struct Form {
 glm::vec3 axis_of(const GrowthVolume& volume);
 float radius_at(const GrowthVolume& volume, float up);
 
-Form form_of(const Population& population, const FormHabit& habit);
+Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about = {});
 
 }  // namespace panicle::growth

@@ -12,6 +12,7 @@
 #include "geometry/wood.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/form.hpp"
+#include "models/growth/levels.hpp"
 #include "models/growth/measures/measures.generated.hpp"
 #include "models/growth/moment.hpp"
 #include "models/growth/parameters.generated.hpp"
@@ -83,8 +84,8 @@ Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
 bool is_leaf(const Organ& organ) { return organ.tag <= fallen_tag; }
 
 std::uint32_t count_of(const Plant& plant, std::uint32_t tag) {
-  return static_cast<std::uint32_t>(std::count_if(plant.organs.begin(), plant.organs.end(),
-                                                  [tag](const Organ& organ) { return organ.tag == tag; }));
+  return static_cast<std::uint32_t>(
+      std::count_if(plant.organs.begin(), plant.organs.end(), [tag](const Organ& organ) { return organ.tag == tag; }));
 }
 
 void add_columns(Plant& plant, const Population& population, const Moment& moment) {
@@ -116,9 +117,8 @@ void add_columns(Plant& plant, const Population& population, const Moment& momen
                                        at[4] = each.towards * 180 / pi;
                                      }),
                     5);
-  plant.columns.add("volumes.middle",
-                    column_of<float>(population.volumes, 1,
-                                     [](const GrowthVolume& each, float* at) { *at = each.middle; }));
+  plant.columns.add("volumes.middle", column_of<float>(population.volumes, 1,
+                                                       [](const GrowthVolume& each, float* at) { *at = each.middle; }));
   plant.columns.add("volumes.at",
                     column_of<float>(population.volumes, 2,
                                      [](const GrowthVolume& each, float* at) {
@@ -137,7 +137,8 @@ void measure(Plant& plant, float leaf_area) {
   const double shaded = 0.25 * static_cast<double>(pi * branching.width_x * branching.width_z);
   measures.set(Measure::height, std::max(branching.high, 0.0f));
   measures.set(Measure::trunk_width, 100 * branching.thickest);
-  measures.set(Measure::leaf_count, static_cast<double>(std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf)));
+  measures.set(Measure::leaf_count,
+               static_cast<double>(std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf)));
   measures.set(Measure::leaf_area, area);
   measures.set(Measure::leaf_index, shaded > 0 ? area / shaded : std::numeric_limits<double>::quiet_NaN());
   plant.measures = measures.values();
@@ -176,18 +177,26 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
             [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
+void add_levels(Plant& plant, const Moment& moment, float leaf_area) {
+  Levels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area);
+  for (PlantMesh& mesh : levels.meshes) plant.meshes.push_back(std::move(mesh));
+  plant.columns.add("levels.tolerance", std::vector<float>(levels.tolerance.begin(), levels.tolerance.end()));
+}
+
 Result<Plant> grow(Request& request, const Limits& limits) {
   request.text("model");
   const FlatLeaf flat = request.flat_leaf();
   const std::uint64_t seed = request.word("seed", 1);
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
-             mesh_fingerprint = request.wants("mesh_fingerprint");
-  const std::span<const float> asked = request.floats("parameters");
+             mesh_fingerprint = request.wants("mesh_fingerprint"), levels = request.wants("levels");
+  const std::span<const float> asked = request.floats("parameters"), about = request.floats("surroundings");
   const bool has_text = request.has("rules");
   const std::string_view text = request.text("rules");
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
   if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
+  const Result<Surroundings> surroundings = about.empty() ? Surroundings() : Surroundings::of(about);
+  if (!surroundings) return surroundings.error();
   Plant plant;
   const GrowthValues values(asked, plant.notes);
   const auto rules = read_rules(text, limits);
@@ -200,7 +209,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!population) return population.error();
 
   const float time = values[age] / 100 * static_cast<float>(count);
-  const Form form = form_of(population.value(), form_habit(values, seed));
+  const Form form = form_of(population.value(), form_habit(values, seed), surroundings.value());
   auto moment = moment_of(population.value(), form, time, {0.001f * values[twig], values[pipe]}, limits);
   if (!moment) return moment.error();
   plant.tags = {"trunk", "branch"};
@@ -224,6 +233,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                   {"bunches", count_of(plant, bunch_tag)}};
   if (measures) measure(plant, blade.area);
   if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
+  if (levels) add_levels(plant, moment.value(), blade.area);
   plant.fingerprint = fingerprint_of(plant);
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

@@ -239,7 +239,8 @@ class Growth {
   // On the internode that a shoot lays at this step.
   bool add_foliage(std::uint32_t shoot, std::uint16_t step, const Outcome& outcome) {
     if (plant_.leaves.size() + outcome.foliage > limits_.copies) return too_many("leaves", limits_.copies);
-    const auto gone = static_cast<std::uint16_t>(std::min<std::uint32_t>(step + outcome.foliage_steps, Leaf::never - 1));
+    const auto gone =
+        static_cast<std::uint16_t>(std::min<std::uint32_t>(step + outcome.foliage_steps, Leaf::never - 1));
     for (std::uint32_t i = 0; i < outcome.foliage; ++i) plant_.leaves.push_back({shoot, step, Leaf::never, gone});
     return true;
   }

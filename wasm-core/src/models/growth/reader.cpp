@@ -276,7 +276,8 @@ bool Reader::place_rule(Rule rule) {
     environment &= each.kind == Consequence::Kind::set && (of_environment & bit(each.word)) != 0;
     // The luck of a bud, or of a child trunk, is drawn apart from what shoots have in common.
     luck &= each.kind == Consequence::Kind::set || each.kind == Consequence::Kind::leaf ||
-            each.kind == Consequence::Kind::falling_leaf || each.kind == Consequence::Kind::foliage || rule.consequences.size() > 1;
+            each.kind == Consequence::Kind::falling_leaf || each.kind == Consequence::Kind::foliage ||
+            rule.consequences.size() > 1;
   }
   rule.stream = hash_combine(hash_text("growth rule"), rules_.of_shoots.size() + rules_.of_volumes.size());
   if (environment && (uses & of_shoot) == 0) {

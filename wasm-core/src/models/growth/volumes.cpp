@@ -29,9 +29,9 @@ struct Bounds {
 };
 // By Attribute::Kind. A size that is drawn is at least 1, as the paper has it of child trunks: [1, …].
 constexpr Bounds bounds[] = {
-    {"cnt", 1, most_volumes, 1}, {"id", 0, 1e6f, 1},   {"wb", 0, 1000, 1},        {"h", 0.1f, 1000, 1},
-    {"wt", 0, 1000, 1},          {"grad", -80, 80, 0}, {"towards", -360, 360, 0}, {"at", -1e4f, 1e4f, 0},
-    {"wm", 0, 1000, 1},
+    {"cnt", 1, most_volumes, 1}, {"id", 0, 1e6f, 1},     {"wb", 0, 1000, 1},
+    {"h", 0.1f, 1000, 1},        {"wt", 0, 1000, 1},     {"grad", -80, 80, 0},
+    {"towards", -360, 360, 0},   {"at", -1e4f, 1e4f, 0}, {"wm", 0, 1000, 1},
 };
 
 // Halfway up a frustum.
@@ -126,7 +126,7 @@ float half_width(const GrowthVolume& volume) { return std::max({volume.base, vol
 
 bool draw_volumes(const Rules& rules, std::uint64_t seed, Evaluation& evaluation, std::vector<GrowthVolume>& volumes) {
   Drawer drawer{rules, seed, evaluation};
-  const GrowthVolume otherwise{1, 4, 10, 2.5f, 0, {}, 1, 0, 3.25f};
+  const GrowthVolume otherwise{1, 8, 10, 5, 0, {}, 1, 0, 6.5f};
   for (std::uint64_t i = 0; i < rules.footprint.size(); ++i) {
     const VolumeRule& rule = rules.footprint[i];
     std::uint32_t count = 1;

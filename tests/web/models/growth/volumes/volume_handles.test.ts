@@ -1,7 +1,13 @@
 import { describe, expect, it } from "vitest";
 import type { Change } from "../../../../../web/src/controls/desk";
 import type { PlantHandle } from "../../../../../web/src/controls/handles/plant_handle";
-import { axisOf, type GrowthVolume, placeIn, radiusAt, surfaceOf } from "../../../../../web/src/models/growth/volumes/volume";
+import {
+	axisOf,
+	type GrowthVolume,
+	placeIn,
+	radiusAt,
+	surfaceOf,
+} from "../../../../../web/src/models/growth/volumes/volume";
 import { volumeHandles } from "../../../../../web/src/models/growth/volumes/volume_handles";
 
 const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2, middle: 3, gradient: 0, towards: 0, at: [1, 2] };
