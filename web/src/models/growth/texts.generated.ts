@@ -172,7 +172,8 @@ footprint -> GrowVol(1, 1, 2.4, 2, 2.4, 0, towards(0))
 
 phototropism = 0.5
 k == N - 1 && gs > 1 -> nbr = 2          /* spurs on the arm, a cane from each */
-k < N - 1 -> nbr = 0, foliage(4, 8)
+k < N - 1 -> nbr = 0, foliage(5, 8)
+k == N - 1 && gs > 4 -> foliage(5)       /* on the arm's end, whose canes are young */
 `,
 	hazel: `/* Hazel
    about: Corylus avellana: a shrub of many stems from one foot. 4.5 m high and wide.
@@ -256,7 +257,7 @@ k >= 1 -> foliage(7)
 */
 gs = 11
 
-footprint -> GrowVol(1, 1, 2, 22, 0.4, 0, wm(3))
+footprint -> GrowVol(1, 1, 2, 22, 0.4, 0, wm(3.6))
 tree -> DivFunc("star1"){branches}
 
 phototropism = 0.6
