@@ -27,10 +27,11 @@ constexpr std::array<float, level_count> bend{0.0008f, 0.004f, 0.012f, 0.04f};
 constexpr std::array<float, 2> shares{0.5f, 0.18f};
 constexpr std::array<std::array<std::uint32_t, 3>, level_count> sides_of{
     {{{8, 5, 3}}, {{5, 4, 3}}, {{4, 3, 3}}, {{3, 3, 3}}}};
+constexpr std::uint32_t most_sides = 8;
 constexpr float folded = 20;    // degrees that each half of a leaf stands up
 constexpr float sparse = 0.8f;  // leaves that reach less far than this share of the tree do not tell its outline
-constexpr float sky_cells = 10;
-constexpr std::uint32_t sky_directions = 10;
+constexpr float sky_cells = 7;
+constexpr std::uint32_t sky_directions = 8;
 constexpr std::size_t few = 8;
 
 // The segments of one shoot, which stand side by side.
@@ -52,6 +53,9 @@ class Maker {
         crowds_{{{"leaves", {organs, leaf_tag, falling_tag, SheetKind::leaf, leaf_area}},
                  {"blossoms", {organs, blossom_tag, blossom_tag, SheetKind::blossom, blossom_area}}}},
         open_(openness_of(moment, crowds_)) {
+    for (std::uint32_t n = 3; n <= most_sides; ++n)
+      for (std::uint32_t k = 0; k < n; ++k)
+        turns_[n][k] = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
     find_shoots();
     for (const Crowd& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
   }
@@ -97,7 +101,11 @@ class Maker {
     out.material = "level";
     out_ = &out;
     mesh_ = &out.mesh;
-    sky_.clear();
+    const std::size_t most = level == 0 ? 4 * moment_.segments.size() + 4 * sheet_count() : first_all_ / 2;
+    mesh_->positions.reserve(3 * most);
+    mesh_->normals.reserve(3 * most);
+    mesh_->indices.reserve(3 * most);
+    sky_.reserve(most);
     const float share = leafy_ ? wood_share[level] : 1;
     add_wood(level, level == 0 ? 0 : share * static_cast<float>(first_wood_) / fall(level));
     end_run("bark");
@@ -119,6 +127,12 @@ class Maker {
     }
     out.columns.add("sky", std::move(sky_));
     sky_ = {};
+  }
+
+  std::size_t sheet_count() const {
+    std::size_t all = 0;
+    for (const Crowd& crowd : crowds_) all += crowd.sheets.all().size();
+    return all;
   }
 
   std::size_t triangles() const { return mesh_->indices.size() / 3; }
@@ -242,7 +256,7 @@ class Maker {
       right = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : beside(way);
       const glm::vec3 forward = glm::cross(way, right);
       for (std::uint32_t k = 0; k < n; ++k) {
-        const SinCos turn = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
+        const SinCos turn = turns_[n][k];
         const glm::vec3 out = turn.cosine * right + turn.sine * forward;
         vertex(line_[i].first + line_[i].second * out, out, sky);
         if (i == 0) continue;
@@ -288,9 +302,7 @@ class Maker {
   void add_merged(std::size_t level, const Crowd& crowd, float left) {
     const std::size_t own = crowd.sheets.all().size();
     if (own == 0) return;
-    std::size_t all = 0;
-    for (const Crowd& each : crowds_) all += each.sheets.all().size();
-    const float share = static_cast<float>(own) / static_cast<float>(all);
+    const float share = static_cast<float>(own) / static_cast<float>(sheet_count());
     const auto count = static_cast<std::size_t>(std::max(0.5f * left * share, 1.0f));
     Box target = crowd.reach;
     if (tells_outline(crowd.sheets)) target = {{whole_.low.x, crowd.reach.low.y, whole_.low.z}, whole_.high};
@@ -311,7 +323,8 @@ class Maker {
   std::size_t first_wood_ = 0, first_all_ = 0;
   std::vector<std::pair<glm::vec3, float>> line_;
   PlantMesh* out_ = nullptr;
-  Mesh* mesh_ = nullptr;  // of it
+  Mesh* mesh_ = nullptr;                                                // of it
+  std::array<std::array<SinCos, most_sides>, most_sides + 1> turns_{};  // of each number of sides
   std::vector<std::uint8_t> sky_;
 };
 
