@@ -15,8 +15,8 @@ namespace {
 constexpr float cells = 6;  // along the longest edge of what the volumes take
 constexpr std::uint32_t sky_directions = 64;
 // The sky that shines through the cells: one lamp above, and some about, so high and so bright.
-constexpr int about_count = 6;
-constexpr float about_height = 40, about_share = 0.125f;
+constexpr int about_count = 4;
+constexpr float about_height = 40, about_share = 0.18f;
 constexpr float contrast = 1.5f;  // what light that grows from dark to full in an edge counts against the sky
 
 MatterCells cells_of(const Population& population) {

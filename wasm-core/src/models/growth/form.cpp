@@ -22,7 +22,7 @@ constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 
 // The growth space of a bud (p_c, r, l): so far ahead it looks, in internodes; how near another node may be to a place
 // that is free, in those; within which angle of its way places lie, as a cosine.
 constexpr float reach = 1.3f, apart = 0.55f, ahead = 0.3f;
-constexpr std::size_t looks = 64;
+constexpr std::size_t looks = 40;
 constexpr float outside = 0.05f, lightwards = 0.5f;  // what a place outside the volume is worth, and one in the light
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
 constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
