@@ -1,0 +1,357 @@
+#include "models/growth/levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "environment/openness.hpp"
+#include "foundation/mathematics.hpp"
+#include "geometry/turn.hpp"
+#include "models/growth/foliage.hpp"
+#include "models/growth/sheets.hpp"
+
+namespace panicle::growth {
+namespace {
+
+constexpr std::array<const char*, level_count> names{"level0", "level1", "level2", "level3"};
+// Triangles fall by so much a level at the least, and the last has no more than so many.
+constexpr float falls_by = 2.6f, most_far = 144;
+// Of all triangles wood's share in the first level, so much is left to it in each: far away leaves tell more.
+constexpr std::array<float, level_count> wood_share{1, 0.9f, 0.75f, 0.6f};
+// How far what is drawn may leave a shoot's own line, of the tree's height.
+constexpr std::array<float, level_count> bend{0.0008f, 0.004f, 0.012f, 0.04f};
+// Sides of a shoot by its thickness against the thickest: of those thicker than each share.
+constexpr std::array<float, 2> shares{0.5f, 0.18f};
+constexpr std::array<std::array<std::uint32_t, 3>, level_count> sides_of{
+    {{{8, 5, 3}}, {{5, 4, 3}}, {{4, 3, 3}}, {{3, 3, 3}}}};
+constexpr std::uint32_t most_sides = 8;
+constexpr float folded = 20;    // degrees that each half of a leaf stands up
+constexpr float sparse = 0.8f;  // leaves that reach less far than this share of the tree do not tell its outline
+constexpr float sky_cells = 7;
+constexpr std::uint32_t sky_directions = 6;
+constexpr std::size_t few = 8;
+
+// The segments of one shoot, which stand side by side.
+struct Run {
+  std::uint32_t first = 0, count = 0;
+};
+
+// What is borne, as one run of each level.
+struct Crowd {
+  const char* name;
+  Sheets sheets;
+  Box reach = {};  // of the corners of all in the first level
+};
+
+class Maker {
+ public:
+  Maker(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area)
+      : moment_(moment),
+        crowds_{{{"leaves", {organs, leaf_tag, falling_tag, SheetKind::leaf, leaf_area}},
+                 {"blossoms", {organs, blossom_tag, blossom_tag, SheetKind::blossom, blossom_area}}}},
+        open_(openness_of(moment, crowds_)) {
+    for (std::uint32_t n = 3; n <= most_sides; ++n)
+      for (std::uint32_t k = 0; k < n; ++k)
+        turns_[n][k] = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
+    find_shoots();
+    for (const Crowd& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
+  }
+
+  Levels run() {
+    for (std::size_t k = 0; k < level_count; ++k) make(k);
+    return std::move(made_);
+  }
+
+ private:
+  static Openness openness_of(const Moment& moment, std::span<const Crowd> crowds) {
+    std::vector<Screen> screens;
+    for (const Crowd& crowd : crowds)
+      for (const Sheet& sheet : crowd.sheets.all()) screens.push_back({sheet.middle, 0.5f * sheet.area});
+    return {moment.segments, screens, sky_cells, sky_directions};
+  }
+
+  // Thickest first: whatever bears a shoot stands before it.
+  void find_shoots() {
+    const auto count = static_cast<std::uint32_t>(moment_.segments.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (i == 0 || moment_.axes[i] != moment_.axes[i - 1]) shoots_.push_back({i, 0});
+      ++shoots_.back().count;
+      tree_.hold(moment_.segments[i].start);
+      tree_.hold(moment_.segments[i].end);
+    }
+    std::sort(shoots_.begin(), shoots_.end(), [&](const Run& a, const Run& b) {
+      const float one = moment_.segments[a.first].radius, other = moment_.segments[b.first].radius;
+      return one != other ? one > other : a.first < b.first;
+    });
+    high_ = shoots_.empty() ? 0 : std::max(tree_.high.y - tree_.low.y, 1e-3f);
+  }
+
+  bool tells_outline(const Sheets& sheets) const {
+    const glm::vec3 crown = sheets.middles().size(), all = tree_.size();
+    return sheets.all().size() >= few && crown.x > sparse * all.x && crown.z > sparse * all.z &&
+           sheets.middles().high.y > sparse * tree_.high.y;
+  }
+
+  void make(std::size_t level) {
+    PlantMesh& out = made_.meshes[level];
+    out.name = names[level];
+    out.material = "level";
+    out_ = &out;
+    mesh_ = &out.mesh;
+    const float share = leafy_ ? wood_share[level] : 1;
+    add_wood(level, level == 0 ? 0 : share * static_cast<float>(first_wood_) / fall(level));
+    end_run("bark");
+    if (level == 0) {
+      first_wood_ = triangles();
+      for (Crowd& crowd : crowds_) {
+        open_room(4 * crowd.sheets.all().size(), 2 * crowd.sheets.all().size());
+        for (const Sheet& sheet : crowd.sheets.all()) add_folded(sheet);
+        end_run(crowd.name);
+        crowd.reach = reach_of(out.runs.back());
+      }
+      first_all_ = triangles();
+      whole_ = reach_of({"", 0, static_cast<std::uint32_t>(sky_.size()), 0, 0});
+    } else {
+      const float left = static_cast<float>(first_all_) / fall(level) - static_cast<float>(triangles());
+      for (const Crowd& crowd : crowds_) {
+        add_merged(level, crowd, left);
+        end_run(crowd.name);
+      }
+    }
+    out.columns.add("sky", std::move(sky_));
+    sky_ = {};
+  }
+
+  std::size_t sheet_count() const {
+    std::size_t all = 0;
+    for (const Crowd& crowd : crowds_) all += crowd.sheets.all().size();
+    return all;
+  }
+
+  std::size_t triangles() const { return mesh_->indices.size() / 3; }
+
+  void end_run(const char* name) {
+    std::vector<MeshRun>& runs = out_->runs;
+    const MeshRun last = runs.empty() ? MeshRun{} : runs.back();
+    const std::uint32_t vertex = last.first_vertex + last.vertex_count, index = last.first_index + last.index_count;
+    runs.push_back({name, vertex, static_cast<std::uint32_t>(sky_.size()) - vertex, index,
+                    static_cast<std::uint32_t>(mesh_->indices.size()) - index});
+  }
+
+  Box reach_of(const MeshRun& run) const {
+    Box box;
+    for (std::size_t v = 3 * std::size_t{run.first_vertex}; v < 3 * std::size_t{run.first_vertex + run.vertex_count};
+         v += 3)
+      box.hold({mesh_->positions[v], mesh_->positions[v + 1], mesh_->positions[v + 2]});
+    return box;
+  }
+
+  // By how much a level has fewer triangles than the first.
+  float fall(std::size_t level) const {
+    const float all = static_cast<float>(first_all_), last = std::min(all / (falls_by * falls_by * falls_by), most_far);
+    return power(all / last, static_cast<float>(level) / (level_count - 1));
+  }
+
+  // The ends of a shoot's pieces, but those that lie as good as on the line between others.
+  void line_of(const Run& run, float tolerance) {
+    line_.clear();
+    const Segment* const segments = &moment_.segments[run.first];
+    const auto point = [&](std::uint32_t i) { return i == 0 ? segments[0].start : segments[i - 1].end; };
+    const auto radius = [&](std::uint32_t i) {
+      return i < run.count ? segments[i].radius : segments[run.count - 1].radius_end;
+    };
+    std::uint32_t last = 0;
+    line_.emplace_back(point(0), radius(0));
+    for (std::uint32_t end = 2; end <= run.count; ++end) {
+      const glm::vec3 from = point(last), way = point(end) - from;
+      const float square = std::max(glm::dot(way, way), 1e-12f);
+      bool straight = true;
+      for (std::uint32_t i = last + 1; i < end && straight; ++i) {
+        const glm::vec3 to = point(i) - from, off = to - glm::dot(to, way) / square * way;
+        straight = glm::dot(off, off) <= tolerance * tolerance;
+      }
+      if (straight) continue;
+      last = end - 1;
+      line_.emplace_back(point(last), radius(last));
+    }
+    line_.emplace_back(point(run.count), radius(run.count));
+  }
+
+  std::uint32_t sides(std::size_t level, float radius) const {
+    const float share = radius / moment_.segments[shoots_[0].first].radius;
+    return sides_of[level][share > shares[0] ? 0 : share > shares[1] ? 1 : 2];
+  }
+
+  // `budget`: triangles; 0: as many as there are.
+  void add_wood(std::size_t level, float budget) {
+    float spent = 0;
+    const std::vector<bool> kept = leafy_ || level == 0 ? std::vector<bool>() : outermost();
+    for (std::size_t pass = kept.empty() ? 1 : 0; pass < 2; ++pass)
+      for (std::size_t i = 0; i < shoots_.size(); ++i) {
+        if (!kept.empty() && kept[i] != (pass == 0)) continue;
+        line_of(shoots_[i], bend[level] * high_);
+        const float radius = moment_.segments[shoots_[i].first].radius;
+        const std::uint32_t n = sides(level, radius);
+        const auto cost = static_cast<float>(n * (2 * (line_.size() - 1) - 1));
+        if (budget > 0 && i > 0 && pass == 1 && spent + cost > budget) {
+          made_.tolerance[level] = std::max(made_.tolerance[level], 2 * radius);
+          break;
+        }
+        spent += cost;
+        add_tube(n);
+      }
+  }
+
+  // Where leaves do not tell a tree's outline: the shoots that do, with what bears them.
+  std::vector<bool> outermost() const {
+    std::vector<bool> kept(shoots_.size(), false);
+    std::vector<std::uint32_t> of_segment(moment_.segments.size());
+    for (std::uint32_t i = 0; i < shoots_.size(); ++i)
+      std::fill_n(of_segment.begin() + shoots_[i].first, shoots_[i].count, i);
+    constexpr int below = 3;  // where trunks stand
+    for (int side = 0; side < 6; ++side) {
+      if (side == below) continue;
+      float farthest = -std::numeric_limits<float>::max();
+      std::int32_t at = -1;
+      for (std::size_t i = 0; i < moment_.segments.size(); ++i) {
+        const float far = (side % 2 ? -1.0f : 1.0f) * moment_.segments[i].end[side / 2];
+        if (far <= farthest) continue;
+        farthest = far;
+        at = static_cast<std::int32_t>(i);
+      }
+      while (at >= 0) {
+        const std::uint32_t shoot = of_segment[static_cast<std::size_t>(at)];
+        kept[shoot] = true;
+        at = moment_.segments[shoots_[shoot].first].parent;
+      }
+    }
+    return kept;
+  }
+
+  // Makes room for so many more vertices and triangles, which are written next.
+  void open_room(std::size_t vertices, std::size_t more) {
+    mesh_->positions.resize(mesh_->positions.size() + 3 * vertices);
+    mesh_->normals.resize(mesh_->normals.size() + 3 * vertices);
+    mesh_->indices.resize(mesh_->indices.size() + 3 * more);
+    place_ = mesh_->positions.data() + mesh_->positions.size() - 3 * vertices;
+    normal_ = mesh_->normals.data() + mesh_->normals.size() - 3 * vertices;
+    index_ = mesh_->indices.data() + mesh_->indices.size() - 3 * more;
+  }
+
+  // Along `line_`, to a point.
+  void add_tube(std::uint32_t n) {
+    open_room(n * (line_.size() - 1) + 1, n * (2 * line_.size() - 3));
+    glm::vec3 right(0);
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+      const bool last = i + 1 == line_.size();
+      const glm::vec3 before = i > 0 ? line_[i].first - line_[i - 1].first : line_[1].first - line_[0].first,
+                      behind = last ? before : line_[i + 1].first - line_[i].first;
+      const glm::vec3 both = before + behind;
+      const float length = glm::length(both);
+      const glm::vec3 way = length > 0 ? both / length : glm::vec3(0, 1, 0);
+      const std::uint8_t sky = open_.at(line_[i].first);
+      const auto first = static_cast<std::uint32_t>(sky_.size());
+      if (last) {
+        vertex(line_[i].first, way, sky);
+        for (std::uint32_t k = 0; k < n; ++k) triangle(first - n + k, first - n + (k + 1) % n, first);
+        return;
+      }
+      const glm::vec3 flat = right - glm::dot(right, way) * way;
+      right = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : beside(way);
+      const glm::vec3 forward = glm::cross(way, right);
+      for (std::uint32_t k = 0; k < n; ++k) {
+        const SinCos turn = turns_[n][k];
+        const glm::vec3 out = turn.cosine * right + turn.sine * forward;
+        vertex(line_[i].first + line_[i].second * out, out, sky);
+        if (i == 0) continue;
+        const std::uint32_t next = (k + 1) % n;
+        triangle(first - n + k, first - n + next, first + next);
+        triangle(first - n + k, first + next, first + k);
+      }
+    }
+  }
+
+  void vertex(const glm::vec3& place, const glm::vec3& normal, std::uint8_t sky) {
+    put(place, place_);
+    put(normal, normal_);
+    place_ += 3;
+    normal_ += 3;
+    sky_.push_back(sky);
+  }
+
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    *index_++ = a;
+    *index_++ = b;
+    *index_++ = c;
+  }
+
+  // Two triangles, folded up along the midrib.
+  void add_folded(const Sheet& leaf) {
+    static const SinCos fold = sincos_degrees(folded);
+    const float breadth = 2 * leaf.area / leaf.length;
+    const glm::vec3 face = leaf.face(), tip = 0.5f * leaf.length * leaf.along;
+    const std::uint8_t sky = open_.at(leaf.middle);
+    const auto first = static_cast<std::uint32_t>(sky_.size());
+    vertex(leaf.middle - tip, face, sky);
+    for (const float side : {1.0f, -1.0f}) {
+      const glm::vec3 out = side * fold.cosine * leaf.across + fold.sine * face;
+      vertex(leaf.middle + 0.5f * breadth * out, fold.cosine * face - side * fold.sine * leaf.across, sky);
+    }
+    vertex(leaf.middle + tip, face, sky);
+    triangle(first, first + 1, first + 3);
+    triangle(first, first + 3, first + 2);
+  }
+
+  void add_flat(const Sheet& leaf) {
+    const std::uint8_t sky = open_.at(leaf.middle);
+    const auto first = static_cast<std::uint32_t>(sky_.size());
+    for (const glm::vec3& corner : leaf.corners()) vertex(leaf.middle + corner, leaf.face(), sky);
+    triangle(first, first + 1, first + 3);
+    triangle(first, first + 3, first + 2);
+  }
+
+  // Each crowd gets as much of the triangles that are left as it has of all sheets.
+  void add_merged(std::size_t level, const Crowd& crowd, float left) {
+    const std::size_t own = crowd.sheets.all().size();
+    if (own == 0) return;
+    const float share = static_cast<float>(own) / static_cast<float>(sheet_count());
+    const auto count = static_cast<std::size_t>(std::max(0.5f * left * share, 1.0f));
+    Box target = crowd.reach;
+    if (tells_outline(crowd.sheets)) target = {{whole_.low.x, crowd.reach.low.y, whole_.low.z}, whole_.high};
+    const std::vector<Sheet> merged = crowd.sheets.merged(count, target);
+    open_room(4 * merged.size(), 2 * merged.size());
+    for (const Sheet& sheet : merged) {
+      if (!sheet.one) made_.tolerance[level] = std::max(made_.tolerance[level], sheet.length);
+      add_flat(sheet);
+    }
+  }
+
+  const Moment& moment_;
+  std::array<Crowd, 2> crowds_;
+  Openness open_;
+  Levels made_;
+  std::vector<Run> shoots_;
+  Box tree_, whole_;  // of its nodes, and of the first level
+  bool leafy_ = false;
+  float high_ = 0;
+  std::size_t first_wood_ = 0, first_all_ = 0;
+  std::vector<std::pair<glm::vec3, float>> line_;
+  PlantMesh* out_ = nullptr;
+  Mesh* mesh_ = nullptr;                                                // of it
+  // Where its next vertex and triangle are written.
+  float *place_ = nullptr, *normal_ = nullptr;
+  std::uint32_t* index_ = nullptr;
+  std::array<std::array<SinCos, most_sides>, most_sides + 1> turns_{};  // of each number of sides
+  std::vector<std::uint8_t> sky_;
+};
+
+}  // namespace
+
+Levels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area) {
+  return Maker(moment, organs, leaf_area, blossom_area).run();
+}
+
+}  // namespace panicle::growth
