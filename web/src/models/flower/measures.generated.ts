@@ -2,7 +2,12 @@
 import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
 
 /** Keys of the measures, in the order in which the core gives them. */
-export const MEASURE_KEYS = ["height", "spread", "surface", "organs"] as const;
+export const MEASURE_KEYS = [
+	"height",
+	"spread",
+	"surface",
+	"organs",
+] as const;
 export type MeasureKey = (typeof MEASURE_KEYS)[number];
 
 /** Every measure, in the same order. */
@@ -46,4 +51,6 @@ export const MEASURES: readonly MeasureInfo[] = [
 ];
 
 /** The groups that panels and pages show, in order. */
-export const MEASURE_GROUPS: readonly MeasureGroup[] = [{ key: "size", title: "Size" }];
+export const MEASURE_GROUPS: readonly MeasureGroup[] = [
+	{ key: "size", title: "Size" },
+];
