@@ -167,7 +167,8 @@ TEST_CASE("at eight steps three of four branches of the paper's presets end with
   }
 }
 
-TEST_CASE("a volume is a quadric through its three widths, and the paper's frustum where the middle one is their mean") {
+TEST_CASE(
+    "a volume is a quadric through its three widths, and the paper's frustum where the middle one is their mean") {
   GrowthVolume frustum;
   frustum.base = 4;
   frustum.top = 2;
@@ -178,7 +179,8 @@ TEST_CASE("a volume is a quadric through its three widths, and the paper's frust
     CHECK(radius_at(frustum, up) == doctest::Approx(2 - up).epsilon(1e-5));
     CHECK(radius_at(ball, up) == doctest::Approx(6 * std::sqrt(static_cast<double>(up * (1 - up)))).epsilon(1e-4));
   }
-  const std::string head = "footprint -> GrowVol(1, 1, 4, 10, 2, 0", tail = ")\ntree -> DivFunc(\"sigma1\"){branches}\n";
+  const std::string head = "footprint -> GrowVol(1, 1, 4, 10, 2, 0",
+                    tail = ")\ntree -> DivFunc(\"sigma1\"){branches}\n";
   CHECK(grown(head + tail, 1).volumes[0].middle == 3);
   CHECK(grown(head + ", wm(7)" + tail, 1).volumes[0].middle == 7);
 }
@@ -209,9 +211,9 @@ TEST_CASE("a trained trunk goes up to its wire and along it, and its canes stand
   FormHabit habit;
   habit.cordon = 0.9f;
   habit.reach = 1;
-  const Tree tree = tree_of(
-      "footprint -> GrowVol(1, 1, 2.4, 2, 2.4, 0, towards(90))\nk == N - 1 -> nbr = 2\nk < N - 1 -> nbr = 0\n", 6, 1,
-      habit);
+  const Tree tree =
+      tree_of("footprint -> GrowVol(1, 1, 2.4, 2, 2.4, 0, towards(90))\nk == N - 1 -> nbr = 2\nk < N - 1 -> nbr = 0\n",
+              6, 1, habit);
   const Way& arm = tree.form.ways[0];
   CHECK(tree.form.nodes[arm.first + 1].y == doctest::Approx(0.9f).epsilon(0.03));
   const glm::vec3 end = tree.form.nodes[arm.first + arm.count];
