@@ -309,6 +309,41 @@ TEST_CASE(
   CHECK(leaves(8, 0)[leaf_tag] == hanging);
 }
 
+TEST_CASE("the year: leaves unfold where they stand, fall once, and lie where they fell; evergreens keep theirs") {
+  const Tree tree = tree_of("tree -> DivFunc(\"sigma1\"){branches}\nk >= 1 -> foliage(4)\n", 6);
+  const Moment moment = at(tree, 6);
+  const auto organs = [&](float season, bool evergreen) {
+    LeafHabit habit;
+    habit.season = season;
+    habit.evergreen = evergreen;
+    habit.blossoms = 2;
+    Plant plant;
+    CHECK(add_leaves(plant, tree.population, tree.form, moment, 6, habit, Limits{}).reason == Reason::none);
+    return plant.organs;
+  };
+  const auto count = [](const std::vector<Organ>& all, std::uint32_t tag) {
+    return std::count_if(all.begin(), all.end(), [tag](const Organ& organ) { return organ.tag == tag; });
+  };
+  const auto summer = organs(0.4f, false);
+  CHECK(count(summer, leaf_tag) == static_cast<std::ptrdiff_t>(summer.size()));
+  CHECK(count(organs(0, false), leaf_tag) == 0);
+  CHECK(count(organs(0.2f, false), blossom_tag) > 0);
+  CHECK(organs(1, false).size() == summer.size());
+  CHECK(count(organs(1, false), shed_tag) == static_cast<std::ptrdiff_t>(summer.size()));
+  // In summer and after it every leaf that counts is there, in the same order.
+  const auto before = organs(0.8f, false), after = organs(0.82f, false);
+  REQUIRE(before.size() == summer.size());
+  for (std::size_t i = 0; i < summer.size(); ++i) {
+    CHECK((before[i].tag == leaf_tag || before[i].tag == shed_tag));
+    CHECK(before[i].scale == summer[i].scale);
+    if (before[i].tag == leaf_tag) CHECK(before[i].position == summer[i].position);
+    if (before[i].tag == shed_tag) CHECK((before[i].position.y < 0.05f && after[i].position == before[i].position));
+  }
+  CHECK(count(after, shed_tag) > count(before, shed_tag));
+  for (const float season : {0.0f, 0.2f, 0.8f, 1.0f})
+    CHECK(count(organs(season, true), leaf_tag) == static_cast<std::ptrdiff_t>(summer.size()));
+}
+
 TEST_CASE("what is too much is refused in words, before memory is asked for it") {
   const Tree tree = tree_of(sigma(), 9);
   Limits few;
