@@ -89,15 +89,22 @@ function literal(value) {
 		.join(", ")} }`;
 }
 
+const fits = (line, indent) => 2 * indent + line.length <= 120;
+
+/** A property on a line of its own, or a list in it one item a line. */
+function property([key, value], indent) {
+	const tabs = "\t".repeat(indent);
+	const line = `${key}: ${literal(value)},`;
+	if (!Array.isArray(value) || fits(line, indent)) return `${tabs}${line}`;
+	return [`${tabs}${key}: [`, ...value.map((each) => `${tabs}\t${literal(each)},`), `${tabs}],`].join("\n");
+}
+
 /** An object literal as the formatter lays it out: one line where it fits, else one property a line. */
 function object(properties, indent) {
-	const pairs = Object.entries(properties)
-		.filter(([, value]) => value !== undefined)
-		.map(([key, value]) => `${key}: ${literal(value)}`);
-	const line = `{ ${pairs.join(", ")} },`;
-	const tabWidth = 2;
-	if (indent * tabWidth + line.length <= 120) return `${"\t".repeat(indent)}${line}`;
-	const inner = pairs.map((pair) => `${"\t".repeat(indent + 1)}${pair},`);
+	const given = Object.entries(properties).filter(([, value]) => value !== undefined);
+	const line = `{ ${given.map(([key, value]) => `${key}: ${literal(value)}`).join(", ")} },`;
+	if (fits(line, indent)) return `${"\t".repeat(indent)}${line}`;
+	const inner = given.map((pair) => property(pair, indent + 1));
 	return [`${"\t".repeat(indent)}{`, ...inner, `${"\t".repeat(indent)}},`].join("\n");
 }
 
