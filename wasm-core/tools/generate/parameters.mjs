@@ -97,7 +97,18 @@ function object(properties, indent) {
 	const line = `{ ${pairs.join(", ")} },`;
 	const tabWidth = 2;
 	if (indent * tabWidth + line.length <= 120) return `${"\t".repeat(indent)}${line}`;
-	const inner = pairs.map((pair) => `${"\t".repeat(indent + 1)}${pair},`);
+	const tabs = "\t".repeat(indent + 1);
+	// A list that does not fit has a line for each.
+	const broken = (pair) =>
+		pair.replace(
+			/\[(.*)\]$/,
+			(_, list) =>
+				`[\n${list
+					.split(", ")
+					.map((each) => `${tabs}\t${each},\n`)
+					.join("")}${tabs}]`,
+		);
+	const inner = pairs.map((pair) => `${tabs}${(indent + 1) * tabWidth + pair.length < 120 ? pair : broken(pair)},`);
 	return [`${"\t".repeat(indent)}{`, ...inner, `${"\t".repeat(indent)}},`].join("\n");
 }
 
