@@ -340,7 +340,7 @@ class Maker {
   std::size_t first_wood_ = 0, first_all_ = 0;
   std::vector<std::pair<glm::vec3, float>> line_;
   PlantMesh* out_ = nullptr;
-  Mesh* mesh_ = nullptr;                                                // of it
+  Mesh* mesh_ = nullptr;  // of it
   // Where its next vertex and triangle are written.
   float *place_ = nullptr, *normal_ = nullptr;
   std::uint32_t* index_ = nullptr;
