@@ -42,7 +42,7 @@ export const MEASURES: readonly MeasureInfo[] = [
 	{
 		key: "organs",
 		label: "Organs",
-		group: "size",
+		group: "parts",
 		kind: "whole",
 		unit: "",
 		decimals: 0,
@@ -53,4 +53,5 @@ export const MEASURES: readonly MeasureInfo[] = [
 /** The groups that panels and pages show, in order. */
 export const MEASURE_GROUPS: readonly MeasureGroup[] = [
 	{ key: "size", title: "Size" },
+	{ key: "parts", title: "Parts" },
 ];
