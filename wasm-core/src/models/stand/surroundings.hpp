@@ -1,0 +1,20 @@
+// What neighbours leave a plant of light and room, as a small summary: computed beforehand from crowns as the plan has
+// them, so that each plant can be grown by itself.
+#pragma once
+
+#include <vector>
+
+#include "models/stand/places.hpp"
+#include "models/stand/plan.hpp"
+
+namespace panicle::stand {
+
+inline constexpr std::uint32_t azimuths = 8;  // 0°, 45°, … from +x to +z
+inline constexpr std::uint32_t surrounding = 2 * azimuths;
+inline constexpr float no_neighbour = 1000;  // metres of free room
+
+// 16 numbers a plant: the horizon's heights in degrees, then free room from the foot in metres. Directions turn with
+// the plant: they are those of its own frame, at its own scale.
+std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement>& plants);
+
+}  // namespace panicle::stand
