@@ -11,10 +11,10 @@
 namespace panicle {
 namespace {
 
-constexpr float cells = 32, least = 1e-6f;  // a lattice's longest edge
-constexpr std::uint32_t directions = 32;
+constexpr float least = 1e-6f;  // a lattice's longest edge
 
-VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> screens) {
+VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> screens, float cells,
+                    std::uint32_t directions) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   const auto hold = [&](const glm::vec3& p) {
     low = glm::min(low, p);
@@ -40,8 +40,9 @@ VoxelLight light_of(std::span<const Segment> segments, std::span<const Screen> s
 
 }  // namespace
 
-Openness::Openness(std::span<const Segment> segments, std::span<const Screen> screens)
-    : light_(light_of(segments, screens)) {}
+Openness::Openness(std::span<const Segment> segments, std::span<const Screen> screens, float cells,
+                   std::uint32_t directions)
+    : light_(light_of(segments, screens, cells, directions)) {}
 
 std::uint8_t Openness::at(const glm::vec3& place) const {
   return static_cast<std::uint8_t>(std::clamp(light_.at(place), 0.0f, 1.0f) * 255 + 0.5f);

@@ -21,8 +21,10 @@ struct Screen {
 
 class Openness {
  public:
-  // Of rods and screens. What lies between their ends has 32 cells along its longest edge.
-  Openness(std::span<const Segment> segments, std::span<const Screen> screens);
+  // Of rods and screens. What lies between their ends has so many cells along its longest edge, lit from so many
+  // directions.
+  Openness(std::span<const Segment> segments, std::span<const Screen> screens, float cells = 32,
+           std::uint32_t directions = 32);
 
   // 255 all of the sky, 0 none.
   std::uint8_t at(const glm::vec3& place) const;

@@ -12,6 +12,7 @@
 #include "geometry/wood.hpp"
 #include "models/growth/foliage.hpp"
 #include "models/growth/form.hpp"
+#include "models/growth/levels.hpp"
 #include "models/growth/measures/measures.generated.hpp"
 #include "models/growth/moment.hpp"
 #include "models/growth/parameters.generated.hpp"
@@ -120,18 +121,33 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
 }
 
+void add_levels(Plant& plant, const Moment& moment, float leaf_area) {
+  Levels levels = levels_of(moment, plant.organs, leaf_area);
+  for (PlantMesh& mesh : levels.meshes) plant.meshes.push_back(std::move(mesh));
+  plant.columns.add("levels.tolerance", std::vector<float>(levels.tolerance.begin(), levels.tolerance.end()));
+}
+
+// What stands about the tree (model.hpp), or nothing.
+Diagnostic check(std::span<const float> about) {
+  if (about.empty()) return {};
+  if (about.size() == 16 && std::all_of(about.begin(), about.end(), [](float each) { return std::isfinite(each); }))
+    return {};
+  return {Reason::bad_request, "The surroundings are not sixteen numbers.", 0, 0};
+}
+
 Result<Plant> grow(Request& request, const Limits& limits) {
   request.text("model");
   const FlatLeaf flat = request.flat_leaf();
   const std::uint64_t seed = request.word("seed", 1);
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
-             mesh_fingerprint = request.wants("mesh_fingerprint");
-  const std::span<const float> asked = request.floats("parameters");
+             mesh_fingerprint = request.wants("mesh_fingerprint"), levels = request.wants("levels");
+  const std::span<const float> asked = request.floats("parameters"), about = request.floats("surroundings");
   const bool has_text = request.has("rules");
   const std::string_view text = request.text("rules");
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
   if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
+  if (Diagnostic trouble = check(about); trouble.reason != Reason::none) return trouble;
   Plant plant;
   const GrowthValues values(asked, plant.notes);
   const auto rules = read_rules(text, limits);
@@ -171,6 +187,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                   {"falling", falling}};
   if (measures) measure(plant, blade.area);
   if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
+  if (levels) add_levels(plant, moment.value(), blade.area);
   plant.fingerprint = fingerprint_of(plant);
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

@@ -1,7 +1,9 @@
 // A tree whose counts are divisor functions (Kim, Kim and Cho 2013; docs/models/growth/growth.md).
 //
 // Blocks of a request besides everyone's (plant/request.hpp): `rules`, which must be there, a text of the growth
-// language; and of plant/flat_leaf.hpp the leaf that it bears, but needles.
+// language; of plant/flat_leaf.hpp the leaf that it bears, but needles; and `surroundings` (float32 × 16), what stands
+// about it: eight heights of the horizon, in degrees above level, at the azimuths 0°, 45° … (from +X to +Z), then
+// eight metres of free room from the first volume's foot in those directions. Absent: it stands alone.
 //
 // Columns of a plant besides everyone's (boundary/panicle.h):
 //   segments.shoot   uint32: the shoot that each is of
@@ -11,8 +13,12 @@
 //   volumes.shape    float32 × 5: wb, h and wt in metres; grad and towards in degrees
 //   volumes.at       float32 × 2: x and z
 //   volumes.child    uint8: 1 of a child trunk's
+//   levels.tolerance float32 × 4, where levels were asked for: the largest thing that each leaves out or merges, metres
 // Organs: `leaf`, `falling` (about to fall), `fallen` (on the ground). Meshes: `stems` (segment: uint32 a vertex) and
-// `leaves`. Counts: branches (without trunks), steps, leaves, falling.
+// `leaves`; where `outputs` names `levels` also `level0` … `level3` of material `level`, the whole tree as one mesh for
+// one distance each, from near to far: runs `bark` and `leaves` (always both), no texture coordinates, a byte of sky a
+// vertex. Leaves on the ground are not among them; leaves have the area of the request's. Counts: branches (without
+// trunks), steps, leaves, falling.
 #pragma once
 
 #include "plant/model.hpp"

@@ -13,13 +13,23 @@ export interface RequestOptions extends GrowthOptions {
 	sky?: boolean;
 	/** Whether the fingerprint of the meshes is wanted; the default is no. */
 	meshFingerprint?: boolean;
+	/** Whether meshes for four distances are wanted, as wasm-core/src/models/growth/model.hpp says; the default is no. */
+	levels?: boolean;
+	/** Eight heights of the horizon in degrees, from +X to +Z, and eight metres of free room; absent: it stands alone. */
+	surroundings?: Float32Array;
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, levels = false, surroundings } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
-	const outputs = [meshes && "meshes", measures && "measures", sky && "sky", meshFingerprint && "mesh_fingerprint"];
+	const outputs = [
+		meshes && "meshes",
+		measures && "measures",
+		sky && "sky",
+		meshFingerprint && "mesh_fingerprint",
+		levels && "levels",
+	];
 	const { model, seed, parameters } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
@@ -33,6 +43,7 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions =
 			data: Float32Array.from(GROWTH_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
 		},
 		{ name: "rules", data: text },
+		...(surroundings ? [{ name: "surroundings", data: surroundings }] : []),
 		...(leaf ? leafBlocks(leaf) : []),
 	];
 }
