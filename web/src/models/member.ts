@@ -3,7 +3,7 @@
  * plants are cloned into the worker that makes files.
  */
 import type { Material } from "../plant/material";
-import type { PartMesh } from "../plant/part";
+import type { PackedMesh } from "../plant/packed_mesh";
 import type { Specimen } from "../specimen/specimen";
 
 /** Where a text asks for it; counted from 1. */
@@ -28,7 +28,7 @@ export interface MemberAsked {
 
 /** A mesh of one material. Members that look alike share the material's object. */
 export interface MemberMesh {
-	readonly mesh: PartMesh;
+	readonly mesh: PackedMesh;
 	readonly material: Material;
 }
 

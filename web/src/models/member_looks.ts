@@ -1,5 +1,6 @@
 /** What members look like, from near and from far. */
 import type { Material } from "../plant/material";
+import { PLACE_STEPS, packed } from "../plant/packed_mesh";
 import { everyPart, type Part } from "../plant/part";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
@@ -29,11 +30,19 @@ export async function levelsOf(
 	meshes: boolean,
 	looks: Looks,
 ): Promise<Pick<Member, "levels" | "extent">> {
-	if (!meshes) return { levels: [], extent: extentOf([plant.segments.ends]) };
+	if (!meshes) return { levels: [], extent: extentOf(plant.segments.ends, 1) };
 	const own = model.levels?.(plant, specimen);
 	const parts = own ?? (await lighter(model.parts(plant, specimen)));
 	const levels = parts.map((level) => [...meshesOf(level, looks)]);
-	return { levels, extent: extentOf(levels[0].map(({ mesh }) => mesh.positions)) };
+	// What has nothing to draw takes no room.
+	const extents = (levels[0] ?? []).map(({ mesh }) => extentOf(mesh.positions, mesh.unit / PLACE_STEPS));
+	const whole = { low: 0, high: 0, out: 0 };
+	for (const { low, high, out } of extents) {
+		whole.low = Math.min(whole.low, low);
+		whole.high = Math.max(whole.high, high);
+		whole.out = Math.max(whole.out, out);
+	}
+	return { levels, extent: whole };
 }
 
 /** What makes no levels is merged and made light, as files are. */
@@ -51,27 +60,16 @@ async function lighter(parts: Iterable<Part>): Promise<Part[][]> {
 function* meshesOf(parts: Iterable<Part>, looks: Looks): Generator<MemberMesh> {
 	for (const { shape } of everyPart(parts)) {
 		if (!shape || shape.mesh.indices.length === 0) continue;
-		const { positions, normals, colours, sky, indices } = shape.mesh;
-		const mesh = {
-			positions,
-			normals,
-			uvs: new Float32Array(0),
-			indices,
-			...(colours ? { colours } : {}),
-			...(sky ? { sky } : {}),
-		};
-		yield { mesh, material: looks.of(shape.material) };
+		yield { mesh: packed(shape.mesh), material: looks.of(shape.material) };
 	}
 }
 
-function extentOf(points: readonly Float32Array[]): Member["extent"] {
+function extentOf(points: Float32Array | Int16Array, unit: number): Member["extent"] {
 	let [low, high, square] = [0, 0, 0];
-	for (const each of points) {
-		for (let i = 0; i < each.length; i += 3) {
-			low = Math.min(low, each[i + 1]);
-			high = Math.max(high, each[i + 1]);
-			square = Math.max(square, each[i] ** 2 + each[i + 2] ** 2);
-		}
+	for (let i = 0; i < points.length; i += 3) {
+		low = Math.min(low, points[i + 1]);
+		high = Math.max(high, points[i + 1]);
+		square = Math.max(square, points[i] ** 2 + points[i + 2] ** 2);
 	}
-	return { low, high, out: Math.sqrt(square) };
+	return { low: unit * low, high: unit * high, out: unit * Math.sqrt(square) };
 }

@@ -49,7 +49,7 @@ function keyOf({ model, preset, seed, values, surroundings }: MemberAsked, meshe
 }
 
 /** What is told in between is told when so many more have grown, as a share of those there are. */
-const STEP = 0.5;
+const STEP = 1;
 
 /**
  * A plant with its members grown.

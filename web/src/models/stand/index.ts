@@ -37,5 +37,9 @@ export const model = {
 		},
 	],
 	pictures: false,
+	figure: async () => {
+		const { StandFigure } = await import("./figure/stand_figure");
+		return (stage) => new StandFigure(stage);
+	},
 	studio: async () => (await import("./tools/face")).face,
 } satisfies Model<StandSpecimen, StandPlant>;

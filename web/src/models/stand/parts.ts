@@ -1,6 +1,7 @@
 /** A stand in parts: the ground, and each member at the places where it stands, at the level that files are to have. */
 import { linear } from "../../plant/colour";
 import type { Material } from "../../plant/material";
+import { unpacked } from "../../plant/packed_mesh";
 import { type Part, TRANSFORM } from "../../plant/part";
 import type { MemberMesh } from "../model";
 import type { StandSpecimen } from "./specimen";
@@ -52,7 +53,11 @@ function* partsOf(
 		const named = plants.length <= MOST_NAMED;
 		yield {
 			name: plants.length === 1 ? `${called} of` : called,
-			shape: { mesh: { ...mesh, name: called }, material, instances: { transforms, ...(named ? { each } : {}) } },
+			shape: {
+				mesh: { ...unpacked(mesh), name: called },
+				material,
+				instances: { transforms, ...(named ? { each } : {}) },
+			},
 		};
 	}
 }
