@@ -26,6 +26,12 @@ export const KERNELS = {
 	map_check: 13,
 	map_lay: 14,
 	map_place: 15,
+	growth_text: 16,
+	growth_population: 17,
+	growth_form: 18,
+	growth_moment: 19,
+	growth_leaves: 20,
+	growth_levels: 21,
 };
 
 export async function loadBenchCore() {

@@ -20,7 +20,7 @@ test("a growth volume is stretched by its handle: the text follows, undo and the
 	await expect(height).toHaveAccessibleName(/11\.0 m/);
 	await studio.button("Grammar").click();
 	await expect(page.getByRole("region", { name: "Grammar" }).locator(".cm-content")).toContainText(
-		"footprint -> GrowVol(1, 1, 4, 11, 2.5, 0, towards(0), at(0, 0))",
+		"footprint -> GrowVol(1, 1, 8, 11, 5, 0, towards(0), at(0, 0))",
 	);
 	// No derivation is told step by step.
 	await expect(page.getByRole("button", { name: "Steps" })).toHaveCount(0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "foundation/random.hpp"
+#include "growth.hpp"
 #include "lsystem/lsystem.hpp"
 #include "maps.hpp"
 #include "models/bunch/bunch.hpp"
@@ -167,6 +168,14 @@ double run(Kernel kernel, std::uint32_t size, std::uint32_t rounds) {
         break;
       case Kernel::map_place:
         work = place_map(size);
+        break;
+      case Kernel::growth_text:
+      case Kernel::growth_population:
+      case Kernel::growth_form:
+      case Kernel::growth_moment:
+      case Kernel::growth_leaves:
+      case Kernel::growth_levels:
+        work = run_growth(static_cast<Stage>(static_cast<std::uint32_t>(kernel) - 16), size, round + 1);
         break;
     }
   }

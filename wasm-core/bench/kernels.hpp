@@ -25,6 +25,13 @@ enum class Kernel : std::uint32_t {
   map_check = 13,
   map_lay = 14,
   map_place = 15,
+  // Trees by divisor functions of `size` steps, each round another, to a stage (growth.hpp).
+  growth_text = 16,
+  growth_population = 17,
+  growth_form = 18,
+  growth_moment = 19,
+  growth_leaves = 20,
+  growth_levels = 21,
 };
 
 // Does the work `rounds` times over and returns how much one round was; negative if it failed.

@@ -92,21 +92,42 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
   }
 }
 
-float VoxelLight::at(const glm::vec3& p) const {
-  std::int32_t cell[3], next[3];
-  float share[3];
+VoxelLight::Corner VoxelLight::corner_of(const glm::vec3& p) const {
+  const std::size_t strides[3] = {1, index(0, 1, 0), index(0, 0, 1)};
+  Corner corner;
   for (int k = 0; k < 3; ++k) {
     const float place = std::clamp((p[k] - low_[k]) / edge_ - 0.5f, 0.0f, static_cast<float>(count_[k] - 1));
-    cell[k] = static_cast<std::int32_t>(place);
-    next[k] = std::min(cell[k] + 1, count_[k] - 1);
-    share[k] = place - static_cast<float>(cell[k]);
+    const auto cell = static_cast<std::int32_t>(place);
+    corner.lower[k] = static_cast<std::size_t>(cell) * strides[k];
+    corner.upper[k] = static_cast<std::size_t>(std::min(cell + 1, count_[k] - 1)) * strides[k];
+    corner.share[k] = place - static_cast<float>(cell);
   }
+  return corner;
+}
+
+float VoxelLight::at(const glm::vec3& p) const {
+  const Corner at = corner_of(p);
   const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
-  const auto row = [&](std::int32_t y, std::int32_t z) {
-    return mix(light_[index(cell[0], y, z)], light_[index(next[0], y, z)], share[0]);
+  const auto row = [&](std::size_t y, std::size_t z) {
+    return mix(light_[at.lower[0] + y + z], light_[at.upper[0] + y + z], at.share[0]);
   };
-  return mix(mix(row(cell[1], cell[2]), row(next[1], cell[2]), share[1]),
-             mix(row(cell[1], next[2]), row(next[1], next[2]), share[1]), share[2]);
+  return mix(mix(row(at.lower[1], at.lower[2]), row(at.upper[1], at.lower[2]), at.share[1]),
+             mix(row(at.lower[1], at.upper[2]), row(at.upper[1], at.upper[2]), at.share[1]), at.share[2]);
+}
+
+glm::vec3 VoxelLight::ascent(const glm::vec3& p) const {
+  const Corner at = corner_of(p);
+  glm::vec3 ascent(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t one = (k + 1) % 3, other = (k + 2) % 3;
+    for (int i = 0; i < 4; ++i) {
+      const bool up = (i & 1) != 0, far = (i & 2) != 0;
+      const std::size_t beside = (up ? at.upper[one] : at.lower[one]) + (far ? at.upper[other] : at.lower[other]);
+      const float share = (up ? at.share[one] : 1 - at.share[one]) * (far ? at.share[other] : 1 - at.share[other]);
+      ascent[static_cast<int>(k)] += share * (light_[at.upper[k] + beside] - light_[at.lower[k] + beside]);
+    }
+  }
+  return ascent / edge_;
 }
 
 }  // namespace panicle

@@ -30,9 +30,17 @@ class VoxelLight {
   // The share of all light that comes to a place, 0 … 1: between the middles of cells in between, outside the box as at
   // its edge.
   float at(const glm::vec3& p) const;
+  // The way in which that grows, per length: 0 where it is the same all about, and across the box's edges.
+  glm::vec3 ascent(const glm::vec3& p) const;
   float edge() const { return edge_; }  // of a cell
 
  private:
+  // The eight middles of cells about a place, and how far it is from the first to the next along each axis.
+  struct Corner {
+    std::size_t lower[3], upper[3];  // offsets
+    float share[3];
+  };
+  Corner corner_of(const glm::vec3& p) const;
   void shine(const Lamp& lamp, std::span<const float> matter);
   std::size_t index(std::int32_t x, std::int32_t y, std::int32_t z) const;
 

@@ -13,6 +13,10 @@ constexpr float arch = 0.6f;      // radians a length, petiole and all
 constexpr float pucker = 0.035f;  // of the blade between its veins
 constexpr int needles = 5;
 constexpr float needle_width = 0.06f;
+constexpr int spray_needles = 20;
+constexpr float spray_length = 0.32f;
+constexpr int petals = 5;
+constexpr float stalk = 0.6f;
 
 // The arch is level in the blade's middle: as a whole it looks to +Z.
 glm::vec3 arched(glm::vec3 p) {
@@ -34,6 +38,16 @@ void add_petiole(Mesh& mesh, const FlatLeaf& leaf, const glm::vec3& foot) {
   const glm::vec3 top = arched({0, 0.04f, -0.004f}) - foot, side(half, 0, 0),
                   normal = glm::normalize(glm::cross(side, top));
   for (const glm::vec3& p : {-side, side, top}) put_vertex(mesh, p, normal, u, v);
+  mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2});
+}
+
+// A needle, or a petal's half: widest where it begins.
+void put_point(Mesh& mesh, const glm::vec3& foot, const glm::vec3& half, const glm::vec3& tip) {
+  const glm::vec3 normal = glm::normalize(glm::cross(half, tip - foot));
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+  put_vertex(mesh, foot - half, normal, 0, 0);
+  put_vertex(mesh, foot + half, normal, 1, 0);
+  put_vertex(mesh, tip, normal, 0.5f, 1);
   mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2});
 }
 
@@ -70,18 +84,42 @@ Blade make_blade(const FlatLeaf& leaf, float breadth, float fold) {
   return blade;
 }
 
+Blade make_spray(float breadth) {
+  Blade blade;
+  for (int k = 0; k < spray_needles; ++k) {
+    const auto turn = sincos_degrees(137.50776f * static_cast<float>(k));
+    const float up = static_cast<float>(k) / spray_needles;
+    const glm::vec3 out(turn.cosine, 0, turn.sine), foot(0, 0.8f * up, 0);
+    const glm::vec3 way = glm::normalize(out + glm::vec3(0, 0.55f + 0.6f * up, 0));
+    const glm::vec3 half = 0.5f * needle_width * breadth * glm::normalize(glm::cross(way, out));
+    put_point(blade.mesh, foot, half, foot + spray_length * way);
+  }
+  blade.area = area_of(blade.mesh);
+  return blade;
+}
+
+Blade make_blossom() {
+  Blade blade;
+  for (int k = 0; k < petals; ++k) {
+    const auto turn = sincos_degrees(360.0f * static_cast<float>(k) / petals);
+    const glm::vec3 out(turn.cosine, 0, turn.sine), across(-turn.sine, 0, turn.cosine), heart(0, stalk, 0);
+    const glm::vec3 middle = heart + 0.34f * out + glm::vec3(0, 0.1f, 0),
+                    tip = heart + 0.5f * out + glm::vec3(0, 0.13f, 0);
+    put_point(blade.mesh, middle, -0.21f * across, heart);
+    put_point(blade.mesh, middle, 0.21f * across, tip);
+  }
+  put_point(blade.mesh, {0, stalk, 0}, {0.03f, 0, 0}, {0, 0, 0});
+  blade.area = area_of(blade.mesh);
+  return blade;
+}
+
 Blade make_needles(float breadth) {
   Blade blade;
   for (int k = 0; k < needles; ++k) {
     const auto turn = sincos_degrees(360.0f * static_cast<float>(k) / needles + 15);
     const glm::vec3 way = glm::normalize(glm::vec3(0.45f * turn.cosine, 1, 0.45f * turn.sine));
     const glm::vec3 side = glm::normalize(glm::cross(way, glm::vec3(turn.cosine, 0, turn.sine)));
-    const glm::vec3 normal = glm::cross(side, way), half = 0.5f * needle_width * breadth * side;
-    const auto first = static_cast<std::uint32_t>(blade.mesh.positions.size() / 3);
-    put_vertex(blade.mesh, -half, normal, 0, 0);
-    put_vertex(blade.mesh, half, normal, 1, 0);
-    put_vertex(blade.mesh, way, normal, 0.5f, 1);
-    blade.mesh.indices.insert(blade.mesh.indices.end(), {first, first + 1, first + 2});
+    put_point(blade.mesh, glm::vec3(0), 0.5f * needle_width * breadth * side, way);
   }
   blade.area = area_of(blade.mesh);
   return blade;

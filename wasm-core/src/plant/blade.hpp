@@ -19,4 +19,10 @@ Blade make_blade(const FlatLeaf& leaf, float breadth, float fold);
 // Five flat needles that spread from one place.
 Blade make_needles(float breadth);
 
+// A twig with needles all along it.
+Blade make_spray(float breadth);
+
+// A flower of five petals that opens towards +Y, across as its petals are: of size 1, on a stalk.
+Blade make_blossom();
+
 }  // namespace panicle

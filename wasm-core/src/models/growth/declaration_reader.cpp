@@ -16,9 +16,9 @@ struct AttributeName {
   Attribute::Kind kind;
 };
 constexpr AttributeName attribute_names[] = {
-    {"cnt", Attribute::Kind::count},       {"id", Attribute::Kind::id},  {"wb", Attribute::Kind::base},
-    {"h", Attribute::Kind::height},        {"wt", Attribute::Kind::top}, {"grad", Attribute::Kind::gradient},
-    {"towards", Attribute::Kind::towards},
+    {"cnt", Attribute::Kind::count},       {"id", Attribute::Kind::id},     {"wb", Attribute::Kind::base},
+    {"h", Attribute::Kind::height},        {"wt", Attribute::Kind::top},    {"grad", Attribute::Kind::gradient},
+    {"towards", Attribute::Kind::towards}, {"wm", Attribute::Kind::middle},
 };
 // The first of them, in this order, need no name.
 constexpr std::size_t in_brackets = 6;
@@ -117,8 +117,8 @@ bool Reader::range_of(std::vector<Number>& values, bool drawn, std::string_view 
   const auto* const known = std::find_if(std::begin(attribute_names), std::end(attribute_names),
                                          [&](const AttributeName& each) { return each.name == name; });
   if (known == std::end(attribute_names))
-    return fail(Reason::undefined, place, "A growth volume has cnt, id, wb, h, wt, grad, size, towards and at, not %.",
-                {name});
+    return fail(Reason::undefined, place,
+                "A growth volume has cnt, id, wb, wm, h, wt, grad, size, towards and at, not %.", {name});
   if (values.empty() || values.size() > (drawn ? 2u : 1u))
     return wrong(place, drawn ? "%.rand takes the most, or the least and the most." : "% takes one number.", {name});
   Attribute attribute{known->kind, drawn, {}};

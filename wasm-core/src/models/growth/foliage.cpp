@@ -14,13 +14,20 @@ namespace panicle::growth {
 namespace {
 
 constexpr std::uint64_t stream_turn = 0x6c656166, stream_face = stream_turn + 1, stream_size = stream_turn + 2,
-                        stream_shake = stream_turn + 3, stream_lie = stream_turn + 4;
+                        stream_shake = stream_turn + 3, stream_lie = stream_turn + 4, stream_bud = stream_turn + 5,
+                        stream_fall = stream_turn + 6, stream_bloom = stream_turn + 7;
 constexpr float golden_angle = 137.50776f, golden = 0.618034f;
 constexpr float least_size = 0.7f;  // of the largest
 constexpr float outwards = 0.45f, strewn = 0.5f, droop = 0.25f;
 constexpr float drift = 0.15f;     // how far they come down from below where they hung, of that height
 constexpr float above = 0.01f;     // the ground, metres
 constexpr float near_tip = 0.35f;  // from where on along an internode they stand
+
+// The year, from 0 to 1: when the first bud opens, over how long others follow, how long one takes; when the first leaf
+// falls, and over how long; and the same of blossoms, which come before the leaves and wither while these unfold.
+constexpr float budburst = 0.12f, burst_spread = 0.08f, unfolding = 0.16f;
+constexpr float first_fall = 0.7f, fall_spread = 0.22f;
+constexpr float flowering = 0.1f, flower_spread = 0.06f, opening = 0.06f, withering = 0.26f, withered = 0.08f;
 
 // The rotation of a leaf whose tip points to `out` as nearly as its upper face may look to `face`.
 glm::vec4 turned(const glm::vec3& out, const glm::vec3& face) {
@@ -29,67 +36,175 @@ glm::vec4 turned(const glm::vec3& out, const glm::vec3& face) {
   return turn_to(up, face);
 }
 
-void lie_down(Organ& leaf, std::uint64_t seed, std::uint64_t address) {
+void lie_down(Organ& leaf, std::uint32_t tag, std::uint64_t seed, std::uint64_t address) {
   const SinCos way = sincos_degrees(360 * random_unit(seed, stream_lie, address));
   const float far = drift * leaf.position.y * random_unit(seed, stream_lie, hash_combine(address, 1));
   leaf.position += glm::vec3(far * way.cosine, 0, far * way.sine);
   leaf.position.y = above;
   const glm::vec3 face = glm::normalize(glm::vec3(0, 1, 0) + 0.25f * random_direction(seed, stream_lie, address));
   leaf.rotation = turned({way.sine, 0, way.cosine}, face);
-  leaf.tag = fallen_tag;
+  leaf.tag = tag;
 }
+
+float risen(float value) {
+  const float share = std::clamp(value, 0.0f, 1.0f);
+  return share * share * (3 - 2 * share);
+}
+
+class Crown {
+ public:
+  Crown(Plant& plant, const Population& population, const Form& form, const Moment& moment, float time,
+        const LeafHabit& habit)
+      : plant_(plant), population_(population), form_(form), moment_(moment), time_(time), habit_(habit) {}
+
+  void leaves_of(std::size_t l) {
+    Place place;
+    if (!place_of(l, place)) return;
+    for (std::uint32_t k = 0; k < habit_.many; ++k) leaf(l, k, place);
+  }
+
+  void blossoms_of(std::size_t l) {
+    Place place;
+    if (!place_of(l, place)) return;
+    for (std::uint32_t k = 0; k < habit_.blossoms; ++k) blossom(hash_combine(l, k), place);
+  }
+
+  // At the nodes above the first of each branch of a trunk, hanging.
+  void bunches_of(std::uint32_t q) {
+    const Way& way = form_.ways[q];
+    for (std::uint32_t k = 0; k < habit_.bunches && k < way.count; ++k) {
+      const std::int32_t bearer = moment_.of_node[way.first + k + 1];
+      if (bearer < 0) return;
+      const glm::vec3 down(0, -1, 0);
+      Organ bunch;
+      bunch.tag = bunch_tag;
+      bunch.segment = bearer;
+      bunch.position = moment_.segments[static_cast<std::size_t>(bearer)].end;
+      bunch.rotation = turn_to(down, beside(down));
+      plant_.organs.push_back(bunch);
+    }
+  }
+
+ private:
+  // The twig that a leaf stands on, and how much of it is there.
+  struct Place {
+    std::int32_t bearer = -1;
+    float share = 0, length = 0;
+    bool falls = false;
+    glm::vec3 along{0}, one{0}, other{0};
+  };
+
+  bool place_of(std::size_t l, Place& place) const {
+    const Leaf& counted = population_.leaves[l];
+    const Way& way = form_.ways[counted.shoot];
+    place.falls = counted.falls != Leaf::never && time_ >= static_cast<float>(counted.falls);
+    // Those about to fall hang for a step, and shrivel all the while; an earlier year's give way to this one's.
+    const float left = place.falls ? 1 - std::clamp(time_ - static_cast<float>(counted.falls), 0.0f, 1.0f) : 1;
+    place.share = come(counted.born, time_) * left;
+    if (counted.gone != Leaf::never) place.share *= 1 - come(counted.gone, time_);
+    if (!(place.share > 0) || way.count == 0) return false;
+    const std::uint32_t node =
+        std::min<std::uint32_t>(counted.born > way.from ? counted.born - way.from : 0u, way.count - 1) + 1;
+    place.bearer = moment_.of_node[way.first + node];
+    if (place.bearer < 0) return false;
+    const glm::vec3 whole = form_.nodes[way.first + node] - form_.nodes[way.first + node - 1];
+    const Segment& twig = moment_.segments[static_cast<std::size_t>(place.bearer)];
+    const float length = glm::length(whole);
+    place.length = std::min(length, glm::distance(twig.start, twig.end));
+    place.along = length > 0 ? whole / length : glm::vec3(0, 1, 0);
+    place.one = beside(place.along);
+    place.other = glm::cross(place.along, place.one);
+    return true;
+  }
+
+  Organ on(const Place& place, float back) const {
+    Organ organ;
+    organ.segment = place.bearer;
+    organ.position = moment_.segments[static_cast<std::size_t>(place.bearer)].end - back * place.length * place.along;
+    return organ;
+  }
+
+  // How much of a leaf the year has unfolded.
+  float unfolded(std::uint64_t address) const {
+    if (habit_.evergreen) return 1;
+    const float begins = budburst + burst_spread * random_unit(habit_.seed, stream_bud, address);
+    return risen((habit_.season - begins) / unfolding);
+  }
+
+  bool shed(std::uint64_t address) const {
+    return !habit_.evergreen &&
+           habit_.season > first_fall + fall_spread * random_unit(habit_.seed, stream_fall, address);
+  }
+
+  void leaf(std::size_t l, std::uint32_t k, const Place& place) {
+    const std::uint64_t address = hash_combine(l, k);
+    const float share = place.share * unfolded(address);
+    if (!(share > 0)) return;
+    const float turns = golden * static_cast<float>(l * habit_.many + k);
+    const SinCos about = sincos_degrees(golden_angle * static_cast<float>(k) +
+                                        360 * random_unit(habit_.seed, stream_turn, hash_combine(l, 0)));
+    const glm::vec3 side = about.cosine * place.one + about.sine * place.other;
+    glm::vec3 out = habit_.needles ? place.along + 0.5f * side : 0.6f * place.along + side;
+    if (!habit_.needles) out.y -= droop;
+    out = glm::normalize(out);
+    const glm::vec3 face =
+        glm::vec3(0, 1, 0) + outwards * place.along + strewn * random_direction(habit_.seed, stream_face, address);
+    Organ leaf = on(place, (1 - near_tip) * (turns - std::floor(turns)));
+    leaf.tag = place.falls ? falling_tag : leaf_tag;
+    leaf.rotation = habit_.needles
+                        ? turn_to(out, beside(out))
+                        : turned(out, glm::length(face) > 1e-3f ? glm::normalize(face) : beside(place.along));
+    leaf.scale = share * habit_.size * (least_size + (1 - least_size) * random_unit(habit_.seed, stream_size, address));
+    if (shed(address))
+      lie_down(leaf, shed_tag, habit_.seed, address);
+    else if (place.falls && random_unit(habit_.seed, stream_shake, address) < habit_.fallen)
+      lie_down(leaf, fallen_tag, habit_.seed, address);
+    plant_.organs.push_back(leaf);
+  }
+
+  void blossom(std::uint64_t address, const Place& place) {
+    const float late = flower_spread * random_unit(habit_.seed, stream_bloom, address);
+    const float share = place.share * risen((habit_.season - flowering - late) / opening) *
+                        (1 - risen((habit_.season - withering - late) / withered));
+    if (!(share > 0)) return;
+    const glm::vec3 luck = random_direction(habit_.seed, stream_bloom, hash_combine(address, 1));
+    const glm::vec3 way = luck - 0.7f * glm::dot(luck, place.along) * place.along + glm::vec3(0, 0.3f, 0);
+    const glm::vec3 out = glm::length(way) > 1e-3f ? glm::normalize(way) : place.one;
+    Organ blossom = on(place, random_unit(habit_.seed, stream_bloom, hash_combine(address, 2)));
+    blossom.tag = blossom_tag;
+    blossom.rotation = turn_to(out, beside(out));
+    blossom.scale = share * habit_.blossom_size;
+    plant_.organs.push_back(blossom);
+  }
+
+  Plant& plant_;
+  const Population& population_;
+  const Form& form_;
+  const Moment& moment_;
+  const float time_;
+  const LeafHabit& habit_;
+};
 
 }  // namespace
 
 Diagnostic add_leaves(Plant& plant, const Population& population, const Form& form, const Moment& moment, float time,
                       const LeafHabit& habit, const Limits& limits) {
+  Crown crown(plant, population, form, moment, time, habit);
+  const auto too_many = [&] { return plant.organs.size() > limits.copies; };
+  const Diagnostic trouble{Reason::limit,
+                           "The tree has more than " + std::to_string(limits.copies) +
+                               " leaves; ask for fewer steps, or for fewer leaves for one.",
+                           0, 0};
   for (std::size_t l = 0; l < population.leaves.size(); ++l) {
-    const Leaf& counted = population.leaves[l];
-    const Way& way = form.ways[counted.shoot];
-    const float share = come(counted.born, time);
-    const bool falls = counted.falls != Leaf::never && time >= static_cast<float>(counted.falls);
-    // They hang for a step, and shrivel all the while.
-    const float left = falls ? 1 - std::clamp(time - static_cast<float>(counted.falls), 0.0f, 1.0f) : 1;
-    if (!(share * left > 0) || way.count == 0) continue;
-    const std::uint32_t node =
-        std::min<std::uint32_t>(counted.born > way.from ? counted.born - way.from : 0u, way.count - 1) + 1;
-    const std::int32_t bearer = moment.of_node[way.first + node];
-    if (bearer < 0) continue;
-    const Segment& twig = moment.segments[static_cast<std::size_t>(bearer)];
-    const glm::vec3 whole = form.nodes[way.first + node] - form.nodes[way.first + node - 1];
-    const float length = glm::length(whole);
-    const glm::vec3 along = length > 0 ? whole / length : glm::vec3(0, 1, 0), one = beside(along),
-                    other = glm::cross(along, one);
-    for (std::uint32_t k = 0; k < habit.many; ++k) {
-      const std::uint64_t address = hash_combine(l, k);
-      const float turns = golden * static_cast<float>(l * habit.many + k);
-      const float back =
-          (1 - near_tip) * (turns - std::floor(turns)) * std::min(length, glm::distance(twig.start, twig.end));
-      const SinCos about = sincos_degrees(golden_angle * static_cast<float>(k) +
-                                          360 * random_unit(habit.seed, stream_turn, hash_combine(l, 0)));
-      const glm::vec3 side = about.cosine * one + about.sine * other;
-      glm::vec3 out = habit.needles ? along + 0.5f * side : 0.6f * along + side;
-      if (!habit.needles) out.y -= droop;
-      out = glm::normalize(out);
-      const glm::vec3 face =
-          glm::vec3(0, 1, 0) + outwards * along + strewn * random_direction(habit.seed, stream_face, address);
-      Organ leaf;
-      leaf.tag = falls ? falling_tag : leaf_tag;
-      leaf.segment = bearer;
-      leaf.position = twig.end - back * along;
-      leaf.rotation = habit.needles ? turn_to(out, beside(out))
-                                    : turned(out, glm::length(face) > 1e-3f ? glm::normalize(face) : beside(along));
-      leaf.scale =
-          share * left * habit.size * (least_size + (1 - least_size) * random_unit(habit.seed, stream_size, address));
-      if (falls && random_unit(habit.seed, stream_shake, address) < habit.fallen) lie_down(leaf, habit.seed, address);
-      plant.organs.push_back(leaf);
-    }
-    if (plant.organs.size() > limits.copies)
-      return {Reason::limit,
-              "The tree has more than " + std::to_string(limits.copies) +
-                  " leaves; ask for fewer steps, or for fewer leaves for one.",
-              0, 0};
+    crown.leaves_of(l);
+    if (too_many()) return trouble;
   }
+  for (std::size_t l = 0; habit.blossoms > 0 && l < population.leaves.size(); ++l) {
+    crown.blossoms_of(l);
+    if (too_many()) return trouble;
+  }
+  for (std::uint32_t q = 0; habit.bunches > 0 && q < form.ways.size(); ++q)
+    if (population.shoots[q].order == 1) crown.bunches_of(q);
   return {};
 }
 

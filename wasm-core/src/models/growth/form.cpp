@@ -7,9 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "environment/point_grid.hpp"
+#include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "geometry/turn.hpp"
+#include "models/growth/crown_light.hpp"
 
 namespace panicle::growth {
 namespace {
@@ -21,16 +23,26 @@ constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 
 // that is free, in those; within which angle of its way places lie, as a cosine.
 constexpr float reach = 1.3f, apart = 0.55f, ahead = 0.3f;
 constexpr std::size_t looks = 64;
-constexpr float outside = 0.05f, upwards = 0.5f;  // what a place outside the volume is worth, and one that is higher
+constexpr float outside = 0.05f, lightwards = 0.5f;  // what a place outside the volume is worth, and one in the light
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
 constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
-// Of a volume's height the trunk reaches so much; a branch of it at least so much of the half width, in so many steps.
-constexpr float trunk_share = 0.97f, filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
+// A branch of the trunk reaches at least so much of the half width, in so many steps.
+constexpr float filled = 0.8f, least_width = 0.25f, least_first = 0.35f;
 constexpr float most_left = 6;
 constexpr float floor_share = 0.012f;  // of a volume's height, which tips do not come below
 constexpr float golden = 0.618034f, first_along = 0.2f, bole_along = 0.8f;
 constexpr float trunk_crook = 0.35f;  // of that of branches
 constexpr float leaning = 18;         // degrees by which child trunks lean out
+// What a node and a leaf that is counted shade, of a branch's first internode squared: the leaves about it.
+constexpr float node_shade = 0.06f, leaf_shade = 0.02f;
+constexpr float beyond = 0.5f;    // how far a shoot grows that would end outside its volume
+constexpr int most_halvings = 6;  // of a shoot that would leave the room
+constexpr float far_away = 1e6f;
+// How many steps tell how far it is to a volume's edge, and how far that may be in its heights; how much of it is
+// grown.
+constexpr int feels = 24;
+constexpr float farthest = 1.2f, to_edge = 0.9f;
+constexpr float of_wire = 0.2f;  // how far canes lean off the upright, at the most
 
 const std::array<glm::vec3, looks>& directions() {
   static const std::array<glm::vec3, looks> all = [] {
@@ -62,7 +74,8 @@ bool holds(const GrowthVolume& volume, const glm::vec3& axis, const glm::vec3& p
 
 class Maker {
  public:
-  Maker(const Population& population, const FormHabit& habit) : population_(population), habit_(habit) {}
+  Maker(const Population& population, const FormHabit& habit, const Surroundings& about)
+      : population_(population), habit_(habit), about_(about), light_(population, about) {}
 
   Form run() {
     lay_out();
@@ -92,7 +105,8 @@ class Maker {
         const float turns = golden * static_cast<float>(place + 1);
         const bool low = population_.shoots[parent].trunk && way.internode == 0;
         const float least = low ? bole_along : first_along;
-        way.along = least + (1 - least) * (turns - std::floor(turns));
+        way.along = glm::mix(least + (1 - least) * (turns - std::floor(turns)), 1 - 0.08f * (turns - std::floor(turns)),
+                             population_.shoots[parent].trunk ? habit_.whorl : 0);
       } else {
         ordinals_.push_back(0);
       }
@@ -100,24 +114,47 @@ class Maker {
       form_.ways.push_back(way);
     }
     form_.nodes.resize(nodes);
+    laid_.reserve(nodes);
+    deformed_.resize(population_.shoots.size());
+    firsts_.assign(form_.ways.size(), 0);
     for (const GrowthVolume& volume : population_.volumes) axes_.push_back(axis_of(volume));
+    for (std::uint32_t k = 0; k <= population_.steps; ++k)
+      by_age_.push_back(power(habit_.age_ratio, static_cast<float>(k)));
+    std::uint8_t highest = 1;
+    for (const Shoot& shoot : population_.shoots) highest = std::max(highest, shoot.order);
+    for (std::uint32_t order = 0; order <= highest; ++order)
+      by_order_.push_back(power(habit_.order_ratio, static_cast<float>(order) - 1));
   }
 
   void grow(std::uint16_t step) {
     grid_.lay(laid_, std::max(cell_, 0.05f));
-    standing_.assign(laid_.begin(), laid_.end());
-    while (next_ < population_.deformations.size() && population_.deformations[next_].step < step) ++next_;
+    standing_.clear();
+    for (const std::uint32_t id : grid_.ids()) standing_.push_back(laid_[id]);
+    shade(step);
+    for (; next_ < population_.deformations.size() && population_.deformations[next_].step <= step; ++next_)
+      deformed_[population_.deformations[next_].shoot] = population_.deformations[next_];
     for (std::uint32_t q = 0; q < population_.shoots.size(); ++q) {
       const Way& way = form_.ways[q];
       if (step < way.from || way.count == 0) continue;
-      extend(q, step - way.from, step);
+      extend(q, step - way.from);
     }
   }
 
-  Deformation deformation_of(std::uint32_t shoot, std::uint16_t step) const {
-    for (std::size_t i = next_; i < population_.deformations.size() && population_.deformations[i].step == step; ++i)
-      if (population_.deformations[i].shoot == shoot) return population_.deformations[i];
-    return {};
+  // Lays what came with the steps before into the cells of light.
+  void shade(std::uint16_t step) {
+    if (laid_.empty()) return;
+    const auto side = [&](std::uint32_t shoot) {
+      return habit_.shoot * population_.volumes[population_.shoots[shoot].volume].height / 10;
+    };
+    for (; shaded_ < laid_.size(); ++shaded_)
+      light_.put(laid_[shaded_], node_shade * side(of_laid_[shaded_]) * side(of_laid_[shaded_]));
+    for (; leaf_ < population_.leaves.size() && population_.leaves[leaf_].born < step; ++leaf_) {
+      const std::uint32_t shoot = population_.leaves[leaf_].shoot;
+      const Way& way = form_.ways[shoot];
+      if (way.count > 0 && way.from < step)
+        light_.put(form_.nodes[way.first + 1], leaf_shade * side(shoot) * side(shoot));
+    }
+    light_.shine();
   }
 
   glm::vec3 begin(std::uint32_t q, glm::vec3& ahead_of) {
@@ -144,110 +181,177 @@ class Maker {
     const SinCos about = sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) +
                                         stray * (2 * random_unit(habit_.seed, stream_turn, q) - 1));
     ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
+    if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
+    if (shoot.order == 1 && habit_.cordon > 0)
+      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * random_direction(habit_.seed, stream_trunk, q), along);
     return glm::mix(from, to, way.along);
   }
 
-  float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip) const {
+  // From a place to where a volume ends.
+  float room(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
+    const GrowthVolume& volume = population_.volumes[shoot.volume];
+    const float whole = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
+    for (int i = 1; i <= feels; ++i) {
+      const float out = whole * static_cast<float>(i) / static_cast<float>(feels);
+      const glm::vec3 place = tip + out * forward;
+      if (!holds(volume, axes_[shoot.volume], place) || !about_.holds(place))
+        return out - 0.5f * whole / static_cast<float>(feels);
+    }
+    return whole;
+  }
+
+  float length_of(std::uint32_t q, std::uint32_t internode, const glm::vec3& tip, const glm::vec3& forward) {
     const Shoot& shoot = population_.shoots[q];
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     const float high = volume.height / 10;
     if (shoot.trunk) {
-      const float whole = trunk_share * volume.height;
+      if (habit_.cordon > 0)
+        return internode == 0 ? habit_.cordon
+                              : volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
+      const float whole = habit_.leader * volume.height;
       if (internode == 0) return habit_.bole * whole + (form_.ways[q].count == 1 ? (1 - habit_.bole) * whole : 0);
       return (1 - habit_.bole) * whole / static_cast<float>(form_.ways[q].count - 1);
     }
-    const float own = habit_.shoot * high * power(habit_.order_ratio, static_cast<float>(shoot.order) - 1) *
-                      power(habit_.age_ratio, static_cast<float>(internode));
-    if (shoot.order > 1 || internode > 0) return own;
+    const float own = habit_.shoot * high * by_order_[shoot.order] * by_age_[internode];
+    if (shoot.order > 1) return own;
+    if (internode > 0) return glm::mix(own, firsts_[q] * by_age_[internode], habit_.reach);
     const float up = glm::dot(tip - volume.at, axes_[shoot.volume]) / volume.height;
     const float wide = std::max(radius_at(volume, std::clamp(up, 0.0f, 1.0f)), least_width * volume.base);
     const float left = static_cast<float>(population_.steps - shoot.born + 1);
-    return std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left));
+    // Of lengths that shrink by a ratio, as many as are to come: the first of them.
+    const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
+    const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
+    firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * room(shoot, tip, forward) / sum);
+    return glm::mix(std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left)),
+                    firsts_[q], habit_.reach);
   }
 
   // Σ w d of the places that are free ahead of a tip, and Σ w.
-  glm::vec3 free_about(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward, float r, float regard,
-                       std::uint64_t address, float& sum) {
-    near_.clear();
-    const float far = (1 + apart) * r;
-    grid_.within(tip - far, tip + far, [&](std::uint32_t first, std::uint32_t end) {
-      for (std::uint32_t slot = first; slot < end; ++slot) {
-        const glm::vec3& node = standing_[grid_.ids()[slot]];
-        const glm::vec3 from = node - tip;
-        const float square = glm::dot(from, from);
-        if (square < far * far && square > 1e-8f) near_.push_back(node);
-      }
-    });
+  glm::vec3 free_about(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward, const glm::vec3& light,
+                       float r, float regard, std::uint64_t address, float& sum) {
+    find_near(tip, (1 + apart) * r);
     const GrowthVolume& volume = population_.volumes[shoot.volume];
+    // One draw, and turns on from it: places stand at all depths, and no two tips look to the same.
+    float luck = random_unit(habit_.seed, stream_reach, address);
     glm::vec3 middle(0);
     sum = 0;
-    for (std::size_t i = 0; i < looks; ++i) {
-      const glm::vec3& d = directions()[i];
+    for (const glm::vec3& d : directions()) {
+      luck += golden;
+      if (luck >= 1) luck -= 1;
       if (glm::dot(d, forward) < ahead) continue;
-      const float out = 0.5f + 0.5f * random_unit(habit_.seed, stream_reach, hash_combine(address, i));
-      const glm::vec3 place = tip + out * r * d;
-      const bool taken = std::any_of(near_.begin(), near_.end(), [&](const glm::vec3& node) {
-        const glm::vec3 from = node - place;
-        return glm::dot(from, from) < apart * r * apart * r;
-      });
+      const glm::vec3 off = (0.5f + 0.5f * luck) * r * d, place = tip + off;
+      const bool taken = !about_.holds(place) || is_near(off, apart * r);
       const float weight = (taken ? 1 - regard : 1) * (holds(volume, axes_[shoot.volume], place) ? 1 : outside) *
-                           (1 + upwards * std::max(0.0f, d.y));
+                           (1 + lightwards * std::max(0.0f, glm::dot(d, light)));
       middle += weight * d;
       sum += weight;
     }
     return middle;
   }
 
-  void extend(std::uint32_t q, std::uint32_t internode, std::uint16_t step) {
+  // The nodes of the steps before so near to a tip, as seen from it, four of each coordinate after the other.
+  void find_near(const glm::vec3& tip, float far) {
+    near_.clear();
+    std::size_t count = 0;
+    grid_.within(tip - far, tip + far, [&](std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t slot = first; slot < end; ++slot) {
+        const glm::vec3 from = standing_[slot] - tip;
+        const float square = glm::dot(from, from);
+        if (!(square < far * far && square > 1e-8f)) continue;
+        if (count % 4 == 0) near_.resize(near_.size() + 12, far_away);
+        float* const at = &near_[count / 4 * 12 + count % 4];
+        at[0] = from.x;
+        at[4] = from.y;
+        at[8] = from.z;
+        ++count;
+      }
+    });
+  }
+
+  bool is_near(const glm::vec3& off, float distance) const {
+    const float square = distance * distance;
+    for (std::size_t i = 0; i < near_.size(); i += 12) {
+      const Four x = load(&near_[i]) - off.x, y = load(&near_[i + 4]) - off.y, z = load(&near_[i + 8]) - off.z;
+      if (!all(x * x + y * y + z * z >= Four{square, square, square, square})) return true;
+    }
+    return false;
+  }
+
+  void extend(std::uint32_t q, std::uint32_t internode) {
     const Shoot& shoot = population_.shoots[q];
     const Way& way = form_.ways[q];
     glm::vec3* const nodes = &form_.nodes[way.first];
     glm::vec3 forward(0, 1, 0);
     if (internode == 0) {
       nodes[0] = begin(q, forward);
-      laid_.push_back(nodes[0]);
+      lay(nodes[0], q);
     } else {
       forward = unit(nodes[internode] - nodes[internode - 1], forward);
     }
     const glm::vec3 tip = nodes[internode];
-    float length = length_of(q, internode, tip);
+    float length = length_of(q, internode, tip, forward);
     cell_ = std::max(cell_, 0.5f * length);
     const std::uint64_t address = hash_combine(q, internode);
     const glm::vec3 luck = habit_.crook * random_direction(habit_.seed, stream_crook, address);
     if (shoot.trunk) {
       const glm::vec3 back = 0.3f * axes_[shoot.volume];
-      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + back, forward);
+      if (internode == 1 && habit_.cordon > 0) {
+        const float towards = population_.volumes[shoot.volume].towards;
+        forward = {cosine(towards), 0, sine(towards)};
+      }
+      const bool wired = habit_.cordon > 0;
+      forward = internode == 0 ? forward : unit(forward + trunk_crook * luck + (wired ? glm::vec3(0) : back), forward);
+      if (internode > 0 && wired) forward = unit({forward.x, 0.3f * forward.y, forward.z}, forward);
     } else {
       const Environment& around = population_.environments[shoot.volume];
-      const Deformation deformed = deformation_of(q, step);
+      const Deformation& deformed = deformed_[q];
       length *= deformed.length;
       float sum = 0;
-      const glm::vec3 middle =
-          free_about(shoot, tip, forward, reach * length, std::clamp(around.neighbours, 0.0f, 1.0f), address, sum);
+      const float regard = std::clamp(around.neighbours, 0.0f, 1.0f);
+      const glm::vec3 light = light_.from(tip);
+      const glm::vec3 middle = free_about(shoot, tip, forward, light, reach * length, regard, address, sum);
       const float order = std::min(static_cast<float>(shoot.order) - 1, 2.0f) / 2;
-      const float up = around.phototropism - around.gravitropism - deformed.gravitropism - habit_.hang * order;
-      forward = unit(habit_.inertia * forward + habit_.space * unit(middle, glm::vec3(0)) + glm::vec3(0, up, 0) + luck,
+      const float down = around.gravitropism + deformed.gravitropism + habit_.hang * order;
+      forward = unit(habit_.inertia * forward + habit_.space * unit(middle, glm::vec3(0)) +
+                         around.phototropism * light - glm::vec3(0, down, 0) + luck,
                      forward);
       // Never death: how many there are is the text's to say.
       if (sum < crowded) length *= short_shoot;
+      for (int i = 0; i < most_halvings && regard > 0 && !about_.holds(tip + length * forward); ++i) length *= 0.5f;
+      // The volume guides: beyond it grows half as far what has no will of its own.
+      if (deformed.length <= 1 &&
+          !holds(population_.volumes[shoot.volume], axes_[shoot.volume], tip + length * forward))
+        length *= beyond;
       const float floor = floor_share * population_.volumes[shoot.volume].height;
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
     }
     nodes[internode + 1] = tip + length * forward;
-    laid_.push_back(nodes[internode + 1]);
+    lay(nodes[internode + 1], q);
+  }
+
+  void lay(const glm::vec3& node, std::uint32_t shoot) {
+    laid_.push_back(node);
+    of_laid_.push_back(shoot);
   }
 
   const Population& population_;
   const FormHabit& habit_;
   Form form_;
-  std::vector<std::uint32_t> ordinals_;  // of each shoot among those of its parent
-  std::vector<glm::vec3> axes_;          // of the volumes
-  std::vector<glm::vec3> laid_;          // every node so far
-  std::vector<glm::vec3> standing_;      // those that the grid has: of the steps before
+  const Surroundings& about_;
+  CrownLight light_;
+  std::vector<std::uint32_t> ordinals_;   // of each shoot among those of its parent
+  std::vector<glm::vec3> axes_;           // of the volumes
+  std::vector<float> firsts_;             // of each branch of a trunk the first length by which it comes to the edge
+  std::vector<float> by_age_, by_order_;  // what lengths are multiplied by
+  std::vector<glm::vec3> laid_;           // every node so far, and the shoots that they are of
+  std::vector<std::uint32_t> of_laid_;
+  std::size_t shaded_ = 0, leaf_ = 0;  // how many of them, and of the leaves, the light has gone through
+  std::vector<glm::vec3> standing_;    // those that the grid has, by slots: of the steps before
   PointGrid grid_;
   float cell_ = 0;
-  std::vector<glm::vec3> near_;
-  std::size_t next_ = 0;  // deformation
+  std::vector<float> near_;
+  std::vector<Deformation> deformed_;  // of each shoot, as it stands
+  std::size_t next_ = 0;               // deformation
 };
 
 }  // namespace
@@ -257,8 +361,14 @@ glm::vec3 axis_of(const GrowthVolume& volume) {
   return {s * cosine(volume.towards), cosine(volume.gradient), s * sine(volume.towards)};
 }
 
-float radius_at(const GrowthVolume& volume, float up) { return 0.5f * glm::mix(volume.base, volume.top, up); }
+float radius_at(const GrowthVolume& volume, float up) {
+  const float square = volume.base * volume.base * (1 - up) * (1 - 2 * up) +
+                       volume.middle * volume.middle * 4 * up * (1 - up) + volume.top * volume.top * up * (2 * up - 1);
+  return 0.5f * std::sqrt(std::max(0.0f, square));
+}
 
-Form form_of(const Population& population, const FormHabit& habit) { return Maker(population, habit).run(); }
+Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about) {
+  return Maker(population, habit, about).run();
+}
 
 }  // namespace panicle::growth

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/growth/population.hpp"
+#include "models/growth/surroundings.hpp"
 
 namespace panicle::growth {
 
@@ -14,10 +15,15 @@ struct FormHabit {
   float shoot = 0.9f;  // metres of a branch's first internode, in a volume 10 m high
   float order_ratio = 0.78f, age_ratio = 0.93f;
   float bole = 0.16f;                         // share of the height without branches
+  float leader = 0.97f;                       // share of the height that the trunk reaches
   float trunk_angle = 60, branch_angle = 45;  // degrees between a branch and what bears it
   float turn = 137.5f;                        // degrees from one branch to the next
   float inertia = 1, space = 0.7f, crook = 0.08f;
-  float hang = 0;  // gravitropism of branches of branches, besides the text's
+  float hang = 0;    // gravitropism of branches of branches, besides the text's
+  float reach = 0;   // how far lengths of the trunk's branches are those that come to the volume's edge, 0 … 1
+  float whorl = 0;   // how near to its end an internode bears its branches, 0 … 1
+  float flat = 0;    // how level branches of branches leave, 0 … 1
+  float cordon = 0;  // metres, where a trunk is bent level, along a wire; 0: not trained
   std::uint64_t seed = 1;
 };
 
@@ -37,10 +43,11 @@ struct Form {
   std::vector<glm::vec3> nodes;
 };
 
-// The axis of a volume, of length 1, and half its width so far up it (0 its base, 1 its top).
+// The axis of a volume, of length 1, and half its width so far up it (0 its base, 1 its top): a quadric of revolution
+// through its three widths, which is the paper's frustum where the middle one is the mean of the others.
 glm::vec3 axis_of(const GrowthVolume& volume);
 float radius_at(const GrowthVolume& volume, float up);
 
-Form form_of(const Population& population, const FormHabit& habit);
+Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about = {});
 
 }  // namespace panicle::growth

@@ -11,13 +11,14 @@
 #include "foundation/mathematics.hpp"
 #include "geometry/turn.hpp"
 #include "models/growth/foliage.hpp"
+#include "models/growth/sheets.hpp"
 
 namespace panicle::growth {
 namespace {
 
 constexpr std::array<const char*, level_count> names{"level0", "level1", "level2", "level3"};
 // Triangles fall by so much a level at the least, and the last has no more than so many.
-constexpr float falls_by = 2.75f, most_far = 144;
+constexpr float falls_by = 2.6f, most_far = 144;
 // Of all triangles wood's share in the first level, so much is left to it in each: far away leaves tell more.
 constexpr std::array<float, level_count> wood_share{1, 0.9f, 0.75f, 0.6f};
 // How far what is drawn may leave a shoot's own line, of the tree's height.
@@ -26,66 +27,33 @@ constexpr std::array<float, level_count> bend{0.0008f, 0.004f, 0.012f, 0.04f};
 constexpr std::array<float, 2> shares{0.5f, 0.18f};
 constexpr std::array<std::array<std::uint32_t, 3>, level_count> sides_of{
     {{{8, 5, 3}}, {{5, 4, 3}}, {{4, 3, 3}}, {{3, 3, 3}}}};
-constexpr std::uint32_t most_sides = 8;
-constexpr float folded = 20;           // degrees that each half of a leaf stands up
-constexpr float least_breadth = 0.5f;  // of a merged leaf, of its length: needles together are a tuft
-constexpr float sparse = 0.8f;         // leaves that reach less far than this share of the tree do not tell its outline
+constexpr float folded = 20;    // degrees that each half of a leaf stands up
+constexpr float sparse = 0.8f;  // leaves that reach less far than this share of the tree do not tell its outline
 constexpr float sky_cells = 10;
 constexpr std::uint32_t sky_directions = 10;
 constexpr std::size_t few = 8;
-
-struct Box {
-  glm::vec3 low{std::numeric_limits<float>::max()}, high{-std::numeric_limits<float>::max()};
-
-  void hold(const glm::vec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  void hold(const Mesh& mesh, std::size_t from) {
-    for (std::size_t v = 3 * from; v + 2 < mesh.positions.size(); v += 3)
-      hold({mesh.positions[v], mesh.positions[v + 1], mesh.positions[v + 2]});
-  }
-};
 
 // The segments of one shoot, which stand side by side.
 struct Run {
   std::uint32_t first = 0, count = 0;
 };
 
-// A leaf, or several as one: a rhombus about its middle.
-struct Sheet {
-  glm::vec3 middle{0}, along{0}, across{0};  // along to its tip and across, of length 1
-  float area = 0, length = 0;
+// What is borne, as one run of each level.
+struct Crowd {
+  const char* name;
+  Sheets sheets;
+  Box reach = {};  // of the corners of all in the first level
 };
-
-glm::vec3 turned(const glm::vec4& q, const glm::vec3& v) {
-  const glm::vec3 u(q.x, q.y, q.z), w = 2.0f * glm::cross(u, v);
-  return v + q.w * w + glm::cross(u, w);
-}
-
-// A place's cell in a box of 2¹⁰ cells a side, the bits of its three numbers by turns: near ones mostly have near
-// codes.
-std::uint32_t code_of(const glm::vec3& p, const Box& box) {
-  const glm::vec3 size = glm::max(box.high - box.low, glm::vec3(1e-6f));
-  const float edge = std::max({size.x, size.y, size.z});
-  std::uint32_t code = 0;
-  for (int k = 0; k < 3; ++k) {
-    auto cell = static_cast<std::uint32_t>(std::clamp((p[k] - box.low[k]) / edge * 1023, 0.0f, 1023.0f));
-    cell = (cell | cell << 16) & 0x030000ffu;
-    cell = (cell | cell << 8) & 0x0300f00fu;
-    cell = (cell | cell << 4) & 0x030c30c3u;
-    cell = (cell | cell << 2) & 0x09249249u;
-    code |= cell << k;
-  }
-  return code;
-}
 
 class Maker {
  public:
-  Maker(const Moment& moment, std::span<const Organ> leaves, float blade_area)
-      : moment_(moment), blade_area_(blade_area), open_(openness_of(moment, leaves, blade_area)) {
+  Maker(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area)
+      : moment_(moment),
+        crowds_{{{"leaves", {organs, leaf_tag, falling_tag, SheetKind::leaf, leaf_area}},
+                 {"blossoms", {organs, blossom_tag, blossom_tag, SheetKind::blossom, blossom_area}}}},
+        open_(openness_of(moment, crowds_)) {
     find_shoots();
-    find_leaves(leaves);
+    for (const Crowd& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
   }
 
   Levels run() {
@@ -94,10 +62,10 @@ class Maker {
   }
 
  private:
-  static Openness openness_of(const Moment& moment, std::span<const Organ> leaves, float blade_area) {
+  static Openness openness_of(const Moment& moment, std::span<const Crowd> crowds) {
     std::vector<Screen> screens;
-    screens.reserve(leaves.size());
-    for (const Organ& leaf : leaves) screens.push_back({leaf.position, 0.5f * blade_area * leaf.scale * leaf.scale});
+    for (const Crowd& crowd : crowds)
+      for (const Sheet& sheet : crowd.sheets.all()) screens.push_back({sheet.middle, 0.5f * sheet.area});
     return {moment.segments, screens, sky_cells, sky_directions};
   }
 
@@ -117,57 +85,58 @@ class Maker {
     high_ = shoots_.empty() ? 0 : std::max(tree_.high.y - tree_.low.y, 1e-3f);
   }
 
-  void find_leaves(std::span<const Organ> leaves) {
-    Box box;
-    std::vector<Sheet> found;
-    for (const Organ& leaf : leaves) {
-      if (leaf.tag == fallen_tag || !(blade_area_ > 0)) continue;
-      Sheet sheet;
-      sheet.along = turned(leaf.rotation, {0, 1, 0});
-      sheet.across = turned(leaf.rotation, {1, 0, 0});
-      sheet.length = leaf.scale;
-      sheet.area = blade_area_ * leaf.scale * leaf.scale;
-      sheet.middle = leaf.position + 0.5f * leaf.scale * sheet.along;
-      box.hold(sheet.middle);
-      found.push_back(sheet);
-    }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
-    for (std::uint32_t i = 0; i < found.size(); ++i) order.emplace_back(code_of(found[i].middle, box), i);
-    std::sort(order.begin(), order.end());
-    leaves_.reserve(found.size());
-    for (const auto& [code, i] : order) leaves_.push_back(found[i]);
-    const glm::vec3 crown = box.high - box.low, all = tree_.high - tree_.low;
-    leafy_ = leaves_.size() >= few && crown.x > sparse * all.x && crown.z > sparse * all.z &&
-             box.high.y > sparse * tree_.high.y;
+  bool tells_outline(const Sheets& sheets) const {
+    const glm::vec3 crown = sheets.middles().size(), all = tree_.size();
+    return sheets.all().size() >= few && crown.x > sparse * all.x && crown.z > sparse * all.z &&
+           sheets.middles().high.y > sparse * tree_.high.y;
   }
 
   void make(std::size_t level) {
     PlantMesh& out = made_.meshes[level];
     out.name = names[level];
     out.material = "level";
+    out_ = &out;
     mesh_ = &out.mesh;
     sky_.clear();
     const float share = leafy_ ? wood_share[level] : 1;
-    const float wood = level == 0 ? 0 : share * static_cast<float>(first_wood_) / fall(level);
-    add_wood(level, wood);
-    const auto woody = static_cast<std::uint32_t>(mesh_->positions.size() / 3),
-               woody_indices = static_cast<std::uint32_t>(mesh_->indices.size());
+    add_wood(level, level == 0 ? 0 : share * static_cast<float>(first_wood_) / fall(level));
+    end_run("bark");
     if (level == 0) {
-      first_wood_ = woody_indices / 3;
-      for (const Sheet& leaf : leaves_) add_folded(leaf);
-      first_all_ = mesh_->indices.size() / 3;
-      whole_.hold(*mesh_, 0);
-      hanging_.hold(*mesh_, woody);
-    } else if (!leaves_.empty()) {
-      const float all = static_cast<float>(first_all_) / fall(level);
-      add_merged(level, (all - static_cast<float>(woody_indices / 3)) / 2);
+      first_wood_ = triangles();
+      for (Crowd& crowd : crowds_) {
+        for (const Sheet& sheet : crowd.sheets.all()) add_folded(sheet);
+        end_run(crowd.name);
+        crowd.reach = reach_of(out.runs.back());
+      }
+      first_all_ = triangles();
+      whole_ = reach_of({"", 0, static_cast<std::uint32_t>(sky_.size()), 0, 0});
+    } else {
+      const float left = static_cast<float>(first_all_) / fall(level) - static_cast<float>(triangles());
+      for (const Crowd& crowd : crowds_) {
+        add_merged(level, crowd, left);
+        end_run(crowd.name);
+      }
     }
-    const auto vertices = static_cast<std::uint32_t>(mesh_->positions.size() / 3),
-               indices = static_cast<std::uint32_t>(mesh_->indices.size());
-    out.runs = {{"bark", 0, woody, 0, woody_indices},
-                {"leaves", woody, vertices - woody, woody_indices, indices - woody_indices}};
     out.columns.add("sky", std::move(sky_));
     sky_ = {};
+  }
+
+  std::size_t triangles() const { return mesh_->indices.size() / 3; }
+
+  void end_run(const char* name) {
+    std::vector<MeshRun>& runs = out_->runs;
+    const MeshRun last = runs.empty() ? MeshRun{} : runs.back();
+    const std::uint32_t vertex = last.first_vertex + last.vertex_count, index = last.first_index + last.index_count;
+    runs.push_back({name, vertex, static_cast<std::uint32_t>(sky_.size()) - vertex, index,
+                    static_cast<std::uint32_t>(mesh_->indices.size()) - index});
+  }
+
+  Box reach_of(const MeshRun& run) const {
+    Box box;
+    for (std::size_t v = 3 * std::size_t{run.first_vertex}; v < 3 * std::size_t{run.first_vertex + run.vertex_count};
+         v += 3)
+      box.hold({mesh_->positions[v], mesh_->positions[v + 1], mesh_->positions[v + 2]});
+    return box;
   }
 
   // By how much a level has fewer triangles than the first.
@@ -232,7 +201,9 @@ class Maker {
     std::vector<std::uint32_t> of_segment(moment_.segments.size());
     for (std::uint32_t i = 0; i < shoots_.size(); ++i)
       std::fill_n(of_segment.begin() + shoots_[i].first, shoots_[i].count, i);
+    constexpr int below = 3;  // where trunks stand
     for (int side = 0; side < 6; ++side) {
+      if (side == below) continue;
       float farthest = -std::numeric_limits<float>::max();
       std::int32_t at = -1;
       for (std::size_t i = 0; i < moment_.segments.size(); ++i) {
@@ -292,7 +263,7 @@ class Maker {
   void add_folded(const Sheet& leaf) {
     static const SinCos fold = sincos_degrees(folded);
     const float breadth = 2 * leaf.area / leaf.length;
-    const glm::vec3 face = glm::cross(leaf.across, leaf.along), tip = 0.5f * leaf.length * leaf.along;
+    const glm::vec3 face = leaf.face(), tip = 0.5f * leaf.length * leaf.along;
     const std::uint8_t sky = open_.at(leaf.middle);
     const auto first = static_cast<std::uint32_t>(sky_.size());
     vertex(leaf.middle - tip, face, sky);
@@ -306,83 +277,48 @@ class Maker {
   }
 
   void add_flat(const Sheet& leaf) {
-    const glm::vec3 face = glm::cross(leaf.across, leaf.along), tip = 0.5f * leaf.length * leaf.along,
-                    side = leaf.area / leaf.length * leaf.across;
     const std::uint8_t sky = open_.at(leaf.middle);
     const auto first = static_cast<std::uint32_t>(sky_.size());
-    for (const glm::vec3& corner : {-tip, side, -side, tip}) vertex(leaf.middle + corner, face, sky);
+    for (const glm::vec3& corner : leaf.corners()) vertex(leaf.middle + corner, leaf.face(), sky);
     put(mesh_->indices, first, first + 1, first + 3);
     put(mesh_->indices, first, first + 3, first + 2);
   }
 
-  // So many leaves, each in the place of as many that stand side by side: their middle, the area of them all, and the
-  // way of one of them. Middles lie within the crown's outline: they are moved apart until it is what it was.
-  void add_merged(std::size_t level, float wanted) {
-    const std::size_t all = leaves_.size(),
-                      count = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(wanted, 1.0f)), 1, all);
-    std::vector<Sheet> merged;
-    merged.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t from = i * all / count, to = (i + 1) * all / count;
-      Sheet sheet = leaves_[from];
-      if (to - from > 1) {
-        sheet.area = 0;
-        glm::vec3 sum(0);
-        for (std::size_t k = from; k < to; ++k) {
-          sheet.area += leaves_[k].area;
-          sum += leaves_[k].area * leaves_[k].middle;
-        }
-        sheet.middle = sheet.area > 0 ? sum / sheet.area : leaves_[from].middle;
-        const float breadth = std::max(2 * blade_area_, least_breadth);
-        sheet.length = square_of(2 * sheet.area / breadth);
-        made_.tolerance[level] = std::max(made_.tolerance[level], sheet.length);
-      }
-      merged.push_back(sheet);
-    }
-    spread(merged);
-    for (const Sheet& sheet : merged) add_flat(sheet);
-  }
-
-  static float square_of(float area) { return std::sqrt(std::max(area, 1e-12f)); }
-
-  void spread(std::vector<Sheet>& merged) const {
-    Box target = hanging_;
-    if (leafy_) target = {{whole_.low.x, hanging_.low.y, whole_.low.z}, whole_.high};
-    Box middles, corners;
-    for (const Sheet& sheet : merged) {
-      middles.hold(sheet.middle);
-      const glm::vec3 tip = 0.5f * sheet.length * sheet.along, side = sheet.area / sheet.length * sheet.across;
-      for (const glm::vec3& corner : {-tip, side, -side, tip}) corners.hold(sheet.middle + corner);
-    }
-    for (int k = 0; k < 3; ++k) {
-      const float reach = middles.high[k] - middles.low[k], over = corners.high[k] - corners.low[k] - reach,
-                  wide = target.high[k] - target.low[k];
-      const float factor = reach > 1e-4f ? std::max(wide - over, 0.0f) / reach : 1;
-      const float low = target.low[k] + (middles.low[k] - corners.low[k]);
-      for (Sheet& sheet : merged)
-        sheet.middle[k] = reach > 1e-4f ? low + factor * (sheet.middle[k] - middles.low[k]) : sheet.middle[k];
+  // Each crowd gets as much of the triangles that are left as it has of all sheets.
+  void add_merged(std::size_t level, const Crowd& crowd, float left) {
+    const std::size_t own = crowd.sheets.all().size();
+    if (own == 0) return;
+    std::size_t all = 0;
+    for (const Crowd& each : crowds_) all += each.sheets.all().size();
+    const float share = static_cast<float>(own) / static_cast<float>(all);
+    const auto count = static_cast<std::size_t>(std::max(0.5f * left * share, 1.0f));
+    Box target = crowd.reach;
+    if (tells_outline(crowd.sheets)) target = {{whole_.low.x, crowd.reach.low.y, whole_.low.z}, whole_.high};
+    for (const Sheet& sheet : crowd.sheets.merged(count, target)) {
+      if (!sheet.one) made_.tolerance[level] = std::max(made_.tolerance[level], sheet.length);
+      add_flat(sheet);
     }
   }
 
   const Moment& moment_;
-  float blade_area_;
+  std::array<Crowd, 2> crowds_;
   Openness open_;
   Levels made_;
   std::vector<Run> shoots_;
-  std::vector<Sheet> leaves_;  // near ones side by side
-  Box tree_, whole_, hanging_;
+  Box tree_, whole_;  // of its nodes, and of the first level
   bool leafy_ = false;
   float high_ = 0;
   std::size_t first_wood_ = 0, first_all_ = 0;
   std::vector<std::pair<glm::vec3, float>> line_;
-  Mesh* mesh_ = nullptr;
+  PlantMesh* out_ = nullptr;
+  Mesh* mesh_ = nullptr;  // of it
   std::vector<std::uint8_t> sky_;
 };
 
 }  // namespace
 
-Levels levels_of(const Moment& moment, std::span<const Organ> leaves, float blade_area) {
-  return Maker(moment, leaves, blade_area).run();
+Levels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area) {
+  return Maker(moment, organs, leaf_area, blossom_area).run();
 }
 
 }  // namespace panicle::growth

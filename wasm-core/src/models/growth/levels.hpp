@@ -19,7 +19,7 @@ struct Levels {
   std::array<float, level_count> tolerance{};
 };
 
-// `leaves`: those on the ground are left out. `blade_area`: of a leaf of length 1, one side.
-Levels levels_of(const Moment& moment, std::span<const Organ> leaves, float blade_area);
+// What lies on the ground is left out. Areas: of a leaf and of a blossom of scale 1, one side; 0: there are none.
+Levels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area);
 
 }  // namespace panicle::growth

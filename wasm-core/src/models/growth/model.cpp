@@ -30,7 +30,7 @@ using GrowthValues = Values<Parameter, parameter_table>;
 using enum Parameter;
 
 constexpr std::uint16_t usual_steps = 8;
-constexpr std::uint32_t no_leaf = 0, needle = 1;  // of the kinds: all others come with the request
+constexpr std::uint32_t no_leaf = 0, needle = 1, spray = 2;  // of the kinds: all others come with the request
 
 FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
   FormHabit habit;
@@ -45,8 +45,47 @@ FormHabit form_habit(const GrowthValues& values, std::uint64_t seed) {
   habit.space = values[space];
   habit.crook = values[crook];
   habit.hang = values[hang];
+  habit.leader = values[leader];
+  habit.reach = values[reach];
+  habit.whorl = values[whorl];
+  habit.flat = values[flat];
+  habit.cordon = values[cordon];
   habit.seed = seed;
   return habit;
+}
+
+LeafHabit leaf_habit(const GrowthValues& values, std::uint64_t seed) {
+  const std::uint32_t kind = values.whole(leaf_kind);
+  LeafHabit habit;
+  habit.size = 0.01f * values[leaf_size];
+  habit.many = kind == no_leaf ? 0 : values.whole(leaf_many);
+  habit.fallen = 0.01f * values[fallen];
+  habit.needles = kind == needle || kind == spray;
+  habit.season = values[season];
+  habit.evergreen = values.whole(year) == 1;
+  habit.blossoms = values.whole(blossoms);
+  habit.blossom_size = 0.01f * values[blossom_size];
+  habit.bunches = values.whole(bunches);
+  habit.seed = seed;
+  return habit;
+}
+
+Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
+  switch (values.whole(leaf_kind)) {
+    case needle:
+      return make_needles(values[leaf_breadth]);
+    case spray:
+      return make_spray(values[leaf_breadth]);
+    default:
+      return make_blade(flat, values[leaf_breadth], values[leaf_fold]);
+  }
+}
+
+bool is_leaf(const Organ& organ) { return organ.tag <= fallen_tag; }
+
+std::uint32_t count_of(const Plant& plant, std::uint32_t tag) {
+  return static_cast<std::uint32_t>(
+      std::count_if(plant.organs.begin(), plant.organs.end(), [tag](const Organ& organ) { return organ.tag == tag; }));
 }
 
 void add_columns(Plant& plant, const Population& population, const Moment& moment) {
@@ -78,6 +117,8 @@ void add_columns(Plant& plant, const Population& population, const Moment& momen
                                        at[4] = each.towards * 180 / pi;
                                      }),
                     5);
+  plant.columns.add("volumes.middle", column_of<float>(population.volumes, 1,
+                                                       [](const GrowthVolume& each, float* at) { *at = each.middle; }));
   plant.columns.add("volumes.at",
                     column_of<float>(population.volumes, 2,
                                      [](const GrowthVolume& each, float* at) {
@@ -91,14 +132,29 @@ void measure(Plant& plant, float leaf_area) {
   const Branching branching = branching_of(plant.segments);
   WoodMeasures<Measure> measures(branching, measure_count);
   double area = 0;
-  for (const Organ& organ : plant.organs) area += static_cast<double>(leaf_area * organ.scale * organ.scale);
+  for (const Organ& organ : plant.organs)
+    if (is_leaf(organ)) area += static_cast<double>(leaf_area * organ.scale * organ.scale);
   const double shaded = 0.25 * static_cast<double>(pi * branching.width_x * branching.width_z);
   measures.set(Measure::height, std::max(branching.high, 0.0f));
   measures.set(Measure::trunk_width, 100 * branching.thickest);
-  measures.set(Measure::leaf_count, static_cast<double>(plant.organs.size()));
+  measures.set(Measure::leaf_count,
+               static_cast<double>(std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf)));
   measures.set(Measure::leaf_area, area);
   measures.set(Measure::leaf_index, shaded > 0 ? area / shaded : std::numeric_limits<double>::quiet_NaN());
   plant.measures = measures.values();
+}
+
+// One mesh for all that are borne of a kind, where there are any.
+template <class Is>
+void add_borne(Plant& plant, std::string name, std::string material, const Mesh& mesh, Is is) {
+  const auto number = static_cast<std::int32_t>(plant.meshes.size());
+  bool any = false;
+  for (Organ& organ : plant.organs) {
+    if (!is(organ) || mesh.indices.empty()) continue;
+    organ.mesh = number;
+    any = true;
+  }
+  if (any) plant.meshes.push_back({std::move(name), std::move(material), mesh, {}, {}});
 }
 
 void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky, const FootHabit& foot) {
@@ -116,23 +172,15 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   }
   columns.add("segment", std::move(stems.segment));
   plant.meshes.push_back({"stems", "bark", std::move(stems.mesh), {}, std::move(columns)});
-  const bool leafy = !plant.organs.empty() && !blade.mesh.indices.empty();
-  for (Organ& organ : plant.organs) organ.mesh = leafy ? 1 : -1;
-  if (leafy) plant.meshes.push_back({"leaves", "blade", blade.mesh, {}, {}});
+  add_borne(plant, "leaves", "blade", blade.mesh, [](const Organ& organ) { return organ.tag < blossom_tag; });
+  add_borne(plant, "blossoms", "petal", make_blossom().mesh,
+            [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
 void add_levels(Plant& plant, const Moment& moment, float leaf_area) {
-  Levels levels = levels_of(moment, plant.organs, leaf_area);
+  Levels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area);
   for (PlantMesh& mesh : levels.meshes) plant.meshes.push_back(std::move(mesh));
   plant.columns.add("levels.tolerance", std::vector<float>(levels.tolerance.begin(), levels.tolerance.end()));
-}
-
-// What stands about the tree (model.hpp), or nothing.
-Diagnostic check(std::span<const float> about) {
-  if (about.empty()) return {};
-  if (about.size() == 16 && std::all_of(about.begin(), about.end(), [](float each) { return std::isfinite(each); }))
-    return {};
-  return {Reason::bad_request, "The surroundings are not sixteen numbers.", 0, 0};
 }
 
 Result<Plant> grow(Request& request, const Limits& limits) {
@@ -147,7 +195,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
   if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
-  if (Diagnostic trouble = check(about); trouble.reason != Reason::none) return trouble;
+  const Result<Surroundings> surroundings = about.empty() ? Surroundings() : Surroundings::of(about);
+  if (!surroundings) return surroundings.error();
   Plant plant;
   const GrowthValues values(asked, plant.notes);
   const auto rules = read_rules(text, limits);
@@ -160,31 +209,28 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   if (!population) return population.error();
 
   const float time = values[age] / 100 * static_cast<float>(count);
-  const Form form = form_of(population.value(), form_habit(values, seed));
+  const Form form = form_of(population.value(), form_habit(values, seed), surroundings.value());
   auto moment = moment_of(population.value(), form, time, {0.001f * values[twig], values[pipe]}, limits);
   if (!moment) return moment.error();
   plant.tags = {"trunk", "branch"};
-  plant.organ_tags = {"leaf", "falling", "fallen"};
+  plant.organ_tags = {"leaf", "falling", "fallen", "shed", "blossom", "bunch"};
   plant.segments = moment->segments;
-  const std::uint32_t kind = values.whole(leaf_kind);
-  if (kind != no_leaf) {
-    const LeafHabit habit{0.01f * values[leaf_size], values.whole(leaf_many), 0.01f * values[fallen], kind == needle,
-                          seed};
-    const Diagnostic trouble = add_leaves(plant, population.value(), form, moment.value(), time, habit, limits);
-    if (trouble.reason != Reason::none) return trouble;
-  }
-  const Blade blade =
-      kind == needle ? make_needles(values[leaf_breadth]) : make_blade(flat, values[leaf_breadth], values[leaf_fold]);
-  if (meshes && blade.mesh.indices.empty() && !plant.organs.empty())
+  const Diagnostic trouble =
+      add_leaves(plant, population.value(), form, moment.value(), time, leaf_habit(values, seed), limits);
+  if (trouble.reason != Reason::none) return trouble;
+  const Blade blade = blade_of(values, flat);
+  const auto leaves = static_cast<std::uint32_t>(std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf));
+  if (meshes && blade.mesh.indices.empty() && leaves > 0)
     plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
   add_columns(plant, population.value(), moment.value());
-  const auto falling = static_cast<std::uint32_t>(
-      std::count_if(plant.organs.begin(), plant.organs.end(), [](const Organ& leaf) { return leaf.tag != leaf_tag; }));
   plant.counts = {{"branches", moment->branches},
                   {"steps", count},
                   {"segments", static_cast<std::uint32_t>(plant.segments.size())},
-                  {"leaves", static_cast<std::uint32_t>(plant.organs.size())},
-                  {"falling", falling}};
+                  {"leaves", leaves},
+                  {"falling", count_of(plant, falling_tag) + count_of(plant, fallen_tag)},
+                  {"shed", count_of(plant, shed_tag)},
+                  {"blossoms", count_of(plant, blossom_tag)},
+                  {"bunches", count_of(plant, bunch_tag)}};
   if (measures) measure(plant, blade.area);
   if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
   if (levels) add_levels(plant, moment.value(), blade.area);

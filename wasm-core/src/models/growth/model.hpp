@@ -3,7 +3,7 @@
 // Blocks of a request besides everyone's (plant/request.hpp): `rules`, which must be there, a text of the growth
 // language; of plant/flat_leaf.hpp the leaf that it bears, but needles; and `surroundings` (float32 × 16), what stands
 // about it: eight heights of the horizon, in degrees above level, at the azimuths 0°, 45° … (from +X to +Z), then
-// eight metres of free room from the first volume's foot in those directions. Absent: it stands alone.
+// eight metres of free room from the origin in those directions. Absent: it stands alone.
 //
 // Columns of a plant besides everyone's (boundary/panicle.h):
 //   segments.shoot   uint32: the shoot that each is of
@@ -11,14 +11,17 @@
 //   segments.born    uint16 as uint32: the step at which that shoot came
 //   volumes.id       uint32, one a growth volume, those of child trunks behind the others
 //   volumes.shape    float32 × 5: wb, h and wt in metres; grad and towards in degrees
+//   volumes.middle   float32: wm, metres
 //   volumes.at       float32 × 2: x and z
 //   volumes.child    uint8: 1 of a child trunk's
 //   levels.tolerance float32 × 4, where levels were asked for: the largest thing that each leaves out or merges, metres
-// Organs: `leaf`, `falling` (about to fall), `fallen` (on the ground). Meshes: `stems` (segment: uint32 a vertex) and
-// `leaves`; where `outputs` names `levels` also `level0` … `level3` of material `level`, the whole tree as one mesh for
-// one distance each, from near to far: runs `bark` and `leaves` (always both), no texture coordinates, a byte of sky a
-// vertex. Leaves on the ground are not among them; leaves have the area of the request's. Counts: branches (without
-// trunks), steps, leaves, falling.
+// Organs: `leaf`, `falling` (about to fall), `fallen` (of these, on the ground), `shed` (on the ground in autumn),
+// `blossom`, and `bunch`, which has no mesh: where fruit hangs, +Y the way it does. Meshes: `stems` (segment: uint32 a
+// vertex), `leaves` and `blossoms`, those that are borne; where `outputs` names `levels` also `level0` … `level3` of
+// material `level`, the whole tree as one mesh for one distance each, from near to far: runs `bark`, `leaves` and
+// `blossoms` (always all three), no texture coordinates, a byte of sky a vertex. What lies on the ground is not among
+// them. Counts: branches (without trunks), steps, segments, leaves (without those shed), falling, shed, blossoms,
+// bunches.
 #pragma once
 
 #include "plant/model.hpp"

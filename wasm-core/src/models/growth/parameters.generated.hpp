@@ -10,6 +10,7 @@ namespace panicle::growth {
 // In the order of the request's words.
 enum class Parameter : std::uint32_t {
   steps,
+  season,
   age,
   leaf_kind,
   leaf_size,
@@ -17,6 +18,10 @@ enum class Parameter : std::uint32_t {
   leaf_breadth,
   leaf_fold,
   fallen,
+  year,
+  blossoms,
+  blossom_size,
+  bunches,
   shoot,
   order_ratio,
   age_ratio,
@@ -28,12 +33,17 @@ enum class Parameter : std::uint32_t {
   space,
   crook,
   hang,
+  reach,
+  leader,
+  whorl,
+  flat,
+  cordon,
   twig,
   pipe,
   flare,
 };
 
-inline constexpr std::uint32_t parameter_count = 22;
+inline constexpr std::uint32_t parameter_count = 32;
 
 struct ParameterInfo {
   std::string_view key;
@@ -48,13 +58,18 @@ struct ParameterInfo {
 // clang-format off
 inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"steps", "", "", 0.0f, 14.0f, 0.0f, 0.0f, true},
+    {"season", "", "", 0.0f, 1.0f, 0.0f, 0.4f, false},
     {"age", "", "", 0.0f, 100.0f, 0.0f, 100.0f, false},
-    {"leaf_kind", "", "", 0.0f, 7.0f, 0.0f, 4.0f, true},
+    {"leaf_kind", "", "", 0.0f, 12.0f, 0.0f, 6.0f, true},
     {"leaf_size", "", "", 0.2f, 60.0f, 0.0f, 14.0f, false},
     {"leaf_many", "", "", 1.0f, 12.0f, 0.0f, 3.0f, true},
     {"leaf_breadth", "", "", 0.3f, 2.0f, 0.0f, 1.0f, false},
     {"leaf_fold", "", "", 0.0f, 80.0f, 0.0f, 15.0f, false},
     {"fallen", "", "", 0.0f, 100.0f, 0.0f, 0.0f, false},
+    {"year", "", "", 0.0f, 1.0f, 0.0f, 0.0f, true},
+    {"blossoms", "", "", 0.0f, 8.0f, 0.0f, 0.0f, true},
+    {"blossom_size", "", "", 0.5f, 15.0f, 0.0f, 3.0f, false},
+    {"bunches", "", "", 0.0f, 3.0f, 0.0f, 0.0f, true},
     {"shoot", "", "", 0.1f, 3.0f, 0.0f, 0.9f, false},
     {"order_ratio", "", "", 0.3f, 1.0f, 0.0f, 0.78f, false},
     {"age_ratio", "", "", 0.5f, 1.0f, 0.0f, 0.93f, false},
@@ -66,6 +81,11 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"space", "", "", 0.0f, 3.0f, 0.0f, 0.7f, false},
     {"crook", "", "", 0.0f, 1.0f, 0.0f, 0.08f, false},
     {"hang", "", "", 0.0f, 2.0f, 0.0f, 0.0f, false},
+    {"reach", "", "", 0.0f, 1.0f, 0.0f, 0.0f, false},
+    {"leader", "", "", 0.1f, 1.0f, 0.0f, 0.97f, false},
+    {"whorl", "", "", 0.0f, 1.0f, 0.0f, 0.0f, false},
+    {"flat", "", "", 0.0f, 1.0f, 0.0f, 0.0f, false},
+    {"cordon", "", "", 0.0f, 3.0f, 0.0f, 0.0f, false},
     {"twig", "", "", 1.0f, 40.0f, 0.0f, 12.0f, false},
     {"pipe", "", "", 1.5f, 4.0f, 0.0f, 2.3f, false},
     {"flare", "", "", 0.0f, 1.0f, 0.0f, 0.3f, false},

@@ -17,6 +17,7 @@ using lsystem::error_at;
 struct Outcome {
   bool known = false;
   std::uint32_t branches = 0, leaves = 0, falling = 0;  // of each new branch so many leaves
+  std::uint32_t foliage = 0, foliage_steps = 1;         // of each internode laid, and for how long
   const Rule* buds = nullptr;                           // the last rule of buds that holds; none: no branch needs a bud
   float bud_chance = 1;
   std::vector<std::pair<const Rule*, float>> child_trunks;  // and how likely each is
@@ -151,6 +152,10 @@ class Growth {
         return evaluation_.work_out(each.number, value) && amount(value, outcome.leaves);
       case Consequence::Kind::falling_leaf:
         return evaluation_.work_out(each.number, value) && amount(value, outcome.falling);
+      case Consequence::Kind::foliage:
+        return evaluation_.work_out(each.number, value) && amount(value, outcome.foliage) &&
+               (!each.steps.value.given ||
+                evaluation_.whole(each.steps, 1, 4096, "How long foliage stays", outcome.foliage_steps));
       case Consequence::Kind::child_trunk:
         if (plant_.shoots[number].trunk) outcome.child_trunks.emplace_back(&rule, 1.0f);
         break;
@@ -205,12 +210,14 @@ class Growth {
     const auto age = static_cast<std::uint16_t>(step - shoot.born);
     std::uint32_t grown = outcome.branches;
     if (outcome.buds != nullptr && !open_buds(number, step, outcome, grown)) return false;
+    if (!add_foliage(number, step, outcome)) return false;
     if (grown == 0) return true;
     const std::uint32_t first = memories_[number].buds_used;
     std::uint16_t node = age;
     std::uint32_t laid = 0;
     if (outcome.buds != nullptr) laid = buds_until(node = 1);
     const auto first_leaf = static_cast<std::uint32_t>(plant_.leaves.size());
+    const auto first_branch = static_cast<std::uint32_t>(plant_.shoots.size());
     for (std::uint32_t i = 0; i < grown; ++i) {
       // Buds open in the order in which they were laid.
       while (outcome.buds != nullptr && laid <= first + i && node < age) laid = buds_until(++node);
@@ -224,6 +231,17 @@ class Growth {
     memories_[number].first_leaf = first_leaf;
     memories_[number].leaves = static_cast<std::uint32_t>(plant_.leaves.size()) - first_leaf;
     memories_[number].leaves_step = step;
+    for (std::uint32_t each = first_branch; each < plant_.shoots.size(); ++each)
+      if (!add_foliage(each, step, outcome)) return false;
+    return true;
+  }
+
+  // On the internode that a shoot lays at this step.
+  bool add_foliage(std::uint32_t shoot, std::uint16_t step, const Outcome& outcome) {
+    if (plant_.leaves.size() + outcome.foliage > limits_.copies) return too_many("leaves", limits_.copies);
+    const auto gone =
+        static_cast<std::uint16_t>(std::min<std::uint32_t>(step + outcome.foliage_steps, Leaf::never - 1));
+    for (std::uint32_t i = 0; i < outcome.foliage; ++i) plant_.leaves.push_back({shoot, step, Leaf::never, gone});
     return true;
   }
 
@@ -266,7 +284,7 @@ class Growth {
   bool add_leaves(std::uint16_t step, std::uint32_t leaves) {
     if (plant_.leaves.size() + leaves > limits_.copies) return too_many("leaves", limits_.copies);
     const auto shoot = static_cast<std::uint32_t>(plant_.shoots.size() - 1);
-    for (std::uint32_t i = 0; i < leaves; ++i) plant_.leaves.push_back({shoot, step, Leaf::never});
+    for (std::uint32_t i = 0; i < leaves; ++i) plant_.leaves.push_back({shoot, step, Leaf::never, Leaf::never});
     return true;
   }
 
@@ -295,6 +313,7 @@ class Growth {
     volume.base = drawn(parent.base);
     volume.height = drawn(parent.height);
     volume.top = drawn(parent.top);
+    volume.middle = drawn(parent.middle);
     volume.size = parent.size * volume.height / parent.height;
     return volume;
   }

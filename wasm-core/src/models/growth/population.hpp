@@ -36,6 +36,7 @@ struct Leaf {
   std::uint32_t shoot = 0;
   std::uint16_t born = 0;
   std::uint16_t falls = never;  // step at which it becomes a falling leaf
+  std::uint16_t gone = never;   // step in the course of which it goes, as the foliage of an earlier year
 };
 
 // wb, h, wt of section 3.3 in metres, gradient in radians.
@@ -45,6 +46,7 @@ struct GrowthVolume {
   glm::vec3 at{0};
   float size = 1;
   float towards = 0;  // where it leans, in radians from +X to +Z
+  float middle = 0;   // width halfway up, as the others in metres
 };
 
 // Of a volume, after the text's conditions.

@@ -147,7 +147,7 @@ bool Reader::steps() {
 bool Reader::buds() {
   Rule rule;
   rule.place = here();
-  Consequence buds{Consequence::Kind::buds, Word::one, {}};
+  Consequence buds{Consequence::Kind::buds, Word::one, {}, {}};
   ++at_;
   if (!opens(at_))
     return wrong(here(), "How many buds an internode bears stands behind bud, as in bud(k - 1) -> branch.");
@@ -231,6 +231,7 @@ bool Reader::called(const Token& name, std::size_t end, Consequence& consequence
                                    {"leaves", Consequence::Kind::leaf},
                                    {"fallingLeaf", Consequence::Kind::falling_leaf},
                                    {"fallingLeaves", Consequence::Kind::falling_leaf},
+                                   {"foliage", Consequence::Kind::foliage},
                                    {"childTrunk", Consequence::Kind::child_trunk}};
   const auto* const call = std::find_if(std::begin(calls), std::end(calls), [&](const Call& each) {
     return name.kind == TokenKind::name && each.name == name.text;
@@ -238,7 +239,8 @@ bool Reader::called(const Token& name, std::size_t end, Consequence& consequence
   if (call == std::end(calls))
     return fail(
         name.kind == TokenKind::name ? Reason::undefined : Reason::syntax, name.place,
-        "'%' cannot happen; a rule sets a value (gravitropism = 0.2) or has leaf(n), fallingLeaf(n) or childTrunk.",
+        "'%' cannot happen; a rule sets a value (gravitropism = 0.2) or has leaf(n), fallingLeaf(n), foliage(n) or "
+        "childTrunk.",
         {name.text});
   consequence.kind = call->kind;
   ++at_;
@@ -247,8 +249,10 @@ bool Reader::called(const Token& name, std::size_t end, Consequence& consequence
   std::vector<Number> values;
   if (at_ >= end || !opens(at_)) return wrong(here(), "How many stands behind it, as in %(nlf).", {name.text});
   if (!numbers(any_word, values)) return false;
-  if (values.size() != 1) return wrong(name.place, "% takes one number.", {name.text});
+  const bool lasting = call->kind == Consequence::Kind::foliage && values.size() == 2;
+  if (values.size() != 1 && !lasting) return wrong(name.place, "% takes one number.", {name.text});
   consequence.number = values[0];
+  if (lasting) consequence.steps = values[1];
   return true;
 }
 
@@ -267,11 +271,13 @@ bool Reader::place_rule(Rule rule) {
   bool environment = true, luck = rule.probability.value.given;
   for (const Consequence& each : rule.consequences) {
     uses |= each.number.uses;
-    draws |= each.number.draws;
+    uses |= each.steps.uses;
+    draws |= each.number.draws || each.steps.draws;
     environment &= each.kind == Consequence::Kind::set && (of_environment & bit(each.word)) != 0;
     // The luck of a bud, or of a child trunk, is drawn apart from what shoots have in common.
     luck &= each.kind == Consequence::Kind::set || each.kind == Consequence::Kind::leaf ||
-            each.kind == Consequence::Kind::falling_leaf || rule.consequences.size() > 1;
+            each.kind == Consequence::Kind::falling_leaf || each.kind == Consequence::Kind::foliage ||
+            rule.consequences.size() > 1;
   }
   rule.stream = hash_combine(hash_text("growth rule"), rules_.of_shoots.size() + rules_.of_volumes.size());
   if (environment && (uses & of_shoot) == 0) {

@@ -54,7 +54,7 @@ struct Number {
 
 // `name(values)` or `name.rand(values)` of a growth volume.
 struct Attribute {
-  enum class Kind : std::uint8_t { count, id, base, height, top, gradient, towards, at };
+  enum class Kind : std::uint8_t { count, id, base, height, top, gradient, towards, at, middle };
   Kind kind = Kind::count;
   bool drawn = false;           // between the values
   std::array<Number, 2> range;  // the first alone where it is not drawn, but for `at`: x and z
@@ -84,10 +84,11 @@ struct TreeRule {
 };
 
 struct Consequence {
-  enum class Kind : std::uint8_t { set, leaf, falling_leaf, child_trunk, buds };
+  enum class Kind : std::uint8_t { set, leaf, falling_leaf, child_trunk, buds, foliage };
   Kind kind = Kind::set;
   Word word = Word::ndv;  // that is set
   Number number;
+  Number steps;  // of foliage, where given: for how many
 };
 
 // `condition -> consequences : probability`

@@ -29,9 +29,13 @@ struct Bounds {
 };
 // By Attribute::Kind. A size that is drawn is at least 1, as the paper has it of child trunks: [1, …].
 constexpr Bounds bounds[] = {
-    {"cnt", 1, most_volumes, 1}, {"id", 0, 1e6f, 1},   {"wb", 0, 1000, 1},        {"h", 0.1f, 1000, 1},
-    {"wt", 0, 1000, 1},          {"grad", -80, 80, 0}, {"towards", -360, 360, 0}, {"at", -1e4f, 1e4f, 0},
+    {"cnt", 1, most_volumes, 1}, {"id", 0, 1e6f, 1},     {"wb", 0, 1000, 1},
+    {"h", 0.1f, 1000, 1},        {"wt", 0, 1000, 1},     {"grad", -80, 80, 0},
+    {"towards", -360, 360, 0},   {"at", -1e4f, 1e4f, 0}, {"wm", 0, 1000, 1},
 };
+
+// Halfway up a frustum.
+float mean_width(const GrowthVolume& volume) { return (volume.base + volume.top) / 2; }
 
 struct Drawer {
   const Rules& rules;
@@ -71,7 +75,7 @@ struct Drawer {
 
   bool volume(const VolumeRule& rule, std::uint32_t of_rule, std::uint64_t address, GrowthVolume& volume,
               bool& placed) {
-    float id = static_cast<float>(volume.id), gradient = 0, towards = volume.towards;
+    float id = static_cast<float>(volume.id), gradient = 0, towards = volume.towards, middle = -1;
     for (const Attribute& attribute : rule.attributes) {
       bool fine = true;
       switch (attribute.kind) {
@@ -96,6 +100,9 @@ struct Drawer {
         case Attribute::Kind::towards:
           fine = value(attribute, address, towards);
           break;
+        case Attribute::Kind::middle:
+          fine = value(attribute, address, middle);
+          break;
         case Attribute::Kind::at:
           evaluation.at(address);
           placed = true;
@@ -108,17 +115,18 @@ struct Drawer {
     volume.id = static_cast<std::uint32_t>(id);
     volume.gradient = gradient * pi / 180;
     volume.towards = towards * pi / 180;
+    volume.middle = middle < 0 ? mean_width(volume) : middle;
     return true;
   }
 };
 
-float half_width(const GrowthVolume& volume) { return std::max(volume.base, volume.top) / 2; }
+float half_width(const GrowthVolume& volume) { return std::max({volume.base, volume.middle, volume.top}) / 2; }
 
 }  // namespace
 
 bool draw_volumes(const Rules& rules, std::uint64_t seed, Evaluation& evaluation, std::vector<GrowthVolume>& volumes) {
   Drawer drawer{rules, seed, evaluation};
-  const GrowthVolume otherwise{1, 4, 10, 2.5f, 0, {}, 1, 0};
+  const GrowthVolume otherwise{1, 8, 10, 5, 0, {}, 1, 0, 6.5f};
   for (std::uint64_t i = 0; i < rules.footprint.size(); ++i) {
     const VolumeRule& rule = rules.footprint[i];
     std::uint32_t count = 1;

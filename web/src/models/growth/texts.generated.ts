@@ -8,7 +8,7 @@ export const TEXTS: Readonly<Record<string, string>> = {
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 5, 9, 5, 0)
+footprint -> GrowVol(1, 1, 8, 9, 8, 0)
 tree -> DivFunc("sigma1"){branches}, DivFunc("exp", 3, 1){branch}
 `,
 	"figure-4": `/* Growth volumes
@@ -19,9 +19,9 @@ gs = 7
 
 /* GrowVol(cnt, id, wb, h, wt, grad): how many, the first one’s number, width at the base, height and width at the top
    in metres, and how far it leans in degrees. */
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
-             GrowVol(1, 2, 3, 6, 4, 10)
-             GrowVol(1, 3, 2, 4, 0.5, 20)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
+             GrowVol(1, 2, 6, 6, 6, 10)
+             GrowVol(1, 3, 4, 4, 1, 20)
 tree -> DivFunc("sigma1"){branches}
 `,
 	"figure-5": `/* Step by step
@@ -30,7 +30,7 @@ tree -> DivFunc("sigma1"){branches}
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 tree -> DivFunc("sigma1"){branches} DivFunc("sigma1"){leaves}
 
 /* The trunk is the branch whose age k is N − 1. What the text decides here is a calibration by Table 1. */
@@ -52,7 +52,7 @@ GrowVol.h < 5 -> gravitropism = 0.2
 */
 gs = 9
 
-footprint -> GrowVol(1, 1, 5, 10, 3, 0)
+footprint -> GrowVol(1, 1, 10, 10, 6, 0)
 /* The same for leaves would give none: a new branch has those of 1, which no even number divides. */
 tree -> DivFunc("sigma1b", 0, 2){branches} DivFunc("sigma1"){leaves}
 
@@ -64,7 +64,7 @@ ndv == 0 -> childTrunk : 0.1
 */
 gs = 9
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 tree -> DivFunc("hat", 1){branches}
 
 gravitropism = 0.2
@@ -91,7 +91,7 @@ GrowVol.h < 5 -> gravitropism = 0.2
 */
 gs.rand(5, 7)
 
-footprint -> GrowVol(cnt.rand(2), wb.rand(2, 6), h.rand(5, 12), wt.rand(1, 5), grad.rand(15))
+footprint -> GrowVol(cnt.rand(2), wb.rand(4, 10), h.rand(5, 12), wt.rand(2, 8), grad.rand(15))
 tree -> DivFunc("sigma1"){branches} : 1
 tree -> DivFunc("sigma1b", 1, 2){branches} : 1
 tree -> DivFunc("star1"){branches} : 1
@@ -108,7 +108,7 @@ ndv < 0 -> gravitropism = gravitropism - 0.2, length = length * 2
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 tree -> DivFunc("hat", 1){branches}
 
 /* The trunk is the branch whose age k is N − 1. What the text decides here is a calibration by Table 1. */
@@ -127,7 +127,7 @@ nlf < 0 -> fallingLeaf(-nlf)
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 
 k == 1 -> nbr = 2
 k == 1 -> nbr = RND(3, 4) : 0.055
@@ -140,7 +140,7 @@ k == 1 -> leaf(1)
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 tree -> DivFunc("star", 1){branches} DivFunc("exp", 2, 1){branch}
 
 /* The trunk is the branch whose age k is N − 1. What the text decides here is a calibration by Table 1. */
@@ -159,7 +159,7 @@ nlf < 0 -> fallingLeaf(-nlf)
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 tree -> DivFunc("sigma1b", 1, 2){branches}
 
 /* The trunk is the branch whose age k is N − 1. What the text decides here is a calibration by Table 1. */
@@ -178,7 +178,7 @@ nlf < 0 -> fallingLeaf(-nlf)
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 tree -> DivFunc("sigma", 1){branches}
 
 /* The trunk is the branch whose age k is N − 1. What the text decides here is a calibration by Table 1. */
@@ -197,7 +197,7 @@ nlf < 0 -> fallingLeaf(-nlf)
 */
 gs = 8
 
-footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)
+footprint -> GrowVol(1, 1, 8, 10, 5, 0)
 tree -> DivFunc("star", 1){branches}
 
 /* The trunk is the branch whose age k is N − 1. What the text decides here is a calibration by Table 1. */

@@ -53,7 +53,8 @@ export const PRESETS: readonly Preset[] = FILES.map(({ half, ...file }) => ({
 	details: { outline: outlineOf(half) },
 }));
 
-function outlineOf(half: string): OutlinePoint[] {
+/** Of a leaf whose sides are alike: `half` as preset files have it. */
+export function outlineOf(half: string): OutlinePoint[] {
 	const side = half.split(",").map((written): OutlinePoint => {
 		const [x, y, kind = "smooth"] = written.trim().split(/\s+/);
 		return { x: Number(x) / 1000, y: Number(y) / 1000, kind: KINDS.find((each) => each === kind) as Kind };

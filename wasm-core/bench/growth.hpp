@@ -1,0 +1,14 @@
+// A tree by divisor functions, as far as one of its stages: what each costs is what it adds to the one before.
+#pragma once
+
+#include <cstdint>
+
+namespace panicle::bench {
+
+enum class Stage : std::uint32_t { text, population, form, moment, leaves, levels };
+
+// The tree of Table 1's σ1 after so many steps, from reading its text to the stage. Work: its branches, or of `text`
+// its rules; negative where it failed.
+double run_growth(Stage stage, std::uint32_t steps, std::uint32_t seed);
+
+}  // namespace panicle::bench

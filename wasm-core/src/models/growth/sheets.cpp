@@ -1,0 +1,103 @@
+#include "models/growth/sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace panicle::growth {
+namespace {
+
+constexpr float least_breadth = 0.5f;  // needles together are a tuft
+
+glm::vec3 turned(const glm::vec4& q, const glm::vec3& v) {
+  const glm::vec3 u(q.x, q.y, q.z), w = 2.0f * glm::cross(u, v);
+  return v + q.w * w + glm::cross(u, w);
+}
+
+// A place's cell in a box of 2¹⁰ cells a side, the bits of its three numbers by turns: near ones mostly have near
+// codes.
+std::uint32_t code_of(const glm::vec3& p, const Box& box) {
+  const glm::vec3 size = box.size();
+  const float scale = 1023 / std::max({size.x, size.y, size.z, 1e-6f});
+  std::uint32_t code = 0;
+  for (int k = 0; k < 3; ++k) {
+    auto cell = static_cast<std::uint32_t>(std::clamp((p[k] - box.low[k]) * scale, 0.0f, 1023.0f));
+    cell = (cell | cell << 16) & 0x030000ffu;
+    cell = (cell | cell << 8) & 0x0300f00fu;
+    cell = (cell | cell << 4) & 0x030c30c3u;
+    cell = (cell | cell << 2) & 0x09249249u;
+    code |= cell << k;
+  }
+  return code;
+}
+
+// Moves middles apart, or together, until corners reach from end to end of the target along each axis.
+void reach(std::vector<Sheet>& sheets, const Box& target) {
+  Box middles, corners;
+  for (const Sheet& sheet : sheets) {
+    middles.hold(sheet.middle);
+    for (const glm::vec3& corner : sheet.corners()) corners.hold(sheet.middle + corner);
+  }
+  const glm::vec3 wide = middles.size(), over = corners.size() - wide, asked = target.size();
+  for (int k = 0; k < 3; ++k) {
+    if (!(wide[k] > 1e-4f)) continue;
+    const float factor = std::max(asked[k] - over[k], 0.0f) / wide[k];
+    const float low = target.low[k] + (middles.low[k] - corners.low[k]);
+    for (Sheet& sheet : sheets) sheet.middle[k] = low + factor * (sheet.middle[k] - middles.low[k]);
+  }
+}
+
+}  // namespace
+
+Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t last, SheetKind kind, float area)
+    : breadth_(std::max(2 * area, least_breadth)) {
+  if (!(area > 0)) return;
+  std::vector<Sheet> found;
+  for (const Organ& organ : organs) {
+    if (organ.tag < first || organ.tag > last) continue;
+    const glm::vec3 x = turned(organ.rotation, {1, 0, 0}), y = turned(organ.rotation, {0, 1, 0});
+    Sheet sheet;
+    // A leaf's tip is at +Y and its face looks to +Z; a blossom looks to +Y.
+    sheet.along = kind == SheetKind::leaf ? y : x;
+    sheet.across = kind == SheetKind::leaf ? x : glm::cross(x, y);
+    sheet.length = organ.scale;
+    sheet.area = area * organ.scale * organ.scale;
+    sheet.middle = organ.position + 0.5f * organ.scale * y;
+    middles_.hold(sheet.middle);
+    found.push_back(sheet);
+  }
+  std::vector<std::uint64_t> order;
+  order.reserve(found.size());
+  for (std::uint32_t i = 0; i < found.size(); ++i)
+    order.push_back(std::uint64_t{code_of(found[i].middle, middles_)} << 32 | i);
+  std::sort(order.begin(), order.end());
+  sheets_.reserve(found.size());
+  for (const std::uint64_t each : order) sheets_.push_back(found[static_cast<std::uint32_t>(each)]);
+}
+
+std::vector<Sheet> Sheets::merged(std::size_t count, const Box& target) const {
+  const std::size_t all = sheets_.size();
+  count = std::min(count, all);
+  std::vector<Sheet> merged;
+  merged.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = i * all / count, to = (i + 1) * all / count;
+    merged.push_back(sheets_[from]);
+    if (to - from == 1) continue;
+    Sheet& sheet = merged.back();
+    glm::vec3 sum(0);
+    sheet.area = 0;
+    for (std::size_t k = from; k < to; ++k) {
+      sheet.area += sheets_[k].area;
+      sum += sheets_[k].area * sheets_[k].middle;
+    }
+    sheet.middle = sum / sheet.area;
+    sheet.length = std::sqrt(2 * sheet.area / breadth_);
+    sheet.one = false;
+  }
+  reach(merged, target);
+  return merged;
+}
+
+}  // namespace panicle::growth

@@ -1,0 +1,61 @@
+#include "models/growth/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "foundation/mathematics.hpp"
+
+namespace panicle::growth {
+namespace {
+
+constexpr float least_room = 1e-3f, most_room = 1e6f;
+constexpr float diagonal = 0.70710678f;
+constexpr std::array<float, Surroundings::sides> east{1, diagonal, 0, -diagonal, -1, -diagonal, 0, diagonal},
+    south{0, diagonal, 1, diagonal, 0, -diagonal, -1, -diagonal};  // +X, and +Z
+
+// Which of the eighths of a turn from +X to +Z a direction lies in.
+std::size_t eighth(float x, float z) {
+  const bool steep = std::fabs(z) > std::fabs(x);
+  if (z >= 0) return x >= 0 ? (steep ? 1 : 0) : (steep ? 2 : 3);
+  return x < 0 ? (steep ? 5 : 4) : (steep ? 6 : 7);
+}
+
+}  // namespace
+
+Result<Surroundings> Surroundings::of(std::span<const float> numbers) {
+  if (numbers.size() != 2 * sides ||
+      !std::all_of(numbers.begin(), numbers.end(), [](float each) { return std::isfinite(each); }))
+    return Diagnostic{Reason::bad_request, "The surroundings are not sixteen numbers.", 0, 0};
+  Surroundings about;
+  about.alone_ = false;
+  for (std::size_t i = 0; i < sides; ++i) {
+    about.horizon_[i] = std::clamp(numbers[i], 0.0f, 90.0f);
+    about.room_[i] = std::clamp(numbers[sides + i], least_room, most_room);
+  }
+  return about;
+}
+
+bool Surroundings::holds(const glm::vec3& p) const {
+  if (alone_) return true;
+  const std::size_t i = eighth(p.x, p.z), next = (i + 1) % sides;
+  const float x = room_[i] * east[i], z = room_[i] * south[i];
+  const float way_x = room_[next] * east[next] - x, way_z = room_[next] * south[next] - z;
+  return way_x * (p.z - z) - way_z * (p.x - x) >= 0;
+}
+
+std::vector<Lamp> Surroundings::sky(std::uint32_t count) const {
+  std::vector<Lamp> lamps = overcast(count);
+  if (alone_) return lamps;
+  for (Lamp& lamp : lamps) {
+    const glm::vec3& way = lamp.towards;
+    float turns = arc_tangent(way.z, way.x) * (static_cast<float>(sides) / (2 * pi));
+    if (turns < 0) turns += static_cast<float>(sides);
+    const auto i = std::min(static_cast<std::size_t>(turns), sides - 1);
+    const float share = turns - static_cast<float>(i);
+    const float height = (1 - share) * horizon_[i] + share * horizon_[(i + 1) % sides];
+    if (way.y < sine(height * pi / 180)) lamp.share = 0;
+  }
+  return lamps;
+}
+
+}  // namespace panicle::growth
