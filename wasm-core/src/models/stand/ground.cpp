@@ -37,8 +37,7 @@ float Relief::at(float x, float z) const {
 
 Mesh Relief::mesh() const {
   const auto cells = [&](float length) {
-    const float finest = ground_.relief > 0 ? 64 : 1;
-    return static_cast<std::uint32_t>(std::clamp(std::ceil(length), 1.0f, finest));
+    return static_cast<std::uint32_t>(std::clamp(std::ceil(2 * length), 1.0f, 96.0f));
   };
   const std::uint32_t across = cells(ground_.width), deep = cells(ground_.depth);
   Mesh mesh;

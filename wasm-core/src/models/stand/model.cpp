@@ -179,7 +179,12 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                   {"kinds", static_cast<std::uint32_t>(kinds.size())},
                   {"borne", borne}};
   if (measures) measure(plant, plan.value(), plants.value(), kinds);
-  if (meshes) plant.meshes.push_back({"ground", "soil", ground.mesh(), {}, {}});
+  if (meshes) {
+    Mesh mesh = ground.mesh();
+    Columns columns;
+    columns.add("sky", sky_below(plan.value(), plants.value(), mesh.positions));
+    plant.meshes.push_back({"ground", "soil", std::move(mesh), {}, std::move(columns)});
+  }
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;
 }

@@ -71,4 +71,34 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
   return all;
 }
 
+// A crown hides most of the sky where one stands under it, and less and less up to a height beside it.
+std::vector<std::uint8_t> sky_below(const Plan& plan, const std::vector<Placement>& plants,
+                                    const std::vector<float>& points) {
+  std::vector<const Kind*> kinds;
+  for (const Layer& layer : plan.layers)
+    for (const Kind& kind : layer.kinds) kinds.push_back(&kind);
+  std::vector<glm::vec3> feet;
+  float widest = 0.01f;
+  for (const Placement& plant : plants) {
+    if (plant.bearer >= 0) continue;
+    const Kind& kind = *kinds[plant.kind];
+    feet.emplace_back(plant.at.x, 0, plant.at.z);
+    widest = std::max(widest, plant.scale * (0.5f * kind.width + 0.5f * kind.height));
+  }
+  const PointGrid grid(feet, widest);
+  std::vector<std::uint8_t> sky;
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    const glm::vec3 at(points[i], 0, points[i + 2]);
+    float open = 1;
+    grid.visit(at, [&](std::uint32_t j) {
+      const Kind& kind = *kinds[plants[j].kind];
+      const float radius = 0.5f * kind.width * plants[j].scale, height = kind.height * plants[j].scale;
+      const float beside = (glm::distance(feet[j], at) - 0.5f * radius) / (0.5f * (radius + height));
+      open *= 1 - 0.55f * std::clamp(1 - beside, 0.0f, 1.0f);
+    });
+    sky.push_back(static_cast<std::uint8_t>(255 * std::max(open, 0.12f)));
+  }
+  return sky;
+}
+
 }  // namespace panicle::stand

@@ -17,4 +17,8 @@ inline constexpr float no_neighbour = 1000;  // metres of free room
 // the plant: they are those of its own frame, at its own scale.
 std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement>& plants);
 
+// How much of the sky places on the ground see under the crowns, 255 all: 3 × places in, a byte each out.
+std::vector<std::uint8_t> sky_below(const Plan& plan, const std::vector<Placement>& plants,
+                                    const std::vector<float>& points);
+
 }  // namespace panicle::stand
