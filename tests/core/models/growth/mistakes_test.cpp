@@ -35,7 +35,7 @@ const Mistake mistakes[] = {
     {"footprint -> «GrowVol(1, 2, 3)", "(cnt, id, wb, h, wt, grad)"},
     {"footprint -> «GrowVol(1, 2", "never closed"},
     {"footprint -> GrowVol(«width(3))", "no such function"},
-    {"footprint -> GrowVol(«width.rand(3))", "cnt, id, wb, h, wt, grad, size, towards and at"},
+    {"footprint -> GrowVol(«width.rand(3))", "cnt, id, wb, h, wt, grad, wm, size, towards and at"},
     {"footprint -> GrowVol(«h.random(3))", "h.rand"},
     {"footprint -> GrowVol(«h(3, 4))", "one number"},
     {"footprint -> GrowVol(«size.rand(3))", "four numbers"},

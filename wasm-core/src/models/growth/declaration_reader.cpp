@@ -118,7 +118,7 @@ bool Reader::range_of(std::vector<Number>& values, bool drawn, std::string_view 
                                          [&](const AttributeName& each) { return each.name == name; });
   if (known == std::end(attribute_names))
     return fail(Reason::undefined, place,
-                "A growth volume has cnt, id, wb, wm, h, wt, grad, size, towards and at, not %.", {name});
+                "A growth volume has cnt, id, wb, h, wt, grad, wm, size, towards and at, not %.", {name});
   if (values.empty() || values.size() > (drawn ? 2u : 1u))
     return wrong(place, drawn ? "%.rand takes the most, or the least and the most." : "% takes one number.", {name});
   Attribute attribute{known->kind, drawn, {}};

@@ -19,9 +19,10 @@ constexpr std::uint64_t stream_turn = 0x6c656166, stream_face = stream_turn + 1,
 constexpr float golden_angle = 137.50776f, golden = 0.618034f;
 constexpr float least_size = 0.7f;  // of the largest
 constexpr float outwards = 0.45f, strewn = 0.5f, droop = 0.25f;
-constexpr float drift = 0.15f;     // how far they come down from below where they hung, of that height
-constexpr float above = 0.01f;     // the ground, metres
-constexpr float near_tip = 0.35f;  // from where on along an internode they stand
+constexpr float drift = 0.15f;         // how far they come down from below where they hung, of that height
+constexpr float above = 0.01f;         // the ground, metres
+constexpr float least_bearing = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
+constexpr float near_tip = 0.35f;      // from where on along an internode they stand
 
 // The year, from 0 to 1: when the first bud opens, over how long others follow, how long one takes; when the first leaf
 // falls, and over how long; and the same of blossoms, which come before the leaves and wither while these unfold.
@@ -110,6 +111,8 @@ class Crown {
     const glm::vec3 whole = form_.nodes[way.first + node] - form_.nodes[way.first + node - 1];
     const Segment& twig = moment_.segments[static_cast<std::size_t>(place.bearer)];
     const float length = glm::length(whole);
+    // A shoot that found no room to grow has none for leaves.
+    if (counted.gone != Leaf::never && length < least_bearing * habit_.size) return false;
     place.length = std::min(length, glm::distance(twig.start, twig.end));
     place.along = length > 0 ? whole / length : glm::vec3(0, 1, 0);
     place.one = beside(place.along);

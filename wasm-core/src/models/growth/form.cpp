@@ -207,7 +207,7 @@ class Maker {
     if (shoot.trunk) {
       if (habit_.cordon > 0)
         return internode == 0 ? habit_.cordon
-                              : volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
+                              : 0.5f * volume.base / std::max(1.0f, static_cast<float>(form_.ways[q].count) - 1);
       const float whole = habit_.leader * volume.height;
       if (internode == 0) return habit_.bole * whole + (form_.ways[q].count == 1 ? (1 - habit_.bole) * whole : 0);
       return (1 - habit_.bole) * whole / static_cast<float>(form_.ways[q].count - 1);
@@ -316,7 +316,7 @@ class Maker {
                          around.phototropism * light - glm::vec3(0, down, 0) + luck,
                      forward);
       // Never death: how many there are is the text's to say.
-      if (sum < crowded) length *= short_shoot;
+      if (sum < crowded && habit_.cordon <= 0) length *= short_shoot;
       for (int i = 0; i < most_halvings && regard > 0 && !about_.holds(tip + length * forward); ++i) length *= 0.5f;
       // The volume guides: beyond it grows half as far what has no will of its own.
       if (deformed.length <= 1 &&

@@ -73,7 +73,7 @@ inline constexpr std::array<ParameterInfo, parameter_count> parameter_table = {{
     {"shoot", "", "", 0.1f, 3.0f, 0.0f, 0.9f, false},
     {"order_ratio", "", "", 0.3f, 1.0f, 0.0f, 0.78f, false},
     {"age_ratio", "", "", 0.5f, 1.0f, 0.0f, 0.93f, false},
-    {"bole", "", "", 0.02f, 0.6f, 0.0f, 0.16f, false},
+    {"bole", "", "", 0.02f, 0.9f, 0.0f, 0.16f, false},
     {"trunk_angle", "", "", 5.0f, 110.0f, 0.0f, 60.0f, false},
     {"branch_angle", "", "", 5.0f, 110.0f, 0.0f, 45.0f, false},
     {"turn", "", "", 0.0f, 360.0f, 0.0f, 137.5f, false},

@@ -33,6 +33,7 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 		columns.floats("volumes.at"),
 	];
 	const child = columns.octets("volumes.child");
+	const middles = columns.floats("volumes.middle");
 	const { veins } = leafOf(specimen) ?? {};
 	return {
 		...readPlant(answer),
@@ -42,7 +43,7 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 			born: columns.words("segments.born"),
 		},
 		volumes: [...ids].flatMap((id, i) =>
-			child[i] === 1 ? [] : [volumeOf(id, shapes.subarray(5 * i), places.subarray(2 * i))],
+			child[i] === 1 ? [] : [volumeOf(id, shapes.subarray(5 * i), middles[i], places.subarray(2 * i))],
 		),
 		...(columns.has("mesh.stems.segment") ? { bearing: columns.words("mesh.stems.segment") } : {}),
 		...(veins ? { veins } : {}),
@@ -52,7 +53,8 @@ export function readGrowthPlant(answer: Answer, specimen: GrowthSpecimen): Growt
 /** To the hundredth, as the core draws them and texts write them. */
 const hundredth = (value: number): number => Math.round(value * 100) / 100 + 0;
 
-function volumeOf(id: number, shape: Float32Array, place: Float32Array): GrowthVolume {
+function volumeOf(id: number, shape: Float32Array, wide: number, place: Float32Array): GrowthVolume {
 	const [base, height, top, gradient, towards] = [...shape.subarray(0, 5)].map(hundredth);
-	return { id, base, height, top, gradient, towards, at: [hundredth(place[0]), hundredth(place[1])] };
+	const middle = hundredth(wide);
+	return { id, base, height, top, middle, gradient, towards, at: [hundredth(place[0]), hundredth(place[1])] };
 }

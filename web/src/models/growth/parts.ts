@@ -1,56 +1,89 @@
-/** A tree of a growth grammar in parts: bark, leaves in their tints, those about to fall and those that lie on the ground. */
-import { linear, mixed } from "../../plant/colour";
+/** A tree of a growth grammar in parts: bark, leaves in their tints, blossoms, those about to fall and those that lie on the ground. */
+import { linear } from "../../plant/colour";
 import { leafTints } from "../../plant/leaf_colours";
+import type { Material } from "../../plant/material";
 import type { Part } from "../../plant/part";
 import type { Plant } from "../../plant/plant";
-import { barkPicture } from "../../plant/wood/bark_picture";
-import { type Dress, woodenParts } from "../../plant/wood/wooden_parts";
+import { type BarkKind, barkPicture, barkRelief } from "../../plant/wood/bark_picture";
+import { borneParts, type Dress, woodenParts } from "../../plant/wood/wooden_parts";
 import type { GrowthPlant } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
+import { GROWTH_TABLE } from "./table";
+import { leafSeason } from "./year";
 
-/** What twigs of any tree come near to. */
-const TWIG = linear("4d3f33");
+/** What a birch's bark turns to towards the ground. */
+const FOOT = linear("2a2623");
 
-export function* growthParts(plant: GrowthPlant, { look }: GrowthSpecimen): Generator<Part> {
+/** Of what is on the ground in autumn, how far the year is for its colours: browner than what hangs. */
+const LYING = 1;
+
+export function* growthParts(plant: GrowthPlant, specimen: GrowthSpecimen): Generator<Part> {
+	const { look, parameters } = specimen;
+	const evergreen = GROWTH_TABLE.option(specimen, "year") === "evergreen";
+	const dress = woodOf(specimen);
+	const season = leafSeason(parameters.season, evergreen);
+	const colours = { leaf: look.leaf, autumn: look.autumn };
+	yield* woodenParts(withOrgans(plant, ["leaf"]), {
+		...dress,
+		tints: { blade: leafTints({ ...colours, season }, plant.veins), petal: [] },
+	});
+	// Those about to fall and the fallen are of one colour: a step later they are gone.
+	const [red] = leafTints({ leaf: look.falling, autumn: look.falling, season: 0.4 }, plant.veins);
+	yield* borneParts(withOrgans(plant, ["falling", "fallen"]), { blade: [{ ...red, name: "Falling leaf" }] });
+	const brown = leafTints({ ...colours, season: LYING }, plant.veins);
+	yield* borneParts(withOrgans(plant, ["shed"]), {
+		blade: brown.map((tint, i) => ({ ...tint, name: `Shed leaf ${i + 1}` })),
+	});
+	yield* borneParts(withOrgans(plant, ["blossom"]), { petal: [petal(look.petal)] });
+}
+
+function woodOf(specimen: GrowthSpecimen): Omit<Dress, "tints"> {
+	const { look } = specimen;
+	const kind = BARKS[GROWTH_TABLE.option(specimen, "bark_kind") ?? ""] ?? "furrowed";
 	const old = linear(look.bark);
-	const dress: Dress = {
+	const thick = 0.005 * look.bark_from;
+	return {
 		wood: {
 			name: "Bark",
 			colour: old,
-			roughness: 0.92,
-			textures: { colour: barkPicture("furrowed"), repeats: true },
+			roughness: kind === "paper" || kind === "smooth" ? 0.75 : 0.92,
+			textures: { colour: barkPicture(kind), normal: barkRelief(kind), repeats: true },
 		},
-		bark: { old, young: mixed(old, TWIG, 0.8), from: 0.008, to: 0.05 },
-		tints: { blade: leafTints(look, plant.veins) },
+		bark: {
+			old,
+			young: linear(look.young_bark),
+			from: 0.15 * thick,
+			to: thick,
+			...(kind === "paper" ? { foot: FOOT } : {}),
+		},
 	};
-	const [kept, falling] = parted(plant);
-	yield* woodenParts(kept, dress);
-	if (falling.count === 0) return;
-	// Those about to fall and the fallen are of one colour: a step later they are gone.
-	const [material] = leafTints({ ...look, leaf: look.falling, autumn: look.falling, season: 0.4 }, plant.veins);
-	const leaves = plant.meshes.filter(({ material: kind }) => kind === "blade");
-	yield* woodenParts(
-		{ ...plant, meshes: leaves, organs: { ...falling, mesh: new Int32Array(falling.count) } },
-		{ ...dress, tints: { blade: [{ ...material, name: "Falling leaf" }] } },
-	);
 }
 
-/** The same plant with the leaves that stay, and the organs that do not. */
-function parted(plant: GrowthPlant): [kept: GrowthPlant, falling: Plant["organs"]] {
+/** What the table calls each. */
+const BARKS: Readonly<Record<string, BarkKind>> = {
+	furrowed: "furrowed",
+	smooth: "smooth",
+	paper: "paper",
+	plated: "plated",
+	banded: "banded",
+	stringy: "fibrous",
+};
+
+const petal = (colour: string): Material => ({
+	name: "Petal",
+	colour: linear(colour),
+	roughness: 0.65,
+	doubleSided: true,
+	sheet: { through: [0.9, 0.85, 0.85], reverse: [1, 0.98, 0.98] },
+});
+
+/** The same plant with those of its organs that have one of these tags and a mesh. */
+function withOrgans(plant: GrowthPlant, tags: readonly string[]): GrowthPlant {
 	const { organs } = plant;
-	const stays = organs.tags.indexOf("leaf");
-	const places = Array.from({ length: organs.count }, (_, i) => i);
-	const kept = organsAt(
-		organs,
-		places.filter((i) => organs.tag[i] === stays),
-	);
-	return [
-		{ ...plant, organs: kept },
-		organsAt(
-			organs,
-			places.filter((i) => organs.tag[i] !== stays),
-		),
-	];
+	const wanted = new Set(tags.map((tag) => organs.tags.indexOf(tag)));
+	const places: number[] = [];
+	for (let i = 0; i < organs.count; i++) if (wanted.has(organs.tag[i]) && organs.mesh[i] >= 0) places.push(i);
+	return { ...plant, organs: organsAt(organs, places) };
 }
 
 function organsAt(organs: Plant["organs"], places: readonly number[]): Plant["organs"] {

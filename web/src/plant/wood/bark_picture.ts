@@ -8,9 +8,10 @@ import { hashFraction } from "../noise";
 
 /**
  * furrowed: long ridges that part and meet (oak, most trees). paper: pale, with lenticels across and rough dark patches (birch).
- * ringed: shallow creases across (carrot). fibrous: fine streaks along (roots).
+ * ringed: shallow creases across (carrot). fibrous: fine streaks along (roots, cypress, vine). smooth: hardly anything (beech).
+ * plated: plates between deep cracks (pine). banded: smooth, with rows of lenticels across (cherry).
  */
-export type BarkKind = "furrowed" | "paper" | "ringed" | "fibrous";
+export type BarkKind = "furrowed" | "paper" | "ringed" | "fibrous" | "smooth" | "plated" | "banded";
 
 const SIDE = 256;
 
@@ -31,6 +32,42 @@ function painted(shade: (u: number, v: number) => number): Picture {
 		}
 	}
 	return { width: SIDE, height: SIDE, pixels };
+}
+
+/** How steep a relief is: the height from black to white, in sides of the picture. */
+const STEEP: Readonly<Record<BarkKind, number>> = {
+	furrowed: 0.05,
+	paper: 0.012,
+	ringed: 0.012,
+	fibrous: 0.03,
+	smooth: 0.008,
+	plated: 0.05,
+	banded: 0.015,
+};
+
+const reliefs = new Map<BarkKind, Picture>();
+
+/** The same bark as normals (plant/material.ts): what is dark in its picture lies deep. */
+export function barkRelief(kind: BarkKind): Picture {
+	const known = reliefs.get(kind) ?? raised(barkPicture(kind), STEEP[kind]);
+	reliefs.set(kind, known);
+	return known;
+}
+
+function raised({ pixels }: Picture, steep: number): Picture {
+	const height = (column: number, row: number) => pixels[3 * (SIDE * wrapped(row, SIDE) + wrapped(column, SIDE))] / 255;
+	const normals = new Uint8Array(3 * SIDE * SIDE);
+	for (let row = 0, at = 0; row < SIDE; row++) {
+		for (let column = 0; column < SIDE; column++, at += 3) {
+			const x = 0.5 * steep * SIDE * (height(column - 1, row) - height(column + 1, row));
+			const y = 0.5 * steep * SIDE * (height(column, row + 1) - height(column, row - 1));
+			const length = Math.hypot(x, y, 1);
+			normals[at] = Math.round(127.5 + (127.5 * x) / length);
+			normals[at + 1] = Math.round(127.5 + (127.5 * y) / length);
+			normals[at + 2] = Math.round(127.5 + 127.5 / length);
+		}
+	}
+	return { width: SIDE, height: SIDE, pixels: normals };
 }
 
 /** Of each kind how light it is at a place, 1 as the wood's own colour; in sRGB. */
@@ -61,6 +98,25 @@ const SHADES: Readonly<Record<BarkKind, (u: number, v: number) => number>> = {
 		const streaks = tiled(22 * u, 3 * v, 22, 3, 31);
 		const knobs = tiled(9 * u, 12 * v, 9, 12, 32);
 		return 0.72 + 0.2 * streaks + 0.12 * knobs;
+	},
+	smooth(u, v) {
+		const cloud = tiled(3 * u, 5 * v, 3, 5, 41);
+		const grain = tiled(26 * u, 40 * v, 26, 40, 42);
+		const eyes = smoothstep(0.8, 0.86, tiled(4 * u, 7 * v, 4, 7, 43));
+		return 0.86 + 0.1 * cloud + 0.05 * grain - 0.16 * eyes;
+	},
+	plated(u, v) {
+		const drawn = u + 0.03 * (tiled(4 * u, 5 * v, 4, 5, 51) - 0.5);
+		const along = smoothstep(0.03, 0.24, ridge(tiled(9 * drawn, 3 * v, 9, 3, 52)));
+		const across = smoothstep(0.02, 0.14, ridge(tiled(5 * u, 7 * v, 5, 7, 53)));
+		const scales = tiled(18 * u, 26 * v, 18, 26, 54);
+		return (0.5 + 0.5 * Math.min(along, across)) * (0.84 + 0.2 * scales);
+	},
+	banded(u, v) {
+		const wave = v + 0.008 * (tiled(4 * u, 3 * v, 4, 3, 61) - 0.5);
+		const row = smoothstep(0.66, 0.76, tiled(7 * u, 30 * wave, 7, 30, 62));
+		const sheen = tiled(3 * u, 9 * v, 3, 9, 63);
+		return 0.84 + 0.16 * sheen - 0.34 * row;
 	},
 };
 

@@ -32,6 +32,12 @@ export function* woodenParts(plant: Wooden, { wood, bark, tints }: Dress): Gener
 		const coloured = colours ? { ...mesh, colours } : mesh;
 		yield* partsOf({ meshes: [coloured], organs: EMPTY_PLANT.organs }, { [mesh.material]: wood });
 	}
+	yield* borneParts(plant, tints);
+}
+
+/** What a plant bears, without its wood. */
+export function* borneParts({ meshes, organs }: Plant, tints: Dress["tints"]): Generator<Part> {
+	const borne = borneIn(organs);
 	for (const [index, mesh] of meshes.entries()) {
 		if (borne.has(index)) yield* instancesOf(organs, index, mesh, tints[mesh.material] ?? []);
 	}

@@ -3,16 +3,16 @@ import { describe, expect, it } from "vitest";
 import { withVolumes, writtenVolumes } from "../../../../../web/src/models/growth/volumes/footprint";
 import type { GrowthVolume } from "../../../../../web/src/models/growth/volumes/volume";
 
-const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2.5, gradient: 0, towards: 0, at: [0, 0] };
+const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2.5, middle: 3.25, gradient: 0, towards: 0, at: [0, 0] };
 
 describe("the growth volumes of a text", () => {
 	it("are read where they are numbers, with what is said by name", () => {
 		expect(writtenVolumes("footprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\n")).toEqual([ONE]);
 		const text =
-			"gs = 8\nfootprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\n   GrowVol(1, 2, 3, 6, .5, 10°, towards(-90), at(1, -2.5))";
+			"gs = 8\nfootprint -> GrowVol(1, 1, 4, 10, 2.5, 0)\n   GrowVol(1, 2, 3, 6, .5, 10°, towards(-90), wm(5), at(1, -2.5))";
 		expect(writtenVolumes(text)).toEqual([
 			ONE,
-			{ id: 2, base: 3, height: 6, top: 0.5, gradient: 10, towards: -90, at: [1, -2.5] },
+			{ id: 2, base: 3, height: 6, top: 0.5, middle: 5, gradient: 10, towards: -90, at: [1, -2.5] },
 		]);
 	});
 
@@ -66,6 +66,7 @@ describe("the growth volumes of a text", () => {
 			base: size,
 			height: size,
 			top: size,
+			middle: size,
 			gradient: hundredths(8000),
 			towards: hundredths(36000),
 			at: fc.tuple(hundredths(100_000), hundredths(100_000)),

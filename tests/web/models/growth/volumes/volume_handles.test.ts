@@ -1,11 +1,17 @@
 import { describe, expect, it } from "vitest";
 import type { Change } from "../../../../../web/src/controls/desk";
 import type { PlantHandle } from "../../../../../web/src/controls/handles/plant_handle";
-import { axisOf, type GrowthVolume, placeIn, surfaceOf } from "../../../../../web/src/models/growth/volumes/volume";
+import {
+	axisOf,
+	type GrowthVolume,
+	placeIn,
+	radiusAt,
+	surfaceOf,
+} from "../../../../../web/src/models/growth/volumes/volume";
 import { volumeHandles } from "../../../../../web/src/models/growth/volumes/volume_handles";
 
-const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2, gradient: 0, towards: 0, at: [1, 2] };
-const TWO: GrowthVolume = { id: 2, base: 3, height: 6, top: 1, gradient: 30, towards: 90, at: [-3, 0] };
+const ONE: GrowthVolume = { id: 1, base: 4, height: 10, top: 2, middle: 3, gradient: 0, towards: 0, at: [1, 2] };
+const TWO: GrowthVolume = { id: 2, base: 3, height: 6, top: 1, middle: 3, gradient: 30, towards: 90, at: [-3, 0] };
 
 /** What hands leave of them. */
 const put = (volumes: readonly GrowthVolume[]): Change => ({ details: { volumes } });
@@ -31,6 +37,13 @@ describe("a growth volume", () => {
 			expect(Math.hypot(...rim)).toBeCloseTo(0.5, 9);
 			expect(rim.reduce((sum, value, k) => sum + value * axisOf(TWO)[k], 0)).toBeCloseTo(0, 9);
 		}
+	});
+
+	it("is a frustum where it is as wide halfway up as in the mean, and else a quadric through its three widths", () => {
+		for (const up of [0, 0.2, 0.5, 0.9, 1]) expect(radiusAt(ONE, up)).toBeCloseTo(2 - up, 9);
+		const ball = { base: 0, middle: 6, top: 0 };
+		for (const up of [0, 0.1, 0.5, 1]) expect(radiusAt(ball, up)).toBeCloseTo(6 * Math.sqrt(up * (1 - up)), 9);
+		expect([0, 0.5, 1].map((up) => 2 * radiusAt(TWO, up))).toEqual([3, 3, 1]);
 	});
 
 	it("has a closed surface: every edge is that of two triangles, once each way", () => {
@@ -66,9 +79,10 @@ describe("handles of growth volumes", () => {
 			"Height of growth volume 2: 6.0 m",
 			"Lean of growth volume 2: 30°, towards 90°",
 			"Width at the base of growth volume 2: 3.0 m",
+			"Width in the middle of growth volume 2: 3.0 m",
 			"Width at the top of growth volume 2: 1.0 m",
 		]);
-		expect(handles.map(({ kind }) => kind)).toEqual([undefined, "chosen", "size", "turn", "size", "size"]);
+		expect(handles.map(({ kind }) => kind)).toEqual([undefined, "chosen", "size", "turn", "size", "size", "size"]);
 	});
 
 	it("make what they are pulled to, and leave the other volumes alone", () => {
@@ -78,6 +92,10 @@ describe("handles of growth volumes", () => {
 		const wide = handle("base");
 		expect(left(wide.pull(placeIn(ONE, 0, 3)))[0].base).toBeCloseTo(6, 9);
 		expect(left(wide.pull(placeIn(ONE, 0, -3)))[0].base).toBe(0);
+		// A frustum stays one, and a curve as wide halfway up as it was.
+		expect(left(wide.pull(placeIn(ONE, 0, 3)))[0].middle).toBeCloseTo(4, 9);
+		expect(left(handle("base", 1).pull(placeIn(TWO, 0, 3)))[1].middle).toBe(3);
+		expect(left(handle("middle").pull(placeIn(ONE, 0.5, 5)))[0]).toMatchObject({ middle: 10, base: 4, top: 2 });
 		expect(left(handle("top", 1).pull(placeIn(TWO, 1, 2)))[1].top).toBeCloseTo(4, 9);
 		const leant = left(handle("lean").pull([1, 5, 7]))[0];
 		expect([leant.gradient, leant.towards]).toEqual([45, 90]);
@@ -87,7 +105,7 @@ describe("handles of growth volumes", () => {
 
 	it("stay under the pointer", () => {
 		for (const chosen of [0, 1])
-			for (const id of ["height", "lean", "base", "top"]) {
+			for (const id of ["height", "lean", "base", "middle", "top"]) {
 				const { at, pull } = handle(id, chosen);
 				near(placeIn(left(pull(at))[chosen], 1), placeIn([ONE, TWO][chosen], 1));
 				expect(left(pull(at))[chosen].base).toBeCloseTo([ONE, TWO][chosen].base, 9);

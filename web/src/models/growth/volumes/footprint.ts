@@ -1,5 +1,5 @@
 /** The growth volumes that a growth grammar's `footprint` has, read from its text and written into it: the text owns them. */
-import type { GrowthVolume } from "./volume";
+import { type GrowthVolume, meanWidth } from "./volume";
 
 const NUMBER = /^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?°?$/i;
 /** What has a number of its own in brackets. */
@@ -56,13 +56,15 @@ function volumeOf(inside: string, index: number): GrowthVolume | undefined {
 	const calls = parts.filter((part) => !NUMBER.test(part)).map((part) => CALL.exec(part));
 	if (numbers.length !== 6 || numbers[0] !== 1) return undefined;
 	const [, id, base, height, top, gradient] = numbers;
+	const middle = meanWidth(base, top);
 	if (index > 0 && !calls.some((call) => call?.[1] === "at")) return undefined;
-	let volume: GrowthVolume = { id, base, height, top, gradient, towards: (TURN * index) % 360, at: [0, 0] };
+	let volume: GrowthVolume = { id, base, height, top, middle, gradient, towards: (TURN * index) % 360, at: [0, 0] };
 	for (const call of calls) {
 		const values = call?.[2].split(",").map((value) => value.trim()) ?? [];
 		if (!call || !values.every((value) => NUMBER.test(value))) return undefined;
 		const [first, second] = values.map(Number.parseFloat);
 		if (call[1] === "towards" && values.length === 1) volume = { ...volume, towards: first };
+		else if (call[1] === "wm" && values.length === 1) volume = { ...volume, middle: first };
 		else if (call[1] === "at" && values.length === 2) volume = { ...volume, at: [first, second] };
 		else return undefined;
 	}
@@ -73,9 +75,10 @@ function volumeOf(inside: string, index: number): GrowthVolume | undefined {
 const written = (value: number): string => String(Math.round(value * 100) / 100 + 0);
 
 /** A volume as the language has it; `at` and `towards` are always said, so that it stands where it stood. */
-function lineOf({ id, base, height, top, gradient, towards, at }: GrowthVolume): string {
+function lineOf({ id, base, height, top, middle, gradient, towards, at }: GrowthVolume): string {
 	const numbers = [1, id, base, height, top, gradient].map(written).join(", ");
-	return `GrowVol(${numbers}, towards(${written(towards)}), at(${at.map(written).join(", ")}))`;
+	const curved = middle === meanWidth(base, top) ? "" : `, wm(${written(middle)})`;
+	return `GrowVol(${numbers}${curved}, towards(${written(towards)}), at(${at.map(written).join(", ")}))`;
 }
 
 /**

@@ -1,6 +1,6 @@
 /**
  * A growth volume, the solid of revolution that tells a tree how far its branches reach (Kim, Kim and Cho 2013, section 3.3):
- * the frustum between a circle of the width at its base and one of the width at its top, which leans. Pure maths.
+ * a quadric through the circles of its widths at the base, halfway up and at the top, which leans. Pure maths.
  */
 
 export type Triple = readonly [x: number, y: number, z: number];
@@ -11,6 +11,8 @@ export interface GrowthVolume {
 	readonly base: number;
 	readonly height: number;
 	readonly top: number;
+	/** Width halfway up, metres: `wm`; of a frustum the mean of the others. */
+	readonly middle: number;
 	/** How far its axis leans, degrees: `grad`. */
 	readonly gradient: number;
 	/** Where it leans to, degrees from +X to +Z. */
@@ -47,14 +49,24 @@ export function placeIn(volume: GrowthVolume, up: number, out = 0, about = 0): T
 	return [0, 1, 2].map((k) => foot[k] + along * axis[k] + cosine * one[k] + sine * other[k]) as unknown as Triple;
 }
 
+/** Halfway up a frustum, to the centimetre. */
+export const meanWidth = (base: number, top: number): number => Math.round(50 * (base + top)) / 100;
+
+/** Its radius so far up: the square of it is a quadratic, which of a frustum is that of a straight line. */
+export function radiusAt({ base, middle, top }: Pick<GrowthVolume, "base" | "middle" | "top">, up: number): number {
+	const square = base ** 2 * (1 - up) * (1 - 2 * up) + middle ** 2 * 4 * up * (1 - up) + top ** 2 * up * (2 * up - 1);
+	return 0.5 * Math.sqrt(Math.max(0, square));
+}
+
 const SIDES = 32;
+/** Of its height, as many rings as a curve needs. */
+const RINGS = 12;
 
 /** Its surface, for the view. */
 export function surfaceOf(volume: GrowthVolume): { points: number[]; triangles: number[] } {
 	const rings: [up: number, out: number][] = [
 		[0, 0],
-		[0, volume.base / 2],
-		[1, volume.top / 2],
+		...Array.from({ length: RINGS + 1 }, (_, i): [number, number] => [i / RINGS, radiusAt(volume, i / RINGS)]),
 		[1, 0],
 	];
 	const points = rings.flatMap(([up, out]) =>
@@ -64,7 +76,7 @@ export function surfaceOf(volume: GrowthVolume): { points: number[]; triangles: 
 }
 
 /** One array for all: the view knows by it that a body is the same one stretched. */
-const TRIANGLES = [0, 1, 2].flatMap((ring) =>
+const TRIANGLES = Array.from({ length: RINGS + 2 }, (_, ring) => ring).flatMap((ring) =>
 	Array.from({ length: SIDES }, (_, i) => {
 		const [a, b] = [ring * SIDES + i, ring * SIDES + ((i + 1) % SIDES)];
 		return [a, b + SIDES, b, a, a + SIDES, b + SIDES];

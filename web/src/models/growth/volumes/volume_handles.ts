@@ -1,7 +1,7 @@
 /** Growth volumes as handles in the 3-D view: where each stands, and of the chosen one its height, lean and widths. */
 import type { Change } from "../../../controls/desk";
 import type { PlantHandle, PlantHandles, Vector } from "../../../controls/handles/plant_handle";
-import { acrossOf, axisOf, type GrowthVolume, placeIn } from "./volume";
+import { acrossOf, axisOf, type GrowthVolume, meanWidth, placeIn, radiusAt } from "./volume";
 
 /** Metres of an arrow key, alone and with Shift; degrees of a lean. */
 const STEP = 0.1;
@@ -41,7 +41,9 @@ export function volumeHandles(
 			})),
 			...(one ? shape(one, chosen, (change) => changed(chosen, change)) : []),
 		],
-		lines: one ? [ring(one, 0, one.base / 2), ring(one, 1, one.top / 2), [placeIn(one, 0), placeIn(one, 1)]] : [],
+		lines: one
+			? [...[0, 0.5, 1].map((up) => ring(one, up, radiusAt(one, up))), [placeIn(one, 0), placeIn(one, 1)]]
+			: [],
 	};
 }
 
@@ -73,10 +75,16 @@ function shape(volume: GrowthVolume, index: number, put: Put): PlantHandle[] {
 	const of = `of growth volume ${index + 1}`;
 	const axis = axisOf(volume);
 	const base = placeIn(volume, 0);
-	const width = (key: "base" | "top", up: number, label: string): PlantHandle => {
+	const width = (key: "base" | "middle" | "top", up: number, label: string): PlantHandle => {
 		const middle = placeIn(volume, up);
 		const across = acrossOf(volume);
-		const wide = (value: number) => put({ [key]: within(value, 0, WIDEST) });
+		const straight = volume.middle === meanWidth(volume.base, volume.top);
+		// Of a frustum the middle stays halfway between the ends, whichever is drawn.
+		const wide = (value: number) => {
+			const changed = { ...volume, [key]: within(value, 0, WIDEST) };
+			if (key !== "middle" && straight) changed.middle = meanWidth(changed.base, changed.top);
+			return put(changed);
+		};
 		return {
 			id: key,
 			label: `${label} ${of}`,
@@ -99,7 +107,13 @@ function shape(volume: GrowthVolume, index: number, put: Put): PlantHandle[] {
 		pull: (to) => tall(dot(from(to, base), axis)),
 		nudge: (right, up, large) => tall(volume.height + (up || right) * (large ? STRIDE : STEP)),
 	};
-	return [height, lean(volume, of, put), width("base", 0, "Width at the base"), width("top", 1, "Width at the top")];
+	return [
+		height,
+		lean(volume, of, put),
+		width("base", 0, "Width at the base"),
+		width("middle", 0.5, "Width in the middle"),
+		width("top", 1, "Width at the top"),
+	];
 }
 
 /** Taken round at three quarters of the height: how far it leans, and where to. */
