@@ -35,6 +35,8 @@ export interface MemberMesh {
 /** One that has grown. */
 export interface Member {
 	readonly specimen: Specimen;
+	/** Query and fragment that grow it alone, with nothing about it. */
+	readonly link: string;
 	/** 16 hexadecimal digits. */
 	readonly fingerprint: string;
 	/** Meshes for so many distances, from near to far: one at the least, but where none were asked for. */

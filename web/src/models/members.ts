@@ -6,6 +6,7 @@ import type { Block } from "../core/container";
 import type { Answer } from "../core/core";
 import { CoreError } from "../core/errors";
 import type { Plant } from "../plant/plant";
+import { encodeLink } from "../specimen/link";
 import { restore } from "../specimen/restore";
 import type { Specimen } from "../specimen/specimen";
 import { isModel, modelNamed, modelNames } from "./index";
@@ -168,5 +169,6 @@ async function memberOf(
 	};
 	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
 	const { fingerprint } = plant;
-	return { specimen, fingerprint, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
+	const link = await encodeLink(model, specimen);
+	return { specimen, link, fingerprint, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
 }

@@ -14,6 +14,7 @@ import { plantMet } from "./plant_met";
 
 export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
+	readonly elevation = 24;
 	readonly #stage: FigureStage;
 	readonly #lights = new StandardLights();
 	readonly #wardrobe: Wardrobe;

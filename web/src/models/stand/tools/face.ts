@@ -4,10 +4,12 @@ import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
+import { map } from "./map";
 import { source } from "./text";
+import { walk } from "./walk";
 
 export const face: Face<StandSpecimen, StandPlant> = {
-	tools: [...grammarTools<StandSpecimen, StandPlant>(source)],
+	tools: [...grammarTools<StandSpecimen, StandPlant>(source), walk, map],
 	about: html`<p>
 			A plan says what ground there is, how many plants stand on it and how, and what they are: specimens of any model, each grown
 			from a seed of its own. Neighbours know of each other’s crowns, and leave each other light and room.
