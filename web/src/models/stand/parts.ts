@@ -44,15 +44,14 @@ function* partsOf(
 	const transforms = new Float32Array(TRANSFORM * plants.length);
 	for (const [i, plant] of plants.entries())
 		transforms.set(stand.places.transforms.subarray(TRANSFORM * plant, TRANSFORM * (plant + 1)), TRANSFORM * i);
+	const [alone] = plants.length === 1 ? plants : [];
 	for (const { mesh, material } of level) {
 		const called = `${name} ${material.name.toLowerCase()}`;
-		const each = (i: number) => ({
-			name: plants.length === 1 ? called : `${called} ${i + 1}`,
-			extras: { plant: plants[i] },
-		});
-		const named = plants.length <= MOST_NAMED;
+		const each = (i: number) => ({ name: `${called} ${i + 1}`, extras: { plant: plants[i] } });
+		const named = alone === undefined && plants.length <= MOST_NAMED;
 		yield {
-			name: plants.length === 1 ? `${called} of` : called,
+			name: alone === undefined ? `${called} of all` : called,
+			...(alone === undefined ? {} : { extras: { plant: alone } }),
 			shape: {
 				mesh: { ...unpacked(mesh), name: called },
 				material,

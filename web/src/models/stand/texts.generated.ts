@@ -2,12 +2,49 @@
 
 /** The texts of presets by their names: loaded when the first is grown. */
 export const TEXTS: Readonly<Record<string, string>> = {
-	ecosystem: `/* An ecosystem of 2,000 trees
-   source: Kim, Kim and Cho 2013, Table 2
+	"ecosystem-1000": `/* An ecosystem of 1,000
+   about: A thousand trees, none like another.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
+*/
+ground 127 x 127, relief 5, hills 70
+
+plants 1000, blue
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55
+`,
+	"ecosystem-1500": `/* An ecosystem of 1,500
+   about: Fifteen hundred trees, none like another.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
+*/
+ground 156 x 156, relief 7, hills 70
+
+plants 1500, blue
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55
+`,
+	"ecosystem-2000": `/* An ecosystem of 2,000
+   about: Two thousand trees, none like another: as many as in the paper's largest.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
 */
 ground 180 x 180, relief 8, hills 70
 
 plants 2000, blue
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55
+`,
+	"ecosystem-500": `/* An ecosystem of 500
+   about: Five hundred trees, none like another; each knows what light and room its neighbours leave it.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
+*/
+ground 90 x 90, relief 4, hills 70
+
+plants 500, blue
 growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1
 growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7
 growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7

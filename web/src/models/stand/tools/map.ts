@@ -57,7 +57,10 @@ function drawMap(desk: StandDesk, stand: StandPlant): unknown {
 		</svg>
 		<ul class="stand-kinds">
 			${stand.kinds.map(
-				({ name }, kind) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${name}
+				(
+					{ name },
+					kind,
+				) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${name}
 					<small>${stand.places.kind.reduce((sum, each) => sum + Number(each === kind), 0)}</small></li>`,
 			)}
 		</ul>
