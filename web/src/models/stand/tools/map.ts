@@ -118,9 +118,7 @@ function tell(stand: StandPlant, plant: number): unknown {
 	const [x, , z] = places.at.subarray(3 * plant, 3 * plant + 3);
 	const values = Object.entries(valuesOf(stand, plant)).map(([key, value]) => `${key} ${value}`);
 	const link = members[memberOf[plant]]?.link;
-	return html`<p>
-			Plant ${plant + 1}: ${kinds[places.kind[plant]].name}, seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m,
-			scale ${places.scale[plant].toFixed(2)}${values.length > 0 ? `, ${values.join(", ")}` : ""}.
-		</p>
+	const told = `Plant ${plant + 1}: ${kinds[places.kind[plant]].name}, seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
+	return html`<p>${[told, ...values].join(", ")}.</p>
 		${link === undefined ? nothing : html`<p><a class="button" href=${link}>Open this plant alone</a></p>`}`;
 }
