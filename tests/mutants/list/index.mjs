@@ -34,6 +34,7 @@ import rooms from "./rooms.mjs";
 import saved from "./saved.mjs";
 import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
+import stand from "./stand.mjs";
 import stepper from "./stepper.mjs";
 import studio from "./studio.mjs";
 import swelling from "./swelling.mjs";
@@ -77,6 +78,7 @@ export const groups = [
 	...lives,
 	...grammarEditor,
 	...growth,
+	...stand,
 	...stepper,
 	...studio,
 	...offline,
