@@ -19,38 +19,16 @@ const RUNS = 5;
 
 const milliseconds = (micro) => (micro / 1000).toFixed(3);
 
-export async function benchGrowth({ core, source }) {
-	const { writeContainer } = await source("web/src/core/container.ts");
-	const { Columns } = await source("web/src/core/container.ts");
-	const { fromPreset } = await source("web/src/specimen/from_preset.ts");
-	const { model } = await source("web/src/models/growth/index.ts");
-	const plain = fromPreset(model, "table-1-sigma1");
-	await model.prepare(plain);
-	/** A request for all levels of a tree, and nothing else. */
-	const request = (seed, steps) => {
-		const parameters = { ...plain.parameters, steps };
-		const options = { levels: true, meshes: false, measures: false };
-		return writeContainer(model.encode({ ...plain, seed, parameters }, options));
-	};
-	const vertices = (bytes) => levelsOf(new Columns(grown(core, bytes)));
+export async function benchGrowth({ core, instance, source }) {
+	const { levelsOf: request } = await source("tests/bench/growth_requests.ts");
+	const vertices = (bytes) => sizesOf(instance.growBytes(bytes).columns);
 	benchStages(core);
 	benchMany(core, request, vertices);
 	await benchPeer(core, request, vertices);
 }
 
-/** The answer to a request, copied out. */
-function grown(core, request) {
-	const at = core.panicle_allocate(request.length);
-	new Uint8Array(core.memory.buffer, at, request.length).set(request);
-	const answer = core.panicle_grow(at, request.length);
-	const length = new DataView(core.memory.buffer).getUint32(answer, true);
-	const bytes = new Uint8Array(core.memory.buffer, answer, length).slice();
-	core.panicle_release(answer);
-	return bytes;
-}
-
 /** Vertices and triangles of each level. */
-function levelsOf(columns) {
+function sizesOf(columns) {
 	return [0, 1, 2, 3].map((level) => ({
 		vertices: columns.floats(`mesh.level${level}.positions`).length / 3,
 		triangles: columns.words(`mesh.level${level}.indices`).length / 3,

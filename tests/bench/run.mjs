@@ -60,7 +60,7 @@ if (only === undefined || only === "particles") await benchParticles({ core, sou
 if (only === undefined || only === "maps") benchMaps({ core });
 if (only === undefined || only === "topiary") await benchTopiaries({ core, source });
 if (only === undefined || only === "grammar") await benchGrammar({ core, source });
-if (only === undefined || only === "growth") await benchGrowth({ core, source });
+if (only === undefined || only === "growth") await benchGrowth({ core, instance, source });
 if (only === "stand") await benchStand();
 if (only === undefined || only === "service") await benchService();
 if (only === undefined || only === "browser") await benchBrowser();

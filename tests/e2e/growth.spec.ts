@@ -44,3 +44,21 @@ test("a mistake in the text is told at its place, and the last tree stays", asyn
 	await expect(page.getByText(/A tree consists of divisor functions/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
 });
+
+test("the year goes round by one slider: bare in winter, in flower in spring, and undo and the link bring it back", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open("?v=2&model=growth&preset=apple&steps=5");
+	const words = page.getByText(caption).first();
+	await expect(words).toContainText(/[1-9]\d* blossoms/);
+	const spring = await studio.fingerprint.textContent();
+	const season = studio.slider("Season");
+	await studio.regrown(() => season.fill("1"));
+	await expect(words).toContainText("bare");
+	const winter = await studio.fingerprint.textContent();
+	const link = page.url();
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(spring ?? "");
+	await page.goto(link);
+	await expect(studio.fingerprint).toHaveText(winter ?? "");
+});

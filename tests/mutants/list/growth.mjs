@@ -113,4 +113,70 @@ export default [
 			},
 		],
 	},
+	{
+		file: `${SRC}/populate.cpp`,
+		suites: [`${TESTS}/population_test.cpp`],
+		faults: [
+			{
+				id: "foliage-not-of-new-branches",
+				find: "if (!add_foliage(each, step, outcome)) return false;",
+				replace: ";",
+				breaks: "branches are bare in the year in which they come",
+			},
+			{
+				id: "foliage-for-ever",
+				find: "step + outcome.foliage_steps, Leaf::never - 1",
+				replace: "Leaf::never - 1, Leaf::never - 1",
+				breaks: "old wood keeps its leaves, and crowns fill up from within",
+			},
+		],
+	},
+	{
+		file: `${SRC}/form.cpp`,
+		suites: [`${TESTS}/form_test.cpp`],
+		faults: [
+			{
+				id: "growth-volumes-without-a-middle",
+				find: "volume.middle * volume.middle * 4 * up * (1 - up)",
+				replace: "volume.base * volume.top * 4 * up * (1 - up)",
+				breaks: "domes and spindles are frustums",
+			},
+			{
+				id: "growth-canes-lie-down",
+				find: "if (shoot.order == 1 && habit_.cordon > 0)",
+				replace: "if (shoot.order == 1 && habit_.cordon < 0)",
+				breaks: "canes of a trained vine leave its arm to all sides",
+			},
+		],
+	},
+	{
+		file: `${SRC}/foliage.cpp`,
+		suites: [`${TESTS}/form_test.cpp`],
+		faults: [
+			{
+				id: "growth-leaves-fall-together",
+				find: "first_fall + fall_spread * random_unit(habit_.seed, stream_fall, address)",
+				replace: "first_fall + 0.5f * fall_spread",
+				breaks: "all leaves of a tree fall on one day",
+			},
+			{
+				id: "growth-evergreens-shed",
+				find: "return !habit_.evergreen &&",
+				replace: "return",
+				breaks: "spruces are bare in winter",
+			},
+		],
+	},
+	{
+		file: "web/src/models/growth/year.ts",
+		suites: ["tests/web/models/growth/year.test.ts"],
+		faults: [
+			{
+				id: "growth-evergreens-turn",
+				find: "if (evergreen) return SUMMER;",
+				replace: "",
+				breaks: "spruces are yellow in autumn",
+			},
+		],
+	},
 ];

@@ -20,6 +20,7 @@ import generalizedMap from "./generalized_map.mjs";
 import grammar from "./grammar.mjs";
 import grammarEditor from "./grammar_editor.mjs";
 import growth from "./growth.mjs";
+import growthShape from "./growth_shape.mjs";
 import handles from "./handles.mjs";
 import leaf from "./leaf.mjs";
 import leafPictures from "./leaf_pictures.mjs";
@@ -79,6 +80,7 @@ export const groups = [
 	...grammarEditor,
 	...growth,
 	...stand,
+	...growthShape,
 	...stepper,
 	...studio,
 	...offline,

@@ -97,7 +97,14 @@ function object(properties, indent) {
 	const line = `{ ${pairs.join(", ")} },`;
 	const tabWidth = 2;
 	if (indent * tabWidth + line.length <= 120) return `${"\t".repeat(indent)}${line}`;
-	const inner = pairs.map((pair) => `${"\t".repeat(indent + 1)}${pair},`);
+	const tabs = "\t".repeat(indent + 1);
+	const fits = (pair) => (indent + 1) * tabWidth + pair.length + 1 <= 120;
+	// A list that is too long for its line has a line for each of its values.
+	const laid = (pair) =>
+		fits(pair)
+			? pair
+			: pair.replace(/\[(.*)\]$/, (_, list) => `[\n${tabs}\t${list.replaceAll(", ", `,\n${tabs}\t`)},\n${tabs}]`);
+	const inner = pairs.map((pair) => `${tabs}${laid(pair)},`);
 	return [`${"\t".repeat(indent)}{`, ...inner, `${"\t".repeat(indent)}},`].join("\n");
 }
 

@@ -210,7 +210,7 @@ TEST_CASE("what is deep in the crown sees less of the sky than what is at its ou
   }
   REQUIRE(inners > 20);
   REQUIRE(outers > 20);
-  CHECK(inner / static_cast<double>(inners) < 0.85 * outer / static_cast<double>(outers));
+  CHECK(inner / static_cast<double>(inners) < 0.9 * outer / static_cast<double>(outers));
 }
 
 TEST_CASE("a tree that has not come yet has levels without triangles, and the same tree the same levels") {

@@ -85,6 +85,7 @@ const Mistake mistakes[] = {
     {tree + "k > 1 -> «k = 1", "cannot be set"},
     {tree + "k > 1 -> «grow", "cannot happen"},
     {tree + "k > 1 -> «3", "cannot happen"},
+    {tree + "k > 1 -> «foliage(1, 2, 3)", "takes one number"},
     {tree + "k > 1 -> leaf«", "How many"},
     {tree + "k > 1 -> «leaf(1, 2)", "one number"},
     {tree + "k > 1 -> nbr = 1,«", "What happens is missing"},

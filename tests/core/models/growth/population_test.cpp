@@ -60,7 +60,10 @@ TEST_CASE("shoots stand behind what bears them, on an internode that it has") {
     CHECK(plant.branches + trunks == plant.shoots.size());
     CHECK(plant.volumes.size() == plant.environments.size());
     CHECK(trunks == plant.volumes.size());
-    for (const Leaf& leaf : plant.leaves) REQUIRE(plant.shoots[leaf.shoot].born == leaf.born);
+    for (const Leaf& leaf : plant.leaves) {
+      const std::uint16_t born = plant.shoots[leaf.shoot].born;
+      REQUIRE((leaf.gone == Leaf::never ? born == leaf.born : born <= leaf.born && leaf.born < leaf.gone));
+    }
   }
 }
 
@@ -360,4 +363,19 @@ TEST_CASE("the examples of the language's page grow") {
     CHECK(grown(text, 7).branches > 20);
   }
   CHECK(examples >= 4);
+}
+
+TEST_CASE("foliage: each internode of the last steps has its leaves, those of branches that have just come too") {
+  const auto leaves = [](const char* rule, std::uint16_t step) {
+    const Population population = grown(std::string("tree -> DivFunc(\"sigma1\"){branches}\n") + rule, 6);
+    std::size_t count = 0;
+    for (const Leaf& leaf : population.leaves) count += leaf.born <= step && leaf.gone > step ? 1 : 0;
+    return count;
+  };
+  const auto shoots = [](std::uint16_t step) {
+    return grown("tree -> DivFunc(\"sigma1\"){branches}\n", step).shoots.size();
+  };
+  for (std::uint16_t step = 1; step <= 6; ++step) CHECK(leaves("k >= 1 -> foliage(3)", step) == 3 * shoots(step));
+  CHECK(leaves("k >= 1 -> foliage(3, 2)", 6) == 3 * (shoots(6) + shoots(5)));
+  CHECK(leaves("k >= 1 -> foliage(0)", 6) == 0);
 }

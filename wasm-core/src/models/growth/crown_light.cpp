@@ -6,13 +6,17 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "foundation/mathematics.hpp"
 #include "models/growth/form.hpp"
 
 namespace panicle::growth {
 namespace {
 
-constexpr float cells = 8;  // along the longest edge of what the volumes take
-constexpr std::uint32_t directions = 16, sky_directions = 64;
+constexpr float cells = 6;  // along the longest edge of what the volumes take
+constexpr std::uint32_t sky_directions = 64;
+// The sky that shines through the cells: one lamp above, and some about, so high and so bright.
+constexpr int about_count = 4;
+constexpr float about_height = 40, about_share = 0.18f;
 constexpr float contrast = 1.5f;  // what light that grows from dark to full in an edge counts against the sky
 
 MatterCells cells_of(const Population& population) {
@@ -30,10 +34,21 @@ MatterCells cells_of(const Population& population) {
   return {low - edge, high + edge, edge};
 }
 
+// Even all about, few as they are: trees would lean else.
+std::vector<Lamp> even_sky() {
+  std::vector<Lamp> lamps{{{0, 1, 0}, 1 - about_share * about_count}};
+  const SinCos high = sincos_degrees(about_height);
+  for (int i = 0; i < about_count; ++i) {
+    const SinCos way = sincos_degrees(360.0f * static_cast<float>(i) / about_count);
+    lamps.push_back({{high.cosine * way.cosine, high.sine, high.cosine * way.sine}, about_share});
+  }
+  return lamps;
+}
+
 }  // namespace
 
 CrownLight::CrownLight(const Population& population, const Surroundings& about)
-    : matter_(cells_of(population)), lamps_(about.sky(directions)) {
+    : matter_(cells_of(population)), lamps_(about.dimmed(even_sky())) {
   const auto middle = [](const std::vector<Lamp>& lamps) {
     glm::vec3 sum(0);
     for (const Lamp& lamp : lamps) sum += lamp.share * lamp.towards;
@@ -41,7 +56,7 @@ CrownLight::CrownLight(const Population& population, const Surroundings& about)
   };
   if (about.alone()) return;
   // A spiral's own middle is not quite above.
-  const glm::vec3 whole = middle(overcast(sky_directions)), open = middle(about.sky(sky_directions));
+  const glm::vec3 whole = middle(overcast(sky_directions)), open = middle(about.dimmed(overcast(sky_directions)));
   const glm::vec3 level = open - glm::vec3(whole.x, 0, whole.z);
   if (glm::length(level) > 1e-3f) sky_ = glm::normalize(level);
 }

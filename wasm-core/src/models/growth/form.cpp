@@ -22,7 +22,7 @@ constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 
 // The growth space of a bud (p_c, r, l): so far ahead it looks, in internodes; how near another node may be to a place
 // that is free, in those; within which angle of its way places lie, as a cosine.
 constexpr float reach = 1.3f, apart = 0.55f, ahead = 0.3f;
-constexpr std::size_t looks = 64;
+constexpr std::size_t looks = 40;
 constexpr float outside = 0.05f, lightwards = 0.5f;  // what a place outside the volume is worth, and one in the light
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
 constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
@@ -63,13 +63,18 @@ glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
   return length > 1e-6f ? v / length : otherwise;
 }
 
+// Half a volume's width so far up it, squared; below 0 where it has none.
+float square_at(const GrowthVolume& volume, float up) {
+  return 0.25f * (volume.base * volume.base * (1 - up) * (1 - 2 * up) +
+                  volume.middle * volume.middle * 4 * up * (1 - up) + volume.top * volume.top * up * (2 * up - 1));
+}
+
 bool holds(const GrowthVolume& volume, const glm::vec3& axis, const glm::vec3& p) {
   const glm::vec3 from = p - volume.at;
   const float up = glm::dot(from, axis);
   if (!(up >= 0 && up <= volume.height)) return false;
   const glm::vec3 out = from - up * axis;
-  const float radius = radius_at(volume, up / volume.height);
-  return glm::dot(out, out) <= radius * radius;
+  return glm::dot(out, out) <= square_at(volume, up / volume.height);
 }
 
 class Maker {
@@ -229,7 +234,7 @@ class Maker {
   // Σ w d of the places that are free ahead of a tip, and Σ w.
   glm::vec3 free_about(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward, const glm::vec3& light,
                        float r, float regard, std::uint64_t address, float& sum) {
-    find_near(tip, (1 + apart) * r);
+    find_near(tip, forward, r);
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     // One draw, and turns on from it: places stand at all depths, and no two tips look to the same.
     float luck = random_unit(habit_.seed, stream_reach, address);
@@ -249,15 +254,17 @@ class Maker {
     return middle;
   }
 
-  // The nodes of the steps before so near to a tip, as seen from it, four of each coordinate after the other.
-  void find_near(const glm::vec3& tip, float far) {
+  // The nodes of the steps before that may be near to a place ahead of a tip, as seen from it, four of each coordinate
+  // after the other.
+  void find_near(const glm::vec3& tip, const glm::vec3& forward, float r) {
+    const float far = (1 + apart) * r, behind = (0.5f * ahead - apart) * r;
     near_.clear();
     std::size_t count = 0;
     grid_.within(tip - far, tip + far, [&](std::uint32_t first, std::uint32_t end) {
       for (std::uint32_t slot = first; slot < end; ++slot) {
         const glm::vec3 from = standing_[slot] - tip;
         const float square = glm::dot(from, from);
-        if (!(square < far * far && square > 1e-8f)) continue;
+        if (!(square < far * far && square > 1e-8f && glm::dot(from, forward) > behind)) continue;
         if (count % 4 == 0) near_.resize(near_.size() + 12, far_away);
         float* const at = &near_[count / 4 * 12 + count % 4];
         at[0] = from.x;
@@ -361,11 +368,7 @@ glm::vec3 axis_of(const GrowthVolume& volume) {
   return {s * cosine(volume.towards), cosine(volume.gradient), s * sine(volume.towards)};
 }
 
-float radius_at(const GrowthVolume& volume, float up) {
-  const float square = volume.base * volume.base * (1 - up) * (1 - 2 * up) +
-                       volume.middle * volume.middle * 4 * up * (1 - up) + volume.top * volume.top * up * (2 * up - 1);
-  return 0.5f * std::sqrt(std::max(0.0f, square));
-}
+float radius_at(const GrowthVolume& volume, float up) { return std::sqrt(std::max(0.0f, square_at(volume, up))); }
 
 Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about) {
   return Maker(population, habit, about).run();

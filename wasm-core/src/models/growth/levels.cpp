@@ -27,10 +27,11 @@ constexpr std::array<float, level_count> bend{0.0008f, 0.004f, 0.012f, 0.04f};
 constexpr std::array<float, 2> shares{0.5f, 0.18f};
 constexpr std::array<std::array<std::uint32_t, 3>, level_count> sides_of{
     {{{8, 5, 3}}, {{5, 4, 3}}, {{4, 3, 3}}, {{3, 3, 3}}}};
+constexpr std::uint32_t most_sides = 8;
 constexpr float folded = 20;    // degrees that each half of a leaf stands up
 constexpr float sparse = 0.8f;  // leaves that reach less far than this share of the tree do not tell its outline
-constexpr float sky_cells = 10;
-constexpr std::uint32_t sky_directions = 10;
+constexpr float sky_cells = 7;
+constexpr std::uint32_t sky_directions = 6;
 constexpr std::size_t few = 8;
 
 // The segments of one shoot, which stand side by side.
@@ -52,6 +53,9 @@ class Maker {
         crowds_{{{"leaves", {organs, leaf_tag, falling_tag, SheetKind::leaf, leaf_area}},
                  {"blossoms", {organs, blossom_tag, blossom_tag, SheetKind::blossom, blossom_area}}}},
         open_(openness_of(moment, crowds_)) {
+    for (std::uint32_t n = 3; n <= most_sides; ++n)
+      for (std::uint32_t k = 0; k < n; ++k)
+        turns_[n][k] = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
     find_shoots();
     for (const Crowd& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
   }
@@ -97,13 +101,13 @@ class Maker {
     out.material = "level";
     out_ = &out;
     mesh_ = &out.mesh;
-    sky_.clear();
     const float share = leafy_ ? wood_share[level] : 1;
     add_wood(level, level == 0 ? 0 : share * static_cast<float>(first_wood_) / fall(level));
     end_run("bark");
     if (level == 0) {
       first_wood_ = triangles();
       for (Crowd& crowd : crowds_) {
+        open_room(4 * crowd.sheets.all().size(), 2 * crowd.sheets.all().size());
         for (const Sheet& sheet : crowd.sheets.all()) add_folded(sheet);
         end_run(crowd.name);
         crowd.reach = reach_of(out.runs.back());
@@ -119,6 +123,12 @@ class Maker {
     }
     out.columns.add("sky", std::move(sky_));
     sky_ = {};
+  }
+
+  std::size_t sheet_count() const {
+    std::size_t all = 0;
+    for (const Crowd& crowd : crowds_) all += crowd.sheets.all().size();
+    return all;
   }
 
   std::size_t triangles() const { return mesh_->indices.size() / 3; }
@@ -221,8 +231,19 @@ class Maker {
     return kept;
   }
 
+  // Makes room for so many more vertices and triangles, which are written next.
+  void open_room(std::size_t vertices, std::size_t more) {
+    mesh_->positions.resize(mesh_->positions.size() + 3 * vertices);
+    mesh_->normals.resize(mesh_->normals.size() + 3 * vertices);
+    mesh_->indices.resize(mesh_->indices.size() + 3 * more);
+    place_ = mesh_->positions.data() + mesh_->positions.size() - 3 * vertices;
+    normal_ = mesh_->normals.data() + mesh_->normals.size() - 3 * vertices;
+    index_ = mesh_->indices.data() + mesh_->indices.size() - 3 * more;
+  }
+
   // Along `line_`, to a point.
   void add_tube(std::uint32_t n) {
+    open_room(n * (line_.size() - 1) + 1, n * (2 * line_.size() - 3));
     glm::vec3 right(0);
     for (std::size_t i = 0; i < line_.size(); ++i) {
       const bool last = i + 1 == line_.size();
@@ -235,28 +256,36 @@ class Maker {
       const auto first = static_cast<std::uint32_t>(sky_.size());
       if (last) {
         vertex(line_[i].first, way, sky);
-        for (std::uint32_t k = 0; k < n; ++k) put(mesh_->indices, first - n + k, first - n + (k + 1) % n, first);
+        for (std::uint32_t k = 0; k < n; ++k) triangle(first - n + k, first - n + (k + 1) % n, first);
         return;
       }
       const glm::vec3 flat = right - glm::dot(right, way) * way;
       right = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : beside(way);
       const glm::vec3 forward = glm::cross(way, right);
       for (std::uint32_t k = 0; k < n; ++k) {
-        const SinCos turn = sincos_degrees(360 * static_cast<float>(k) / static_cast<float>(n));
+        const SinCos turn = turns_[n][k];
         const glm::vec3 out = turn.cosine * right + turn.sine * forward;
         vertex(line_[i].first + line_[i].second * out, out, sky);
         if (i == 0) continue;
         const std::uint32_t next = (k + 1) % n;
-        put(mesh_->indices, first - n + k, first - n + next, first + next);
-        put(mesh_->indices, first - n + k, first + next, first + k);
+        triangle(first - n + k, first - n + next, first + next);
+        triangle(first - n + k, first + next, first + k);
       }
     }
   }
 
   void vertex(const glm::vec3& place, const glm::vec3& normal, std::uint8_t sky) {
-    put(mesh_->positions, place);
-    put(mesh_->normals, normal);
+    put(place, place_);
+    put(normal, normal_);
+    place_ += 3;
+    normal_ += 3;
     sky_.push_back(sky);
+  }
+
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    *index_++ = a;
+    *index_++ = b;
+    *index_++ = c;
   }
 
   // Two triangles, folded up along the midrib.
@@ -272,29 +301,29 @@ class Maker {
       vertex(leaf.middle + 0.5f * breadth * out, fold.cosine * face - side * fold.sine * leaf.across, sky);
     }
     vertex(leaf.middle + tip, face, sky);
-    put(mesh_->indices, first, first + 1, first + 3);
-    put(mesh_->indices, first, first + 3, first + 2);
+    triangle(first, first + 1, first + 3);
+    triangle(first, first + 3, first + 2);
   }
 
   void add_flat(const Sheet& leaf) {
     const std::uint8_t sky = open_.at(leaf.middle);
     const auto first = static_cast<std::uint32_t>(sky_.size());
     for (const glm::vec3& corner : leaf.corners()) vertex(leaf.middle + corner, leaf.face(), sky);
-    put(mesh_->indices, first, first + 1, first + 3);
-    put(mesh_->indices, first, first + 3, first + 2);
+    triangle(first, first + 1, first + 3);
+    triangle(first, first + 3, first + 2);
   }
 
   // Each crowd gets as much of the triangles that are left as it has of all sheets.
   void add_merged(std::size_t level, const Crowd& crowd, float left) {
     const std::size_t own = crowd.sheets.all().size();
     if (own == 0) return;
-    std::size_t all = 0;
-    for (const Crowd& each : crowds_) all += each.sheets.all().size();
-    const float share = static_cast<float>(own) / static_cast<float>(all);
+    const float share = static_cast<float>(own) / static_cast<float>(sheet_count());
     const auto count = static_cast<std::size_t>(std::max(0.5f * left * share, 1.0f));
     Box target = crowd.reach;
     if (tells_outline(crowd.sheets)) target = {{whole_.low.x, crowd.reach.low.y, whole_.low.z}, whole_.high};
-    for (const Sheet& sheet : crowd.sheets.merged(count, target)) {
+    const std::vector<Sheet> merged = crowd.sheets.merged(count, target);
+    open_room(4 * merged.size(), 2 * merged.size());
+    for (const Sheet& sheet : merged) {
       if (!sheet.one) made_.tolerance[level] = std::max(made_.tolerance[level], sheet.length);
       add_flat(sheet);
     }
@@ -311,7 +340,11 @@ class Maker {
   std::size_t first_wood_ = 0, first_all_ = 0;
   std::vector<std::pair<glm::vec3, float>> line_;
   PlantMesh* out_ = nullptr;
-  Mesh* mesh_ = nullptr;  // of it
+  Mesh* mesh_ = nullptr;                                                // of it
+  // Where its next vertex and triangle are written.
+  float *place_ = nullptr, *normal_ = nullptr;
+  std::uint32_t* index_ = nullptr;
+  std::array<std::array<SinCos, most_sides>, most_sides + 1> turns_{};  // of each number of sides
   std::vector<std::uint8_t> sky_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace panicle::growth {
 namespace {
@@ -15,18 +14,15 @@ glm::vec3 turned(const glm::vec4& q, const glm::vec3& v) {
   return v + q.w * w + glm::cross(u, w);
 }
 
-// A place's cell in a box of 2¹⁰ cells a side, the bits of its three numbers by turns: near ones mostly have near
-// codes.
-std::uint32_t code_of(const glm::vec3& p, const Box& box) {
-  const glm::vec3 size = box.size();
-  const float scale = 1023 / std::max({size.x, size.y, size.z, 1e-6f});
+constexpr std::uint32_t cells = 16;  // a side of the box that they are sorted by
+
+// A place's cell in a box of them, the bits of its three numbers by turns: near ones mostly have near codes.
+std::uint32_t code_of(const glm::vec3& p, const Box& box, float scale) {
   std::uint32_t code = 0;
   for (int k = 0; k < 3; ++k) {
-    auto cell = static_cast<std::uint32_t>(std::clamp((p[k] - box.low[k]) * scale, 0.0f, 1023.0f));
-    cell = (cell | cell << 16) & 0x030000ffu;
-    cell = (cell | cell << 8) & 0x0300f00fu;
-    cell = (cell | cell << 4) & 0x030c30c3u;
-    cell = (cell | cell << 2) & 0x09249249u;
+    auto cell = static_cast<std::uint32_t>(std::clamp((p[k] - box.low[k]) * scale, 0.0f, cells - 1.0f));
+    cell = (cell | cell << 4) & 0xc3u;
+    cell = (cell | cell << 2) & 0x249u;
     code |= cell << k;
   }
   return code;
@@ -54,6 +50,7 @@ Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t
     : breadth_(std::max(2 * area, least_breadth)) {
   if (!(area > 0)) return;
   std::vector<Sheet> found;
+  found.reserve(organs.size());
   for (const Organ& organ : organs) {
     if (organ.tag < first || organ.tag > last) continue;
     const glm::vec3 x = turned(organ.rotation, {1, 0, 0}), y = turned(organ.rotation, {0, 1, 0});
@@ -67,13 +64,17 @@ Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t
     middles_.hold(sheet.middle);
     found.push_back(sheet);
   }
-  std::vector<std::uint64_t> order;
-  order.reserve(found.size());
-  for (std::uint32_t i = 0; i < found.size(); ++i)
-    order.push_back(std::uint64_t{code_of(found[i].middle, middles_)} << 32 | i);
-  std::sort(order.begin(), order.end());
-  sheets_.reserve(found.size());
-  for (const std::uint64_t each : order) sheets_.push_back(found[static_cast<std::uint32_t>(each)]);
+  const glm::vec3 size = middles_.size();
+  const float scale = cells / std::max({size.x, size.y, size.z, 1e-6f});
+  std::vector<std::uint32_t> next(cells * cells * cells + 1, 0), codes;
+  codes.reserve(found.size());
+  for (const Sheet& sheet : found) {
+    codes.push_back(code_of(sheet.middle, middles_, scale));
+    ++next[codes.back() + 1];
+  }
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  sheets_.resize(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) sheets_[next[codes[i]]++] = found[i];
 }
 
 std::vector<Sheet> Sheets::merged(std::size_t count, const Box& target) const {

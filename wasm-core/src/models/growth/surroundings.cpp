@@ -43,8 +43,7 @@ bool Surroundings::holds(const glm::vec3& p) const {
   return way_x * (p.z - z) - way_z * (p.x - x) >= 0;
 }
 
-std::vector<Lamp> Surroundings::sky(std::uint32_t count) const {
-  std::vector<Lamp> lamps = overcast(count);
+std::vector<Lamp> Surroundings::dimmed(std::vector<Lamp> lamps) const {
   if (alone_) return lamps;
   for (Lamp& lamp : lamps) {
     const glm::vec3& way = lamp.towards;

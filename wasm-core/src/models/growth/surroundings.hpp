@@ -26,8 +26,8 @@ class Surroundings {
   bool alone() const { return alone_; }
   // Whether a place is within the room; between two of its directions it ends at the line between its ends there.
   bool holds(const glm::vec3& p) const;
-  // Of an overcast sky that many lamps, those behind the horizon dark.
-  std::vector<Lamp> sky(std::uint32_t count) const;
+  // Those lamps, the ones behind the horizon dark.
+  std::vector<Lamp> dimmed(std::vector<Lamp> lamps) const;
 
  private:
   bool alone_ = true;

@@ -240,7 +240,7 @@ phototropism = 0.06
 k >= 1 -> foliage(8, 2)
 `,
 	pine: `/* Scots pine
-   about: Pinus sylvestris, old: a long bare trunk, orange above, and a crown of separate clouds. 20 m high, 8 m wide.
+   about: Pinus sylvestris, old: a long bare trunk, orange above, and a crown of separate clouds. 20 m high, 10 m wide.
    source: Sheffield’s Seed Company, Pinus sylvestris (25 m, needles 2.5–5 cm, bark grey-brown below and orange above, crown round or flat on a long bare trunk)
 */
 gs = 9

@@ -2,7 +2,7 @@
 import { countInWords, heightsOf, lengthInWords } from "../../plant/in_words";
 import type { GrowthPlant } from "./growth_plant";
 
-/** "9.7 m tall, 230 branches, 2,100 leaves". */
+/** "9.7 m tall, 230 branches, 2,100 leaves, 400 on the ground". */
 export function growthInWords({ segments, counts }: GrowthPlant): string {
 	const { high } = heightsOf(segments.ends);
 	const parts = [
@@ -10,5 +10,7 @@ export function growthInWords({ segments, counts }: GrowthPlant): string {
 		countInWords(counts.branches, "branch", "branches"),
 		counts.leaves === 0 ? "bare" : countInWords(counts.leaves, "leaf", "leaves"),
 	];
+	if (counts.shed > 0) parts.push(`${countInWords(counts.shed, "leaf", "leaves")} on the ground`);
+	if (counts.blossoms > 0) parts.push(countInWords(counts.blossoms, "blossom", "blossoms"));
 	return parts.join(", ");
 }

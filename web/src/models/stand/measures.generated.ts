@@ -2,13 +2,7 @@
 import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
 
 /** Keys of the measures, in the order in which the core gives them. */
-export const MEASURE_KEYS = [
-	"area",
-	"standing",
-	"density",
-	"spacing",
-	"cover",
-] as const;
+export const MEASURE_KEYS = ["area", "standing", "density", "spacing", "cover"] as const;
 export type MeasureKey = (typeof MEASURE_KEYS)[number];
 
 /** Every measure, in the same order. */
@@ -61,6 +55,4 @@ export const MEASURES: readonly MeasureInfo[] = [
 ];
 
 /** The groups that panels and pages show, in order. */
-export const MEASURE_GROUPS: readonly MeasureGroup[] = [
-	{ key: "stand", title: "Stand" },
-];
+export const MEASURE_GROUPS: readonly MeasureGroup[] = [{ key: "stand", title: "Stand" }];

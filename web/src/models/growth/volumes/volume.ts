@@ -59,14 +59,14 @@ export function radiusAt({ base, middle, top }: Pick<GrowthVolume, "base" | "mid
 }
 
 const SIDES = 32;
-/** Of its height, as many rings as a curve needs. */
-const RINGS = 12;
+/** Of its height, where rings stand: closer towards the ends, where a dome turns. */
+const HEIGHTS = Array.from({ length: 15 }, (_, i) => (1 - Math.cos((Math.PI * i) / 14)) / 2);
 
 /** Its surface, for the view. */
 export function surfaceOf(volume: GrowthVolume): { points: number[]; triangles: number[] } {
 	const rings: [up: number, out: number][] = [
 		[0, 0],
-		...Array.from({ length: RINGS + 1 }, (_, i): [number, number] => [i / RINGS, radiusAt(volume, i / RINGS)]),
+		...HEIGHTS.map((up): [number, number] => [up, radiusAt(volume, up)]),
 		[1, 0],
 	];
 	const points = rings.flatMap(([up, out]) =>
@@ -76,7 +76,7 @@ export function surfaceOf(volume: GrowthVolume): { points: number[]; triangles: 
 }
 
 /** One array for all: the view knows by it that a body is the same one stretched. */
-const TRIANGLES = Array.from({ length: RINGS + 2 }, (_, ring) => ring).flatMap((ring) =>
+const TRIANGLES = Array.from({ length: HEIGHTS.length + 1 }, (_, ring) => ring).flatMap((ring) =>
 	Array.from({ length: SIDES }, (_, i) => {
 		const [a, b] = [ring * SIDES + i, ring * SIDES + ((i + 1) % SIDES)];
 		return [a, b + SIDES, b, a, a + SIDES, b + SIDES];

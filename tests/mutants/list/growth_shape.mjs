@@ -1,0 +1,122 @@
+/** Trees by divisor functions: light and room, and levels of detail. */
+const SRC = "wasm-core/src/models/growth";
+const TESTS = "tests/core/models/growth";
+const LEVELS = [`${TESTS}/levels_test.cpp`];
+const ABOUT = [`${TESTS}/surroundings_test.cpp`, `${TESTS}/form_test.cpp`];
+
+export default [
+	{
+		file: `${SRC}/form.cpp`,
+		suites: ABOUT,
+		faults: [
+			{
+				id: "growth-light-is-always-above",
+				find: "const glm::vec3 light = light_.from(tip);",
+				replace: "const glm::vec3 light(0, 1, 0);",
+				breaks: "trees in the shade of others do not bend out of it",
+			},
+			{
+				id: "growth-shoots-leave-their-room",
+				find: "i < most_halvings && regard > 0 && !about_.holds",
+				replace: "i < 0 && regard > 0 && !about_.holds",
+				breaks: "branches grow into the crowns beside them",
+			},
+			{
+				id: "growth-deformed-for-a-step",
+				find: "deformed_[population_.deformations[next_].shoot] = population_.deformations[next_];",
+				replace: "deformed_[population_.deformations[next_].shoot] = {};",
+				breaks: "branches with a will of their own are as all others",
+			},
+			{
+				id: "growth-volumes-do-not-guide",
+				find: "constexpr float beyond = 0.5f;",
+				replace: "constexpr float beyond = 1;",
+				breaks: "crowns reach far beyond the volumes that one drags",
+			},
+		],
+	},
+	{
+		file: `${SRC}/surroundings.cpp`,
+		suites: ABOUT,
+		faults: [
+			{
+				id: "growth-horizon-hides-nothing",
+				find: "lamp.share = 0;",
+				replace: "lamp.share *= 1;",
+				breaks: "the sky behind neighbours is as light as any",
+			},
+			{
+				id: "growth-room-is-a-circle",
+				find: "const std::size_t i = eighth(p.x, p.z), next",
+				replace: "const std::size_t i = 0, next",
+				breaks: "room is that of the east all about",
+			},
+		],
+	},
+	{
+		file: `${SRC}/crown_light.cpp`,
+		suites: ABOUT,
+		faults: [
+			{
+				id: "growth-light-from-the-dark",
+				find: "sky_ + contrast *",
+				replace: "sky_ - contrast *",
+				breaks: "shoots grow to where the crown is thickest",
+			},
+			{
+				id: "growth-spiral-leans",
+				find: "open - glm::vec3(whole.x, 0, whole.z)",
+				replace: "open",
+				breaks: "a tree with nothing about it is another than one that stands alone",
+			},
+		],
+	},
+	{
+		file: `${SRC}/levels.cpp`,
+		suites: LEVELS,
+		faults: [
+			{
+				id: "levels-thin-wood-first",
+				find: "return one != other ? one > other : a.first < b.first;",
+				replace: "return one != other ? one < other : a.first < b.first;",
+				breaks: "far trees have twigs and no trunk",
+			},
+			{
+				id: "levels-bare-trees-lose-their-outline",
+				find: "leafy_ || level == 0 ? std::vector<bool>() : outermost();",
+				replace: "std::vector<bool>();",
+				breaks: "trees in winter shrink as one walks away",
+			},
+			{
+				id: "levels-tubes-inside-out",
+				find: "turn.cosine * right + turn.sine * forward",
+				replace: "turn.cosine * right - turn.sine * forward",
+				breaks: "wood is lit from the wrong side",
+			},
+			{
+				id: "levels-never-fewer-corners",
+				find: "if (straight) continue;",
+				replace: "if (straight && level_count == 0) continue;",
+				breaks: "far trunks have a ring for each branch",
+			},
+		],
+	},
+	{
+		file: `${SRC}/sheets.cpp`,
+		suites: LEVELS,
+		faults: [
+			{
+				id: "levels-merged-leaves-lose-area",
+				find: "sheet.area += sheets_[k].area;",
+				replace: "sheet.area = sheets_[k].area;",
+				breaks: "crowns get thin with distance",
+			},
+			{
+				id: "levels-crowns-shrink",
+				find: "reach(merged, target);",
+				replace: "",
+				breaks: "crowns shrink as one walks away",
+			},
+		],
+	},
+];

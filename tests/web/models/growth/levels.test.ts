@@ -1,0 +1,56 @@
+import { readFileSync } from "node:fs";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import { loadCoreFromBytes } from "../../../../web/src/core/loader";
+import { model } from "../../../../web/src/models/growth/index";
+import { encodeGrowth } from "../../../../web/src/models/growth/request";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+
+const OPEN = [0, 0, 0, 0, 0, 0, 0, 0, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9, 1e9];
+const specimen = { ...fromPreset(model, "figure-5"), seed: 3 };
+
+let core: Core;
+
+beforeAll(async () => {
+	core = await loadCoreFromBytes(readFileSync(new URL("../../../../build/core/growth.wasm", import.meta.url)));
+	await model.prepare(specimen);
+});
+
+const grown = (options: Parameters<typeof encodeGrowth>[1]) => core.grow(encodeGrowth(specimen, options)).columns;
+
+describe("levels of a tree", () => {
+	it("are four meshes of three runs each, and nothing else where no other mesh is asked for", () => {
+		const columns = grown({ levels: true, meshes: false, measures: false });
+		expect(columns.lines("meshes")).toEqual(["level0", "level1", "level2", "level3"]);
+		const tolerance = [...columns.floats("levels.tolerance")];
+		expect(tolerance).toHaveLength(4);
+		expect(tolerance).toEqual([...tolerance].sort((a, b) => a - b));
+		for (const name of columns.lines("meshes")) {
+			expect(columns.text(`mesh.${name}.material`)).toBe("level");
+			expect(columns.lines(`mesh.${name}.runs.names`)).toEqual(["bark", "leaves", "blossoms"]);
+			expect(columns.octets(`mesh.${name}.sky`)).toHaveLength(columns.floats(`mesh.${name}.positions`).length / 3);
+		}
+	});
+
+	it("change nothing else of the plant, and are left out where they are not asked for", () => {
+		const [without, beside] = [grown({}), grown({ levels: true })];
+		expect(without.lines("meshes")).toEqual(["stems", "leaves"]);
+		expect(beside.lines("meshes").slice(0, 2)).toEqual(["stems", "leaves"]);
+		expect(beside.words("fingerprint")).toEqual(without.words("fingerprint"));
+	});
+});
+
+describe("what stands about a tree", () => {
+	it("changes how it grows, where there is something", () => {
+		const alone = grown({ meshes: false }).words("fingerprint");
+		const about = (numbers: number[]) => grown({ meshes: false, surroundings: Float32Array.from(numbers) });
+		expect(about(OPEN).words("fingerprint")).toEqual(alone);
+		expect(about(OPEN.with(8, 0.5)).words("fingerprint")).not.toEqual(alone);
+		expect(about(OPEN.with(2, 60)).words("fingerprint")).not.toEqual(alone);
+	});
+
+	it("is refused where it is not sixteen numbers", () => {
+		for (const wrong of [OPEN.slice(1), OPEN.with(3, Number.NaN)])
+			expect(() => grown({ surroundings: Float32Array.from(wrong) })).toThrow("sixteen numbers");
+	});
+});

@@ -1,0 +1,127 @@
+/** Laws of every species: its size is what its text says, age and season run without a jump, and what falls lies on the ground. */
+import { readFileSync } from "node:fs";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { Core } from "../../../../web/src/core/core";
+import { loadCoreFromBytes } from "../../../../web/src/core/loader";
+import type { GrowthPlant } from "../../../../web/src/models/growth/growth_plant";
+import { model } from "../../../../web/src/models/growth/index";
+import { TRANSFORM } from "../../../../web/src/plant/part";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+
+const MODULE = new URL("../../../../build/core/growth.wasm", import.meta.url);
+const SPECIES = model.presets.list.filter(({ kind }) => kind === "species");
+const EVERGREEN = ["olive", "spruce", "pine", "stone-pine", "cypress"];
+
+let core: Core;
+beforeAll(async () => {
+	core = await loadCoreFromBytes(readFileSync(MODULE));
+	for (const { name } of SPECIES) await model.prepare(fromPreset(model, name));
+});
+
+function grown(name: string, parameters: Record<string, number>, seed = 1): GrowthPlant {
+	const preset = fromPreset(model, name);
+	const specimen = { ...preset, seed, parameters: { ...preset.parameters, ...parameters } };
+	return model.read(core.grow(model.encode(specimen, { meshes: false, measures: true })), specimen);
+}
+
+const measured = ({ measures }: GrowthPlant, key: string): number =>
+	measures?.[model.table.measures.findIndex((each) => each.key === key)] ?? Number.NaN;
+
+/** Places of the organs of one tag. */
+function placesOf({ organs }: GrowthPlant, tag: string): Set<string> {
+	const places = new Set<string>();
+	const wanted = organs.tags.indexOf(tag);
+	for (let i = 0; i < organs.count; i++)
+		if (organs.tag[i] === wanted) places.add(organs.transforms.subarray(TRANSFORM * i, TRANSFORM * i + 3).join(" "));
+	return places;
+}
+
+const within = (some: Set<string>, all: Set<string>): boolean => [...some].every((place) => all.has(place));
+
+/** Of each shoot the end. */
+function tipsOf({ segments, shoots }: GrowthPlant): Map<number, Float32Array> {
+	const tips = new Map<number, Float32Array>();
+	for (let i = 0; i < segments.count; i++) tips.set(shoots.shoot[i], segments.ends.subarray(6 * i + 3, 6 * i + 6));
+	return tips;
+}
+
+it("there are twelve species and more, of which one is a vine", () => {
+	expect(SPECIES.length).toBeGreaterThanOrEqual(12);
+	expect(SPECIES.map(({ name }) => name)).toContain("grapevine");
+});
+
+describe.each(SPECIES.map(({ name }) => name))("%s", (name) => {
+	const evergreen = EVERGREEN.includes(name);
+
+	it("is as large as its text says", () => {
+		const about = SPECIES.find((each) => each.name === name)?.about ?? "";
+		const said = /([\d.]+) m high(?: and|, ([\d.]+) m) wide/.exec(about);
+		if (name === "grapevine") return;
+		const [high, wide] = [Number(said?.[1]), Number(said?.[2] ?? said?.[1])];
+		const plant = grown(name, { season: 0.4 });
+		expect(Math.abs(measured(plant, "height") / high - 1)).toBeLessThan(0.15);
+		expect(Math.abs(measured(plant, "spread") / wide - 1)).toBeLessThan(0.25);
+	});
+
+	it("grows from a seed without a jump", () => {
+		const tall = measured(grown(name, { season: 0.4 }), "height");
+		expect(grown(name, { age: 0 }).segments.count).toBe(0);
+		for (const age of [4, 52, 99]) {
+			const [before, after] = [grown(name, { age }), grown(name, { age: age + 0.2 })];
+			const tips = tipsOf(after);
+			for (const [shoot, tip] of tipsOf(before)) {
+				const now = tips.get(shoot);
+				if (!now) throw new Error(`shoot ${shoot} is gone`);
+				// At most the trunk's first piece, nearly all of its height, in the first of the steps.
+				const moved = Math.hypot(...tip.map((value, k) => now[k] - value));
+				if (moved > 0.03 * tall) expect(moved, `shoot ${shoot} at ${age}`).toBeLessThan(0.03 * tall);
+			}
+		}
+	});
+
+	it("goes through the year: leaves unfold, fall where nothing hangs any more, and stay where they are till then", () => {
+		const summer = grown(name, { season: 0.4 });
+		const [all, most] = [placesOf(summer, "leaf"), summer.counts.leaves];
+		let lying = new Set<string>();
+		for (const season of [0, 0.2, 0.6, 0.84, 1]) {
+			const plant = grown(name, { season });
+			expect(within(placesOf(plant, "leaf"), all), `season ${season}`).toBe(true);
+			expect(plant.counts.leaves + plant.counts.shed).toBeLessThanOrEqual(most);
+			// What lies on the ground stays there.
+			const shed = placesOf(plant, "shed");
+			expect(within(lying, shed)).toBe(true);
+			lying = shed;
+			if (evergreen)
+				expect([plant.counts.leaves, plant.counts.shed, plant.fingerprint]).toEqual([most, 0, summer.fingerprint]);
+		}
+		if (evergreen) return;
+		expect(grown(name, { season: 0 }).counts).toMatchObject({ leaves: 0, shed: 0 });
+		expect(grown(name, { season: 1 }).counts).toMatchObject({ leaves: 0, shed: most });
+		const falling = grown(name, { season: 0.8 }).counts;
+		expect(Math.min(falling.leaves, falling.shed)).toBeGreaterThan(most / 5);
+	});
+
+	it("is in flower in spring alone, where it is a fruit tree's picture", () => {
+		const flowers = (season: number) => grown(name, { season }).counts.blossoms;
+		const fruit = name === "apple" || name === "cherry";
+		expect(flowers(0.2) > 1000).toBe(fruit);
+		expect([flowers(0), flowers(0.45), flowers(0.8)]).toEqual([0, 0, 0]);
+	});
+});
+
+it("a vine has places for two bunches on each cane that is grown, above its wire, hanging down", () => {
+	const { counts, organs } = grown("grapevine", {});
+	// A cane of the last step has a single internode yet.
+	expect(counts.bunches).toBeGreaterThan(1.5 * counts.branches);
+	expect(counts.bunches).toBeLessThanOrEqual(2 * counts.branches);
+	const bunch = organs.tags.indexOf("bunch");
+	for (let i = 0; i < organs.count; i++) {
+		if (organs.tag[i] !== bunch) continue;
+		const [, y, , qx, qy, qz, qw] = organs.transforms.subarray(TRANSFORM * i, TRANSFORM * i + 7);
+		expect(y).toBeGreaterThan(0.85);
+		expect(organs.mesh[i]).toBe(-1);
+		// Where the rotation takes +Y.
+		expect(1 - 2 * (qx * qx + qz * qz)).toBeCloseTo(-1, 5);
+		expect(Math.hypot(2 * (qx * qy - qz * qw), 2 * (qy * qz + qx * qw))).toBeCloseTo(0, 5);
+	}
+});
