@@ -9,8 +9,8 @@ export type MeasureKey = (typeof MEASURE_KEYS)[number];
 export const MEASURES: readonly MeasureInfo[] = [
 	{
 		key: "area",
-		label: "Ground",
-		group: "stand",
+		label: "Area",
+		group: "ground",
 		kind: "number",
 		unit: "m²",
 		decimals: 1,
@@ -46,7 +46,7 @@ export const MEASURES: readonly MeasureInfo[] = [
 	{
 		key: "cover",
 		label: "Crown cover",
-		group: "stand",
+		group: "ground",
 		kind: "number",
 		unit: "%",
 		decimals: 0,
@@ -55,4 +55,7 @@ export const MEASURES: readonly MeasureInfo[] = [
 ];
 
 /** The groups that panels and pages show, in order. */
-export const MEASURE_GROUPS: readonly MeasureGroup[] = [{ key: "stand", title: "Stand" }];
+export const MEASURE_GROUPS: readonly MeasureGroup[] = [
+	{ key: "ground", title: "Ground" },
+	{ key: "stand", title: "Stand" },
+];
