@@ -6,8 +6,8 @@ import { StudioPart } from "./studio_part";
 
 /** The bars below the 3-D view that the model's tools bring. */
 export class Bars extends StudioPart {
-	protected override shows({ state: { face, specimen, model, tools } }: Studio): readonly unknown[] {
-		return [model, tools, ...applying(face?.tools, specimen)];
+	protected override shows({ state: { face, specimen, model } }: Studio): readonly unknown[] {
+		return [model, ...applying(face?.tools, specimen)];
 	}
 
 	protected override draw(studio: Studio): unknown {

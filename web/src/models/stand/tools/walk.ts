@@ -1,6 +1,7 @@
 /** Walking through a stand: by keys, by a drag that looks around, by buttons. */
-import { html, svg } from "lit";
+import { html, nothing, svg } from "lit";
 import type { Desk } from "../../../controls/desk";
+import { DeskElement } from "../../../controls/desk_element";
 import type { Tool, ToolHands, ToolView } from "../../../controls/tool";
 import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
@@ -50,7 +51,7 @@ export const walk: Tool<StandSpecimen, StandPlant, Walking> = {
 	],
 	bar: {
 		title: "Walk",
-		draw: (desk) => (desk.toolState(walk) === undefined ? undefined : drawBar(desk)),
+		draw: (desk) => html`<panicle-walk-bar .desk=${desk}></panicle-walk-bar>`,
 	},
 	hands: (view, desk) => new WalkHands(view, desk),
 };
@@ -61,16 +62,26 @@ function go(desk: StandDesk, step: Step): void {
 	if (grown && pose) desk.setToolState(walk, stepped(pose, step, grown));
 }
 
-function drawBar(desk: StandDesk): unknown {
-	return html`<div class="walk-bar" role="group" aria-label="Walk">
-		${BUTTONS.map(
-			([step, label, sign]) =>
-				html`<button class="button icon" type="button" aria-label=${label} title=${label} @click=${() => go(desk, step)}
-				><span aria-hidden="true">${sign}</span></button>`,
-		)}
-		<button class="button" type="button" @click=${() => desk.setToolState(walk, undefined)}>Leave</button>
-	</div>`;
+/** The steps as buttons, while one walks. */
+class WalkBar extends DeskElement<StandDesk> {
+	protected override shows(desk: StandDesk): readonly unknown[] {
+		return [desk.toolState(walk) !== undefined];
+	}
+
+	protected override draw(desk: StandDesk): unknown {
+		if (desk.toolState(walk) === undefined) return nothing;
+		return html`<div class="walk-bar">
+			${BUTTONS.map(
+				([step, label, sign]) =>
+					html`<button class="button icon" type="button" aria-label=${label} title=${label} @click=${() => go(desk, step)}
+					><span aria-hidden="true">${sign}</span></button>`,
+			)}
+			<button class="button" type="button" @click=${() => desk.setToolState(walk, undefined)}>Leave</button>
+		</div>`;
+	}
 }
+
+customElements.define("panicle-walk-bar", WalkBar);
 
 class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
 	readonly #view: ToolView;
