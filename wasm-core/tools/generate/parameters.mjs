@@ -98,13 +98,17 @@ function object(properties, indent) {
 	const tabWidth = 2;
 	if (indent * tabWidth + line.length <= 120) return `${"\t".repeat(indent)}${line}`;
 	const tabs = "\t".repeat(indent + 1);
-	const fits = (pair) => (indent + 1) * tabWidth + pair.length + 1 <= 120;
-	// A list that is too long for its line has a line for each of its values.
-	const laid = (pair) =>
-		fits(pair)
-			? pair
-			: pair.replace(/\[(.*)\]$/, (_, list) => `[\n${tabs}\t${list.replaceAll(", ", `,\n${tabs}\t`)},\n${tabs}]`);
-	const inner = pairs.map((pair) => `${tabs}${laid(pair)},`);
+	// A list that does not fit has a line for each.
+	const broken = (pair) =>
+		pair.replace(
+			/\[(.*)\]$/,
+			(_, list) =>
+				`[\n${list
+					.split(", ")
+					.map((each) => `${tabs}\t${each},\n`)
+					.join("")}${tabs}]`,
+		);
+	const inner = pairs.map((pair) => `${tabs}${(indent + 1) * tabWidth + pair.length < 120 ? pair : broken(pair)},`);
 	return [`${"\t".repeat(indent)}{`, ...inner, `${"\t".repeat(indent)}},`].join("\n");
 }
 

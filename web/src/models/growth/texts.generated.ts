@@ -3,8 +3,8 @@
 /** The texts of presets by their names: loaded when the first is grown. */
 export const TEXTS: Readonly<Record<string, string>> = {
 	apple: `/* Apple tree
-   about: Malus domestica in flower: low and round, its branches wide and crooked. 6 m high and wide.
-   source: flowers 3–4 cm and leaves 5–12 cm by the common floras; that it is as wide as high is the habit of old orchards
+   about: Malus domestica in flower: low and round, its branches wide and crooked. 5.2 m high, 6.4 m wide.
+   source: flowers 3–4 cm and leaves 5–12 cm by the common floras; that it is wider than high is the habit of old orchards
 */
 gs = 9
 
@@ -228,7 +228,7 @@ phototropism = 0.09
 k >= 1 -> foliage(8)
 `,
 	olive: `/* Olive
-   about: Olea europaea, old: a short, thick, twisted trunk and a loose grey-green head. 6 m high and wide.
+   about: Olea europaea, old: a short, thick, twisted trunk and a loose grey-green head. 5.4 m high, 6.5 m wide.
    source: woodlands.co.uk, The olive tree (short and squat, leaves 4–10 cm by 1–3 cm, trunk gnarled with age)
 */
 gs = 9

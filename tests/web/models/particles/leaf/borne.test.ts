@@ -3,10 +3,10 @@ import { gzipSync } from "node:zlib";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Core } from "../../../../../web/src/core/core";
 import { loadCoreFromBytes } from "../../../../../web/src/core/loader";
-import { BAKED_LEAVES, bakeLeaf } from "../../../../../web/src/models/particles/leaf/borne/bake";
+import { GROWTH_TABLE } from "../../../../../web/src/models/growth/table";
+import { BAKED_LEAVES, bakedSpecimen, bakeLeaf } from "../../../../../web/src/models/particles/leaf/borne/bake";
 import { readLeaf as readGrownLeaf } from "../../../../../web/src/models/particles/leaf/read_leaf";
 import { encodeLeaf } from "../../../../../web/src/models/particles/leaf/request";
-import { leafFromPreset } from "../../../../../web/src/models/particles/leaf/species";
 import { TREE_TABLE } from "../../../../../web/src/models/particles/tree/table";
 import { type LeafFile, readLeaf } from "../../../../../web/src/plant/leaf";
 
@@ -85,8 +85,13 @@ const onTrees = BAKED_LEAVES.filter((name) => !name.startsWith("grapevine"));
 
 describe("the leaves that trees bear", () => {
 	it("are those of every kind that a tree can have, but needles", () => {
-		const kinds = TREE_TABLE.entry("leaf_kind");
-		expect(kinds?.kind === "choice" && kinds.options.toSorted()).toEqual(["needle", ...onTrees].toSorted());
+		const kindsOf = (table: typeof TREE_TABLE | typeof GROWTH_TABLE) => {
+			const kinds = table.entry("leaf_kind");
+			return kinds?.kind === "choice" ? kinds.options : [];
+		};
+		const grown = kindsOf(GROWTH_TABLE);
+		expect(grown.filter((kind) => !["none", "needle", "spray"].includes(kind)).toSorted()).toEqual(onTrees.toSorted());
+		expect(kindsOf(TREE_TABLE).filter((kind) => !grown.includes(kind))).toEqual([]);
 	});
 
 	it("are at most 15 kB over the wire, all of them together", async () => {
@@ -98,7 +103,7 @@ describe("the leaves that trees bear", () => {
 		"are few triangles of %s's own outline, in two halves that fold along the midrib",
 		async (preset) => {
 			const { points, indices, petiole, veins } = await readLeaf(await committed(preset));
-			const { parameters } = leafFromPreset(preset);
+			const { parameters } = bakedSpecimen(preset);
 			expect(indices.length / 3).toBeLessThan(26);
 			expect(veins?.side).toBe(64);
 			expect(petiole?.[0]).toBeCloseTo(parameters.petiole / 100, 5);
@@ -116,7 +121,7 @@ describe("the leaves that trees bear", () => {
 			expect([...right].filter((vertex) => left.has(vertex))).toEqual([]);
 			expect(right.size + left.size).toBe(points.length / 2);
 			// About as much of a leaf as there is.
-			const { margin } = readGrownLeaf(core.grow(encodeLeaf(leafFromPreset(preset), { meshes: false })));
+			const { margin } = readGrownLeaf(core.grow(encodeLeaf(bakedSpecimen(preset), { meshes: false })));
 			let own = 0;
 			for (let i = 0, j = margin.length - 2; i < margin.length; j = i, i += 2) {
 				own += (margin[j] * margin[i + 1] - margin[i] * margin[j + 1]) / 2;

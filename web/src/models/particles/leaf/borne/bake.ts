@@ -57,15 +57,21 @@ const BAKED: Readonly<Record<string, Baked>> = {
 /** Their names, which are those of the files. */
 export const BAKED_LEAVES = Object.keys(BAKED);
 
-/** Grows a preset and bakes it: the same core gives the same file. */
-export function bakeLeaf(core: Core, name: string): LeafFile {
-	const { detail, parameters, half, preset = name, ...options } = BAKED[name];
+/** What is grown for it: a preset, or one with an outline of its own. */
+export function bakedSpecimen(name: string): LeafSpecimen {
+	const { parameters, half, preset = name } = BAKED[name];
 	const own = leafFromPreset(preset);
-	const specimen = {
+	return {
 		...own,
 		parameters: { ...own.parameters, ...parameters },
 		...(half ? { outline: outlineOf(half) } : {}),
 	};
+}
+
+/** Grows a preset and bakes it: the same core gives the same file. */
+export function bakeLeaf(core: Core, name: string): LeafFile {
+	const { detail, parameters, half, preset = name, ...options } = BAKED[name];
+	const specimen = bakedSpecimen(name);
 	const leaf = readLeaf(core.grow(encodeLeaf(specimen, { detail, sky: false, measures: false })));
 	return borneLeaf(leaf, specimen, `leaf/${preset}`, options);
 }
