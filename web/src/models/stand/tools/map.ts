@@ -73,12 +73,14 @@ function drawMap(desk: StandDesk, stand: StandPlant): unknown {
 }
 
 /** A path a kind: thousands of circles would each be an element. */
-function drawPlants({ kinds, places }: StandPlant): unknown {
+function drawPlants({ kinds, places, ground }: StandPlant): unknown {
 	return kinds.map(({ crown }, kind) => {
 		const rounds: string[] = [];
 		for (let plant = 0; plant < places.count; plant++) {
 			if (places.kind[plant] !== kind) continue;
-			const r = Math.max(0.35 * crown.width * places.scale[plant], 0.01);
+			// What is borne has no crown of its own.
+			const borne = places.bearer[plant] >= 0;
+			const r = borne ? 0.004 * ground.width : Math.max(0.35 * crown.width * places.scale[plant], 0.01);
 			const [x, z] = [places.at[3 * plant], places.at[3 * plant + 2]].map((value) => value.toFixed(2));
 			rounds.push(`M${x} ${z}m${-r} 0a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`);
 		}
