@@ -10,7 +10,7 @@ const PROGRAMS =
  * of the other materials is here, too.
  */
 const PIECES = [
-	"alphahash_fragment alphahash_pars_fragment batching_pars_vertex batching_vertex bumpmap_pars_fragment",
+	"alphahash_fragment alphahash_pars_fragment bumpmap_pars_fragment",
 	"clipping_planes_fragment clipping_planes_pars_fragment clipping_planes_pars_vertex clipping_planes_vertex",
 	"displacementmap_pars_vertex displacementmap_vertex envmap_common_pars_fragment envmap_fragment envmap_pars_fragment",
 	"envmap_pars_vertex envmap_vertex fog_fragment fog_pars_fragment fog_pars_vertex fog_vertex gradientmap_pars_fragment",
@@ -46,7 +46,7 @@ const PARTS = {
 
 /** Classes that would draw wrongly without what is left out. */
 const NEEDS_MORE =
-	/\/(Mesh(Lambert|Matcap|Normal|Phong|Toon)Material|LineDashedMaterial|(Points|Sprite|Shadow)Material|(Skinned|Batched)Mesh|FogExp2|Fog|PointLight|PMREMGenerator)\.js$/;
+	/\/(Mesh(Lambert|Matcap|Normal|Phong|Toon)Material|LineDashedMaterial|(Points|Sprite|Shadow)Material|SkinnedMesh|FogExp2|Fog|PointLight|PMREMGenerator)\.js$/;
 
 const unused = new Set([...`${PROGRAMS} ${PIECES}`.split(" ").map((name) => `${name}.glsl.js`)]);
 const GLSL = /\/\* glsl \*\/`([^`]*)`/g;

@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- growth` all but trees by divisor functions, `-- topiary` all but those clipped to areas, `-- maps` all but generalized maps, `npm run bench
+ * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- growth` all but trees by divisor functions, `-- stand` grows and shows stands of up to 2,000 trees (of the page as it was built), `-- topiary` all but those clipped to areas, `-- maps` all but generalized maps, `npm run bench
  * -- browser` all but the page, `-- page [FOLDER]` all but texts in the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
  */
 import { join } from "node:path";
@@ -17,6 +17,7 @@ import { benchPage } from "./page.mjs";
 import { benchParticles } from "./particles.mjs";
 import { peerModules } from "./peer.mjs";
 import { benchService } from "./service.mjs";
+import { benchStand } from "./stand.mjs";
 import { geometricMean, median, microseconds, printTable } from "./statistics.mjs";
 import { benchTopiaries } from "./topiary.mjs";
 import { benchWatching } from "./watching.mjs";
@@ -60,6 +61,7 @@ if (only === undefined || only === "maps") benchMaps({ core });
 if (only === undefined || only === "topiary") await benchTopiaries({ core, source });
 if (only === undefined || only === "grammar") await benchGrammar({ core, source });
 if (only === undefined || only === "growth") await benchGrowth({ core, instance, source });
+if (only === "stand") await benchStand();
 if (only === undefined || only === "service") await benchService();
 if (only === undefined || only === "browser") await benchBrowser();
 if (only === undefined || only === "page") await benchPage(named[0]);

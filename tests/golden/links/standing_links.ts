@@ -3,7 +3,7 @@ import type { Model } from "../../../web/src/models/model";
 import { type Entry, nearestWithin } from "../../../web/src/specimen/table";
 
 /** Few particles do: what links mean shows in them as well. */
-const SMALL: Readonly<Record<string, string>> = { leaf: "n=120", tree: "n=80", root: "n=60" };
+const SMALL: Readonly<Record<string, string>> = { leaf: "n=120", tree: "n=80", root: "n=60", stand: "many=24" };
 
 /** Details, by model and the version from which they hold. */
 const DETAILS: Readonly<Record<string, readonly { since: number; link: string }[]>> = {

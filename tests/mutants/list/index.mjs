@@ -36,6 +36,7 @@ import rooms from "./rooms.mjs";
 import saved from "./saved.mjs";
 import scene from "./scene.mjs";
 import specimen from "./specimen.mjs";
+import stand from "./stand.mjs";
 import stepper from "./stepper.mjs";
 import studio from "./studio.mjs";
 import swelling from "./swelling.mjs";
@@ -82,6 +83,7 @@ export const groups = [
 	...grammarEditor,
 	...flower,
 	...growth,
+	...stand,
 	...growthShape,
 	...stepper,
 	...studio,

@@ -61,7 +61,13 @@ describe("many models", () => {
 		const { status, printed, said } = await grow(["--list"]);
 		expect([status, said]).toEqual([0, []]);
 		const all: { model: string; title: string; preview?: boolean; presets: string[] }[] = JSON.parse(printed[0]);
-		expect(all.filter(({ preview }) => preview).map(({ model }) => model)).toEqual(["growth", "leaf", "root", "tree"]);
+		expect(all.filter(({ preview }) => preview).map(({ model }) => model)).toEqual([
+			"growth",
+			"leaf",
+			"root",
+			"stand",
+			"tree",
+		]);
 		const [bunch] = all;
 		expect(bunch).toMatchObject({ model: "bunch", title: "Grape bunch" });
 		expect(bunch.presets).toEqual(PRESETS.map(({ name }) => name));

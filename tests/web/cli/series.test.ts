@@ -178,7 +178,7 @@ it("what does not grow leaves a line that says why, and is tried again", async (
 			broken = false;
 			throw new Error("the core broke");
 		};
-		return Object.assign(Object.create(core), { grow });
+		return Object.defineProperties(Object.create(core), { grow: { value: grow }, memoryBytes: { value: 0 } });
 	};
 	const words = [...SMALL, "--seeds", "1-2"];
 	expect(await run(words, { ...memory.world, loadCore })).toBe(1);

@@ -14,7 +14,7 @@ describe("the cores", () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async () => ({ columns, milliseconds: 7 }));
 		const { signal } = new AbortController();
-		const grown = await new Cores(address, { grow, warm: vi.fn() }).grow(
+		const grown = await new Cores(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(
 			model,
 			{ ...fromPreset(model), seed: 5 },
 			{ measures: false, signal },
@@ -46,14 +46,14 @@ describe("the cores", () => {
 				},
 				encode: () => [{ name: "there", data: Uint32Array.of(there ? 1 : 0) }],
 			};
-			await new Cores(address, { grow, warm: vi.fn() }).grow(needy, fromPreset(model));
+			await new Cores(address, { grow, warm: vi.fn(), among: vi.fn() }).grow(needy, fromPreset(model));
 			expect(grow.mock.calls[0][0].blocks).toEqual([{ name: "there", data: Uint32Array.of(comes ? 1 : 0) }]);
 		}
 	});
 
 	it("wait for the sketch alone where that does, of models that have one", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
-		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn() };
+		const client = { grow: async () => ({ columns, milliseconds: 7 }), warm: vi.fn(), among: vi.fn() };
 		const [prepare, sketch] = [vi.fn(async () => {}), vi.fn(async () => {})];
 		const cores = new Cores(address, client);
 		await cores.grow({ ...model, prepare, sketch }, fromPreset(model), { sketched: true });
@@ -66,7 +66,7 @@ describe("the cores", () => {
 	it("do not begin an older growth after a newer one that had less to wait for", async () => {
 		const columns = new Columns(writeContainer([{ name: "fingerprint", data: "0123" }]));
 		const grow = vi.fn(async (_order: { blocks: readonly unknown[] }) => ({ columns, milliseconds: 7 }));
-		const cores = new Cores(address, { grow, warm: vi.fn() });
+		const cores = new Cores(address, { grow, warm: vi.fn(), among: vi.fn() });
 		let come = () => {};
 		const slow: Model = { ...model, prepare: () => new Promise((resolve) => (come = resolve)) };
 		const older = cores.grow(slow, { ...fromPreset(model), seed: 1 });
@@ -79,7 +79,7 @@ describe("the cores", () => {
 
 	it("are warmed by their files, where there is one of that name", () => {
 		const warm = vi.fn();
-		const cores = new Cores(address, { grow: vi.fn(), warm });
+		const cores = new Cores(address, { grow: vi.fn(), warm, among: vi.fn() });
 		cores.warm("plum.wasm");
 		expect(warm).not.toHaveBeenCalled();
 		cores.warm("toy.wasm");
@@ -87,7 +87,7 @@ describe("the cores", () => {
 	});
 
 	it("say where one is missing", async () => {
-		const cores = new Cores(() => undefined, { grow: vi.fn(), warm: vi.fn() });
+		const cores = new Cores(() => undefined, { grow: vi.fn(), warm: vi.fn(), among: vi.fn() });
 		await expect(cores.grow(model, fromPreset(model))).rejects.toThrow(
 			"The core of the pole is not part of this page.",
 		);

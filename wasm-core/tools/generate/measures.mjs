@@ -86,13 +86,21 @@ function object({ classes, ...properties }, indent) {
 	return `{\n${pairs.map((pair) => `${tabs}\t${pair}\n`).join("")}${tabs}}`;
 }
 
+/** Their keys in one line where they fit, as the formatter has it. */
+function keysOf(measures) {
+	const keys = measures.map(({ key }) => `"${key}"`);
+	const line = `[${keys.join(", ")}]`;
+	const [before, behind] = ["export const MEASURE_KEYS = ", " as const;"];
+	if (before.length + line.length + behind.length <= 120) return line;
+	return `[\n${keys.map((key) => `\t${key},\n`).join("")}]`;
+}
+
 function typescript({ groups, measures, skin }, up, notice) {
 	return `// ${notice}
 import type { MeasureGroup, MeasureInfo } from "${up}specimen/measures";
 
 /** Keys of the measures, in the order in which the core gives them. */
-export const MEASURE_KEYS = [
-${measures.map(({ key }) => `\t"${key}",\n`).join("")}] as const;
+export const MEASURE_KEYS = ${keysOf(measures)} as const;
 export type MeasureKey = (typeof MEASURE_KEYS)[number];
 
 /** Every measure, in the same order. */

@@ -1,5 +1,6 @@
 /** The command: grows one specimen of any model and writes it. */
 import { aimed } from "../batch/aimed";
+import { Cores } from "../core/cores";
 import { CoreError } from "../core/errors";
 import { FORMS, plantFile } from "../export/plant_files";
 import { agedOf, hasAges } from "../files/aged";
@@ -65,7 +66,8 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 				? "--chronicle: what is told of the derivation stands in JSON"
 				: `--chronicle: the ${model.noun} is not grown by a text`,
 		);
-	const core = await world.loadCore(model.wasm);
+	const cores = new Cores((wasm) => world.loadCore(wasm));
+	const run = cores.grow.bind(cores);
 	// What a file does not say is not worked out for it.
 	const json = ending === "json";
 	const [meshes, measures] = [
@@ -76,7 +78,7 @@ async function growAndWrite(call: Call, world: Surroundings): Promise<void> {
 	const grow = (each: Specimen, wanted: GrowthOptions) =>
 		growing(
 			own === undefined ? undefined : { name: call.grammarFile ?? "the link's grammar", text: own },
-			growPlant(model, each, wanted, async (_, blocks) => core.grow(blocks)),
+			growPlant(model, each, wanted, run),
 		);
 	const specimen = aims.length > 0 ? await found(model, from, aims, grow, world) : from;
 	const { string, chronicle } = call;

@@ -10,7 +10,7 @@ import { partOf, readShard, type Shard } from "../batch/shard";
 import { columnsOf, failedRow, type Line, readLines, rowOf, written } from "../batch/table";
 import { Unusable } from "../batch/unusable";
 import { readVary } from "../batch/vary";
-import type { Core } from "../core/core";
+import { Cores } from "../core/cores";
 import { growPlant } from "../files/growth";
 import { makeFile } from "../files/make";
 import type { Call } from "./arguments";
@@ -118,33 +118,32 @@ async function isWhole(path: string, { bytes, sum }: Line, world: Surroundings):
 	return data !== undefined && data.length === bytes && crc32(data) === sum;
 }
 
-/** Grows one plant after the other with one core, and another after one that broke. */
+/** Grows one plant after the other with the same cores, and with others after one that broke. */
 class Grower {
 	readonly #series: Series;
 	readonly #world: Surroundings;
-	#core: Core | undefined;
+	readonly #cores: Cores;
 
 	constructor(series: Series, world: Surroundings) {
 		this.#series = series;
 		this.#world = world;
+		this.#cores = new Cores((wasm) => world.loadCore(wasm));
 	}
 
 	/** Writes a plant's file. @returns its line of the table */
 	async grow(member: Member, folder: string): Promise<{ line: string; failed: boolean }> {
 		const series = this.#series;
-		this.#core ??= await this.#world.loadCore(series.model.wasm);
-		const core = this.#core;
+		const run = this.#cores.grow.bind(this.#cores);
 		try {
 			const grown = await growMember(series, member, {
 				make: makeFile,
-				grow: (model, specimen, options) => growPlant(model, specimen, options, async (_, blocks) => core.grow(blocks)),
+				grow: (model, specimen, options) => growPlant(model, specimen, options, run),
 			});
 			const path = join(folder, member.file);
 			await writing(path, () => this.#world.replaceFile(path, grown.bytes));
 			return { line: written(rowOf(series, member, grown)), failed: false };
 		} catch (error) {
 			if (error instanceof UsageError) throw error;
-			this.#core = undefined;
 			const why = error instanceof Error ? error.message : String(error);
 			return { line: written(failedRow(series, member, why)), failed: true };
 		}

@@ -85,6 +85,8 @@ export interface ToolView {
 	onDrawn(listener: () => void): () => void;
 	/** Shows a plant in place of the document's, which comes back where undefined; pictures and files are of the document's all the same. */
 	showInstead(plant: Instead | undefined): void;
+	/** Has the eye stand somewhere and look towards a place, metres; undefined brings back the whole plant. */
+	look(from: { readonly eye: Sight["origin"]; readonly towards: Sight["origin"] } | undefined): void;
 	/** One of the model's figure's ways of showing; the first where undefined. */
 	setMode(mode: string | undefined): void;
 }

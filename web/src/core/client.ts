@@ -20,6 +20,8 @@ export interface ClientOptions {
 	 * step before still grows begins at once; their answers may come in another order.
 	 */
 	abreast?: number;
+	/** How many workers of a pool of its own; `abreast` where absent. */
+	seats?: number;
 	/** Told what works but could be better, such as a server that names a wrong type. */
 	onNote?: (text: string) => void;
 }
@@ -43,7 +45,14 @@ export class Client {
 	#running = 0;
 	#waiting: Waiting | undefined;
 
-	constructor({ pool, workerFactory = spawnWorker, compile, abreast = 1, onNote }: ClientOptions = {}) {
+	constructor({
+		pool,
+		workerFactory = spawnWorker,
+		compile,
+		abreast = 1,
+		seats = abreast,
+		onNote,
+	}: ClientOptions = {}) {
 		this.#ownsPool = pool === undefined;
 		this.#abreast = abreast;
 		this.#pool =
@@ -51,7 +60,7 @@ export class Client {
 			new Pool({
 				spawn: workerFactory,
 				compile: compile ?? ((wasm) => compileCore(wasm, onNote)),
-				seats: abreast,
+				seats,
 			});
 	}
 
@@ -80,6 +89,13 @@ export class Client {
 			if (this.#running < this.#abreast) begin();
 			else this.#wait({ begin, reject }, signal);
 		});
+	}
+
+	/**
+	 * Grows one of many that make up a document: each is waited for, and none takes another's place. Rejects as Pool.run does.
+	 */
+	among(order: Order, { signal }: GrowOptions = {}): Promise<Answer> {
+		return this.#pool.run(order, { signal: this.#ending(signal) });
 	}
 
 	/** What is under way rejects with Superseded. Ends the workers of a pool of its own. */

@@ -17,6 +17,7 @@ import { appAddress } from "./app_address";
 import { readAttributes, saysSpecimen } from "./attributes";
 import { commons } from "./commons";
 import { Extras } from "./extras/extras";
+import { growDocument } from "./grow_document";
 import { changedIn, type Document, detailOf, documentOf, type GrownDetail, type Shown } from "./grown_detail";
 import { plantInWords } from "./plant_in_words";
 import { isDark, type Presence, watchPresence } from "./presence";
@@ -218,12 +219,8 @@ export class PanicleSpecimen extends HTMLElement {
 		this.setAttribute("aria-busy", "true");
 		try {
 			const document = await this.#read();
-			const { model, specimen } = document;
-			await model.prepare?.(specimen)?.catch(() => {});
-			const wasm = coreAddress(model.wasm);
-			if (wasm === undefined) throw new Error(`The core of the ${model.noun} is not beside the script.`);
-			const answer = await client.grow({ wasm, blocks: model.encode(specimen, options) }, { signal: life.signal });
-			const shown: Shown = { ...document, grown: model.read(answer, specimen) };
+			const grown = await growDocument(client, document, options, life.signal);
+			const shown: Shown = { ...document, grown };
 			await this.#show(shown);
 			const detail = await detailOf(shown);
 			this.dispatchEvent(new CustomEvent<GrownDetail>("grown", { detail, bubbles: true }));

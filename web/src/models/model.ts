@@ -17,6 +17,9 @@ import type { FigureMaker } from "../scene/figure";
 import type { Species } from "../specimen/species";
 import type { Specimen } from "../specimen/specimen";
 import type { Levers } from "../targets/lever";
+import type { Member, MemberAsked } from "./member";
+
+export type { Member, MemberAsked, MemberMesh, Place } from "./member";
 
 /** What of a growth is wanted. */
 export interface GrowthOptions {
@@ -32,6 +35,21 @@ export interface GrowthOptions {
 	steps?: number;
 	/** Which step of the derivation is to be told, of models that have one to tell of (`chronicles`); the default is none. */
 	chronicle?: ChronicleAsked;
+	/** Whether meshes for four distances are wanted, of models that make such (`levels`); the default is no. */
+	levels?: boolean;
+	/**
+	 * What stands about it, of models that heed it (`surroundings`): eight heights of the horizon in degrees, from +X to +Z, and eight
+	 * metres of free room. Absent: it stands alone.
+	 */
+	surroundings?: Float32Array;
+}
+
+/** Specimens of other models that a plant has in it. */
+export interface Members<G extends Plant = Plant> {
+	/** What is to be grown for it, each once. */
+	asked(grown: G): readonly MemberAsked[];
+	/** The plant with those that have grown so far, in the order of `asked`. */
+	joined(grown: G, members: readonly (Member | undefined)[]): G;
 }
 
 /** Measures that a person may ask for. */
@@ -81,6 +99,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	readonly strings?: true;
 	/** Whether it tells how its grammar is derived, step by step, where that is asked for. */
 	readonly chronicles?: true;
+	/** Whether it heeds what stands about a plant (`GrowthOptions.surroundings`). */
+	readonly surroundings?: true;
 
 	/**
 	 * Fetches what a specimen's request and plant need besides the core, where there is such: to be awaited before `encode`.
@@ -103,6 +123,10 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	read(answer: Answer, specimen: S): G;
 	/** What the plant is made of, for the scene and the exporters, which run in a worker: meshes or instances with their materials. */
 	parts(grown: G, specimen: S): Iterable<Part>;
+	/** The plant for four distances, from near to far, where it was grown with `levels`; absent of models that have none. */
+	levels?(grown: G, specimen: S): readonly (readonly Part[])[];
+	/** Specimens of other models in it, grown by their own cores when it has grown; absent: there are none. */
+	readonly members?: Members<G>;
 	/** Whether some parts are one mesh many times, or alike; where absent, whether organs are drawn with meshes says so. */
 	instanced?(grown: G): boolean;
 	/** What a specimen is called that is not named after its preset any more; absent or undefined: after that. */

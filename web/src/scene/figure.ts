@@ -53,6 +53,8 @@ export interface Figure<S, G> {
 	readonly modes: readonly string[];
 	/** One of `modes`; a plant shown later keeps to it. */
 	setMode(mode: string): void;
+	/** How far above the plant's horizon the view begins, degrees; absent: a little. */
+	readonly elevation?: number;
 	/** Settles when nothing of what is shown is still being made; absent where `show` makes all of it. */
 	whenFinished?(): Promise<void>;
 	/** Takes its objects off the stage and frees what they hold of the GPU. */

@@ -56,6 +56,11 @@ export class Stage<S, G> implements Drawable {
 		},
 	};
 
+	/** How far above the horizon the figure is to be seen from at first, degrees, where it says so. */
+	get elevation(): number | undefined {
+		return this.#figure?.elevation;
+	}
+
 	/** Whether there is a plant to draw. */
 	get filled(): boolean {
 		return this.#filled;

@@ -8,10 +8,19 @@ const MARGIN = 0.07;
 /** Where the camera stands at first, in degrees: a little to the right, a little above. */
 const AZIMUTH = 24;
 const ELEVATION = 7;
+/** The lens of who walks among plants, degrees, and how near something may come to the eye, metres. */
+const WALKING_FOV = 58;
+const WALKING_NEAR = 0.05;
 /** How long the view takes to follow a plant that has outgrown it, ms. */
 const EASE = 320;
 
 export type ViewName = "three-quarter" | "front" | "side";
+
+/** Where an eye stands and what it looks at, metres. */
+export interface Gaze {
+	readonly eye: readonly [x: number, y: number, z: number];
+	readonly towards: readonly [x: number, y: number, z: number];
+}
 
 const VIEWS: Record<ViewName, { azimuth: number; elevation: number }> = {
 	"three-quarter": { azimuth: AZIMUTH, elevation: ELEVATION },
@@ -29,6 +38,10 @@ export class Turntable {
 	#fitted: Spindle | undefined;
 	/** Fits are for the elevation of the direction last asked for, so that turning the plant changes none. */
 	#fitElevation = MathUtils.degToRad(ELEVATION);
+	/** Of the view that a plant is first seen in, degrees. */
+	#firstElevation = ELEVATION;
+	/** Whether the eye stands where it was put, and not before the table. */
+	#walking = false;
 	#glide: { from: Vector3; to: Vector3; fromDistance: number; toDistance: number; start: number } | undefined;
 
 	/** @param changed called when the view moves and must be drawn again */
@@ -76,7 +89,7 @@ export class Turntable {
 		this.camera.aspect = aspect;
 		this.camera.updateProjectionMatrix();
 		// A window that changes shape keeps the plant as large in it as it was.
-		if (this.#fitted && before) {
+		if (this.#fitted && before && !this.#walking) {
 			const zoom = this.distance / before.distance;
 			this.#fit = this.#fitOf(this.#fitted);
 			this.#setDistance(this.#fit.distance * zoom);
@@ -90,6 +103,7 @@ export class Turntable {
 	 */
 	follow(spindle: Spindle, held: boolean): void {
 		this.#spindle = spindle;
+		if (this.#walking) return;
 		const now = this.#fitOf(spindle);
 		if (this.#fit === undefined) this.fit();
 		else if (held ? this.controls.enabled && hasOutgrown(this.#fit, now) : needsRefit(this.#fit, now))
@@ -97,7 +111,9 @@ export class Turntable {
 	}
 
 	/** The next plant is of another kind: it is fitted as the first was, and not glided to. */
-	forget(): void {
+	forget(elevation = ELEVATION): void {
+		this.look(undefined);
+		this.#firstElevation = elevation;
 		this.#fit = undefined;
 		this.#fitted = undefined;
 		this.#spindle = undefined;
@@ -110,17 +126,42 @@ export class Turntable {
 		// What is left of a throw would turn the plant on, be it by a hair.
 		this.controls.enableDamping = false;
 		this.controls.update();
-		this.#place(VIEWS[view]);
-		this.#fitElevation = MathUtils.degToRad(VIEWS[view].elevation);
+		const elevation = view === "three-quarter" ? this.#firstElevation : VIEWS[view].elevation;
+		const from = { ...VIEWS[view], elevation };
+		this.#place(from);
+		this.#fitElevation = MathUtils.degToRad(elevation);
 		if (this.#spindle) {
 			this.#fitted = this.#spindle;
 			this.#fit = this.#fitOf(this.#spindle);
 			this.controls.target.fromArray(this.#fit.target);
-			this.#place(VIEWS[view]);
+			this.#place(from);
 			this.#setDistance(this.#fit.distance);
 			this.#setLimits();
 		}
 		this.camera.lookAt(this.controls.target);
+		this.changed();
+	}
+
+	/** Has the eye stand somewhere; undefined brings back the whole plant. */
+	look(from: Gaze | undefined): void {
+		if (!from && !this.#walking) return;
+		this.#walking = from !== undefined;
+		this.camera.fov = from ? WALKING_FOV : FOV;
+		if (!from) {
+			this.camera.updateProjectionMatrix();
+			this.fit();
+			return;
+		}
+		this.#glide = undefined;
+		this.controls.enableDamping = false;
+		this.controls.minDistance = 0;
+		this.controls.maxDistance = Infinity;
+		this.controls.target.fromArray(from.towards);
+		this.camera.position.fromArray(from.eye);
+		this.camera.lookAt(this.controls.target);
+		this.camera.near = WALKING_NEAR;
+		this.camera.far = Math.max(10, 6 * (this.#fit?.radius ?? 0));
+		this.camera.updateProjectionMatrix();
 		this.changed();
 	}
 
@@ -230,7 +271,7 @@ export class Turntable {
 	/** The plant can be shifted, but not out of sight. */
 	#keepInReach(): void {
 		const fit = this.#fit;
-		if (!fit || this.#glide) return;
+		if (!fit || this.#glide || this.#walking) return;
 		const centre = new Vector3(...fit.target);
 		const away = this.controls.target.clone().sub(centre);
 		const excess = away.length() - fit.radius;

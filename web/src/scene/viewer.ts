@@ -5,7 +5,7 @@ import { type Frame, FrameLoop } from "./frame_loop";
 import type { Theme } from "./light";
 import { type Drawable, Renderer, type Size } from "./renderer";
 import { Stage } from "./stage";
-import { Turntable, type ViewName } from "./turntable";
+import { type Gaze, Turntable, type ViewName } from "./turntable";
 
 export interface ViewerOptions {
 	/** No gliding, no damping. */
@@ -71,7 +71,7 @@ export class Viewer<S, G> {
 	use(make: FigureMaker<S, G>): void {
 		this.#stage.use(make);
 		this.#spindle = undefined;
-		this.#turntable.forget();
+		this.#turntable.forget(this.#stage.elevation);
 		this.camera.updateMatrixWorld();
 		if (!this.#renderer.lost) this.#submit(this.#stage.rehearsal, this.#loop.rest);
 		this.#loop.request();
@@ -136,7 +136,6 @@ export class Viewer<S, G> {
 		return this.#turntable.camera;
 	}
 
-	/** No gliding, no damping. */
 	set reducedMotion(on: boolean) {
 		this.#turntable.reducedMotion = on;
 	}
@@ -180,12 +179,16 @@ export class Viewer<S, G> {
 		if (this.#stage.mark(picked)) this.#loop.request();
 	}
 
-	/** Asks for a frame; for overlays that have changed. */
+	/** Has the eye stand somewhere; undefined brings back the plant that turns before it. */
+	look(from: Gaze | undefined): void {
+		this.#turntable.look(from);
+	}
+
+	/** For overlays that have changed. */
 	requestRender(): void {
 		this.#loop.request();
 	}
 
-	/** How often the scene has been drawn. */
 	get rendersCount(): number {
 		return this.#rendered;
 	}

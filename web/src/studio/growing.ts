@@ -2,6 +2,7 @@ import type { Fault } from "../controls/desk";
 import { GROWTH_TOPIC as GROWTH } from "../controls/tool";
 import { CoreError, CoreTrap, Superseded } from "../core/errors";
 import type { GrowthOptions, Model } from "../models/model";
+import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Grower } from "./cores";
 import { tellInText } from "./fault";
@@ -38,7 +39,8 @@ export class Growing {
 		this.#timer ??= this.#patience();
 		const start = performance.now();
 		try {
-			const wanted = { ...options, sketched: this.#opening, signal: this.#cancel.signal };
+			const grew = (grown: Plant) => this.#grewSome(turn, grown, specimen);
+			const wanted = { ...options, sketched: this.#opening, signal: this.#cancel.signal, grew };
 			const grown = await this.#grower.grow(model, specimen, wanted);
 			performance.clearMeasures(REGROW);
 			performance.measure(REGROW, { start });
@@ -55,6 +57,13 @@ export class Growing {
 			this.#explain(error, model.noun, fault);
 			this.#studio().caughtUp(fault);
 		}
+	}
+
+	/** Those that stand in a plant come one after the other: what there is of the newest is shown, and that it still grows. */
+	#grewSome(turn: number, grown: Plant, specimen: Specimen): void {
+		if (turn < this.#newest) return;
+		this.#shown = turn;
+		this.#studio().grew(grown, specimen);
 	}
 
 	/** The first plant has been drawn: what was a sketch follows. */

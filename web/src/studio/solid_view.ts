@@ -213,6 +213,10 @@ export class SolidView implements ToolView {
 		return this.#view.project({ x, y, z });
 	}
 
+	look(from: Parameters<ToolView["look"]>[0]): void {
+		this.#view.look(from);
+	}
+
 	onDrawn(listener: () => void): () => void {
 		this.#above.add(listener);
 		return () => this.#above.delete(listener);

@@ -1,6 +1,7 @@
 /** Trees by divisor functions (Kim, Kim and Cho 2013): docs/models/growth/growth.md. */
 import type { Model } from "../model";
 import { fetchLeafOf, type GrowthPlant, readGrowthPlant } from "./growth_plant";
+import { growthLevels } from "./levels";
 import { growthParts } from "./parts";
 import { growthRecord } from "./record";
 import { encodeGrowth } from "./request";
@@ -22,6 +23,8 @@ export const model = {
 	encode: encodeGrowth,
 	read: readGrowthPlant,
 	parts: growthParts,
+	surroundings: true,
+	levels: growthLevels,
 	titled: ({ grammar }) => (grammar === undefined ? undefined : "A growth grammar of one’s own"),
 	words: growthInWords,
 	record: growthRecord,

@@ -64,6 +64,7 @@ function fakeView() {
 		project: vi.fn(),
 		onDrawn: vi.fn(),
 		showInstead: vi.fn(),
+		look: vi.fn(),
 	};
 	const send = (type: string, more: object = {}) =>
 		listeners.get(type)?.({

@@ -1,0 +1,99 @@
+// What people write wrong in a plan: each mistake is told at its place, in a sentence that says what to write.
+#include <algorithm>
+
+#include "models/stand/plans.hpp"
+
+using namespace panicle;
+using namespace panicle::stand;
+using namespace panicle::stand::tests;
+
+namespace {
+
+struct Mistake {
+  // « stands before the place that is told.
+  std::string text;
+  // What the sentence has in it.
+  const char* advice;
+};
+
+const std::string some = "plants 10, random\n";
+
+const Mistake mistakes[] = {
+    {"«", "plants 100, blue 2"},
+    {"«trees 100", "ground, plants"},
+    {"«3 x 4", "none of these"},
+    {"ground 3 «4", "follows a value"},
+    {"ground 3«", "x between"},
+    {"ground 3 x «-4", "from 0.1 to 1000"},
+    {"ground 3 x 4, «slope 3", "relief and hills"},
+    {"ground 3 x 4,«", "behind the comma"},
+    {"ground 3 x 4\n«ground 3 x 4", "already"},
+    {"ground 3 x 4, relief «500", "from 0 to 100"},
+    {"«plants, blue\na/b", "plants 100"},
+    {"plants «1.5, blue", "whole number"},
+    {"plants «6000, blue", "from 1 to 5000"},
+    {"plants 10 «blue", "follows a value"},
+    {"plants 10, «green", "stratified, blue, random or in rows"},
+    {"plants 10, rows 3«", "x between"},
+    {"plants 10, blue «ran(3)", "the least and the most"},
+    {"plants 10, blue «spacing", "spacing"},
+    {"«plants 10, depth 0.5", "two ends"},
+    {"«plants 10, random", "a line each"},
+    {"«plants 10, random\na/b, share 0", "0 together"},
+    {"«a/b", "Say first how many"},
+    {some + "a/b «share 3", "comma"},
+    {some + "a/b, «shade 3", "share, crown, scale"},
+    {some + "a/b, crown 3«", "x between"},
+    {some + "a/b, scale 2 to «1", "1 to 2"},
+    {some + "«a/b, each 3", "bears it"},
+    {some + "a/b:«", "by its key"},
+    {some + "a/b: «3", "by its key"},
+    {some + "a/b: steps«", "number is missing"},
+    {some + "a/b: steps 5 to 7 «9", "follows a value"},
+    {some + "a/b: steps «1/0", "from -1000000"},
+};
+
+}  // namespace
+
+TEST_CASE("stand: mistakes are told where they are, with what to write") {
+  for (const Mistake& mistake : mistakes) {
+    std::string text = mistake.text;
+    const std::size_t mark = text.find("«");
+    text.erase(mark, std::string("«").size());
+    const std::string before = text.substr(0, mark);
+    const auto line = static_cast<std::uint32_t>(1 + std::count(before.begin(), before.end(), '\n'));
+    const auto column = static_cast<std::uint32_t>(before.size() - (before.rfind('\n') + 1) + 1);
+    CAPTURE(mistake.text);
+    const auto plan = read_plan(text);
+    REQUIRE_FALSE(plan);
+    const Diagnostic& told = plan.error();
+    INFO(told.line << ":" << told.column << " " << told.message);
+    CHECK(told.message.find(mistake.advice) != std::string::npos);
+    CHECK(told.line == line);
+    CHECK(told.column == column);
+  }
+}
+
+TEST_CASE("stand: a plan goes on behind commas and colons, and works out its numbers") {
+  const Plan plan =
+      sound(read_plan("ground 2 * 30 x 40,\n  relief (1 + 2)\nplants 10,\n  rows sqrt(4) x 1\n"
+                      "growth/table-1-sigma1, share 3,\n crown 5 x 9: steps 5 to 7, leaf \"oak\""));
+  CHECK(plan.ground.width == 60);
+  CHECK(plan.ground.relief == 3);
+  CHECK(plan.layers[0].apart == 2);
+  const Kind& kind = plan.layers[0].kinds[0];
+  CHECK(kind.name == "growth/table-1-sigma1");
+  CHECK(kind.height == 9);
+  REQUIRE(kind.settings.size() == 2);
+  CHECK(kind.settings[0].range.to == 7);
+  CHECK(kind.settings[1].word == "oak");
+}
+
+TEST_CASE("stand: every plan of the presets is read and laid") {
+  REQUIRE(texts().size() >= 1);
+  for (const std::string& text : texts()) {
+    const Laid all = laid(text);
+    CHECK(all.notes.empty());
+    CHECK(all.plants.size() >= 20);
+  }
+}

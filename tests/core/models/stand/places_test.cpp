@@ -1,0 +1,161 @@
+// Where plants stand: how many, how far apart, which of the mix, and that each has its own luck.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "models/stand/plans.hpp"
+
+using namespace panicle;
+using namespace panicle::stand;
+using namespace panicle::stand::tests;
+
+namespace {
+
+float nearest(const std::vector<Placement>& plants) {
+  float least = 1e9f;
+  for (std::size_t i = 0; i < plants.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) least = std::min(least, glm::distance(flat(plants[i]), flat(plants[j])));
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("stand: every spacing places as many as asked, on the ground") {
+  for (const char* const spacing : {"random", "stratified", "blue", "blue 1.5", "rows 3 x 2"}) {
+    CAPTURE(spacing);
+    const auto plants = laid(std::string("ground 60 x 40, relief 3\nplants 300, ") + spacing + "\na/b").plants;
+    CHECK(plants.size() == 300);
+    for (const Placement& plant : plants) {
+      CHECK(std::abs(plant.at.x) <= 30);
+      CHECK(std::abs(plant.at.z) <= 20);
+      CHECK(std::abs(plant.at.y) <= 1.5f);
+    }
+  }
+}
+
+TEST_CASE("stand: asked for another number, layers keep their proportion") {
+  const char* const text = "plants 30, blue 0.2\na/b\nplants 10, random\nc/d";
+  const auto plants = laid(text, 1, 200).plants;
+  CHECK(plants.size() == 200);
+  CHECK(std::count_if(plants.begin(), plants.end(), [](const Placement& each) { return each.kind == 1; }) == 50);
+}
+
+TEST_CASE("stand: no two darts of blue noise come nearer than said, and a full ground says so") {
+  const Laid some = laid("ground 30 x 30\nplants 400, blue 1\na/b");
+  CHECK(some.notes.empty());
+  CHECK(nearest(some.plants) >= 1);
+  const Laid full = laid("ground 10 x 10\nplants 400, blue 1\na/b");
+  CHECK(full.plants.size() < 90);
+  CHECK(full.plants.size() > 50);
+  REQUIRE(full.notes.size() == 1);
+  CHECK(full.notes[0].find("found no place") != std::string::npos);
+}
+
+TEST_CASE("stand: blue noise without a distance finds room for all and is far more even than chance") {
+  const float blue = nearest(laid("ground 50 x 50\nplants 500, blue\na/b").plants);
+  CHECK(blue >= 0.69f * std::sqrt(2500.0f / 500));
+  CHECK(blue > 5 * nearest(laid("ground 50 x 50\nplants 500, random\na/b").plants));
+}
+
+TEST_CASE("stand: each stratum holds one plant") {
+  const auto plants = laid("ground 20 x 10\nplants 200, stratified\na/b").plants;
+  std::vector<int> cells(200, 0);
+  for (const Placement& plant : plants)
+    ++cells[static_cast<std::size_t>(plant.at.z + 5) * 20 + static_cast<std::size_t>(plant.at.x + 10)];
+  CHECK(std::count(cells.begin(), cells.end(), 1) == 200);
+}
+
+TEST_CASE("stand: rows run where they are told, as far apart as said, and fill the ground") {
+  const auto plants = laid("ground 20 x 20\nplants, rows 4 x 2\na/b").plants;
+  CHECK(plants.size() == 5 * 11);
+  for (const Placement& plant : plants) {
+    CHECK(std::fmod(std::abs(plant.at.z), 4.0f) == doctest::Approx(0));
+    CHECK(std::fmod(std::abs(plant.at.x), 2.0f) == doctest::Approx(0));
+    CHECK((plant.turn == 0 || plant.turn == 180));
+  }
+  for (const Placement& plant : laid("ground 20 x 20\nplants, rows 4 x 2, towards 90\na/b").plants)
+    CHECK(std::fmod(std::abs(plant.at.x), 4.0f) == doctest::Approx(0).epsilon(0.001));
+  float off = 0;
+  for (const Placement& plant : laid("ground 20 x 20\nplants, rows 4 x 4, jitter 0.5\na/b").plants)
+    off = std::max(off, std::abs(plant.at.z - 4 * std::round(plant.at.z / 4)));
+  CHECK(off > 0.3f);
+  CHECK(off <= 0.5f);
+}
+
+TEST_CASE("stand: a strip holds its layer") {
+  for (const Placement& plant : laid("ground 20 x 20\nplants 50, random, depth 0.75 to 1\na/b").plants)
+    CHECK(plant.at.z >= 5);
+}
+
+TEST_CASE("stand: shares are met within chance") {
+  const auto plants = laid("ground 100 x 100\nplants 4000, random\na/b, share 3\nc/d, share 1\ne/f, share 0").plants;
+  std::vector<int> of(3, 0);
+  for (const Placement& plant : plants) ++of[plant.kind];
+  CHECK(std::abs(of[0] - 3000) < 110);  // four standard deviations
+  CHECK(of[0] + of[1] == 4000);
+}
+
+TEST_CASE("stand: values are drawn from end to end, each plant its own; words are none") {
+  const auto plants = laid("plants 2000, random\na/b, scale 0.5 to 2: age 10 to 20, leaf oak, steps 3").plants;
+  float least = 1e9f, most = 0;
+  for (const Placement& plant : plants) {
+    least = std::min(least, plant.settings[0]);
+    most = std::max(most, plant.settings[0]);
+    CHECK(std::isnan(plant.settings[1]));
+    CHECK(plant.settings[2] == 3);
+    CHECK(plant.scale >= 0.5f);
+    CHECK(plant.scale <= 2);
+  }
+  CHECK(least < 10.1f);
+  CHECK(most > 19.9f);
+  CHECK(most <= 20);
+}
+
+TEST_CASE("stand: of so many seeds there are so many plants, alike in their values") {
+  const auto plants = laid("plants 500, random\na/b, seeds 4, scale 1 to 2: age 10 to 20").plants;
+  std::vector<std::pair<std::uint32_t, float>> found;
+  for (const Placement& plant : plants) found.emplace_back(plant.seed, plant.settings[0]);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  CHECK(found.size() == 4);
+  CHECK(plants[0].scale != plants[1].scale);
+}
+
+TEST_CASE("stand: what is borne hangs on each bearer, along its row") {
+  const auto plants = laid("plants 20, rows 4 x 4\na/b, scale 2\nc/d, each 3 to 5, height 0.8 to 1, reach 0.5").plants;
+  std::vector<int> of(20, 0);
+  for (const Placement& plant : plants) {
+    if (plant.bearer < 0) continue;
+    const Placement& by = plants[static_cast<std::size_t>(plant.bearer)];
+    ++of[static_cast<std::size_t>(plant.bearer)];
+    CHECK(plant.at.y - by.at.y >= 1.6f);
+    CHECK(plant.at.y - by.at.y <= 2);
+    CHECK(std::abs(plant.at.x - by.at.x) <= 1.001f);
+    CHECK(std::abs(plant.at.z - by.at.z) <= 0.101f);
+  }
+  CHECK(*std::min_element(of.begin(), of.end()) == 3);
+  CHECK(*std::max_element(of.begin(), of.end()) == 5);
+}
+
+TEST_CASE("stand: the same seed lays the same, another another; what a plant is does not hang on how many there are") {
+  const char* const text = "ground 40 x 40, relief 2\nplants 100, blue 1\na/b: age 1 to 9";
+  const auto once = laid(text, 7).plants, again = laid(text, 7).plants, other = laid(text, 8).plants;
+  const auto fewer = laid(text, 7, 40).plants;
+  int same = 0;
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    CHECK(once[i].at == again[i].at);
+    CHECK(once[i].seed == again[i].seed);
+    CHECK(once[i].settings == again[i].settings);
+    same += once[i].seed == other[i].seed;
+    if (i < fewer.size()) CHECK(fewer[i].seed == once[i].seed);
+  }
+  CHECK(same == 0);
+}
+
+TEST_CASE("stand: more than 5,000 plants are refused before they are placed") {
+  const Plan plan = sound(read_plan("ground 1000 x 1000\nplants, rows 1 x 1\na/b"));
+  std::vector<std::string> notes;
+  const auto none = place(plan, Relief(plan.ground, 1), 1, 0, notes);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().reason == Reason::limit);
+}

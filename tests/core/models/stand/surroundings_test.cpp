@@ -1,0 +1,67 @@
+// What neighbours take of light and room.
+#include "models/stand/plans.hpp"
+
+using namespace panicle;
+using namespace panicle::stand;
+using namespace panicle::stand::tests;
+
+namespace {
+
+// Trees 4 m wide and 8 m high, with the axes unturned.
+std::vector<float> around(const std::vector<glm::vec3>& feet, float scale = 1) {
+  const Plan plan = sound(read_plan("plants 1, random\na/b, crown 4 x 8"));
+  std::vector<Placement> plants;
+  for (const glm::vec3& foot : feet) {
+    plants.emplace_back();
+    plants.back().at = foot;
+  }
+  plants[0].scale = scale;
+  return surroundings_of(plan, plants);
+}
+
+}  // namespace
+
+TEST_CASE("stand: a plant alone has the whole sky and all room") {
+  const auto alone = around({{0, 0, 0}});
+  for (std::size_t k = 0; k < 8; ++k) {
+    CHECK(alone[k] == 0);
+    CHECK(alone[8 + k] == 1000);
+  }
+}
+
+TEST_CASE("stand: a neighbour covers the sky where it stands, and the room ends half-way") {
+  const auto both = around({{0, 0, 0}, {6, 0, 0}});
+  // From 4 m up to a top of 8 m, 5 m away.
+  CHECK(both[0] == doctest::Approx(38.66).epsilon(0.001));
+  CHECK(both[4] == 0);
+  CHECK(both[1] < both[0]);
+  CHECK(both[1] > 0);
+  CHECK(both[8] == doctest::Approx(3));
+  CHECK(both[8 + 1] == doctest::Approx(3 / 0.70711));
+  CHECK(both[8 + 2] == 1000);
+  CHECK(both[8 + 4] == 1000);
+  // And the other way round, at 180°.
+  CHECK(both[16 + 4] == doctest::Approx(both[0]));
+  CHECK(both[16 + 8 + 4] == doctest::Approx(3));
+}
+
+TEST_CASE(
+    "stand: directions turn with the plant, room is at its own scale, and those far off are nobody's neighbours") {
+  const Plan plan = sound(read_plan("plants 1, random\na/b, crown 4 x 8"));
+  std::vector<Placement> plants(2);
+  plants[1].at = {0, 0, 6};
+  plants[0].turn = 90;
+  CHECK(surroundings_of(plan, plants)[0] == doctest::Approx(38.66).epsilon(0.001));
+  CHECK(around({{0, 0, 0}, {6, 0, 0}}, 2)[8] == doctest::Approx(6 * 2 / 3.0 / 2));
+  CHECK(around({{0, 0, 0}, {30, 0, 0}})[0] == 0);
+}
+
+TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
+  const Laid all = laid("ground 20 x 20\nplants 4, rows 5 x 5\na/b\nc/d, each 2");
+  const auto with = surroundings_of(all.plan, all.plants);
+  std::vector<Placement> standing(all.plants.begin(), all.plants.begin() + 4);
+  const auto without = surroundings_of(all.plan, standing);
+  for (std::size_t i = 0; i < without.size(); ++i) CHECK(with[i] == without[i]);
+  CHECK(with[16 * 4] == 0);
+  CHECK(with[16 * 4 + 8] == 1000);
+}

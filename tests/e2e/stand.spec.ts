@@ -1,0 +1,54 @@
+import { expect, test } from "./fixtures";
+import { StudioPage } from "./studio_page";
+
+const WOOD = "?v=2&model=stand&preset=ecosystem-500&many=12";
+
+test("a stand is laid, its plants told on the map, walked through, changed and brought back", async ({ page }) => {
+	const studio = await new StudioPage(page).open(WOOD);
+	const caption = page.getByText("12 plants of 4 kinds on 90 × 90 m").first();
+	await expect(caption).toBeVisible();
+	const before = await studio.fingerprint.textContent();
+
+	const plan = page.getByRole("region", { name: "Map view" });
+	await plan.getByRole("spinbutton", { name: "Plant" }).fill("3");
+	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
+	await expect(plan.getByText(/^Plant 3: growth\//)).toBeVisible();
+	const alone = plan.getByRole("link", { name: "Open this plant alone" });
+	await expect(alone).toHaveAttribute("href", /model=growth.*seed=\d+/);
+
+	await studio.button("Walk through it").click();
+	const picture = page.locator("canvas").first();
+	await studio.button("Walk forward").click();
+	await picture.focus();
+	await page.keyboard.press("w");
+	await page.keyboard.press("ArrowLeft");
+	await studio.button("Leave").click();
+	await expect(studio.button("Walk forward")).toHaveCount(0);
+
+	await studio.button("New variation").click();
+	await expect(studio.fingerprint).not.toHaveText(before ?? "");
+	const link = page.url();
+	const after = await studio.fingerprint.textContent();
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(before ?? "");
+	await page.goto(link);
+	await expect(studio.fingerprint).toHaveText(after ?? "");
+});
+
+test("a plan is edited; what it asks for and there is not is told at its place, and the last stand stays", async ({
+	page,
+}) => {
+	const studio = await new StudioPage(page).open(WOOD);
+	await expect(page.getByText("12 plants of 4 kinds").first()).toBeVisible();
+	const before = await studio.fingerprint.textContent();
+	await studio.button("Grammar").click();
+	const text = page.getByRole("region", { name: "Grammar" }).locator(".cm-content");
+	await text.click();
+	await page.keyboard.press("ControlOrMeta+End");
+	await page.keyboard.insertText("\nlilac/blue, share 2");
+	await expect(page.getByText(/There is no model lilac; there are bunch/).first()).toBeVisible();
+	expect(await studio.fingerprint.textContent()).toBe(before);
+	await page.keyboard.insertText(", share -1");
+	await expect(page.getByText(/A share is from 0/).first()).toBeVisible();
+	expect(await studio.fingerprint.textContent()).toBe(before);
+});

@@ -1,0 +1,131 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import { CoreError } from "../../../../web/src/core/errors";
+import { exportJson } from "../../../../web/src/export/json";
+import { modelNamed } from "../../../../web/src/models/index";
+import { grownMembers, KeptMembers } from "../../../../web/src/models/members";
+import { model } from "../../../../web/src/models/stand/index";
+import { askedOf } from "../../../../web/src/models/stand/members";
+import { placementsCsv } from "../../../../web/src/models/stand/record";
+import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
+import { decodeLink } from "../../../../web/src/specimen/link";
+import { grownStand, PLAN, planned, run } from "./stands";
+
+let stand: StandPlant;
+beforeAll(async () => {
+	stand = await grownStand();
+}, 300_000);
+
+const prints = ({ members }: StandPlant) => members.map((member) => member?.fingerprint);
+const refused = async (plan: string) => {
+	const error = await grownStand(planned(plan)).catch((reason: unknown) => reason);
+	expect(error).toBeInstanceOf(CoreError);
+	const { message, line, column } = error as CoreError;
+	return { message, line, column };
+};
+
+describe("the members of a stand", () => {
+	it("are the same in whatever order they grow", async () => {
+		let turn = 0;
+		// Some answers come late: others overtake them.
+		const uneven: typeof run = async (wasm, blocks) => {
+			const answer = await run(wasm, blocks);
+			await new Promise((resolve) => setTimeout(resolve, (turn++ % 3) * 7));
+			return answer;
+		};
+		const again = await grownStand(planned(PLAN), { abreast: 5, run: uneven });
+		expect(prints(again)).toEqual(prints(stand));
+		expect(again.fingerprint).toBe(stand.fingerprint);
+		expect(stand.fingerprint).toMatch(/^[0-9a-f]{16}$/);
+	});
+
+	it("can each be grown again alone, by what the stand asks for it", async () => {
+		const growth = await modelNamed("growth");
+		const asked = askedOf(stand, 4);
+		const member = stand.members[4];
+		if (!member) throw new Error("it has not grown");
+		const options = { meshes: false, measures: false, surroundings: asked.surroundings };
+		const plant = growth.read(
+			await run(growth.wasm, growth.encode(member.specimen, options as object)),
+			member.specimen,
+		);
+		expect(plant.fingerprint).toBe(member.fingerprint);
+		const { specimen } = await decodeLink(growth, member.link);
+		expect(specimen).toEqual(member.specimen);
+	});
+
+	it("differ by seed and by what is drawn for them, and are alike where a line has so many seeds", () => {
+		expect(stand.places.count).toBe(14);
+		expect(new Set(prints(stand)).size).toBe(11);
+		expect([...stand.memberOf.slice(10)]).toEqual([10, 10, 10, 10]);
+		expect([...stand.places.bearer.slice(10)]).toEqual([8, 8, 9, 9]);
+		const steps = stand.members.slice(0, 8).map((member) => member?.specimen.parameters.steps);
+		for (const each of steps) expect([3, 4, 5]).toContain(each);
+		expect(new Set(steps).size).toBeGreaterThan(1);
+	});
+
+	it("feel their neighbours: one whose neighbours are gone is another", async () => {
+		const close = "ground 4 x 4\nplants 4, rows 2 x 2\ngrowth/table-1-star, crown 8 x 12: steps 6";
+		const alone = close.replace("crown 8 x 12", "crown 0.1 x 0.1");
+		expect(prints(await grownStand(planned(close)))).not.toEqual(prints(await grownStand(planned(alone))));
+	});
+
+	it("that are asked for as before are not grown anew", async () => {
+		let grown = 0;
+		const counted: typeof run = (wasm, blocks) => {
+			if (wasm !== model.wasm) grown++;
+			return run(wasm, blocks);
+		};
+		const kept = new KeptMembers();
+		for (const counts of [11, 0]) {
+			grown = 0;
+			const { members: _, ...bare } = stand;
+			const plan = { ...bare, members: [] };
+			const whole = (await grownMembers(model, plan, counted, { meshes: false, kept })) as StandPlant;
+			expect(prints(whole)).toEqual(prints(stand));
+			expect(grown).toBe(counts);
+		}
+	});
+
+	it("are told of in JSON and as a table", () => {
+		const { plants, counts } = exportJson(model, stand, planned(PLAN)) as unknown as {
+			plants: Record<string, unknown>[];
+			counts: Record<string, number>;
+		};
+		expect(counts).toEqual({ plants: 14, kinds: 4, borne: 4 });
+		expect(plants).toHaveLength(14);
+		expect(plants[0]).toMatchObject({ model: "growth", seed: stand.places.seed[0], fingerprint: prints(stand)[0] });
+		expect(plants[13]).toMatchObject({ model: "leaf", preset: "oak", bearer: 9 });
+		const [head, ...rows] = placementsCsv(stand, planned(PLAN)).trimEnd().split("\r\n");
+		expect(head.split(",").slice(0, 6)).toEqual(["stand", "stand_seed", "plant", "model", "preset", "seed"]);
+		expect(rows).toHaveLength(14);
+		expect(rows[0]).toContain(prints(stand)[0]);
+	});
+});
+
+describe("what a plan asks for and there is not", () => {
+	it("is told at its place, with what there is", async () => {
+		const some = "plants 3, random\n";
+		expect(await refused(`${some}trees/oak`)).toEqual({
+			message: expect.stringMatching(/^There is no model trees; there are bunch, .*growth/),
+			line: 2,
+			column: 1,
+		});
+		expect(await refused(`${some}growth/baobab`)).toMatchObject({
+			message: expect.stringMatching(/figure-5/),
+			line: 2,
+		});
+		expect(await refused(`${some}growth/figure-5: stepps 3`)).toMatchObject({
+			message: expect.stringMatching(/no parameter stepps; there are .*steps/),
+			line: 2,
+			column: 18,
+		});
+		expect(await refused(`${some}stand/orchard`)).toMatchObject({
+			message: expect.stringMatching(/stands in no stand/),
+		});
+	});
+
+	it("or is out of range is brought into it, with a note", async () => {
+		const { notes } = await grownStand(planned("plants 2, random\ngrowth/figure-5: steps 3, flare 900"));
+		expect(notes).toEqual([expect.stringMatching(/^growth\/figure-5: .*flare/)]);
+	});
+});

@@ -1,0 +1,99 @@
+import { beforeAll, expect, it } from "vitest";
+import { aboutPlant } from "../../../../web/src/export/about_plant";
+import { exportGlb } from "../../../../web/src/export/glb";
+import { shownAt } from "../../../../web/src/models/stand/figure/level_choice";
+import { plantMet } from "../../../../web/src/models/stand/figure/plant_met";
+import { model } from "../../../../web/src/models/stand/index";
+import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
+import { atFront, gazeOf, heightAt, stepped, turned } from "../../../../web/src/models/stand/walker";
+import { packed, unpacked } from "../../../../web/src/plant/packed_mesh";
+import { complaints, documentOf } from "../../export/reading";
+import { grownStand, PLAN, planned } from "./stands";
+
+let stand: StandPlant;
+beforeAll(async () => {
+	stand = await grownStand(planned(PLAN), { meshes: true });
+}, 300_000);
+
+const specimen = planned(PLAN);
+const near = { ...specimen, look: { ...specimen.look, detail: 0 } };
+
+it("levels of detail have fewer and fewer triangles, within what the first takes up", () => {
+	for (const member of stand.members) {
+		const counts = member?.levels.map((level) => level.reduce((sum, { mesh }) => sum + mesh.indices.length, 0)) ?? [];
+		expect(counts.length).toBeGreaterThan(1);
+		for (const [i, count] of counts.slice(1).entries()) expect(count).toBeLessThanOrEqual(counts[i]);
+	}
+});
+
+it("files have the ground and each plant once, shared meshes where plants are alike, and no complaint", async () => {
+	const about = await aboutPlant(model, stand, specimen);
+	const sizes: number[] = [];
+	for (const each of [near, specimen]) {
+		const file = exportGlb(model.parts(stand, each), about, { instancing: true });
+		expect(await complaints(file)).toEqual([]);
+		const { nodes, extensionsUsed } = documentOf(file) as {
+			nodes: { name: string; extensions?: object }[];
+			extensionsUsed: string[];
+		};
+		expect(extensionsUsed).toContain("EXT_mesh_gpu_instancing");
+		// Four leaves in one node a part; what stands once stands by itself.
+		const shared = nodes.filter(({ extensions }) => extensions);
+		expect(shared.length).toBeGreaterThan(0);
+		for (const { name } of shared) expect(name).toContain("leaf/oak");
+		expect(nodes.some(({ name }) => name === "Ground")).toBe(true);
+		sizes.push(file.length);
+	}
+	expect(sizes[1]).toBeLessThan(0.6 * sizes[0]);
+	expect(await complaints(exportGlb(model.parts(stand, specimen), about))).toEqual([]);
+});
+
+it("packed meshes come back as they were, to a thirty-thousandth of their size", () => {
+	const mesh = {
+		positions: Float32Array.of(0, -10, 3, 1, 2, 5),
+		normals: Float32Array.of(0, 1, 0, 0.6, 0, 0.8),
+		uvs: new Float32Array(0),
+		indices: Uint32Array.of(0, 1, 0),
+		sky: Uint8Array.of(3, 250),
+	};
+	const back = unpacked(packed(mesh));
+	for (const [i, value] of mesh.positions.entries()) expect(Math.abs(back.positions[i] - value)).toBeLessThan(2e-4);
+	for (const [i, value] of mesh.normals.entries()) expect(Math.abs(back.normals[i] - value)).toBeLessThan(0.01);
+	expect([...back.indices]).toEqual([0, 1, 0]);
+	expect([...(back.sky ?? [])]).toEqual([3, 250]);
+});
+
+it("a line of sight meets the nearest crown, and nothing beside them", () => {
+	const { at, scale } = stand.places;
+	const { extent } = stand.members[0] ?? { extent: { high: 0 } };
+	const middle = at[1] + 0.5 * scale[0] * extent.high;
+	expect(plantMet(stand, { origin: [at[0], 100, at[2]], direction: [0, -1, 0] })).toBe(0);
+	expect(plantMet(stand, { origin: [at[0], middle, 900], direction: [0, 1, 0] })).toBeUndefined();
+});
+
+it("a level is chosen by size, and two share the pixels of what is between them", () => {
+	expect(shownAt(2, 4)).toEqual({ level: 0, share: 1 });
+	expect(shownAt(0.001, 4)).toEqual({ level: 3, share: 1 });
+	expect(shownAt(2, 4, 1)).toEqual({ level: 1, share: 1 });
+	expect(shownAt(2, 1)).toEqual({ level: 0, share: 1 });
+	let before = { level: 0, share: 1 };
+	for (let size = 2; size > 0.01; size *= 0.995) {
+		const now = shownAt(size, 4);
+		// No more than a step at a time: what is seen never jumps.
+		expect(now.level - now.share - (before.level - before.share)).toBeLessThan(0.25);
+		before = now;
+	}
+});
+
+it("who walks stays on the ground, at eye height over it, and looks where they turn", () => {
+	let pose = atFront(stand);
+	for (let i = 0; i < 100; i++) pose = stepped(pose, "forward", stand);
+	expect([pose.x, pose.z]).toEqual([0, -5]);
+	const { eye, towards } = gazeOf(turned(pose, 90, 0), stand);
+	expect(eye[1] - heightAt(stand, 0, -5)).toBeCloseTo(1, 5);
+	expect(towards[0] - eye[0]).toBeCloseTo(1, 5);
+	expect(stepped(pose, "turn left", stand).yaw).toBe(-12);
+	const ground = stand.meshes[0].positions;
+	expect(heightAt(stand, ground[30], ground[32])).toBeCloseTo(ground[31], 5);
+	expect(turned(pose, 0, 500).pitch).toBe(60);
+});

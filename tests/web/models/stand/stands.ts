@@ -1,0 +1,36 @@
+/** What the tests of stands share: plans grown whole by the cores that are built. */
+import { readFileSync } from "node:fs";
+import type { Block } from "../../../../web/src/core/container";
+import { Cores } from "../../../../web/src/core/cores";
+import { loadCoreFromBytes } from "../../../../web/src/core/loader";
+import { growPlant } from "../../../../web/src/files/growth";
+import { model } from "../../../../web/src/models/stand/index";
+import type { StandSpecimen } from "../../../../web/src/models/stand/specimen";
+import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
+import { fromPreset } from "../../../../web/src/specimen/from_preset";
+
+const cores = new Cores(async (wasm) =>
+	loadCoreFromBytes(readFileSync(new URL(`../../../../build/core/${wasm}`, import.meta.url))),
+);
+
+export const run = (wasm: string, blocks: readonly Block[]) => cores.grow(wasm, blocks);
+
+/** Eight small trees of two sorts, two more, and on each of these two leaves that are all alike. */
+export const PLAN = `ground 20 x 10, relief 1
+plants 8, blue 2
+growth/table-1-sigma1, share 1, crown 4 x 8, scale 0.5 to 1: steps 3 to 5
+growth/table-1-star, share 1, crown 4 x 8: steps 4
+plants 2, stratified
+growth/figure-5, crown 3 x 6: steps 3
+leaf/oak, each 2, height 1, reach 0.5, scale 0.5, seeds 1
+`;
+
+export const planned = (grammar: string, seed = 3): StandSpecimen => ({ ...fromPreset(model), seed, grammar });
+
+export async function grownStand(
+	specimen: StandSpecimen = planned(PLAN),
+	options: { meshes?: boolean; abreast?: number; run?: typeof run } = {},
+): Promise<StandPlant> {
+	const { meshes = false, abreast = 1 } = options;
+	return (await growPlant(model, specimen, { meshes }, options.run ?? run, { abreast })) as StandPlant;
+}

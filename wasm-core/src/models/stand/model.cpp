@@ -1,0 +1,197 @@
+#include "models/stand/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "environment/point_grid.hpp"
+#include "foundation/fingerprint.hpp"
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+#include "models/stand/measures/measures.generated.hpp"
+#include "models/stand/parameters.generated.hpp"
+#include "models/stand/places.hpp"
+#include "models/stand/plan.hpp"
+#include "models/stand/surroundings.hpp"
+#include "plant/plain.hpp"
+#include "plant/values.hpp"
+
+namespace panicle::stand {
+namespace {
+
+using StandValues = Values<Parameter, parameter_table>;
+using enum Parameter;
+
+std::vector<const Kind*> kinds_of(const Plan& plan) {
+  std::vector<const Kind*> kinds;
+  for (const Layer& layer : plan.layers)
+    for (const Kind& kind : layer.kinds) kinds.push_back(&kind);
+  return kinds;
+}
+
+void add_kinds(Plant& plant, const std::vector<const Kind*>& kinds) {
+  std::string names, keys, words;
+  std::vector<std::uint32_t> places, seeds, settings, setting_places;
+  std::vector<float> crowns;
+  for (std::uint32_t i = 0; i < kinds.size(); ++i) {
+    const Kind& kind = *kinds[i];
+    names.append(kind.name).append("\n");
+    places.insert(places.end(), {kind.place.line, kind.place.column});
+    seeds.push_back(kind.seeds);
+    crowns.insert(crowns.end(), {kind.width, kind.height});
+    for (const Setting& setting : kind.settings) {
+      settings.push_back(i);
+      keys.append(setting.key).append("\n");
+      words.append(setting.word).append("\n");
+      setting_places.insert(setting_places.end(), {setting.place.line, setting.place.column});
+    }
+  }
+  Columns& columns = plant.columns;
+  columns.add("kinds.names", names);
+  columns.add("kinds.place", std::move(places), 2);
+  columns.add("kinds.seeds", std::move(seeds));
+  columns.add("kinds.crown", std::move(crowns), 2);
+  columns.add("settings.kind", std::move(settings));
+  columns.add("settings.keys", keys);
+  columns.add("settings.words", words);
+  columns.add("settings.place", std::move(setting_places), 2);
+}
+
+template <class Value, class Of>
+std::vector<Value> each(const std::vector<Placement>& plants, Of of) {
+  return column_of<Value>(plants, 1, [&](const Placement& plant, Value* at) { *at = of(plant); });
+}
+
+void add_plants(Plant& plant, const std::vector<Placement>& plants, std::vector<float> surroundings) {
+  std::size_t width = 1;
+  for (const Placement& of : plants) width = std::max(width, of.settings.size());
+  auto values = column_of<float>(plants, static_cast<std::uint32_t>(width), [&](const Placement& of, float* at) {
+    std::fill(at, at + width, std::numeric_limits<float>::quiet_NaN());
+    std::copy(of.settings.begin(), of.settings.end(), at);
+  });
+  Fingerprint print;
+  print.add(static_cast<std::uint32_t>(plant.fingerprint));
+  print.add(static_cast<std::uint32_t>(plant.fingerprint >> 32));
+  for (const Placement& of : plants) print.add(of.seed);
+  print.add(std::span<const float>(values));
+  print.add(std::span<const float>(surroundings));
+  plant.fingerprint = print.value();
+  Columns& columns = plant.columns;
+  columns.add("plants.kind", each<std::uint32_t>(plants, [](const Placement& of) { return of.kind; }));
+  columns.add("plants.seed", each<std::uint32_t>(plants, [](const Placement& of) { return of.seed; }));
+  columns.add("plants.bearer", each<std::int32_t>(plants, [](const Placement& of) { return of.bearer; }));
+  columns.add("plants.at", column_of<float>(plants, 3, [](const Placement& of, float* at) { put(of.at, at); }), 3);
+  columns.add("plants.scale", each<float>(plants, [](const Placement& of) { return of.scale; }));
+  columns.add("plants.turn", each<float>(plants, [](const Placement& of) { return of.turn; }));
+  columns.add("plants.values", std::move(values), static_cast<std::uint32_t>(width));
+  columns.add("plants.surroundings", std::move(surroundings), surrounding);
+}
+
+void add_organs(Plant& plant, const std::vector<Placement>& plants, const std::vector<const Kind*>& kinds) {
+  for (const Kind* const kind : kinds) plant.organ_tags.push_back(kind->name);
+  for (const Placement& of : plants) {
+    Organ organ;
+    organ.tag = of.kind;
+    organ.position = of.at;
+    // +x comes to (cos, 0, sin): a turn about +y the other way.
+    const SinCos half = sincos_degrees(-0.5f * of.turn);
+    organ.rotation = {0, half.sine, 0, half.cosine};
+    organ.scale = of.scale;
+    plant.organs.push_back(organ);
+  }
+}
+
+// Of those that stand: how far off each one's nearest is, as a mean, metres.
+float spacing_of(const std::vector<glm::vec3>& feet, float area) {
+  if (feet.size() < 2) return std::numeric_limits<float>::quiet_NaN();
+  float sum = 0;
+  float edge = std::sqrt(area / static_cast<float>(feet.size()));
+  std::vector<float> nearest(feet.size(), std::numeric_limits<float>::infinity());
+  // Twice as far each time, until everyone has found someone within an edge.
+  for (bool found = false; !found; edge *= 2) {
+    found = true;
+    const PointGrid grid(feet, edge);
+    for (std::uint32_t i = 0; i < feet.size(); ++i) {
+      if (nearest[i] <= 0.5f * edge) continue;
+      grid.visit(feet[i], [&](std::uint32_t j) {
+        if (j != i) nearest[i] = std::min(nearest[i], glm::distance(feet[i], feet[j]));
+      });
+      found &= nearest[i] <= edge;
+    }
+  }
+  for (const float distance : nearest) sum += distance;
+  return sum / static_cast<float>(feet.size());
+}
+
+void measure(Plant& plant, const Plan& plan, const std::vector<Placement>& plants,
+             const std::vector<const Kind*>& kinds) {
+  std::vector<float>& measures = plant.measures;
+  measures.assign(measure_count, 0);
+  const auto set = [&](Measure measure, float value) { measures[static_cast<std::size_t>(measure)] = value; };
+  std::vector<glm::vec3> feet;
+  float crowns = 0;
+  for (const Placement& of : plants) {
+    if (of.bearer >= 0) continue;
+    feet.emplace_back(of.at.x, 0, of.at.z);
+    const float width = kinds[of.kind]->width * of.scale;
+    crowns += 0.25f * pi * width * width;
+  }
+  const float area = plan.ground.width * plan.ground.depth;
+  set(Measure::area, area);
+  set(Measure::standing, static_cast<float>(feet.size()));
+  set(Measure::density, 10'000 * static_cast<float>(feet.size()) / area);
+  set(Measure::spacing, spacing_of(feet, area));
+  set(Measure::cover, 100 * crowns / area);
+}
+
+Result<Plant> grow(Request& request, const Limits& limits) {
+  request.text("model");
+  const std::uint64_t seed = request.word("seed", 1);
+  const bool meshes = request.wants("meshes"), measures = request.wants("measures"),
+             mesh_fingerprint = request.wants("mesh_fingerprint");
+  request.wants("sky");
+  const std::span<const float> asked = request.floats("parameters");
+  const bool has_text = request.has("plan");
+  const std::string_view text = request.text("plan");
+  if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (!has_text) return Diagnostic{Reason::bad_request, "The request has no plan.", 0, 0};
+  Plant plant;
+  const StandValues values(asked, plant.notes);
+  auto plan = read_plan(text, limits);
+  if (!plan) return plan.error();
+  plan->ground.relief *= values[relief];
+  const Relief ground(plan->ground, seed);
+  const auto plants = place(plan.value(), ground, seed, values.whole(many), plant.notes);
+  if (!plants) return plants.error();
+  const std::vector<const Kind*> kinds = kinds_of(plan.value());
+  add_organs(plant, plants.value(), kinds);
+  plant.fingerprint = fingerprint_of(plant);
+  add_kinds(plant, kinds);
+  add_plants(plant, plants.value(), surroundings_of(plan.value(), plants.value()));
+  plant.columns.add("ground.size", std::vector<float>{plan->ground.width, plan->ground.depth, plan->ground.relief}, 3);
+  const auto borne = static_cast<std::uint32_t>(
+      std::count_if(plants->begin(), plants->end(), [](const Placement& of) { return of.bearer >= 0; }));
+  plant.counts = {{"plants", static_cast<std::uint32_t>(plants->size())},
+                  {"kinds", static_cast<std::uint32_t>(kinds.size())},
+                  {"borne", borne}};
+  if (measures) measure(plant, plan.value(), plants.value(), kinds);
+  if (meshes) {
+    Mesh mesh = ground.mesh();
+    Columns columns;
+    columns.add("sky", sky_below(plan.value(), plants.value(), mesh.positions));
+    plant.meshes.push_back({"ground", "soil", std::move(mesh), {}, std::move(columns)});
+  }
+  if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
+  return plant;
+}
+
+}  // namespace
+
+extern const Model model;
+const Model model{"stand", grow};
+
+}  // namespace panicle::stand

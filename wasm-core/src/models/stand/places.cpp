@@ -1,0 +1,272 @@
+#include "models/stand/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "foundation/mathematics.hpp"
+#include "foundation/random.hpp"
+
+namespace panicle::stand {
+namespace {
+
+// A part of the ground: corner and size.
+struct Strip {
+  glm::vec2 low, size;
+
+  glm::vec2 at(float u, float v) const { return low + size * glm::vec2(u, v); }
+  bool holds(const glm::vec2& p) const {
+    const glm::vec2 in = p - low;
+    return in.x >= 0 && in.y >= 0 && in.x <= size.x && in.y <= size.y;
+  }
+};
+
+Strip strip_of(const Layer& layer, const Ground& ground) {
+  const float from = layer.depth.from, to = layer.depth.to;
+  return {{-0.5f * ground.width, (from - 0.5f) * ground.depth}, {ground.width, (to - from) * ground.depth}};
+}
+
+// Luck of one place, by what it is for.
+class Luck {
+ public:
+  Luck(std::uint64_t seed, std::string_view what, std::uint64_t layer)
+      : seed_(seed), stream_(hash_combine(hash_text(what), layer)) {}
+  float unit(std::uint64_t address) const { return random_unit(seed_, stream_, address); }
+  std::uint64_t bits(std::uint64_t address) const { return random_bits(seed_, stream_, address); }
+
+ private:
+  std::uint64_t seed_, stream_;
+};
+
+std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const Luck& luck) {
+  std::vector<glm::vec2> spots;
+  for (std::uint32_t i = 0; i < count; ++i) spots.push_back(strip.at(luck.unit(2 * i), luck.unit(2 * i + 1)));
+  return spots;
+}
+
+// Cells as square as they can be, one plant in each anywhere; which of them stay empty is drawn.
+std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const Luck& luck) {
+  const float square = std::sqrt(static_cast<float>(count) * strip.size.x / strip.size.y);
+  const auto across = std::clamp(static_cast<std::uint32_t>(square + 0.5f), 1u, count);
+  const std::uint32_t deep = (count + across - 1) / across;
+  std::vector<std::uint32_t> cells(static_cast<std::size_t>(across) * deep);
+  for (std::uint32_t i = 0; i < cells.size(); ++i) cells[i] = i;
+  std::sort(cells.begin(), cells.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t of_a = luck.bits(3 * a + 2), of_b = luck.bits(3 * b + 2);
+    return of_a != of_b ? of_a < of_b : a < b;
+  });
+  cells.resize(count);
+  std::sort(cells.begin(), cells.end());
+  std::vector<glm::vec2> spots;
+  for (const std::uint32_t cell : cells) {
+    const float u = (static_cast<float>(cell % across) + luck.unit(3 * cell)) / static_cast<float>(across);
+    const float v = (static_cast<float>(cell / across) + luck.unit(3 * cell + 1)) / static_cast<float>(deep);
+    spots.push_back(strip.at(u, v));
+  }
+  return spots;
+}
+
+// Blue noise by darts (Cook 1986): a throw that comes nearer than `apart` to one before is thrown again, up to so many
+// times in all. Jammed, darts cover 0.547 of a plane with discs of that diameter.
+constexpr std::uint32_t throws = 60;
+
+std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart, const Luck& luck) {
+  const float room = std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
+  const float edge = std::max(apart, 0.7f * room);
+  const auto across = static_cast<std::uint32_t>(strip.size.x / edge) + 1;
+  const auto deep = static_cast<std::uint32_t>(strip.size.y / edge) + 1;
+  std::vector<std::int32_t> first(static_cast<std::size_t>(across) * deep, -1), next;
+  std::vector<glm::vec2> spots;
+  for (std::uint32_t i = 0; i < throws * count && spots.size() < count; ++i) {
+    const glm::vec2 dart = strip.at(luck.unit(2 * i), luck.unit(2 * i + 1));
+    const auto x = std::min(static_cast<std::uint32_t>((dart.x - strip.low.x) / edge), across - 1);
+    const auto z = std::min(static_cast<std::uint32_t>((dart.y - strip.low.y) / edge), deep - 1);
+    bool free = true;
+    for (std::uint32_t row = z > 0 ? z - 1 : 0; free && row <= std::min(z + 1, deep - 1); ++row)
+      for (std::uint32_t cell = x > 0 ? x - 1 : 0; free && cell <= std::min(x + 1, across - 1); ++cell)
+        for (std::int32_t at = first[row * across + cell]; free && at >= 0; at = next[static_cast<std::size_t>(at)])
+          free = glm::distance(spots[static_cast<std::size_t>(at)], dart) >= apart;
+    if (!free) continue;
+    next.push_back(first[z * across + x]);
+    first[z * across + x] = static_cast<std::int32_t>(spots.size());
+    spots.push_back(dart);
+  }
+  return spots;
+}
+
+// Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for.
+std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck) {
+  const SinCos turn = sincos_degrees(layer.towards);
+  const glm::vec2 along(turn.cosine, turn.sine), across(-turn.sine, turn.cosine);
+  const glm::vec2 middle = strip.at(0.5f, 0.5f);
+  const float reach = 0.5f * glm::length(strip.size);
+  const std::uint32_t most = count > 0 ? std::min(count, most_plants) : most_plants + 1;
+  // So many fit beside the middle one, as the shorter of both sides has room: a symmetrical field.
+  const auto rows = static_cast<std::int32_t>(std::min(reach / layer.apart, 1e5f));
+  const auto places = static_cast<std::int32_t>(std::min(reach / layer.along, 1e5f));
+  std::vector<glm::vec2> spots;
+  for (std::int32_t row = -rows; row <= rows; ++row)
+    for (std::int32_t place = -places; place <= places && spots.size() < most; ++place) {
+      const glm::vec2 spot =
+          middle + layer.apart * static_cast<float>(row) * across + layer.along * static_cast<float>(place) * along;
+      if (!strip.holds(spot)) continue;
+      const std::uint64_t address = hash_combine(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(place));
+      const glm::vec2 off(2 * luck.unit(address) - 1, 2 * luck.unit(hash_combine(address, 1)) - 1);
+      spots.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
+    }
+  return spots;
+}
+
+float drawn(const Range& range, float unit) { return range.from + (range.to - range.from) * unit; }
+
+// A plant's own luck: scale, seed and settings of what stands at an address.
+void draw(Placement& plant, const Kind& kind, std::uint64_t seed, std::uint64_t address) {
+  static const std::uint64_t own = hash_text("stand plant"), alike = hash_text("stand alike");
+  plant.seed = static_cast<std::uint32_t>(random_bits(seed, own, address) >> 32);
+  if (kind.seeds > 0) {
+    const std::uint64_t which = (random_bits(seed, alike, address) >> 32) * kind.seeds >> 32;
+    plant.seed = static_cast<std::uint32_t>(random_bits(hash_combine(seed, alike), plant.kind, which) >> 32);
+  }
+  plant.scale = drawn(kind.scale, random_unit(seed, hash_text("stand scale"), address));
+  // Of the plant's own seed: those of one seed are alike.
+  for (std::size_t i = 0; i < kind.settings.size(); ++i) {
+    const Setting& setting = kind.settings[i];
+    plant.settings.push_back(setting.word.empty()
+                                 ? drawn(setting.range, random_unit(plant.seed, hash_text("stand setting"), i))
+                                 : std::numeric_limits<float>::quiet_NaN());
+  }
+}
+
+const Kind& chosen(const std::vector<Kind>& kinds, float unit, std::uint32_t& number) {
+  float all = 0;
+  for (const Kind& kind : kinds) all += kind.borne ? 0 : kind.share;
+  float left = unit * all;
+  std::uint32_t last = 0;
+  for (std::uint32_t i = 0; i < kinds.size(); ++i) {
+    if (kinds[i].borne || kinds[i].share <= 0) continue;
+    last = i;
+    left -= kinds[i].share;
+    if (left < 0) break;
+  }
+  number += last;
+  return kinds[last];
+}
+
+}  // namespace
+
+Spots spots_of(const Layer& layer, std::uint32_t count, const Ground& ground, std::uint64_t seed, std::uint32_t place) {
+  const Strip strip = strip_of(layer, ground);
+  const Luck luck(seed, "stand spot", place);
+  Spots spots;
+  switch (layer.spacing) {
+    case Spacing::chance:
+      spots.at = by_chance(strip, count, luck);
+      break;
+    case Spacing::strata:
+      spots.at = stratified(strip, count, luck);
+      break;
+    case Spacing::blue: {
+      const float suits = 0.7f * std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
+      spots.at = blue(strip, count, layer.apart > 0 ? layer.apart : suits, luck);
+      break;
+    }
+    case Spacing::rows:
+      spots.at = in_rows(strip, layer, count, luck);
+      break;
+  }
+  spots.missing = count - std::min(count, static_cast<std::uint32_t>(spots.at.size()));
+  return spots;
+}
+
+namespace {
+
+// What the lines below a bearer's line hang on it.
+void bear(std::vector<Placement>& plants, const std::vector<Kind>& kinds, std::uint32_t first_kind, std::size_t bearer,
+          bool in_row, std::uint64_t seed, std::uint64_t address) {
+  for (std::uint32_t i = plants[bearer].kind - first_kind + 1; i < kinds.size() && kinds[i].borne; ++i) {
+    const Kind& kind = kinds[i];
+    const std::uint64_t all = hash_combine(address, i);
+    const Luck luck(seed, "stand borne", all);
+    const auto many = static_cast<std::uint32_t>(drawn({kind.each.from, kind.each.to + 1}, luck.unit(0)));
+    const Placement by = plants[bearer];
+    for (std::uint32_t k = 0; k < std::min(many, static_cast<std::uint32_t>(kind.each.to)); ++k) {
+      if (plants.size() > most_plants) return;
+      Placement each;
+      each.kind = first_kind + i;
+      each.bearer = static_cast<std::int32_t>(bearer);
+      draw(each, kind, seed, hash_combine(all, k + 1));
+      each.turn = 360 * luck.unit(8 * k + 1);
+      const SinCos way = sincos_degrees(in_row ? by.turn : 360 * luck.unit(8 * k + 2));
+      // Evenly along a row's plant, each in a part of it; about another as an even disc.
+      const float share = (static_cast<float>(k) + luck.unit(8 * k + 3)) / static_cast<float>(many);
+      const float out = by.scale * kind.reach * (in_row ? 2 * share - 1 : std::sqrt(luck.unit(8 * k + 3)));
+      const float aside = in_row ? by.scale * 0.05f * (2 * luck.unit(8 * k + 4) - 1) : 0;
+      const float high = by.scale * drawn(kind.high, luck.unit(8 * k + 5));
+      each.at = by.at + glm::vec3(out * way.cosine - aside * way.sine, high, out * way.sine + aside * way.cosine);
+      plants.push_back(std::move(each));
+    }
+  }
+}
+
+}  // namespace
+
+Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std::uint64_t seed, std::uint32_t asked,
+                                     std::vector<std::string>& notes) {
+  const auto too_many = [] {
+    return Diagnostic{Reason::limit, "More than 5000 plants come of this plan; make rows wider, or ask for fewer.", 0,
+                      0};
+  };
+  std::vector<std::uint32_t> counts;
+  std::uint32_t all = 0;
+  for (std::uint32_t i = 0; i < plan.layers.size(); ++i) {
+    const Layer& layer = plan.layers[i];
+    counts.push_back(layer.count > 0 ? layer.count
+                                     : static_cast<std::uint32_t>(spots_of(layer, 0, plan.ground, seed, i).at.size()));
+    all += counts.back();
+    if (all > most_plants) return too_many();
+  }
+  std::vector<Placement> plants;
+  struct Standing {
+    std::uint32_t layer, first_kind;
+    std::uint64_t address;
+  };
+  std::vector<Standing> standing;
+  std::uint32_t first_kind = 0;
+  for (std::uint32_t i = 0; i < plan.layers.size(); ++i) {
+    const Layer& layer = plan.layers[i];
+    const auto count = asked == 0 || all == 0
+                           ? counts[i]
+                           : static_cast<std::uint32_t>(static_cast<std::uint64_t>(counts[i]) * asked / all);
+    if (count == 0) {
+      first_kind += static_cast<std::uint32_t>(layer.kinds.size());
+      continue;
+    }
+    const Spots spots = spots_of(layer, count, plan.ground, seed, i);
+    if (spots.missing > 0)
+      notes.push_back(lsystem::sentence("Of % plants % found no place: the ground is full.",
+                                        {std::to_string(count), std::to_string(spots.missing)}));
+    const Luck luck(seed, "stand kind", i);
+    for (std::uint32_t k = 0; k < spots.at.size(); ++k) {
+      Placement plant;
+      plant.kind = first_kind;
+      const Kind& kind = chosen(layer.kinds, luck.unit(2 * k), plant.kind);
+      plant.at = {spots.at[k].x, relief.at(spots.at[k].x, spots.at[k].y), spots.at[k].y};
+      const std::uint64_t address = hash_combine(i, k);
+      draw(plant, kind, seed, address);
+      const float unit = luck.unit(2 * k + 1);
+      plant.turn = layer.spacing == Spacing::rows ? layer.towards + (unit < 0.5f ? 0 : 180) : 360 * unit;
+      plants.push_back(std::move(plant));
+      standing.push_back({i, first_kind, address});
+    }
+    first_kind += static_cast<std::uint32_t>(layer.kinds.size());
+  }
+  for (std::size_t i = 0; i < standing.size(); ++i) {
+    const Layer& layer = plan.layers[standing[i].layer];
+    bear(plants, layer.kinds, standing[i].first_kind, i, layer.spacing == Spacing::rows, seed, standing[i].address);
+    if (plants.size() > most_plants) return too_many();
+  }
+  return plants;
+}
+
+}  // namespace panicle::stand

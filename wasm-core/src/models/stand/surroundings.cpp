@@ -1,0 +1,104 @@
+#include "models/stand/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "environment/point_grid.hpp"
+#include "foundation/mathematics.hpp"
+
+namespace panicle::stand {
+namespace {
+
+// Beyond so many heights of the tallest a crown stands no higher than 18° and far from all branches.
+constexpr float far = 3, farthest = 40;
+
+struct Crown {
+  glm::vec3 at{0};
+  float radius = 0, height = 0;
+};
+
+// A neighbour's crown covers the sky to both sides of where it stands by the angle it is seen under, and less and less
+// within 45° beyond: so what is between two of the eight directions counts in both.
+float covered(float off, float half) { return std::clamp(1 - (off - half) / 45, 0.0f, 1.0f); }
+
+}  // namespace
+
+std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement>& plants) {
+  std::vector<const Kind*> kinds;
+  for (const Layer& layer : plan.layers)
+    for (const Kind& kind : layer.kinds) kinds.push_back(&kind);
+  std::vector<float> all(surrounding * plants.size(), 0);
+  std::vector<Crown> crowns;
+  std::vector<glm::vec3> feet;
+  float tallest = 0;
+  for (const Placement& plant : plants) {
+    const Kind& kind = *kinds[plant.kind];
+    crowns.push_back({plant.at, 0.5f * kind.width * plant.scale, kind.height * plant.scale});
+    if (plant.bearer >= 0) continue;
+    feet.emplace_back(plant.at.x, 0, plant.at.z);
+    tallest = std::max(tallest, crowns.back().height);
+  }
+  // Those that are borne stand behind all others, and are nobody's neighbours.
+  const float reach = std::min(far * tallest, farthest);
+  const PointGrid grid(feet, std::max(reach, 0.01f));
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    float* const horizon = &all[surrounding * i];
+    float* const room = horizon + azimuths;
+    std::fill(room, room + azimuths, no_neighbour);
+    const Crown& own = crowns[i];
+    if (plants[i].bearer >= 0) continue;
+    grid.visit(feet[i], [&](std::uint32_t j) {
+      const Crown& other = crowns[j];
+      const glm::vec2 way(other.at.x - own.at.x, other.at.z - own.at.z);
+      const float distance = glm::length(way);
+      if (j == i || distance > reach || distance < 1e-4f) return;
+      const float azimuth = arc_tangent(way.y, way.x) * 180 / pi - plants[i].turn;
+      // Seen from half the plant's own height, to the near side of the other's top.
+      const float above = other.at.y + other.height - own.at.y - 0.5f * own.height;
+      const float near = std::max(distance - 0.5f * other.radius, 0.1f);
+      const float high = above > 0 ? arc_tangent(above, near) * 180 / pi : 0;
+      const float half = arc_sine(std::min(other.radius / distance, 1.0f)) * 180 / pi;
+      const float ends = distance * own.radius / (own.radius + other.radius);
+      for (std::uint32_t k = 0; k < azimuths; ++k) {
+        float off = azimuth - 45 * static_cast<float>(k);
+        off = std::abs(off - 360 * std::floor(off / 360 + 0.5f));
+        horizon[k] = std::max(horizon[k], high * covered(off, half));
+        if (off < 80) room[k] = std::min(room[k], ends / sincos_degrees(off).cosine / plants[i].scale);
+      }
+    });
+  }
+  return all;
+}
+
+// A crown hides most of the sky where one stands under it, and less and less up to a height beside it.
+std::vector<std::uint8_t> sky_below(const Plan& plan, const std::vector<Placement>& plants,
+                                    const std::vector<float>& points) {
+  std::vector<const Kind*> kinds;
+  for (const Layer& layer : plan.layers)
+    for (const Kind& kind : layer.kinds) kinds.push_back(&kind);
+  std::vector<glm::vec3> feet;
+  float widest = 0.01f;
+  for (const Placement& plant : plants) {
+    if (plant.bearer >= 0) continue;
+    const Kind& kind = *kinds[plant.kind];
+    feet.emplace_back(plant.at.x, 0, plant.at.z);
+    widest = std::max(widest, plant.scale * (0.5f * kind.width + 0.5f * kind.height));
+  }
+  const PointGrid grid(feet, widest);
+  std::vector<std::uint8_t> sky;
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    const glm::vec3 at(points[i], 0, points[i + 2]);
+    float open = 1;
+    grid.visit(at, [&](std::uint32_t j) {
+      const Kind& kind = *kinds[plants[j].kind];
+      const float radius = 0.5f * kind.width * plants[j].scale, height = kind.height * plants[j].scale;
+      const float beside = (glm::distance(feet[j], at) - 0.5f * radius) / (0.5f * (radius + height));
+      open *= 1 - 0.55f * std::clamp(1 - beside, 0.0f, 1.0f);
+    });
+    sky.push_back(static_cast<std::uint8_t>(255 * std::max(open, 0.12f)));
+  }
+  return sky;
+}
+
+}  // namespace panicle::stand

@@ -1,0 +1,34 @@
+/** A document of an element as the plant that it grows into. */
+import type { Client } from "../core/client";
+import { coreAddress } from "../core/core_address";
+import { growPlant } from "../files/growth";
+import type { GrowthOptions } from "../models/model";
+import type { Plant } from "../plant/plant";
+import type { Document } from "./grown_detail";
+
+/** How many of those that stand in a plant are asked for at once. */
+const ABREAST = 4;
+
+/** Rejects as `Client.grow` does, and with an Error where a core is not beside the script. */
+export function growDocument(
+	client: Pick<Client, "grow" | "among">,
+	{ model, specimen }: Document,
+	options: GrowthOptions,
+	signal: AbortSignal,
+): Promise<Plant> {
+	let first = true;
+	return growPlant(
+		{ ...model, prepare: (each) => model.prepare?.(each)?.catch(() => {}) },
+		specimen,
+		options,
+		(file, blocks) => {
+			const wasm = coreAddress(file);
+			if (wasm === undefined) throw new Error(`The core ${file} is not beside the script.`);
+			// The document itself gives way to a newer one; what stands in it does not.
+			const grown = first ? client.grow({ wasm, blocks }, { signal }) : client.among({ wasm, blocks }, { signal });
+			first = false;
+			return grown;
+		},
+		{ abreast: ABREAST },
+	);
+}

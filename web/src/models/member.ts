@@ -1,0 +1,46 @@
+/**
+ * Specimens that a plant of another model has in it (a stand): what is asked for, and what came of it. Types only; plain data, for
+ * plants are cloned into the worker that makes files.
+ */
+import type { Material } from "../plant/material";
+import type { PackedMesh } from "../plant/packed_mesh";
+import type { Specimen } from "../specimen/specimen";
+
+/** Where a text asks for it; counted from 1. */
+export interface Place {
+	readonly line: number;
+	readonly column: number;
+}
+
+/** A specimen to be grown. */
+export interface MemberAsked {
+	readonly model: string;
+	readonly preset: string;
+	readonly seed: number;
+	/** By the keys of its model's table; choices by the names of their options. */
+	readonly values: Readonly<Record<string, number | string>>;
+	/** What stands about it (`GrowthOptions.surroundings`); absent: nothing. */
+	readonly surroundings?: Float32Array;
+	/** Where the text names it, and where each of its values. */
+	readonly place: Place;
+	readonly places: Readonly<Record<string, Place>>;
+}
+
+/** A mesh of one material. Members that look alike share the material's object. */
+export interface MemberMesh {
+	readonly mesh: PackedMesh;
+	readonly material: Material;
+}
+
+/** One that has grown. */
+export interface Member {
+	readonly specimen: Specimen;
+	/** Query and fragment that grow it alone, with nothing about it. */
+	readonly link: string;
+	/** 16 hexadecimal digits. */
+	readonly fingerprint: string;
+	/** Meshes for so many distances, from near to far: one at the least, but where none were asked for. */
+	readonly levels: readonly (readonly MemberMesh[])[];
+	/** Lowest and highest place and the farthest from the upright axis through its foot, metres. */
+	readonly extent: { readonly low: number; readonly high: number; readonly out: number };
+}

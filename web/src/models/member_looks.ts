@@ -1,0 +1,75 @@
+/** What members look like, from near and from far. */
+import type { Material } from "../plant/material";
+import { PLACE_STEPS, packed } from "../plant/packed_mesh";
+import { everyPart, type Part } from "../plant/part";
+import type { Plant } from "../plant/plant";
+import type { Specimen } from "../specimen/specimen";
+import type { Member, MemberMesh } from "./member";
+import type { Model } from "./model";
+
+/** Triangles of the levels of what makes none itself, from near to far. */
+const TRIANGLES = [3000, 600];
+
+/** Materials that are alike, as one object each. Pictures are left out: their mean is the colour. */
+export class Looks {
+	readonly #known = new Map<string, Material>();
+
+	of({ textures: _, flesh: __, ...material }: Material): Material {
+		const key = JSON.stringify(material);
+		const known = this.#known.get(key) ?? material;
+		this.#known.set(key, known);
+		return known;
+	}
+}
+
+/** The levels of a plant and how far it reaches; no levels where it was grown without meshes. */
+export async function levelsOf(
+	model: Model,
+	plant: Plant,
+	specimen: Specimen,
+	meshes: boolean,
+	looks: Looks,
+): Promise<Pick<Member, "levels" | "extent">> {
+	if (!meshes) return { levels: [], extent: extentOf(plant.segments.ends, 1) };
+	const own = model.levels?.(plant, specimen);
+	const parts = own ?? (await lighter(model.parts(plant, specimen)));
+	const levels = parts.map((level) => [...meshesOf(level, looks)]);
+	// What has nothing to draw takes no room.
+	const extents = (levels[0] ?? []).map(({ mesh }) => extentOf(mesh.positions, mesh.unit / PLACE_STEPS));
+	const whole = { low: 0, high: 0, out: 0 };
+	for (const { low, high, out } of extents) {
+		whole.low = Math.min(whole.low, low);
+		whole.high = Math.max(whole.high, high);
+		whole.out = Math.max(whole.out, out);
+	}
+	return { levels, extent: whole };
+}
+
+/** What makes no levels is merged and made light, as files are. */
+async function lighter(parts: Iterable<Part>): Promise<Part[][]> {
+	const { lightParts } = await import("../export/light");
+	let from = [...parts];
+	const levels: Part[][] = [];
+	for (const triangles of TRIANGLES) {
+		from = await lightParts(from, { triangles, pixels: 1 });
+		levels.push(from);
+	}
+	return levels;
+}
+
+function* meshesOf(parts: Iterable<Part>, looks: Looks): Generator<MemberMesh> {
+	for (const { shape } of everyPart(parts)) {
+		if (!shape || shape.mesh.indices.length === 0) continue;
+		yield { mesh: packed(shape.mesh), material: looks.of(shape.material) };
+	}
+}
+
+function extentOf(points: Float32Array | Int16Array, unit: number): Member["extent"] {
+	let [low, high, square] = [0, 0, 0];
+	for (let i = 0; i < points.length; i += 3) {
+		low = Math.min(low, points[i + 1]);
+		high = Math.max(high, points[i + 1]);
+		square = Math.max(square, points[i] ** 2 + points[i + 2] ** 2);
+	}
+	return { low: unit * low, high: unit * high, out: unit * Math.sqrt(square) };
+}

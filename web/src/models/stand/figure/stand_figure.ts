@@ -1,0 +1,94 @@
+/** A stand on the stage: its ground, and the plants as they come. */
+import { Mesh, type PerspectiveCamera } from "three";
+import type { Bodies } from "../../../scene/camera_fit";
+import type { Figure, FigureStage, Ray } from "../../../scene/figure";
+import { ballOf } from "../../../scene/part_bounds";
+import { PartMeshes } from "../../../scene/part_meshes";
+import { StandardLights } from "../../../scene/standard_lights";
+import { Wardrobe } from "../../../scene/wardrobe";
+import { soilOf } from "../parts";
+import type { StandSpecimen } from "../specimen";
+import type { StandPlant } from "../stand_plant";
+import { Crowd } from "./crowd";
+import { plantMet } from "./plant_met";
+
+export class StandFigure implements Figure<StandSpecimen, StandPlant> {
+	readonly modes = ["whole"];
+	readonly elevation = 24;
+	readonly #stage: FigureStage;
+	readonly #lights = new StandardLights();
+	readonly #wardrobe: Wardrobe;
+	readonly #crowd: Crowd;
+	#ground: PartMeshes;
+	#stand: StandPlant | undefined;
+	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
+
+	constructor(stage: FigureStage) {
+		this.#stage = stage;
+		this.#wardrobe = new Wardrobe(stage.light.uniforms);
+		this.#crowd = new Crowd(stage.light.uniforms);
+		this.#ground = new PartMeshes([], this.#wardrobe);
+		stage.root.add(this.#lights.group, this.#crowd.group);
+	}
+
+	show(grown: StandPlant, specimen: StandSpecimen): void {
+		this.#clear();
+		this.#stand = grown;
+		this.#wardrobe.change();
+		const material = soilOf(specimen);
+		const parts = grown.meshes.map((mesh) => ({ name: "Ground", shape: { mesh, material } }));
+		this.#ground = new PartMeshes(parts, this.#wardrobe);
+		for (const object of this.#ground.objects) {
+			if (object instanceof Mesh) object.castShadow = false;
+			this.#stage.root.add(object);
+		}
+		this.#crowd.show(grown);
+		this.#bounds = bodiesOf(grown);
+		this.#lights.shade(ballOf(this.#bounds));
+	}
+
+	bounds(): Bodies {
+		return this.#bounds;
+	}
+
+	prepare(camera: PerspectiveCamera): void {
+		this.#lights.aim(this.#stage.light, camera);
+		this.#crowd.aim(camera);
+	}
+
+	pick(ray: Ray): number | undefined {
+		return this.#stand && plantMet(this.#stand, ray);
+	}
+
+	mark(picked: number | undefined): void {
+		this.#crowd.mark(picked);
+	}
+
+	setMode(): void {}
+
+	dispose(): void {
+		this.#clear();
+		this.#crowd.dispose();
+		this.#wardrobe.dispose();
+		this.#lights.dispose();
+	}
+
+	#clear(): void {
+		for (const object of this.#ground.objects) object.removeFromParent();
+		this.#ground.dispose();
+	}
+}
+
+/** The ground's corners, and a ball about each crown as the plan has it: the same before plants have come. */
+function bodiesOf({ ground, places, kinds }: StandPlant): Bodies {
+	const [x, z, y] = [0.5 * ground.width, 0.5 * ground.depth, 0.5 * ground.relief];
+	const points = Float32Array.of(x, y, z, -x, y, z, x, y, -z, -x, y, -z, x, -y, z, -x, -y, -z);
+	const spheres = new Float32Array(4 * places.count);
+	for (let i = 0; i < places.count; i++) {
+		const { width, height } = kinds[places.kind[i]].crown;
+		const radius = 0.25 * places.scale[i] * Math.min(width, height);
+		const high = places.bearer[i] < 0 ? places.scale[i] * height : 0;
+		spheres.set([places.at[3 * i], places.at[3 * i + 1] + high - radius, places.at[3 * i + 2], radius], 4 * i);
+	}
+	return { spheres, points };
+}

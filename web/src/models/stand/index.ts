@@ -1,0 +1,45 @@
+/** Stands of many plants over a ground: docs/models/stand/stand.md. */
+import type { Model } from "../model";
+import { standMembers } from "./members";
+import { standParts } from "./parts";
+import { placementsCsv, standRecord } from "./record";
+import { encodeStand } from "./request";
+import { STAND } from "./species";
+import type { StandSpecimen } from "./specimen";
+import { readStand, type StandPlant } from "./stand_plant";
+import { fetchTexts } from "./texts";
+import { standInWords } from "./words";
+
+export const model = {
+	...STAND,
+	title: "Stand",
+	shelf: "Stands",
+	preview: true,
+	noun: "stand",
+	wasm: "stand.wasm",
+	prepare: ({ grammar }) => (grammar === undefined ? fetchTexts() : undefined),
+	encode: encodeStand,
+	read: readStand,
+	members: standMembers,
+	parts: standParts,
+	instanced: ({ members, memberOf }) => members.length < memberOf.length,
+	titled: ({ grammar }) => (grammar === undefined ? undefined : "A plan of one’s own"),
+	words: standInWords,
+	record: standRecord,
+	formats: [
+		{
+			key: "csv",
+			title: "Placements as CSV",
+			about: "Each plant’s model, preset, seed, place and fingerprint, a row each",
+			suffix: "-plants.csv",
+			type: "text/csv",
+			make: async (grown, specimen) => placementsCsv(grown, specimen),
+		},
+	],
+	pictures: false,
+	figure: async () => {
+		const { StandFigure } = await import("./figure/stand_figure");
+		return (stage) => new StandFigure(stage);
+	},
+	studio: async () => (await import("./tools/face")).face,
+} satisfies Model<StandSpecimen, StandPlant>;

@@ -1,0 +1,63 @@
+/** What grows in a stand: each plant's own specimen. */
+import type { Member, MemberAsked, Members, Place } from "../model";
+import type { StandPlant } from "./stand_plant";
+
+const AROUND = 16;
+
+/** The values of a plant by their keys; numbers to four digits, as they are also told. */
+export function valuesOf({ kinds, places }: StandPlant, plant: number): Record<string, number | string> {
+	const { settings } = kinds[places.kind[plant]];
+	return Object.fromEntries(
+		settings.map(({ key, word }, i) => [
+			key,
+			word === "" ? Number(places.values[places.width * plant + i].toPrecision(4)) : word,
+		]),
+	);
+}
+
+/** What is to be grown for one plant. */
+export function askedOf(stand: StandPlant, plant: number): MemberAsked {
+	const { kinds, places } = stand;
+	const { model, preset, place, settings, seeds } = kinds[places.kind[plant]];
+	const spots = Object.fromEntries(settings.map(({ key, place: spot }): [string, Place] => [key, spot]));
+	const alone = seeds > 0 || places.bearer[plant] >= 0;
+	const around = places.surroundings.slice(AROUND * plant, AROUND * (plant + 1));
+	return {
+		model,
+		preset,
+		seed: places.seed[plant],
+		values: valuesOf(stand, plant),
+		place,
+		places: spots,
+		// What is many is the same wherever it stands.
+		...(alone ? {} : { surroundings: around }),
+	};
+}
+
+/** The first plant that each member is. */
+export function firstOf({ memberOf }: StandPlant): number[] {
+	const first: number[] = [];
+	for (const [plant, member] of memberOf.entries()) if (member === first.length) first.push(plant);
+	return first;
+}
+
+export const standMembers: Members<StandPlant> = {
+	asked: (stand) => firstOf(stand).map((plant) => askedOf(stand, plant)),
+	joined: (stand, members) => {
+		const grown = members.every((member): member is Member => member !== undefined);
+		return { ...stand, members, ...(grown ? { fingerprint: fingerprintOf(stand, members) } : {}) };
+	},
+};
+
+const PRIME = 1099511628211n;
+const WORD = 0xffffffffn;
+
+/** Over the placements' and all members', as docs/fingerprint.md has it: the low word of each, then the high one. */
+function fingerprintOf({ fingerprint }: StandPlant, members: readonly Member[]): string {
+	let state = 14695981039346656037n;
+	for (const each of [fingerprint, ...members.map((member) => member.fingerprint)]) {
+		const whole = BigInt(`0x${each}`);
+		for (const word of [whole & WORD, whole >> 32n]) state = BigInt.asUintN(64, (state ^ word) * PRIME);
+	}
+	return state.toString(16).padStart(16, "0");
+}

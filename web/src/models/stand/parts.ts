@@ -1,0 +1,62 @@
+/** A stand in parts: the ground, and each member at the places where it stands, at the level that files are to have. */
+import { linear } from "../../plant/colour";
+import type { Material } from "../../plant/material";
+import { unpacked } from "../../plant/packed_mesh";
+import { type Part, TRANSFORM } from "../../plant/part";
+import type { MemberMesh } from "../model";
+import type { StandSpecimen } from "./specimen";
+import type { StandPlant } from "./stand_plant";
+
+/** More plants of one member than these have no names of their own. */
+const MOST_NAMED = 300;
+
+export function soilOf({ look }: StandSpecimen): Material {
+	return { name: "Ground", colour: linear(look.soil), roughness: 1 };
+}
+
+export function* standParts(stand: StandPlant, specimen: StandSpecimen): Generator<Part> {
+	for (const mesh of stand.meshes) yield { name: "Ground", shape: { mesh, material: soilOf(specimen) } };
+	const plants = plantsOf(stand);
+	for (const [index, member] of stand.members.entries()) {
+		if (!member || member.levels.length === 0) continue;
+		const level = member.levels[Math.min(specimen.look.detail, member.levels.length - 1)];
+		const { name } = stand.kinds[stand.places.kind[plants[index][0]]];
+		yield* partsOf(stand, plants[index], level, `${name} ${plants[index][0] + 1}`);
+	}
+}
+
+/** The plants that each member is. */
+export function plantsOf({ memberOf }: StandPlant): number[][] {
+	const plants: number[][] = [];
+	for (const [plant, member] of memberOf.entries()) {
+		plants[member] ??= [];
+		plants[member].push(plant);
+	}
+	return plants;
+}
+
+function* partsOf(
+	stand: StandPlant,
+	plants: readonly number[],
+	level: readonly MemberMesh[],
+	name: string,
+): Generator<Part> {
+	const transforms = new Float32Array(TRANSFORM * plants.length);
+	for (const [i, plant] of plants.entries())
+		transforms.set(stand.places.transforms.subarray(TRANSFORM * plant, TRANSFORM * (plant + 1)), TRANSFORM * i);
+	const [alone] = plants.length === 1 ? plants : [];
+	for (const { mesh, material } of level) {
+		const called = `${name} ${material.name.toLowerCase()}`;
+		const each = (i: number) => ({ name: `${called} ${i + 1}`, extras: { plant: plants[i] } });
+		const named = alone === undefined && plants.length <= MOST_NAMED;
+		yield {
+			name: alone === undefined ? `${called} of all` : called,
+			...(alone === undefined ? {} : { extras: { plant: alone } }),
+			shape: {
+				mesh: { ...unpacked(mesh), name: called },
+				material,
+				instances: { transforms, ...(named ? { each } : {}) },
+			},
+		};
+	}
+}

@@ -1,0 +1,73 @@
+/** What the JSON document and tables say of a stand: a plant each. */
+import { type Cell, writeCsv } from "../../export/csv";
+import { shortFloat } from "../../export/numbers";
+import { valuesOf } from "./members";
+import type { StandSpecimen } from "./specimen";
+import type { StandPlant } from "./stand_plant";
+
+/** A plant of a stand. */
+export interface PlantRecord {
+	model: string;
+	preset: string;
+	seed: number;
+	/** Metres. */
+	x: number;
+	y: number;
+	z: number;
+	scale: number;
+	/** Of its x axis, degrees from +x to +z. */
+	turn: number;
+	/** What of its preset is set otherwise, by key. */
+	values: Record<string, number | string>;
+	/** The plant that bears it, where one does. */
+	bearer?: number;
+	/** 16 hexadecimal digits; absent before it has grown. */
+	fingerprint?: string;
+}
+
+export function standRecord(stand: StandPlant): {
+	ground: StandPlant["ground"];
+	plants: PlantRecord[];
+} {
+	return { ground: stand.ground, plants: plantsIn(stand) };
+}
+
+function plantsIn(stand: StandPlant): PlantRecord[] {
+	const { kinds, places, memberOf, members } = stand;
+	return Array.from({ length: places.count }, (_, plant) => {
+		const { model, preset } = kinds[places.kind[plant]];
+		const [x, y, z] = [...places.at.subarray(3 * plant, 3 * plant + 3)].map(shortFloat);
+		const fingerprint = members[memberOf[plant]]?.fingerprint;
+		const bearer = places.bearer[plant];
+		return {
+			model,
+			preset,
+			seed: places.seed[plant],
+			x,
+			y,
+			z,
+			scale: shortFloat(places.scale[plant]),
+			turn: shortFloat(places.turn[plant]),
+			values: valuesOf(stand, plant),
+			...(bearer >= 0 ? { bearer } : {}),
+			...(fingerprint === undefined ? {} : { fingerprint }),
+		};
+	});
+}
+
+/** One row a plant; each says of which stand it is, so that tables can be put one below the other. */
+export function placementsCsv(stand: StandPlant, { preset: plan, seed: own }: StandSpecimen): string {
+	const keys = [...new Set(stand.kinds.flatMap(({ settings }) => settings.map(({ key }) => key)))];
+	const header = [
+		...["stand", "stand_seed", "plant", "model", "preset", "seed", "x_m", "y_m", "z_m", "scale", "turn_deg", "bearer"],
+		...keys,
+		"fingerprint",
+	];
+	const rows = plantsIn(stand).map((each, i): Cell[] => [
+		...[plan, own, i, each.model, each.preset, each.seed, each.x, each.y, each.z, each.scale, each.turn],
+		each.bearer ?? null,
+		...keys.map((key) => each.values[key] ?? null),
+		each.fingerprint ?? null,
+	]);
+	return writeCsv([header, ...rows]);
+}

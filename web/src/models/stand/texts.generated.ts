@@ -1,0 +1,103 @@
+// Made from wasm-core/grammars/stand by wasm-core/tools/generate.mjs; edit the texts, not this.
+
+/** The texts of presets by their names: loaded when the first is grown. */
+export const TEXTS: Readonly<Record<string, string>> = {
+	"ecosystem-1000": `/* An ecosystem of 1,000
+   about: A thousand trees, none like another.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
+*/
+ground 127 x 127, relief 5, hills 70
+
+plants 1000, blue
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+`,
+	"ecosystem-1500": `/* An ecosystem of 1,500
+   about: Fifteen hundred trees, none like another.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
+*/
+ground 156 x 156, relief 7, hills 70
+
+plants 1500, blue
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+`,
+	"ecosystem-2000": `/* An ecosystem of 2,000
+   about: Two thousand trees, none like another: as many as in the paper's largest.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
+*/
+ground 180 x 180, relief 8, hills 70
+
+plants 2000, blue
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+`,
+	"ecosystem-500": `/* An ecosystem of 500
+   about: Five hundred trees, none like another; each knows what light and room its neighbours leave it.
+   source: Kim, Kim and Cho 2013, Table 2; its mix and its spacing are ours
+*/
+ground 90 x 90, relief 4, hills 70
+
+plants 500, blue
+growth/figure-9, share 5, crown 5 x 9, scale 0.6 to 1.1: leaf_size 24 to 34, leaf_many 3
+growth/table-1-sigma1, share 2, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-star, share 1, crown 6 x 10, scale 0.5 to 0.9: steps 5 to 7, leaf_size 24 to 34, leaf_many 3
+growth/table-1-hat, share 1, crown 6 x 10, scale 0.6 to 1: steps 6 to 7, season 0.4 to 0.55, leaf_size 24 to 34, leaf_many 3
+`,
+	flowerbed: `/* A bed of lilacs
+   about: Panicles and umbels that L-systems grew, among leaves: stands are of any model.
+   source: own text
+*/
+ground 3 x 2, relief 0.1
+
+plants 90, blue 0.14
+grammar/lilac, share 2, crown 0.16 x 0.3, scale 0.7 to 1.2, seeds 6
+grammar/panicle, share 2, crown 0.12 x 0.3, scale 0.7 to 1.2, seeds 6
+grammar/umbel, share 1, crown 0.12 x 0.3, scale 0.8 to 1.2, seeds 4
+`,
+	"forest-edge": `/* The edge of a forest
+   about: Tall trees at the back, smaller ones before them, hazel at the seam: three strips of one ground.
+   source: own text
+*/
+ground 90 x 70, relief 4, hills 60
+
+plants 60, blue 5, depth 0 to 0.6
+growth/oak, share 2, crown 14 x 16, scale 0.8 to 1.15
+growth/beech, share 3, crown 12 x 18, scale 0.8 to 1.1
+growth/spruce, share 2, crown 7 x 24, scale 0.6 to 0.9
+growth/pine, share 1, crown 8 x 20, scale 0.7 to 0.9
+
+plants 30, blue 4, depth 0.5 to 0.8
+growth/birch, share 3, crown 7 x 17, scale 0.5 to 0.85
+growth/maple, share 1, crown 10 x 14, scale 0.4 to 0.6
+
+plants 50, blue 2, depth 0.66 to 0.92
+growth/hazel, crown 4 x 4.5, scale 0.5 to 1, seeds 16
+`,
+	orchard: `/* An orchard in flower
+   about: Apple and cherry trees in rows, in spring; each in its own day.
+   source: own text
+*/
+ground 60 x 44, relief 2, hills 60
+
+plants, rows 8 x 7, towards 15, jitter 0.3
+growth/apple, share 3, crown 6.4 x 6, scale 0.7 to 1: season 0.2 to 0.26
+growth/cherry, share 1, crown 6 x 7, scale 0.6 to 0.9: season 0.2 to 0.26
+`,
+	vineyard: `/* A vineyard
+   about: Rows of vines on a cordon, and on each of them bunches that hang from it.
+   source: own text
+*/
+ground 24 x 16, relief 1.2, hills 30
+
+plants, rows 2.2 x 1.2, towards 0, jitter 0.03
+growth/grapevine, crown 1.2 x 1.9, scale 0.92 to 1.08, seeds 10
+bunch/pinot-noir, each 3 to 5, height 0.72 to 0.86, reach 0.5, seeds 4
+`,
+};

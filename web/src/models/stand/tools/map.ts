@@ -1,0 +1,126 @@
+/** The stand from above: which plant is where, and the way to one alone. */
+import { html, nothing, svg } from "lit";
+import { guard } from "lit/directives/guard.js";
+import type { Desk } from "../../../controls/desk";
+import { PickPointer } from "../../../controls/pick_pointer";
+import type { Tool } from "../../../controls/tool";
+import { valuesOf } from "../members";
+import type { StandSpecimen } from "../specimen";
+import type { StandPlant } from "../stand_plant";
+
+/** Hues of kinds, as far apart as they can be. */
+const HUE = 137.5;
+/** A click so far beside a plant still means it, as a share of the map's width. */
+const NEAR = 0.04;
+
+type StandDesk = Desk<StandSpecimen, StandPlant>;
+/** The plant that is chosen. */
+type Chosen = number | undefined;
+
+export const map: Tool<StandSpecimen, StandPlant, Chosen> = {
+	name: "map",
+	initial: undefined,
+	editor: { title: "Map", draw: (desk) => (desk.state.grown ? drawMap(desk, desk.state.grown) : nothing) },
+	hands: (view, desk) => {
+		const pointer = new PickPointer(view, {
+			name: "picking-plant",
+			at: (x, y) => view.pick(x, y),
+			mark: (plant) => view.mark(plant ?? chosenIn(desk)),
+			take: (plant) => desk.setToolState(map, plant),
+		});
+		pointer.enabled = true;
+		return {
+			update: () => view.mark(chosenIn(desk)),
+			dispose: () => pointer.dispose(),
+		};
+	},
+};
+
+/** A plan of fewer plants may have come since. */
+function chosenIn(desk: StandDesk): Chosen {
+	const chosen = desk.toolState(map);
+	return chosen !== undefined && chosen < (desk.state.grown?.places.count ?? 0) ? chosen : undefined;
+}
+
+const colourOf = (kind: number): string => `hsl(${(95 + HUE * kind) % 360} 45% 42%)`;
+
+function drawMap(desk: StandDesk, stand: StandPlant): unknown {
+	const { width, depth } = stand.ground;
+	const chosen = chosenIn(desk);
+	return html`<div class="stand-map">
+		<svg viewBox=${`${-0.5 * width} ${-0.5 * depth} ${width} ${depth}`} aria-hidden="true"
+			@click=${(event: MouseEvent) => desk.setToolState(map, nearest(stand, event))}
+		>
+			<rect class="stand-ground" x=${-0.5 * width} y=${-0.5 * depth} width=${width} height=${depth}></rect>
+			${guard([stand.places], () => drawPlants(stand))}
+			${chosen === undefined ? nothing : drawChosen(stand, chosen)}
+		</svg>
+		<ul class="stand-kinds">
+			${stand.kinds.map(
+				(
+					{ name },
+					kind,
+				) => html`<li><svg viewBox="0 0 10 10" aria-hidden="true"><circle cx="5" cy="5" r="5" fill=${colourOf(kind)}></circle></svg>${name}
+					<small>${stand.places.kind.reduce((sum, each) => sum + Number(each === kind), 0)}</small></li>`,
+			)}
+		</ul>
+		<label class="stand-plant">Plant
+			<input type="number" min="1" max=${stand.places.count} .value=${chosen === undefined ? "" : String(chosen + 1)}
+				@change=${({ target }: Event) => choose(desk, stand, Number((target as HTMLInputElement).value))}>
+		</label>
+		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, chosen)}</div>
+	</div>`;
+}
+
+/** A path a kind: thousands of circles would each be an element. */
+function drawPlants({ kinds, places, ground }: StandPlant): unknown {
+	return kinds.map(({ crown }, kind) => {
+		const rounds: string[] = [];
+		for (let plant = 0; plant < places.count; plant++) {
+			if (places.kind[plant] !== kind) continue;
+			// What is borne has no crown of its own.
+			const borne = places.bearer[plant] >= 0;
+			const r = borne ? 0.004 * ground.width : Math.max(0.35 * crown.width * places.scale[plant], 0.01);
+			const [x, z] = [places.at[3 * plant], places.at[3 * plant + 2]].map((value) => value.toFixed(2));
+			rounds.push(`M${x} ${z}m${-r} 0a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`);
+		}
+		return svg`<path d=${rounds.join("")} fill=${colourOf(kind)} fill-opacity="0.75"></path>`;
+	});
+}
+
+function drawChosen({ kinds, places, ground }: StandPlant, plant: number): unknown {
+	const r = Math.max(0.6 * kinds[places.kind[plant]].crown.width * places.scale[plant], 0.02 * ground.width);
+	return svg`<circle class="stand-chosen" cx=${places.at[3 * plant]} cy=${places.at[3 * plant + 2]} r=${r}></circle>`;
+}
+
+function nearest({ places, ground }: StandPlant, { currentTarget, clientX, clientY }: MouseEvent): Chosen {
+	const box = (currentTarget as SVGSVGElement).getBoundingClientRect();
+	const scale = Math.max(ground.width / box.width, ground.depth / box.height);
+	const x = (clientX - box.left - 0.5 * box.width) * scale;
+	const z = (clientY - box.top - 0.5 * box.height) * scale;
+	let least = NEAR * ground.width;
+	let found: Chosen;
+	for (let plant = 0; plant < places.count; plant++) {
+		const distance = Math.hypot(places.at[3 * plant] - x, places.at[3 * plant + 2] - z);
+		if (distance >= least) continue;
+		least = distance;
+		found = plant;
+	}
+	return found;
+}
+
+function choose(desk: StandDesk, { places }: StandPlant, number: number): void {
+	const fits = Number.isInteger(number) && number >= 1 && number <= places.count;
+	desk.setToolState(map, fits ? number - 1 : undefined);
+}
+
+/** What a plant is, and the link that grows it alone. */
+function tell(stand: StandPlant, plant: number): unknown {
+	const { kinds, places, members, memberOf } = stand;
+	const [x, , z] = places.at.subarray(3 * plant, 3 * plant + 3);
+	const values = Object.entries(valuesOf(stand, plant)).map(([key, value]) => `${key} ${value}`);
+	const link = members[memberOf[plant]]?.link;
+	const told = `Plant ${plant + 1}: ${kinds[places.kind[plant]].name}, seed ${places.seed[plant]}, at ${x.toFixed(1)}, ${z.toFixed(1)} m, scale ${places.scale[plant].toFixed(2)}`;
+	return html`<p>${[told, ...values].join(", ")}.</p>
+		${link === undefined ? nothing : html`<p><a class="button" href=${link}>Open this plant alone</a></p>`}`;
+}

@@ -1,0 +1,14 @@
+/** A stand in a few plain words: for the caption, the picture's description and the screen reader. */
+import { countInWords } from "../../plant/in_words";
+import type { StandPlant } from "./stand_plant";
+
+/** "2,000 plants of 4 kinds on 150 × 150 m". */
+export function standInWords({ counts, ground, members }: StandPlant): string {
+	const grown = members.filter(Boolean).length;
+	const whole = countInWords(counts.plants, "plant", "plants");
+	const kinds = counts.kinds === 1 ? "" : ` of ${counts.kinds} kinds`;
+	const rest = members.length > 0 && grown < members.length ? `, ${grown} grown so far` : "";
+	return `${whole}${kinds} on ${metres(ground.width)} × ${metres(ground.depth)} m${rest}`;
+}
+
+const metres = (length: number): string => String(Math.round(10 * length) / 10);

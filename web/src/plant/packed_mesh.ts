@@ -1,0 +1,59 @@
+/** Meshes in a third of the room: of thousands of plants side by side. */
+import type { PartMesh } from "./part";
+
+/** Whole numbers up to these stand for −1 … 1, colours for 0 … 1. */
+export const PLACE_STEPS = 32_767;
+const NORMAL_STEPS = 127;
+const COLOUR_STEPS = 65_535;
+
+/** Triangles as graphics cards take them, normalised. */
+export interface PackedMesh {
+	/** Metres that a place of 1 stands for. */
+	readonly unit: number;
+	/** 3 × vertices. */
+	readonly positions: Int16Array<ArrayBuffer>;
+	/** 3 × vertices. */
+	readonly normals: Int8Array<ArrayBuffer>;
+	/** How much of the sky each vertex sees: 255 all. */
+	readonly sky: Uint8Array<ArrayBuffer>;
+	/** 3 × vertices, linear light. */
+	readonly colours?: Uint16Array<ArrayBuffer>;
+	/** 3 × triangles. */
+	readonly indices: Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
+}
+
+/** Places to a 32,767th of how far it reaches, normals to half a degree. Texture coordinates are left out. */
+export function packed({ positions, normals, colours, sky, indices }: PartMesh): PackedMesh {
+	let unit = 1e-6;
+	for (const value of positions) unit = Math.max(unit, Math.abs(value));
+	const vertices = positions.length / 3;
+	const steps = <T extends Int16Array | Int8Array | Uint16Array>(into: T, values: Float32Array, by: number): T => {
+		for (let i = 0; i < values.length; i++) into[i] = Math.round(by * values[i]);
+		return into;
+	};
+	return {
+		unit,
+		positions: steps(new Int16Array(3 * vertices), positions, PLACE_STEPS / unit),
+		normals: steps(new Int8Array(3 * vertices), normals, NORMAL_STEPS),
+		sky: sky ? Uint8Array.from(sky) : new Uint8Array(vertices).fill(255),
+		...(colours ? { colours: steps(new Uint16Array(3 * vertices), colours, COLOUR_STEPS) } : {}),
+		indices: vertices > COLOUR_STEPS ? Uint32Array.from(indices) : Uint16Array.from(indices),
+	};
+}
+
+/** The same as parts have it. */
+export function unpacked({ unit, positions, normals, colours, sky, indices }: PackedMesh): PartMesh {
+	const lengths = new Float32Array(normals.length);
+	for (let i = 0; i < normals.length; i += 3) {
+		const length = Math.hypot(normals[i], normals[i + 1], normals[i + 2]) || 1;
+		for (let k = 0; k < 3; k++) lengths[i + k] = normals[i + k] / length;
+	}
+	return {
+		positions: Float32Array.from(positions, (value) => (value * unit) / PLACE_STEPS),
+		normals: lengths,
+		uvs: new Float32Array(0),
+		indices: Uint32Array.from(indices),
+		sky,
+		...(colours ? { colours: Float32Array.from(colours, (value) => value / COLOUR_STEPS) } : {}),
+	};
+}
