@@ -2,12 +2,7 @@
 import type { MeasureGroup, MeasureInfo } from "../../specimen/measures";
 
 /** Keys of the measures, in the order in which the core gives them. */
-export const MEASURE_KEYS = [
-	"height",
-	"spread",
-	"surface",
-	"organs",
-] as const;
+export const MEASURE_KEYS = ["height", "spread", "surface", "organs"] as const;
 export type MeasureKey = (typeof MEASURE_KEYS)[number];
 
 /** Every measure, in the same order. */
