@@ -131,6 +131,7 @@ it("the catalogue lists what there is", async () => {
 		["growth", true],
 		["leaf", true],
 		["root", true],
+		["stand", true],
 		["tree", true],
 	]);
 	expect((await presets("leaf")).map(({ name }) => name)).toContain("oak");
