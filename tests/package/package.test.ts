@@ -80,7 +80,7 @@ describe("under Node", () => {
 		});
 		const said = JSON.parse(project.run("goldens.mjs"));
 		expect(said.prints).toEqual(links);
-		expect(said.models).toEqual(["bunch", "grammar", "growth", "leaf", "root", "tree"]);
+		expect(said.models).toEqual(["bunch", "grammar", "growth", "leaf", "root", "stand", "tree"]);
 	});
 });
 

@@ -132,6 +132,7 @@ it("the catalogue lists what there is", async () => {
 		["growth", true],
 		["leaf", true],
 		["root", true],
+		["stand", true],
 		["tree", true],
 	]);
 	expect((await presets("leaf")).map(({ name }) => name)).toContain("oak");
@@ -142,6 +143,6 @@ it("the catalogue lists what there is", async () => {
 	expect(procedure).toMatchObject({ kind: "choice", options: ["paper", "natural"], default: "natural" });
 	expect((await measures()).find(({ key }) => key === "bunch_length")).toMatchObject({ unit: "mm", kind: "number" });
 	await expect(presets("fern")).rejects.toThrow(
-		"model: there is no model “fern”; there are bunch, grammar, growth, leaf, root, tree",
+		"model: there is no model “fern”; there are bunch, grammar, growth, leaf, root, stand, tree",
 	);
 });
