@@ -190,18 +190,6 @@ Grown Map::grow(std::uint32_t v, Face face, std::uint32_t order, std::uint32_t l
   return grown;
 }
 
-Hinge Map::adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face) const {
-  if (!has(v, face) || !is_free(v, face)) return {};
-  const std::uint32_t start = dart_of(v, face);
-  std::uint32_t d = start;
-  do {
-    const std::uint32_t other = across_gap(d), w = volume_[other];
-    if (w != v && face_[other] == other_face && list_[w].label == label && is_free(w, other_face)) return {w, d, other};
-    d = alpha_[1][alpha_[0][d]];
-  } while (d != start);
-  return {};
-}
-
 Refusal Map::glue(std::uint32_t v, Face face, std::uint32_t other, Face other_face) {
   if (!has(v, face) || !has(other, other_face)) return Refusal::no_face;
   if (v == other) return Refusal::same_volume;

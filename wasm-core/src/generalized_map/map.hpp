@@ -127,9 +127,24 @@ class Map {
   // about that edge. Where they have several the first of `face` counts.
   Refusal glue(std::uint32_t v, Face face, std::uint32_t other, Face other_face);
 
-  // The first free face `other_face`, of a volume of that label, which has a gap with this one; `Hinge{}` where there
-  // is none. `glue` may still find them unequal.
-  Hinge adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face) const;
+  // The first free face `other_face`, of a volume of that label which `fits(volume)`, that has a gap with this one;
+  // `Hinge{}` where there is none. `glue` may still find them unequal.
+  template <class Fits>
+  Hinge adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face, Fits fits) const {
+    if (!has(v, face) || !is_free(v, face)) return {};
+    const std::uint32_t start = dart_of(v, face);
+    std::uint32_t d = start;
+    do {
+      const std::uint32_t other = across_gap(d), w = volume_[other];
+      if (w != v && face_[other] == other_face && list_[w].label == label && is_free(w, other_face) && fits(w))
+        return {w, d, other};
+      d = alpha_[1][alpha_[0][d]];
+    } while (d != start);
+    return {};
+  }
+  Hinge adjacent(std::uint32_t v, Face face, std::uint32_t label, Face other_face) const {
+    return adjacent(v, face, label, other_face, [](std::uint32_t) { return true; });
+  }
 
   // A -F-> B C: every face at F is divided and both halves are closed by a new face. C, the new volume, is the part at
   // F: a prism as if it had grown where the cut is, its end F and its base the cut, C1 at F's first edge. B keeps A's

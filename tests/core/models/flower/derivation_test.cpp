@@ -136,6 +136,37 @@ TEST_CASE("a glue waits until its faces are adjacent, and one that never was is 
   CHECK(grown(lobes + "R : R_C2 < R_C4 -> R_C2 | R_C4", steps(6)).noted("never came to be adjacent"));
 }
 
+TEST_CASE("a glue finds its own instance's face behind another's") {
+  // On each side of a prism a module's chain of two, whose sides are beside those of the neighbouring chain.
+  const Flower flower = grown(
+      "#define A(8,0,0,0,1,1,1,1)\n#axiom: A\n#define finalStep=1\nA -> A[&M]_{C1,C2,C3}\n#module M\n"
+      "#define P(4,0,0,0,1,1,1,1)\n#axiom: P\n#define finalStep=3\nP -> P[P]_{C1,C2}\nP : P_C4 < P_C2 -> P_C4 | P_C2\n"
+      "P : P_C3 < P_C3 -> P_C3 | P_C3");
+  gm::OrbitWalk walk(flower.derived.map);
+  std::size_t glued = 0;
+  for (std::uint32_t v = 0; v < flower.derived.map.volumes(); ++v) {
+    const auto instance = [&](std::uint32_t of) {
+      return flower.derived.records[flower.derived.record_of[of]].instance;
+    };
+    for (const gm::Neighbour& each : gm::neighbours(walk, flower.derived.map, v)) {
+      const bool grown_on = each.own == gm::base_face || each.other == gm::base_face;
+      if (grown_on) continue;
+      CHECK(instance(each.volume) == instance(v));
+      ++glued;
+    }
+  }
+  CHECK(glued > 0);
+  CHECK(gm::check(flower.derived.map).fault == gm::Fault::nothing);
+}
+
+TEST_CASE("what a later line displaces, and what could not be done, is told of each line") {
+  const Flower twice = grown(volume + "A{}{step==0}{} -E-> B C\nA{}{step==0}{} -C1-> B C", steps(1));
+  CHECK(twice.noted("Line 5: where a later line splits"));
+  const Flower renamed = grown(volume + "A -> B\nA -> C", steps(1));
+  CHECK(renamed.name(0) == "C");
+  CHECK(renamed.noted("Line 5: where a later line"));
+}
+
 TEST_CASE("a split halves a volume, and both go on growing") {
   const Flower flower = grown(volume + "A{}{step==0}{} -E-> B C\nC{}{step==1}{} -> C[A]_{E}", steps(2));
   REQUIRE(flower.derived.map.volumes() == 3);
@@ -314,6 +345,21 @@ TEST_CASE("growth ends where a limit is reached, and what has grown stays") {
   limits = {};
   limits.evaluations = 50;
   CHECK(grown(volume + "A -> A[A]_{E,C1}", steps(500), limits).noted("which is the limit"));
+  // By productions that were tried, not by volumes, and with what modules' variables take.
+  std::string many = volume;
+  for (int i = 0; i < 200; ++i) many += "A{}{step<0}{} -> B\n";
+  limits.evaluations = 20000;
+  CHECK(grown(many + "A -> A[A]_{E}", steps(400), limits).noted("which is the limit"));
+  std::string drawing = volume + "A -> A[A]_{E}[&M]_{C1}\n#module M\n#define v0=ran(1)\n";
+  for (int i = 1; i < 100; ++i) drawing += "#define v" + std::to_string(i) + "=v" + std::to_string(i - 1) + "*1.001\n";
+  CHECK(
+      grown(drawing + "#define Q(4,0,0,0,1+v99,v98*3,1,1)\n#axiom: Q", steps(200), limits).noted("which is the limit"));
+  // Blocks that are worked out in too many places.
+  std::string blocks = volume + "A{a=H";
+  for (int i = 0; i < 20000; ++i) blocks += "+H";
+  blocks += ";}{}{} -> A";
+  for (int i = 0; i < 3000; ++i) blocks += "[A]E";
+  CHECK(trouble(blocks).message.find("too many places") != std::string::npos);
   limits = {};
   limits.steps = 9;
   CHECK(trouble(volume + "A -> A[A]_{E}\n#define finalStep=10", {}, limits).reason == Reason::limit);

@@ -13,11 +13,13 @@ namespace {
 
 using generalized_map::none;
 using generalized_map::Refusal;
+using generalized_map::words;
 using lsystem::error_at;
 using lsystem::number_text;
 using lsystem::sentence;
 
 constexpr std::uint32_t deepest = 32;  // modules in one another
+constexpr std::size_t most_notes = 100;
 constexpr std::uint64_t of_step = 0x73746570, of_face = 0x66616365;
 
 class Deriver {
@@ -30,7 +32,8 @@ class Deriver {
         derived_(limits.darts),
         attached_(program.growths, 0),
         glued_(program.productions.size(), 0),
-        waited_(program.productions.size(), 0) {}
+        displaced_(program.productions.size(), 0),
+        refusals_(program.productions.size(), Refusal::nothing) {}
 
   Result<Derived> run() {
     derived_.notes = program_.notes;
@@ -97,16 +100,16 @@ class Deriver {
 
   // What all productions do to one volume in one step.
   bool rewrite(std::uint32_t volume) {
-    if (++work_ > limits_.evaluations) return stop_for_work();
     const std::uint32_t record = derived_.record_of[volume];
     const Label& label = program_.labels[label_of(volume)];
     const std::uint64_t address = hash_combine(derived_.records[record].address, step_);
-    std::uint32_t becomes = nobody, split = nobody;
+    std::uint32_t becomes = nobody, split = nobody, last = nobody;
     bool may_act = false;
     chosen_.clear();
     if (!numbers_.enter(derived_.instances, instance_)) return false;
     for (std::uint32_t i = label.productions.begin; i < label.productions.end; ++i) {
       const Production& production = program_.productions[i];
+      if (is_spent(1)) return stop_for_work();
       if (production.kind == Production::Kind::glue) continue;
       const bool grows = production.kind == Production::Kind::grow;
       if (grows && production.becomes == nobody && !room_for(production, volume)) continue;
@@ -117,8 +120,15 @@ class Deriver {
         if (evaluation_.failed()) return false;
         continue;
       }
-      if (!grows) split = i;
-      if (production.becomes != nobody) becomes = production.becomes;
+      if (!grows) {
+        displaced(split == nobody ? nullptr : &program_.productions[split]);
+        split = i;
+      }
+      if (production.becomes != nobody) {
+        displaced(becomes == nobody ? nullptr : &program_.productions[last]);
+        becomes = production.becomes;
+        last = i;
+      }
       for (const Growth& growth : production.growths)
         if (!choose(growth, volume, address)) return false;
     }
@@ -130,6 +140,17 @@ class Deriver {
     if (split != nobody && !part(volume, record, program_.productions[split])) return false;
     if (may_act || becomes != nobody || split != nobody) still_.push_back(volume);
     return true;
+  }
+
+  // Work is counted by what is looked at; what variables take counts as well.
+  bool is_spent(std::uint64_t more) {
+    work_ += more;
+    return work_ + evaluation_.settled() > limits_.evaluations;
+  }
+
+  // Notes a production that fits and does nothing, since a later one does the like.
+  void displaced(const Production* production) {
+    if (production != nullptr) displaced_[production->number] = 1;
   }
 
   // Whether a face that it could grow on is free; one that is worked out may be.
@@ -217,9 +238,7 @@ class Deriver {
     const auto parted = derived_.map.split(volume, production.face, production.rest, production.part, stamp_);
     if (parted.refusal == Refusal::full) return stop(parted.refusal, step_), true;
     if (parted.refusal != Refusal::nothing) {
-      refused_ = sentence("Line %: % cannot be split there, and stays whole: %",
-                          {std::to_string(production.place.line), program_.labels[production.predecessor].name,
-                           generalized_map::words(parted.refusal)});
+      refusals_[production.number] = parted.refusal;
       return true;
     }
     for (const bool rest : {true, false}) {
@@ -247,7 +266,7 @@ class Deriver {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < standing_.size(); ++i) {
       const std::uint32_t volume = standing_[i];
-      if (wants_glue(volume)) standing_[kept++] = volume;
+      if (stopped_ || wants_glue(volume)) standing_[kept++] = volume;
     }
     standing_.resize(kept);
   }
@@ -264,12 +283,15 @@ class Deriver {
         continue;
       }
       if (!derived_.map.has(volume, production.face) || !derived_.map.is_free(volume, production.face)) continue;
-      ++work_;
-      const auto hinge = derived_.map.adjacent(volume, production.face, production.other, production.other_face);
-      const bool here =
-          hinge.volume != none && instance_of(hinge.volume) == instance_ &&
-          derived_.map.glue(volume, production.face, hinge.volume, production.other_face) == Refusal::nothing;
-      (here ? glued_ : waited_)[production.number] += 1;
+      if (is_spent(1)) return stop_for_work();
+      const auto hinge = derived_.map.adjacent(volume, production.face, production.other, production.other_face,
+                                               [&](std::uint32_t other) { return instance_of(other) == instance_; });
+      const Refusal refusal = hinge.volume == none
+                                  ? Refusal::not_adjacent
+                                  : derived_.map.glue(volume, production.face, hinge.volume, production.other_face);
+      const bool here = refusal == Refusal::nothing;
+      glued_[production.number] += here;
+      if (refusal == Refusal::unequal) refusals_[production.number] = refusal;
       waits |= !here;
     }
     return waits;
@@ -281,13 +303,15 @@ class Deriver {
 
   void stop(Refusal refusal, std::uint32_t step) {
     stopped_ = true;
-    derived_.notes.push_back(
-        sentence("Growth ended in step %: %", {std::to_string(step), generalized_map::words(refusal)}));
+    first_note(sentence("Growth ended in step %: %", {std::to_string(step), generalized_map::words(refusal)}));
   }
+
+  // What is most to be known stands before all else.
+  void first_note(std::string note) { derived_.notes.insert(derived_.notes.begin(), std::move(note)); }
 
   bool stop_for_work() {
     stopped_ = true;
-    derived_.notes.push_back(sentence(
+    first_note(sentence(
         "Growth ended in step %: productions were tried more than % times, which is the limit; let fewer things "
         "wait for their turn.",
         {std::to_string(step_), std::to_string(limits_.evaluations)}));
@@ -306,14 +330,27 @@ class Deriver {
           "nothing.",
           {std::to_string(growth.arguments.place.line), name, std::to_string(attached_[i])}));
     }
-    for (const Production& production : program_.productions)
-      if (production.kind == Production::Kind::glue && glued_[production.number] == 0)
-        derived_.notes.push_back(sentence("Line %: these faces never came to be adjacent, and nothing was glued.",
-                                          {std::to_string(production.place.line)}));
-    if (!refused_.empty()) derived_.notes.push_back(refused_);
+    for (const Production& production : program_.productions) {
+      const auto note = [&](const char* pattern, std::string_view more = {}) {
+        derived_.notes.push_back(sentence(pattern, {std::to_string(production.place.line), more}));
+      };
+      const bool glues = production.kind == Production::Kind::glue;
+      const Refusal refusal = refusals_[production.number];
+      if (refusal != Refusal::nothing && glues) note("Line %: some of these faces were not glued: %", words(refusal));
+      if (refusal != Refusal::nothing && !glues)
+        note("Line %: what cannot be split there stays whole: %", words(refusal));
+      if (glues && refusal == Refusal::nothing && glued_[production.number] == 0)
+        note("Line %: these faces never came to be adjacent, and nothing was glued.");
+      if (displaced_[production.number] != 0)
+        note("Line %: where a later line splits or renames the same volume in the same step, this one does not.");
+    }
     if (too_deep_)
       derived_.notes.push_back(sentence("Modules stand in one another more than % deep; what is deeper was left out.",
                                         {std::to_string(deepest)}));
+    if (derived_.notes.size() <= most_notes) return;
+    const std::size_t more = derived_.notes.size() - most_notes;
+    derived_.notes.resize(most_notes);
+    derived_.notes.push_back(sentence("There are % more notes.", {std::to_string(more)}));
   }
 
   const Program& program_;
@@ -324,12 +361,13 @@ class Deriver {
   std::vector<std::uint32_t> firsts_;                            // of each instance the volume that it begins with
   std::vector<std::uint32_t> active_, still_, made_, standing_;  // volumes of this instance
   std::vector<Chosen> chosen_;
-  std::vector<std::uint32_t> attached_, glued_, waited_;  // of growths and productions, how often
+  std::vector<std::uint32_t> attached_, glued_;  // of growths and productions, how often
+  std::vector<std::uint8_t> displaced_;          // of productions
+  std::vector<Refusal> refusals_;                // of productions, the last
   std::uint32_t instance_ = 0, step_ = 0;
   std::uint32_t stamp_ = 0;  // one a step of an instance: what is split in it is cut together
   std::uint64_t work_ = 0;
   bool stopped_ = false, too_deep_ = false;
-  std::string refused_;
 };
 
 }  // namespace

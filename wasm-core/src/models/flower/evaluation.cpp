@@ -92,6 +92,7 @@ bool Evaluation::variable(std::size_t at, std::uint64_t address) {
 
 // What follows from variables alone.
 void Evaluation::settle() {
+  settled_ += program_.once_bound.size();
   Diagnostic unheard;
   for (std::uint32_t at = program_.once_bound.begin; at < program_.once_bound.end; ++at)
     lsystem::execute(program_.code, at, at + 1, registers_.data(), sources_, unheard);

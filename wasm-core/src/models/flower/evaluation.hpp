@@ -41,6 +41,8 @@ class Evaluation {
   // What a description gives, over what is there. False where one of them cannot be.
   bool describe(const Description& description, std::uint64_t address, VolumeValues& values);
 
+  // How many instructions variables have taken so far, for limits of work.
+  std::uint64_t settled() const { return settled_; }
   // Variables of the text itself, by their place in the program, as they were bound.
   const std::vector<float>& variables() const { return variables_; }
   bool failed() const { return trouble_.reason != Reason::none; }
@@ -62,6 +64,7 @@ class Evaluation {
   std::vector<float> variables_;
   std::vector<std::uint32_t> steps_;
   lsystem::Sources sources_;
+  std::uint64_t settled_ = 0;
   Diagnostic trouble_;
 };
 

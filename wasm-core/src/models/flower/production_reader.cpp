@@ -12,10 +12,11 @@ using lsystem::Place;
 using lsystem::Token;
 using lsystem::TokenKind;
 
+constexpr std::size_t most_locals = 64;
+constexpr std::uint64_t most_code = 1'000'000;
+
 constexpr const char* three_blocks =
     "Three blocks stand here, {before} {condition} {after}, of which any may be empty.";
-
-bool is_axiom(const Token& token) { return token.is("axiom") || token.is("axiome"); }
 
 // C1 → 1; 0 where it is no side.
 std::uint32_t side_of(std::string_view name) {
@@ -58,6 +59,10 @@ bool Reader::production() {
   if (!blocks(given) || !condition_of(given, production)) return false;
   bool fine = false;
   if (on_sign(':')) {
+    const bool blocked =
+        given.before_end > given.before || given.condition_end > given.condition || given.after_end > given.after;
+    if (blocked)
+      return wrong(production.place, "What is glued is glued as soon as its faces are adjacent; take the blocks out.");
     fine = glue(production);
   } else if (on_sign('-')) {
     fine = split(given, production);
@@ -104,6 +109,7 @@ bool Reader::assignments(std::size_t begin, std::size_t end) {
     while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
     Number value;
     if (!number(semicolon, Scope::production, false, value)) return false;
+    if (locals_.size() == most_locals) return fail(Reason::limit, here(), "A production sets at most 64 names.");
     lowering_.assign(name, value.value.source);
     locals_.push_back(name);
     at_ = std::min(end, semicolon + 1);
@@ -129,6 +135,8 @@ bool Reader::condition_of(const Blocks& blocks, Production& production) {
 bool Reader::both_blocks(const Blocks& blocks, const Production& production) {
   lowering_.begin_production(formals_, production_key_);
   locals_.clear();
+  read_here_ =
+      blocks.before_end - blocks.before + blocks.condition_end - blocks.condition + blocks.after_end - blocks.after;
   if (!assignments(blocks.before, blocks.before_end)) return false;
   if (production.condition.draws) {
     const std::size_t behind = at_;
@@ -198,13 +206,13 @@ bool Reader::growth(const Blocks& blocks, Production& production) {
   const std::size_t closed = at_;
   ++at_;
   const std::uint32_t begin = lowering_.here();
-  if (!both_blocks(blocks, production) || !faces(growth)) return false;
+  if (!both_blocks(blocks, production) || !faces(growth) || too_much(opened)) return false;
   growth.blocks = {begin, lowering_.here()};
   const std::size_t behind = at_, end = end_;
   at_ = list;
   end_ = closed;
   growth.arguments.place = tokens_[name].place;
-  const Form form = growth.module ? form_of_module(growth.target) : forms_[growth.target];
+  const Form form = growth.module ? forms_of_modules_[growth.target] : forms_[growth.target];
   if (!description(form, Scope::production, growth.arguments)) return false;
   if (at_ < end_) return wrong(here(), "'%' cannot stand here; ] is expected.", {found()});
   end_ = end;
@@ -213,15 +221,12 @@ bool Reader::growth(const Blocks& blocks, Production& production) {
   return true;
 }
 
-// A module's numbers are those of the volume that it begins with.
-Form Reader::form_of_module(std::uint32_t grammar) const {
-  for (const Statement& each : statements_) {
-    const bool axiom = each.grammar == grammar && tokens_[each.begin].is('#') && is_axiom(tokens_[each.begin + 1]);
-    if (!axiom || each.begin + 3 >= each.end) continue;
-    const std::uint32_t label = labels_.find(key_of(tokens_[each.begin + 3].text, grammar));
-    if (label != lsystem::Names::none) return forms_[label];
-  }
-  return Form::plain;
+// Blocks stand once in the text and are worked out for every face: what they come to has its limit.
+bool Reader::too_much(const Place& place) {
+  read_again_ += read_here_;
+  if (lowering_.here() <= most_code && read_again_ <= most_code) return false;
+  fail(Reason::limit, place, "The blocks of this text are worked out in too many places; make them shorter.");
+  return true;
 }
 
 // `{E}`, `{C1, C4}`, or the same without braces.
@@ -301,7 +306,7 @@ bool Reader::split(const Blocks& blocks, Production& production) {
     return wrong(here(), "An arrow is expected here, as in A -E-> B C.");
   ++at_;
   const std::uint32_t begin = lowering_.here();
-  if (!both_blocks(blocks, production)) return false;
+  if (!both_blocks(blocks, production) || too_much(where.place)) return false;
   production.blocks = {begin, lowering_.here()};
   return label_named(production.rest) &&
          description(forms_[production.rest], Scope::production, production.rest_description) &&

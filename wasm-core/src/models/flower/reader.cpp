@@ -1,6 +1,7 @@
 #include "models/flower/reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "foundation/random.hpp"
@@ -46,6 +47,7 @@ bool Reader::run() {
   if (!part()) return false;
   for (const Statement& each : statements_)
     if (!declare(each)) return false;
+  find_forms_of_modules();
   // Variables first, since volumes and productions may use those of the text from within a module.
   for (const bool of_variables : {true, false}) {
     for (const Statement& each : statements_) {
@@ -65,6 +67,16 @@ bool Reader::run() {
                    {grammar.name.empty() ? "the flower" : "the module ", grammar.name});
   finish();
   return true;
+}
+
+// A module's numbers are those of the volume that it begins with.
+void Reader::find_forms_of_modules() {
+  forms_of_modules_.assign(program_.grammars.size(), Form::plain);
+  for (const Statement& each : statements_) {
+    if (!tokens_[each.begin].is('#') || each.begin + 3 >= each.end || !is_axiom(tokens_[each.begin + 1])) continue;
+    const std::uint32_t label = labels_.find(key_of(tokens_[each.begin + 3].text, each.grammar));
+    if (label != lsystem::Names::none) forms_of_modules_[each.grammar] = forms_[label];
+  }
 }
 
 bool Reader::part() {
@@ -247,9 +259,9 @@ bool Reader::material() {
   ++at_;
   if (at_ >= end_ || tokens_[at_].kind != TokenKind::number) return wrong(here(), advice);
   const float number = tokens_[at_].number;
-  material.number = number >= 0 && number <= most_material ? static_cast<std::uint32_t>(number) : most_material + 1;
-  if (static_cast<float>(material.number) != number)
+  if (!(number >= 0 && number <= most_material && std::floor(number) == number))
     return wrong(here(), "A material's number is a whole number from 0 to 255.");
+  material.number = static_cast<std::uint32_t>(number);
   for (const Material& other : program_.materials)
     if (other.number == material.number) return wrong(here(), "This number has a material already; take one out.");
   ++at_;

@@ -47,6 +47,7 @@ class Reader : lsystem::TokenReader {
   bool part();
   bool begin_module(std::size_t end);
   bool declare(const Statement& statement);
+  void find_forms_of_modules();
   bool declare_volume(const Statement& statement);
   bool declare_variable(const Statement& statement);
   std::size_t statement_end(std::size_t at) const;
@@ -67,7 +68,7 @@ class Reader : lsystem::TokenReader {
   bool both_blocks(const Blocks& blocks, const Production& production);
   bool grow(const Blocks& blocks, Production& production);
   bool growth(const Blocks& blocks, Production& production);
-  Form form_of_module(std::uint32_t grammar) const;
+  bool too_much(const lsystem::Place& place);
   bool faces(Growth& growth);
   bool face(FaceOf& face);
   bool glue(Production& production);
@@ -94,7 +95,8 @@ class Reader : lsystem::TokenReader {
   lsystem::Lowering& lowering_;
   std::vector<lsystem::Named> formals_;
   std::vector<Statement> statements_;
-  std::vector<Form> forms_;  // of labels
+  std::vector<Form> forms_;             // of labels
+  std::vector<Form> forms_of_modules_;  // of what each begins with
   std::vector<std::string_view> keys_of_variables_;
   std::vector<Uses> uses_of_variables_;
   lsystem::Names labels_, variables_, grammars_;  // by key_of; modules by name
@@ -105,6 +107,8 @@ class Reader : lsystem::TokenReader {
   std::uint32_t known_variables_ = 0;
   std::uint64_t keys_ = 0;
   std::uint64_t production_key_ = 0;
+  // Tokens of blocks: of this production, and of all, as often as they are read.
+  std::uint64_t read_here_ = 0, read_again_ = 0;
 };
 
 }  // namespace panicle::flower

@@ -95,63 +95,70 @@ Diagnostic add_skin(Plant& plant, const Program& program, const Derived& derived
   for (std::size_t i = 0; i < places.size(); ++i)
     if (about[i] > 0) places[i] /= static_cast<float>(about[i]);
 
-  struct Parts {
-    PlantMesh mesh;
-    std::vector<std::uint32_t> volume, face;
-    std::vector<std::uint32_t> of_vertex;  // of the surface's, where it is here
+  // The first half-edge of each face, by what it is made of.
+  std::map<std::uint32_t, std::vector<std::uint32_t>> faces;
+  bool strange = false;
+  const auto number_of = [&](std::uint32_t volume) -> std::uint32_t {
+    const float m = derived.values[derived.record_of[volume]][static_cast<std::size_t>(Field::material)];
+    const bool is_number = m >= 0 && m < 256 && std::floor(m) == m;
+    strange |= !is_number;
+    return is_number ? static_cast<std::uint32_t>(m) : 0;
   };
-  std::map<std::uint32_t, Parts> parts;
-  std::vector<std::uint32_t> numbers(derived.map.volumes());
-  for (std::uint32_t v = 0; v < numbers.size(); ++v) {
-    const float m = derived.values[derived.record_of[v]][static_cast<std::size_t>(Field::material)];
-    numbers[v] = m >= 0 && m < 256 ? static_cast<std::uint32_t>(m) : 0;
+  for (std::uint32_t h = 0, face = nobody; h < surface.half_edges(); ++h) {
+    if (surface.face[h] == face) continue;
+    face = surface.face[h];
+    faces[number_of(boundary.volume[skin.of_face[face]])].push_back(h);
   }
+  if (strange) plant.notes.emplace_back("Where m is no whole number from 0 to 255 it is taken for 0.");
+
+  std::vector<PlantMesh> meshes;
   std::vector<Screen> screens;
-  std::vector<std::uint32_t> corners;
-  for (std::uint32_t h = 0; h < surface.half_edges();) {
-    const std::uint32_t from = skin.of_face[surface.face[h]], volume = boundary.volume[from];
-    Parts& part = parts[numbers[volume]];
-    if (part.of_vertex.empty()) part.of_vertex.assign(surface.positions.size(), nobody);
-    Mesh& mesh = part.mesh.mesh;
-    corners.clear();
-    const std::uint32_t first = h;
-    std::uint32_t edge = first;
-    do {
-      const std::uint32_t vertex = surface.origin[edge];
-      std::uint32_t& here = part.of_vertex[vertex];
-      if (here == nobody) {
-        here = static_cast<std::uint32_t>(mesh.positions.size() / 3);
-        put(mesh.positions, metres * upright(surface.positions[vertex]));
-        put(mesh.normals, upright(normals[vertex]));
-        put(mesh.uvs, places[vertex]);
+  std::vector<std::uint32_t> corners, of_vertex(surface.positions.size(), nobody), used;
+  for (const auto& [number, firsts] : faces) {
+    PlantMesh& part = meshes.emplace_back();
+    part.name = "m" + std::to_string(number);
+    part.material = material_of(program, number).kind;
+    Mesh& mesh = part.mesh;
+    std::vector<std::uint32_t> volumes, own_faces;
+    for (const std::uint32_t first : firsts) {
+      const std::uint32_t from = skin.of_face[surface.face[first]];
+      corners.clear();
+      std::uint32_t edge = first;
+      do {
+        const std::uint32_t vertex = surface.origin[edge];
+        std::uint32_t& here = of_vertex[vertex];
+        if (here == nobody) {
+          here = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+          used.push_back(vertex);
+          put(mesh.positions, metres * upright(surface.positions[vertex]));
+          put(mesh.normals, upright(normals[vertex]));
+          put(mesh.uvs, places[vertex]);
+        }
+        corners.push_back(here);
+        edge = surface.next[edge];
+      } while (edge != first);
+      for (std::size_t i = 2; i < corners.size(); ++i) {
+        put(mesh.indices, corners[0], corners[i - 1], corners[i]);
+        volumes.push_back(boundary.volume[from]);
+        own_faces.push_back(boundary.face[from]);
       }
-      corners.push_back(here);
-      edge = surface.next[edge];
-      ++h;
-    } while (edge != first);
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      put(mesh.indices, corners[0], corners[i - 1], corners[i]);
-      part.volume.push_back(volume);
-      part.face.push_back(boundary.face[from]);
-    }
-    if (sky) {
+      if (!sky) continue;
       const std::uint32_t second = surface.next[first], third = surface.next[second];
       const glm::vec3& a = surface.positions[surface.origin[first]];
       const glm::vec3 b = surface.positions[surface.origin[second]] - a,
                       c = surface.positions[surface.origin[third]] - a;
       screens.push_back({metres * upright(a), 0.25f * metres * metres * glm::length(glm::cross(b, c))});
     }
+    for (const std::uint32_t vertex : used) of_vertex[vertex] = nobody;
+    used.clear();
+    part.columns.add("volume", std::move(volumes));
+    part.columns.add("face", std::move(own_faces));
   }
   std::optional<Openness> open;
   if (sky) open.emplace(plant.segments, screens);
-  for (auto& [number, part] : parts) {
-    const Material material = material_of(program, number);
-    part.mesh.name = "m" + std::to_string(number);
-    part.mesh.material = material.kind;
-    if (open) part.mesh.columns.add("sky", open->of(part.mesh.mesh));
-    part.mesh.columns.add("volume", std::move(part.volume));
-    part.mesh.columns.add("face", std::move(part.face));
-    plant.meshes.push_back(std::move(part.mesh));
+  for (PlantMesh& part : meshes) {
+    if (open) part.columns.add("sky", open->of(part.mesh));
+    plant.meshes.push_back(std::move(part));
   }
   return {};
 }
