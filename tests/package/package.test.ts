@@ -80,7 +80,7 @@ describe("under Node", () => {
 		});
 		const said = JSON.parse(project.run("goldens.mjs"));
 		expect(said.prints).toEqual(links);
-		expect(said.models).toEqual(["bunch", "grammar", "growth", "leaf", "root", "stand", "tree"]);
+		expect(said.models).toEqual(["bunch", "flower", "grammar", "growth", "leaf", "root", "stand", "tree"]);
 	});
 });
 

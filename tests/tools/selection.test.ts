@@ -29,7 +29,7 @@ describe("the tests that `npm test` runs", () => {
 	it("are all models', or those of a folder beside the rooms", () => {
 		expect(select(["models"], STAGES)).toEqual({
 			stages: ["native core", "web"],
-			native: ["bunch_tests", "grammar_tests", "growth_tests", "particles_tests"],
+			native: ["bunch_tests", "flower_tests", "grammar_tests", "growth_tests", "particles_tests", "stand_tests"],
 			web: ["tests/web/models/", "tests/golden/"],
 		});
 		for (const folder of ["fuzz", "golden", "tools", "toy"]) {

@@ -17,8 +17,8 @@ export default [
 			},
 			{
 				id: "flower-modules-grow-together",
-				find: "hinge.volume != none && instance_of(hinge.volume) == instance_ &&",
-				replace: "hinge.volume != none &&",
+				find: "[&](std::uint32_t other) { return instance_of(other) == instance_; }",
+				replace: "[](std::uint32_t) { return true; }",
 				breaks: "petals of a kind are glued to each other",
 			},
 			{

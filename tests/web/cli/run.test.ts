@@ -62,6 +62,7 @@ describe("many models", () => {
 		expect([status, said]).toEqual([0, []]);
 		const all: { model: string; title: string; preview?: boolean; presets: string[] }[] = JSON.parse(printed[0]);
 		expect(all.filter(({ preview }) => preview).map(({ model }) => model)).toEqual([
+			"flower",
 			"growth",
 			"leaf",
 			"root",

@@ -58,7 +58,11 @@ describe("values by their keys", () => {
 	});
 
 	it.each([
-		[{ model: "fern" }, "model", "there is no model “fern”; there are bunch, grammar, growth, leaf, root, stand, tree"],
+		[
+			{ model: "fern" },
+			"model",
+			"there is no model “fern”; there are bunch, flower, grammar, growth, leaf, root, stand, tree",
+		],
 		[{ preset: "nettle" }, "preset", "the bunch has no preset “nettle”; presets() lists them"],
 		[{ preset: 3 }, "preset", "the bunch has no preset 3; presets() lists them"],
 		[{ age: 900 }, "age", "900 is above the greatest value, 125"],

@@ -128,6 +128,7 @@ describe("files", () => {
 it("the catalogue lists what there is", async () => {
 	expect((await models()).map(({ name, preview }) => [name, preview])).toEqual([
 		["bunch", false],
+		["flower", true],
 		["grammar", false],
 		["growth", true],
 		["leaf", true],
@@ -143,6 +144,6 @@ it("the catalogue lists what there is", async () => {
 	expect(procedure).toMatchObject({ kind: "choice", options: ["paper", "natural"], default: "natural" });
 	expect((await measures()).find(({ key }) => key === "bunch_length")).toMatchObject({ unit: "mm", kind: "number" });
 	await expect(presets("fern")).rejects.toThrow(
-		"model: there is no model “fern”; there are bunch, grammar, growth, leaf, root, stand, tree",
+		"model: there is no model “fern”; there are bunch, flower, grammar, growth, leaf, root, stand, tree",
 	);
 });

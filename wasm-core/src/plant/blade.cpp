@@ -119,7 +119,12 @@ Blade make_needles(float breadth) {
     const auto turn = sincos_degrees(360.0f * static_cast<float>(k) / needles + 15);
     const glm::vec3 way = glm::normalize(glm::vec3(0.45f * turn.cosine, 1, 0.45f * turn.sine));
     const glm::vec3 side = glm::normalize(glm::cross(way, glm::vec3(turn.cosine, 0, turn.sine)));
-    put_point(blade.mesh, glm::vec3(0), 0.5f * needle_width * breadth * side, way);
+    const glm::vec3 normal = glm::cross(side, way), half = 0.5f * needle_width * breadth * side;
+    const auto first = static_cast<std::uint32_t>(blade.mesh.positions.size() / 3);
+    put_vertex(blade.mesh, -half, normal, 0, 0);
+    put_vertex(blade.mesh, half, normal, 1, 0);
+    put_vertex(blade.mesh, way, normal, 0.5f, 1);
+    blade.mesh.indices.insert(blade.mesh.indices.end(), {first, first + 1, first + 2});
   }
   blade.area = area_of(blade.mesh);
   return blade;

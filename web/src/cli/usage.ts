@@ -75,7 +75,7 @@ ${
   --shard 3/16     that part of the series; auto in a Slurm array, auto/16 in a Kubernetes Job
   --as KIND        ${wrapped(formatsOf({ formats }))} (default: glb)
   --list           all models with their presets, as JSON
-  --help           this${others.length > 0 ? `; of other models: ${wrapped(others)}` : ""}
+  --help           ${wrapped(others.length > 0 ? ["this;", "of", "other", "models:", ...others] : ["this"])}
 
 Exit status: 0 grown, 1 the core broke or is missing, or some of a series did not grow,
 2 something in the call cannot be used.
