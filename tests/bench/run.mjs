@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: what the core and the page cost, as medians and as ratios, for machines differ. Nothing here passes or
- * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- growth` all but trees by divisor functions, `-- stand` grows and shows stands of up to 2,000 trees (of the page as it was built), `-- topiary` all but those clipped to areas, `-- maps` all but generalized maps, `npm run bench
+ * fails. `npm run bench -- core` leaves the browser out, `npm run bench -- particles` all but leaf, tree and root, `npm run bench -- grammar` all but texts, `-- growth` all but trees by divisor functions, `-- flower` all but flowers, `-- stand` grows and shows stands of up to 2,000 trees (of the page as it was built), `-- topiary` all but those clipped to areas, `-- maps` all but generalized maps, `npm run bench
  * -- browser` all but the page, `-- page [FOLDER]` all but texts in the page, `npm run bench -- watching [model/preset …]` all but particles that run on it; `npm run bench -- frame [FOLDER]` times drawing alone, also of a page of views built before; `npm run bench -- service` the model service.
  */
 import { join } from "node:path";
@@ -8,6 +8,7 @@ import { runnerImport } from "vite";
 import { repository } from "../../wasm-core/tools/repository.mjs";
 import { benchBrowser } from "./browser.mjs";
 import { benchModule, grower, KERNELS, loadBenchCore, nativeGrow, nativeKernel } from "./core.mjs";
+import { benchFlowers } from "./flower.mjs";
 import { benchFrame } from "./frame.mjs";
 import { benchGrammar } from "./grammar.mjs";
 import { benchGrowth } from "./growth.mjs";
@@ -61,6 +62,7 @@ if (only === undefined || only === "maps") benchMaps({ core });
 if (only === undefined || only === "topiary") await benchTopiaries({ core, source });
 if (only === undefined || only === "grammar") await benchGrammar({ core, source });
 if (only === undefined || only === "growth") await benchGrowth({ core, instance, source });
+if (only === undefined || only === "flower") await benchFlowers({ core, instance, source });
 if (only === "stand") await benchStand();
 if (only === undefined || only === "service") await benchService();
 if (only === undefined || only === "browser") await benchBrowser();
