@@ -106,6 +106,8 @@ test("the view says that it takes keys, shows the focus, and its tools are one s
 	await page.keyboard.press("Tab");
 	await expect(studio.button("Reset view")).toBeFocused();
 	await page.keyboard.press("ArrowDown");
+	await expect(studio.button("Wind")).toBeFocused();
+	await page.keyboard.press("ArrowDown");
 	await expect(studio.button("On the vine")).toBeFocused();
 	await page.keyboard.press("End");
 	await expect(studio.button("Grammar")).toBeFocused();

@@ -17,7 +17,7 @@ test("a leaf's shadow lies on the paper to its right, and no edge shows where it
 	const rows = data.length / 4 / width;
 	let [left, right, steepest] = [255, 255, 0];
 	for (let row = Math.floor(0.3 * rows); row < 0.6 * rows; row += 3) {
-		for (let column = 6; column < 0.9 * width; column++) {
+		for (let column = 6; column < 0.84 * width; column++) {
 			const at = 4 * (row * width + column);
 			if (!isOpen(at)) continue;
 			steepest = Math.max(steepest, Math.abs(luma(at) - luma(at - 4)));
