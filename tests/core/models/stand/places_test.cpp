@@ -33,6 +33,22 @@ TEST_CASE("stand: every spacing places as many as asked, on the ground") {
   }
 }
 
+TEST_CASE("stand: the thinnest strip there may be holds its layer too") {
+  for (const char* const ground : {"ground 1000 x 0.1", "ground 0.1 x 1000"})
+    for (const char* const plants :
+         {"plants 5000, stratified", "plants 200, blue", "plants 1, blue", "plants 9, random"})
+      for (const char* const depth : {"0 to 0.001", "0.999 to 1"}) {
+        const std::string text = std::string(ground) + "\n" + plants + ", depth " + depth + "\na/b";
+        CAPTURE(text);
+        const Laid all = laid(text);
+        CHECK(all.plants.size() == all.plan.layers[0].count);
+        for (const Placement& plant : all.plants) {
+          CHECK(std::abs(plant.at.x) <= 0.5f * all.plan.ground.width);
+          CHECK(std::abs(plant.at.z) <= 0.5f * all.plan.ground.depth);
+        }
+      }
+}
+
 TEST_CASE("stand: asked for another number, layers keep their proportion") {
   const char* const text = "plants 30, blue 0.2\na/b\nplants 10, random\nc/d";
   const auto plants = laid(text, 1, 200).plants;

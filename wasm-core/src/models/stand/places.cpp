@@ -27,6 +27,9 @@ Strip strip_of(const Layer& layer, const Ground& ground) {
   return {{-0.5f * ground.width, (from - 0.5f) * ground.depth}, {ground.width, (to - from) * ground.depth}};
 }
 
+// Towards 0, and never beyond what a count can hold.
+std::uint32_t whole(float value, float most) { return static_cast<std::uint32_t>(std::clamp(value, 0.0f, most)); }
+
 // Luck of one place, by what it is for.
 class Luck {
  public:
@@ -48,7 +51,7 @@ std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const 
 // Cells as square as they can be, one plant in each anywhere; which of them stay empty is drawn.
 std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const Luck& luck) {
   const float square = std::sqrt(static_cast<float>(count) * strip.size.x / strip.size.y);
-  const auto across = std::clamp(static_cast<std::uint32_t>(square + 0.5f), 1u, count);
+  const std::uint32_t across = std::max(whole(square + 0.5f, static_cast<float>(count)), 1u);
   const std::uint32_t deep = (count + across - 1) / across;
   std::vector<std::uint32_t> cells(static_cast<std::size_t>(across) * deep);
   for (std::uint32_t i = 0; i < cells.size(); ++i) cells[i] = i;
@@ -70,18 +73,19 @@ std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const
 // Blue noise by darts (Cook 1986): a throw that comes nearer than `apart` to one before is thrown again, up to so many
 // times in all. Jammed, darts cover 0.547 of a plane with discs of that diameter.
 constexpr std::uint32_t throws = 60;
+constexpr float most_cells = 1e6f;  // along an edge: the last of them is wider in a strip that needs more
 
 std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart, const Luck& luck) {
   const float room = std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
   const float edge = std::max(apart, 0.7f * room);
-  const auto across = static_cast<std::uint32_t>(strip.size.x / edge) + 1;
-  const auto deep = static_cast<std::uint32_t>(strip.size.y / edge) + 1;
+  const std::uint32_t across = whole(strip.size.x / edge, most_cells) + 1;
+  const std::uint32_t deep = whole(strip.size.y / edge, most_cells) + 1;
   std::vector<std::int32_t> first(static_cast<std::size_t>(across) * deep, -1), next;
   std::vector<glm::vec2> spots;
   for (std::uint32_t i = 0; i < throws * count && spots.size() < count; ++i) {
     const glm::vec2 dart = strip.at(luck.unit(2 * i), luck.unit(2 * i + 1));
-    const auto x = std::min(static_cast<std::uint32_t>((dart.x - strip.low.x) / edge), across - 1);
-    const auto z = std::min(static_cast<std::uint32_t>((dart.y - strip.low.y) / edge), deep - 1);
+    const std::uint32_t x = whole((dart.x - strip.low.x) / edge, static_cast<float>(across - 1));
+    const std::uint32_t z = whole((dart.y - strip.low.y) / edge, static_cast<float>(deep - 1));
     bool free = true;
     for (std::uint32_t row = z > 0 ? z - 1 : 0; free && row <= std::min(z + 1, deep - 1); ++row)
       for (std::uint32_t cell = x > 0 ? x - 1 : 0; free && cell <= std::min(x + 1, across - 1); ++cell)
