@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/mathematics.hpp"
 #include "models/stand/plans.hpp"
 
 using namespace panicle;
@@ -96,6 +97,38 @@ TEST_CASE("stand: rows run where they are told, as far apart as said, and fill t
     off = std::max(off, std::abs(plant.at.z - 4 * std::round(plant.at.z / 4)));
   CHECK(off > 0.3f);
   CHECK(off <= 0.5f);
+}
+
+TEST_CASE("stand: however rows run, all of their places that lie in the strip are taken") {
+  for (const int towards : {0, 1, 30, 45, 90, 137, 180, -89, -270}) {
+    CAPTURE(towards);
+    const Laid all =
+        laid("ground 40 x 30\nplants, rows 0.7 x 0.5, depth 0.1 to 0.35, towards " + std::to_string(towards) + "\na/b");
+    const float turn = static_cast<float>(towards) * pi / 180;
+    std::size_t inner = 0, outer = 0;
+    for (int row = -60; row <= 60; ++row)
+      for (int place = -90; place <= 90; ++place) {
+        const float u = 0.7f * static_cast<float>(row), v = 0.5f * static_cast<float>(place);
+        const float x = std::abs(v * std::cos(turn) - u * std::sin(turn));
+        const float z = std::abs(v * std::sin(turn) + u * std::cos(turn));
+        inner += x < 20 - 1e-3f && z < 3.75f - 1e-3f;
+        outer += x < 20 + 1e-3f && z < 3.75f + 1e-3f;
+      }
+    CHECK(all.plants.size() >= inner);
+    CHECK(all.plants.size() <= outer);
+  }
+}
+
+// Ten thousand million places are passed by where each is asked whether it lies in the strip.
+TEST_CASE("stand: rows far finer than the ground are laid in a strip of it") {
+  for (const char* const towards : {"0", "30", "90"}) {
+    CAPTURE(towards);
+    const std::string text = std::string("rows 0.01 x 0.01, depth 0 to 0.001, towards ") + towards + "\na/b";
+    const Laid one = laid("ground 1000 x 1000\nplants 1, " + text);
+    CHECK(one.plants.size() == 1);
+    CHECK(one.plants[0].at.z <= -499);
+    CHECK(laid("ground 1000 x 1000\nplants 5000, " + text).plants.size() == 5000);
+  }
 }
 
 TEST_CASE("stand: a strip holds its layer") {

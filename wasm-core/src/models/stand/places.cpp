@@ -99,6 +99,28 @@ std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart
   return spots;
 }
 
+// What of a line's steps, `step` long from `from`, can lie in a strip: from `first` to `last`, none where these are the
+// other way round. A hair more than that, for rounding is not the same here as in a spot's place.
+struct Steps {
+  float first, last;
+};
+Steps within(const Strip& strip, const glm::vec2& from, const glm::vec2& step, float most) {
+  const float hair = 1e-5f * (glm::length(strip.size) + glm::length(strip.low));
+  Steps steps{-most, most};
+  for (int axis = 0; axis < 2; ++axis) {
+    const float low = strip.low[axis] - hair - from[axis], high = low + strip.size[axis] + 2 * hair;
+    if (std::abs(step[axis]) * most < hair) {
+      // Level with the edge: all of it, or nothing.
+      if (low > hair || high < -hair) return {1, 0};
+      continue;
+    }
+    const float one = low / step[axis], other = high / step[axis];
+    steps.first = std::max(steps.first, std::min(one, other));
+    steps.last = std::min(steps.last, std::max(one, other));
+  }
+  return {std::max(std::floor(steps.first) - 1, -most), std::min(std::ceil(steps.last) + 1, most)};
+}
+
 // Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for.
 std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck) {
   const SinCos turn = sincos_degrees(layer.towards);
@@ -108,17 +130,20 @@ std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint
   const std::uint32_t most = count > 0 ? std::min(count, most_plants) : most_plants + 1;
   // So many fit beside the middle one, as the shorter of both sides has room: a symmetrical field.
   const auto rows = static_cast<std::int32_t>(std::min(reach / layer.apart, 1e5f));
-  const auto places = static_cast<std::int32_t>(std::min(reach / layer.along, 1e5f));
+  const float places = std::floor(std::min(reach / layer.along, 1e5f));
   std::vector<glm::vec2> spots;
-  for (std::int32_t row = -rows; row <= rows; ++row)
-    for (std::int32_t place = -places; place <= places && spots.size() < most; ++place) {
-      const glm::vec2 spot =
-          middle + layer.apart * static_cast<float>(row) * across + layer.along * static_cast<float>(place) * along;
+  for (std::int32_t row = -rows; row <= rows && spots.size() < most; ++row) {
+    const glm::vec2 of_row = middle + layer.apart * static_cast<float>(row) * across;
+    const Steps steps = within(strip, of_row, layer.along * along, places);
+    const auto last = static_cast<std::int32_t>(steps.last);
+    for (auto place = static_cast<std::int32_t>(steps.first); place <= last && spots.size() < most; ++place) {
+      const glm::vec2 spot = of_row + layer.along * static_cast<float>(place) * along;
       if (!strip.holds(spot)) continue;
       const std::uint64_t address = hash_combine(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(place));
       const glm::vec2 off(2 * luck.unit(address) - 1, 2 * luck.unit(hash_combine(address, 1)) - 1);
       spots.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
     }
+  }
   return spots;
 }
 
