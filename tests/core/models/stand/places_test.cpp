@@ -57,6 +57,25 @@ TEST_CASE("stand: asked for another number, layers keep their proportion") {
   CHECK(std::count_if(plants.begin(), plants.end(), [](const Placement& each) { return each.kind == 1; }) == 50);
 }
 
+TEST_CASE("stand: as many stand as asked for, however few, and a layer that gets none is told") {
+  const char* const text = "plants 60, random\na/b\nplants 30, random\nc/d\nplants 50, random\ne/f";
+  for (const std::uint32_t asked : {1u, 2u, 3u, 7u, 24u, 139u, 140u, 141u, 3000u}) {
+    CAPTURE(asked);
+    const Laid all = laid(text, 1, asked);
+    CHECK(all.plants.size() == asked);
+    std::vector<double> of(3, 0);
+    for (const Placement& plant : all.plants) ++of[plant.kind];
+    CHECK(std::abs(of[0] - asked * 60 / 140.0) < 1);
+    CHECK(std::abs(of[1] - asked * 30 / 140.0) < 1);
+    CHECK(std::abs(of[2] - asked * 50 / 140.0) < 1);
+    CHECK(all.notes.size() == static_cast<std::size_t>(std::count(of.begin(), of.end(), 0)));
+  }
+  const Laid one = laid(text, 1, 1);
+  REQUIRE(one.notes.size() == 2);
+  CHECK(one.notes[0].find("line 1") != std::string::npos);
+  CHECK(one.notes[1].find("line 3") != std::string::npos);
+}
+
 TEST_CASE("stand: no two darts of blue noise come nearer than said, and a full ground says so") {
   const Laid some = laid("ground 30 x 30\nplants 400, blue 1\na/b");
   CHECK(some.notes.empty());

@@ -262,12 +262,18 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
   };
   std::vector<Standing> standing;
   std::uint32_t first_kind = 0;
+  // Shares of the running sum: they come to all that is asked for.
+  std::uint64_t before = 0;
   for (std::uint32_t i = 0; i < plan.layers.size(); ++i) {
     const Layer& layer = plan.layers[i];
-    const auto count = asked == 0 || all == 0
-                           ? counts[i]
-                           : static_cast<std::uint32_t>(static_cast<std::uint64_t>(counts[i]) * asked / all);
+    const std::uint64_t upto = before + counts[i];
+    const std::uint32_t count =
+        asked == 0 || all == 0 ? counts[i] : static_cast<std::uint32_t>(upto * asked / all - before * asked / all);
+    before = upto;
     if (count == 0) {
+      if (counts[i] > 0)
+        notes.push_back(lsystem::sentence("Of so few plants none are left for those of line %; ask for more.",
+                                          {std::to_string(layer.place.line)}));
       first_kind += static_cast<std::uint32_t>(layer.kinds.size());
       continue;
     }
