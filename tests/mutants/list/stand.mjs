@@ -21,6 +21,12 @@ export default [
 				breaks: "plants of a line with so many seeds all differ",
 			},
 			{
+				id: "stand-last-plants-are-lost",
+				find: "static_cast<std::uint32_t>(upto * asked / all - before * asked / all);",
+				replace: "static_cast<std::uint32_t>((upto - before) * asked / all);",
+				breaks: "fewer plants stand than were asked for",
+			},
+			{
 				id: "stand-borne-on-the-ground",
 				find: "const float high = by.scale * drawn(kind.high, luck.unit(8 * k + 5));",
 				replace: "const float high = 0 * luck.unit(8 * k + 5);",
@@ -37,6 +43,12 @@ export default [
 				find: "const float azimuth = arc_tangent(way.y, way.x) * 180 / pi - plants[i].turn;",
 				replace: "const float azimuth = arc_tangent(way.y, way.x) * 180 / pi;",
 				breaks: "a turned plant takes its neighbours to be elsewhere",
+			},
+			{
+				id: "stand-higher-crowns-are-passed-over",
+				find: "if (!within && above <= lowest * near) return;",
+				replace: "if (!within) return;",
+				breaks: "a tall tree behind a near one hides no sky",
 			},
 			{
 				id: "stand-room-as-if-at-scale-1",

@@ -143,3 +143,12 @@ TEST_CASE("light comes from where the crown is thin") {
   CHECK(std::abs(light.from({0, 5, 0}).z) < 0.5f * std::abs(light.from({0, 5, 0}).x));
   CHECK(glm::length(light.from({3, 5, 0})) == doctest::Approx(1).epsilon(1e-4));
 }
+
+TEST_CASE("where none of the sky is open, what light there is comes from above") {
+  Numbers none = nothing;
+  for (std::size_t i = 0; i < 8; ++i) none[i] = 90;
+  CHECK(CrownLight(grown(sigma(), 5), sound(Surroundings::of(none))).from({0, 5, 0}) == glm::vec3(0, 1, 0));
+  Numbers half = none;
+  half[0] = half[1] = half[7] = 0;
+  CHECK(CrownLight(grown(sigma(), 5), sound(Surroundings::of(half))).from({0, 5, 0}).x > 0.5f);
+}

@@ -38,6 +38,7 @@ const Mistake mistakes[] = {
     {"plants 10, blue «ran(3)", "the least and the most"},
     {"plants 10, blue «spacing", "spacing"},
     {"«plants 10, depth 0.5", "two ends"},
+    {"«plants 5000, blue, depth 0 to 1e-16", "0.001 apart"},
     {"«plants 10, random", "a line each"},
     {"«plants 10, random\na/b, share 0", "0 together"},
     {"«a/b", "Say first how many"},

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "foundation/mathematics.hpp"
 #include "models/stand/plans.hpp"
 
 using namespace panicle;
@@ -33,11 +34,46 @@ TEST_CASE("stand: every spacing places as many as asked, on the ground") {
   }
 }
 
+TEST_CASE("stand: the thinnest strip there may be holds its layer too") {
+  for (const char* const ground : {"ground 1000 x 0.1", "ground 0.1 x 1000"})
+    for (const char* const plants :
+         {"plants 5000, stratified", "plants 200, blue", "plants 1, blue", "plants 9, random"})
+      for (const char* const depth : {"0 to 0.001", "0.999 to 1"}) {
+        const std::string text = std::string(ground) + "\n" + plants + ", depth " + depth + "\na/b";
+        CAPTURE(text);
+        const Laid all = laid(text);
+        CHECK(all.plants.size() == all.plan.layers[0].count);
+        for (const Placement& plant : all.plants) {
+          CHECK(std::abs(plant.at.x) <= 0.5f * all.plan.ground.width);
+          CHECK(std::abs(plant.at.z) <= 0.5f * all.plan.ground.depth);
+        }
+      }
+}
+
 TEST_CASE("stand: asked for another number, layers keep their proportion") {
   const char* const text = "plants 30, blue 0.2\na/b\nplants 10, random\nc/d";
   const auto plants = laid(text, 1, 200).plants;
   CHECK(plants.size() == 200);
   CHECK(std::count_if(plants.begin(), plants.end(), [](const Placement& each) { return each.kind == 1; }) == 50);
+}
+
+TEST_CASE("stand: as many stand as asked for, however few, and a layer that gets none is told") {
+  const char* const text = "plants 60, random\na/b\nplants 30, random\nc/d\nplants 50, random\ne/f";
+  for (const std::uint32_t asked : {1u, 2u, 3u, 7u, 24u, 139u, 140u, 141u, 3000u}) {
+    CAPTURE(asked);
+    const Laid all = laid(text, 1, asked);
+    CHECK(all.plants.size() == asked);
+    std::vector<double> of(3, 0);
+    for (const Placement& plant : all.plants) ++of[plant.kind];
+    CHECK(std::abs(of[0] - asked * 60 / 140.0) < 1);
+    CHECK(std::abs(of[1] - asked * 30 / 140.0) < 1);
+    CHECK(std::abs(of[2] - asked * 50 / 140.0) < 1);
+    CHECK(all.notes.size() == static_cast<std::size_t>(std::count(of.begin(), of.end(), 0)));
+  }
+  const Laid one = laid(text, 1, 1);
+  REQUIRE(one.notes.size() == 2);
+  CHECK(one.notes[0].find("line 1") != std::string::npos);
+  CHECK(one.notes[1].find("line 3") != std::string::npos);
 }
 
 TEST_CASE("stand: no two darts of blue noise come nearer than said, and a full ground says so") {
@@ -80,6 +116,38 @@ TEST_CASE("stand: rows run where they are told, as far apart as said, and fill t
     off = std::max(off, std::abs(plant.at.z - 4 * std::round(plant.at.z / 4)));
   CHECK(off > 0.3f);
   CHECK(off <= 0.5f);
+}
+
+TEST_CASE("stand: however rows run, all of their places that lie in the strip are taken") {
+  for (const int towards : {0, 1, 30, 45, 90, 137, 180, -89, -270}) {
+    CAPTURE(towards);
+    const Laid all =
+        laid("ground 40 x 30\nplants, rows 0.7 x 0.5, depth 0.1 to 0.35, towards " + std::to_string(towards) + "\na/b");
+    const float turn = static_cast<float>(towards) * pi / 180;
+    std::size_t inner = 0, outer = 0;
+    for (int row = -60; row <= 60; ++row)
+      for (int place = -90; place <= 90; ++place) {
+        const float u = 0.7f * static_cast<float>(row), v = 0.5f * static_cast<float>(place);
+        const float x = std::abs(v * std::cos(turn) - u * std::sin(turn));
+        const float z = std::abs(v * std::sin(turn) + u * std::cos(turn));
+        inner += x < 20 - 1e-3f && z < 3.75f - 1e-3f;
+        outer += x < 20 + 1e-3f && z < 3.75f + 1e-3f;
+      }
+    CHECK(all.plants.size() >= inner);
+    CHECK(all.plants.size() <= outer);
+  }
+}
+
+// Ten thousand million places are passed by where each is asked whether it lies in the strip.
+TEST_CASE("stand: rows far finer than the ground are laid in a strip of it") {
+  for (const char* const towards : {"0", "30", "90"}) {
+    CAPTURE(towards);
+    const std::string text = std::string("rows 0.01 x 0.01, depth 0 to 0.001, towards ") + towards + "\na/b";
+    const Laid one = laid("ground 1000 x 1000\nplants 1, " + text);
+    CHECK(one.plants.size() == 1);
+    CHECK(one.plants[0].at.z <= -499);
+    CHECK(laid("ground 1000 x 1000\nplants 5000, " + text).plants.size() == 5000);
+  }
 }
 
 TEST_CASE("stand: a strip holds its layer") {

@@ -1,4 +1,6 @@
 // What neighbours take of light and room.
+#include <algorithm>
+
 #include "models/stand/plans.hpp"
 
 using namespace panicle;
@@ -64,4 +66,23 @@ TEST_CASE("stand: what is borne is nobody's neighbour and has none") {
   for (std::size_t i = 0; i < without.size(); ++i) CHECK(with[i] == without[i]);
   CHECK(with[16 * 4] == 0);
   CHECK(with[16 * 4 + 8] == 1000);
+}
+
+TEST_CASE("stand: what many neighbours leave is the least that any of them leaves, to the last bit") {
+  const Laid all =
+      laid("ground 8 x 8, relief 1\nplants 60, random\na/b, crown 3 x 4, scale 1 to 1.5\nc/d, crown 1 x 15, share 0.2");
+  const auto together = surroundings_of(all.plan, all.plants);
+  for (std::size_t i = 0; i < all.plants.size(); ++i) {
+    std::vector<float> one(8, 0.0f);
+    one.resize(16, 1000);
+    for (std::size_t j = 0; j < all.plants.size(); ++j) {
+      if (j == i) continue;
+      const auto pair = surroundings_of(all.plan, {all.plants[i], all.plants[j]});
+      for (std::size_t k = 0; k < 8; ++k) {
+        one[k] = std::max(one[k], pair[k]);
+        one[8 + k] = std::min(one[8 + k], pair[8 + k]);
+      }
+    }
+    for (std::size_t k = 0; k < 16; ++k) CHECK(together[16 * i + k] == one[k]);
+  }
 }

@@ -58,7 +58,8 @@ CrownLight::CrownLight(const Population& population, const Surroundings& about)
   // A spiral's own middle is not quite above.
   const glm::vec3 whole = middle(overcast(sky_directions)), open = middle(about.dimmed(overcast(sky_directions)));
   const glm::vec3 level = open - glm::vec3(whole.x, 0, whole.z);
-  if (glm::length(level) > 1e-3f) sky_ = glm::normalize(level);
+  // Of a sky that is dark all about, only that middle would be left.
+  if (open.y > 1e-2f) sky_ = glm::normalize(level);
 }
 
 void CrownLight::put(const glm::vec3& place, float area) { matter_.put(place, area); }

@@ -158,12 +158,16 @@ void add_borne(Plant& plant, std::string name, std::string material, const Mesh&
 }
 
 void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky, const FootHabit& foot) {
+  const Blade blossom = make_blossom();
   StemMesh stems = sweep_wood(plant.segments, moment.axes, moment.feet, foot);
   Columns columns;
   if (sky) {
     std::vector<Screen> screens;
-    for (const Organ& organ : plant.organs)
-      screens.push_back({organ.position, 0.5f * blade.area * organ.scale * organ.scale});
+    for (const Organ& organ : plant.organs) {
+      if (organ.tag == bunch_tag) continue;  // a place, and nothing yet
+      const float area = organ.tag == blossom_tag ? blossom.area : blade.area;
+      screens.push_back({organ.position, 0.5f * area * organ.scale * organ.scale});
+    }
     const Openness open(plant.segments, screens);
     std::vector<std::uint8_t> of_organs;
     for (const Organ& organ : plant.organs) of_organs.push_back(open.at(organ.position));
@@ -173,8 +177,7 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   columns.add("segment", std::move(stems.segment));
   plant.meshes.push_back({"stems", "bark", std::move(stems.mesh), {}, std::move(columns)});
   add_borne(plant, "leaves", "blade", blade.mesh, [](const Organ& organ) { return organ.tag < blossom_tag; });
-  add_borne(plant, "blossoms", "petal", make_blossom().mesh,
-            [](const Organ& organ) { return organ.tag == blossom_tag; });
+  add_borne(plant, "blossoms", "petal", blossom.mesh, [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
 void add_levels(Plant& plant, const Moment& moment, float leaf_area) {

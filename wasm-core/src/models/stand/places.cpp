@@ -27,6 +27,9 @@ Strip strip_of(const Layer& layer, const Ground& ground) {
   return {{-0.5f * ground.width, (from - 0.5f) * ground.depth}, {ground.width, (to - from) * ground.depth}};
 }
 
+// Towards 0, and never beyond what a count can hold.
+std::uint32_t whole(float value, float most) { return static_cast<std::uint32_t>(std::clamp(value, 0.0f, most)); }
+
 // Luck of one place, by what it is for.
 class Luck {
  public:
@@ -48,7 +51,7 @@ std::vector<glm::vec2> by_chance(const Strip& strip, std::uint32_t count, const 
 // Cells as square as they can be, one plant in each anywhere; which of them stay empty is drawn.
 std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const Luck& luck) {
   const float square = std::sqrt(static_cast<float>(count) * strip.size.x / strip.size.y);
-  const auto across = std::clamp(static_cast<std::uint32_t>(square + 0.5f), 1u, count);
+  const std::uint32_t across = std::max(whole(square + 0.5f, static_cast<float>(count)), 1u);
   const std::uint32_t deep = (count + across - 1) / across;
   std::vector<std::uint32_t> cells(static_cast<std::size_t>(across) * deep);
   for (std::uint32_t i = 0; i < cells.size(); ++i) cells[i] = i;
@@ -70,18 +73,19 @@ std::vector<glm::vec2> stratified(const Strip& strip, std::uint32_t count, const
 // Blue noise by darts (Cook 1986): a throw that comes nearer than `apart` to one before is thrown again, up to so many
 // times in all. Jammed, darts cover 0.547 of a plane with discs of that diameter.
 constexpr std::uint32_t throws = 60;
+constexpr float most_cells = 1e6f;  // along an edge: the last of them is wider in a strip that needs more
 
 std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart, const Luck& luck) {
   const float room = std::sqrt(strip.size.x * strip.size.y / static_cast<float>(count));
   const float edge = std::max(apart, 0.7f * room);
-  const auto across = static_cast<std::uint32_t>(strip.size.x / edge) + 1;
-  const auto deep = static_cast<std::uint32_t>(strip.size.y / edge) + 1;
+  const std::uint32_t across = whole(strip.size.x / edge, most_cells) + 1;
+  const std::uint32_t deep = whole(strip.size.y / edge, most_cells) + 1;
   std::vector<std::int32_t> first(static_cast<std::size_t>(across) * deep, -1), next;
   std::vector<glm::vec2> spots;
   for (std::uint32_t i = 0; i < throws * count && spots.size() < count; ++i) {
     const glm::vec2 dart = strip.at(luck.unit(2 * i), luck.unit(2 * i + 1));
-    const auto x = std::min(static_cast<std::uint32_t>((dart.x - strip.low.x) / edge), across - 1);
-    const auto z = std::min(static_cast<std::uint32_t>((dart.y - strip.low.y) / edge), deep - 1);
+    const std::uint32_t x = whole((dart.x - strip.low.x) / edge, static_cast<float>(across - 1));
+    const std::uint32_t z = whole((dart.y - strip.low.y) / edge, static_cast<float>(deep - 1));
     bool free = true;
     for (std::uint32_t row = z > 0 ? z - 1 : 0; free && row <= std::min(z + 1, deep - 1); ++row)
       for (std::uint32_t cell = x > 0 ? x - 1 : 0; free && cell <= std::min(x + 1, across - 1); ++cell)
@@ -95,6 +99,28 @@ std::vector<glm::vec2> blue(const Strip& strip, std::uint32_t count, float apart
   return spots;
 }
 
+// What of a line's steps, `step` long from `from`, can lie in a strip: from `first` to `last`, none where these are the
+// other way round. A hair more than that, for rounding is not the same here as in a spot's place.
+struct Steps {
+  float first, last;
+};
+Steps within(const Strip& strip, const glm::vec2& from, const glm::vec2& step, float most) {
+  const float hair = 1e-5f * (glm::length(strip.size) + glm::length(strip.low));
+  Steps steps{-most, most};
+  for (int axis = 0; axis < 2; ++axis) {
+    const float low = strip.low[axis] - hair - from[axis], high = low + strip.size[axis] + 2 * hair;
+    if (std::abs(step[axis]) * most < hair) {
+      // Level with the edge: all of it, or nothing.
+      if (low > hair || high < -hair) return {1, 0};
+      continue;
+    }
+    const float one = low / step[axis], other = high / step[axis];
+    steps.first = std::max(steps.first, std::min(one, other));
+    steps.last = std::min(steps.last, std::max(one, other));
+  }
+  return {std::max(std::floor(steps.first) - 1, -most), std::min(std::ceil(steps.last) + 1, most)};
+}
+
 // Parallel lines over the whole strip, its middle in the midst of them. `count` 0: all there is room for.
 std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint32_t count, const Luck& luck) {
   const SinCos turn = sincos_degrees(layer.towards);
@@ -104,17 +130,20 @@ std::vector<glm::vec2> in_rows(const Strip& strip, const Layer& layer, std::uint
   const std::uint32_t most = count > 0 ? std::min(count, most_plants) : most_plants + 1;
   // So many fit beside the middle one, as the shorter of both sides has room: a symmetrical field.
   const auto rows = static_cast<std::int32_t>(std::min(reach / layer.apart, 1e5f));
-  const auto places = static_cast<std::int32_t>(std::min(reach / layer.along, 1e5f));
+  const float places = std::floor(std::min(reach / layer.along, 1e5f));
   std::vector<glm::vec2> spots;
-  for (std::int32_t row = -rows; row <= rows; ++row)
-    for (std::int32_t place = -places; place <= places && spots.size() < most; ++place) {
-      const glm::vec2 spot =
-          middle + layer.apart * static_cast<float>(row) * across + layer.along * static_cast<float>(place) * along;
+  for (std::int32_t row = -rows; row <= rows && spots.size() < most; ++row) {
+    const glm::vec2 of_row = middle + layer.apart * static_cast<float>(row) * across;
+    const Steps steps = within(strip, of_row, layer.along * along, places);
+    const auto last = static_cast<std::int32_t>(steps.last);
+    for (auto place = static_cast<std::int32_t>(steps.first); place <= last && spots.size() < most; ++place) {
+      const glm::vec2 spot = of_row + layer.along * static_cast<float>(place) * along;
       if (!strip.holds(spot)) continue;
       const std::uint64_t address = hash_combine(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(place));
       const glm::vec2 off(2 * luck.unit(address) - 1, 2 * luck.unit(hash_combine(address, 1)) - 1);
       spots.push_back(glm::clamp(spot + layer.jitter * off, strip.low, strip.low + strip.size));
     }
+  }
   return spots;
 }
 
@@ -233,12 +262,18 @@ Result<std::vector<Placement>> place(const Plan& plan, const Relief& relief, std
   };
   std::vector<Standing> standing;
   std::uint32_t first_kind = 0;
+  // Shares of the running sum: they come to all that is asked for.
+  std::uint64_t before = 0;
   for (std::uint32_t i = 0; i < plan.layers.size(); ++i) {
     const Layer& layer = plan.layers[i];
-    const auto count = asked == 0 || all == 0
-                           ? counts[i]
-                           : static_cast<std::uint32_t>(static_cast<std::uint64_t>(counts[i]) * asked / all);
+    const std::uint64_t upto = before + counts[i];
+    const std::uint32_t count =
+        asked == 0 || all == 0 ? counts[i] : static_cast<std::uint32_t>(upto * asked / all - before * asked / all);
+    before = upto;
     if (count == 0) {
+      if (counts[i] > 0)
+        notes.push_back(lsystem::sentence("Of so few plants none are left for those of line %; ask for more.",
+                                          {std::to_string(layer.place.line)}));
       first_kind += static_cast<std::uint32_t>(layer.kinds.size());
       continue;
     }

@@ -20,6 +20,9 @@ using lsystem::TokenKind;
 constexpr const char* beginnings =
     "A line begins with ground, plants, or what grows there as model/preset; '%' is none of these.";
 
+// A strip's, in parts of the ground's: 0.001, but for what is lost where 0.999 is written.
+constexpr float least_depth = 0.000999f;
+
 // What may stand between two numbers, and so ends the first.
 bool joins(const Token& token) { return token.is("x") || token.is("to"); }
 
@@ -216,8 +219,8 @@ bool Reader::layer() {
   if (at_ < end_) return wrong(here(), "'%' cannot stand here; take it out.", {found()});
   if (layer.count == 0 && layer.spacing != Spacing::rows)
     return wrong(layer.place, "How many plants there are stands behind it, as in plants 100; rows alone know.");
-  if (layer.depth.to <= layer.depth.from)
-    return wrong(layer.place, "A strip of the ground has two ends, as in depth 0 to 0.5.");
+  if (layer.depth.to - layer.depth.from < least_depth)
+    return wrong(layer.place, "A strip of the ground has two ends, at least 0.001 apart, as in depth 0 to 0.5.");
   plan_.layers.push_back(std::move(layer));
   return true;
 }

@@ -13,6 +13,10 @@ namespace {
 // Beyond so many heights of the tallest a crown stands no higher than 18° and far from all branches.
 constexpr float far = 3, farthest = 40;
 
+// What is skipped stands lower than the horizon by more than tangents are rounded.
+constexpr float slack = 0.999f;
+constexpr float first_ring = 0.2f;  // of the reach
+
 struct Crown {
   glm::vec3 at{0};
   float radius = 0, height = 0;
@@ -48,25 +52,36 @@ std::vector<float> surroundings_of(const Plan& plan, const std::vector<Placement
     std::fill(room, room + azimuths, no_neighbour);
     const Crown& own = crowns[i];
     if (plants[i].bearer >= 0) continue;
-    grid.visit(feet[i], [&](std::uint32_t j) {
+    float lowest = 0, widest = no_neighbour;
+    float from = 0, to = first_ring * reach;
+    const auto see = [&](std::uint32_t j) {
       const Crown& other = crowns[j];
       const glm::vec2 way(other.at.x - own.at.x, other.at.z - own.at.z);
       const float distance = glm::length(way);
-      if (j == i || distance > reach || distance < 1e-4f) return;
-      const float azimuth = arc_tangent(way.y, way.x) * 180 / pi - plants[i].turn;
+      if (j == i || distance <= from || distance > to || distance < 1e-4f) return;
+      const float ends = distance * own.radius / (own.radius + other.radius);
       // Seen from half the plant's own height, to the near side of the other's top.
       const float above = other.at.y + other.height - own.at.y - 0.5f * own.height;
       const float near = std::max(distance - 0.5f * other.radius, 0.1f);
+      const bool within = ends / plants[i].scale < widest;
+      if (!within && above <= lowest * near) return;
       const float high = above > 0 ? arc_tangent(above, near) * 180 / pi : 0;
+      const float azimuth = arc_tangent(way.y, way.x) * 180 / pi - plants[i].turn;
       const float half = arc_sine(std::min(other.radius / distance, 1.0f)) * 180 / pi;
-      const float ends = distance * own.radius / (own.radius + other.radius);
       for (std::uint32_t k = 0; k < azimuths; ++k) {
         float off = azimuth - 45 * static_cast<float>(k);
         off = std::abs(off - 360 * std::floor(off / 360 + 0.5f));
         horizon[k] = std::max(horizon[k], high * covered(off, half));
         if (off < 80) room[k] = std::min(room[k], ends / sincos_degrees(off).cosine / plants[i].scale);
       }
-    });
+      const SinCos least = sincos_degrees(*std::min_element(horizon, room));
+      lowest = least.cosine > 0 ? slack * least.sine / least.cosine : 0;
+      widest = *std::max_element(room, room + azimuths);
+    };
+    // The nearest first: they leave little that others change.
+    grid.visit(feet[i], see);
+    from = to, to = reach;
+    grid.visit(feet[i], see);
   }
   return all;
 }
