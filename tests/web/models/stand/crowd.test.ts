@@ -7,7 +7,7 @@ import type { PackedMesh } from "../../../../web/src/plant/packed_mesh";
 import type { LightUniforms } from "../../../../web/src/scene/light_shader";
 import { grownStand, planned } from "./stands";
 
-const LEVELS = [90_000, 20_000, 4000, 500];
+const LEVELS = [200_000, 90_000, 20_000, 500];
 const material: Material = { name: "Wood", colour: [0.4, 0.3, 0.2], roughness: 0.9 };
 const mesh = (triangles: number): PackedMesh => ({
 	unit: 1,
