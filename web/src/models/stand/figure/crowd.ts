@@ -85,7 +85,7 @@ export class Crowd {
 		this.#modest = 1;
 		this.#triangles = this.#count(seen, camera.position, high);
 		for (let tries = 0; this.#triangles > MOST_TRIANGLES && tries < TRIES; tries++) {
-			this.#modest *= Math.min(0.9, Math.max(0.5, Math.sqrt(MOST_TRIANGLES / this.#triangles)));
+			this.#modest *= Math.min(0.75, Math.max(0.5, Math.sqrt(MOST_TRIANGLES / this.#triangles)));
 			this.#triangles = this.#count(seen, camera.position, high);
 		}
 		for (const [i, { plants }] of this.#cells.entries()) {
