@@ -24,6 +24,7 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await page.keyboard.press("ArrowLeft");
 	await studio.button("Leave").click();
 	await expect(studio.button("Walk forward")).toHaveCount(0);
+	await expect(picture).toBeFocused();
 
 	await studio.button("New variation").click();
 	await expect(studio.fingerprint).not.toHaveText(before ?? "");

@@ -74,6 +74,36 @@ export default [
 				replace: "",
 				breaks: "a change of the plan grows what has not changed once more",
 			},
+			{
+				id: "stand-keeps-what-lacks-something",
+				find: "if (read[at].prepared) kept",
+				replace: "kept",
+				breaks: "plants that lack what could not be fetched once lack it for ever",
+			},
+			{
+				id: "stand-looks-of-its-own",
+				find: "kept?.looks ?? new Looks()",
+				replace: "new Looks()",
+				breaks: "a file's bytes hang on what was edited before",
+			},
+		],
+	},
+	{
+		file: "web/src/models/stand/figure/crowd.ts",
+		suites: [`${WEB}/crowd.test.ts`],
+		faults: [
+			{
+				id: "stand-coarse-for-ever",
+				find: "this.#modest = 1;",
+				replace: "",
+				breaks: "a view in which there was too much leaves all later ones coarse",
+			},
+			{
+				id: "stand-counts-what-is-not-there",
+				find: "if (layers.length === 0) return;",
+				replace: "",
+				breaks: "a plant without triangles makes all others coarse",
+			},
 		],
 	},
 	{

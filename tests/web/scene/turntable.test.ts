@@ -91,6 +91,24 @@ describe("Turntable", () => {
 		expect(table.controls.enableDamping).toBe(false);
 	});
 
+	it("has the eye of who walks stay where it was put, and see all of what grows meanwhile", () => {
+		table.look({ eye: [0, 1, 2], towards: [0, 1, 1] });
+		const before = pose();
+		table.zoom(2);
+		table.pan(0.1, 0.1);
+		table.orbit(0.5, 0.2);
+		table.fit("side");
+		expectPose(before);
+		table.follow(spindle(90, 200), false);
+		expectPose(before);
+		expect(table.camera.far).toBeGreaterThan(400);
+		const far = table.camera.far;
+		table.look({ eye: [0, 1, 1], towards: [0, 1, 0] });
+		expect(table.camera.far).toBe(far);
+		table.look(undefined);
+		expect(table.distance).toBeGreaterThan(200);
+	});
+
 	it("stands still while a drag changes the bunch a little", () => {
 		const before = pose();
 		table.follow(spindle(90, 0.165), false);

@@ -4,6 +4,7 @@ import { foundInFile } from "../../../web/src/export/restore";
 import { makeFile } from "../../../web/src/files/make";
 import type { FileRequest } from "../../../web/src/files/messages";
 import type { Format, Model } from "../../../web/src/models/model";
+import { model as standModel } from "../../../web/src/models/stand/index";
 import { EMPTY_PLANT, type Plant } from "../../../web/src/plant/plant";
 import { fromPreset } from "../../../web/src/specimen/from_preset";
 import { fileName, formatsOf } from "../../../web/src/studio/files/formats";
@@ -12,6 +13,7 @@ import { toy } from "../toy";
 import { bunchModel } from "./desk";
 
 const model = toy as unknown as Model;
+const stand: Model = { ...(standModel as unknown as Model), instanced: () => false };
 const shown = (formats: readonly Format[]) => ({
 	model: { ...model, formats },
 	grown: EMPTY_PLANT,
@@ -49,6 +51,10 @@ describe("what can be downloaded", () => {
 			"png",
 			"png-alone",
 		]);
+	});
+
+	it("is nothing of the wind where it leaves plants alone, as in a stand", () => {
+		expect(formatsOf({ ...shown([]), model: stand }, undefined).map(({ key }) => key)).not.toContain("glb-wind");
 	});
 
 	it("is pictures as high as is asked for, with the paper behind or nothing", async () => {

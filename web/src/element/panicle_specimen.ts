@@ -219,7 +219,7 @@ export class PanicleSpecimen extends HTMLElement {
 		this.setAttribute("aria-busy", "true");
 		try {
 			const document = await this.#read();
-			const grown = await growDocument(client, document, options, life.signal);
+			const grown = await growDocument(client, document, options, life.signal, () => turn === this.#turn);
 			const shown: Shown = { ...document, grown };
 			await this.#show(shown);
 			const detail = await detailOf(shown);

@@ -39,6 +39,8 @@ export interface Member {
 	readonly link: string;
 	/** 16 hexadecimal digits. */
 	readonly fingerprint: string;
+	/** What its core had to say. */
+	readonly notes: readonly string[];
 	/** Meshes for so many distances, from near to far: one at the least, but where none were asked for. */
 	readonly levels: readonly (readonly MemberMesh[])[];
 	/** Lowest and highest place and the farthest from the upright axis through its foot, metres. */

@@ -24,12 +24,16 @@ export interface MembersOptions {
 	abreast?: number;
 	/** Those that have grown before: what is asked as it was then is not grown anew. */
 	kept?: KeptMembers;
+	/** Bytes that their meshes may take together; the default is what a page can hold. */
+	most?: number;
 	/** Told after some have grown, with what there is so far; where it throws, nothing more is grown. */
 	grew?(grown: Plant, done: number, all: number): void;
 }
 
 /** Members by what was asked: those of the last plant, for the next one that has many of the same. */
 export class KeptMembers {
+	/** Those of all, so that new ones share materials with those that stay, and files are the same whatever was there before. */
+	readonly looks = new Looks();
 	#known = new Map<string, Member>();
 
 	/** Those that the plant asks for which are known; from now on no others are. */
@@ -51,26 +55,30 @@ function keyOf({ model, preset, seed, values, surroundings }: MemberAsked, meshe
 
 /** What is told in between is told when so many more have grown, as a share of those there are. */
 const STEP = 1;
+/** Bytes of meshes: a page has them twice, once for the graphics card. */
+const MOST = 600e6;
 
 /**
  * A plant with its members grown.
- * @throws CoreError where the text asks for a model, a preset or a parameter that does not exist, at its place, and what `run` throws
+ * @throws CoreError at the place in its text that asks for it: where a model, a preset or a parameter does not exist, where one cannot
+ * be grown, and where all of them take too much memory; and what else `run` throws
  */
 export async function grownMembers(
 	model: Model,
 	grown: Plant,
 	run: RunCore,
-	{ meshes = true, abreast = 1, kept, grew }: MembersOptions = {},
+	{ meshes = true, abreast = 1, kept, most = MOST, grew }: MembersOptions = {},
 ): Promise<Plant> {
 	const { members } = model;
 	if (!members) return grown;
 	const asked = members.asked(grown);
 	const notes = new Set<string>();
 	const read = await resolved(model, asked, notes);
-	const looks = new Looks();
+	const looks = kept?.looks ?? new Looks();
 	const done: (Member | undefined)[] = kept?.keep(asked, meshes) ?? asked.map(() => undefined);
-	const noted = { ...grown, notes: [...grown.notes, ...notes] };
+	const joined = () => members.joined({ ...grown, notes: [...grown.notes, ...notes, ...notesOf(done)] }, [...done]);
 	let count = done.filter(Boolean).length;
+	let bytes = done.reduce((sum, member) => sum + (member ? bytesOf(member) : 0), 0);
 	let tell = Math.max(16, count + 1);
 	let next = 0;
 	let failed = false;
@@ -79,11 +87,14 @@ export async function grownMembers(
 			const at = next++;
 			if (done[at]) continue;
 			const member = await memberOf(read[at], asked[at], run, meshes, looks);
+			bytes += bytesOf(member);
+			if (bytes > most) throw tooMuch(asked[at], most);
 			done[at] = member;
-			kept?.add(asked[at], meshes, member);
+			// What could not be fetched may be there the next time.
+			if (read[at].prepared) kept?.add(asked[at], meshes, member);
 			if (++count < tell || count === asked.length) continue;
 			tell = Math.ceil(count * (1 + STEP));
-			grew?.(members.joined(noted, [...done]), count, asked.length);
+			grew?.(joined(), count, asked.length);
 		}
 	};
 	const works = Array.from({ length: Math.max(1, abreast) }, () =>
@@ -93,18 +104,45 @@ export async function grownMembers(
 		}),
 	);
 	await Promise.all(works);
-	return members.joined(noted, done);
+	return joined();
+}
+
+/** What was to be said of members, each once, in the order in which they are asked for. */
+function notesOf(members: readonly (Member | undefined)[]): Set<string> {
+	return new Set(
+		members.flatMap((member) => {
+			const { model, preset } = member?.specimen ?? {};
+			return member?.notes.map((note) => `${model}/${preset}: ${note}`) ?? [];
+		}),
+	);
+}
+
+function bytesOf({ levels }: Member): number {
+	let bytes = 0;
+	for (const { mesh } of levels.flat())
+		for (const each of Object.values(mesh)) if (ArrayBuffer.isView(each)) bytes += each.byteLength;
+	return bytes;
+}
+
+function tooMuch({ place }: MemberAsked, most: number): CoreError {
+	const message = `The different plants take more than ${most / 1e6} MB; ask for fewer plants, or add seeds 20 to a line.`;
+	return new CoreError("limit", message, place.line, place.column);
 }
 
 interface Read {
 	readonly model: Model;
 	readonly specimen: Specimen;
+	/** Whether all that it needs besides the core is there. */
+	readonly prepared: boolean;
 }
 
 /** What is asked as specimens, with what each needs fetched. */
 async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<string>): Promise<Read[]> {
 	const models = new Map<string, Model>();
-	const read: Read[] = [];
+	const read: Omit<Read, "prepared">[] = [];
+	// Whether what it takes came, by what decides what that is.
+	const fetched = new Map<string, Promise<boolean>>();
+	const keys: string[] = [];
 	for (const each of asked) {
 		const model = models.get(each.model) ?? (await known(of, each));
 		models.set(each.model, model);
@@ -112,10 +150,30 @@ async function resolved(of: Model, asked: readonly MemberAsked[], notes: Set<str
 		const { values, seed, preset } = each;
 		const restored = restore(model, { model: model.name, preset, seed, ...whole(model, values) });
 		for (const { text } of restored.notes) notes.add(`${each.model}/${preset}: ${text}`);
-		await model.prepare?.(restored.specimen)?.catch(() => {});
-		read.push({ model, specimen: restored.specimen });
+		const { specimen } = restored;
+		read.push({ model, specimen });
+		const key = preparedBy(each);
+		keys.push(key);
+		if (fetched.has(key)) continue;
+		const failed = (error: unknown) => {
+			const why = error instanceof Error ? error.message : String(error);
+			notes.add(`${each.model}/${preset}: What it needs could not be fetched: ${why}`);
+			return false;
+		};
+		fetched.set(
+			key,
+			Promise.resolve(model.prepare?.(specimen)).then(() => true, failed),
+		);
 	}
-	return read;
+	const prepared = new Map<string, boolean>();
+	for (const [key, came] of fetched) prepared.set(key, await came);
+	return read.map((each, i) => ({ ...each, prepared: prepared.get(keys[i]) ?? true }));
+}
+
+/** What to fetch follows from what is chosen, and of numbers from whether there is any of it. */
+function preparedBy({ model, preset, values }: MemberAsked): string {
+	const telling = Object.entries(values).map(([key, value]) => [key, typeof value === "number" ? value > 0 : value]);
+	return JSON.stringify([model, preset, telling]);
 }
 
 /** What is drawn is any number; of what is counted, the nearest whole one. */
@@ -153,7 +211,18 @@ function wrong(message: string, { line, column }: Place): CoreError {
 	return new CoreError("undefined name", message, line, column);
 }
 
-async function memberOf(
+/** What is wrong with one is so of the line that asks for it: the place in its own text says nothing in this one. */
+async function memberOf(read: Read, asked: MemberAsked, run: RunCore, meshes: boolean, looks: Looks): Promise<Member> {
+	try {
+		return await grownMember(read, asked, run, meshes, looks);
+	} catch (error) {
+		if (!(error instanceof CoreError)) throw error;
+		const { model, preset, place } = asked;
+		throw new CoreError(error.reason, `${model}/${preset}: ${error.message}`, place.line, place.column);
+	}
+}
+
+async function grownMember(
 	{ model, specimen }: Read,
 	{ surroundings }: MemberAsked,
 	run: RunCore,
@@ -168,7 +237,7 @@ async function memberOf(
 		...(surroundings && model.surroundings ? { surroundings } : {}),
 	};
 	const plant = model.read(await run(model.wasm, model.encode(specimen, options)), specimen);
-	const { fingerprint } = plant;
+	const { fingerprint, notes } = plant;
 	const link = await encodeLink(model, specimen);
-	return { specimen, link, fingerprint, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
+	return { specimen, link, fingerprint, notes, ...(await levelsOf(model, plant, specimen, meshes, looks)) };
 }

@@ -103,7 +103,10 @@ export class Turntable {
 	 */
 	follow(spindle: Spindle, held: boolean): void {
 		this.#spindle = spindle;
-		if (this.#walking) return;
+		if (this.#walking) {
+			this.#setWalkingDepth();
+			return;
+		}
 		const now = this.#fitOf(spindle);
 		if (this.#fit === undefined) this.fit();
 		else if (held ? this.controls.enabled && hasOutgrown(this.#fit, now) : needsRefit(this.#fit, now))
@@ -122,6 +125,7 @@ export class Turntable {
 
 	/** Shows the whole plant, from the first direction or the one asked for. */
 	fit(view: ViewName = "three-quarter"): void {
+		if (this.#walking) return;
 		this.#glide = undefined;
 		// What is left of a throw would turn the plant on, be it by a hair.
 		this.controls.enableDamping = false;
@@ -142,7 +146,7 @@ export class Turntable {
 		this.changed();
 	}
 
-	/** Has the eye stand somewhere; undefined brings back the whole plant. */
+	/** Has the eye stand somewhere, where nothing else moves it; undefined brings back the whole plant. */
 	look(from: Gaze | undefined): void {
 		if (!from && !this.#walking) return;
 		this.#walking = from !== undefined;
@@ -159,14 +163,13 @@ export class Turntable {
 		this.controls.target.fromArray(from.towards);
 		this.camera.position.fromArray(from.eye);
 		this.camera.lookAt(this.controls.target);
-		this.camera.near = WALKING_NEAR;
-		this.camera.far = Math.max(10, 6 * (this.#fit?.radius ?? 0));
-		this.camera.updateProjectionMatrix();
+		this.#setWalkingDepth();
 		this.changed();
 	}
 
 	/** Turns the plant by angles in radians: to the right, and its top towards the eye. */
 	orbit(right: number, down: number): void {
+		if (this.#walking) return;
 		const arm = this.camera.position.clone().sub(this.controls.target);
 		const at = new Spherical().setFromVector3(arm);
 		at.theta -= right;
@@ -177,6 +180,7 @@ export class Turntable {
 
 	/** Makes the plant look `factor` times as large. */
 	zoom(factor: number): void {
+		if (this.#walking) return;
 		const { minDistance, maxDistance } = this.controls;
 		this.#setDistance(MathUtils.clamp(this.distance / factor, minDistance, maxDistance));
 		this.#moved();
@@ -184,6 +188,7 @@ export class Turntable {
 
 	/** Shifts the plant by shares of the view's height: to the right, down. */
 	pan(right: number, down: number): void {
+		if (this.#walking) return;
 		const span = 2 * this.distance * Math.tan(MathUtils.degToRad(FOV) / 2);
 		const shift = new Vector3(-right * span, down * span, 0).applyQuaternion(this.camera.quaternion);
 		this.controls.target.add(shift);
@@ -265,6 +270,13 @@ export class Turntable {
 	#setDepth(nearest: number, farthest: number): void {
 		this.camera.near = 0.02 * nearest;
 		this.camera.far = 10 * farthest;
+		this.camera.updateProjectionMatrix();
+	}
+
+	/** The whole plant is in sight from wherever in it the eye stands, however it has grown meanwhile. */
+	#setWalkingDepth(): void {
+		this.camera.near = WALKING_NEAR;
+		this.camera.far = Math.max(10, this.#spindle ? 6 * this.#fitOf(this.#spindle).radius : 0);
 		this.camera.updateProjectionMatrix();
 	}
 

@@ -113,5 +113,7 @@ describe("a flower", () => {
 		expect(claims?.("#axiome: A\nA->A[&B]C1,C2")).toBe(true);
 		expect(claims?.("axiom: A\nA --> F[+A]F")).toBe(false);
 		expect(claims?.('tree -> DivFunc("sigma1"){branches}')).toBe(false);
+		// To share out the blanks in every way would take for ever.
+		expect(claims?.(`]${" ".repeat(50_000)}`)).toBe(false);
 	});
 });

@@ -1,6 +1,10 @@
-import { beforeAll, describe, expect, it } from "vitest";
+import { afterEach, beforeAll, describe, expect, it, vi } from "vitest";
 import { CoreError } from "../../../../web/src/core/errors";
+import { aboutPlant } from "../../../../web/src/export/about_plant";
+import { exportGlb } from "../../../../web/src/export/glb";
 import { exportJson } from "../../../../web/src/export/json";
+import { readGrowthPlant } from "../../../../web/src/models/growth/growth_plant";
+import type { GrowthSpecimen } from "../../../../web/src/models/growth/specimen";
 import { modelNamed } from "../../../../web/src/models/index";
 import { grownMembers, KeptMembers } from "../../../../web/src/models/members";
 import { model } from "../../../../web/src/models/stand/index";
@@ -128,4 +132,86 @@ describe("what a plan asks for and there is not", () => {
 		const { notes } = await grownStand(planned("plants 2, random\ngrowth/figure-5: steps 3, flare 900"));
 		expect(notes).toEqual([expect.stringMatching(/^growth\/figure-5: .*flare/)]);
 	});
+});
+
+describe("what stands in the way of members", () => {
+	afterEach(() => {
+		vi.restoreAllMocks();
+	});
+
+	it("is told of a plant that cannot grow as of the line that asks for it", async () => {
+		const failing: typeof run = (wasm, blocks) =>
+			wasm === "growth.wasm"
+				? Promise.reject(new CoreError("evaluation", "There is no sun.", 40, 7))
+				: run(wasm, blocks);
+		const error = await grownStand(planned("plants 2, random\ngrowth/figure-5: steps 3"), { run: failing }).catch(
+			(reason: unknown) => reason,
+		);
+		const told = { reason: "evaluation", message: "growth/figure-5: There is no sun.", line: 2, column: 1 };
+		expect(error).toMatchObject(told);
+	});
+
+	it("is told of what could not be fetched, asked for once a line, and what lacks it is grown anew", async () => {
+		const growth = await modelNamed("growth");
+		const prepare = vi.spyOn(growth, "prepare").mockRejectedValue(new Error("No network."));
+		const kept = new KeptMembers();
+		const plan = planned("plants 6, random\ngrowth/figure-5: steps 1 to 3\ngrowth/table-1-star: steps 2");
+		const lacking = await grownStand(plan, { kept });
+		expect(prepare).toHaveBeenCalledTimes(2);
+		const why = "What it needs could not be fetched: No network.";
+		expect(lacking.notes).toContain(`growth/figure-5: ${why}`);
+		expect(lacking.notes).toContain(`growth/table-1-star: ${why}`);
+		expect(kept.keep(model.members.asked(lacking), false).every((member) => member === undefined)).toBe(true);
+		prepare.mockRestore();
+		const { notes, members } = await grownStand(plan, { kept });
+		expect(notes).toEqual([]);
+		expect(kept.keep(model.members.asked(lacking), false)).toEqual(members);
+	});
+
+	it("is what their cores had to say, each once", async () => {
+		const growth = await modelNamed("growth");
+		const read = vi.spyOn(growth, "read");
+		read.mockImplementation((answer, specimen) => ({
+			...readGrowthPlant(answer, specimen as GrowthSpecimen),
+			notes: ["It is dry."],
+		}));
+		const kept = new KeptMembers();
+		const plan = planned("plants 3, random\ngrowth/figure-5: steps 2");
+		const notes = [(await grownStand(plan, { kept })).notes, (await grownStand(plan, { kept })).notes];
+		expect(read).toHaveBeenCalledTimes(3);
+		read.mockRestore();
+		for (const each of notes) expect(each).toEqual(["growth/figure-5: It is dry."]);
+	});
+
+	it("is that they take too much memory, at the place of the line that is too much", async () => {
+		const plan = planned("plants 4, random\ngrowth/figure-5: steps 3");
+		const error = await grownStand(plan, { meshes: true, most: 1000 }).catch((reason: unknown) => reason);
+		expect(error).toMatchObject({ reason: "limit", message: expect.stringMatching(/seeds 20/), line: 2, column: 1 });
+	});
+
+	it("is said while some are missing, and not any more when all have grown", async () => {
+		const early: (readonly string[])[] = [];
+		const plan = planned("plants 40, random\ngrowth/figure-5: steps 1");
+		const { notes } = await grownStand(plan, { grew: (grown) => early.push(grown.notes) });
+		expect(early).toEqual([
+			["Only 16 of 40 different plants have grown."],
+			["Only 32 of 40 different plants have grown."],
+		]);
+		expect(notes).toEqual([]);
+	});
+});
+
+it("files are the same, whatever stand was there before", async () => {
+	const kept = new KeptMembers();
+	const plan =
+		"plants 4, rows 2 x 2\ngrowth/table-1-sigma1, crown 1 x 1: steps 3\ngrowth/table-1-star, crown 1 x 1: steps 3";
+	await grownStand(planned(plan.replace(/3$/, "2")), { meshes: true, kept });
+	const specimen = planned(plan);
+	const [after, fresh] = [
+		await grownStand(specimen, { meshes: true, kept }),
+		await grownStand(specimen, { meshes: true }),
+	];
+	const about = await aboutPlant(model, fresh, specimen);
+	const file = (stand: StandPlant) => exportGlb(model.parts(stand, specimen), about, { instancing: true });
+	expect(Buffer.compare(file(after), file(fresh))).toBe(0);
 });

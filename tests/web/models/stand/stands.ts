@@ -4,6 +4,7 @@ import type { Block } from "../../../../web/src/core/container";
 import { Cores } from "../../../../web/src/core/cores";
 import { loadCoreFromBytes } from "../../../../web/src/core/loader";
 import { growPlant } from "../../../../web/src/files/growth";
+import type { MembersOptions } from "../../../../web/src/models/members";
 import { model } from "../../../../web/src/models/stand/index";
 import type { StandSpecimen } from "../../../../web/src/models/stand/specimen";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
@@ -29,8 +30,7 @@ export const planned = (grammar: string, seed = 3): StandSpecimen => ({ ...fromP
 
 export async function grownStand(
 	specimen: StandSpecimen = planned(PLAN),
-	options: { meshes?: boolean; abreast?: number; run?: typeof run } = {},
+	{ meshes = false, run: by = run, ...members }: MembersOptions & { run?: typeof run } = {},
 ): Promise<StandPlant> {
-	const { meshes = false, abreast = 1 } = options;
-	return (await growPlant(model, specimen, { meshes }, options.run ?? run, { abreast })) as StandPlant;
+	return (await growPlant(model, specimen, { meshes }, by, members)) as StandPlant;
 }

@@ -9,8 +9,11 @@ import { FLOWER_TABLE } from "./table";
 /** The preset a link without `preset` means. */
 export const DEFAULT_PRESET = "tulip";
 
-/** A production on a face, or a volume's numbers: what begins a line of a flower's grammar, and of no L-system. */
-const OWN = /\]\s*_?\s*\{?\s*(?:[OE]|C\d+|C\()|^[ \t]*#module\b/m;
+/**
+ * A production on a face, or a volume's numbers: what begins a line of a flower's grammar, and of no L-system. Blanks are each matched in
+ * one place alone: any text may come, and of three ways to share them out all would be tried.
+ */
+const OWN = /\]\s*(?:_\s*)?(?:\{\s*)?(?:[OE]|C\d+|C\()|^[ \t]*#module\b/m;
 
 export const FLOWER: Species<FlowerSpecimen> = {
 	name: "flower",

@@ -21,6 +21,8 @@ export const model = {
 	encode: encodeStand,
 	read: readStand,
 	members: standMembers,
+	// The crowd is drawn without wind.
+	still: true,
 	parts: standParts,
 	instanced: ({ members, memberOf }) => members.length < memberOf.length,
 	titled: ({ grammar }) => (grammar === undefined ? undefined : "A plan of one’s own"),

@@ -44,8 +44,11 @@ export function firstOf({ memberOf }: StandPlant): number[] {
 export const standMembers: Members<StandPlant> = {
 	asked: (stand) => firstOf(stand).map((plant) => askedOf(stand, plant)),
 	joined: (stand, members) => {
-		const grown = members.every((member): member is Member => member !== undefined);
-		return { ...stand, members, ...(grown ? { fingerprint: fingerprintOf(stand, members) } : {}) };
+		const grown = members.filter((member) => member !== undefined);
+		if (grown.length === members.length) return { ...stand, members, fingerprint: fingerprintOf(stand, grown) };
+		// It may stay as it is, where someone cancels.
+		const note = `Only ${grown.length} of ${members.length} different plants have grown.`;
+		return { ...stand, members, notes: [...stand.notes, note] };
 	},
 };
 

@@ -20,6 +20,8 @@ const CELLS = 12;
 const MOST_FINE = 250;
 /** Triangles in a view, at the most; as many again may throw shadows. */
 const MOST_TRIANGLES = 1_400_000;
+/** So many times at the most all is made coarser for one view. */
+const TRIES = 6;
 
 interface Standing {
 	readonly plant: number;
@@ -79,12 +81,13 @@ export class Crowd {
 		const frustum = new Frustum().setFromProjectionMatrix(view);
 		const seen = this.#cells.map(({ box }) => !box.isEmpty() && frustum.intersectsBox(box));
 		const high = 2 * Math.tan((camera.fov * Math.PI) / 360);
-		for (let tries = 0; tries < 6; tries++) {
+		// Settled for each view anew: no further frame may come to make up for the last one.
+		this.#modest = 1;
+		this.#triangles = this.#count(seen, camera.position, high);
+		for (let tries = 0; this.#triangles > MOST_TRIANGLES && tries < TRIES; tries++) {
+			this.#modest *= Math.min(0.75, Math.max(0.5, Math.sqrt(MOST_TRIANGLES / this.#triangles)));
 			this.#triangles = this.#count(seen, camera.position, high);
-			if (this.#triangles <= MOST_TRIANGLES) break;
-			this.#modest *= 0.75;
 		}
-		if (this.#triangles < 0.5 * MOST_TRIANGLES) this.#modest = Math.min(1, this.#modest * 1.2);
 		for (const [i, { plants }] of this.#cells.entries()) {
 			for (const each of plants) {
 				if (seen[i]) this.#show(each, camera.position, high);
@@ -129,7 +132,6 @@ export class Crowd {
 		this.#standing = [];
 		this.#known = new Set();
 		this.#marked = undefined;
-		this.#modest = 1;
 	}
 
 	/** One batch a finish, of all that has come. */
@@ -170,6 +172,8 @@ export class Crowd {
 		layers: readonly Layer[],
 		batches: Map<string, Batch>,
 	): void {
+		// There is nothing of it to draw, nor to count.
+		if (layers.length === 0) return;
 		const scale = places.scale[plant];
 		const place = matrixOf(places.transforms, plant);
 		const [x, y, z] = places.at.subarray(3 * plant, 3 * plant + 3);

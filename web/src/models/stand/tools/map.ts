@@ -1,6 +1,7 @@
 /** The stand from above: which plant is where, and the way to one alone. */
 import { html, nothing, svg } from "lit";
 import { guard } from "lit/directives/guard.js";
+import { live } from "lit/directives/live.js";
 import type { Desk } from "../../../controls/desk";
 import { PickPointer } from "../../../controls/pick_pointer";
 import type { Tool } from "../../../controls/tool";
@@ -65,7 +66,7 @@ function drawMap(desk: StandDesk, stand: StandPlant): unknown {
 			)}
 		</ul>
 		<label class="stand-plant">Plant
-			<input type="number" min="1" max=${stand.places.count} .value=${chosen === undefined ? "" : String(chosen + 1)}
+			<input type="number" min="1" max=${stand.places.count} .value=${live(chosen === undefined ? "" : String(chosen + 1))}
 				@change=${({ target }: Event) => choose(desk, stand, Number((target as HTMLInputElement).value))}>
 		</label>
 		<div aria-live="polite">${chosen === undefined ? html`<p>Choose a plant on the map or in the picture.</p>` : tell(stand, chosen)}</div>

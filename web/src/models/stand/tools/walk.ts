@@ -116,9 +116,15 @@ class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
 		if ((pose === undefined) !== (this.#shown === undefined)) this.#view.orbiting = pose === undefined;
 		const before = this.#shown;
 		this.#shown = pose;
+		if (!pose) this.#drag = undefined;
 		this.#ground = grown?.meshes;
 		if (pose && grown) this.#view.look(gazeOf(pose, grown));
-		else if (before) this.#view.look(undefined);
+		else if (before) {
+			// The button that had the focus goes, or has gone already.
+			const focused = document.activeElement;
+			if (focused === document.body || focused?.closest(".walk-bar")) this.#view.canvas.focus();
+			this.#view.look(undefined);
+		}
 	}
 
 	dispose(): void {
@@ -139,10 +145,15 @@ class WalkHands implements ToolHands<StandSpecimen, StandPlant> {
 	}
 
 	#down({ pointerId: pointer, clientX: x, clientY: y }: PointerEvent): void {
-		if (this.#shown && !this.#drag) this.#drag = { pointer, x, y };
+		if (!this.#shown || this.#drag) return;
+		this.#drag = { pointer, x, y };
+		// So that its end is heard of beside the canvas, too.
+		this.#view.canvas.setPointerCapture(pointer);
 	}
 
-	#move({ pointerId, clientX, clientY }: PointerEvent): void {
+	#move({ pointerId, clientX, clientY, buttons }: PointerEvent): void {
+		// It has ended unheard.
+		if (buttons === 0) this.#drag = undefined;
 		const drag = this.#drag;
 		if (!drag || !this.#shown || pointerId !== drag.pointer) return;
 		const degrees = SWEEP / Math.max(1, this.#view.canvas.clientWidth);
