@@ -13,6 +13,11 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	// What else comes with the page has come: a first picture taken meanwhile need not be the last.
 	await expect(page.locator("[data-preset=twin]")).toBeAttached();
 	await page.waitForLoadState("networkidle");
+	/** Less its lowest rows, where the ring of the focus goes through a button of the view. */
+	const drawn = async () => {
+		const { data, width } = await studio.pixels();
+		return data.subarray(0, data.length - 4 * 6 * width);
+	};
 	/** The picture once it stands still, drawn in full, with the focus on it and the mouse away. */
 	const settled = async () => {
 		await page.mouse.move(0, 0);
@@ -20,7 +25,7 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 		let picture: Uint8Array = new Uint8Array();
 		const still = async () => {
 			const before = picture;
-			picture = (await studio.pixels()).data;
+			picture = await drawn();
 			return same(picture, before);
 		};
 		// Longer than a movement takes to be drawn in full, even where software draws.
@@ -34,7 +39,7 @@ test("the 3-D view turns by mouse and keys, and comes back to the picture it beg
 	const front = await settled();
 	for (const key of ["ArrowRight", "+", "Shift+ArrowUp"]) {
 		await page.keyboard.press(key);
-		await expect.poll(async () => same((await studio.pixels()).data, front)).toBe(false);
+		await expect.poll(async () => same(await drawn(), front)).toBe(false);
 		await page.keyboard.press("0");
 		await expect.poll(async () => same(await settled(), front)).toBe(true);
 	}
