@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lsystem/lsystem.hpp"
+#include "sound.hpp"
 
 namespace panicle::tests {
 
@@ -18,13 +19,6 @@ using lsystem::Listener;
 using lsystem::Turtle;
 
 using BoundPointer = std::shared_ptr<const Bound>;
-
-// The value of a result that must have one.
-template <class Value>
-Value sound(Result<Value> result) {
-  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
-  return std::move(result.value());
-}
 
 inline BoundPointer compiled(std::string_view text, const Inputs& inputs = {},
                              lsystem::Lineages lineages = lsystem::Lineages::where_needed) {

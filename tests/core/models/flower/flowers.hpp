@@ -5,21 +5,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "generalized_map/check.hpp"
+#include "grammar_files.hpp"
 #include "models/flower/derivation.hpp"
+#include "sound.hpp"
 
 namespace panicle::flower::tests {
 
-template <class Value>
-Value sound(Result<Value> result) {
-  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
-  return std::move(result.value());
-}
+using panicle::tests::content;
+using panicle::tests::sound;
 
 inline Program program_of(std::string_view text) { return sound(read_program(text)); }
 
@@ -64,24 +61,8 @@ inline Diagnostic trouble(std::string_view text, const Given& given = {}, const 
   return derived ? Diagnostic{} : derived.error();
 }
 
-inline std::vector<std::filesystem::path> files() {
-  std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/flower"))
-    if (entry.path().extension() == ".gl3") found.push_back(entry.path());
-  return found;
-}
+inline std::vector<std::filesystem::path> files() { return panicle::tests::grammar_files("flower"); }
 
-inline std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-inline std::string text_named(const std::string& name) {
-  const std::string text = content(PANICLE_GRAMMARS "/flower/" + name + ".gl3");
-  REQUIRE_FALSE(text.empty());
-  return text;
-}
+inline std::string text_named(const std::string& name) { return content(PANICLE_GRAMMARS "/flower/" + name + ".gl3"); }
 
 }  // namespace panicle::flower::tests

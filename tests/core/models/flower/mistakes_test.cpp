@@ -1,5 +1,7 @@
 // What people write wrong in a flower's grammar: each mistake is told at its place, in a sentence that says what to
 // write.
+#include "mistakes.hpp"
+
 #include "flowers.hpp"
 
 using namespace panicle;
@@ -8,12 +10,7 @@ using namespace panicle::flower::tests;
 
 namespace {
 
-struct Mistake {
-  // « stands before the place that is told.
-  std::string text;
-  // What the sentence has in it.
-  const char* advice;
-};
+using panicle::tests::Mistake;
 
 const std::string good = "#define A(4,0,0,0,1,1,1,1)\n#define B(4,0,0,0,1,1,1,1)\n#axiom: A\n";
 
@@ -115,35 +112,14 @@ const Mistake mistakes[] = {
     {good + "#define a=«1/0", "finite"},
 };
 
-// Where « stands, which is taken out.
-Diagnostic place_in(std::string& text) {
-  const std::size_t at = text.find("«");
-  Diagnostic place{Reason::none, "", 1, 1};
-  for (std::size_t i = 0; i < at; ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) ++place.column;
-    if (text[i] == '\n') {
-      ++place.line;
-      place.column = 1;
-    }
-  }
-  text.erase(at, 2);
-  return place;
-}
-
 }  // namespace
 
 TEST_CASE("mistakes in a flower's grammar are told at their place, with advice") {
-  for (Mistake mistake : mistakes) {
-    CAPTURE(mistake.text);
-    const Diagnostic place = place_in(mistake.text);
-    const Diagnostic told = trouble(mistake.text);
-    CAPTURE(told.message);
-    CHECK(told.reason != Reason::none);
-    CHECK(told.line == place.line);
-    CHECK(told.column == place.column);
-    CHECK(told.message.find(mistake.advice) != std::string::npos);
+  panicle::tests::check_told(mistakes, [](const std::string& text) {
+    const Diagnostic told = trouble(text);
     CHECK(told.message.find('%') == std::string::npos);
-  }
+    return told;
+  });
 }
 
 TEST_CASE("a flower's grammar may be written as the thesis writes it, or more plainly") {

@@ -1,5 +1,7 @@
 // What people write wrong in a growth grammar: each mistake is told at its place, in a sentence that says what to
 // write.
+#include "mistakes.hpp"
+
 #include "models/growth/texts.hpp"
 
 using namespace panicle;
@@ -8,12 +10,7 @@ using namespace panicle::growth::tests;
 
 namespace {
 
-struct Mistake {
-  // « stands before the place that is told.
-  std::string text;
-  // What the sentence has in it.
-  const char* advice;
-};
+using panicle::tests::Mistake;
 
 const std::string tree = "tree -> DivFunc(\"sigma1\"){branches}\n";
 
@@ -107,36 +104,14 @@ const Mistake mistakes[] = {
     {tree + "nbr = 1 «2", "operator"},
 };
 
-// Where « stands, and the text without it.
-Diagnostic place_in(std::string& text) {
-  const std::size_t at = text.find("«");
-  REQUIRE(at != std::string::npos);
-  Diagnostic place{Reason::none, "", 1, 1};
-  for (std::size_t i = 0; i < at; ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) ++place.column;
-    if (text[i] == '\n') {
-      ++place.line;
-      place.column = 1;
-    }
-  }
-  text.erase(at, 2);
-  return place;
-}
-
 }  // namespace
 
 TEST_CASE("mistakes in a growth grammar are told at their place, with advice") {
-  for (Mistake mistake : mistakes) {
-    CAPTURE(mistake.text);
-    const Diagnostic place = place_in(mistake.text);
-    const Diagnostic told = trouble(mistake.text);
-    CAPTURE(told.message);
-    CHECK(told.reason != Reason::none);
-    CHECK(told.line == place.line);
-    CHECK(told.column == place.column);
-    CHECK(told.message.find(mistake.advice) != std::string::npos);
+  panicle::tests::check_told(mistakes, [](const std::string& text) {
+    const Diagnostic told = trouble(text);
     CHECK(told.message.find('%') == std::string::npos);
-  }
+    return told;
+  });
 }
 
 TEST_CASE("what a text gives in vain is noted") {

@@ -4,20 +4,17 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "grammar_files.hpp"
 #include "models/growth/population.hpp"
+#include "sound.hpp"
 
 namespace panicle::growth::tests {
 
-template <class Value>
-Value sound(Result<Value> result) {
-  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
-  return std::move(result.value());
-}
+using panicle::tests::content;
+using panicle::tests::sound;
 
 inline Rules rules_of(std::string_view text) { return sound(read_rules(text)); }
 
@@ -40,24 +37,10 @@ inline Diagnostic trouble(std::string_view text, std::uint16_t steps = 6, const 
   return population ? Diagnostic{} : population.error();
 }
 
-inline std::vector<std::filesystem::path> files() {
-  std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/growth"))
-    if (entry.path().extension() == ".growth") found.push_back(entry.path());
-  return found;
-}
-
-inline std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+inline std::vector<std::filesystem::path> files() { return panicle::tests::grammar_files("growth"); }
 
 inline std::string text_named(const std::string& name) {
-  const std::string text = content(PANICLE_GRAMMARS "/growth/" + name + ".growth");
-  REQUIRE_FALSE(text.empty());
-  return text;
+  return content(PANICLE_GRAMMARS "/growth/" + name + ".growth");
 }
 
 }  // namespace panicle::growth::tests

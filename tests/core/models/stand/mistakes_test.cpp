@@ -1,5 +1,5 @@
 // What people write wrong in a plan: each mistake is told at its place, in a sentence that says what to write.
-#include <algorithm>
+#include "mistakes.hpp"
 
 #include "models/stand/plans.hpp"
 
@@ -9,12 +9,7 @@ using namespace panicle::stand::tests;
 
 namespace {
 
-struct Mistake {
-  // « stands before the place that is told.
-  std::string text;
-  // What the sentence has in it.
-  const char* advice;
-};
+using panicle::tests::Mistake;
 
 const std::string some = "plants 10, random\n";
 
@@ -57,22 +52,10 @@ const Mistake mistakes[] = {
 }  // namespace
 
 TEST_CASE("stand: mistakes are told where they are, with what to write") {
-  for (const Mistake& mistake : mistakes) {
-    std::string text = mistake.text;
-    const std::size_t mark = text.find("«");
-    text.erase(mark, std::string("«").size());
-    const std::string before = text.substr(0, mark);
-    const auto line = static_cast<std::uint32_t>(1 + std::count(before.begin(), before.end(), '\n'));
-    const auto column = static_cast<std::uint32_t>(before.size() - (before.rfind('\n') + 1) + 1);
-    CAPTURE(mistake.text);
+  panicle::tests::check_told(mistakes, [](const std::string& text) {
     const auto plan = read_plan(text);
-    REQUIRE_FALSE(plan);
-    const Diagnostic& told = plan.error();
-    INFO(told.line << ":" << told.column << " " << told.message);
-    CHECK(told.message.find(mistake.advice) != std::string::npos);
-    CHECK(told.line == line);
-    CHECK(told.column == column);
-  }
+    return plan ? Diagnostic{} : plan.error();
+  });
 }
 
 TEST_CASE("stand: a plan goes on behind commas and colons, and works out its numbers") {

@@ -3,24 +3,19 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "grammar_files.hpp"
 #include "models/stand/places.hpp"
 #include "models/stand/plan.hpp"
 #include "models/stand/surroundings.hpp"
+#include "sound.hpp"
 
 namespace panicle::stand::tests {
 
-template <class Value>
-Value sound(Result<Value> result) {
-  if (!result) FAIL(result.error().line << ":" << result.error().column << " " << result.error().message);
-  return std::move(result.value());
-}
+using panicle::tests::sound;
 
 struct Laid {
   Plan plan;
@@ -39,13 +34,7 @@ inline glm::vec2 flat(const Placement& plant) { return {plant.at.x, plant.at.z};
 
 inline std::vector<std::string> texts() {
   std::vector<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(PANICLE_GRAMMARS "/stand")) {
-    if (entry.path().extension() != ".stand") continue;
-    std::ifstream file(entry.path());
-    std::stringstream text;
-    text << file.rdbuf();
-    found.push_back(text.str());
-  }
+  for (const auto& path : panicle::tests::grammar_files("stand")) found.push_back(panicle::tests::content(path));
   return found;
 }
 

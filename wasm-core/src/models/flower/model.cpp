@@ -13,6 +13,7 @@
 #include "models/flower/parameters.generated.hpp"
 #include "models/flower/ranks.hpp"
 #include "models/flower/skin.hpp"
+#include "models/flower/upright.hpp"
 #include "plant/plain.hpp"
 #include "plant/values.hpp"
 
@@ -21,10 +22,6 @@ namespace {
 
 using FlowerValues = Values<Parameter, parameter_table>;
 using enum Parameter;
-
-constexpr float metres = 0.001f;
-
-glm::vec3 upright(const glm::vec3& v) { return metres * glm::vec3(v.x, v.z, -v.y); }
 
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> all;
@@ -43,7 +40,7 @@ glm::vec3 middle_of(const generalized_map::Map& map, const generalized_map::Embe
   glm::vec3 sum(0);
   for (std::uint32_t i = 0; i < order; ++i)
     sum += embedding.positions()[embedding.vertex_of()[end ? map.end_corner(volume, i) : map.base_corner(volume, i)]];
-  return upright(sum / static_cast<float>(order));
+  return metres * upright(sum / static_cast<float>(order));
 }
 
 void add_segments(Plant& plant, const Program& program, const Derived& derived,
@@ -103,9 +100,10 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
   plant.columns.add("darts.volume", std::vector<std::uint32_t>(volumes.begin(), volumes.end()));
   plant.columns.add("darts.vertex",
                     std::vector<std::uint32_t>(embedding.vertex_of().begin(), embedding.vertex_of().end()));
-  plant.columns.add(
-      "vertices.position",
-      column_of<float>(embedding.positions(), 3, [](const glm::vec3& each, float* at) { put(upright(each), at); }), 3);
+  plant.columns.add("vertices.position",
+                    column_of<float>(embedding.positions(), 3,
+                                     [](const glm::vec3& each, float* at) { put(metres * upright(each), at); }),
+                    3);
 }
 
 void add_materials(Plant& plant, const Program& program) {
@@ -126,8 +124,8 @@ void measure(Plant& plant, const generalized_map::Embedding& embedding, std::siz
   const auto set = [&](Measure which, float value) { plant.measures[static_cast<std::size_t>(which)] = value; };
   glm::vec3 low(1e9f), high(-1e9f);
   for (const glm::vec3& each : embedding.positions()) {
-    low = glm::min(low, upright(each));
-    high = glm::max(high, upright(each));
+    low = glm::min(low, metres * upright(each));
+    high = glm::max(high, metres * upright(each));
   }
   set(Measure::height, 100 * (high.y - low.y));
   set(Measure::spread, 50 * (high.x - low.x + high.z - low.z));

@@ -11,14 +11,12 @@
 #include "generalized_map/boundary.hpp"
 #include "lsystem/diagnostics.hpp"
 #include "models/flower/ranks.hpp"
+#include "models/flower/upright.hpp"
 
 namespace panicle::flower {
 namespace {
 
-constexpr float metres = 0.001f;
 constexpr std::uint32_t most_triangles = 4'000'000;
-
-glm::vec3 upright(const glm::vec3& v) { return {v.x, v.z, -v.y}; }
 
 struct Standard {
   const char* kind;
