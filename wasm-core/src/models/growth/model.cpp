@@ -180,10 +180,10 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   add_borne(plant, "blossoms", "petal", blossom.mesh, [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
-void add_levels(Plant& plant, const Moment& moment, float leaf_area) {
-  Levels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area);
+void add_levels(Plant& plant, const Moment& moment, float leaf_area, std::size_t count) {
+  Levels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area, count);
   for (PlantMesh& mesh : levels.meshes) plant.meshes.push_back(std::move(mesh));
-  plant.columns.add("levels.tolerance", std::vector<float>(levels.tolerance.begin(), levels.tolerance.end()));
+  plant.columns.add("levels.tolerance", std::move(levels.tolerance));
 }
 
 Result<Plant> grow(Request& request, const Limits& limits) {
@@ -192,10 +192,13 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const std::uint64_t seed = request.word("seed", 1);
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
              mesh_fingerprint = request.wants("mesh_fingerprint"), levels = request.wants("levels");
+  const std::uint32_t many_levels = request.word("levels", level_count);
   const std::span<const float> asked = request.floats("parameters"), about = request.floats("surroundings");
   const bool has_text = request.has("rules");
   const std::string_view text = request.text("rules");
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (many_levels == 0 || many_levels > level_count)
+    return Diagnostic{Reason::bad_request, "The request asks for other than one to four levels.", 0, 0};
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
   if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
   const Result<Surroundings> surroundings = about.empty() ? Surroundings() : Surroundings::of(about);
@@ -236,7 +239,7 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                   {"bunches", count_of(plant, bunch_tag)}};
   if (measures) measure(plant, blade.area);
   if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
-  if (levels) add_levels(plant, moment.value(), blade.area);
+  if (levels) add_levels(plant, moment.value(), blade.area, many_levels);
   plant.fingerprint = fingerprint_of(plant);
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

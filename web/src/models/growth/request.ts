@@ -15,13 +15,15 @@ export interface RequestOptions extends GrowthOptions {
 	meshFingerprint?: boolean;
 	/** Whether meshes for four distances are wanted, as wasm-core/src/models/growth/model.hpp says; the default is no. */
 	levels?: boolean;
+	/** How many of them, from near to far; absent: all four. */
+	levelCount?: number;
 	/** Eight heights of the horizon in degrees, from +X to +Z, and eight metres of free room; absent: it stands alone. */
 	surroundings?: Float32Array;
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, levels = false, surroundings } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, levels = false, levelCount, surroundings } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const outputs = [
 		meshes && "meshes",
@@ -42,6 +44,7 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions =
 			name: "parameters",
 			data: Float32Array.from(GROWTH_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
 		},
+		...(levelCount === undefined ? [] : [{ name: "levels", data: Uint32Array.of(levelCount) }]),
 		{ name: "rules", data: text },
 		...(surroundings ? [{ name: "surroundings", data: surroundings }] : []),
 		...(leaf ? leafBlocks(leaf) : []),
