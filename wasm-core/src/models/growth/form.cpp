@@ -46,7 +46,15 @@ glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
 class Maker {
  public:
   Maker(const Population& population, const FormHabit& habit, const Surroundings& about)
-      : population_(population), habit_(habit), about_(about), light_(population, about) {}
+      : population_(population),
+        habit_(habit),
+        angles_(habit.seed, stream_angle),
+        turns_(habit.seed, stream_turn),
+        reaches_(habit.seed, stream_reach),
+        crooks_(habit.seed, stream_crook),
+        trunks_(habit.seed, stream_trunk),
+        about_(about),
+        light_(population, about) {}
 
   Form run() {
     lay_out();
@@ -134,7 +142,7 @@ class Maker {
       ahead_of = shapes_[shoot.volume].axis();
       if (shoot.parent >= 0) {
         const SinCos out = sincos_degrees(leaning);
-        const SinCos about = sincos_degrees(360 * random_unit(habit_.seed, stream_trunk, q));
+        const SinCos about = sincos_degrees(360 * trunks_.unit(q));
         ahead_of = unit(out.cosine * ahead_of + out.sine * glm::vec3(about.cosine, 0, about.sine), ahead_of);
       }
       return volume.at;
@@ -145,14 +153,14 @@ class Maker {
     const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = beside(along), other = glm::cross(along, one);
     const float angle =
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
-        (1 + spread * (2 * random_unit(habit_.seed, stream_angle, q) - 1));
+        (1 + spread * (2 * angles_.unit(q) - 1));
     const SinCos off = sincos_degrees(angle);
     const SinCos about = sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) +
-                                        stray * (2 * random_unit(habit_.seed, stream_turn, q) - 1));
+                                        stray * (2 * turns_.unit(q) - 1));
     ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
     if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
     if (shoot.order == 1 && habit_.cordon > 0)
-      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * random_direction(habit_.seed, stream_trunk, q), along);
+      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * trunks_.direction(q), along);
     return glm::mix(from, to, way.along);
   }
 
@@ -190,7 +198,8 @@ class Maker {
     // Of lengths that shrink by a ratio, as many as are to come: the first of them.
     const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
     const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
-    firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * to_end(shoot, tip, forward) / sum);
+    if (habit_.reach > 0)
+      firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * to_end(shoot, tip, forward) / sum);
     return glm::mix(std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left)),
                     firsts_[q], habit_.reach);
   }
@@ -210,7 +219,7 @@ class Maker {
     float length = length_of(q, internode, tip, forward);
     cell_ = std::max(cell_, 0.5f * length);
     const std::uint64_t address = hash_combine(q, internode);
-    const glm::vec3 luck = habit_.crook * random_direction(habit_.seed, stream_crook, address);
+    const glm::vec3 luck = habit_.crook * crooks_.direction(address);
     if (shoot.trunk) {
       const glm::vec3 back = 0.3f * shapes_[shoot.volume].axis();
       if (internode == 1 && habit_.cordon > 0) {
@@ -226,7 +235,7 @@ class Maker {
       length *= deformed.length;
       const float regard = std::clamp(around.neighbours, 0.0f, 1.0f);
       const glm::vec3 light = light_.from(tip);
-      const float deep = random_unit(habit_.seed, stream_reach, address);
+      const float deep = reaches_.unit(address);
       const FreeRoom::Found free =
           room_.about({tip, forward, light, reach * length, deep, regard}, shapes_[shoot.volume], about_);
       const float order = std::min(static_cast<float>(shoot.order) - 1, 2.0f) / 2;
@@ -253,6 +262,7 @@ class Maker {
 
   const Population& population_;
   const FormHabit& habit_;
+  const RandomStream angles_, turns_, reaches_, crooks_, trunks_;
   Form form_;
   const Surroundings& about_;
   CrownLight light_;

@@ -1,6 +1,7 @@
 #include "models/growth/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -83,9 +84,11 @@ Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
 
 bool is_leaf(const Organ& organ) { return organ.tag <= fallen_tag; }
 
-std::uint32_t count_of(const Plant& plant, std::uint32_t tag) {
-  return static_cast<std::uint32_t>(
-      std::count_if(plant.organs.begin(), plant.organs.end(), [tag](const Organ& organ) { return organ.tag == tag; }));
+// How many organs there are of each tag.
+std::array<std::uint32_t, organ_tags> tally(const Plant& plant) {
+  std::array<std::uint32_t, organ_tags> many{};
+  for (const Organ& organ : plant.organs) ++many[organ.tag];
+  return many;
 }
 
 void add_columns(Plant& plant, const Population& population, const Moment& moment) {
@@ -225,7 +228,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
       add_leaves(plant, population.value(), form, moment.value(), time, leaf_habit(values, seed), limits);
   if (trouble.reason != Reason::none) return trouble;
   const Blade blade = blade_of(values, flat);
-  const auto leaves = static_cast<std::uint32_t>(std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf));
+  const auto many = tally(plant);
+  const std::uint32_t leaves = many[leaf_tag] + many[falling_tag] + many[fallen_tag];
   if (meshes && blade.mesh.indices.empty() && leaves > 0)
     plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
   add_columns(plant, population.value(), moment.value());
@@ -233,10 +237,10 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                   {"steps", count},
                   {"segments", static_cast<std::uint32_t>(plant.segments.size())},
                   {"leaves", leaves},
-                  {"falling", count_of(plant, falling_tag) + count_of(plant, fallen_tag)},
-                  {"shed", count_of(plant, shed_tag)},
-                  {"blossoms", count_of(plant, blossom_tag)},
-                  {"bunches", count_of(plant, bunch_tag)}};
+                  {"falling", many[falling_tag] + many[fallen_tag]},
+                  {"shed", many[shed_tag]},
+                  {"blossoms", many[blossom_tag]},
+                  {"bunches", many[bunch_tag]}};
   if (measures) measure(plant, blade.area);
   if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
   if (levels) add_levels(plant, moment.value(), blade.area, many_levels);
