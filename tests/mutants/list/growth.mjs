@@ -174,6 +174,24 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/leaf_poses.cpp`,
+		suites: [`${TESTS}/leaf_poses_test.cpp`],
+		faults: [
+			{
+				id: "growth-leaves-turned-askew",
+				find: "(first ? zx : (second ? yz : three))",
+				replace: "(first ? zx : (second ? three : yz))",
+				breaks: "some leaves stand askew to their twig",
+			},
+			{
+				id: "growth-leaves-alike",
+				find: "{level * around.cosine, level * around.sine, strewn * luck.height}",
+				replace: "{level * around.cosine, level * around.cosine, strewn * luck.height}",
+				breaks: "leaves are strewn to one side",
+			},
+		],
+	},
+	{
 		file: "web/src/models/growth/year.ts",
 		suites: ["tests/web/models/growth/year.test.ts"],
 		faults: [

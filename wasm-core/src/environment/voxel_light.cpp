@@ -101,26 +101,35 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter, Planes& 
 }
 
 VoxelLight::Corner VoxelLight::corner_of(const glm::vec3& p) const {
-  const std::size_t strides[3] = {1, index(0, 1, 0), index(0, 0, 1)};
+  const FourIntegers strides = {1, count_[0], count_[0] * count_[1], 0};
+  const FourIntegers last = {count_[0] - 1, count_[1] - 1, count_[2] - 1, 0};
+  const Four from = {p.x - low_.x, p.y - low_.y, p.z - low_.z, 0}, most = __builtin_convertvector(last, Four);
+  Four place = from / edge_ - 0.5f;
+  place = place > 0.0f ? place : Four{};
+  place = place < most ? place : most;
+  const FourIntegers cell = __builtin_convertvector(place, FourIntegers);
+  const FourIntegers lower = cell * strides, upper = (cell < last ? cell + 1 : last) * strides;
+  const Four share = place - __builtin_convertvector(cell, Four);
   Corner corner;
   for (int k = 0; k < 3; ++k) {
-    const float place = std::clamp((p[k] - low_[k]) / edge_ - 0.5f, 0.0f, static_cast<float>(count_[k] - 1));
-    const auto cell = static_cast<std::int32_t>(place);
-    corner.lower[k] = static_cast<std::size_t>(cell) * strides[k];
-    corner.upper[k] = static_cast<std::size_t>(std::min(cell + 1, count_[k] - 1)) * strides[k];
-    corner.share[k] = place - static_cast<float>(cell);
+    corner.lower[k] = static_cast<std::size_t>(lower[k]);
+    corner.upper[k] = static_cast<std::size_t>(upper[k]);
+    corner.share[k] = share[k];
   }
   return corner;
 }
 
 float VoxelLight::at(const glm::vec3& p) const {
   const Corner at = corner_of(p);
+  // The four rows along x.
+  const std::size_t rows[4] = {at.lower[1] + at.lower[2], at.upper[1] + at.lower[2], at.lower[1] + at.upper[2],
+                               at.upper[1] + at.upper[2]};
+  const float *const left = &light_[at.lower[0]], *const right = &light_[at.upper[0]];
+  const Four one = {left[rows[0]], left[rows[1]], left[rows[2]], left[rows[3]]},
+             other = {right[rows[0]], right[rows[1]], right[rows[2]], right[rows[3]]};
+  const Four along = one + at.share[0] * (other - one);
   const auto mix = [](float a, float b, float t) { return a + t * (b - a); };
-  const auto row = [&](std::size_t y, std::size_t z) {
-    return mix(light_[at.lower[0] + y + z], light_[at.upper[0] + y + z], at.share[0]);
-  };
-  return mix(mix(row(at.lower[1], at.lower[2]), row(at.upper[1], at.lower[2]), at.share[1]),
-             mix(row(at.lower[1], at.upper[2]), row(at.upper[1], at.upper[2]), at.share[1]), at.share[2]);
+  return mix(mix(along[0], along[1], at.share[1]), mix(along[2], along[3], at.share[1]), at.share[2]);
 }
 
 glm::vec3 VoxelLight::ascent(const glm::vec3& p) const {

@@ -15,6 +15,7 @@ namespace panicle {
 
 typedef float Four __attribute__((vector_size(16)));
 typedef std::uint32_t FourWords __attribute__((vector_size(16)));
+typedef std::int32_t FourIntegers __attribute__((vector_size(16)));
 
 inline Four load(const float* values) {
   Four four;

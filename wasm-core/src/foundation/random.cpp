@@ -37,10 +37,10 @@ std::int32_t random_integer(std::uint64_t seed, std::uint64_t stream, std::uint6
 
 // Archimedes: the height of a uniform point on the sphere is uniform.
 glm::vec3 RandomStream::direction(std::uint64_t address) const {
-  const std::uint64_t bits = hash_combine(state_, address);
-  const double height = 2.0 * random_detail::unit_of(static_cast<std::uint32_t>(bits >> 32)) - (1 - 0x1p-24);
+  const auto [one, other] = units(address);
+  const double height = 2.0 * one - (1 - 0x1p-24);
   const double radius = std::sqrt((1 - height) * (1 + height));
-  const SinCos around = sincos_degrees(360.0f * random_detail::unit_of(static_cast<std::uint32_t>(bits)));
+  const SinCos around = sincos_degrees(360.0f * other);
   return {static_cast<float>(radius * around.cosine), static_cast<float>(radius * around.sine),
           static_cast<float>(height)};
 }

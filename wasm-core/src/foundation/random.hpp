@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string_view>
+#include <utility>
 
 namespace panicle {
 
@@ -49,10 +50,18 @@ glm::vec3 random_direction(std::uint64_t seed, std::uint64_t stream, std::uint64
 // The same values of one seed's stream, for whoever draws many: half of the hash is always the same.
 class RandomStream {
  public:
-  RandomStream(std::uint64_t seed, std::uint64_t stream) : state_(hash_combine(seed, stream)) {}
+  RandomStream(std::uint64_t seed, std::uint64_t stream)
+      : state_(random_detail::finalise(hash_combine(seed, stream) + random_detail::golden)) {}
 
+  std::uint64_t bits(std::uint64_t address) const { return random_detail::finalise(state_ + address); }
   float unit(std::uint64_t address) const {
-    return random_detail::unit_of(static_cast<std::uint32_t>(hash_combine(state_, address) >> 32));
+    return random_detail::unit_of(static_cast<std::uint32_t>(bits(address) >> 32));
+  }
+  // Two of one hash, each as `unit`, which the first is.
+  std::pair<float, float> units(std::uint64_t address) const {
+    const std::uint64_t drawn = bits(address);
+    return {random_detail::unit_of(static_cast<std::uint32_t>(drawn >> 32)),
+            random_detail::unit_of(static_cast<std::uint32_t>(drawn))};
   }
   glm::vec3 direction(std::uint64_t address) const;
 

@@ -1,6 +1,7 @@
 #include "models/growth/foliage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -9,6 +10,7 @@
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "geometry/turn.hpp"
+#include "models/growth/leaf_poses.hpp"
 
 namespace panicle::growth {
 namespace {
@@ -16,9 +18,8 @@ namespace {
 constexpr std::uint64_t stream_turn = 0x6c656166, stream_face = stream_turn + 1, stream_size = stream_turn + 2,
                         stream_shake = stream_turn + 3, stream_lie = stream_turn + 4, stream_bud = stream_turn + 5,
                         stream_fall = stream_turn + 6, stream_bloom = stream_turn + 7;
-constexpr float golden_angle = 137.50776f, golden = 0.618034f;
-constexpr float least_size = 0.7f;  // of the largest
-constexpr float outwards = 0.45f, strewn = 0.5f, droop = 0.25f;
+constexpr float golden_turn = 0.38196601f, golden = 0.618034f;
+constexpr float least_size = 0.7f;     // of the largest
 constexpr float drift = 0.15f;         // how far they come down from below where they hung, of that height
 constexpr float above = 0.01f;         // the ground, metres
 constexpr float least_bearing = 0.6f;  // of a leaf's length, what an internode is long that bears this year's
@@ -27,6 +28,7 @@ constexpr float near_tip = 0.35f;      // from where on along an internode they 
 // The year, from 0 to 1: when the first bud opens, over how long others follow, how long one takes; when the first leaf
 // falls, and over how long; and the same of blossoms, which come before the leaves and wither while these unfold.
 constexpr float budburst = 0.12f, burst_spread = 0.08f, unfolding = 0.16f;
+constexpr float unfolded_by = budburst + burst_spread + unfolding + 1e-3f;  // whatever is rounded
 constexpr float first_fall = 0.7f, fall_spread = 0.22f;
 constexpr float flowering = 0.1f, flower_spread = 0.06f, opening = 0.06f, withering = 0.26f, withered = 0.08f;
 
@@ -72,7 +74,22 @@ class Crown {
   void leaves_of(std::size_t l) {
     Place place;
     if (!place_of(l, place)) return;
-    for (std::uint32_t k = 0; k < habit_.many; ++k) leaf(l, k, place);
+    const Twig twig{place.along, place.one, place.other};
+    const float about = turns_.unit(hash_combine(l, 0));
+    for (std::uint32_t first = 0; first < habit_.many; first += 4) {
+      const std::uint32_t count = std::min(habit_.many - first, 4u);
+      LeafLuck luck{};
+      std::array<std::uint64_t, 4> addresses{};
+      for (std::uint32_t i = 0; i < count; ++i) {
+        addresses[i] = hash_combine(l, first + i);
+        const auto [height, around] = faces_.units(addresses[i]);
+        luck.about[i] = about + golden_turn * static_cast<float>(first + i);
+        luck.height[i] = 2 * height - 1;
+        luck.around[i] = around;
+      }
+      const auto poses = habit_.needles ? needle_poses(twig, luck) : leaf_poses(twig, luck);
+      for (std::uint32_t i = 0; i < count; ++i) leaf(l, first + i, addresses[i], place, poses[i]);
+    }
   }
 
   void blossoms_of(std::size_t l) {
@@ -140,34 +157,23 @@ class Crown {
 
   // How much of a leaf the year has unfolded.
   float unfolded(std::uint64_t address) const {
-    if (habit_.evergreen) return 1;
+    if (habit_.evergreen || habit_.season > unfolded_by) return 1;
     const float begins = budburst + burst_spread * buds_.unit(address);
     return risen((habit_.season - begins) / unfolding);
   }
 
   bool shed(std::uint64_t address) const {
-    return !habit_.evergreen &&
+    return !habit_.evergreen && habit_.season > first_fall &&
            habit_.season > first_fall + fall_spread * falls_.unit(address);
   }
 
-  void leaf(std::size_t l, std::uint32_t k, const Place& place) {
-    const std::uint64_t address = hash_combine(l, k);
+  void leaf(std::size_t l, std::uint32_t k, std::uint64_t address, const Place& place, const glm::vec4& pose) {
     const float share = place.share * unfolded(address);
     if (!(share > 0)) return;
     const float turns = golden * static_cast<float>(l * habit_.many + k);
-    const SinCos about = sincos_degrees(golden_angle * static_cast<float>(k) +
-                                        360 * turns_.unit(hash_combine(l, 0)));
-    const glm::vec3 side = about.cosine * place.one + about.sine * place.other;
-    glm::vec3 out = habit_.needles ? place.along + 0.5f * side : 0.6f * place.along + side;
-    if (!habit_.needles) out.y -= droop;
-    out = glm::normalize(out);
-    const glm::vec3 face =
-        glm::vec3(0, 1, 0) + outwards * place.along + strewn * faces_.direction(address);
     Organ leaf = on(place, (1 - near_tip) * (turns - std::floor(turns)));
     leaf.tag = place.falls ? falling_tag : leaf_tag;
-    leaf.rotation = habit_.needles
-                        ? turn_to(out, beside(out))
-                        : turned(out, glm::length(face) > 1e-3f ? glm::normalize(face) : beside(place.along));
+    leaf.rotation = pose;
     leaf.scale = share * habit_.size * (least_size + (1 - least_size) * sizes_.unit(address));
     if (shed(address))
       lie_down(leaf, shed_tag, habit_.seed, address);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "foundation/lanes.hpp"
+#include "foundation/lane_vectors.hpp"
 #include "foundation/mathematics.hpp"
 
 namespace panicle::growth {
@@ -61,9 +62,6 @@ const std::array<Group, groups>& directions() {
   return all;
 }
 
-Four all_of(float value) { return Four{value, value, value, value}; }
-float sum_of(const Four& four) { return (four[0] + four[1]) + (four[2] + four[3]); }
-
 }  // namespace
 
 void FreeRoom::lay(std::span<const glm::vec3> nodes, float edge) {
@@ -92,12 +90,16 @@ void FreeRoom::find_near(const Look& look) {
       std::uint32_t found = true_lanes((square < far * far) & (square > at_tip) &
                                        (x * forward.x + y * forward.y + z * forward.z > behind));
       if (end - slot < lanes) found &= (1u << (end - slot)) - 1;
-      for (std::uint32_t lane = 0; found != 0; ++lane, found >>= 1) {
-        if ((found & 1) == 0) continue;
-        next[0] = x[lane];
-        next[1] = y[lane];
-        next[2] = z[lane];
-        next += 3;
+      if (found == 0) continue;
+      float places[3 * lanes];
+      store(places, x);
+      store(places + lanes, y);
+      store(places + 2 * lanes, z);
+      for (; found != 0; found &= found - 1, next += 3) {
+        const float* const place = places + std::countr_zero(found);
+        next[0] = place[0];
+        next[1] = place[lanes];
+        next[2] = place[2 * lanes];
       }
     }
   });

@@ -64,7 +64,11 @@ class Maker {
   Levels run(std::size_t count) {
     made_.meshes.resize(count);
     made_.tolerance.resize(count);
-    for (std::size_t k = 0; k < count; ++k) make(k);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k == 1)
+        for (Crowd& crowd : crowds_) crowd.sheets.sort();
+      make(k);
+    }
     return std::move(made_);
   }
 
@@ -242,6 +246,8 @@ class Maker {
     place_ = mesh_->positions.data() + mesh_->positions.size() - 3 * vertices;
     normal_ = mesh_->normals.data() + mesh_->normals.size() - 3 * vertices;
     index_ = mesh_->indices.data() + mesh_->indices.size() - 3 * more;
+    sky_.resize(sky_.size() + vertices);
+    next_sky_ = sky_.data() + sky_.size() - vertices;
   }
 
   // Along `line_`, to a point.
@@ -256,7 +262,7 @@ class Maker {
       const float length = glm::length(both);
       const glm::vec3 way = length > 0 ? both / length : glm::vec3(0, 1, 0);
       const std::uint8_t sky = open_.at(line_[i].first);
-      const auto first = static_cast<std::uint32_t>(sky_.size());
+      const std::uint32_t first = next_vertex();
       if (last) {
         vertex(line_[i].first, way, sky);
         for (std::uint32_t k = 0; k < n; ++k) triangle(first - n + k, first - n + (k + 1) % n, first);
@@ -282,8 +288,11 @@ class Maker {
     put(normal, normal_);
     place_ += 3;
     normal_ += 3;
-    sky_.push_back(sky);
+    *next_sky_++ = sky;
   }
+
+  // The number of the vertex that is written next.
+  std::uint32_t next_vertex() const { return static_cast<std::uint32_t>(next_sky_ - sky_.data()); }
 
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     *index_++ = a;
@@ -294,24 +303,26 @@ class Maker {
   // Two triangles, folded up along the midrib.
   void add_folded(const Sheet& leaf) {
     static const SinCos fold = sincos_degrees(folded);
-    const float breadth = 2 * leaf.area / leaf.length;
     const glm::vec3 face = leaf.face(), tip = 0.5f * leaf.length * leaf.along;
-    const std::uint8_t sky = open_.at(leaf.middle);
-    const auto first = static_cast<std::uint32_t>(sky_.size());
-    vertex(leaf.middle - tip, face, sky);
-    for (const float side : {1.0f, -1.0f}) {
-      const glm::vec3 out = side * fold.cosine * leaf.across + fold.sine * face;
-      vertex(leaf.middle + 0.5f * breadth * out, fold.cosine * face - side * fold.sine * leaf.across, sky);
-    }
-    vertex(leaf.middle + tip, face, sky);
-    triangle(first, first + 1, first + 3);
-    triangle(first, first + 3, first + 2);
+    const glm::vec3 out = fold.cosine * leaf.across, up = fold.sine * face;
+    const glm::vec3 level = fold.cosine * face, lean = fold.sine * leaf.across;
+    const float half = leaf.area / leaf.length;
+    add_corners(
+        {leaf.middle - tip, leaf.middle + half * (up + out), leaf.middle + half * (up - out), leaf.middle + tip},
+        {face, level - lean, level + lean, face}, open_.at(leaf.middle));
   }
 
   void add_flat(const Sheet& leaf) {
-    const std::uint8_t sky = open_.at(leaf.middle);
-    const auto first = static_cast<std::uint32_t>(sky_.size());
-    for (const glm::vec3& corner : leaf.corners()) vertex(leaf.middle + corner, leaf.face(), sky);
+    std::array<glm::vec3, 4> places = leaf.corners();
+    for (glm::vec3& place : places) place += leaf.middle;
+    const glm::vec3 face = leaf.face();
+    add_corners(places, {face, face, face, face}, open_.at(leaf.middle));
+  }
+
+  // A foot, what is at its two sides, and a tip.
+  void add_corners(const std::array<glm::vec3, 4>& places, const std::array<glm::vec3, 4>& normals, std::uint8_t sky) {
+    const std::uint32_t first = next_vertex();
+    for (std::size_t k = 0; k < places.size(); ++k) vertex(places[k], normals[k], sky);
     triangle(first, first + 1, first + 3);
     triangle(first, first + 3, first + 2);
   }
@@ -347,6 +358,7 @@ class Maker {
   // Where its next vertex and triangle are written.
   float *place_ = nullptr, *normal_ = nullptr;
   std::uint32_t* index_ = nullptr;
+  std::uint8_t* next_sky_ = nullptr;
   std::array<std::array<SinCos, most_sides>, most_sides + 1> turns_{};  // of each number of sides
   std::vector<std::uint8_t> sky_;
 };

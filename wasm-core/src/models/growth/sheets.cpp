@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace panicle::growth {
 namespace {
 
 constexpr float least_breadth = 0.5f;  // needles together are a tuft
 
-glm::vec3 turned(const glm::vec4& q, const glm::vec3& v) {
-  const glm::vec3 u(q.x, q.y, q.z), w = 2.0f * glm::cross(u, v);
-  return v + q.w * w + glm::cross(u, w);
+// Where a rotation takes +X and +Y to.
+glm::vec3 right_of(const glm::vec4& q) {
+  return {1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)};
+}
+glm::vec3 up_of(const glm::vec4& q) {
+  return {2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)};
 }
 
 constexpr std::uint32_t cells = 16;  // a side of the box that they are sorted by
@@ -49,12 +53,11 @@ void reach(std::vector<Sheet>& sheets, const Box& target) {
 Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t last, SheetKind kind, float area)
     : breadth_(std::max(2 * area, least_breadth)) {
   if (!(area > 0)) return;
-  std::vector<Sheet> found;
-  found.reserve(static_cast<std::size_t>(std::count_if(
+  sheets_.reserve(static_cast<std::size_t>(std::count_if(
       organs.begin(), organs.end(), [&](const Organ& organ) { return organ.tag >= first && organ.tag <= last; })));
   for (const Organ& organ : organs) {
     if (organ.tag < first || organ.tag > last) continue;
-    const glm::vec3 x = turned(organ.rotation, {1, 0, 0}), y = turned(organ.rotation, {0, 1, 0});
+    const glm::vec3 x = right_of(organ.rotation), y = up_of(organ.rotation);
     Sheet sheet;
     // A leaf's tip is at +Y and its face looks to +Z; a blossom looks to +Y.
     sheet.along = kind == SheetKind::leaf ? y : x;
@@ -63,20 +66,24 @@ Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t
     sheet.area = area * organ.scale * organ.scale;
     sheet.middle = organ.position + 0.5f * organ.scale * y;
     middles_.hold(sheet.middle);
-    found.push_back(sheet);
+    sheets_.push_back(sheet);
   }
-  if (found.empty()) return;
+}
+
+void Sheets::sort() {
+  if (sheets_.empty()) return;
   const glm::vec3 size = middles_.size();
   const float scale = cells / std::max({size.x, size.y, size.z, 1e-6f});
   std::vector<std::uint32_t> next(cells * cells * cells + 1, 0), codes;
-  codes.reserve(found.size());
-  for (const Sheet& sheet : found) {
+  codes.reserve(sheets_.size());
+  for (const Sheet& sheet : sheets_) {
     codes.push_back(code_of(sheet.middle, middles_, scale));
     ++next[codes.back() + 1];
   }
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-  sheets_.resize(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i) sheets_[next[codes[i]]++] = found[i];
+  std::vector<Sheet> sorted(sheets_.size());
+  for (std::size_t i = 0; i < sheets_.size(); ++i) sorted[next[codes[i]]++] = sheets_[i];
+  sheets_ = std::move(sorted);
 }
 
 std::vector<Sheet> Sheets::merged(std::size_t count, const Box& target) const {

@@ -45,10 +45,13 @@ class Sheets {
   // Of organs whose tags lie from `first` to `last`; `area`: one side of one of scale 1.
   Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t last, SheetKind kind, float area);
 
-  std::span<const Sheet> all() const { return sheets_; }  // near ones mostly side by side
+  std::span<const Sheet> all() const { return sheets_; }
   const Box& middles() const { return middles_; }
-  // So many, each in the place of as many that stand side by side: in their middle, with the area of them all, turned
-  // as one of them. Middles lie within the outline of what they are of, and so they are moved apart to reach `target`.
+  // Brings near ones side by side, mostly.
+  void sort();
+  // Once they are sorted: so many, each in the place of as many that stand side by side: in their middle, with the area
+  // of them all, turned as one of them. Middles lie within the outline of what they are of, and so they are moved apart
+  // to reach `target`.
   std::vector<Sheet> merged(std::size_t count, const Box& target) const;
 
  private:

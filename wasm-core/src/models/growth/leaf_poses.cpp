@@ -1,0 +1,72 @@
+#include "models/growth/leaf_poses.hpp"
+
+#include "foundation/lane_vectors.hpp"
+
+namespace panicle::growth {
+namespace {
+
+constexpr float outwards = 0.45f, strewn = 0.5f, droop = 0.25f;
+constexpr float least = 1e-6f;  // the square of a length that still has a direction
+constexpr float steep = 0.9f;
+
+FourVectors all_of(const glm::vec3& v) { return {panicle::all_of(v.x), panicle::all_of(v.y), panicle::all_of(v.z)}; }
+
+FourVectors unit(const FourVectors& v) { return 1.0f / square_root(dot(v, v)) * v; }
+
+// At right angles to unit vectors, as of geometry/turn.hpp.
+FourVectors beside(const FourVectors& way) {
+  const Four none = panicle::all_of(0);
+  const auto level = (way.y < steep) & (way.y > -steep);
+  return unit(chosen(level, {-way.z, none, way.x}, {none, way.z, -way.y}));
+}
+
+FourVectors unit(const FourVectors& v, const FourVectors& otherwise) {
+  return chosen(dot(v, v) > least, unit(v), otherwise);
+}
+
+// The rotations that take +Y to `up` and +Z to `front`, as turn_to of geometry/turn.hpp.
+std::array<glm::vec4, 4> turns_to(const FourVectors& up, const FourVectors& front) {
+  const FourVectors side = cross(up, front);
+  const Four trace = side.x + up.y + front.z;
+  const Four x = up.z - front.y, y = front.x - side.z, z = side.y - up.x;
+  const Four xy = up.x + side.y, zx = front.x + side.z, yz = front.y + up.z;
+  const auto none = trace > 0.0f, first = (side.x > up.y) & (side.x > front.z), second = up.y > front.z;
+  const Four one = 1.0f + side.x - up.y - front.z, two = 1.0f - side.x + up.y - front.z,
+             three = 1.0f - side.x - up.y + front.z;
+  const Four i = none ? x : (first ? one : (second ? xy : zx)), j = none ? y : (first ? xy : (second ? two : yz)),
+             k = none ? z : (first ? zx : (second ? yz : three)),
+             w = none ? 1.0f + trace : (first ? x : (second ? y : z));
+  const Four scale = 1.0f / square_root(i * i + j * j + k * k + w * w);
+  std::array<glm::vec4, 4> turns{};
+  for (int lane = 0; lane < 4; ++lane)
+    turns[static_cast<std::size_t>(lane)] = scale[lane] * glm::vec4(i[lane], j[lane], k[lane], w[lane]);
+  return turns;
+}
+
+FourVectors side_of(const Twig& twig, const LeafLuck& luck) {
+  const FourSinCos about = sincos_turns(luck.about);
+  return about.cosine * all_of(twig.one) + about.sine * all_of(twig.other);
+}
+
+}  // namespace
+
+std::array<glm::vec4, 4> leaf_poses(const Twig& twig, const LeafLuck& luck) {
+  const FourVectors along = all_of(twig.along);
+  FourVectors out = panicle::all_of(0.6f) * along + side_of(twig, luck);
+  out.y -= droop;
+  out = unit(out);
+  const FourSinCos around = sincos_turns(luck.around);
+  const Four level = strewn * square_root((1.0f - luck.height) * (1.0f + luck.height));
+  const FourVectors sky = {panicle::all_of(0), panicle::all_of(1), panicle::all_of(0)};
+  const FourVectors stray = {level * around.cosine, level * around.sine, strewn * luck.height};
+  const FourVectors face = unit(sky + panicle::all_of(outwards) * along + stray, beside(along));
+  // The tip points out as nearly as its face may look to where it does.
+  return turns_to(unit(out - dot(out, face) * face, beside(face)), face);
+}
+
+std::array<glm::vec4, 4> needle_poses(const Twig& twig, const LeafLuck& luck) {
+  const FourVectors out = unit(all_of(twig.along) + panicle::all_of(0.5f) * side_of(twig, luck));
+  return turns_to(out, beside(out));
+}
+
+}  // namespace panicle::growth
