@@ -38,7 +38,6 @@ export const model = {
 			make: async (grown, specimen) => placementsCsv(grown, specimen),
 		},
 	],
-	pictures: false,
 	figure: async () => {
 		const { StandFigure } = await import("./figure/stand_figure");
 		return (stage) => new StandFigure(stage);
