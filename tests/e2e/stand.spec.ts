@@ -53,3 +53,26 @@ test("a plan is edited; what it asks for and there is not is told at its place, 
 	await expect(page.getByText(/A share is from 0/).first()).toBeVisible();
 	expect(await studio.fingerprint.textContent()).toBe(before);
 });
+
+test.describe("in the wind", () => {
+	test.use({ drawn: true, viewport: { width: 720, height: 450 } });
+
+	test("a stand sways frame by frame while it blows, and not where less motion is wished for", async ({ page }) => {
+		const studio = await new StudioPage(page).open("?v=2&model=stand&preset=vineyard&many=6");
+		await studio.stands();
+		const picture = async () => (await page.locator("canvas").first().screenshot()).toString("base64");
+		const moves = async () => {
+			const first = await picture();
+			await page.waitForTimeout(700);
+			return (await picture()) !== first;
+		};
+		const wind = studio.button("Wind");
+		await expect.poll(moves).toBe(false);
+		await wind.click();
+		await expect(wind).toHaveAttribute("aria-pressed", "true");
+		await expect.poll(moves).toBe(true);
+		await page.emulateMedia({ reducedMotion: "reduce" });
+		await expect(wind).toHaveCount(0);
+		await expect.poll(moves).toBe(false);
+	});
+});

@@ -86,8 +86,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	/** The file of its core, beside the others: `bunch.wasm`; or a whole address, for a model from elsewhere. */
 	readonly wasm: string;
 
-	/** Whether wind leaves its plants alone. */
-	readonly still?: true;
+	/** Whether wind leaves its plants alone, everywhere or in files. */
+	readonly still?: true | "in files";
 	/** Whether its presets have pictures in public/gallery; absent where they have. */
 	readonly pictures?: false;
 	/** Whether it tells the string that its grammar has derived, where that is asked for. */

@@ -1,0 +1,40 @@
+/** What of a stand has its shadows drawn: all of it, and for who walks in it what is about them, so much the finer. Pure. */
+import { Vector3 } from "three";
+import type { StandPlant } from "../stand_plant";
+import { eyeHeight, heightAt } from "../walker";
+
+export interface Ball {
+	readonly centre: Vector3;
+	readonly radius: number;
+}
+
+/** How far shadows reach about a walker, eyes' heights, and how far ahead of them their middle is, of that. */
+const REACH = 24;
+const AHEAD = 0.6;
+/** So many steps to a reach: shadows are drawn again with each. */
+const STEPS = 4;
+/** Who stands no higher over the ground walks, eyes' heights. */
+const HIGHEST = 3;
+
+/**
+ * @param whole what holds the stand
+ * @param eye where it is seen from, metres
+ * @param towards which way, of length 1
+ */
+export function shadedBall(
+	stand: Pick<StandPlant, "ground" | "meshes">,
+	whole: Ball,
+	eye: Vector3,
+	towards: Vector3,
+): Ball {
+	const { width, depth } = stand.ground;
+	const high = eyeHeight(stand);
+	const radius = REACH * high;
+	if (radius >= whole.radius || Math.abs(eye.x) > 0.5 * width || Math.abs(eye.z) > 0.5 * depth) return whole;
+	const ground = heightAt(stand, eye.x, eye.z);
+	if (eye.y - ground > HIGHEST * high) return whole;
+	const step = radius / STEPS;
+	const stepped = (value: number) => step * Math.round(value / step);
+	const [x, z] = [eye.x + AHEAD * radius * towards.x, eye.z + AHEAD * radius * towards.z].map(stepped);
+	return { centre: new Vector3(x, stepped(ground), z), radius };
+}
