@@ -131,9 +131,26 @@ async function benchViews(memories) {
 	try {
 		const rows = [];
 		for (const preset of PRESETS)
-			rows.push(await viewOf(browser, `${server.resolvedUrls.local[0]}?v=2&model=stand&preset=${preset}`, preset, memories.get(preset)));
+			rows.push(
+				await viewOf(
+					browser,
+					`${server.resolvedUrls.local[0]}?v=2&model=stand&preset=${preset}`,
+					preset,
+					memories.get(preset),
+				),
+			);
 		printTable("stand: the page, drawing switched off", [
-			["", "grown, s", "calls", "triangles", "script a frame, ms", "buffers, MB", "heap, MB", "workers", "all with wasm, MB"],
+			[
+				"",
+				"grown, s",
+				"calls",
+				"triangles",
+				"script a frame, ms",
+				"buffers, MB",
+				"heap, MB",
+				"workers",
+				"all with wasm, MB",
+			],
 			...rows,
 		]);
 	} finally {

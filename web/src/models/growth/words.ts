@@ -4,10 +4,7 @@ import type { GrowthPlant } from "./growth_plant";
 import type { GrowthSpecimen } from "./specimen";
 
 /** "9.7 m tall, 230 branches, 2,100 leaves, 400 on the ground, among neighbours". */
-export function growthInWords(
-	{ segments, counts }: GrowthPlant,
-	{ surroundings }: Pick<GrowthSpecimen, "surroundings">,
-): string {
+export function growthInWords({ segments, counts }: GrowthPlant, { surroundings }: GrowthSpecimen): string {
 	const { high } = heightsOf(segments.ends);
 	const parts = [
 		`${lengthInWords(Math.max(0, high))} tall`,
