@@ -19,8 +19,9 @@ const mesh = (triangles: number): PackedMesh => ({
 });
 
 /** Thirty plants close to each other, each heavy from near; some are nothing but a foot. */
-async function standing(bare: number): Promise<StandPlant> {
-	const stand = await grownStand(planned("ground 20 x 10\nplants 30, random\ngrowth/figure-5, crown 0.1 x 4: steps 1"));
+async function standing(bare: number, many = 30): Promise<StandPlant> {
+	const plan = `ground 20 x 10\nplants ${many}, random\ngrowth/figure-5, crown 0.1 x 4: steps 1`;
+	const stand = await grownStand(planned(plan));
 	const levels = LEVELS.map((triangles) => [{ mesh: mesh(triangles), material }]);
 	const members = stand.members.map((member, i) => {
 		if (!member) throw new Error("it has not grown");
@@ -133,4 +134,22 @@ it("has what is borne sway with its bearer, and what stands about its own foot",
 	expect(places.bearer[12]).toBe(9);
 	for (const [i, off] of [x, y, z].entries()) expect(places.at[36 + i] + off).toBeCloseTo(foot[i], 5);
 	expect(large).toBe(size(9, 6));
+});
+
+it("shows of very many different plants the nearest by their finest level, and lets go of it where they are left", async () => {
+	const crowd = new Crowd({} as LightUniforms, {} as WindUniforms);
+	crowd.show(await standing(0, 260));
+	crowd.aim(from(4000));
+	const far = crowd.group.children.length;
+	const vertices = () => crowd.group.children.map((each) => (each as BatchedMesh).geometry.getIndex()?.count ?? 0);
+	expect(Math.max(...vertices().slice(far))).toBe(-Infinity);
+	crowd.aim(from(5));
+	const near = vertices().slice(far);
+	expect(near).toHaveLength(12);
+	expect(near.every((corners) => corners === 3 * LEVELS[0])).toBe(true);
+	crowd.aim(from(4.9));
+	expect(crowd.group.children.length - far).toBe(12);
+	crowd.aim(from(4000));
+	expect(crowd.group.children).toHaveLength(far);
+	crowd.dispose();
 });

@@ -13,10 +13,12 @@ import { plantsOf } from "../parts";
 import type { StandPlant } from "../stand_plant";
 import { Batch } from "./batch";
 import { crowdDepth, crowdMaterial, finishOf } from "./crowd_material";
-import { Cells, type Standing } from "./standing";
+import { STEPS } from "./level_choice";
+import { Cells, type Fine, type Standing } from "./standing";
 
-/** Of more different plants than these the finest level is for files alone: on the graphics card it would take as much as all others. */
+/** Of more different plants than these few are shown by their finest level at once: of all it would take as much as all other levels. */
 const MOST_FINE = 250;
+const NEAREST = 12;
 /** Triangles in a view, at the most; as many again may throw shadows. */
 const MOST_TRIANGLES = 1_400_000;
 /** So many times at the most all is made coarser for one view. */
@@ -35,8 +37,10 @@ export class Crowd {
 	#places: StandPlant["places"] | undefined;
 	#known = new Set<Member>();
 	#marked: number | undefined;
-	/** The finest level drawn. */
-	#first = 0;
+	/** Whether the finest level is of few at once: those, and who may be. */
+	#sparing = false;
+	#near: Standing[] = [];
+	readonly #nearing: Standing[] = [];
 	#triangles = 0;
 	/** From where it was seen last; a frame of a camera that stands still costs nothing. */
 	readonly #view = new Matrix4();
@@ -56,8 +60,8 @@ export class Crowd {
 
 	/** Shows a stand: of the one shown before, only what has come since is added. */
 	show(stand: StandPlant): void {
-		if (stand.places !== this.#places || [...this.#known].some((member) => !stand.members.includes(member)))
-			this.#begin(stand);
+		const there = new Set(stand.members);
+		if (stand.places !== this.#places || [...this.#known].some((member) => !there.has(member))) this.#begin(stand);
 		const fresh = stand.members.flatMap((member, index) =>
 			member && !this.#known.has(member) ? [{ member, index }] : [],
 		);
@@ -79,7 +83,35 @@ export class Crowd {
 			modest *= Math.min(0.75, Math.max(0.5, Math.sqrt(MOST_TRIANGLES / this.#triangles)));
 			this.#triangles = this.#cells.choose(this.#frustum, camera.position, high, modest);
 		}
+		if (this.#sparing) this.#refine(camera.position);
 		for (const each of this.#standing) if (each.wanted !== each.shown) this.#set(each);
+	}
+
+	/** Has the nearest of those that fill the view be shown by their finest level, and the others not. */
+	#refine(eye: Vector3): void {
+		const nearing = this.#nearing;
+		nearing.length = 0;
+		for (const each of this.#standing) if (each.asked < STEPS && each.fine.length > 0) nearing.push(each);
+		nearing.sort((one, other) => one.at.distanceToSquared(eye) - other.at.distanceToSquared(eye));
+		if (nearing.length > NEAREST) nearing.length = NEAREST;
+		for (const each of this.#near) if (!nearing.includes(each)) this.#coarsen(each);
+		for (const each of nearing) {
+			each.wanted = each.asked;
+			this.#triangles += each.triangles[0];
+			if (each.near.length > 0) continue;
+			each.near = each.fine.map(({ mesh, material, place, colour }) => {
+				const batch = new Batch([mesh], 1, material, this.#depth);
+				this.group.add(batch.object);
+				return batch.add([mesh, undefined], place, colour);
+			});
+			each.shown = -1;
+		}
+		this.#near = [...nearing];
+	}
+
+	#coarsen(each: Standing): void {
+		for (const { batch } of each.near) batch.dispose();
+		each.near = [];
 	}
 
 	/** Lights one up; none where undefined. */
@@ -105,12 +137,14 @@ export class Crowd {
 	#begin({ places, ground, memberOf }: StandPlant): void {
 		this.#clear();
 		this.#places = places;
-		this.#first = new Set(memberOf).size > MOST_FINE ? 1 : 0;
+		this.#sparing = new Set(memberOf).size > MOST_FINE;
 		this.#cells = new Cells(ground);
 	}
 
 	#clear(): void {
 		for (const batch of this.#batches) batch.dispose();
+		for (const each of this.#near) this.#coarsen(each);
+		this.#near = [];
 		this.#batches = [];
 		this.#standing = [];
 		this.#known = new Set();
@@ -124,7 +158,7 @@ export class Crowd {
 		const rows = fresh.map(({ member, index }) => ({
 			member,
 			plants: plants[index],
-			layers: layersOf(member, this.#first),
+			layers: layersOf(member, this.#sparing),
 		}));
 		const finishes = new Map<string, { layers: Layer[]; instances: number }>();
 		for (const { plants: there, layers } of rows) {
@@ -164,18 +198,26 @@ export class Crowd {
 		const cell = this.#cells.at(x, z);
 		cell.box.union(new Box3(new Vector3(x - out, low, z - out), new Vector3(x + out, high, z + out)));
 		const stem = stemOf(places, kinds, plant);
-		const slots = layers.map(({ finish, levels, material }) => {
-			const unit = levels.find((mesh) => mesh)?.unit ?? 1;
+		const fine: Fine[] = [];
+		const slots = layers.map((layer) => {
+			const { finish, levels, spared } = layer;
+			const { colour } = layer.material;
+			const unit = (spared ?? levels.find((mesh) => mesh))?.unit ?? 1;
 			const place = matrixOf(places.transforms, plant).scale(new Vector3(unit, unit, unit));
 			for (const [row, value] of stem.entries()) place.elements[4 * row + 3] = value;
-			return (batches.get(finish) as Batch).add(levels, place, material.colour);
+			if (spared) fine.push({ mesh: spared, material: this.#materialOf(finish, layer), place, colour });
+			return (batches.get(finish) as Batch).add(levels, place, colour);
 		});
 		const triangles = Array.from({ length: layers[0]?.levels.length ?? 0 }, (_, level) =>
-			layers.reduce((sum, { levels }) => sum + (levels[level]?.indices.length ?? 0) / 3, 0),
+			layers.reduce((sum, { levels, spared }) => {
+				const mesh = level === 0 ? (spared ?? levels[0]) : levels[level];
+				return sum + (mesh?.indices.length ?? 0) / 3;
+			}, 0),
 		);
 		const size = Math.max(high - low, 2 * out);
 		const at = new Vector3(x, 0.5 * (low + high), z);
-		const standing = { plant, at, size, slots, triangles, shown: -1, wanted: -1 };
+		const steps = { shown: -1, wanted: -1, asked: -1 };
+		const standing: Standing = { plant, at, size, slots, fine, near: [], triangles, ...steps };
 		cell.plants.push(standing);
 		this.#standing.push(standing);
 	}
@@ -189,6 +231,7 @@ export class Crowd {
 	#set(each: Standing): void {
 		const bright = each.plant === this.#marked ? MARKED : 1;
 		for (const slot of each.slots) slot.batch.show(slot, each.wanted, bright);
+		for (const slot of each.near) slot.batch.show(slot, each.wanted, bright);
 		each.shown = each.wanted;
 	}
 }
@@ -209,16 +252,22 @@ interface Layer {
 	readonly finish: string;
 	readonly material: Material;
 	readonly coloured: boolean;
+	/** The finest is not among them where it is spared. */
 	readonly levels: readonly (PackedMesh | undefined)[];
+	readonly spared?: PackedMesh | undefined;
 }
 
-function layersOf({ levels }: Member, first: number): Layer[] {
-	const drawn = levels.length > first + 1 ? levels.slice(first) : levels;
+/** @param sparing whether the finest of three or more levels is left out */
+function layersOf({ levels }: Member, sparing: boolean): Layer[] {
 	const layers: Layer[] = [];
-	for (const material of new Set(drawn.flatMap((level) => level.map((each) => each.material)))) {
-		const meshes = drawn.map((level) => level.find((each) => each.material === material)?.mesh);
+	for (const material of new Set(levels.flatMap((level) => level.map((each) => each.material)))) {
+		const meshes = levels.map((level) => level.find((each) => each.material === material)?.mesh);
 		const coloured = meshes.some((mesh) => mesh?.colours !== undefined);
-		layers.push({ finish: finishOf(material, coloured), material, coloured, levels: meshes });
+		const layer = { finish: finishOf(material, coloured), material, coloured };
+		const spares = sparing && meshes.length > 2 && meshes.slice(1).some((mesh) => mesh);
+		layers.push(
+			spares ? { ...layer, levels: [undefined, ...meshes.slice(1)], spared: meshes[0] } : { ...layer, levels: meshes },
+		);
 	}
 	return layers;
 }

@@ -1,5 +1,7 @@
 /** A plant of a stand as the crowd draws it, and the cell of the ground that it stands in. */
-import { Box3, type Frustum, type Vector3 } from "three";
+import { Box3, type Frustum, type Matrix4, type MeshStandardMaterial, type Vector3 } from "three";
+import type { Colour } from "../../../plant/colour";
+import type { PackedMesh } from "../../../plant/packed_mesh";
 import type { Slot } from "./batch";
 import { STEPS, stepAt } from "./level_choice";
 
@@ -10,11 +12,24 @@ export interface Standing {
 	/** As large as this, metres. */
 	readonly size: number;
 	readonly slots: readonly Slot[];
+	/** What its finest level is made of, where that is only shown of few at once. */
+	readonly fine: readonly Fine[];
+	/** Its finest level, while it is one of these. */
+	near: readonly Slot[];
 	/** Of each level. */
 	readonly triangles: readonly number[];
+	/** What its size asks for, were it shown as finely as it can be. */
+	asked: number;
 	/** As level_choice.ts counts: what is shown, and what is to be; −1 of what is not. */
 	shown: number;
 	wanted: number;
+}
+
+export interface Fine {
+	readonly mesh: PackedMesh;
+	readonly material: MeshStandardMaterial;
+	readonly place: Matrix4;
+	readonly colour: Colour;
 }
 
 /** Cells along each side of the ground. */
@@ -60,7 +75,8 @@ export class Cells {
 				const { at, size, triangles } = each;
 				const last = STEPS * (triangles.length - 1);
 				const distance = Math.max(at.distanceTo(eye) - 0.5 * size, 0.01);
-				each.wanted = cell.seen ? stepAt((modest * size) / (distance * high), triangles.length) : last;
+				each.asked = cell.seen ? stepAt((modest * size) / (distance * high), triangles.length) : last;
+				each.wanted = each.fine.length > 0 ? Math.max(STEPS, each.asked) : each.asked;
 				if (!cell.seen) continue;
 				const level = Math.floor(each.wanted / STEPS);
 				count += triangles[level] + (each.wanted > STEPS * level ? triangles[level + 1] : 0);
