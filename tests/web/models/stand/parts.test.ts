@@ -4,7 +4,7 @@ import { aboutPlant } from "../../../../web/src/export/about_plant";
 import { exportGlb } from "../../../../web/src/export/glb";
 import { STEPS, stepAt } from "../../../../web/src/models/stand/figure/level_choice";
 import { plantMet } from "../../../../web/src/models/stand/figure/plant_met";
-import { shadedBall } from "../../../../web/src/models/stand/figure/shaded";
+import { shadedBall, walks } from "../../../../web/src/models/stand/figure/shaded";
 import { model } from "../../../../web/src/models/stand/index";
 import type { StandPlant } from "../../../../web/src/models/stand/stand_plant";
 import { atFront, gazeOf, heightAt, stepped, turned } from "../../../../web/src/models/stand/walker";
@@ -106,6 +106,7 @@ it("shadows are drawn of all, and for who walks of what is ahead, by steps", () 
 	const whole = { centre: new Vector3(), radius: 150 };
 	const ahead = new Vector3(0, 0, -1);
 	const at = (x: number, y: number, z: number) => shadedBall(wide, whole, new Vector3(x, y, z), ahead);
+	expect([walks(wide, new Vector3(0, 30, 0)), walks(wide, new Vector3(99, 1.65, 0))]).toEqual([false, true]);
 	expect(at(0, 30, 0)).toBe(whole);
 	expect(at(0, 1.65, 101)).toBe(whole);
 	const { centre, radius } = at(0, 1.65, 0);

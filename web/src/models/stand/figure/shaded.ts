@@ -16,6 +16,13 @@ const STEPS = 4;
 /** Who stands no higher over the ground walks, eyes' heights. */
 const HIGHEST = 3;
 
+/** Whether an eye is where that of who walks there is. */
+export function walks(stand: Pick<StandPlant, "ground" | "meshes">, eye: Vector3): boolean {
+	const { width, depth } = stand.ground;
+	if (Math.abs(eye.x) > 0.5 * width || Math.abs(eye.z) > 0.5 * depth) return false;
+	return eye.y - heightAt(stand, eye.x, eye.z) <= HIGHEST * eyeHeight(stand);
+}
+
 /**
  * @param whole what holds the stand
  * @param eye where it is seen from, metres
@@ -27,14 +34,10 @@ export function shadedBall(
 	eye: Vector3,
 	towards: Vector3,
 ): Ball {
-	const { width, depth } = stand.ground;
-	const high = eyeHeight(stand);
-	const radius = REACH * high;
-	if (radius >= whole.radius || Math.abs(eye.x) > 0.5 * width || Math.abs(eye.z) > 0.5 * depth) return whole;
-	const ground = heightAt(stand, eye.x, eye.z);
-	if (eye.y - ground > HIGHEST * high) return whole;
+	const radius = REACH * eyeHeight(stand);
+	if (radius >= whole.radius || !walks(stand, eye)) return whole;
 	const step = radius / STEPS;
 	const stepped = (value: number) => step * Math.round(value / step);
 	const [x, z] = [eye.x + AHEAD * radius * towards.x, eye.z + AHEAD * radius * towards.z].map(stepped);
-	return { centre: new Vector3(x, stepped(ground), z), radius };
+	return { centre: new Vector3(x, stepped(heightAt(stand, eye.x, eye.z)), z), radius };
 }

@@ -12,7 +12,7 @@ import type { StandSpecimen } from "../specimen";
 import type { StandPlant } from "../stand_plant";
 import { Crowd } from "./crowd";
 import { plantMet } from "./plant_met";
-import { type Ball, shadedBall } from "./shaded";
+import { type Ball, shadedBall, walks } from "./shaded";
 
 export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	readonly modes = ["whole"];
@@ -26,6 +26,8 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	#whole: Ball = { centre: new Vector3(), radius: 0 };
 	#shaded: Ball | undefined;
 	readonly #towards = new Vector3();
+	/** Where the lamps are while someone walks: key and rim. */
+	#held: readonly [Vector3, Vector3] | undefined;
 	#bounds: Bodies = { spheres: new Float32Array(0), points: new Float32Array(0) };
 
 	constructor(stage: FigureStage) {
@@ -68,6 +70,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	}
 
 	prepare(camera: PerspectiveCamera): void {
+		this.#hold(camera.position);
 		this.#shade(camera);
 		this.#lights.aim(this.#stage.light, camera);
 		this.#crowd.aim(camera);
@@ -88,6 +91,16 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 		this.#crowd.dispose();
 		this.#wardrobe.dispose();
 		this.#lights.dispose();
+	}
+
+	/** Who turns the stand turns it in the light; who walks in it has the sun stay where it is. */
+	#hold(eye: Vector3): void {
+		const { keyDirection, rimDirection } = this.#stage.light.uniforms;
+		if (!this.#stand || !walks(this.#stand, eye)) this.#held = undefined;
+		else if (this.#held) {
+			keyDirection.value.copy(this.#held[0]);
+			rimDirection.value.copy(this.#held[1]);
+		} else this.#held = [keyDirection.value.clone(), rimDirection.value.clone()];
 	}
 
 	/** Shadows are drawn where they are seen; anew where that is another place by a step. */
