@@ -14,7 +14,7 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
 	await expect(plan.getByText(/^Plant 3: growth\//)).toBeVisible();
 	const alone = plan.getByRole("link", { name: "Open this plant alone" });
-	await expect(alone).toHaveAttribute("href", /model=growth.*seed=\d+/);
+	await expect(alone).toHaveAttribute("href", /model=growth.*seed=\d+.*&about=/);
 
 	await studio.button("Walk through it").click();
 	const picture = page.locator("canvas").first();
@@ -34,6 +34,17 @@ test("a stand is laid, its plants told on the map, walked through, changed and b
 	await expect(studio.fingerprint).toHaveText(before ?? "");
 	await page.goto(link);
 	await expect(studio.fingerprint).toHaveText(after ?? "");
+
+	await plan.getByRole("spinbutton", { name: "Plant" }).fill("3");
+	await plan.getByRole("spinbutton", { name: "Plant" }).press("Enter");
+	await alone.click();
+	await expect(page.getByText(/, among neighbours/).first()).toBeVisible();
+	const among = await studio.fingerprint.textContent();
+	await studio.button("Grow it without neighbours").click();
+	await expect(studio.fingerprint).not.toHaveText(among ?? "");
+	await expect(page).not.toHaveURL(/about=/);
+	await studio.button("Undo").click();
+	await expect(studio.fingerprint).toHaveText(among ?? "");
 });
 
 test("a plan is edited; what it asks for and there is not is told at its place, and the last stand stays", async ({
