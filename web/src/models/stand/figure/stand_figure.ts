@@ -66,6 +66,7 @@ export class StandFigure implements Figure<StandSpecimen, StandPlant> {
 	}
 
 	restored(): void {
+		this.#lights.restored();
 		if (this.#stand) this.#crowd.restored(this.#stand);
 	}
 
