@@ -81,6 +81,10 @@ export class PartFigure<S, G> implements Figure<S, G> {
 		return this.#sway;
 	}
 
+	restored(): void {
+		this.#lights.restored();
+	}
+
 	prepare(camera: PerspectiveCamera): void {
 		this.#lights.aim(this.#stage.light, camera, this.#stage.wind);
 	}

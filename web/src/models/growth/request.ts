@@ -15,13 +15,11 @@ export interface RequestOptions extends GrowthOptions {
 	meshFingerprint?: boolean;
 	/** Whether meshes for four distances are wanted, as wasm-core/src/models/growth/model.hpp says; the default is no. */
 	levels?: boolean;
-	/** Eight heights of the horizon in degrees, from +X to +Z, and eight metres of free room; absent: it stands alone. */
-	surroundings?: Float32Array;
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, levels = false, surroundings } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, levels = false } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const outputs = [
 		meshes && "meshes",
@@ -30,7 +28,7 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions =
 		meshFingerprint && "mesh_fingerprint",
 		levels && "levels",
 	];
-	const { model, seed, parameters } = specimen;
+	const { model, seed, parameters, surroundings } = specimen;
 	const text = fetchedText(specimen);
 	if (text === undefined) throw new CoreError("bad request", "The preset's text could not be fetched.");
 	const leaf = leafOf(specimen);
@@ -43,7 +41,7 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions =
 			data: Float32Array.from(GROWTH_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
 		},
 		{ name: "rules", data: text },
-		...(surroundings ? [{ name: "surroundings", data: surroundings }] : []),
+		...(surroundings ? [{ name: "surroundings", data: Float32Array.from(surroundings) }] : []),
 		...(leaf ? leafBlocks(leaf) : []),
 	];
 }
