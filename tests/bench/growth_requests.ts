@@ -7,8 +7,13 @@ import { fromPreset } from "../../web/src/specimen/from_preset";
 const plain = fromPreset(model, "table-1-sigma1");
 await model.prepare(plain);
 
-/** All levels of a tree of σ1 in leaf, and nothing else. */
-export function levelsOf(seed: number, steps: number): Uint8Array {
-	const specimen = { ...plain, seed, parameters: { ...plain.parameters, steps } };
-	return writeContainer(encodeGrowth(specimen, { levels: true, meshes: false, measures: false }));
+/** A tree of σ1 in leaf with so many of its levels, and no other mesh; `leaf_many`: leaves for each that is counted. */
+export function levelsOf(
+	seed: number,
+	steps: number,
+	levelCount = 4,
+	leaf_many = plain.parameters.leaf_many,
+): Uint8Array {
+	const specimen = { ...plain, seed, parameters: { ...plain.parameters, steps, leaf_many } };
+	return writeContainer(encodeGrowth(specimen, { levels: true, levelCount, meshes: false, measures: false }));
 }

@@ -6,20 +6,34 @@ import { microseconds } from "./statistics.mjs";
 
 const image = () => ({ addEventListener() {}, removeEventListener() {}, style: {} });
 
-/** Name, vertices and microseconds of each preset. */
-export async function peerTrees(runs) {
+/** Each preset of it: its name, the branches and the vertices of its tree, and `grow(rounds)`. */
+export async function peerTrees() {
 	globalThis.document ??= { createElementNS: image };
 	const { Tree, TreePreset } = await import("@dgreenheck/ez-tree");
 	return Object.keys(TreePreset).map((name) => {
 		const tree = new Tree();
 		tree.loadPreset(name);
-		const time = microseconds(3, runs, (rounds) => {
-			for (let i = 0; i < rounds; i++) tree.generate();
-		});
-		const count = [tree.branchesMesh, tree.leavesMesh].reduce(
+		const branches = branchesOf(tree);
+		const vertices = [tree.branchesMesh, tree.leavesMesh].reduce(
 			(sum, { geometry }) => sum + geometry.attributes.position.count,
 			0,
 		);
-		return { name, count, time };
+		const grow = (rounds) => {
+			for (let i = 0; i < rounds; i++) tree.generate();
+		};
+		return { name, branches, vertices, time: (runs) => microseconds(3, runs, grow) };
 	});
+}
+
+/** Without the trunk, as ours are counted. */
+function branchesOf(tree) {
+	const { generateBranch } = tree;
+	let count = -1;
+	tree.generateBranch = function (branch) {
+		count++;
+		return generateBranch.call(this, branch);
+	};
+	tree.generate();
+	delete tree.generateBranch;
+	return count;
 }

@@ -132,15 +132,21 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/form.cpp`,
+		file: `${SRC}/volume_shape.hpp`,
 		suites: [`${TESTS}/form_test.cpp`],
 		faults: [
 			{
 				id: "growth-volumes-without-a-middle",
-				find: "volume.middle * volume.middle * 4 * up * (1 - up)",
-				replace: "volume.base * volume.top * 4 * up * (1 - up)",
+				find: "middle_(volume.middle * volume.middle)",
+				replace: "middle_(volume.base * volume.top)",
 				breaks: "domes and spindles are frustums",
 			},
+		],
+	},
+	{
+		file: `${SRC}/form.cpp`,
+		suites: [`${TESTS}/form_test.cpp`],
+		faults: [
 			{
 				id: "growth-canes-lie-down",
 				find: "if (shoot.order == 1 && habit_.cordon > 0)",

@@ -36,9 +36,40 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/free_room.cpp`,
+		suites: [`${TESTS}/free_room_test.cpp`],
+		faults: [
+			{
+				id: "growth-end-of-a-run-unseen",
+				find: "slot < end; slot += lanes",
+				replace: "slot + lanes <= end; slot += lanes",
+				breaks: "where few stand about a tip, it grows through them",
+			},
+			{
+				id: "growth-places-at-one-depth",
+				find: "deep = turned - (turned >= 1.0f ? all_of(1) : all_of(0))",
+				replace: "deep = turned - turned",
+				breaks: "tips look to places half as far as they might",
+			},
+			{
+				id: "growth-behind-is-ahead",
+				find: "const Four weight = seen ? worth : all_of(0);",
+				replace: "const Four weight = worth;",
+				breaks: "shoots are drawn to free places behind them",
+			},
+		],
+	},
+	{
 		file: `${SRC}/surroundings.cpp`,
 		suites: ABOUT,
 		faults: [
+			{
+				id: "growth-room-of-the-widest-side",
+				suites: [`${TESTS}/free_room_test.cpp`],
+				find: "about.least_ = std::min(about.least_, surely * near);",
+				replace: "",
+				breaks: "tips look for room in the crowns of neighbours",
+			},
 			{
 				id: "growth-horizon-hides-nothing",
 				find: "lamp.share = 0;",

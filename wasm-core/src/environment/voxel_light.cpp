@@ -14,6 +14,12 @@ constexpr float golden_angle = 137.50776f;
 
 constexpr std::size_t lanes = 4;
 
+// So many values, each so far behind the one before; 0 in the other lanes.
+Four gathered(const float* at, std::size_t stride, std::size_t count) {
+  if (count >= lanes) return Four{at[0], at[stride], at[2 * stride], at[3 * stride]};
+  return Four{at[0], count > 1 ? at[stride] : 0, count > 2 ? at[2 * stride] : 0, 0};
+}
+
 }  // namespace
 
 std::vector<Lamp> overcast(std::uint32_t count) {
@@ -46,7 +52,8 @@ VoxelLight::VoxelLight(const glm::vec3& low, float edge, std::uint32_t x, std::u
       edge_(edge),
       count_{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)},
       light_(matter.size(), 0.0f) {
-  for (const Lamp& lamp : lamps) shine(lamp, matter);
+  Planes planes;
+  for (const Lamp& lamp : lamps) shine(lamp, matter, planes);
 }
 
 std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) const {
@@ -55,7 +62,7 @@ std::size_t VoxelLight::index(std::int32_t x, std::int32_t y, std::int32_t z) co
 
 // Layer by layer away from the lamp, across the axis that it lies nearest to: what a cell's middle is behind is what
 // the place towards the lamp in the layer before is behind, and the matter on the way.
-void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
+void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter, Planes& planes) {
   int main = 0;
   for (int k = 1; k < 3; ++k)
     if (std::fabs(lamp.towards[k]) > std::fabs(lamp.towards[main])) main = k;
@@ -66,7 +73,9 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
   // Towards the lamp lie four places of the layer before, the same ones for each cell. What lies beside the box is
   // empty: a border of the planes, which have room for the last cells of a row as lanes.
   const std::size_t pitch = width + 1 + lanes;
-  std::vector<float> before(pitch * (height + 2), 0.0f), here(before);
+  auto& [before, here] = planes;
+  before.assign(pitch * (height + 2), 0.0f);
+  here.assign(before.size(), 0.0f);
   const float step = 1 / std::fabs(lamp.towards[main]);  // from layer to layer, in cells
   const float aside = lamp.towards[across] * step, up = lamp.towards[along] * step, way = 0.5f * step * edge_;
   const std::size_t nearest = (up < 0 ? 0 : pitch) + (aside < 0 ? 0 : 1);
@@ -78,11 +87,10 @@ void VoxelLight::shine(const Lamp& lamp, std::span<const float> matter) {
       float* left = &here[(row + 1) * pitch + 1];
       for (std::size_t x = 0; x < width; x += lanes) {
         const std::size_t first = layer + row * strides[along] + x * stride, count = std::min(lanes, width - x);
-        float some[lanes] = {};
-        for (std::size_t lane = 0; lane < count; ++lane) some[lane] = way * matter[first + lane * stride];
+        const Four some = way * gathered(&matter[first], stride, count);
         const Four depth = (1 - v) * ((1 - u) * load(near + x) + u * load(near + x + 1)) +
-                           v * ((1 - u) * load(far + x) + u * load(far + x + 1)) + load(some);
-        store(left + x, depth + load(some));
+                           v * ((1 - u) * load(far + x) + u * load(far + x + 1)) + some;
+        store(left + x, depth + some);
         const Four light = lamp.share * exponential(-depth);
         for (std::size_t lane = 0; lane < count; ++lane) light_[first + lane * stride] += light[lane];
       }

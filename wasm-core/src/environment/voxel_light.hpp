@@ -41,7 +41,11 @@ class VoxelLight {
     float share[3];
   };
   Corner corner_of(const glm::vec3& p) const;
-  void shine(const Lamp& lamp, std::span<const float> matter);
+  // What light has gone through by a layer, and by the one before it.
+  struct Planes {
+    std::vector<float> before, here;
+  };
+  void shine(const Lamp& lamp, std::span<const float> matter, Planes& planes);
   std::size_t index(std::int32_t x, std::int32_t y, std::int32_t z) const;
 
   glm::vec3 low_;

@@ -5,12 +5,18 @@
 #include <cstdint>
 #include <span>
 
+#include "foundation/bits.hpp"
+
 namespace panicle {
 
 class Fingerprint {
  public:
-  void add(float value);  // its bits; −0 counts as 0, every NaN as the same one
-  void add(std::uint32_t word);
+  // Its bits; −0 counts as 0, every NaN as the same one, for machines disagree about a NaN's sign and payload.
+  void add(float value) {
+    constexpr std::uint32_t quiet_nan = 0x7fc00000u;
+    add(value == value ? bit_cast<std::uint32_t>(value + 0.0f) : quiet_nan);
+  }
+  void add(std::uint32_t word) { state_ = (state_ ^ word) * 1099511628211u; }
   void add(std::span<const float> values);
   void add(std::span<const std::uint32_t> words);
   std::uint64_t value() const { return state_; }

@@ -7,8 +7,8 @@
 #include <cstring>
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
-#elif defined(__SSE__)
-#include <xmmintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 namespace panicle {
@@ -35,7 +35,7 @@ inline void store(std::uint32_t* values, const FourWords& four) { std::memcpy(va
 inline Four square_root(const Four& v) {
 #if defined(__wasm_simd128__)
   return (Four)wasm_f32x4_sqrt((v128_t)v);
-#elif defined(__SSE__)
+#elif defined(__SSE2__)
   return _mm_sqrt_ps(v);
 #else
   return Four{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
@@ -53,6 +53,18 @@ inline Four exponential(Four x) {
       ((((1.9875691e-4f * r + 1.3981999e-3f) * r + 8.3334519e-3f) * r + 4.1665796e-2f) * r + 1.6666665e-1f) * r + 0.5f;
   const Four power = series * (r * r) + r + 1.0f;
   return (Four)((FourWords)power + ((FourWords)shifted << 23));
+}
+
+// Which lanes of a comparison are true: the first lane's is the lowest bit.
+template <class Comparison>
+std::uint32_t true_lanes(const Comparison& four) {
+#if defined(__wasm_simd128__)
+  return wasm_i32x4_bitmask((v128_t)four);
+#elif defined(__SSE2__)
+  return static_cast<std::uint32_t>(_mm_movemask_ps((__m128)four));
+#else
+  return (four[0] & 1u) | (four[1] & 2u) | (four[2] & 4u) | (four[3] & 8u);
+#endif
 }
 
 // Are all lanes of a comparison true (−1, not 0)?

@@ -45,6 +45,10 @@ double cosine_series(double x) {
                   u * (1.0 / 24 + u * (-1.0 / 720 + u * (1.0 / 40320 + u * (-1.0 / 3628800 + u * (1.0 / 479001600))))));
 }
 
+// Exact. Out of line, for compilers would else work it out for every angle and choose afterwards: in wasm it costs more
+// than all the rest.
+[[gnu::noinline]] double remainder_of(double x, double whole) { return std::fmod(x, whole); }
+
 // Sine and cosine of `quarters` right angles and `rest` radians. Adding 0 turns −0 into 0.
 SinCos of_quadrant(std::uint64_t quarters, double rest) {
   const double s = sine_series(rest);
@@ -63,7 +67,7 @@ SinCos sincos_radians(float radians) {
   constexpr double first = 1.5707963267341256;
   constexpr double second = 6.077100506506192e-11;
   double x = radians;
-  if (!(std::fabs(x) <= 1e5)) x = std::fmod(x, 4 * half_pi);  // fmod is exact; 2π is not, so accuracy fades with x
+  if (!(std::fabs(x) <= 1e5)) x = remainder_of(x, 4 * half_pi);  // 2π is not exact: accuracy fades with x
   const Nearest quarters = nearest(x * (1 / half_pi));
   return of_quadrant(quarters.low_bits, (x - quarters.value * first) - quarters.value * second);
 }
@@ -146,7 +150,7 @@ Parity parity_of(float x) {
 
 SinCos sincos_degrees(float degrees) {
   double x = degrees;
-  if (!(std::fabs(x) <= 1e9)) x = std::fmod(x, 360.0);  // exact, like the subtraction below
+  if (!(std::fabs(x) <= 1e9)) x = remainder_of(x, 360.0);  // exact, like the subtraction below
   const Nearest quarters = nearest(x * (1.0 / 90));
   return of_quadrant(quarters.low_bits, (x - quarters.value * 90) * (half_pi / 90));
 }

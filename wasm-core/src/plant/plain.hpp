@@ -10,6 +10,7 @@
 #include "foundation/result.hpp"
 #include "lsystem/lsystem.hpp"
 #include "plant/drawing.hpp"
+#include "plant/fingerprint.hpp"
 #include "plant/plant.hpp"
 
 namespace panicle {
@@ -33,10 +34,5 @@ Result<Plant> draw_plainly(std::shared_ptr<const lsystem::Program> program, cons
 // What has been drawn as a plant: segments and organs in metres, and the meshes `stems` and `balls` where they are
 // asked for, `sky` of the stems' vertices and of each ball. Tags: `stem`, `ball`.
 Plant plant_of(const Drawing& drawing, const PlainOptions& options);
-
-// Over segments and organs (docs/fingerprint.md): for plants whose model has no order of its own.
-std::uint64_t fingerprint_of(const Plant& plant);
-// Over all meshes.
-std::uint64_t mesh_fingerprint_of(const Plant& plant);
 
 }  // namespace panicle

@@ -6,6 +6,7 @@
 #include "models/growth/foliage.hpp"
 #include "models/growth/moment.hpp"
 #include "models/growth/texts.hpp"
+#include "models/growth/volume_shape.hpp"
 
 using namespace panicle;
 using namespace panicle::growth;
@@ -156,10 +157,7 @@ TEST_CASE("at eight steps three of four branches of the paper's presets end with
       if (tree.population.shoots[q].trunk) continue;
       const GrowthVolume& volume = tree.population.volumes[tree.population.shoots[q].volume];
       const Way& way = tree.form.ways[q];
-      const glm::vec3 axis = axis_of(volume), from = tree.form.nodes[way.first + way.count] - volume.at;
-      const float up = glm::dot(from, axis);
-      within +=
-          up >= 0 && up <= volume.height && glm::length(from - up * axis) <= radius_at(volume, up / volume.height);
+      within += VolumeShape(volume).holds(tree.form.nodes[way.first + way.count]);
       ++all;
     }
     CAPTURE(all);
@@ -176,8 +174,9 @@ TEST_CASE(
   GrowthVolume ball;
   ball.middle = 6;
   for (const float up : {0.0f, 0.2f, 0.5f, 0.9f, 1.0f}) {
-    CHECK(radius_at(frustum, up) == doctest::Approx(2 - up).epsilon(1e-5));
-    CHECK(radius_at(ball, up) == doctest::Approx(6 * std::sqrt(static_cast<double>(up * (1 - up)))).epsilon(1e-4));
+    CHECK(VolumeShape(frustum).radius(up) == doctest::Approx(2 - up).epsilon(1e-5));
+    CHECK(VolumeShape(ball).radius(up) ==
+          doctest::Approx(6 * std::sqrt(static_cast<double>(up * (1 - up)))).epsilon(1e-4));
   }
   const std::string head = "footprint -> GrowVol(1, 1, 4, 10, 2, 0",
                     tail = ")\ntree -> DivFunc(\"sigma1\"){branches}\n";

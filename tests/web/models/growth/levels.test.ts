@@ -33,6 +33,22 @@ describe("levels of a tree", () => {
 		}
 	});
 
+	it("are as many as are asked for, each the same whatever others are", () => {
+		const all = grown({ levels: true, meshes: false });
+		for (const levelCount of [1, 3]) {
+			const some = grown({ levels: true, levelCount, meshes: false });
+			const names = some.lines("meshes");
+			expect(names).toEqual(all.lines("meshes").slice(0, levelCount));
+			expect(some.floats("levels.tolerance")).toEqual(all.floats("levels.tolerance").slice(0, levelCount));
+			for (const name of names.map((each) => `mesh.${each}`)) {
+				expect(some.floats(`${name}.positions`)).toEqual(all.floats(`${name}.positions`));
+				expect(some.words(`${name}.indices`)).toEqual(all.words(`${name}.indices`));
+				expect(some.octets(`${name}.sky`)).toEqual(all.octets(`${name}.sky`));
+			}
+		}
+		for (const levelCount of [0, 5]) expect(() => grown({ levels: true, levelCount })).toThrow("one to four levels");
+	});
+
 	it("change nothing else of the plant, and are left out where they are not asked for", () => {
 		const [without, beside] = [grown({}), grown({ levels: true })];
 		expect(without.lines("meshes")).toEqual(["stems", "leaves"]);

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "foundation/mathematics.hpp"
-#include "models/growth/form.hpp"
+#include "models/growth/volume_shape.hpp"
 
 namespace panicle::growth {
 namespace {
@@ -22,7 +22,7 @@ constexpr float contrast = 1.5f;  // what light that grows from dark to full in 
 MatterCells cells_of(const Population& population) {
   glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
   for (const GrowthVolume& volume : population.volumes) {
-    const glm::vec3 top = volume.at + volume.height * axis_of(volume);
+    const glm::vec3 top = volume.at + volume.height * VolumeShape(volume).axis();
     const float wide = 0.5f * std::max(volume.base, volume.top);
     const glm::vec3 about(wide, 0, wide);
     low = glm::min(low, glm::min(volume.at, top) - about);

@@ -56,7 +56,18 @@ class Crown {
  public:
   Crown(Plant& plant, const Population& population, const Form& form, const Moment& moment, float time,
         const LeafHabit& habit)
-      : plant_(plant), population_(population), form_(form), moment_(moment), time_(time), habit_(habit) {}
+      : plant_(plant),
+        population_(population),
+        form_(form),
+        moment_(moment),
+        time_(time),
+        habit_(habit),
+        turns_(habit.seed, stream_turn),
+        faces_(habit.seed, stream_face),
+        sizes_(habit.seed, stream_size),
+        buds_(habit.seed, stream_bud),
+        falls_(habit.seed, stream_fall),
+        blooms_(habit.seed, stream_bloom) {}
 
   void leaves_of(std::size_t l) {
     Place place;
@@ -130,13 +141,13 @@ class Crown {
   // How much of a leaf the year has unfolded.
   float unfolded(std::uint64_t address) const {
     if (habit_.evergreen) return 1;
-    const float begins = budburst + burst_spread * random_unit(habit_.seed, stream_bud, address);
+    const float begins = budburst + burst_spread * buds_.unit(address);
     return risen((habit_.season - begins) / unfolding);
   }
 
   bool shed(std::uint64_t address) const {
     return !habit_.evergreen &&
-           habit_.season > first_fall + fall_spread * random_unit(habit_.seed, stream_fall, address);
+           habit_.season > first_fall + fall_spread * falls_.unit(address);
   }
 
   void leaf(std::size_t l, std::uint32_t k, const Place& place) {
@@ -145,19 +156,19 @@ class Crown {
     if (!(share > 0)) return;
     const float turns = golden * static_cast<float>(l * habit_.many + k);
     const SinCos about = sincos_degrees(golden_angle * static_cast<float>(k) +
-                                        360 * random_unit(habit_.seed, stream_turn, hash_combine(l, 0)));
+                                        360 * turns_.unit(hash_combine(l, 0)));
     const glm::vec3 side = about.cosine * place.one + about.sine * place.other;
     glm::vec3 out = habit_.needles ? place.along + 0.5f * side : 0.6f * place.along + side;
     if (!habit_.needles) out.y -= droop;
     out = glm::normalize(out);
     const glm::vec3 face =
-        glm::vec3(0, 1, 0) + outwards * place.along + strewn * random_direction(habit_.seed, stream_face, address);
+        glm::vec3(0, 1, 0) + outwards * place.along + strewn * faces_.direction(address);
     Organ leaf = on(place, (1 - near_tip) * (turns - std::floor(turns)));
     leaf.tag = place.falls ? falling_tag : leaf_tag;
     leaf.rotation = habit_.needles
                         ? turn_to(out, beside(out))
                         : turned(out, glm::length(face) > 1e-3f ? glm::normalize(face) : beside(place.along));
-    leaf.scale = share * habit_.size * (least_size + (1 - least_size) * random_unit(habit_.seed, stream_size, address));
+    leaf.scale = share * habit_.size * (least_size + (1 - least_size) * sizes_.unit(address));
     if (shed(address))
       lie_down(leaf, shed_tag, habit_.seed, address);
     else if (place.falls && random_unit(habit_.seed, stream_shake, address) < habit_.fallen)
@@ -166,14 +177,14 @@ class Crown {
   }
 
   void blossom(std::uint64_t address, const Place& place) {
-    const float late = flower_spread * random_unit(habit_.seed, stream_bloom, address);
+    const float late = flower_spread * blooms_.unit(address);
     const float share = place.share * risen((habit_.season - flowering - late) / opening) *
                         (1 - risen((habit_.season - withering - late) / withered));
     if (!(share > 0)) return;
-    const glm::vec3 luck = random_direction(habit_.seed, stream_bloom, hash_combine(address, 1));
+    const glm::vec3 luck = blooms_.direction(hash_combine(address, 1));
     const glm::vec3 way = luck - 0.7f * glm::dot(luck, place.along) * place.along + glm::vec3(0, 0.3f, 0);
     const glm::vec3 out = glm::length(way) > 1e-3f ? glm::normalize(way) : place.one;
-    Organ blossom = on(place, random_unit(habit_.seed, stream_bloom, hash_combine(address, 2)));
+    Organ blossom = on(place, blooms_.unit(hash_combine(address, 2)));
     blossom.tag = blossom_tag;
     blossom.rotation = turn_to(out, beside(out));
     blossom.scale = share * habit_.blossom_size;
@@ -186,6 +197,7 @@ class Crown {
   const Moment& moment_;
   const float time_;
   const LeafHabit& habit_;
+  const RandomStream turns_, faces_, sizes_, buds_, falls_, blooms_;
 };
 
 }  // namespace
@@ -193,6 +205,8 @@ class Crown {
 Diagnostic add_leaves(Plant& plant, const Population& population, const Form& form, const Moment& moment, float time,
                       const LeafHabit& habit, const Limits& limits) {
   Crown crown(plant, population, form, moment, time, habit);
+  plant.organs.reserve(
+      std::min<std::size_t>(population.leaves.size() * (habit.many + habit.blossoms), limits.copies + std::size_t{1}));
   const auto too_many = [&] { return plant.organs.size() > limits.copies; };
   const Diagnostic trouble{Reason::limit,
                            "The tree has more than " + std::to_string(limits.copies) +

@@ -10,7 +10,7 @@
 namespace panicle::growth {
 
 inline constexpr std::uint32_t leaf_tag = 0, falling_tag = 1, fallen_tag = 2, shed_tag = 3, blossom_tag = 4,
-                               bunch_tag = 5;
+                               bunch_tag = 5, organ_tags = 6;
 
 struct LeafHabit {
   float size = 0.14f;      // metres

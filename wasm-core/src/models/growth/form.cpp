@@ -1,17 +1,16 @@
 #include "models/growth/form.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "environment/point_grid.hpp"
-#include "foundation/lanes.hpp"
 #include "foundation/mathematics.hpp"
 #include "foundation/random.hpp"
 #include "geometry/turn.hpp"
 #include "models/growth/crown_light.hpp"
+#include "models/growth/free_room.hpp"
+#include "models/growth/volume_shape.hpp"
 
 namespace panicle::growth {
 namespace {
@@ -19,11 +18,7 @@ namespace {
 constexpr std::uint64_t stream_angle = 0x666f726d, stream_turn = stream_angle + 1, stream_reach = stream_angle + 2,
                         stream_crook = stream_angle + 3, stream_trunk = stream_angle + 4;
 
-// The growth space of a bud (p_c, r, l): so far ahead it looks, in internodes; how near another node may be to a place
-// that is free, in those; within which angle of its way places lie, as a cosine.
-constexpr float reach = 1.3f, apart = 0.55f, ahead = 0.3f;
-constexpr std::size_t looks = 40;
-constexpr float outside = 0.05f, lightwards = 0.5f;  // what a place outside the volume is worth, and one in the light
+constexpr float reach = 1.3f;  // how far a bud looks, in internodes
 constexpr float crowded = 0.3f, short_shoot = 0.3f;
 constexpr float spread = 0.15f, stray = 17;  // of angles: a share, and degrees round about
 // A branch of the trunk reaches at least so much of the half width, in so many steps.
@@ -37,50 +32,29 @@ constexpr float leaning = 18;         // degrees by which child trunks lean out
 constexpr float node_shade = 0.06f, leaf_shade = 0.02f;
 constexpr float beyond = 0.5f;    // how far a shoot grows that would end outside its volume
 constexpr int most_halvings = 6;  // of a shoot that would leave the room
-constexpr float far_away = 1e6f;
 // How many steps tell how far it is to a volume's edge, and how far that may be in its heights; how much of it is
 // grown.
 constexpr int feels = 24;
 constexpr float farthest = 1.2f, to_edge = 0.9f;
 constexpr float of_wire = 0.2f;  // how far canes lean off the upright, at the most
 
-const std::array<glm::vec3, looks>& directions() {
-  static const std::array<glm::vec3, looks> all = [] {
-    std::array<glm::vec3, looks> made{};
-    for (std::size_t i = 0; i < looks; ++i) {
-      const float y = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(looks);
-      const float out = std::sqrt(std::max(0.0f, 1 - y * y));
-      const SinCos way = sincos_degrees(137.50776f * static_cast<float>(i));
-      made[i] = {out * way.cosine, y, out * way.sine};
-    }
-    return made;
-  }();
-  return all;
-}
-
 glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
   const float length = glm::length(v);
   return length > 1e-6f ? v / length : otherwise;
 }
 
-// Half a volume's width so far up it, squared; below 0 where it has none.
-float square_at(const GrowthVolume& volume, float up) {
-  return 0.25f * (volume.base * volume.base * (1 - up) * (1 - 2 * up) +
-                  volume.middle * volume.middle * 4 * up * (1 - up) + volume.top * volume.top * up * (2 * up - 1));
-}
-
-bool holds(const GrowthVolume& volume, const glm::vec3& axis, const glm::vec3& p) {
-  const glm::vec3 from = p - volume.at;
-  const float up = glm::dot(from, axis);
-  if (!(up >= 0 && up <= volume.height)) return false;
-  const glm::vec3 out = from - up * axis;
-  return glm::dot(out, out) <= square_at(volume, up / volume.height);
-}
-
 class Maker {
  public:
   Maker(const Population& population, const FormHabit& habit, const Surroundings& about)
-      : population_(population), habit_(habit), about_(about), light_(population, about) {}
+      : population_(population),
+        habit_(habit),
+        angles_(habit.seed, stream_angle),
+        turns_(habit.seed, stream_turn),
+        reaches_(habit.seed, stream_reach),
+        crooks_(habit.seed, stream_crook),
+        trunks_(habit.seed, stream_trunk),
+        about_(about),
+        light_(population, about) {}
 
   Form run() {
     lay_out();
@@ -122,7 +96,7 @@ class Maker {
     laid_.reserve(nodes);
     deformed_.resize(population_.shoots.size());
     firsts_.assign(form_.ways.size(), 0);
-    for (const GrowthVolume& volume : population_.volumes) axes_.push_back(axis_of(volume));
+    for (const GrowthVolume& volume : population_.volumes) shapes_.emplace_back(volume);
     for (std::uint32_t k = 0; k <= population_.steps; ++k)
       by_age_.push_back(power(habit_.age_ratio, static_cast<float>(k)));
     std::uint8_t highest = 1;
@@ -132,9 +106,7 @@ class Maker {
   }
 
   void grow(std::uint16_t step) {
-    grid_.lay(laid_, std::max(cell_, 0.05f));
-    standing_.clear();
-    for (const std::uint32_t id : grid_.ids()) standing_.push_back(laid_[id]);
+    room_.lay(laid_, std::max(cell_, 0.05f));
     shade(step);
     for (; next_ < population_.deformations.size() && population_.deformations[next_].step <= step; ++next_)
       deformed_[population_.deformations[next_].shoot] = population_.deformations[next_];
@@ -167,10 +139,10 @@ class Maker {
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     const Way& way = form_.ways[q];
     if (shoot.trunk) {
-      ahead_of = axes_[shoot.volume];
+      ahead_of = shapes_[shoot.volume].axis();
       if (shoot.parent >= 0) {
         const SinCos out = sincos_degrees(leaning);
-        const SinCos about = sincos_degrees(360 * random_unit(habit_.seed, stream_trunk, q));
+        const SinCos about = sincos_degrees(360 * trunks_.unit(q));
         ahead_of = unit(out.cosine * ahead_of + out.sine * glm::vec3(about.cosine, 0, about.sine), ahead_of);
       }
       return volume.at;
@@ -181,25 +153,25 @@ class Maker {
     const glm::vec3 along = unit(to - from, glm::vec3(0, 1, 0)), one = beside(along), other = glm::cross(along, one);
     const float angle =
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
-        (1 + spread * (2 * random_unit(habit_.seed, stream_angle, q) - 1));
+        (1 + spread * (2 * angles_.unit(q) - 1));
     const SinCos off = sincos_degrees(angle);
     const SinCos about = sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) +
-                                        stray * (2 * random_unit(habit_.seed, stream_turn, q) - 1));
+                                        stray * (2 * turns_.unit(q) - 1));
     ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
     if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
     if (shoot.order == 1 && habit_.cordon > 0)
-      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * random_direction(habit_.seed, stream_trunk, q), along);
+      ahead_of = unit(glm::vec3(0, 1, 0) + of_wire * trunks_.direction(q), along);
     return glm::mix(from, to, way.along);
   }
 
   // From a place to where a volume ends.
-  float room(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
+  float to_end(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward) const {
     const GrowthVolume& volume = population_.volumes[shoot.volume];
     const float whole = farthest * std::max({volume.height, volume.base, volume.middle, volume.top});
     for (int i = 1; i <= feels; ++i) {
       const float out = whole * static_cast<float>(i) / static_cast<float>(feels);
       const glm::vec3 place = tip + out * forward;
-      if (!holds(volume, axes_[shoot.volume], place) || !about_.holds(place))
+      if (!shapes_[shoot.volume].holds(place) || !about_.holds(place))
         return out - 0.5f * whole / static_cast<float>(feels);
     }
     return whole;
@@ -220,68 +192,16 @@ class Maker {
     const float own = habit_.shoot * high * by_order_[shoot.order] * by_age_[internode];
     if (shoot.order > 1) return own;
     if (internode > 0) return glm::mix(own, firsts_[q] * by_age_[internode], habit_.reach);
-    const float up = glm::dot(tip - volume.at, axes_[shoot.volume]) / volume.height;
-    const float wide = std::max(radius_at(volume, std::clamp(up, 0.0f, 1.0f)), least_width * volume.base);
+    const VolumeShape& shape = shapes_[shoot.volume];
+    const float wide = std::max(shape.radius(std::clamp(shape.up(tip), 0.0f, 1.0f)), least_width * volume.base);
     const float left = static_cast<float>(population_.steps - shoot.born + 1);
     // Of lengths that shrink by a ratio, as many as are to come: the first of them.
     const float ratio = habit_.age_ratio, steps = std::max(left, 1.0f);
     const float sum = ratio < 0.999f ? (1 - power(ratio, steps)) / (1 - ratio) : steps;
-    firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * room(shoot, tip, forward) / sum);
+    if (habit_.reach > 0)
+      firsts_[q] = std::max(least_first * habit_.shoot * high, to_edge * to_end(shoot, tip, forward) / sum);
     return glm::mix(std::max(least_first * habit_.shoot * high, filled * wide / std::clamp(left, 1.0f, most_left)),
                     firsts_[q], habit_.reach);
-  }
-
-  // Σ w d of the places that are free ahead of a tip, and Σ w.
-  glm::vec3 free_about(const Shoot& shoot, const glm::vec3& tip, const glm::vec3& forward, const glm::vec3& light,
-                       float r, float regard, std::uint64_t address, float& sum) {
-    find_near(tip, forward, r);
-    const GrowthVolume& volume = population_.volumes[shoot.volume];
-    // One draw, and turns on from it: places stand at all depths, and no two tips look to the same.
-    float luck = random_unit(habit_.seed, stream_reach, address);
-    glm::vec3 middle(0);
-    sum = 0;
-    for (const glm::vec3& d : directions()) {
-      luck += golden;
-      if (luck >= 1) luck -= 1;
-      if (glm::dot(d, forward) < ahead) continue;
-      const glm::vec3 off = (0.5f + 0.5f * luck) * r * d, place = tip + off;
-      const bool taken = !about_.holds(place) || is_near(off, apart * r);
-      const float weight = (taken ? 1 - regard : 1) * (holds(volume, axes_[shoot.volume], place) ? 1 : outside) *
-                           (1 + lightwards * std::max(0.0f, glm::dot(d, light)));
-      middle += weight * d;
-      sum += weight;
-    }
-    return middle;
-  }
-
-  // The nodes of the steps before that may be near to a place ahead of a tip, as seen from it, four of each coordinate
-  // after the other.
-  void find_near(const glm::vec3& tip, const glm::vec3& forward, float r) {
-    const float far = (1 + apart) * r, behind = (0.5f * ahead - apart) * r;
-    near_.clear();
-    std::size_t count = 0;
-    grid_.within(tip - far, tip + far, [&](std::uint32_t first, std::uint32_t end) {
-      for (std::uint32_t slot = first; slot < end; ++slot) {
-        const glm::vec3 from = standing_[slot] - tip;
-        const float square = glm::dot(from, from);
-        if (!(square < far * far && square > 1e-8f && glm::dot(from, forward) > behind)) continue;
-        if (count % 4 == 0) near_.resize(near_.size() + 12, far_away);
-        float* const at = &near_[count / 4 * 12 + count % 4];
-        at[0] = from.x;
-        at[4] = from.y;
-        at[8] = from.z;
-        ++count;
-      }
-    });
-  }
-
-  bool is_near(const glm::vec3& off, float distance) const {
-    const float square = distance * distance;
-    for (std::size_t i = 0; i < near_.size(); i += 12) {
-      const Four x = load(&near_[i]) - off.x, y = load(&near_[i + 4]) - off.y, z = load(&near_[i + 8]) - off.z;
-      if (!all(x * x + y * y + z * z >= Four{square, square, square, square})) return true;
-    }
-    return false;
   }
 
   void extend(std::uint32_t q, std::uint32_t internode) {
@@ -299,9 +219,9 @@ class Maker {
     float length = length_of(q, internode, tip, forward);
     cell_ = std::max(cell_, 0.5f * length);
     const std::uint64_t address = hash_combine(q, internode);
-    const glm::vec3 luck = habit_.crook * random_direction(habit_.seed, stream_crook, address);
+    const glm::vec3 luck = habit_.crook * crooks_.direction(address);
     if (shoot.trunk) {
-      const glm::vec3 back = 0.3f * axes_[shoot.volume];
+      const glm::vec3 back = 0.3f * shapes_[shoot.volume].axis();
       if (internode == 1 && habit_.cordon > 0) {
         const float towards = population_.volumes[shoot.volume].towards;
         forward = {cosine(towards), 0, sine(towards)};
@@ -313,22 +233,21 @@ class Maker {
       const Environment& around = population_.environments[shoot.volume];
       const Deformation& deformed = deformed_[q];
       length *= deformed.length;
-      float sum = 0;
       const float regard = std::clamp(around.neighbours, 0.0f, 1.0f);
       const glm::vec3 light = light_.from(tip);
-      const glm::vec3 middle = free_about(shoot, tip, forward, light, reach * length, regard, address, sum);
+      const float deep = reaches_.unit(address);
+      const FreeRoom::Found free =
+          room_.about({tip, forward, light, reach * length, deep, regard}, shapes_[shoot.volume], about_);
       const float order = std::min(static_cast<float>(shoot.order) - 1, 2.0f) / 2;
       const float down = around.gravitropism + deformed.gravitropism + habit_.hang * order;
-      forward = unit(habit_.inertia * forward + habit_.space * unit(middle, glm::vec3(0)) +
+      forward = unit(habit_.inertia * forward + habit_.space * unit(free.middle, glm::vec3(0)) +
                          around.phototropism * light - glm::vec3(0, down, 0) + luck,
                      forward);
       // Never death: how many there are is the text's to say.
-      if (sum < crowded && habit_.cordon <= 0) length *= short_shoot;
+      if (free.sum < crowded && habit_.cordon <= 0) length *= short_shoot;
       for (int i = 0; i < most_halvings && regard > 0 && !about_.holds(tip + length * forward); ++i) length *= 0.5f;
       // The volume guides: beyond it grows half as far what has no will of its own.
-      if (deformed.length <= 1 &&
-          !holds(population_.volumes[shoot.volume], axes_[shoot.volume], tip + length * forward))
-        length *= beyond;
+      if (deformed.length <= 1 && !shapes_[shoot.volume].holds(tip + length * forward)) length *= beyond;
       const float floor = floor_share * population_.volumes[shoot.volume].height;
       if (tip.y + length * forward.y < floor) length = std::min(length, 0.02f * length + std::max(0.0f, tip.y - floor));
     }
@@ -343,32 +262,24 @@ class Maker {
 
   const Population& population_;
   const FormHabit& habit_;
+  const RandomStream angles_, turns_, reaches_, crooks_, trunks_;
   Form form_;
   const Surroundings& about_;
   CrownLight light_;
   std::vector<std::uint32_t> ordinals_;   // of each shoot among those of its parent
-  std::vector<glm::vec3> axes_;           // of the volumes
+  std::vector<VolumeShape> shapes_;       // of the volumes
   std::vector<float> firsts_;             // of each branch of a trunk the first length by which it comes to the edge
   std::vector<float> by_age_, by_order_;  // what lengths are multiplied by
   std::vector<glm::vec3> laid_;           // every node so far, and the shoots that they are of
   std::vector<std::uint32_t> of_laid_;
   std::size_t shaded_ = 0, leaf_ = 0;  // how many of them, and of the leaves, the light has gone through
-  std::vector<glm::vec3> standing_;    // those that the grid has, by slots: of the steps before
-  PointGrid grid_;
+  FreeRoom room_;                      // among the nodes of the steps before
   float cell_ = 0;
-  std::vector<float> near_;
   std::vector<Deformation> deformed_;  // of each shoot, as it stands
   std::size_t next_ = 0;               // deformation
 };
 
 }  // namespace
-
-glm::vec3 axis_of(const GrowthVolume& volume) {
-  const float s = sine(volume.gradient);
-  return {s * cosine(volume.towards), cosine(volume.gradient), s * sine(volume.towards)};
-}
-
-float radius_at(const GrowthVolume& volume, float up) { return std::sqrt(std::max(0.0f, square_at(volume, up))); }
 
 Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about) {
   return Maker(population, habit, about).run();

@@ -43,11 +43,6 @@ struct Form {
   std::vector<glm::vec3> nodes;
 };
 
-// The axis of a volume, of length 1, and half its width so far up it (0 its base, 1 its top): a quadric of revolution
-// through its three widths, which is the paper's frustum where the middle one is the mean of the others.
-glm::vec3 axis_of(const GrowthVolume& volume);
-float radius_at(const GrowthVolume& volume, float up);
-
 Form form_of(const Population& population, const FormHabit& habit, const Surroundings& about = {});
 
 }  // namespace panicle::growth

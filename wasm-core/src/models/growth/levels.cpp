@@ -1,6 +1,7 @@
 #include "models/growth/levels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -60,8 +61,10 @@ class Maker {
     for (const Crowd& crowd : crowds_) leafy_ |= tells_outline(crowd.sheets);
   }
 
-  Levels run() {
-    for (std::size_t k = 0; k < level_count; ++k) make(k);
+  Levels run(std::size_t count) {
+    made_.meshes.resize(count);
+    made_.tolerance.resize(count);
+    for (std::size_t k = 0; k < count; ++k) make(k);
     return std::move(made_);
   }
 
@@ -350,8 +353,9 @@ class Maker {
 
 }  // namespace
 
-Levels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area) {
-  return Maker(moment, organs, leaf_area, blossom_area).run();
+Levels levels_of(const Moment& moment, std::span<const Organ> organs, float leaf_area, float blossom_area,
+                 std::size_t count) {
+  return Maker(moment, organs, leaf_area, blossom_area).run(count);
 }
 
 }  // namespace panicle::growth

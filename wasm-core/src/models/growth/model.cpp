@@ -1,6 +1,7 @@
 #include "models/growth/model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -83,9 +84,11 @@ Blade blade_of(const GrowthValues& values, const FlatLeaf& flat) {
 
 bool is_leaf(const Organ& organ) { return organ.tag <= fallen_tag; }
 
-std::uint32_t count_of(const Plant& plant, std::uint32_t tag) {
-  return static_cast<std::uint32_t>(
-      std::count_if(plant.organs.begin(), plant.organs.end(), [tag](const Organ& organ) { return organ.tag == tag; }));
+// How many organs there are of each tag.
+std::array<std::uint32_t, organ_tags> tally(const Plant& plant) {
+  std::array<std::uint32_t, organ_tags> many{};
+  for (const Organ& organ : plant.organs) ++many[organ.tag];
+  return many;
 }
 
 void add_columns(Plant& plant, const Population& population, const Moment& moment) {
@@ -180,10 +183,10 @@ void add_meshes(Plant& plant, const Moment& moment, const Blade& blade, bool sky
   add_borne(plant, "blossoms", "petal", blossom.mesh, [](const Organ& organ) { return organ.tag == blossom_tag; });
 }
 
-void add_levels(Plant& plant, const Moment& moment, float leaf_area) {
-  Levels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area);
+void add_levels(Plant& plant, const Moment& moment, float leaf_area, std::size_t count) {
+  Levels levels = levels_of(moment, plant.organs, leaf_area, make_blossom().area, count);
   for (PlantMesh& mesh : levels.meshes) plant.meshes.push_back(std::move(mesh));
-  plant.columns.add("levels.tolerance", std::vector<float>(levels.tolerance.begin(), levels.tolerance.end()));
+  plant.columns.add("levels.tolerance", std::move(levels.tolerance));
 }
 
 Result<Plant> grow(Request& request, const Limits& limits) {
@@ -192,10 +195,13 @@ Result<Plant> grow(Request& request, const Limits& limits) {
   const std::uint64_t seed = request.word("seed", 1);
   const bool meshes = request.wants("meshes"), measures = request.wants("measures"), sky = request.wants("sky"),
              mesh_fingerprint = request.wants("mesh_fingerprint"), levels = request.wants("levels");
+  const std::uint32_t many_levels = request.word("levels", level_count);
   const std::span<const float> asked = request.floats("parameters"), about = request.floats("surroundings");
   const bool has_text = request.has("rules");
   const std::string_view text = request.text("rules");
   if (Diagnostic trouble = request.trouble(); trouble.reason != Reason::none) return trouble;
+  if (many_levels == 0 || many_levels > level_count)
+    return Diagnostic{Reason::bad_request, "The request asks for other than one to four levels.", 0, 0};
   if (!has_text) return Diagnostic{Reason::bad_request, "The request has no rules.", 0, 0};
   if (Diagnostic trouble = check(flat); trouble.reason != Reason::none) return trouble;
   const Result<Surroundings> surroundings = about.empty() ? Surroundings() : Surroundings::of(about);
@@ -222,7 +228,8 @@ Result<Plant> grow(Request& request, const Limits& limits) {
       add_leaves(plant, population.value(), form, moment.value(), time, leaf_habit(values, seed), limits);
   if (trouble.reason != Reason::none) return trouble;
   const Blade blade = blade_of(values, flat);
-  const auto leaves = static_cast<std::uint32_t>(std::count_if(plant.organs.begin(), plant.organs.end(), is_leaf));
+  const auto many = tally(plant);
+  const std::uint32_t leaves = many[leaf_tag] + many[falling_tag] + many[fallen_tag];
   if (meshes && blade.mesh.indices.empty() && leaves > 0)
     plant.notes.emplace_back("The leaves have no shape: the request brings none to make them from.");
   add_columns(plant, population.value(), moment.value());
@@ -230,13 +237,13 @@ Result<Plant> grow(Request& request, const Limits& limits) {
                   {"steps", count},
                   {"segments", static_cast<std::uint32_t>(plant.segments.size())},
                   {"leaves", leaves},
-                  {"falling", count_of(plant, falling_tag) + count_of(plant, fallen_tag)},
-                  {"shed", count_of(plant, shed_tag)},
-                  {"blossoms", count_of(plant, blossom_tag)},
-                  {"bunches", count_of(plant, bunch_tag)}};
+                  {"falling", many[falling_tag] + many[fallen_tag]},
+                  {"shed", many[shed_tag]},
+                  {"blossoms", many[blossom_tag]},
+                  {"bunches", many[bunch_tag]}};
   if (measures) measure(plant, blade.area);
   if (meshes) add_meshes(plant, moment.value(), blade, sky, {.flare = values[flare], .seed = seed});
-  if (levels) add_levels(plant, moment.value(), blade.area);
+  if (levels) add_levels(plant, moment.value(), blade.area, many_levels);
   plant.fingerprint = fingerprint_of(plant);
   if (meshes && mesh_fingerprint) plant.mesh_fingerprint = mesh_fingerprint_of(plant);
   return plant;

@@ -133,6 +133,9 @@ Result<Moment> moment_of(const Population& population, const Form& form, float t
   growing.moment.of_node.assign(form.nodes.size(), -1);
   growing.bearers.assign(form.ways.size(), -1);
   growing.sort_children();
+  // Each shoot's internodes, and those that what it bears cuts in two.
+  growing.moment.segments.reserve(form.nodes.size());
+  growing.moment.axes.reserve(form.nodes.size());
   for (std::uint32_t q = 0; q < form.ways.size(); ++q) {
     if (!growing.there(q)) continue;
     growing.lay(q);

@@ -50,7 +50,8 @@ Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t
     : breadth_(std::max(2 * area, least_breadth)) {
   if (!(area > 0)) return;
   std::vector<Sheet> found;
-  found.reserve(organs.size());
+  found.reserve(static_cast<std::size_t>(std::count_if(
+      organs.begin(), organs.end(), [&](const Organ& organ) { return organ.tag >= first && organ.tag <= last; })));
   for (const Organ& organ : organs) {
     if (organ.tag < first || organ.tag > last) continue;
     const glm::vec3 x = turned(organ.rotation, {1, 0, 0}), y = turned(organ.rotation, {0, 1, 0});
@@ -64,6 +65,7 @@ Sheets::Sheets(std::span<const Organ> organs, std::uint32_t first, std::uint32_t
     middles_.hold(sheet.middle);
     found.push_back(sheet);
   }
+  if (found.empty()) return;
   const glm::vec3 size = middles_.size();
   const float scale = cells / std::max({size.x, size.y, size.z, 1e-6f});
   std::vector<std::uint32_t> next(cells * cells * cells + 1, 0), codes;

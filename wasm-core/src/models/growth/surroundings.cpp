@@ -9,6 +9,7 @@ namespace panicle::growth {
 namespace {
 
 constexpr float least_room = 1e-3f, most_room = 1e6f;
+constexpr float surely = 0.999f;  // so much of what has been worked out is there whatever was rounded
 constexpr float diagonal = 0.70710678f;
 constexpr std::array<float, Surroundings::sides> east{1, diagonal, 0, -diagonal, -1, -diagonal, 0, diagonal},
     south{0, diagonal, 1, diagonal, 0, -diagonal, -1, -diagonal};  // +X, and +Z
@@ -32,7 +33,20 @@ Result<Surroundings> Surroundings::of(std::span<const float> numbers) {
     about.horizon_[i] = std::clamp(numbers[i], 0.0f, 90.0f);
     about.room_[i] = std::clamp(numbers[sides + i], least_room, most_room);
   }
+  // To the line between two ends it is no less than to where it is met at right angles.
+  about.least_ = most_room;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const std::size_t next = (i + 1) % sides;
+    const float x = about.room_[i] * east[i], z = about.room_[i] * south[i];
+    const float way_x = about.room_[next] * east[next] - x, way_z = about.room_[next] * south[next] - z;
+    const float near = (x * way_z - z * way_x) / std::sqrt(way_x * way_x + way_z * way_z);
+    about.least_ = std::min(about.least_, surely * near);
+  }
   return about;
+}
+
+bool Surroundings::holds_about(const glm::vec3& p, float radius) const {
+  return alone_ || std::sqrt(p.x * p.x + p.z * p.z) + radius < least_;
 }
 
 bool Surroundings::holds(const glm::vec3& p) const {

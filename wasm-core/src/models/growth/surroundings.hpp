@@ -26,12 +26,15 @@ class Surroundings {
   bool alone() const { return alone_; }
   // Whether a place is within the room; between two of its directions it ends at the line between its ends there.
   bool holds(const glm::vec3& p) const;
+  // Whether all places so near to one surely are.
+  bool holds_about(const glm::vec3& p, float radius) const;
   // Those lamps, the ones behind the horizon dark.
   std::vector<Lamp> dimmed(std::vector<Lamp> lamps) const;
 
  private:
   bool alone_ = true;
   std::array<float, sides> horizon_{}, room_{};
+  float least_ = 0;  // metres of room in whatever direction
 };
 
 }  // namespace panicle::growth

@@ -15,11 +15,13 @@ export interface RequestOptions extends GrowthOptions {
 	meshFingerprint?: boolean;
 	/** Whether meshes for four distances are wanted, as wasm-core/src/models/growth/model.hpp says; the default is no. */
 	levels?: boolean;
+	/** How many of them, from near to far; absent: all four. */
+	levelCount?: number;
 }
 
 /** @throws CoreError where the preset's text has not been fetched, or a parameter is no number */
 export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions = {}): Block[] {
-	const { meshes = true, passing = false, meshFingerprint = false, levels = false } = options;
+	const { meshes = true, passing = false, meshFingerprint = false, levels = false, levelCount } = options;
 	const { measures = !passing, sky = meshes && !passing } = options;
 	const outputs = [
 		meshes && "meshes",
@@ -40,6 +42,7 @@ export function encodeGrowth(specimen: GrowthSpecimen, options: RequestOptions =
 			name: "parameters",
 			data: Float32Array.from(GROWTH_TABLE.core, ({ key }) => number(key, parameters[key as keyof typeof parameters])),
 		},
+		...(levelCount === undefined ? [] : [{ name: "levels", data: Uint32Array.of(levelCount) }]),
 		{ name: "rules", data: text },
 		...(surroundings ? [{ name: "surroundings", data: Float32Array.from(surroundings) }] : []),
 		...(leaf ? leafBlocks(leaf) : []),

@@ -1,0 +1,140 @@
+#include "models/growth/free_room.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "foundation/lanes.hpp"
+#include "foundation/mathematics.hpp"
+
+namespace panicle::growth {
+namespace {
+
+// How near another node may be to a place that is free, of the radius; within which angle of the way places lie, as a
+// cosine; what a place outside the volume is worth, and one in the light.
+constexpr float apart = 0.55f, ahead = 0.3f;
+constexpr float outside = 0.05f, lightwards = 0.5f;
+constexpr float golden = 0.618034f, golden_angle = 137.50776f;
+constexpr float at_tip = 1e-8f;  // nodes so near, squared, are the tip itself
+constexpr float far_away = 1e6f;
+constexpr std::size_t lanes = 4, looks = 40, groups = looks / lanes;
+
+// Directions that lie side by side: of most ways a tip may grow, some groups are wholly behind it.
+struct Group {
+  std::array<float, lanes> x, y, z;
+  std::array<float, lanes> turn;  // what the place of each is further than luck's, turned over at 1
+};
+
+std::array<Group, groups> make_directions() {
+  std::array<glm::vec3, looks> all{};
+  std::array<float, looks> turns{};
+  float turn = 0;
+  for (std::size_t i = 0; i < looks; ++i) {
+    const float y = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(looks);
+    const float out = std::sqrt(std::max(0.0f, 1 - y * y));
+    const SinCos way = sincos_degrees(golden_angle * static_cast<float>(i));
+    all[i] = {out * way.cosine, y, out * way.sine};
+    turn += golden;
+    turns[i] = turn -= turn >= 1 ? 1.0f : 0.0f;
+  }
+  std::array<Group, groups> made{};
+  std::array<bool, looks> taken{};
+  for (Group& group : made) {
+    const std::size_t first = static_cast<std::size_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      std::size_t next = looks;
+      for (std::size_t i = 0; i < looks; ++i)
+        if (!taken[i] && (next == looks || glm::dot(all[i], all[first]) > glm::dot(all[next], all[first]))) next = i;
+      taken[next] = true;
+      group.x[lane] = all[next].x;
+      group.y[lane] = all[next].y;
+      group.z[lane] = all[next].z;
+      group.turn[lane] = turns[next];
+    }
+  }
+  return made;
+}
+
+const std::array<Group, groups>& directions() {
+  static const std::array<Group, groups> all = make_directions();
+  return all;
+}
+
+Four all_of(float value) { return Four{value, value, value, value}; }
+float sum_of(const Four& four) { return (four[0] + four[1]) + (four[2] + four[3]); }
+
+}  // namespace
+
+void FreeRoom::lay(std::span<const glm::vec3> nodes, float edge) {
+  grid_.lay(nodes, edge);
+  const std::size_t count = grid_.ids().size(), room = count + lanes;
+  x_.assign(room, far_away);
+  y_.assign(room, far_away);
+  z_.assign(room, far_away);
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    const glm::vec3& node = nodes[grid_.ids()[slot]];
+    x_[slot] = node.x;
+    y_[slot] = node.y;
+    z_[slot] = node.z;
+  }
+  near_.resize(3 * count);
+}
+
+void FreeRoom::find_near(const Look& look) {
+  const float far = (1 + apart) * look.radius, behind = (0.5f * ahead - apart) * look.radius;
+  const glm::vec3 &tip = look.tip, &forward = look.forward;
+  float* next = near_.data();
+  grid_.within(tip - far, tip + far, [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t slot = first; slot < end; slot += lanes) {
+      const Four x = load(&x_[slot]) - tip.x, y = load(&y_[slot]) - tip.y, z = load(&z_[slot]) - tip.z;
+      const Four square = x * x + y * y + z * z;
+      std::uint32_t found = true_lanes((square < far * far) & (square > at_tip) &
+                                       (x * forward.x + y * forward.y + z * forward.z > behind));
+      if (end - slot < lanes) found &= (1u << (end - slot)) - 1;
+      for (std::uint32_t lane = 0; found != 0; ++lane, found >>= 1) {
+        if ((found & 1) == 0) continue;
+        next[0] = x[lane];
+        next[1] = y[lane];
+        next[2] = z[lane];
+        next += 3;
+      }
+    }
+  });
+  near_count_ = static_cast<std::size_t>(next - near_.data()) / 3;
+}
+
+FreeRoom::Found FreeRoom::about(const Look& look, const VolumeShape& volume, const Surroundings& about) {
+  find_near(look);
+  const float reach = look.radius, square = apart * apart * reach * reach;
+  const bool walled = !about.holds_about(look.tip, reach);
+  Four x(all_of(0)), y(x), z(x), sum(x);
+  for (const Group& group : directions()) {
+    const Four way_x = load(group.x.data()), way_y = load(group.y.data()), way_z = load(group.z.data());
+    const auto seen = way_x * look.forward.x + way_y * look.forward.y + way_z * look.forward.z >= ahead;
+    if (true_lanes(seen) == 0) continue;
+    const Four turned = load(group.turn.data()) + look.luck, deep = turned - (turned >= 1.0f ? all_of(1) : all_of(0));
+    const Four out = (0.5f + 0.5f * deep) * reach;
+    const Four off_x = out * way_x, off_y = out * way_y, off_z = out * way_z;
+    auto taken = seen & ~seen;
+    for (const float *node = near_.data(), *const end = node + 3 * near_count_; node < end; node += 3) {
+      const Four to_x = off_x - node[0], to_y = off_y - node[1], to_z = off_z - node[2];
+      taken |= to_x * to_x + to_y * to_y + to_z * to_z < square;
+    }
+    const Four place_x = off_x + look.tip.x, place_y = off_y + look.tip.y, place_z = off_z + look.tip.z;
+    for (std::size_t lane = 0; walled && lane < lanes; ++lane)
+      if (!about.holds({place_x[lane], place_y[lane], place_z[lane]})) taken[lane] = -1;
+    const Four lit = way_x * look.light.x + way_y * look.light.y + way_z * look.light.z;
+    const Four worth = (taken ? all_of(1 - look.regard) : all_of(1)) *
+                       (volume.holds(place_x, place_y, place_z) ? all_of(1) : all_of(outside)) *
+                       (1.0f + lightwards * (lit > 0.0f ? lit : all_of(0)));
+    const Four weight = seen ? worth : all_of(0);
+    x += weight * way_x;
+    y += weight * way_y;
+    z += weight * way_z;
+    sum += weight;
+  }
+  return {{sum_of(x), sum_of(y), sum_of(z)}, sum_of(sum)};
+}
+
+}  // namespace panicle::growth

@@ -1,0 +1,15 @@
+// What tells two plants apart, of plants whose model has no order of its own.
+#pragma once
+
+#include <cstdint>
+
+#include "plant/plant.hpp"
+
+namespace panicle {
+
+// Over segments and organs (docs/fingerprint.md).
+std::uint64_t fingerprint_of(const Plant& plant);
+// Over all meshes.
+std::uint64_t mesh_fingerprint_of(const Plant& plant);
+
+}  // namespace panicle
