@@ -54,6 +54,8 @@ export function outlineOf(text: string, pieces: readonly Piece[] = scan(text)): 
 	const names = new Map<string, string>();
 	for (const line of byStatement(pieces)) {
 		const [head, name] = line;
+		// What follows is a grammar of its own, and so are its names.
+		if (head.text === "#module") break;
 		if (name?.kind !== "name" && name?.kind !== "function") continue;
 		if (!/^#(?:define|input|curve)$/.test(head.text)) continue;
 		names.set(name.text, text.slice(head.from, line.findLast(({ kind }) => kind !== "comment")?.to));
@@ -94,7 +96,7 @@ function* byStatement(pieces: readonly Piece[]): Iterable<Piece[]> {
 
 function constantIn(line: readonly Piece[]): Constant[] {
 	const [head, name, ...rest] = line;
-	const values = rest.filter(({ kind }) => kind !== "comment");
+	const values = rest.filter(({ kind, text }, index) => kind !== "comment" && !(index === 0 && text === "="));
 	const at = line.findIndex(({ kind }) => kind === "number");
 	if (at < 0) return [];
 	const number = signed(line, at);
