@@ -75,10 +75,14 @@ export function numberAt(pieces: readonly Piece[], place: number): NumberAt | un
 	return number && number.from <= place ? number : undefined;
 }
 
-/** The text with other values for constants of it: what presets of one text differ by. */
-export function withConstants(text: string, values: Readonly<Partial<Record<string, number>>>): string {
+/** The text with other values for constants of it: what presets of one text differ by. @param pieces as `outlineOf` has them */
+export function withConstants(
+	text: string,
+	values: Readonly<Partial<Record<string, number>>>,
+	pieces?: readonly Piece[],
+): string {
 	let result = text;
-	for (const { name, number } of outlineOf(text).constants.toReversed()) {
+	for (const { name, number } of outlineOf(text, pieces).constants.toReversed()) {
 		const value = values[name];
 		if (value !== undefined) result = result.slice(0, number.from) + value + result.slice(number.to);
 	}

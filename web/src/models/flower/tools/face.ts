@@ -1,5 +1,6 @@
 /** The page's side of the model: loaded with the first flower, in a page alone. */
 import { html } from "lit";
+import { gestureTool } from "../../../controls/gesture_tool";
 import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
@@ -7,7 +8,7 @@ import type { FlowerSpecimen } from "../specimen";
 import { source } from "./text";
 
 export const face: Face<FlowerSpecimen, FlowerPlant> = {
-	tools: [...grammarTools<FlowerSpecimen, FlowerPlant>(source)],
+	tools: [...grammarTools<FlowerSpecimen, FlowerPlant>(source), gestureTool<FlowerSpecimen, FlowerPlant>(source)],
 	about: html`<p>
 			A flower is made of volumes that grow on each other’s faces, are glued and split, as its text says; organs are modules of
 			it.
