@@ -37,6 +37,7 @@ struct Instance {
   std::uint32_t grammar = 0;
   std::uint32_t depth = 0;
   std::uint64_t address = 0;
+  GivenVariables given = {};
 };
 
 struct Derived {

@@ -78,6 +78,12 @@ struct FaceOf {
   lsystem::Place place;
 };
 
+// What a call gives one of a module's variables instead of its own value: `&PETAL{len=60}`.
+struct Setting {
+  std::uint32_t variable = 0;
+  lsystem::Value value;
+};
+
 // `[NEW(…)]_{faces}`, or with & a module.
 struct Growth {
   bool module = false;
@@ -85,7 +91,8 @@ struct Growth {
   std::vector<FaceOf> faces;
   lsystem::Range blocks;  // what the production works out before, and the faces
   Description arguments;
-  std::uint32_t number = 0;  // among all of the program, for notes
+  std::vector<Setting> settings;  // of a module
+  std::uint32_t number = 0;       // among all of the program, for notes
 };
 
 // `predecessor {before} {condition} {after} -> successor`
@@ -146,7 +153,7 @@ struct Grammar {
   Description axiom_arguments;
   lsystem::Range variables;  // in Program::variables
   Number final_step;         // where given
-  bool draws = false;        // whether a variable does, so that each instance has its own
+  bool draws = false;        // whether a variable does, or a call gives one, so that each instance has its own
   lsystem::Place place;
 };
 

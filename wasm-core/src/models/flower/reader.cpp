@@ -532,11 +532,18 @@ std::uint32_t Reader::find_grammar(std::string_view name) const {
 }
 
 void Reader::finish() {
-  // A variable that is made of others: whoever depends on it depends on those.
-  for (std::size_t i = program_.variables.size(); i-- > 0;) {
-    if (!program_.variables[i].rebuilds) continue;
-    for (const std::uint32_t other : uses_of_variables_[i].variables) program_.variables[other].rebuilds = true;
-    program_.age_rebuilds |= uses_of_variables_[i].age;
+  // A variable that is made of others, or given by a call: whoever depends on it depends on those. Calls may stand in
+  // any order, and so it is gone through again until nothing is new.
+  const auto known = [&] {
+    return std::count_if(program_.variables.begin(), program_.variables.end(),
+                         [](const Variable& variable) { return variable.rebuilds; });
+  };
+  for (std::ptrdiff_t before = -1; before != known();) {
+    before = known();
+    for (const auto& [variable, uses] : uses_of_settings_)
+      if (program_.variables[variable].rebuilds) rebuilds(uses);
+    for (std::size_t i = program_.variables.size(); i-- > 0;)
+      if (program_.variables[i].rebuilds) rebuilds(uses_of_variables_[i]);
   }
   write_bones();
   std::stable_sort(program_.productions.begin(), program_.productions.end(),

@@ -71,6 +71,7 @@ class Reader : lsystem::TokenReader {
   bool both_blocks(const Blocks& blocks, const Production& production);
   bool grow(const Blocks& blocks, Production& production);
   bool growth(const Blocks& blocks, Production& production);
+  bool settings(Growth& growth);
   bool too_much(const lsystem::Place& place);
   bool faces(Growth& growth);
   bool face(FaceOf& face);
@@ -113,7 +114,8 @@ class Reader : lsystem::TokenReader {
   std::deque<std::string> spelled_;
   std::vector<std::string_view> locals_;
   Uses of_blocks_;
-  std::uint32_t grammar_ = 0;  // that is read
+  std::vector<std::pair<std::uint32_t, Uses>> uses_of_settings_;  // by variable
+  std::uint32_t grammar_ = 0;                                     // that is read
   std::uint32_t known_variables_ = 0;
   std::uint64_t keys_ = 0;
   std::uint64_t production_key_ = 0;
