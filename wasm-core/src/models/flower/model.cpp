@@ -81,8 +81,9 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
   std::string labels;
   for (const Label& label : program.labels) labels.append(labels.empty() ? "" : " ").append(label.name);
   plant.columns.add("labels", labels);
-  plant.columns.add("labels.module",
-                    column_of<std::uint32_t>(program.labels, 1, [](const Label& of, std::uint32_t* at) { *at = of.grammar; }));
+  plant.columns.add(
+      "labels.module",
+      column_of<std::uint32_t>(program.labels, 1, [](const Label& of, std::uint32_t* at) { *at = of.grammar; }));
   std::vector<std::uint32_t> label, order, parent;
   std::vector<float> values;
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
@@ -120,8 +121,8 @@ void add_materials(Plant& plant, const Program& program, float age) {
     const Colours now = colours_at(material, age);
     numbers.push_back(number);
     colours.insert(colours.end(), {now.base, now.tip, material.margin, material.veins});
-    paint.insert(paint.end(), {material.foot, material.margin_width, material.vein_count, material.vein_strength,
-                               material.light});
+    paint.insert(paint.end(),
+                 {material.foot, material.margin_width, material.vein_count, material.vein_strength, material.light});
   }
   plant.columns.add("materials.number", std::move(numbers));
   plant.columns.add("materials.colours", std::move(colours), 4);
