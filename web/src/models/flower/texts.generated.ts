@@ -284,7 +284,7 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 #axiom: STEM
 #define finalStep=1
 STEM -> STEM[&PETAL]_{E}
-#material 4 petal "f3c14b" "d1253f"
+#material 4 petal "f3c14b" "d1253f" foot 0.5 margin "f3a9a0" 0.35 veins "8d1230" 9 0.45 light 0.5
 #module PETAL
 #define K=12
 #define len=60
