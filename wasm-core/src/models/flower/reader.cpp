@@ -556,6 +556,13 @@ void Reader::finish() {
     if (of.end == 0) of.begin = i;
     of.end = i + 1;
   }
+  for (const Renamed& each : renamed_) {
+    const Label& to = program_.labels[each.to];
+    if (to.productions.size() == 0) continue;
+    program_.notes.push_back(
+        lsystem::sentence("Line %: % becomes %, whose productions then hold for it.",
+                          {std::to_string(each.line), program_.labels[each.from].name, to.name}));
+  }
 }
 
 }  // namespace panicle::flower

@@ -116,6 +116,10 @@ class Reader : lsystem::TokenReader {
   std::vector<std::string_view> locals_;
   Uses of_blocks_;
   std::vector<std::pair<std::uint32_t, Uses>> uses_of_settings_;  // by variable
+  struct Renamed {
+    std::uint32_t line, from, to;
+  };
+  std::vector<Renamed> renamed_;
   std::uint32_t grammar_ = 0;                                     // that is read
   std::uint32_t known_variables_ = 0;
   std::uint64_t keys_ = 0;
