@@ -1,6 +1,12 @@
 import type { Page } from "@playwright/test";
+import config from "../../playwright.config";
 import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
+
+// A camera that shows a clock, and nobody to ask whether it may.
+const { launchOptions } = config.use ?? {};
+const args = ["--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"];
+test.use({ permissions: ["camera"], launchOptions: { ...launchOptions, args: [...(launchOptions?.args ?? []), ...args] } });
 
 const FLOWER = "?v=2&model=flower&preset=tulip";
 const circle = (page: Page) => page.getByRole("button", { name: /^bend/ });
@@ -61,14 +67,6 @@ test("the pointer bends and lengthens the stem, as one step; the arrows of the c
 });
 
 test.describe("before a camera", () => {
-	test.use({ permissions: ["camera"] });
-	test.use({
-		launchOptions: async ({ launchOptions }, use) => {
-			const args = ["--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"];
-			await use({ ...launchOptions, args: [...(launchOptions.args ?? []), ...args] });
-		},
-	});
-
 	test("a hand drives the two numbers, and a pinch brings the next two, which wait for it", async ({ page }) => {
 		await page.route("**/hands/hands.js", (route) => route.fulfill({ contentType: "text/javascript", body: INJECTED }));
 		const studio = await new StudioPage(page).open(FLOWER);
