@@ -121,10 +121,10 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=140 /* 70 … 240 mm, of the stem */
+#define length=115 /* 60 … 190 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.79,1.21)
+#define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.1)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -335,13 +335,13 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=230 /* 110 … 380 mm, of the stem */
+#define length=145 /* 70 … 240 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.93,1.07)
 #define outer=floor(math.random(9,12))
-#define inner=floor(math.random(22,30))
+#define inner=floor(math.random(18,24))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -364,7 +364,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 
 #axiom: STEM
 STEM{}{step<14}{} -> OLD[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall/14>,<2.4-0.06*step>,<2.4-0.06*step>,)]_{E}
-STEM{}{step>0&&step<13}{} -> STEM[&BLADE{S=6; len=(76-4*step)*math.random(0.85,1.1); wide=5-0.2*step; thick=0.6; start=-50+math.random(-10,10); bend=math.random(10,50); high=10; peak=0.8; round=0.7; claw=0.7; paint=2}]_{C(1+(5*step)%13)}
+STEM{}{step>0&&step<13}{} -> STEM[&BLADE{S=6; len=(60-3*step)*math.random(0.85,1.1); wide=5-0.2*step; thick=0.6; start=-50+math.random(-10,10); bend=math.random(10,50); high=10; peak=0.8; round=0.7; claw=0.7; paint=2}]_{C(1+(5*step)%13)}
 STEM{}{step==14}{} -> STEM[CUP(,,,,0.4,4,4,)]_{E}
 /* The involucre bulges, a bract to each face by the golden angle. */
 CUP{k=step-15}{step<41}{} -> TILED[CUP(,,,,<size*0.5>,<size*(4+7.6*sin(7*k)^0.8)>,<size*(4+7.6*sin(7*k)^0.8)>,)]_{E}[&BLADE{S=4; len=size*(3.4+0.09*k); wide=size*2.9; thick=0.6; start=-70-0.5*k; bend=-10; peak=0.7; round=0.8; claw=1; paint=3}]_{C(1+(5*step)%13)}
@@ -749,10 +749,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=95 /* 40 … 180 mm, of the stem */
+#define length=60 /* 30 … 110 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.63,1.37)
+#define tall=length*math.random(0.73,1.30)
 #define size=scale*math.random(0.9,1.12)
 #define rays=floor(math.random(36,54))
 #define discs=floor(math.random(80,104))
@@ -776,12 +776,12 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3
 #material 3 sepal "557f40" "6f9450"
 #material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c"
-#material 5 petal "f2d9e0" "dd8fa6" wilted "dcc4b4" "b99a86"
+#material 5 petal "f7ebee" "e8b9ca" wilted "dcc4b4" "b99a86"
 #material 6 stamen "c9971a" "e3b021"
 #material 7 stamen "e9b922" "f6cf3e"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(28,46); wide=math.random(11,15); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(20,32); wide=math.random(8,11); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+9}{} -> STEM[STEM(,<bend+math.random(-2.5,2.5)+wilt*3>,<math.random(-2.5,2.5)>,,<tall*(0.5+0.5*open)/9>,,,)]_{E}
 STEM{}{step==leaves+9}{} -> STEM[CUP]_{E}
@@ -890,11 +890,11 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=170 /* 70 … 310 mm, of the stem */
+#define length=100 /* 50 … 180 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.71,1.29)
-#define size=scale*math.random(0.92,1.1)
+#define tall=length*math.random(0.80,1.25)
+#define size=scale*math.random(0.95,1.1)
 #define seeds=floor(math.random(104,126))
 #define leaves=floor(math.random(5,8))
 #define open=sin(90*min(age,1))
@@ -911,12 +911,12 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 1 stem "9dae74" "a88f70"
 #material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6
 #material 3 sepal "567f45" "6d9452"
-#material 5 seed "5f4a30" "7a6040"
+#material 5 seed "6f5a3c" "b9ab90"
 #material 6 sepal "c9c09a" "d8d0ac"
-#material 7 petal "d8d4c4" "f4f3ee"
+#material 7 petal "eeece6" "ffffff"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(80,125); wide=math.random(30,38); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)>,<math.random(-2,2)>,,<tall/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
@@ -940,7 +940,7 @@ NUT{}{step==0}{} -> NUT[NUT(,,,,<(1-gone)*1.6+0.02>,<(1-gone)*0.7+0.02>,<(1-gone
 NUT{}{step==1}{} -> NUT[BEAK(,,,,<(5*far)*(1-gone)+0.02>,<0.16*(1-gone)+0.01>,<0.16*(1-gone)+0.01>,)]_{E}
 BEAK{}{step==2}{} -> BEAK[BEAK(,<math.random(-8,8)>,,,H,L,W,)]_{E}
 BEAK{}{step==3}{} -> BEAK[HUB(,,,,<0.35*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,)]_{E}
-HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.4+0.8*open)*(1-gone)+0.02>,<0.1*(1-gone)+0.005>,<0.1*(1-gone)+0.005>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.1*(1-gone)+0.005>,<0.1*(1-gone)+0.005>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
 
 #module BLADE
 /* A small petal or hair: a chain of S flat prisms. */
@@ -1041,10 +1041,10 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=130 /* 50 … 240 mm, of the stem */
+#define length=85 /* 40 … 150 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.69,1.31)
+#define tall=length*math.random(0.73,1.24)
 #define size=scale*math.random(0.92,1.1)
 #define florets=floor(math.random(110,150))
 #define leaves=floor(math.random(5,8))
@@ -1068,7 +1068,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #material 6 stamen "d09a14" "e2b01a"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(80,125); wide=math.random(30,38); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall*(0.35+0.65*open)/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
@@ -1177,11 +1177,11 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=200 /* 100 … 320 mm, of the stem */
+#define length=160 /* 80 … 250 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define tall=length*math.random(0.85,1.15)
+#define tall=length*math.random(0.88,1.12)
 #define rays=floor(math.random(15,20))
-#define broad=math.random(38,46)
+#define broad=math.random(44,54)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -1199,7 +1199,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 
 #axiom: STEM
 STEM{}{step<12}{} -> OLD[STEM(,<bend+math.random(-2,2)+1.5*wilt>,<math.random(-2,2)>,,<tall/12>,<4-0.1*step>,<4-0.1*step>,)]_{E}
-STEM{}{step==1||step==4||step==8}{} -> STEM[&FERN{len=110-8*step}]_{C(1+(5*step)%13)}
+STEM{}{step==1||step==4||step==8}{} -> STEM[&FERN{len=84-6*step}]_{C(1+(5*step)%13)}
 STEM{}{step==12}{} -> STEM[HEAD]_{E}
 HEAD{}{step==13}{} -> HEAD[&BLADE{S=4; len=24; wide=1.2; thick=0.6; start=-50+64*open; bend=20; claw=0.9; paint=3}]_{C2,C3,C5,C7,C9,C11,C13}
 /* Rays on the outside are longer and lean further; in bud and in fruit they close to a nest. */
@@ -1327,10 +1327,10 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=200 /* 100 … 340 mm, of the stem */
+#define length=145 /* 70 … 240 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1.20 /* 0.7 … 1.6, of the flower */
-#define tall=length*math.random(0.80,1.20)
+#define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -2129,10 +2129,10 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=250 /* 120 … 420 mm, of the stem */
+#define length=235 /* 120 … 370 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1.04 /* 0.7 … 1.6, of the flower */
-#define tall=length*math.random(0.80,1.20)
+#define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -2335,9 +2335,9 @@ LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=120 /* 60 … 200 mm, of the stalk */
+#define length=150 /* 80 … 230 mm, of the stalk */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define tall=length*math.random(0.83,1.17)
+#define tall=length*math.random(0.87,1.10)
 #define bells=floor(math.random(8,12))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -2355,8 +2355,8 @@ LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
 
 #axiom: SHEATH(,,,55,,,,)
 SHEATH{}{step<3}{} -> SHEATH[SHEATH(,,,,5,<7-1.2*step>,<7-1.2*step>,)]_{E}
-SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(130,160); wide=math.random(46,58); thick=0.9; start=-66+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C7}
-SHEATH{}{step==1}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(110,140); wide=math.random(38,50); thick=0.9; start=-60+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C3}
+SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(112,132); wide=math.random(40,50); thick=0.9; start=-66+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C7}
+SHEATH{}{step==1}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(96,116); wide=math.random(34,44); thick=0.9; start=-60+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C3}
 SHEATH{}{step==3}{} -> SHEATH[STEM]_{E}
 STEM{}{step<10}{} -> STEM[STEM(,<bend+1.5+math.random(-1,1)>,<math.random(-1,1)>,,<tall*0.5/6>,2.2,2.2,)]_{E}
 STEM{}{step==10}{} -> STEM[NODE]_{E}
@@ -2366,11 +2366,11 @@ NODE{k=step-11; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<4+math.random(-1,1
 #define open=1
 #define size=1
 #define wilt=0
-#define STALK(12,0,0,0,size*1.9,0.8,0.8,1)
+#define STALK(12,0,0,0,size*2.2,0.9,0.9,1)
 #define CUP(12,0,0,0,1,1.6,1.6,4)
 #define LIP(12,0,0,0,1,1.6,1.6,4)
 #define INSIDE(12,0,0,0,-1,6,6,5)
-#define g=size*(0.35+0.65*open)*(1-0.25*wilt)
+#define g=1.2*size*(0.35+0.65*open)*(1-0.25*wilt)
 #define finalStep=15
 #axiom: STALK(,<-34+math.random(-8,8)>,<math.random(-14,14)>,,,,,)
 STALK{}{step<5}{} -> STALK[STALK(,<19+math.random(-3,3)>,,,,,,)]_{E}
@@ -3159,9 +3159,9 @@ LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=235 /* 120 … 380 mm, of the stem */
+#define length=180 /* 90 … 290 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define tall=length*math.random(0.85,1.15)
+#define tall=length*math.random(0.83,1.17)
 #define flowers=floor(math.random(64,80))
 #define ball=math.random(30,36)
 #define open=sin(90*min(age,1))
@@ -3183,7 +3183,7 @@ LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
 
 #axiom: SHEATH
 SHEATH{}{step<3}{} -> SHEATH[SHEATH(,,,,6,<12-2.4*step>,<12-2.4*step>,)]_{E}
-SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(180,230); wide=math.random(24,34); thick=1.4; start=-52+math.random(-10,10); sway=math.random(-8,8); low=14; mid=20; high=math.random(30,80); cup=12; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C1,C4,C6,C9,C11}
+SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(130,170); wide=math.random(20,28); thick=1.4; start=-52+math.random(-10,10); sway=math.random(-8,8); low=14; mid=20; high=math.random(30,80); cup=12; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C1,C4,C6,C9,C11}
 SHEATH{}{step==3}{} -> SHEATH[STEM]_{E}
 STEM{}{step<14}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,,<tall/10>,5,5,)]_{E}
 STEM{}{step==14}{} -> STEM[NECK]_{E}
