@@ -6,7 +6,10 @@ import { StudioPage } from "./studio_page";
 // A camera that shows a clock, and nobody to ask whether it may.
 const { launchOptions } = config.use ?? {};
 const args = ["--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"];
-test.use({ permissions: ["camera"], launchOptions: { ...launchOptions, args: [...(launchOptions?.args ?? []), ...args] } });
+test.use({
+	permissions: ["camera"],
+	launchOptions: { ...launchOptions, args: [...(launchOptions?.args ?? []), ...args] },
+});
 
 const FLOWER = "?v=2&model=flower&preset=tulip";
 const circle = (page: Page) => page.getByRole("button", { name: /^bend/ });
@@ -42,7 +45,7 @@ test("the pointer bends and lengthens the stem, as one step; the arrows of the c
 	await expect(circle(page)).toBeVisible();
 	const before = await circle(page).getAttribute("aria-label");
 	const grown = await studio.fingerprint.textContent();
-	const box = await studio.canvas.boundingBox();
+	const box = await page.getByRole("application", { name: /^Flower/ }).boundingBox();
 	if (!box) throw new Error("no canvas");
 	await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
 	await page.mouse.down();

@@ -1,4 +1,4 @@
-import { html, nothing, svg } from "lit";
+import { html, svg } from "lit";
 import type { Plant } from "../plant/plant";
 import type { Specimen } from "../specimen/specimen";
 import type { Desk } from "./desk";
@@ -52,19 +52,14 @@ export function gestureTool<S extends Specimen, G extends Plant>(source?: Gramma
 		],
 		bar: {
 			title: "Gestures",
-			draw: (desk) => {
-				if (!desk.toolState(tool).open) return nothing;
-				// The hands say so where it cannot be fetched.
-				void import("./gestures/gesture_bar").catch(() => {});
-				return html`<panicle-gestures .desk=${desk} .gestures=${gestures(desk)}></panicle-gestures>`;
-			},
+			draw: (desk) => html`<panicle-gestures .desk=${desk} .gestures=${gestures(desk)}></panicle-gestures>`,
 		},
 		hands: (view, desk) =>
 			new LateHands({
 				desk,
 				wanted: () => desk.toolState(tool).open,
 				fetch: async () => {
-					const { GestureHands } = await import("./gestures/gesture_hands");
+					const { GestureHands } = await import("./gestures/gestures");
 					return new GestureHands(view, gestures(desk));
 				},
 				missed: () => desk.setToolState(tool, { ...desk.toolState(tool), open: false }),

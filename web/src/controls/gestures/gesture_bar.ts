@@ -26,6 +26,7 @@ class GestureBar extends DeskElement<GrammarDesk> {
 	protected override draw(desk: GrammarDesk): unknown {
 		this.#axes ??= new Axes(desk, this.gestures.source);
 		const state = desk.toolState(this.gestures.tool);
+		if (!state.open) return nothing;
 		const all = this.#axes.all;
 		const pair = pairOf(all, state);
 		return html`<div class="gesture-bar">
