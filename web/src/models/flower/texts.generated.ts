@@ -8,7 +8,7 @@ export const TEXTS: Readonly<Record<string, string>> = {
 */
 
 #define length=175 /* 90 … 280 mm, of the stalk */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.86,1.14)
 #define bells=floor(math.random(7,11))
 #define open=sin(90*min(age,1))
@@ -122,7 +122,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 */
 
 #define length=115 /* 60 … 190 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.1)
@@ -336,7 +336,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 */
 
 #define length=145 /* 70 … 240 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.93,1.07)
@@ -425,7 +425,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=80 /* 40 … 130 mm, of the tube */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.75,1.19)
 #define size=scale*math.random(0.9,1.12)
@@ -588,7 +588,7 @@ BRANCH{}{step<9}{} -> BRANCH[BRANCH(,6,,,1.7,<1.1+0.45*(step-5)>,<0.9+0.2*(step-
 */
 
 #define length=130 /* 70 … 210 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.18 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.85,1.15)
 #define size=scale*math.random(0.94,1.06)
@@ -750,7 +750,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=60 /* 30 … 110 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.73,1.30)
 #define size=scale*math.random(0.9,1.12)
@@ -891,7 +891,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=100 /* 50 … 180 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.80,1.25)
 #define size=scale*math.random(0.95,1.1)
@@ -1042,7 +1042,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 */
 
 #define length=85 /* 40 … 150 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.73,1.24)
 #define size=scale*math.random(0.92,1.1)
@@ -1178,7 +1178,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 */
 
 #define length=160 /* 80 … 250 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.88,1.12)
 #define rays=floor(math.random(15,20))
 #define broad=math.random(44,54)
@@ -1328,7 +1328,7 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 */
 
 #define length=145 /* 70 … 240 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.20 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
@@ -1531,7 +1531,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 */
 
 #define length=530 /* 280 … 840 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.98 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.94,1.06)
@@ -1849,7 +1849,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=90 /* 40 … 150 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=0.94 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.78,1.22)
 #define size=scale*math.random(0.91,1.09)
@@ -2130,7 +2130,7 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 */
 
 #define length=235 /* 120 … 370 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.04 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.92,1.08)
@@ -2336,7 +2336,7 @@ LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
 */
 
 #define length=150 /* 80 … 230 mm, of the stalk */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.87,1.10)
 #define bells=floor(math.random(8,12))
 #define open=sin(90*min(age,1))
@@ -2506,7 +2506,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=185 /* 90 … 310 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.81,1.19)
 #define size=scale*math.random(0.93,1.08)
@@ -2671,7 +2671,7 @@ RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick
 */
 
 #define length=480 /* 250 … 760 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.88,1.12)
 #define flowers=floor(math.random(9,12))
 #define open=sin(90*min(age,1))
@@ -2789,7 +2789,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 */
 
 #define length=580 /* 290 … 950 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.9,1.08)
@@ -2996,7 +2996,7 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 */
 
 #define length=325 /* 160 … 530 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
@@ -3160,7 +3160,7 @@ LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
 */
 
 #define length=180 /* 90 … 290 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.83,1.17)
 #define flowers=floor(math.random(64,80))
 #define ball=math.random(30,36)
