@@ -18,6 +18,7 @@ import exporting from "./export.mjs";
 import files from "./files.mjs";
 import flower from "./flower.mjs";
 import generalizedMap from "./generalized_map.mjs";
+import gestures from "./gestures.mjs";
 import grammar from "./grammar.mjs";
 import grammarEditor from "./grammar_editor.mjs";
 import growth from "./growth.mjs";
@@ -71,6 +72,7 @@ export const groups = [
 	...webCore,
 	...specimen,
 	...handles,
+	...gestures,
 	...bunchProfile,
 	...bunchExport,
 	...exporting,

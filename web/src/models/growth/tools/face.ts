@@ -1,5 +1,6 @@
 /** The page's side of the model: loaded with the first tree of it, in a page alone. */
 import { html } from "lit";
+import { gestureTool } from "../../../controls/gesture_tool";
 import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face, Tool } from "../../../controls/tool";
 import type { GrowthPlant } from "../growth_plant";
@@ -13,6 +14,7 @@ export const face: Face<GrowthSpecimen, GrowthPlant> = {
 		...grammarTools<GrowthSpecimen, GrowthPlant>(source),
 		...volumeTools,
 		neighbours as Tool<GrowthSpecimen, GrowthPlant>,
+		gestureTool<GrowthSpecimen, GrowthPlant>(source),
 	],
 	about: html`<p>
 			A text says how many branches and leaves a tree gets at each step, by divisor functions, and in which growth volumes it
