@@ -559,9 +559,8 @@ void Reader::finish() {
   for (const Renamed& each : renamed_) {
     const Label& to = program_.labels[each.to];
     if (to.productions.size() == 0) continue;
-    program_.notes.push_back(
-        lsystem::sentence("Line %: % becomes %, whose productions then hold for it.",
-                          {std::to_string(each.line), program_.labels[each.from].name, to.name}));
+    program_.notes.push_back(lsystem::sentence("Line %: % becomes %, whose productions then hold for it.",
+                                               {std::to_string(each.line), program_.labels[each.from].name, to.name}));
   }
 }
 

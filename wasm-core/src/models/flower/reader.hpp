@@ -120,7 +120,7 @@ class Reader : lsystem::TokenReader {
     std::uint32_t line, from, to;
   };
   std::vector<Renamed> renamed_;
-  std::uint32_t grammar_ = 0;                                     // that is read
+  std::uint32_t grammar_ = 0;  // that is read
   std::uint32_t known_variables_ = 0;
   std::uint64_t keys_ = 0;
   std::uint64_t production_key_ = 0;
