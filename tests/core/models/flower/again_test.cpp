@@ -114,6 +114,7 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
       switch (drawn(8)) {
         case 0:
           asked.text = whole;
+          asked.seed = static_cast<std::uint32_t>(1 + drawn(2));
           break;
         case 1:
           asked.age = static_cast<float>(drawn(3));
