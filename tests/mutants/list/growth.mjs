@@ -161,7 +161,7 @@ export default [
 		faults: [
 			{
 				id: "growth-leaves-fall-together",
-				find: "first_fall + fall_spread * random_unit(habit_.seed, stream_fall, address)",
+				find: "first_fall + fall_spread * falls_.unit(address)",
 				replace: "first_fall + 0.5f * fall_spread",
 				breaks: "all leaves of a tree fall on one day",
 			},

@@ -4,7 +4,7 @@ const TESTS = "tests/core";
 
 export default [
 	{
-		file: `${SRC}/foundation/random.cpp`,
+		file: `${SRC}/foundation/random.hpp`,
 		suites: [`${TESTS}/foundation/random_test.cpp`],
 		faults: [
 			{
@@ -13,6 +13,12 @@ export default [
 				replace: "static_cast<float>(bits >> 8) * 0x1p-25f",
 				breaks: "chance never comes above a half",
 			},
+		],
+	},
+	{
+		file: `${SRC}/foundation/random.cpp`,
+		suites: [`${TESTS}/foundation/random_test.cpp`],
+		faults: [
 			{
 				id: "random-highest-never",
 				find: "(static_cast<std::int64_t>(high) - low) + 1;",
@@ -22,7 +28,7 @@ export default [
 		],
 	},
 	{
-		file: `${SRC}/foundation/fingerprint.cpp`,
+		file: `${SRC}/foundation/fingerprint.hpp`,
 		suites: [`${TESTS}/foundation/fingerprint_test.cpp`],
 		faults: [
 			{
