@@ -103,9 +103,13 @@ TEST_CASE("what is kept of the last flower shows in nothing") {
     return static_cast<std::size_t>(random_integer(7, 1, ++draw, 0, static_cast<std::int32_t>(below) - 1));
   };
   std::size_t changed = 0;
-  for (const char* name : {"table-3", "figure-16", "petal"}) {
+  // By luck and by age another map.
+  const std::string lucky =
+      "#define A(4,0,0,0,2,2,2,1)\n#axiom: A\nA{}{math.random(0,1) < 0.5}{} -> A[A]_{C1}\n"
+      "A{}{step < 8*age}{} -> A[A(,<math.random(0,9)>)]_{E}";
+  for (const char* name : {"table-3", "figure-16", "petal", "lucky"}) {
     Keeping kept;
-    const std::string whole = text_named(name);
+    const std::string whole = std::string_view(name) == "lucky" ? lucky : text_named(name);
     const auto all = figures(whole);
     Asked asked{whole};
     std::string before = answer(asked, &kept);
