@@ -3,7 +3,6 @@ const SRC = "wasm-core/src/models/flower";
 const TESTS = "tests/core/models/flower";
 const DERIVATION = [`${TESTS}/derivation_test.cpp`];
 const AGAIN = [`${TESTS}/again_test.cpp`];
-const WEB = ["tests/web/models/flower/grown.test.ts"];
 
 export default [
 	{
@@ -80,7 +79,7 @@ export default [
 	},
 	{
 		file: "wasm-core/src/generalized_map/boundary.cpp",
-		suites: WEB,
+		suites: AGAIN,
 		faults: [
 			{
 				id: "flower-inside-out",
