@@ -8,7 +8,7 @@ export const TEXTS: Readonly<Record<string, string>> = {
 */
 
 #define length=175 /* 90 … 280 mm, of the stalk */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.86,1.14)
 #define bells=floor(math.random(7,11))
 #define open=sin(90*min(age,1))
@@ -122,7 +122,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 */
 
 #define length=115 /* 60 … 190 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.1)
@@ -336,7 +336,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 */
 
 #define length=145 /* 70 … 240 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.93,1.07)
@@ -425,7 +425,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=80 /* 40 … 130 mm, of the tube */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.75,1.19)
 #define size=scale*math.random(0.9,1.12)
@@ -588,7 +588,7 @@ BRANCH{}{step<9}{} -> BRANCH[BRANCH(,6,,,1.7,<1.1+0.45*(step-5)>,<0.9+0.2*(step-
 */
 
 #define length=130 /* 70 … 210 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.18 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.85,1.15)
 #define size=scale*math.random(0.94,1.06)
@@ -750,7 +750,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=60 /* 30 … 110 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.73,1.30)
 #define size=scale*math.random(0.9,1.12)
@@ -776,7 +776,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3
 #material 3 sepal "557f40" "6f9450"
 #material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c"
-#material 5 petal "f7ebee" "e8b9ca" wilted "dcc4b4" "b99a86"
+#material 5 petal "faf4f4" "f0d3dc" wilted "dcc4b4" "b99a86"
 #material 6 stamen "c9971a" "e3b021"
 #material 7 stamen "e9b922" "f6cf3e"
 
@@ -891,7 +891,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=100 /* 50 … 180 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.80,1.25)
 #define size=scale*math.random(0.95,1.1)
@@ -908,7 +908,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define BARE(13,0,0,0,0,12,12,6)
 #define finalStep=leaves+13+seeds
 
-#material 1 stem "9dae74" "a88f70"
+#material 1 stem "a8927c" "a3b37c"
 #material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6
 #material 3 sepal "567f45" "6d9452"
 #material 5 seed "6f5a3c" "b9ab90"
@@ -1042,7 +1042,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 */
 
 #define length=85 /* 40 … 150 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.73,1.24)
 #define size=scale*math.random(0.92,1.1)
@@ -1060,7 +1060,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #define BARE(13,0,0,0,0,12,12,6)
 #define finalStep=leaves+14+florets
 
-#material 1 stem "9dae74" "a88f70"
+#material 1 stem "a8927c" "a3b37c"
 #material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 light 0.35
 #material 3 sepal "567f45" "6d9452"
 #material 4 petal "eeb012" "f7cd1d" bud "d0a818" "d8b83a" wilted "d0a030" "b98f3c"
@@ -1178,7 +1178,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 */
 
 #define length=160 /* 80 … 250 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.88,1.12)
 #define rays=floor(math.random(15,20))
 #define broad=math.random(44,54)
@@ -1328,7 +1328,7 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 */
 
 #define length=145 /* 70 … 240 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.20 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
@@ -1531,7 +1531,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 */
 
 #define length=530 /* 280 … 840 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.98 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.94,1.06)
@@ -1849,7 +1849,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=90 /* 40 … 150 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=0.94 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.78,1.22)
 #define size=scale*math.random(0.91,1.09)
@@ -2130,7 +2130,7 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 */
 
 #define length=235 /* 120 … 370 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1.04 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.92,1.08)
@@ -2336,7 +2336,7 @@ LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
 */
 
 #define length=150 /* 80 … 230 mm, of the stalk */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.87,1.10)
 #define bells=floor(math.random(8,12))
 #define open=sin(90*min(age,1))
@@ -2506,7 +2506,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 */
 
 #define length=185 /* 90 … 310 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.81,1.19)
 #define size=scale*math.random(0.93,1.08)
@@ -2671,7 +2671,7 @@ RACHIS{}{step==10}{} -> RACHIS[&PETAL{K=9; J=1; len=len*1.1; wide=len*0.7; thick
 */
 
 #define length=480 /* 250 … 760 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.88,1.12)
 #define flowers=floor(math.random(9,12))
 #define open=sin(90*min(age,1))
@@ -2789,7 +2789,7 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
 */
 
 #define length=580 /* 290 … 950 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.9,1.08)
@@ -2996,7 +2996,7 @@ p1 VEIN -> VEIN[VEIN(,<8-1.4*step>,,,2.5,2+sin(18*step),,)]_{E}
 */
 
 #define length=325 /* 160 … 530 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
@@ -3160,7 +3160,7 @@ LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
 */
 
 #define length=180 /* 90 … 290 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees a step, of the stem */
+#define bend=0 /* -5 … 5 step 0.1, degrees a step, of the stem */
 #define tall=length*math.random(0.83,1.17)
 #define flowers=floor(math.random(64,80))
 #define ball=math.random(30,36)
@@ -3303,7 +3303,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 1 stem "6d7a45" "7d8a55"
 #material 2 sepal "6f8a4c" "8fa468"
 #material 4 petal "fdf6ee" "fffdfb" foot 0.5 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096"
-#material 5 petal "fbf2ea" "f8e6ea" foot 0.5 wilted "dccfa8" "c4b288"
+#material 5 petal "fdf8f2" "fdf4f4" foot 0.5 wilted "dccfa8" "c4b288"
 #material 6 stamen "eeb92c" "f4cf4a" wilted "b08a30" "a08038"
 #material 8 pistil "e0c552" "ecd87a"
 #material 9 leaf "4a7a42" "3f6b3a" veins "7aa062" 8 0.5 light 0.2
