@@ -776,7 +776,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3
 #material 3 sepal "557f40" "6f9450"
 #material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c"
-#material 5 petal "f7ebee" "e8b9ca" wilted "dcc4b4" "b99a86"
+#material 5 petal "faf4f4" "f0d3dc" wilted "dcc4b4" "b99a86"
 #material 6 stamen "c9971a" "e3b021"
 #material 7 stamen "e9b922" "f6cf3e"
 
@@ -908,7 +908,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define BARE(13,0,0,0,0,12,12,6)
 #define finalStep=leaves+13+seeds
 
-#material 1 stem "9dae74" "a88f70"
+#material 1 stem "a8927c" "a3b37c"
 #material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6
 #material 3 sepal "567f45" "6d9452"
 #material 5 seed "6f5a3c" "b9ab90"
@@ -1060,7 +1060,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #define BARE(13,0,0,0,0,12,12,6)
 #define finalStep=leaves+14+florets
 
-#material 1 stem "9dae74" "a88f70"
+#material 1 stem "a8927c" "a3b37c"
 #material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6 light 0.35
 #material 3 sepal "567f45" "6d9452"
 #material 4 petal "eeb012" "f7cd1d" bud "d0a818" "d8b83a" wilted "d0a030" "b98f3c"
@@ -3303,7 +3303,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 1 stem "6d7a45" "7d8a55"
 #material 2 sepal "6f8a4c" "8fa468"
 #material 4 petal "fdf6ee" "fffdfb" foot 0.5 bud "eef0dc" "fdf6f0" wilted "e2d8b4" "cfc096"
-#material 5 petal "fbf2ea" "f8e6ea" foot 0.5 wilted "dccfa8" "c4b288"
+#material 5 petal "fdf8f2" "fdf4f4" foot 0.5 wilted "dccfa8" "c4b288"
 #material 6 stamen "eeb92c" "f4cf4a" wilted "b08a30" "a08038"
 #material 8 pistil "e0c552" "ecd87a"
 #material 9 leaf "4a7a42" "3f6b3a" veins "7aa062" 8 0.5 light 0.2
