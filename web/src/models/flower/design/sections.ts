@@ -8,7 +8,6 @@ import stamen from "./templates/stamen.gl3?raw";
 import stem from "./templates/stem.gl3?raw";
 import { type Call, ringFor, whorlText } from "./whorl";
 
-type Values = Description["values"];
 const SIDES: Readonly<Record<string, number>> = { round: 12, oval: 12, square: 4, triangular: 3 };
 const LEANS: Readonly<Record<string, number>> = { erect: 0, arching: 3, nodding: 7 };
 
@@ -26,37 +25,29 @@ function leafText(description: Description): string {
 	const { values } = description;
 	const count = Number(values.count);
 	if (count === 0) return "";
-	const nodes = nodesFor(count, String(values.arrangement));
-	const lines = nodes.flatMap(({ step, faces, sides }, i) => {
-		const node = `NODE${i + 1}`;
-		return [
-			`#define ${node}(${sides},0,0,0,piece,thick,thick,1)`,
-			`STEM{}{step==${step}}{} -> STEM[${node}]_{E}`,
-			`${node} -> ${node}[STEM]_{E}`,
-			`${node} -> ${node}[&LEAF{part=${1 - 0.08 * i}}]_{${faces.map((face) => `C${face}`).join(",")}}`,
-		];
-	});
-	return `${lines.join("\n")}\n\n${bladeText("leaf", description)}`;
-}
-
-interface Node {
-	readonly step: number;
-	readonly sides: number;
-	readonly faces: readonly number[];
-}
-
-/** Where leaves stand: one, two or all to a node, each node turned against the one below. */
-function nodesFor(count: number, arrangement: string): Node[] {
-	if (arrangement === "basal") return [{ step: 0, ...ringFor(count, 0) }];
-	const each = arrangement === "opposite" ? 2 : 1;
+	const basal = values.arrangement === "basal";
+	const each = basal ? 3 : values.arrangement === "opposite" ? 2 : 1;
 	const nodes = Math.ceil(count / each);
 	// A node takes a step and the stem above it another; the last must come before the stem's end.
 	const apart = Math.min(4, Math.floor(MOST_STEPS / nodes));
-	return Array.from({ length: nodes }, (_, i) => {
-		// Of twelve sides: a leaf nearly opposite the one below, or a pair across it.
-		const faces = each === 1 ? [1 + ((i * 5) % 12)] : [1 + 3 * (i % 2), 7 + 3 * (i % 2)];
-		return { step: i * apart + Number(apart > 2), sides: 12, faces: faces.slice(0, count - i * each) };
-	});
+	const lines = Array.from({ length: nodes }, (_, i) => {
+		const node = `NODE${i + 1}`;
+		const above = basal && i < nodes - 1 ? `NODE${i + 2}` : "STEM";
+		const faces = Array.from({ length: Math.min(each, count - i * each) }, (_, k) => nodeFace(each, i, k));
+		return [
+			`#define ${node}(sides,0,0,0,${basal ? "1+0.3*thick" : "piece"},thick,thick,1)`,
+			...(basal && i > 0 ? [] : [`STEM{}{step==${i * apart + Number(apart > 2 && !basal)}}{} -> STEM[${node}]_{E}`]),
+			`${node} -> ${node}[${above}]_{E}`,
+			`${node} -> ${node}[&LEAF{part=${round(1 - 0.08 * i)}}]_{${faces.join(",")}}`,
+		];
+	}).flat();
+	return `${lines.join("\n")}\n\n${bladeText("leaf", description)}`;
+}
+
+/** Which side of a node bears its kth leaf, in twelfths of the way round: a stem has as many sides as it has. */
+function nodeFace(each: number, node: number, k: number): string {
+	const twelfth = each === 1 ? (node * 5) % 12 : (k * (12 / each) + node * (each === 2 ? 3 : 2)) % 12;
+	return `C(1+floor(${twelfth}*sides/12))`;
 }
 
 /** Of the stem, in which nodes can come. */

@@ -40,18 +40,21 @@ export interface WhorlPlan {
 	readonly call: Call;
 }
 
+/** Of a ring, millimetres, and how deep it is sunk into what bears it: rounded ends draw back, and would leave a gap. */
 const RISE = 1.2;
+const SUNK = 1;
 
 /** The module of a whorl, or of several of one count. */
 export function whorlText({ organ, count, whorls, radius, material, call }: WhorlPlan): string {
 	const rings = Array.from({ length: count === 0 ? 1 : whorls }, (_, i) => ringFor(count, HALF[organ] + i));
 	const next = ORDER[ORDER.indexOf(organ) + 1];
-	const lines = [`#module ${WHORLS[organ]}`];
+	const lines = [`#module ${WHORLS[organ]}`, `#define FOOT(5,180,0,0,${SUNK},1,1,${material})`];
 	rings.forEach(({ sides }, i) => {
 		const across = Math.round(20 * radius * 0.9 ** i) / 10;
-		lines.push(`#define RING${i + 1}(${sides},0,0,0,${RISE},${across},${across},${material})`);
+		lines.push(`#define RING${i + 1}(${sides},0,0,0,${i === 0 ? RISE + SUNK : RISE},${across},${across},${material})`);
 	});
-	lines.push(`#define finalStep=${rings.length}`, "#axiom: RING1");
+	// Down into what bears it, and up again.
+	lines.push(`#define finalStep=${rings.length + 1}`, "#axiom: FOOT", "FOOT -> FOOT[RING1(,180,,,,,,)]_{E}");
 	rings.forEach(({ sides, faces }, i) => {
 		const ring = `RING${i + 1}`;
 		const above = rings[i + 1] ? `RING${i + 2}` : next && `&${WHORLS[next]}`;

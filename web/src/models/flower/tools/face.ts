@@ -4,10 +4,11 @@ import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
+import { designTools } from "./design/design_tool";
 import { source } from "./text";
 
 export const face: Face<FlowerSpecimen, FlowerPlant> = {
-	tools: [...grammarTools<FlowerSpecimen, FlowerPlant>(source)],
+	tools: [...grammarTools<FlowerSpecimen, FlowerPlant>(source), ...designTools],
 	about: html`<p>
 			A flower is made of volumes that grow on each other’s faces, are glued and split, as its text says; organs are modules of
 			it.

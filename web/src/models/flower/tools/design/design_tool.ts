@@ -1,0 +1,79 @@
+/** Designing a flower: six organs by choices in the panel, and flat views with handles. All is written into the text. */
+import { html, nothing } from "lit";
+import type { Tool } from "../../../../controls/tool";
+import type { Description } from "../../design/description";
+import type { Organ } from "../../design/organs";
+import type { FlowerPlant } from "../../flower_plant";
+import type { FlowerSpecimen } from "../../specimen";
+import type { DesignEvent } from "./design_view";
+import { Drafts, descriptionsIn, designIn, type FlowerDesk } from "./drafts";
+import { elevation } from "./elevation";
+import { floralDiagram } from "./floral_diagram";
+import { outlineScene } from "./outline_scene";
+import type { Scene } from "./scene";
+import "./design_panel";
+import "./design_view";
+
+type DesignTool<T = unknown> = Tool<FlowerSpecimen, FlowerPlant, T>;
+
+const drafts = new Drafts();
+
+const GROUP = {
+	key: "design",
+	title: "Design",
+	help: "The flower organ by organ. Choices write its grammar.",
+	everyday: true,
+	plain: true,
+} as const;
+
+/** Which organ is in hand. */
+export const designTool: DesignTool<Organ> = {
+	name: "design",
+	initial: "petal",
+	panel: {
+		group: GROUP,
+		place: "above",
+		draw: (desk) =>
+			html`<panicle-flower-organs .desk=${desk} .tool=${designTool} .drafts=${drafts}></panicle-flower-organs>`,
+	},
+};
+
+function view(
+	name: string,
+	title: string,
+	of: (descriptions: readonly Description[], chosen: Organ) => Scene,
+): DesignTool {
+	return {
+		name,
+		initial: undefined,
+		applies: (specimen) => designIn(specimen) !== undefined,
+		editor: { title, draw: (desk) => draw(desk, title, of) },
+	};
+}
+
+function draw(
+	desk: FlowerDesk,
+	title: string,
+	of: (descriptions: readonly Description[], chosen: Organ) => Scene,
+): unknown {
+	const design = designIn(desk.state.specimen);
+	if (!design) return nothing;
+	const chosen = desk.toolState(designTool);
+	return html`<panicle-flower-design
+		heading=${title} .descriptions=${descriptionsIn(design)} .of=${(descriptions: readonly Description[]) => of(descriptions, chosen)}
+		@design-input=${({ detail: { descriptions, run } }: DesignEvent) => drafts.edit(desk, descriptions, run)}
+		@design-change=${() => drafts.settle(desk)}
+	></panicle-flower-design>`;
+}
+
+/** The one whose outline is shown: a stem, a stamen and a pistil have none. */
+const bladed = (chosen: Organ): Organ => (chosen === "leaf" || chosen === "sepal" ? chosen : "petal");
+
+export const designTools: readonly DesignTool[] = [
+	designTool as DesignTool,
+	view("diagram", "Floral diagram", floralDiagram),
+	view("elevation", "Side elevation", elevation),
+	view("outline", "Outline", (descriptions, chosen) =>
+		outlineScene(descriptions.find(({ organ }) => organ === bladed(chosen)) as Description),
+	),
+];
