@@ -61,8 +61,8 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 		const organ = this.desk.toolState(this.tool);
 		const description = describedIn(design, organ);
 		const edited = design.sections.some((section) => section.description.organ === organ && isEdited(section));
-		return html`<p class="flower-formula"><abbr title="Floral formula">${floralFormula(descriptionsIn(design))}</abbr></p>
-			<div class="segments flower-organs" role="radiogroup" aria-label="Organ">
+		return html`<p><abbr title="Floral formula">${floralFormula(descriptionsIn(design))}</abbr></p>
+			<div class="segments" role="radiogroup" aria-label="Organ" .style=${"display: grid; grid-template-columns: repeat(3, 1fr)"}>
 				${ORGANS.map(
 					(each) => html`<label><input
 						type="radio" name=${this.idOf("organ")} .checked=${live(each === organ)}
@@ -157,7 +157,7 @@ const digits = (event: Event): string => (event.target as HTMLInputElement).valu
 /** How nearly the polynomial follows the outline. */
 function fitInWords(description: Description): unknown {
 	const { error } = outlineOf(description);
-	return html`<p class="flower-fit">A polynomial of degree 6 follows the outline within <output>${(100 * error).toFixed(1)} %</output> of its width.</p>`;
+	return html`<p>A polynomial of degree 6 follows the outline within <output>${(100 * error).toFixed(1)} %</output> of its width.</p>`;
 }
 
 customElements.define("panicle-flower-organs", OrgansPanel);

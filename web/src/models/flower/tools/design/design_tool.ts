@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import type { Tool } from "../../../../controls/tool";
 import type { Description } from "../../design/description";
-import type { Organ } from "../../design/organs";
+import { ORGANS, type Organ } from "../../design/organs";
 import type { FlowerPlant } from "../../flower_plant";
 import type { FlowerSpecimen } from "../../specimen";
 import type { DesignEvent } from "./design_view";
@@ -62,8 +62,14 @@ function draw(
 	return html`<panicle-flower-design
 		heading=${title} .descriptions=${descriptionsIn(design)} .of=${(descriptions: readonly Description[]) => of(descriptions, chosen)}
 		@design-input=${({ detail: { descriptions, run } }: DesignEvent) => drafts.edit(desk, descriptions, run)}
-		@design-change=${() => drafts.settle(desk)}
+		@design-change=${() => drafts.settle(desk)} @design-focus=${({ detail }: CustomEvent<string>) => meant(desk, detail)}
 	></panicle-flower-design>`;
+}
+
+/** Whoever takes hold of an organ's handle means that organ. */
+function meant(desk: FlowerDesk, handle: string): void {
+	const organ = ORGANS.find((each) => handle.startsWith(`${each}-`));
+	if (organ && organ !== desk.toolState(designTool)) desk.setToolState(designTool, organ);
 }
 
 /** The one whose outline is shown: a stem, a stamen and a pistil have none. */
@@ -71,8 +77,8 @@ const bladed = (chosen: Organ): Organ => (chosen === "leaf" || chosen === "sepal
 
 export const designTools: readonly DesignTool[] = [
 	designTool as DesignTool,
-	view("diagram", "Floral diagram", floralDiagram),
-	view("elevation", "Side elevation", elevation),
+	view("diagram", "Diagram", floralDiagram),
+	view("elevation", "Elevation", elevation),
 	view("outline", "Outline", (descriptions, chosen) =>
 		outlineScene(descriptions.find(({ organ }) => organ === bladed(chosen)) as Description),
 	),

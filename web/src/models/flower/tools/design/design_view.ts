@@ -9,17 +9,21 @@ import type { Description } from "../../design/description";
 import { designStyle } from "./design_style";
 import type { Scene, SceneHandle } from "./scene";
 
-/** `design-input`: live; the organs as they are described now. `design-change`: a drag ended, or a key stepped. */
+/**
+ * `design-input`: live; the organs as they are described now. `design-change`: a drag ended, or a key stepped. `design-focus`: a handle is
+ * in hand; its id begins with what it is of.
+ */
 export type DesignEvent = CustomEvent<{ descriptions: readonly Description[]; run?: string }>;
 
 declare global {
 	interface HTMLElementEventMap {
 		"design-input": DesignEvent;
 		"design-change": CustomEvent;
+		"design-focus": CustomEvent<string>;
 	}
 }
 
-const MARGIN = 18;
+const MARGIN = 12;
 const HELP =
 	"Drag, or use the arrow keys; Shift goes farther. Page Up and Page Down go to the next handle. Enter says its value. Escape calls off a drag.";
 
@@ -136,6 +140,7 @@ export class DesignView extends HandleView<string> {
 
 	protected override focused(id: string): void {
 		this.#chosen = id;
+		this.tell("design-focus", id);
 		this.requestUpdate();
 	}
 

@@ -68,7 +68,8 @@ export function elevation(descriptions: readonly Description[], chosen?: Organ):
 				kind: "organ",
 				fill: String(description.values.tip),
 			});
-		handles.push(...lineHandles(organ, description, line));
+		const own = lineHandles(organ, description, line);
+		handles.push(...(organ === chosen ? own : own.slice(0, 1)));
 	}
 	pistilScene(of("pistil"), chosen, lines, handles, points);
 	const across = Math.max(...points.map(({ x }) => Math.abs(x)), 5) * 1.12;
@@ -171,16 +172,14 @@ function pistilScene(
 		pull: (to) => set(key, below - to.y),
 		nudge: (right, up, large) => set(key, value(description, key) + (up || right) * (large ? 5 : 0.5)),
 	});
-	handles.push(
-		upright("pistil-length", "Ovary, length", "length", shoulder, foot),
-		upright("pistil-style", "Style, length", "style", tip, shoulder),
-		{
-			id: "pistil-width",
-			label: "Ovary, width",
-			value: `${width} mm`,
-			at: { x: width / 2, y: foot - 0.4 * length },
-			pull: ({ x }) => set("width", 2 * x),
-			nudge: (right, up, large) => set("width", width + (right || up) * (large ? 2 : 0.1)),
-		},
-	);
+	handles.push(upright("pistil-style", "Style, length", "style", tip, shoulder));
+	if (chosen !== "pistil") return;
+	handles.push(upright("pistil-length", "Ovary, length", "length", shoulder, foot), {
+		id: "pistil-width",
+		label: "Ovary, width",
+		value: `${width} mm`,
+		at: { x: width / 2, y: foot - 0.4 * length },
+		pull: ({ x }) => set("width", 2 * x),
+		nudge: (right, up, large) => set("width", width + (right || up) * (large ? 2 : 0.1)),
+	});
 }

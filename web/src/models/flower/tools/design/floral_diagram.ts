@@ -12,9 +12,9 @@ type Ringed = "sepal" | "petal" | "stamen";
 
 /** Where each whorl's ring lies, and how far a larger radius brings it out. */
 const RINGS: Readonly<Record<Ringed, readonly [at: number, room: number]>> = {
-	sepal: [80, 14],
-	petal: [55, 16],
-	stamen: [30, 15],
+	sepal: [86, 12],
+	petal: [62, 14],
+	stamen: [36, 12],
 };
 const MOST_RADIUS = 25;
 const BETWEEN = 7;
@@ -56,14 +56,15 @@ export function floralDiagram(descriptions: readonly Description[], chosen?: Org
 	const ovary = ovaryScene(of("pistil"));
 	const parts = [...ringed, ovary];
 	return {
-		box: { left: -106, top: -116, right: 106, bottom: 112 },
+		box: { left: -100, top: -112, right: 100, bottom: 110 },
 		lines: [
 			{ d: roundPath({ x: 0, y: -104 }, 4), kind: "axis" },
 			{ d: `M-26 98Q0 112 26 98Q0 104 -26 98Z`, kind: "axis" },
 			...parts.flatMap(({ lines, organ }) => lines.map((line) => ({ ...line, chosen: organ === chosen }))),
 		],
 		words: [],
-		handles: parts.flatMap(({ handles }) => handles),
+		// Of the others how many there are; whoever takes hold of that chooses the organ.
+		handles: parts.flatMap(({ handles, organ }) => (organ === chosen ? handles : handles.slice(0, 1))),
 	};
 }
 
@@ -83,7 +84,7 @@ function ringScene(organ: Ringed, description: Description): Part {
 	const lip = description.values.symmetry === "irregular" ? value(description, "lip") / 100 : 0;
 	const lines = places.map(({ degrees, radius }): SceneLine => {
 		const larger = 1 + lip * Math.cos((degrees * Math.PI) / 180);
-		const width = (180 / Math.max(count, 3)) * shareOf(description) * larger;
+		const width = (180 / Math.max(count, 3)) * Math.min(1.25, shareOf(description) * larger);
 		const fill = String(organ === "stamen" ? description.values.tip : description.values.base);
 		const d = organ === "stamen" ? anther(degrees, radius) : crescent(degrees, radius, width, organ === "sepal");
 		return { d, kind: "organ", fill };
@@ -104,9 +105,9 @@ function crescent(degrees: number, radius: number, half: number, keeled: boolean
 /** An anther cut across: two lobes, open inwards. */
 function anther(degrees: number, radius: number): string {
 	const around = [-1, -0.6, -0.2, 0, 0.2, 0.6, 1];
-	const spread = 300 / Math.max(radius, 14);
-	const outer = around.map((s) => at(degrees + s * spread * 0.6, radius + 3 - (s === 0 ? 1.6 : 1.4 * s * s)));
-	const inner = around.map((s) => at(degrees + s * spread * 0.6, radius - 3 + (s === 0 ? 2 : 1.2 * s * s))).reverse();
+	const spread = 420 / Math.max(radius, 14);
+	const outer = around.map((s) => at(degrees + s * spread * 0.6, radius + 4.5 - (s === 0 ? 2.2 : 2 * s * s)));
+	const inner = around.map((s) => at(degrees + s * spread * 0.6, radius - 4.5 + (s === 0 ? 3 : 2 * s * s))).reverse();
 	return pathOf([...outer, ...inner], true);
 }
 
@@ -167,7 +168,7 @@ function ringHandles(organ: Ringed, description: Description, ring: number, firs
 function ovaryScene(description: Description): Part {
 	const count = value(description, "count");
 	const apart = description.values.fusion === "apocarpous";
-	const size = 7 + (9 * Math.sqrt(value(description, "width"))) / Math.sqrt(30);
+	const size = 8 + (9 * Math.sqrt(value(description, "width"))) / Math.sqrt(30);
 	const fill = String(description.values.base);
 	const middles = Array.from({ length: count }, (_, i) => at((360 * i) / count, size * (apart ? 0.72 : 0.5)));
 	const room = Math.min(size * 0.3, (size * 1.4) / Math.max(count, 1));
@@ -201,7 +202,7 @@ function ovaryScene(description: Description): Part {
 				label: "Ovary, width",
 				value: `${width} mm`,
 				at: at(0, size),
-				pull: ({ x, y }) => set("width", 30 * Math.max(0, (Math.hypot(x, y) - 7) / 9) ** 2),
+				pull: ({ x, y }) => set("width", 30 * Math.max(0, (Math.hypot(x, y) - 8) / 9) ** 2),
 				nudge: (right, up, large) => set("width", width + (right || up) * (large ? 2 : 0.1)),
 			},
 		],
