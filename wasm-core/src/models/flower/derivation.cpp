@@ -42,6 +42,7 @@ class Deriver {
     for (std::uint32_t instance = 0; instance < derived_.instances.size() && !stopped_; ++instance)
       if (!run(instance)) return evaluation_.trouble();
     tell();
+    derived_.whole = !stopped_;
     return std::move(derived_);
   }
 
@@ -401,6 +402,11 @@ Result<std::vector<VolumeValues>> reworked(const Program& program, const Given& 
     if (!numbers.work_out(record, derived.records, instances, all, order, all[i])) return evaluation.trouble();
   }
   return all;
+}
+
+bool same_map(const Program& program, const Program& other) {
+  return program.bones == other.bones && program.notes == other.notes &&
+         program.once_bound.size() == other.once_bound.size();
 }
 
 bool rebuilds(const Program& program, const Given& before, const Given& now) {

@@ -165,9 +165,7 @@ bool Reader::grow(const Blocks& blocks, Production& production) {
   }
   if (root != production.predecessor) {
     production.becomes = root;
-    program_.notes.push_back(lsystem::sentence(
-        "Line %: % becomes %, whose productions then hold for it.",
-        {std::to_string(place.line), program_.labels[production.predecessor].name, program_.labels[root].name}));
+    renamed_.push_back({place.line, production.predecessor, root});
   }
   if (at_ == end_ && production.becomes == nobody)
     return wrong(here(), "Nothing happens here; a volume grows in brackets, as in STEM -> STEM[STEM]_{E}.");

@@ -30,7 +30,7 @@ export interface FlowerPlant extends Plant {
 	/** Absent of what has grown in passing. */
 	darts?: Darts;
 	volumes: Volumes;
-	/** Of each mesh, 2 × meshes: where an organ begins and where it ends, 0xrrggbb as sRGB. */
+	/** 4 × meshes: where an organ begins and where it ends, of its margin, of its veins; 0xrrggbb as sRGB. */
 	colours: Uint32Array;
 }
 

@@ -19,7 +19,7 @@ const KINDS: Readonly<Record<string, string>> = { leaf: "blade" };
 export function* flowerParts(plant: FlowerPlant): Generator<Part> {
 	const names = new Map<string, number>();
 	for (const [i, mesh] of plant.meshes.entries()) {
-		const [base, tip] = [...plant.colours.subarray(2 * i, 2 * i + 2)].map(colourOf);
+		const [base, tip] = [...plant.colours.subarray(4 * i, 4 * i + 2)].map(colourOf);
 		const named = mesh.material.charAt(0).toUpperCase() + mesh.material.slice(1);
 		const before = names.get(named) ?? 0;
 		names.set(named, before + 1);
