@@ -1,9 +1,11 @@
 /** `<panicle-flower-organs>`: the six control points as tabs, each organ by its choices; or, where a text describes none, a way to begin. */
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
+import { chooseFile } from "../../../../controls/choose_file";
 import { ControlElement } from "../../../../controls/control_element";
 import type { Stateful } from "../../../../controls/desk";
 import { HeldKey } from "../../../../controls/held_key";
+import { PICTURES } from "../../../../controls/picture_file";
 import { outlineOf } from "../../design/blade";
 import { isEdited, madeAnew } from "../../design/choose";
 import { type Description, described } from "../../design/description";
@@ -13,6 +15,7 @@ import { DRAWN } from "../../design/shapes";
 import { type Drafts, descriptionsIn, designIn, type FlowerDesk } from "./drafts";
 import { floralFormula } from "./floral_diagram";
 import { pointsOf } from "./outline_scene";
+import { traceInto } from "./trace";
 
 const WORDS: Readonly<Record<Organ, string>> = {
 	stem: "Stem",
@@ -74,7 +77,7 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 				${FIELDS[organ]
 					.filter(({ key }) => !UNHEEDED[key]?.(description.values))
 					.map((field) => this.#field(description, field))}
-				${description.values.outline === undefined ? nothing : fitInWords(description)}
+				${description.values.outline === undefined ? nothing : this.#outline(description)}
 			</div>
 			${
 				edited
@@ -132,6 +135,22 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 		this.requestUpdate();
 	}
 
+	/** How nearly the polynomial follows the outline, and the way to one from a picture. */
+	#outline(description: Description): unknown {
+		const { organ } = description;
+		const { error } = outlineOf(description);
+		return html`<p>
+				A polynomial of degree 6 follows the outline within <output>${(100 * error).toFixed(1)} %</output> of its width. Drag
+				its points, or trace a picture.
+			</p>
+			<div class="actions">${chooseFile({
+				accept: PICTURES,
+				label: `Picture of a ${organ}`,
+				words: "Trace a picture…",
+				take: (file) => void traceInto(this.desk, this.drafts, organ, file),
+			})}</div>`;
+	}
+
 	#with(description: Description, key: string, value: string | number): Description {
 		// What is drawn goes on from the shape that was there.
 		const margin = key === "outline" && value === DRAWN ? pointsOf(description) : description.margin;
@@ -153,11 +172,5 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 
 const inWords = (option: string): string => option.charAt(0).toUpperCase() + option.slice(1);
 const digits = (event: Event): string => (event.target as HTMLInputElement).value.slice(1).toLowerCase();
-
-/** How nearly the polynomial follows the outline. */
-function fitInWords(description: Description): unknown {
-	const { error } = outlineOf(description);
-	return html`<p>A polynomial of degree 6 follows the outline within <output>${(100 * error).toFixed(1)} %</output> of its width.</p>`;
-}
 
 customElements.define("panicle-flower-organs", OrgansPanel);

@@ -1,6 +1,7 @@
 /** Designing a flower: six organs by choices in the panel, and flat views with handles. All is written into the text. */
 import { html, nothing } from "lit";
-import type { Tool } from "../../../../controls/tool";
+import { isPicture } from "../../../../controls/picture_file";
+import { FILE_TOPIC, type Tool } from "../../../../controls/tool";
 import type { Description } from "../../design/description";
 import { ORGANS, type Organ } from "../../design/organs";
 import type { FlowerPlant } from "../../flower_plant";
@@ -11,6 +12,7 @@ import { elevation } from "./elevation";
 import { floralDiagram } from "./floral_diagram";
 import { outlineScene } from "./outline_scene";
 import type { Scene } from "./scene";
+import { traceInto } from "./trace";
 import "./design_panel";
 import "./design_view";
 
@@ -35,6 +37,14 @@ export const designTool: DesignTool<Organ> = {
 		place: "above",
 		draw: (desk) =>
 			html`<panicle-flower-organs .desk=${desk} .tool=${designTool} .drafts=${drafts}></panicle-flower-organs>`,
+	},
+	drop: {
+		words: "a picture of a petal is traced, where the flower is designed",
+		takes: isPicture,
+		take: (desk, file) => {
+			if (designIn(desk.state.specimen)) void traceInto(desk, drafts, bladed(desk.toolState(designTool)), file);
+			else desk.notify("The picture was not traced", ["This flower’s text describes no petal."], { topic: FILE_TOPIC });
+		},
 	},
 };
 
