@@ -169,9 +169,17 @@ TEST_CASE("figures that only place the map are no part of its bones") {
                                                                                            {"k=3", "k=2+1"}})
     CHECK_FALSE_MESSAGE(same(text, with(from, to)), from);
   const std::string module =
-      "#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M]_{E}\n#module M\n#define A(4,0,0,0,1,1,1,1)\n#axiom: A\n";
-  CHECK_FALSE(same(
-      module, std::string(module).replace(module.find("&M"), 2, "&N").replace(module.find("module M"), 8, "module N")));
+      "#define A(4,0,0,0,1,1,1,1)\n#axiom: A\nA -> A[&M{n=5; l=2}]_{E}\n#module M\n#define n=4\n#define l=1\n"
+      "#define A(n,0,0,0,l,1,1,1)\n#axiom: A\n";
+  const auto called = [&](std::string_view from, std::string_view to) {
+    std::string other = module;
+    for (std::size_t at = other.find(from); at != std::string::npos; at = other.find(from, at + to.size()))
+      other.replace(at, from.size(), to);
+    return other;
+  };
+  CHECK(same(module, called("l=2", "l=3")));
+  CHECK_FALSE(same(module, called("n=5", "n=6")));
+  CHECK_FALSE(same(module, called("M", "N")));
 }
 
 TEST_CASE("a tube's skin is as thick as the text says, however few sides it has") {

@@ -76,13 +76,37 @@ void add_segments(Plant& plant, const Program& program, const Derived& derived,
   }
 }
 
+// The lines of the text that speak of volumes: where each is grown, and where the module is called that it is of; 0 for
+// what something begins with.
+void add_lines(Plant& plant, const Program& program, const Derived& derived) {
+  std::vector<std::uint32_t> of_growth(program.growths, 0), of_production(program.productions.size(), 0);
+  for (const Production& production : program.productions) {
+    of_production[production.number] = static_cast<std::uint32_t>(production.place.line);
+    for (const Growth& growth : production.growths)
+      of_growth[growth.number] = static_cast<std::uint32_t>(growth.arguments.place.line);
+  }
+  std::vector<std::uint32_t> called(derived.instances.size(), 0), lines, calls;
+  for (const Record& record : derived.records)
+    if (record.instance != record.maker) called[record.instance] = of_growth[record.source];
+  for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
+    const Record& record = derived.records[derived.record_of[v]];
+    const bool begins = record.before == nobody || record.instance != record.maker;
+    const bool grown = record.kind == Record::Kind::grown;
+    lines.push_back(begins ? 0 : grown ? of_growth[record.source] : of_production[record.source]);
+    calls.push_back(called[record.instance]);
+  }
+  plant.columns.add("volumes.line", std::move(lines));
+  plant.columns.add("volumes.call", std::move(calls));
+}
+
 void add_columns(Plant& plant, const Program& program, const Derived& derived, bool whole,
                  const generalized_map::Embedding& embedding) {
   std::string labels;
   for (const Label& label : program.labels) labels.append(labels.empty() ? "" : " ").append(label.name);
   plant.columns.add("labels", labels);
-  plant.columns.add("labels.module",
-                    column_of<std::uint32_t>(program.labels, 1, [](const Label& of, std::uint32_t* at) { *at = of.grammar; }));
+  plant.columns.add(
+      "labels.module",
+      column_of<std::uint32_t>(program.labels, 1, [](const Label& of, std::uint32_t* at) { *at = of.grammar; }));
   std::vector<std::uint32_t> label, order, parent;
   std::vector<float> values;
   for (std::uint32_t v = 0; v < derived.map.volumes(); ++v) {
@@ -96,6 +120,7 @@ void add_columns(Plant& plant, const Program& program, const Derived& derived, b
   plant.columns.add("volumes.order", std::move(order));
   plant.columns.add("volumes.parent", std::move(parent));
   plant.columns.add("volumes.values", std::move(values), fields);
+  add_lines(plant, program, derived);
   if (!whole) return;
   for (std::uint32_t i = 0; i < 4; ++i) {
     const auto alpha = derived.map.alphas(i);
@@ -120,8 +145,8 @@ void add_materials(Plant& plant, const Program& program, float age) {
     const Colours now = colours_at(material, age);
     numbers.push_back(number);
     colours.insert(colours.end(), {now.base, now.tip, material.margin, material.veins});
-    paint.insert(paint.end(), {material.foot, material.margin_width, material.vein_count, material.vein_strength,
-                               material.light});
+    paint.insert(paint.end(),
+                 {material.foot, material.margin_width, material.vein_count, material.vein_strength, material.light});
   }
   plant.columns.add("materials.number", std::move(numbers));
   plant.columns.add("materials.colours", std::move(colours), 4);

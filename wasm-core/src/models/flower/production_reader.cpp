@@ -247,6 +247,7 @@ bool Reader::settings(Growth& growth) {
     if (std::exchange(uses.locals, false)) uses.add(before);
     uses.locals = false;
     uses_of_settings_.emplace_back(setting.variable, std::move(uses));
+    calls_.emplace_back(setting.variable, read_);
     of_blocks_.add(before);
     setting.value = number.value;
     growth.settings.push_back(setting);

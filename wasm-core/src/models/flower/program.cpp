@@ -94,7 +94,9 @@ class Draws {
 
 }  // namespace
 
-float light_through(std::string_view kind) { return kind == "petal" ? 0.5f : kind == "sepal" || kind == "leaf" ? 0.3f : 0; }
+float light_through(std::string_view kind) {
+  return kind == "petal" ? 0.5f : kind == "sepal" || kind == "leaf" ? 0.3f : 0;
+}
 
 Result<Program> read_program(std::string_view text, const Limits& limits) {
   if (text.size() > limits.text_bytes)

@@ -128,18 +128,18 @@ struct Colours {
   std::uint32_t base = 0, tip = 0;
 };
 
-// `#material 4 petal "c8102e" "f6d55c" foot 0.4 margin "ffffff" 0.2 veins "8a1030" 9 0.5 light 0.6 bud "5d8250"`: what a
-// volume's m means. What is said besides kind and colours may be missing.
+// `#material 4 petal "c8102e" "f6d55c" foot 0.4 margin "ffffff" 0.2 veins "8a1030" 9 0.5 light 0.6 bud "5d8250"`: what
+// a volume's m means. What is said besides kind and colours may be missing.
 struct Material {
   std::uint32_t number = 0;
   std::string kind;  // stem, leaf, sepal, petal, stamen, pistil or seed
   Colours open;
-  Colours bud, wilted;  // at an age of 0 and of 2; mixed between
-  float foot = 0.6f;    // over how much of an organ's length the first colour goes into the second
-  std::uint32_t margin = 0, veins = 0;          // colours
-  float margin_width = 0;                       // as a share of half the width
-  float vein_count = 0, vein_strength = 0;      // a side; 0 … 1
-  float light = 0;                              // that comes through from behind, as a share
+  Colours bud, wilted;                      // at an age of 0 and of 2; mixed between
+  float foot = 0.6f;                        // over how much of an organ's length the first colour goes into the second
+  std::uint32_t margin = 0, veins = 0;      // colours
+  float margin_width = 0;                   // as a share of half the width
+  float vein_count = 0, vein_strength = 0;  // a side; 0 … 1
+  float light = 0;                          // that comes through from behind, as a share
   lsystem::Place place;
 };
 

@@ -287,7 +287,8 @@ bool Reader::said_of(Material& material) {
   while (at_ < end_) {
     const auto word = static_cast<std::size_t>(std::find(sayable.begin(), sayable.end(), found()) - sayable.begin());
     if (!on_name() || word == sayable.size())
-      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud and wilted; '%' is none.", {found()});
+      return wrong(here(), "Of a material one can say foot, margin, veins, light, bud and wilted; '%' is none.",
+                   {found()});
     if (said[word]) return wrong(here(), "% has been said already; take one out.", {found()});
     said[word] = true;
     ++at_;
@@ -495,6 +496,8 @@ void Reader::pin(std::size_t begin, std::size_t end) {
 void Reader::write_bones() {
   for (std::size_t i = 0; i < definitions_.size(); ++i)
     if (program_.variables[i].rebuilds) pin(definitions_[i].begin, definitions_[i].end);
+  for (const auto& [variable, statement] : calls_)
+    if (program_.variables[variable].rebuilds) pin(statement.begin, statement.end);
   program_.bones.reserve(5 * tokens_.size());
   std::uint32_t grammar = 0;
   for (const Statement& each : statements_) {
@@ -556,9 +559,8 @@ void Reader::finish() {
   for (const Renamed& each : renamed_) {
     const Label& to = program_.labels[each.to];
     if (to.productions.size() == 0) continue;
-    program_.notes.push_back(
-        lsystem::sentence("Line %: % becomes %, whose productions then hold for it.",
-                          {std::to_string(each.line), program_.labels[each.from].name, to.name}));
+    program_.notes.push_back(lsystem::sentence("Line %: % becomes %, whose productions then hold for it.",
+                                               {std::to_string(each.line), program_.labels[each.from].name, to.name}));
   }
 }
 

@@ -107,10 +107,11 @@ class Reader : lsystem::TokenReader {
   std::vector<std::string_view> keys_of_variables_;
   std::vector<Uses> uses_of_variables_;
   enum class Figure : std::uint8_t { unread, free, pinned };
-  std::vector<Figure> figures_;                   // of tokens that are numbers
-  std::vector<Statement> definitions_;            // of variables
-  Statement read_{0, 0, 0};                       // that is read
-  lsystem::Names labels_, variables_, grammars_;  // by key_of; modules by name
+  std::vector<Figure> figures_;                             // of tokens that are numbers
+  std::vector<std::pair<std::uint32_t, Statement>> calls_;  // that give variables their values
+  std::vector<Statement> definitions_;                      // of variables
+  Statement read_{0, 0, 0};                                 // that is read
+  lsystem::Names labels_, variables_, grammars_;            // by key_of; modules by name
   std::deque<std::string> spelled_;
   std::vector<std::string_view> locals_;
   Uses of_blocks_;
@@ -119,7 +120,7 @@ class Reader : lsystem::TokenReader {
     std::uint32_t line, from, to;
   };
   std::vector<Renamed> renamed_;
-  std::uint32_t grammar_ = 0;                                     // that is read
+  std::uint32_t grammar_ = 0;  // that is read
   std::uint32_t known_variables_ = 0;
   std::uint64_t keys_ = 0;
   std::uint64_t production_key_ = 0;

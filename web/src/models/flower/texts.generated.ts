@@ -7,9 +7,9 @@ export const TEXTS: Readonly<Record<string, string>> = {
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=155 /* 80 … 250 mm, of the stalk */
+#define length=175 /* 90 … 280 mm, of the stalk */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define tall=length*math.random(0.84,1.16)
+#define tall=length*math.random(0.86,1.14)
 #define bells=floor(math.random(7,11))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -28,7 +28,7 @@ export const TEXTS: Readonly<Record<string, string>> = {
 #material 7 petal "4d5590" "5c64b8"
 
 #axiom: STEM(,,,55,,,,)
-STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(130,190); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
+STEM{}{step<4}{} -> OLD[STEM]_{E}[&PETAL{K=12; J=1; len=math.random(205,240); wide=math.random(8,12); thick=0.9; start=-66+math.random(-9,9); sway=math.random(-8,8); low=6; mid=16; high=math.random(30,80); cup=14; peak=0.8; foot=0.4; tip=1.2; claw=0.8; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
 STEM{}{step>3&&step<12}{} -> OLD[STEM(,<bend+0.9+math.random(-1,1)>,<math.random(-1,1)>,,<tall/9>,3.2,3.2,)]_{E}
 STEM{}{step==12}{} -> OLD[NODE]_{E}
 /* Each node bows a little more; pedicels stand to this side and that, and all hang to the front. */
@@ -176,7 +176,7 @@ SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
 CALYX -> CALYX[DISC]_{E}
 CALYX -> CALYX[&PETAL{K=6; J=1; len=size*6.2; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
 DISC -> DISC[RING]_{E}
-DISC -> DISC[&PETAL{K=9; J=3; len=size*(3.6+9.8*open)*math.random(0.95,1.03); wide=size*(4+9*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
+DISC -> DISC[&PETAL{K=9; J=3; len=size*(5.3+8.1*open)*math.random(0.95,1.03); wide=size*(4+6.6*open); thick=0.42; start=-50+44*open+math.random(-5,5)+20*wilt; low=-48+20*open; mid=-6; high=-44+36*open; cup=18-9*open; edge=3; wave=4*wilt; peak=1.3; foot=1; tip=0.6; claw=0.22; upper=4; lower=5}]_{C2,C4,C6,C8,C10}
 RING{}{step<6}{} -> RING[RING]_{E}
 RING{}{step==6}{} -> RING[HEART]_{E}
 RING -> RING[&STAMEN{long=(1+2.4*open)*math.random(0.85,1.15); lean=-70+34*open+step*-4+math.random(-8,8); head=1.5}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
@@ -457,7 +457,7 @@ SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
 TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
 TUBE{}{step==10}{} -> TUBE[WHORL]_{E}
 WHORL -> WHORL[INNER]_{E}
-WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(9+9*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C1,C5,C9}
+WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(9+7.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
 INNER -> INNER[&PETAL{K=11; J=3; len=size*(26+13*open); wide=size*(9+8*open); thick=0.7; start=-76+30*open+math.random(-3,3)+18*wilt; low=-10-14*open; mid=-4+wilt*10; high=-16+18*open+30*wilt+math.random(-5,5); cup=21-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN{long=3+5*open; lean=-76; head=5+6*open}]_{C1,C5,C9}
@@ -2582,9 +2582,9 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
 
 #define length=200 /* 100 … 340 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define scale=1 /* 0.7 … 1.4, of the flower */
+#define scale=1.20 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.80,1.20)
-#define size=scale*math.random(0.92,1.1)
+#define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -2788,7 +2788,7 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 #define scale=1.98 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.94,1.06)
-#define flowers=floor(math.random(2,5))
+#define flowers=floor(math.random(2,4))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -3103,9 +3103,9 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 
 #define length=90 /* 40 … 150 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define scale=1 /* 0.7 … 1.4, of the flower */
+#define scale=0.94 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.78,1.22)
-#define size=scale*math.random(0.92,1.1)
+#define size=scale*math.random(0.91,1.09)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -3299,7 +3299,7 @@ LM4 : LM4_C4 < LU4_C2 -> LM4_C4 | LU4_C2
 #axiom: STEM
 #define finalStep=1
 STEM -> STEM[&PETAL]_{E}
-#material 4 petal "f3c14b" "d1253f"
+#material 4 petal "f3c14b" "d1253f" foot 0.5 margin "f3a9a0" 0.35 veins "8d1230" 9 0.45 light 0.5
 #module PETAL
 #define K=12
 #define len=60
@@ -3384,9 +3384,9 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
 #define length=250 /* 120 … 420 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define scale=1 /* 0.7 … 1.4, of the flower */
+#define scale=1.04 /* 0.7 … 1.6, of the flower */
 #define tall=length*math.random(0.80,1.20)
-#define size=scale*math.random(0.9,1.12)
+#define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -3763,7 +3763,7 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.81,1.19)
 #define size=scale*math.random(0.93,1.08)
-#define petals=floor(math.random(26,33))
+#define petals=floor(math.random(26,32))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -4284,9 +4284,9 @@ UPPER -> UPPER[STEM]_{E}
 UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C7}
 STEM{}{step==16}{} -> STEM[RECEPTACLE]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
-RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+17*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5}]_{C1,C5,C9}
+RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5}]_{C1,C5,C9}
 BASE -> BASE[TOP]_{E}
-BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+16*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5}]_{C3,C7,C11}
+BASE -> BASE[&PETAL{len=size*(36+25*open); wide=size*(22+13*open); thick=1; start=-38+22*open+math.random(-2,2)+22*wilt; low=-64-open*10; mid=-2+wilt*12; high=-32+36*open+math.random(-4,4)+30*wilt; cup=21-7*open-5*wilt; peak=0.95; foot=0.9; tip=1; claw=0.22; wave=10*wilt; upper=5}]_{C3,C7,C11}
 TOP -> TOP[&STAMEN]_{C1,C3,C5,C7,C9,C11}
 TOP -> TOP[&PISTIL]_{E}
 

@@ -1,14 +1,19 @@
 /** The page's side of the model: loaded with the first flower, in a page alone. */
 import { html } from "lit";
 import { grammarTools } from "../../../controls/grammar_tool";
-import type { Face } from "../../../controls/tool";
+import type { Face, Tool } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
 import { designTools } from "./design/design_tool";
 import { source } from "./text";
+import { volumeTool } from "./volume_tool";
 
 export const face: Face<FlowerSpecimen, FlowerPlant> = {
-	tools: [...grammarTools<FlowerSpecimen, FlowerPlant>(source), ...designTools],
+	tools: [
+		volumeTool as Tool<FlowerSpecimen, FlowerPlant>,
+		...designTools,
+		...grammarTools<FlowerSpecimen, FlowerPlant>(source),
+	],
 	about: html`<p>
 			A flower is made of volumes that grow on each other’s faces, are glued and split, as its text says; organs are modules of
 			it.
