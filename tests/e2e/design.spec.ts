@@ -1,4 +1,5 @@
-import { expect, type Page, test } from "./fixtures";
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures";
 import { StudioPage } from "./studio_page";
 
 /** Does something that makes another specimen; a fingerprint tells of places of organs only, the link of all. */

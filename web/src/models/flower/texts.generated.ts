@@ -1242,7 +1242,7 @@ NODE4 -> NODE4[&LEAF{part=0.76}]_{C(1+floor(3*sides/12))}
 #define LM2(4,0,0,0,1,0.3*thick,1,2)
 #define LL1(4,0,0,0,1,0.3*thick,1,2)
 #define LL2(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "47793a" "5f9449"
+#material 2 leaf "47793a" "5f9449" wilted "69723d" "797b44"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.016+s*(1.015+s*(-13.601+s*(72.378+s*(-112.881+s*(58.052+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1321,7 +1321,7 @@ RING1 -> RING1[&SEPAL]_{C2,C4,C6,C8,C10}
 #define LL1(4,0,0,0,1,0.3*thick,1,3)
 #define LL2(4,0,0,0,1,0.3*thick,1,3)
 #define LL3(4,0,0,0,1,0.3*thick,1,3)
-#material 3 sepal "b7bd55" "c9c95e"
+#material 3 sepal "b7bd55" "c9c95e" wilted "a1944b" "a3904c"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.005+s*(2.643+s*(10.507+s*(-38.511+s*(27.774+s*(4.812+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1369,7 +1369,7 @@ RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
 LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
 LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
-@organ petal count=5 whorls=1 symmetry=radial lip=35 outline=obovate section=cupped length=15 width=14 thickness=0.5 angle=22 bend=-38 curl=6 radius=2 base=e6b70c tip=f8d414@
+@organ petal count=5 whorls=1 symmetry=radial lip=35 outline=obovate section=cupped length=15 width=14 thickness=0.5 angle=22 bend=-38 curl=6 veins=0 radius=2 base=e6b70c tip=f8d414@
 #module COROLLA
 #define FOOT(5,180,0,0,1,1,1,4)
 #define RING1(10,0,0,0,2.2,4,4,4)
@@ -1416,7 +1416,7 @@ RING1 -> RING1[&PETAL]_{C1,C3,C5,C7,C9}
 #define LL1(4,0,0,0,1,0.3*thick,1,4)
 #define LL2(4,0,0,0,1,0.3*thick,1,4)
 #define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "e6b70c" "f8d414"
+#material 4 petal "e6b70c" "f8d414" bud "a8a43a" "c3b831" wilted "b89126" "b6942e"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1610,7 +1610,7 @@ NODE8 -> NODE8[&LEAF{part=0.44}]_{C(1+floor(11*sides/12))}
 #define LM2(4,0,0,0,1,0.3*thick,1,2)
 #define LL1(4,0,0,0,1,0.3*thick,1,2)
 #define LL2(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "3f6f3a" "4f8446"
+#material 2 leaf "3f6f3a" "4f8446" wilted "656d3d" "727442"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1651,7 +1651,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
 RING1 -> RING1[&COROLLA]_{E}
 
-@organ petal count=3 whorls=2 symmetry=radial lip=35 outline=lanceolate section=channelled length=105 width=34 thickness=1.2 angle=62 bend=40 curl=85 radius=3.8 base=f6e9c4 tip=f4f1ee@
+@organ petal count=3 whorls=2 symmetry=radial lip=35 outline=lanceolate section=channelled length=105 width=34 thickness=1.2 angle=62 bend=40 curl=85 veins=0 radius=3.8 base=f6e9c4 tip=f4f1ee@
 #module COROLLA
 #define FOOT(5,180,0,0,1,1,1,4)
 #define RING1(12,0,0,0,2.2,7.6,7.6,4)
@@ -1701,7 +1701,7 @@ RING2 -> RING2[&PETAL{part=0.92; tilt=6}]_{C3,C7,C11}
 #define LL1(4,0,0,0,1,0.3*thick,1,4)
 #define LL2(4,0,0,0,1,0.3*thick,1,4)
 #define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "f6e9c4" "f4f1ee"
+#material 4 petal "f6e9c4" "f4f1ee" bud "adb371" "c1c79e" wilted "c0aa82" "b4a086"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.011+s*(-0.066+s*(32.723+s*(-102.646+s*(103.332+s*(-28.433+s*(-4.937))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1868,7 +1868,7 @@ NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(5*sides/12))}
 #define LM2(4,0,0,0,1,0.3*thick,1,2)
 #define LL1(4,0,0,0,1,0.3*thick,1,2)
 #define LL2(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "587f58" "6c9a64"
+#material 2 leaf "587f58" "6c9a64" wilted "71754c" "7e7d4e"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.54+s*(0.074+s*(4.099+s*(9.281+s*(-52.327+s*(56.925+s*(-18.594))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -1909,7 +1909,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 FOOT -> FOOT[RING1(,180,,,,,,)]_{E}
 RING1 -> RING1[&COROLLA]_{E}
 
-@organ petal count=3 whorls=2 symmetry=radial lip=35 outline=tulip section=cupped length=60 width=40 thickness=1.1 angle=12 bend=-84 curl=4 radius=5.5 base=d8a23a tip=c21d2c@
+@organ petal count=3 whorls=2 symmetry=radial lip=35 outline=tulip section=cupped length=60 width=40 thickness=1.1 angle=12 bend=-84 curl=4 veins=0 radius=5.5 base=d8a23a tip=c21d2c@
 #module COROLLA
 #define FOOT(5,180,0,0,1,1,1,4)
 #define RING1(12,0,0,0,2.2,11,11,4)
@@ -1959,7 +1959,7 @@ RING2 -> RING2[&PETAL{part=0.92; tilt=6}]_{C3,C7,C11}
 #define LL1(4,0,0,0,1,0.3*thick,1,4)
 #define LL2(4,0,0,0,1,0.3*thick,1,4)
 #define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "d8a23a" "c21d2c"
+#material 4 petal "d8a23a" "c21d2c" bud "a49e48" "a85d3d" wilted "b1863d" "a04b38"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.465+s*(1.062+s*(-15.74+s*(96.338+s*(-206.369+s*(181.38+s*(-57.158))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -2131,7 +2131,7 @@ NODE2 -> NODE2[&LEAF{part=0.92}]_{C(1+floor(2*sides/12)),C(1+floor(6*sides/12))}
 #define LL1(4,0,0,0,1,0.3*thick,1,2)
 #define LL2(4,0,0,0,1,0.3*thick,1,2)
 #define LL3(4,0,0,0,1,0.3*thick,1,2)
-#material 2 leaf "3c6a33" "558a45"
+#material 2 leaf "3c6a33" "558a45" wilted "636a3a" "757742"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.729+s*(0.061+s*(2.788+s*(8.075+s*(-45.868+s*(51.743+s*(-17.529))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -2226,7 +2226,7 @@ RING1 -> RING1[&SEPAL]_{C2,C4,C6,C8,C10}
 #define LL1(4,0,0,0,1,0.3*thick,1,3)
 #define LL2(4,0,0,0,1,0.3*thick,1,3)
 #define LL3(4,0,0,0,1,0.3*thick,1,3)
-#material 3 sepal "708a4a" "86a05c"
+#material 3 sepal "708a4a" "86a05c" wilted "7d7a45" "88804b"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,0.439+s*(-1.399+s*(40.741+s*(-166.743+s*(281.359+s*(-220.101+s*(65.721))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}
@@ -2274,7 +2274,7 @@ RM3 : RM3_C2 < RU3_C4 -> RM3_C2 | RU3_C4
 LL3 : LL3_C4 < LM3_C2 -> LL3_C4 | LM3_C2
 LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 
-@organ petal count=5 whorls=1 symmetry=irregular lip=32 outline=obovate section=wavy length=15 width=11 thickness=0.5 angle=30 bend=10 curl=25 radius=1.9 base=efe3a0 tip=6a4fb0@
+@organ petal count=5 whorls=1 symmetry=irregular lip=32 outline=obovate section=wavy length=15 width=11 thickness=0.5 angle=30 bend=10 curl=25 veins=5 radius=1.9 base=efe3a0 tip=6a4fb0@
 #module COROLLA
 #define FOOT(5,180,0,0,1,1,1,4)
 #define RING1(10,0,0,0,2.2,3.8,3.8,4)
@@ -2323,7 +2323,7 @@ RING1 -> RING1[&PETAL{part=0.741; tilt=17.798}]_{C5,C7}
 #define LL1(4,0,0,0,1,0.3*thick,1,4)
 #define LL2(4,0,0,0,1,0.3*thick,1,4)
 #define LL3(4,0,0,0,1,0.3*thick,1,4)
-#material 4 petal "efe3a0" "6a4fb0"
+#material 4 petal "efe3a0" "6a4fb0" veins "412854" 5 0.35 bud "aab167" "7c767f" wilted "bda770" "7d5f6d"
 #axiom: VEIN(,start,,,,,,)
 VEIN{u=even*(step+1)/K+(1-even)*(1-cos(180*(step+1)/K))/2; d=even/K+(1-even)*sin(90/K)*sin(180*(step+1)/K)}{step<K-1}{} -> VEIN[VEIN(,<3*(low*(1-u)^2+2*mid*u*(1-u)+high*u^2)*d>,0,0,<len*((1-even)*sin(90/K)*sin(180*(step+1.5)/K)+even/K)>,,,)]_{E}
 VEIN{s=(step+0.5)/K; w=wide/2/J*max(0.004,-0.001+s*(0.045+s*(1.426+s*(23.712+s*(-56.479+s*(38.513+s*(-7.221))))))); f=fan*max(0,1-4*s)}{}{} -> VEIN[RU1(,f,<-45+cup/2>,,w,,H,)]_{C4}[RM1(,f,<cup/2>,,w,,H,)]_{C3}[RL1(,f,<45+cup/2>,,w,,H,)]_{C2}

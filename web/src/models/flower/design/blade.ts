@@ -73,7 +73,7 @@ export function bladeText(organ: Bladed, description: Description): string {
 		fan,
 		middle: material,
 		upper: material,
-		materials: `#material ${material} ${organ} "${values.base}" "${values.tip}"`,
+		materials: `#material ${material} ${organ} "${values.base}" "${values.tip}"${painted(organ, values)}`,
 		"width polynomial": horner(coefficients),
 	});
 }
@@ -82,6 +82,26 @@ export function bladeText(organ: Bladed, description: Description): string {
 function horner(coefficients: readonly number[]): string {
 	const [first, ...rest] = coefficients;
 	return rest.length === 0 ? String(first) : `${first}+s*(${horner(rest)})`;
+}
+
+const GREEN = "8d9c4e";
+const BROWN = "8a6a40";
+
+/** Buds are greener and what wilts is browner; petals may have veins. */
+function painted(organ: Bladed, { base, tip, veins }: Description["values"]): string {
+	const wilted = ` wilted "${mixed(String(base), BROWN, 0.5)}" "${mixed(String(tip), BROWN, 0.6)}"`;
+	if (organ !== "petal") return wilted;
+	const lines = Number(veins) > 0 ? ` veins "${mixed(String(tip), "200808", 0.55)}" ${veins} 0.35` : "";
+	return `${lines} bud "${mixed(String(base), GREEN, 0.7)}" "${mixed(String(tip), GREEN, 0.5)}"${wilted}`;
+}
+
+/** Between two colours, six hexadecimal digits each. */
+function mixed(one: string, other: string, share: number): string {
+	const channel = (of: string, at: number): number => Number.parseInt(of.slice(at, at + 2), 16);
+	return [0, 2, 4]
+		.map((at) => Math.round(channel(one, at) * (1 - share) + channel(other, at) * share))
+		.map((value) => value.toString(16).padStart(2, "0"))
+		.join("");
 }
 
 const round = (value: number): number => Math.round(value * 100) / 100 + 0;

@@ -121,6 +121,7 @@ export const FIELDS: Readonly<Record<Organ, readonly Field[]>> = {
 		),
 		...blade("obovate", 32, 24, 0.8),
 		...held(35, -25, 15),
+		number("veins", "Veins", "", 0, [0, 12, 1], "Darker lines from the middle to the margin, so many a side."),
 		radius(4.5),
 		...colours("e8c34a", "f2d23a"),
 	],
