@@ -119,6 +119,15 @@ describe("an assembled flower", () => {
 		);
 	});
 
+	it("has as many lobes to a side as a width can show", () => {
+		const lobes = (width: number) => {
+			const { volumes } = grow(assembled([usual("petal", { length: 40, width }), usual("leaf", { count: 0 })]));
+			const grown = Array.from(volumes.label, (of) => volumes.labels[of]);
+			return ["RU1", "RU2", "RU3", "RU4"].filter((label) => grown.includes(label)).length;
+		};
+		expect([lobes(3), lobes(8), lobes(30)]).toEqual([1, 2, 3]);
+	});
+
 	it("is none where an organ is missing, twice, or out of its place", () => {
 		const text = assembled();
 		const without = text.replace(/@organ leaf[^@]*@\n/, "");

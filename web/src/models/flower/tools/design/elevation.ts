@@ -117,12 +117,12 @@ function lineHandles(
 			label: `${name}, bend`,
 			value: `${bend}°`,
 			at: middle,
-			// The arrow of an arc is an eighth of its length times its angle, nearly; inwards is to the left of the chord.
+			// The arrow of an arc is an eighth of its length times its angle, nearly; what bends inwards lies below its chord.
 			pull: (to) => {
 				const off = (point: Point) =>
 					((point.x - from.x) * chord.y - (point.y - from.y) * chord.x) / Math.max(reach, 0.1);
 				const more = off(to) - off(middle);
-				return set({ bend: bend - degrees((8 * more) / Math.max(length, 1)) });
+				return set({ bend: bend + degrees((8 * more) / Math.max(length, 1)) });
 			},
 			nudge: (right, up, large) => set({ bend: bend + (right || up) * (large ? 10 : 1) }),
 		},
