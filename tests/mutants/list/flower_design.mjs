@@ -25,8 +25,8 @@ export default [
 		faults: [
 			{
 				id: "flower-ring-of-one-step",
-				find: "#define finalStep=${rings.length + 1}",
-				replace: "#define finalStep=${rings.length}",
+				find: "{rings.length + 1}`",
+				replace: "{rings.length}`",
 				breaks: "the last ring of a whorl bears nothing",
 			},
 		],

@@ -9,7 +9,7 @@ import stem from "./templates/stem.gl3?raw";
 import { type Call, ringFor, whorlText } from "./whorl";
 
 const SIDES: Readonly<Record<string, number>> = { round: 12, oval: 12, square: 4, triangular: 3 };
-const LEANS: Readonly<Record<string, number>> = { erect: 0, arching: 3, nodding: 7 };
+const LEANS: Readonly<Record<string, number>> = { erect: 0, arching: 2.2, nodding: 5 };
 
 function stemText({ values }: Description): string {
 	return filled(stem, {
