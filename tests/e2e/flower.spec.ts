@@ -58,3 +58,19 @@ test("a click on a volume shows its numbers; a figure of the text is dragged, un
 	await sides.press("ArrowRight");
 	await expect(darts).not.toHaveText(few ?? "");
 });
+
+test("a grammar as XML is dropped and grows; a mistake in one is told with its place", async ({ page }) => {
+	const studio = await new StudioPage(page).open("?v=2&model=flower&preset=figure-16");
+	const volume = (category: string) => `<volume category="${category}"><name>STEM</name><degree>6</degree></volume>`;
+	const xml = `${volume("#define")}<axiom>STEM</axiom><rule><predecessor>${volume("").replace("6", "")}</predecessor>
+		<successor>${volume("root").replace("6", "")}<element>[</element>${volume("")}<element>]_</element><face>{E}</face></successor></rule>`;
+	await studio.regrown(() => studio.drop("stem.xml", Buffer.from(xml)));
+	await expect(studio.readout("Volumes")).toHaveText("11");
+	const grown = await studio.fingerprint.textContent();
+	await studio.drop("wrong.xml", Buffer.from(xml.replace("<axiom>", "<axiom>\n&")));
+	await expect(page.getByText("wrong.xml: Line 2, column 1").first()).toBeVisible();
+	expect(await studio.fingerprint.textContent()).toBe(grown);
+	const { name, bytes } = await studio.download("xml");
+	expect(name).toMatch(/\.xml$/);
+	expect(bytes.toString()).toContain("<axiom");
+});

@@ -48,9 +48,27 @@ export default [
 		],
 	},
 	{
+		file: `${SRC}/evaluation.cpp`,
+		suites: DERIVATION,
+		faults: [
+			{
+				id: "flower-calls-give-nothing",
+				find: "if (said != given.end()) {",
+				replace: "if (false) {",
+				breaks: "a module's variables keep their own values whatever a call gives them",
+			},
+		],
+	},
+	{
 		file: `${SRC}/reader.cpp`,
 		suites: DERIVATION,
 		faults: [
+			{
+				id: "flower-given-and-not-rebuilt",
+				find: "if (program_.variables[variable].rebuilds) rebuilds(uses);",
+				replace: ";",
+				breaks: "what a call gives to a variable that the map depends on only places it anew",
+			},
 			{
 				id: "flower-eight-numbers-with-translation",
 				find: "const bool translated = entries.size() == 9",

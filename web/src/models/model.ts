@@ -137,6 +137,8 @@ export interface Model<S extends Specimen = Specimen, G extends Plant = Plant> e
 	record?(grown: G, specimen: S): object;
 	/** What files with meshes (glTF) say of it besides what they say of every plant, by key. */
 	extras?(grown: G, specimen: S): Record<string, unknown>;
+	/** A grammar's text out of another form that the model claims; undefined of what is one already. Rejects with a TextError. */
+	translated?(text: string): Promise<string> | undefined;
 	/** Files besides those of every plant. */
 	readonly formats?: readonly Format<S, G>[];
 

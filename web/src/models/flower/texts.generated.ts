@@ -121,10 +121,10 @@ ANTHER{}{step<5}{} -> ANTHER[ANTHER]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=140 /* 70 … 240 mm, of the stem */
+#define length=115 /* 60 … 190 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.79,1.21)
+#define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.1)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -172,7 +172,7 @@ SHOOT{}{step==6}{} -> SHOOT[&FLOWER{open=open; size=math.random(0.86,1)}]_{E}
 #define RING(10,0,0,18,0.5,2.8,2.8,8)
 #define HEART(10,0,0,8,0.5,2.6,2.6,8)
 #define finalStep=14
-#axiom: CALYX
+#axiom: CALYX(,<20*open>,,,,,,)
 CALYX -> CALYX[DISC]_{E}
 CALYX -> CALYX[&PETAL{K=6; J=1; len=size*6.2; wide=size*(4.6-1.2*open); thick=0.4; start=-46+36*open+20*wilt; low=-50+30*open; high=-50*(1-open); cup=24-14*open; peak=0.85; tip=1.4; claw=0.7; upper=3; middle=3; lower=3}]_{C1,C3,C5,C7,C9}
 DISC -> DISC[RING]_{E}
@@ -335,13 +335,13 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=230 /* 110 … 380 mm, of the stem */
+#define length=145 /* 70 … 240 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
 #define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.93,1.07)
 #define outer=floor(math.random(9,12))
-#define inner=floor(math.random(22,30))
+#define inner=floor(math.random(18,24))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -364,8 +364,8 @@ LAST -> LAST[&PETAL{K=7; J=1; len=len*0.93; wide=len*0.46; thick=0.5; start=-42;
 
 #axiom: STEM
 STEM{}{step<14}{} -> OLD[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall/14>,<2.4-0.06*step>,<2.4-0.06*step>,)]_{E}
-STEM{}{step>0&&step<13}{} -> STEM[&BLADE{S=6; len=(76-4*step)*math.random(0.85,1.1); wide=5-0.2*step; thick=0.6; start=-50+math.random(-10,10); bend=math.random(10,50); high=10; peak=0.8; round=0.7; claw=0.7; paint=2}]_{C(1+(5*step)%13)}
-STEM{}{step==14}{} -> STEM[CUP(,,,,0.4,4,4,)]_{E}
+STEM{}{step>0&&step<13}{} -> STEM[&BLADE{S=6; len=(60-3*step)*math.random(0.85,1.1); wide=5-0.2*step; thick=0.6; start=-50+math.random(-10,10); bend=math.random(10,50); high=10; peak=0.8; round=0.7; claw=0.7; paint=2}]_{C(1+(5*step)%13)}
+STEM{}{step==14}{} -> STEM[CUP(,<24*open>,,,0.4,4,4,)]_{E}
 /* The involucre bulges, a bract to each face by the golden angle. */
 CUP{k=step-15}{step<41}{} -> TILED[CUP(,,,,<size*0.5>,<size*(4+7.6*sin(7*k)^0.8)>,<size*(4+7.6*sin(7*k)^0.8)>,)]_{E}[&BLADE{S=4; len=size*(3.4+0.09*k); wide=size*2.9; thick=0.6; start=-70-0.5*k; bend=-10; peak=0.7; round=0.8; claw=1; paint=3}]_{C(1+(5*step)%13)}
 CUP{}{step==41}{} -> TILED[RIM]_{E}
@@ -455,7 +455,7 @@ SHEATH{}{step<4}{} -> SHEATH[SHEATH(,,,,6,<6-0.4*step>,<6-0.4*step>,)]_{E}
 SHEATH{}{step<leaves}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(80,130); wide=math.random(4.4,6.5); thick=1; start=-66+math.random(-8,8)-10*(1-open); sway=math.random(-6,6); low=8; mid=14; high=20+math.random(0,40); cup=-14; peak=0.8; foot=0.4; tip=0.8; claw=0.9; upper=2; middle=3; lower=2}]_{C(2+5*step%12)}
 SHEATH{}{step==4}{} -> SHEATH[TUBE]_{E}
 TUBE{}{step<10}{} -> TUBE[TUBE(,<bend+math.random(-2,2)+3*wilt>,<math.random(-2,2)>,,<tall*(0.7+0.3*open)/6>,<3.6+0.16*(step-4)>,<3.6+0.16*(step-4)>,)]_{E}
-TUBE{}{step==10}{} -> TUBE[WHORL]_{E}
+TUBE{}{step==10}{} -> TUBE[WHORL(,<9*open>,,,,,,)]_{E}
 WHORL -> WHORL[INNER]_{E}
 WHORL -> WHORL[&PETAL{K=11; J=3; len=size*(28+15*open); wide=size*(9+7.8*open); thick=0.7; start=-72+34*open+math.random(-3,3)+22*wilt; low=-12-14*open; mid=-4+wilt*14; high=-16+22*open+40*wilt+math.random(-5,5); cup=20-8*open; wave=9*wilt; peak=1.12; foot=1; tip=1; claw=0.3; upper=4; middle=4; lower=5}]_{C1,C5,C9}
 INNER -> INNER[TOP]_{E}
@@ -749,10 +749,10 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=95 /* 40 … 180 mm, of the stem */
+#define length=60 /* 30 … 110 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.63,1.37)
+#define tall=length*math.random(0.73,1.30)
 #define size=scale*math.random(0.9,1.12)
 #define rays=floor(math.random(36,54))
 #define discs=floor(math.random(80,104))
@@ -776,15 +776,15 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 2 leaf "4e7a3c" "669249" veins "86ac66" 3 0.3
 #material 3 sepal "557f40" "6f9450"
 #material 4 petal "fbfaf6" "ffffff" bud "f3e3e8" "eec2d0" wilted "e6dccb" "c9b79c"
-#material 5 petal "f2d9e0" "dd8fa6" wilted "dcc4b4" "b99a86"
+#material 5 petal "f7ebee" "e8b9ca" wilted "dcc4b4" "b99a86"
 #material 6 stamen "c9971a" "e3b021"
 #material 7 stamen "e9b922" "f6cf3e"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(28,46); wide=math.random(11,15); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=10; J=2; len=math.random(20,32); wide=math.random(8,11); thick=0.8; start=-26+math.random(-9,9)-20*(1-open); sway=math.random(-8,8); low=14; mid=10; high=-8; cup=9; peak=2.1; foot=1.2; tip=0.75; claw=0.26; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+9}{} -> STEM[STEM(,<bend+math.random(-2.5,2.5)+wilt*3>,<math.random(-2.5,2.5)>,,<tall*(0.5+0.5*open)/9>,,,)]_{E}
-STEM{}{step==leaves+9}{} -> STEM[CUP]_{E}
+STEM{}{step==leaves+9}{} -> STEM[CUP(,<26*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
 CUP -> CUP[&BLADE{len=5*size; wide=1.9*size; thick=0.4; start=-38-26*(1-open)+30*wilt; bend=-14; peak=0.9; claw=0.8; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 RIM{k=step-leaves-11}{k<rays}{} -> FULL[RIM]_{E}[&PETAL{K=5; J=1; len=size*(4.6+5*open)*math.random(0.93,1.05); wide=size*(1.4+0.7*open); thick=0.26; start=-76+(62-14*k/rays)*open+math.random(-6,6)*open+34*wilt; sway=math.random(-4,4); low=-14*open; mid=-10*(1-open); high=-76+82*open; cup=16; foot=0.6; tip=0.62; peak=1.3; claw=0.5; lower=5}]_{C(1+(5*step)%13)}
@@ -890,11 +890,11 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=170 /* 70 … 310 mm, of the stem */
+#define length=100 /* 50 … 180 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.71,1.29)
-#define size=scale*math.random(0.92,1.1)
+#define tall=length*math.random(0.80,1.25)
+#define size=scale*math.random(0.95,1.1)
 #define seeds=floor(math.random(104,126))
 #define leaves=floor(math.random(5,8))
 #define open=sin(90*min(age,1))
@@ -911,12 +911,12 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 1 stem "9dae74" "a88f70"
 #material 2 leaf "4a7a34" "62913f" veins "b9c98f" 3 0.6
 #material 3 sepal "567f45" "6d9452"
-#material 5 seed "5f4a30" "7a6040"
+#material 5 seed "6f5a3c" "b9ab90"
 #material 6 sepal "c9c09a" "d8d0ac"
-#material 7 petal "d8d4c4" "f4f3ee"
+#material 7 petal "eeece6" "ffffff"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(80,125); wide=math.random(30,38); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)>,<math.random(-2,2)>,,<tall/10>,,,)]_{E}
 STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
@@ -940,7 +940,7 @@ NUT{}{step==0}{} -> NUT[NUT(,,,,<(1-gone)*1.6+0.02>,<(1-gone)*0.7+0.02>,<(1-gone
 NUT{}{step==1}{} -> NUT[BEAK(,,,,<(5*far)*(1-gone)+0.02>,<0.16*(1-gone)+0.01>,<0.16*(1-gone)+0.01>,)]_{E}
 BEAK{}{step==2}{} -> BEAK[BEAK(,<math.random(-8,8)>,,,H,L,W,)]_{E}
 BEAK{}{step==3}{} -> BEAK[HUB(,,,,<0.35*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,<0.6*(1-gone)+0.01>,)]_{E}
-HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.4+0.8*open)*(1-gone)+0.02>,<0.1*(1-gone)+0.005>,<0.1*(1-gone)+0.005>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
+HUB -> HUB[HAIR(,<-22-60*(1-open)+math.random(-16,16)>,,,<(3.6+1.6*open)*(1-gone)+0.02>,<0.1*(1-gone)+0.005>,<0.1*(1-gone)+0.005>,)]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10}
 
 #module BLADE
 /* A small petal or hair: a chain of S flat prisms. */
@@ -1041,10 +1041,10 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=130 /* 50 … 240 mm, of the stem */
+#define length=85 /* 40 … 150 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1 /* 0.7 … 1.4, of the flower */
-#define tall=length*math.random(0.69,1.31)
+#define tall=length*math.random(0.73,1.24)
 #define size=scale*math.random(0.92,1.1)
 #define florets=floor(math.random(110,150))
 #define leaves=floor(math.random(5,8))
@@ -1068,10 +1068,10 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #material 6 stamen "d09a14" "e2b01a"
 
 #axiom: ROSETTE
-ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(80,125); wide=math.random(30,38); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
+ROSETTE{}{step<leaves}{} -> GROWN[ROSETTE]_{E}[&PETAL{K=20; J=2; len=math.random(66,92); wide=math.random(24,30); thick=0.9; start=-20+math.random(-10,10)-24*(1-open); sway=math.random(-9,9); low=16; mid=12; high=math.random(-6,16); cup=5; peak=1.7; foot=1; tip=0.8; claw=0.12; teeth=0.9; bites=5; barb=24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%13)}
 ROSETTE{}{step==leaves}{} -> ROSETTE[STEM]_{E}
 STEM{}{step<leaves+10}{} -> STEM[STEM(,<bend+math.random(-2,2)+2*wilt>,<math.random(-2,2)>,,<tall*(0.35+0.65*open)/10>,,,)]_{E}
-STEM{}{step==leaves+10}{} -> STEM[CUP]_{E}
+STEM{}{step==leaves+10}{} -> STEM[CUP(,<22*open>,,,,,,)]_{E}
 CUP -> CUP[RIM]_{E}
 CUP -> CUP[&BLADE{len=11*size; wide=2.6; thick=0.6; start=-64+122*open-20*wilt+math.random(-9,9); bend=36*open; peak=0.8; claw=0.9; paint=3}]_{C1,C2,C3,C4,C5,C6,C7,C8,C9,C10,C11,C12,C13}
 RIM -> RIM[HEAD]_{E}
@@ -1180,7 +1180,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #define sides=12
 #define thick=2.2
 #define length=160 /* 10 … 900 mm, of the stem */
-#define bend=3 /* -5 … 5 degrees, of the stem from piece to piece */
+#define bend=2.2 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -1189,7 +1189,7 @@ LM2 : LM2_C4 < LU2_C2 -> LM2_C4 | LU2_C2
 #define finalStep=18
 #material 1 stem "6f9150" "86a862"
 #axiom: STEM
-STEM{}{step<16}{} -> STEM[STEM(,<bend*step/8+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
@@ -1532,7 +1532,7 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
 #define sides=12
 #define thick=6
 #define length=420 /* 10 … 900 mm, of the stem */
-#define bend=3 /* -5 … 5 degrees, of the stem from piece to piece */
+#define bend=2.2 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -1541,7 +1541,7 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
 #define finalStep=18
 #material 1 stem "6d8f4e" "8aa862"
 #axiom: STEM
-STEM{}{step<16}{} -> STEM[STEM(,<bend*step/8+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
@@ -1814,7 +1814,7 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
 #define sides=12
 #define thick=6.4
 #define length=300 /* 10 … 900 mm, of the stem */
-#define bend=0 /* -5 … 5 degrees, of the stem from piece to piece */
+#define bend=0 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -1823,7 +1823,7 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
 #define finalStep=18
 #material 1 stem "7f9a55" "9ab36c"
 #axiom: STEM
-STEM{}{step<16}{} -> STEM[STEM(,<bend*step/8+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
@@ -2072,7 +2072,7 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
 #define sides=4
 #define thick=1.8
 #define length=90 /* 10 … 900 mm, of the stem */
-#define bend=7 /* -5 … 5 degrees, of the stem from piece to piece */
+#define bend=5 /* -5 … 5 step 0.1, degrees, of the stem from piece to piece */
 #define piece=length/17*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -2081,7 +2081,7 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
 #define finalStep=18
 #material 1 stem "6f8d4c" "8c8f58"
 #axiom: STEM
-STEM{}{step<16}{} -> STEM[STEM(,<bend*step/8+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
+STEM{}{step<16}{} -> STEM[STEM(,<bend*step/6+math.random(-0.8,0.8)+1.5*wilt>,<math.random(-0.8,0.8)>,,,,,)]_{E}
 STEM{}{step==16}{} -> STEM[COLLAR]_{E}
 COLLAR -> COLLAR[&CALYX]_{E}
 
@@ -2430,11 +2430,11 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=200 /* 100 … 320 mm, of the stem */
+#define length=160 /* 80 … 250 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define tall=length*math.random(0.85,1.15)
+#define tall=length*math.random(0.88,1.12)
 #define rays=floor(math.random(15,20))
-#define broad=math.random(38,46)
+#define broad=math.random(44,54)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
 
@@ -2452,7 +2452,7 @@ LOBE{}{step>10&&step<13}{} -> LOBE[LOBE(,20,,,,,,)]_{E}
 
 #axiom: STEM
 STEM{}{step<12}{} -> OLD[STEM(,<bend+math.random(-2,2)+1.5*wilt>,<math.random(-2,2)>,,<tall/12>,<4-0.1*step>,<4-0.1*step>,)]_{E}
-STEM{}{step==1||step==4||step==8}{} -> STEM[&FERN{len=110-8*step}]_{C(1+(5*step)%13)}
+STEM{}{step==1||step==4||step==8}{} -> STEM[&FERN{len=84-6*step}]_{C(1+(5*step)%13)}
 STEM{}{step==12}{} -> STEM[HEAD]_{E}
 HEAD{}{step==13}{} -> HEAD[&BLADE{S=4; len=24; wide=1.2; thick=0.6; start=-50+64*open; bend=20; claw=0.9; paint=3}]_{C2,C3,C5,C7,C9,C11,C13}
 /* Rays on the outside are longer and lean further; in bud and in fruit they close to a nest. */
@@ -2580,10 +2580,10 @@ OVARY -> OVARY[OVARY(,,,,0.8,0.4+0.25*(step-4)^2/4,0.4+0.25*(step-4)^2/4,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=200 /* 100 … 340 mm, of the stem */
+#define length=145 /* 70 … 240 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1.20 /* 0.7 … 1.6, of the flower */
-#define tall=length*math.random(0.80,1.20)
+#define tall=length*math.random(0.83,1.17)
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -2616,7 +2616,7 @@ UPPER -> UPPER[STEM(,,,,<tall*(0.8+0.2*open)/13>,2.9,2.9,)]_{E}
 STEM{}{step==0}{} -> STEM[&PALMATE{stalk=math.random(70,105); len=math.random(36,46); start=-42+math.random(-10,10); sway=math.random(-12,12); teeth=0.45}]_{C1,C4,C8}
 LOWER -> LOWER[&PALMATE{stalk=10; len=math.random(30,40); start=-34; teeth=0.45}]_{C3}
 UPPER -> UPPER[&PALMATE{stalk=6; len=math.random(20,27); start=-40; teeth=0.45}]_{C8}
-STEM{}{step==14}{} -> STEM[WHORL]_{E}
+STEM{}{step==14}{} -> STEM[WHORL(,<10*open>,,,,,,)]_{E}
 WHORL -> WHORL[SECOND]_{E}
 WHORL -> WHORL[&PETAL{K=9; J=3; len=size*(14+13*open)*math.random(0.95,1.04); wide=size*(11+11*open); thick=0.6; start=-30+20*open+math.random(-4,4)+34*wilt; low=-48-4*open+18*wilt; mid=-22+16*wilt; high=-66+10*open+20*wilt+math.random(-6,6); cup=17-3*open; wave=4; peak=1.08; foot=0.9; tip=0.7; claw=0.3}]_{C1,C4,C8}
 SECOND -> SECOND[THIRD]_{E}
@@ -3121,8 +3121,8 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 #material 3 sepal "5f8a48" "7aa25c"
 #material 4 petal "6a3a9e" "4b1f86" foot 0.3 veins "2c0f5c" 6 0.3 bud "5a3a86" "4a2a76" wilted "6d5472" "5d4262"
 #material 5 petal "5a2f92" "452080" wilted "665070" "5a4460"
-#material 6 petal "3b1440" "c9a8e6" foot 0.45 veins "4a1c5e" 5 0.55 bud "4a2450" "a98fc0" wilted "5a3a50" "9a8296"
-#material 7 petal "4a1a30" "f7d52e" foot 0.5 veins "3a1226" 7 0.75 margin "f9e06a" 0.1 bud "5a2a30" "d8c040" wilted "5a3030" "b89a48"
+#material 6 petal "3b1440" "c9a8e6" foot 0.6 veins "4a1c5e" 5 0.55 bud "4a2450" "a98fc0" wilted "5a3a50" "9a8296"
+#material 7 petal "4a1a30" "f7d52e" foot 0.8 veins "3a1226" 7 0.75 margin "f9e06a" 0.1 bud "5a2a30" "d8c040" wilted "5a3030" "b89a48"
 #material 8 petal "b79ad8" "cdb2ec" wilted "94809c" "a08ea2"
 #material 9 pistil "e8b92a" "9ab84a"
 
@@ -3154,7 +3154,7 @@ NODEC -> NODEC[&LEAF{len=math.random(22,28)}]_{C4}[&LEAF{len=math.random(18,24)}
 STALK{}{step<8}{} -> STALK[STALK(,<(step<5)*-(90+start)*0.16+(step>=5)*(25-4*open+10*wilt)+math.random(-2,2)>,<math.random(-2,2)>,,,,,)]_{E}
 STALK{}{step==8}{} -> STALK[CALYX(,<18-6*open>,,,,,,)]_{E}
 CALYX -> CALYX[FACE]_{E}
-CALYX -> CALYX[&PETAL{K=7; J=1; len=size*9; wide=size*3.2; thick=0.4; start=-50+20*open; low=-10; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
+CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(6+2*open); wide=size*2.8; thick=0.4; start=-64+92*open; low=-10+10*open; cup=10; peak=0.7; tip=1.7; claw=0.8; upper=3; middle=3; lower=3}]_{C2,C4,C6,C8,C10}
 CALYX -> CALYX[&PETAL{K=7; J=1; len=size*(2+4*open); wide=size*2.6; thick=2*size; start=66; low=-6; cup=30; foot=0.4; tip=0.6; claw=0.9; upper=8; middle=8; lower=8}]_{C1}
 FACE -> FACE[HEART]_{E}
 FACE -> FACE[&PETAL{K=10; J=3; len=size*(8+9*open); wide=size*(5+12*open); thick=0.4; start=-66+60*open+8*wilt; sway=8*open; low=-20+16*open; high=-30+50*open+math.random(-6,6); cup=13-10*open; wave=5+6*wilt; peak=1.3; foot=0.9; tip=0.62; claw=0.3; upper=4; middle=4; lower=5}]_{C5}
@@ -3382,10 +3382,10 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=250 /* 120 … 420 mm, of the stem */
+#define length=235 /* 120 … 370 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
 #define scale=1.04 /* 0.7 … 1.6, of the flower */
-#define tall=length*math.random(0.80,1.20)
+#define tall=length*math.random(0.87,1.13)
 #define size=scale*math.random(0.92,1.08)
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -3411,8 +3411,8 @@ LM3 : LM3_C4 < LU3_C2 -> LM3_C4 | LU3_C2
 #axiom: STEM
 STEM{hang=(1-open)*max(0,step-9)^2}{step<16}{} -> OLD[STEM(,<bend+math.random(-2.5,2.5)+3.8*hang>,<math.random(-2.5,2.5)>,,<tall*(0.75+0.25*open)/16>,<2.6-0.05*step>,<2.6-0.05*step>,)]_{E}
 STEM{l=math.random(86,112)-10*step}{step<7&&step!=5}{} -> STEM[&PETAL{K=18; J=2; len=l; wide=l*0.5; thick=0.7; start=-52+math.random(-8,8)-3*step; sway=math.random(-6,6); low=20; mid=24; high=math.random(0,40); cup=-5; peak=0.95; foot=0.7; tip=1.6; claw=0.12; teeth=0.85; bites=4; barb=-24; upper=2; middle=2; lower=2}]_{C(1+(5*step)%12)}
-STEM{}{step==16}{} -> STEM[CALYX]_{E}
-CALYX -> CALYX[RECEPTACLE]_{E}
+STEM{}{step==16}{} -> STEM[CALYX(,<22*open>,,,,,,)]_{E}
+CALYX -> CALYX[RECEPTACLE(,<12*open>,,,,,,)]_{E}
 CALYX -> CALYX[&PETAL{K=8; len=0.3+23*max(0,1-2*open); wide=0.2+21*max(0,1-2*open); thick=0.05+0.8*max(0,1-2*open); start=-22; low=-66; mid=-6; high=-66; cup=34; claw=0.4; upper=3; middle=3; lower=3}]_{C1,C7}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
 RECEPTACLE -> RECEPTACLE[&PETAL{K=10; J=5; len=size*(11+27*open); wide=size*(9+57*open); thick=0.45; start=-62+55*open+math.random(-5,5)+18*wilt; low=-16-26*open; mid=4; high=-34+50*open+math.random(-10,10); cup=15-8*open; wave=9+math.random(0,6)+12*wilt; waves=math.random(4,6); peak=1.32; foot=1; tip=0.66; claw=0.24; spread=5; upper=5}]_{C1,C7}
@@ -3588,9 +3588,9 @@ LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=120 /* 60 … 200 mm, of the stalk */
+#define length=150 /* 80 … 230 mm, of the stalk */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define tall=length*math.random(0.83,1.17)
+#define tall=length*math.random(0.87,1.10)
 #define bells=floor(math.random(8,12))
 #define open=sin(90*min(age,1))
 #define wilt=max(0,age-1)
@@ -3608,8 +3608,8 @@ LID{}{step<9}{} -> LID[LID(,,,,0.6,<1+2*open>,<1+2*open>,)]_{E}
 
 #axiom: SHEATH(,,,55,,,,)
 SHEATH{}{step<3}{} -> SHEATH[SHEATH(,,,,5,<7-1.2*step>,<7-1.2*step>,)]_{E}
-SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(130,160); wide=math.random(46,58); thick=0.9; start=-66+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C7}
-SHEATH{}{step==1}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(110,140); wide=math.random(38,50); thick=0.9; start=-60+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C3}
+SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(112,132); wide=math.random(40,50); thick=0.9; start=-66+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C7}
+SHEATH{}{step==1}{} -> SHEATH[&PETAL{K=13; J=3; len=math.random(96,116); wide=math.random(34,44); thick=0.9; start=-60+math.random(-4,4)-14*(1-open); low=6; mid=10; high=math.random(14,34); cup=13; peak=0.9; foot=1; tip=1.25; claw=0.2; upper=2; middle=2; lower=2}]_{C3}
 SHEATH{}{step==3}{} -> SHEATH[STEM]_{E}
 STEM{}{step<10}{} -> STEM[STEM(,<bend+1.5+math.random(-1,1)>,<math.random(-1,1)>,,<tall*0.5/6>,2.2,2.2,)]_{E}
 STEM{}{step==10}{} -> STEM[NODE]_{E}
@@ -3619,11 +3619,11 @@ NODE{k=step-11; q=k/bells}{step<finalStep-1}{} -> DONE[NODE(,<4+math.random(-1,1
 #define open=1
 #define size=1
 #define wilt=0
-#define STALK(12,0,0,0,size*1.9,0.8,0.8,1)
+#define STALK(12,0,0,0,size*2.2,0.9,0.9,1)
 #define CUP(12,0,0,0,1,1.6,1.6,4)
 #define LIP(12,0,0,0,1,1.6,1.6,4)
 #define INSIDE(12,0,0,0,-1,6,6,5)
-#define g=size*(0.35+0.65*open)*(1-0.25*wilt)
+#define g=1.2*size*(0.35+0.65*open)*(1-0.25*wilt)
 #define finalStep=15
 #axiom: STALK(,<-34+math.random(-8,8)>,<math.random(-14,14)>,,,,,)
 STALK{}{step<5}{} -> STALK[STALK(,<19+math.random(-3,3)>,,,,,,)]_{E}
@@ -3786,8 +3786,8 @@ B{s=(step+2)/S}{step<S-1}{} -> B[B(,<bend/S+high*(2*step+1)/S^2>,,,,<wide*max(ma
 STEM{}{step<13}{} -> WOOD[STEM(,<bend+math.random(-2,2)+1.2*wilt>,<math.random(-2,2)>,,<tall/13>,<4.8-0.07*step>,<4.8-0.07*step>,)]_{E}
 STEM{}{step<11}{} -> STEM[&BLADE{S=3; len=math.random(4,6); wide=2.6; thick=1.1; start=18; bend=30; peak=0.5; claw=1; blunt=0.1; paint=9}]_{C(1+(3*step+5)%8)}
 STEM{}{step==2||step==5||step==8}{} -> STEM[&ROSELEAF{len=math.random(36,46)}]_{C(1+(3*step)%8)}
-STEM{}{step==13}{} -> STEM[HIP]_{E}
-HIP -> HIP[CALYX(,,,,3.4,9,9,)]_{E}
+STEM{}{step==13}{} -> STEM[HIP(,<14*open+6*wilt>,,,,,,)]_{E}
+HIP -> HIP[CALYX(,<16*open+8*wilt>,,,3.4,9,9,)]_{E}
 CALYX -> CALYX[RING]_{E}
 CALYX -> CALYX[&PETAL{K=8; J=1; len=size*27; wide=size*7; thick=0.7; start=-66+62*open+math.random(-8,8); low=-8+30*open; high=24*open+math.random(-10,20); cup=12; peak=0.6; tip=1.8; claw=0.75; upper=3; middle=3; lower=3}]_{C1,C3,C4,C6,C7}
 RING{k=step-15; q=(k/petals)}{step<finalStep-1}{} -> SET[RING(,,,,<0.34*size>,<9-6.5*q>,<9-6.5*q>,)]_{E}[&PETAL{K=7; J=3; len=size*(25+19*open*(1-0.25*q))*(1-0.15*q)*math.random(0.95,1.04); wide=size*(22+22*open)*(1-0.42*q)*math.random(0.94,1.05); thick=0.5; start=-78+(62-66*q)*max(0,open*1.2-0.2*q)+math.random(-5,5)+(26-20*q)*wilt; low=-40*(1-0.6*q)*open; mid=-8-18*q; high=-30+(72*(1-q)^1.4)*open-6*q+math.random(-8,8)+20*wilt; cup=12+20*q+8*(1-open)-3*wilt; edge=(-46+34*q)*open; wave=4+10*wilt; waves=2; peak=1.4; foot=0.9; tip=0.55; claw=0.3; spread=4; lower=5}]_{C(1+(3*step)%8)}
@@ -4282,7 +4282,7 @@ LOWER -> LOWER[STEM]_{E}
 LOWER -> LOWER[&PETAL{K=14; J=3; len=math.random(200,250); wide=math.random(44,60); thick=1.6; start=-70+math.random(-5,5)-8*(1-open); low=10; mid=10; high=25+math.random(0,30)+40*wilt; cup=16-4*open; wave=5; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C1}
 UPPER -> UPPER[STEM]_{E}
 UPPER -> UPPER[&PETAL{K=14; J=3; len=math.random(150,190); wide=math.random(26,36); thick=1.4; start=-72+math.random(-5,5)-8*(1-open); low=6; mid=8; high=14+math.random(0,20)+30*wilt; cup=17-4*open; wave=4; peak=0.8; foot=0.5; tip=1.7; claw=0.35; upper=2; middle=2; lower=2}]_{C7}
-STEM{}{step==16}{} -> STEM[RECEPTACLE]_{E}
+STEM{}{step==16}{} -> STEM[RECEPTACLE(,<6*open>,,,,,,)]_{E}
 RECEPTACLE -> RECEPTACLE[BASE]_{E}
 RECEPTACLE -> RECEPTACLE[&PETAL{len=size*(38+27*open); wide=size*(22+14*open); thick=1.1; start=-30+22*open+math.random(-2,2)+30*wilt; low=-70-open*8; mid=-2+wilt*20; high=-32+40*open+math.random(-4,4)+50*wilt; cup=20-7*open-6*wilt; peak=0.93; foot=0.85; tip=1.15; claw=0.22; wave=10*wilt; upper=5}]_{C1,C5,C9}
 BASE -> BASE[TOP]_{E}
@@ -4412,9 +4412,9 @@ LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
    source: own text; the method is Petrenko 2014, section 2.2.3
 */
 
-#define length=235 /* 120 … 380 mm, of the stem */
+#define length=180 /* 90 … 290 mm, of the stem */
 #define bend=0 /* -5 … 5 degrees a step, of the stem */
-#define tall=length*math.random(0.85,1.15)
+#define tall=length*math.random(0.83,1.17)
 #define flowers=floor(math.random(64,80))
 #define ball=math.random(30,36)
 #define open=sin(90*min(age,1))
@@ -4436,7 +4436,7 @@ LOBE{}{step<13}{} -> LOBE[LOBE(,25,,,1.6,1.8,1.6,)]_{E}
 
 #axiom: SHEATH
 SHEATH{}{step<3}{} -> SHEATH[SHEATH(,,,,6,<12-2.4*step>,<12-2.4*step>,)]_{E}
-SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(180,230); wide=math.random(24,34); thick=1.4; start=-52+math.random(-10,10); sway=math.random(-8,8); low=14; mid=20; high=math.random(30,80); cup=12; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C1,C4,C6,C9,C11}
+SHEATH{}{step==0}{} -> SHEATH[&PETAL{K=12; J=1; len=math.random(130,170); wide=math.random(20,28); thick=1.4; start=-52+math.random(-10,10); sway=math.random(-8,8); low=14; mid=20; high=math.random(30,80); cup=12; peak=0.8; foot=0.5; tip=1.4; claw=0.8; upper=2; middle=2; lower=2}]_{C1,C4,C6,C9,C11}
 SHEATH{}{step==3}{} -> SHEATH[STEM]_{E}
 STEM{}{step<14}{} -> STEM[STEM(,<bend+math.random(-0.8,0.8)>,<math.random(-0.8,0.8)>,,<tall/10>,5,5,)]_{E}
 STEM{}{step==14}{} -> STEM[NECK]_{E}
