@@ -38,6 +38,13 @@ export const designTool: DesignTool<Organ> = {
 		draw: (desk) =>
 			html`<panicle-flower-organs .desk=${desk} .tool=${designTool} .drafts=${drafts}></panicle-flower-organs>`,
 	},
+	keys: [
+		{
+			keys: ["Arrow keys"],
+			does: "On a handle of a diagram, an elevation or an outline: more, less; Shift goes farther",
+		},
+		{ keys: ["Page ↑", "Page ↓"], does: "On such a handle: the one before, the next" },
+	],
 	drop: {
 		words: "a picture of a petal is traced, where the flower is designed",
 		takes: isPicture,
