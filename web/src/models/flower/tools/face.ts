@@ -4,14 +4,15 @@ import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face, Tool } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
-import { designTools } from "./design/design_tool";
+import { beginTool, designTools } from "./design/design_tool";
 import { source } from "./text";
 import { volumeTool } from "./volume_tool";
 
 export const face: Face<FlowerSpecimen, FlowerPlant> = {
 	tools: [
-		volumeTool as Tool<FlowerSpecimen, FlowerPlant>,
 		...designTools,
+		volumeTool as Tool<FlowerSpecimen, FlowerPlant>,
+		beginTool,
 		...grammarTools<FlowerSpecimen, FlowerPlant>(source),
 	],
 	about: html`<p>

@@ -1,4 +1,4 @@
-/** `<panicle-flower-organs>`: the six control points as tabs, each organ by its choices; or, where a text describes none, a way to begin. */
+/** `<panicle-flower-organs>`: the six control points as tabs, each organ by its choices. */
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
 import { chooseFile } from "../../../../controls/choose_file";
@@ -9,7 +9,7 @@ import { PICTURES } from "../../../../controls/picture_file";
 import { outlineOf } from "../../design/blade";
 import { isEdited, madeAnew } from "../../design/choose";
 import { type Description, described } from "../../design/description";
-import { assembled, type Design, describedIn } from "../../design/design";
+import { type Design, describedIn } from "../../design/design";
 import { FIELDS, type Field, type NumberField, ORGANS, type Organ } from "../../design/organs";
 import { DRAWN } from "../../design/shapes";
 import { type Drafts, descriptionsIn, designIn, type FlowerDesk } from "./drafts";
@@ -48,16 +48,7 @@ class OrgansPanel extends ControlElement<FlowerDesk> {
 
 	protected override draw(desk: FlowerDesk): unknown {
 		const design = designIn(desk.state.specimen);
-		return design ? this.#draw(design) : this.#begin();
-	}
-
-	#begin(): unknown {
-		return html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar.</p>
-			<div class="actions">
-				<button class="button" type="button" @click=${() => this.desk.set({ details: { grammar: assembled() } })}>
-					Design a new flower
-				</button>
-			</div>`;
+		return design ? this.#draw(design) : nothing;
 	}
 
 	#draw(design: Design): unknown {

@@ -1,8 +1,9 @@
 /** Designing a flower: six organs by choices in the panel, and flat views with handles. All is written into the text. */
 import { html, nothing } from "lit";
 import { isPicture } from "../../../../controls/picture_file";
-import { FILE_TOPIC, type Tool } from "../../../../controls/tool";
+import type { Tool } from "../../../../controls/tool";
 import type { Description } from "../../design/description";
+import { assembled } from "../../design/design";
 import { ORGANS, type Organ } from "../../design/organs";
 import type { FlowerPlant } from "../../flower_plant";
 import type { FlowerSpecimen } from "../../specimen";
@@ -28,10 +29,30 @@ const GROUP = {
 	plain: true,
 } as const;
 
+const isDesigned = (specimen: FlowerSpecimen): boolean => designIn(specimen) !== undefined;
+
+/** Where a text describes no organs. */
+export const beginTool: DesignTool = {
+	name: "begin-design",
+	initial: undefined,
+	applies: (specimen) => !isDesigned(specimen),
+	panel: {
+		group: GROUP,
+		place: "above",
+		draw: (desk) => html`<p>This flower’s text has no descriptions of its organs: it is edited as a grammar.</p>
+			<div class="actions">
+				<button class="button" type="button" @click=${() => desk.set({ details: { grammar: assembled() } })}>
+					Design a new flower
+				</button>
+			</div>`,
+	},
+};
+
 /** Which organ is in hand. */
 export const designTool: DesignTool<Organ> = {
 	name: "design",
 	initial: "petal",
+	applies: isDesigned,
 	panel: {
 		group: GROUP,
 		place: "above",
@@ -46,12 +67,9 @@ export const designTool: DesignTool<Organ> = {
 		{ keys: ["Page ↑", "Page ↓"], does: "On such a handle: the one before, the next" },
 	],
 	drop: {
-		words: "a picture of a petal is traced, where the flower is designed",
+		words: "a picture of a petal is traced",
 		takes: isPicture,
-		take: (desk, file) => {
-			if (designIn(desk.state.specimen)) void traceInto(desk, drafts, bladed(desk.toolState(designTool)), file);
-			else desk.notify("The picture was not traced", ["This flower’s text describes no petal."], { topic: FILE_TOPIC });
-		},
+		take: (desk, file) => void traceInto(desk, drafts, bladed(desk.toolState(designTool)), file),
 	},
 };
 
@@ -63,7 +81,7 @@ function view(
 	return {
 		name,
 		initial: undefined,
-		applies: (specimen) => designIn(specimen) !== undefined,
+		applies: isDesigned,
 		editor: { title, draw: (desk) => draw(desk, title, of) },
 	};
 }
