@@ -17,6 +17,7 @@ import embed from "./embed.mjs";
 import exporting from "./export.mjs";
 import files from "./files.mjs";
 import flower from "./flower.mjs";
+import flowerDesign from "./flower_design.mjs";
 import generalizedMap from "./generalized_map.mjs";
 import gestures from "./gestures.mjs";
 import grammar from "./grammar.mjs";
@@ -84,6 +85,7 @@ export const groups = [
 	...lives,
 	...grammarEditor,
 	...flower,
+	...flowerDesign,
 	...growth,
 	...stand,
 	...growthShape,

@@ -8,6 +8,7 @@ export type TextPreset = Preset & { readonly text: string };
 export const PRESET_KINDS: readonly PresetKind[] = [
 	{"key":"species","title":"Flowers"},
 	{"key":"inflorescences","title":"Inflorescences"},
+	{"key":"designed","title":"Designed by choices"},
 	{"key":"figures","title":"Figures of the thesis"},
 ];
 
@@ -34,6 +35,10 @@ export const PRESETS: readonly TextPreset[] = [
 	{"name":"raceme","kind":"inflorescences","title":"Raceme","since":2,"about":"Flowers on stalks along an axis, the lowest first: lily of the valley, its bells hollow as a prism that grows backwards makes them. own text; the method is Petrenko 2014, section 2.2.3.","parameters":{},"look":{},"text":"raceme"},
 	{"name":"spike","kind":"inflorescences","title":"Spike","since":2,"about":"Flowers without stalks along an axis, the lowest first: gladiolus, all to one side, in bud above. own text; the method is Petrenko 2014, section 2.2.3.","parameters":{},"look":{},"text":"spike"},
 	{"name":"umbel","kind":"inflorescences","title":"Umbel","since":2,"about":"Flowers on stalks from one point: an ornamental onion, a ball of stars. own text; the method is Petrenko 2014, section 2.2.3.","parameters":{},"look":{},"text":"umbel"},
+	{"name":"designed-buttercup","kind":"designed","title":"Buttercup by choices","since":2,"about":"Five sepals, five obovate petals, many stamens, and carpels each for itself. own text, assembled; the method is Petrenko 2014, section 3.3.","parameters":{},"look":{},"text":"designed-buttercup"},
+	{"name":"designed-lily","kind":"designed","title":"Lily by choices","since":2,"about":"Two whorls of lanceolate petals that roll back, long filaments with dorsifixed anthers, one long style. own text, assembled; the method is Petrenko 2014, section 3.3.","parameters":{},"look":{},"text":"designed-lily"},
+	{"name":"designed-tulip","kind":"designed","title":"Tulip by choices","since":2,"about":"The thesis's example, described organ by organ: an erect round stem, apical leaves, no sepals, six rounded petals, six basifixed stamens, a syncarpous pistil. own text, assembled; the method is Petrenko 2014, section 3.3.","parameters":{},"look":{},"text":"designed-tulip"},
+	{"name":"designed-violet","kind":"designed","title":"Violet by choices","since":2,"about":"An irregular flower: its lower lip is larger than its upper petals; leaves at the foot, heart-shaped. own text, assembled; the method is Petrenko 2014, section 3.3.","parameters":{},"look":{},"text":"designed-violet"},
 	{"name":"figure-16","kind":"figures","title":"Figure 16","since":2,"about":"A grammar in a grammar: sepals, petals, stamens and a carpel are modules of a flower of eighteen sides. Petrenko 2014, in full; its four modules are only named there and are ours.","figure":"16","parameters":{},"look":{},"text":"figure-16"},
 	{"name":"petal","kind":"figures","title":"Petal","since":2,"about":"One petal of three layers, whose lobes grow from a vein and are glued. Petrenko 2014 and section 2.2.3; the grammar is ours.","figure":"21","parameters":{},"look":{},"text":"petal"},
 	{"name":"table-3","kind":"figures","title":"Table 3","since":2,"about":"The thesis's example of a grammar: a stem, a receptacle and four petals, each a module. Petrenko 2014, Table 3, in full; the module PTULIP is only named there and is ours.","parameters":{},"look":{},"text":"table-3"},

@@ -5,12 +5,15 @@ import { grammarTools } from "../../../controls/grammar_tool";
 import type { Face, Tool } from "../../../controls/tool";
 import type { FlowerPlant } from "../flower_plant";
 import type { FlowerSpecimen } from "../specimen";
+import { beginTool, designTools } from "./design/design_tool";
 import { source } from "./text";
 import { volumeTool } from "./volume_tool";
 
 export const face: Face<FlowerSpecimen, FlowerPlant> = {
 	tools: [
+		...designTools,
 		volumeTool as Tool<FlowerSpecimen, FlowerPlant>,
+		beginTool,
 		...grammarTools<FlowerSpecimen, FlowerPlant>(source),
 		gestureTool<FlowerSpecimen, FlowerPlant>(source),
 	],
