@@ -5,15 +5,8 @@ import { microseconds, printTable } from "./statistics.mjs";
 const RUNS = 9;
 /** Seconds in 2012. */
 const FIGURE_28 = { tulip: 37.5, "water-lily": 120.4, bluebell: 56.3, poppy: 63.4 };
-/** A number of each text that only places its volumes, and what it may be in place of what it is. */
-const SIZES = {
-	tulip: ["length", 330],
-	poppy: ["len", 36],
-	daisy: ["len", 19],
-	bluebell: ["len", 16],
-	"water-lily": ["len", 50],
-	sunflower: ["len", 80],
-};
+/** A number that texts have and that only places their volumes, and what it may be. */
+const PLACES = ["length", 123];
 
 const milliseconds = (micro) => (micro / 1000).toFixed(1);
 
@@ -31,9 +24,7 @@ export async function benchFlowers({ core, instance, source }) {
 		const grown = [false, true].map((meshes) =>
 			inTurn([2, 3].map((seed) => grower(core, flowerOf(name, meshes, 1, { seed })))),
 		);
-		const placed = inTurn(
-			[{}, SIZES[name] && { number: SIZES[name] }].map((of) => grower(core, flowerOf(name, true, 1, of))),
-		);
+		const placed = inTurn([{}, { number: PLACES }].map((of) => grower(core, flowerOf(name, true, 1, of))));
 		const times = [...grown, placed].map((run) => microseconds(2, RUNS, run));
 		rows.push([
 			name,

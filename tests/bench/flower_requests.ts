@@ -8,7 +8,9 @@ import { fromPreset } from "../../web/src/specimen/from_preset";
 await model.prepare(fromPreset(model));
 
 /** The shelf's species and inflorescences. */
-export const FLOWERS = model.presets.list.filter(({ kind }) => /^(?:species|inflorescences)$/.test(kind)).map(({ name }) => name);
+export const FLOWERS = model.presets.list
+	.filter(({ kind }) => /^(?:species|inflorescences)$/.test(kind))
+	.map(({ name }) => name);
 
 /** What of a flower is another than what it is on the shelf. */
 export interface Changed {

@@ -240,14 +240,16 @@ bool Reader::settings(Growth& growth) {
     at_ += 2;
     std::size_t semicolon = at_;
     while (semicolon < end && !tokens_[semicolon].is(';')) ++semicolon;
+    const std::size_t first = at_;
     const Uses before = std::exchange(of_blocks_, {});
     Number number;
     if (!this->number(semicolon, Scope::production, false, number)) return false;
     Uses uses = of_blocks_;
-    if (std::exchange(uses.locals, false)) uses.add(before);
+    const bool of_blocks = std::exchange(uses.locals, false);
+    if (of_blocks) uses.add(before);
     uses.locals = false;
     uses_of_settings_.emplace_back(setting.variable, std::move(uses));
-    calls_.emplace_back(setting.variable, read_);
+    calls_.emplace_back(setting.variable, of_blocks ? read_ : Statement{first, semicolon, grammar_});
     of_blocks_.add(before);
     setting.value = number.value;
     growth.settings.push_back(setting);

@@ -56,7 +56,7 @@ export class VolumePanel extends ControlElement<Desk<FlowerSpecimen, FlowerPlant
 			<div aria-live="polite">${
 				grown && chosen !== undefined
 					? this.#tell(grown, chosen)
-					: html`<p>Click on the flower, or type a number from 1 to ${count}.</p>`
+					: html`<p>None of ${count.toLocaleString("en")} is chosen.</p>`
 			}</div>
 			${grown && chosen !== undefined ? this.#said(grown, chosen) : nothing}`;
 	}
