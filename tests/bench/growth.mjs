@@ -16,17 +16,15 @@ const TABLE_2 = [
 ];
 const MIXED = [5, 6, 7];
 const RUNS = 5;
-/** The most leaves for one that the model makes. */
-const MOST_LEAVES = 12;
 
 const milliseconds = (micro) => (micro / 1000).toFixed(3);
 
 export async function benchGrowth({ core, instance, source }) {
-	const { levelsOf: request } = await source("tests/bench/growth_requests.ts");
+	const { levelsOf: request, leafyOf } = await source("tests/bench/growth_requests.ts");
 	const vertices = (bytes) => sizesOf(instance.growBytes(bytes).columns);
 	benchStages(core);
 	benchMany(core, request, vertices);
-	await benchPeer(core, instance, request);
+	await benchPeer(core, instance, leafyOf);
 }
 
 /** Vertices and triangles of each level. */
@@ -80,39 +78,28 @@ function benchMany(core, request, vertices) {
 }
 
 /**
- * Of like for like: one mesh each, bark and leaves, of a tree of as many branches and as many vertices, or more. The steps give ours its
- * branches; leaves make up for the vertices, with positions, normals and indices as there (and a byte of sky in place of texture coordinates).
+ * Like for like: one mesh of bark and leaves, of a tree of as many branches and as many vertices, or more. Steps give ours its branches;
+ * leaves make up for the vertices, with positions, normals and indices as there, and a byte of sky in place of texture coordinates.
  */
 async function benchPeer(core, instance, request) {
-	const head = [
-		"ez-tree",
-		"branches",
-		"vertices",
-		"ms",
-		"ours: steps",
-		"branches",
-		"vertices",
-		"ms",
-		"times as fast",
-		"with all levels",
-	];
-	const rows = [head];
+	const ours = ["ours: steps", "branches", "vertices", "ms", "times as fast", "with all levels"];
+	const rows = [["ez-tree", "branches", "vertices", "ms", ...ours]];
 	const ratios = { one: [], all: [] };
 	for (const peer of await peerTrees()) {
 		const own = match(instance, request, peer);
-		// By turns, for whatever else the machine does to come to both.
+		// By turns, so that whatever else the machine does comes to all of them.
 		const times = { peer: [], one: [], all: [] };
 		for (let run = 0; run < RUNS; run++) {
 			times.peer.push(peer.time(1));
-			times.one.push(microseconds(20, 1, grower(core, request(1, own.steps, 1, own.leaves))));
-			times.all.push(microseconds(20, 1, grower(core, request(1, own.steps, 4, own.leaves))));
+			times.one.push(microseconds(20, 1, grower(core, request(1, own.steps, own.leaves, 1))));
+			times.all.push(microseconds(20, 1, grower(core, request(1, own.steps, own.leaves, 4))));
 		}
 		const [theirs, one, all] = [times.peer, times.one, times.all].map(median);
 		ratios.one.push(theirs / one);
 		ratios.all.push(theirs / all);
-		const ours = [own.steps, own.branches, own.vertices, milliseconds(one)];
 		const faster = [theirs / one, theirs / all].map((ratio) => ratio.toFixed(1));
-		rows.push([peer.name, peer.branches, peer.vertices, milliseconds(theirs), ...ours, ...faster]);
+		const mine = [own.steps, own.branches, own.vertices, milliseconds(one)];
+		rows.push([peer.name, peer.branches, peer.vertices, milliseconds(theirs), ...mine, ...faster]);
 	}
 	printTable("Whole trees from parameters to the buffers of one mesh, in Node: ez-tree's presets and ours", rows);
 	const [one, all] = [ratios.one, ratios.all].map((each) => geometricMean(each).toFixed(1));
@@ -122,7 +109,7 @@ async function benchPeer(core, instance, request) {
 /** The fewest steps that make as many branches, and the fewest leaves that then make as many vertices. */
 function match(instance, request, { branches, vertices }) {
 	const grown = (steps, leaves) => {
-		const { columns } = instance.growBytes(request(1, steps, 1, leaves));
+		const { columns } = instance.growBytes(request(1, steps, leaves, 1));
 		const counts = columns.lines("counts.names");
 		return {
 			steps,
@@ -133,7 +120,6 @@ function match(instance, request, { branches, vertices }) {
 	};
 	let own = grown(1, 1);
 	while (own.branches < branches) own = grown(own.steps + 1, 1);
-	while (own.vertices < vertices)
-		own = own.leaves < MOST_LEAVES ? grown(own.steps, own.leaves + 1) : grown(own.steps + 1, 1);
+	while (own.vertices < vertices) own = grown(own.steps, own.leaves + 1);
 	return own;
 }
