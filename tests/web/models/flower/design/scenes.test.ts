@@ -133,8 +133,8 @@ describe("the docs of designs", () => {
 	it.each(shelf)(
 		"have the diagram and the elevation of the $name as they are drawn (UPDATE_GOLDENS=1)",
 		({ name, descriptions }) => {
-			kept(`diagrams/${name}-diagram.svg`, pictureOf(floralDiagram(descriptions)));
-			kept(`diagrams/${name}-elevation.svg`, pictureOf(elevation(descriptions)));
+			kept(`diagrams/${name}-diagram.svg`, pictureOf(floralDiagram(descriptions), `Floral diagram of the ${name}`));
+			kept(`diagrams/${name}-elevation.svg`, pictureOf(elevation(descriptions), `Side elevation of the ${name}`));
 		},
 	);
 

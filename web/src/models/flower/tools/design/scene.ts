@@ -38,7 +38,7 @@ export interface Scene {
 }
 
 /** A scene as a picture by itself, for the docs: ink on paper. */
-export function pictureOf({ box, lines, words }: Scene): string {
+export function pictureOf({ box, lines, words }: Scene, title: string): string {
 	const [width, height] = [box.right - box.left, box.bottom - box.top];
 	const unit = Math.max(width, height) / 100;
 	const drawn = lines.map(({ d, kind, fill }) => {
@@ -51,7 +51,7 @@ export function pictureOf({ box, lines, words }: Scene): string {
 			`<text x="${short(x)}" y="${short(y)}" font-size="${short(4 * unit)}" font-family="serif" fill="#2a2622" text-anchor="middle">${text}</text>`,
 	);
 	const frame = [box.left, box.top, width, height].map(short).join(" ");
-	return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${frame}" width="320" height="${Math.round((320 * height) / width)}">\n${[...drawn, ...said].join("\n")}\n</svg>\n`;
+	return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${frame}" width="320" height="${Math.round((320 * height) / width)}">\n<title>${title}</title>\n${[...drawn, ...said].join("\n")}\n</svg>\n`;
 }
 
 /** To the hundredth. */
