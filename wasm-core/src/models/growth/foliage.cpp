@@ -146,8 +146,7 @@ class Crown {
   }
 
   bool shed(std::uint64_t address) const {
-    return !habit_.evergreen &&
-           habit_.season > first_fall + fall_spread * falls_.unit(address);
+    return !habit_.evergreen && habit_.season > first_fall + fall_spread * falls_.unit(address);
   }
 
   void leaf(std::size_t l, std::uint32_t k, const Place& place) {
@@ -155,14 +154,12 @@ class Crown {
     const float share = place.share * unfolded(address);
     if (!(share > 0)) return;
     const float turns = golden * static_cast<float>(l * habit_.many + k);
-    const SinCos about = sincos_degrees(golden_angle * static_cast<float>(k) +
-                                        360 * turns_.unit(hash_combine(l, 0)));
+    const SinCos about = sincos_degrees(golden_angle * static_cast<float>(k) + 360 * turns_.unit(hash_combine(l, 0)));
     const glm::vec3 side = about.cosine * place.one + about.sine * place.other;
     glm::vec3 out = habit_.needles ? place.along + 0.5f * side : 0.6f * place.along + side;
     if (!habit_.needles) out.y -= droop;
     out = glm::normalize(out);
-    const glm::vec3 face =
-        glm::vec3(0, 1, 0) + outwards * place.along + strewn * faces_.direction(address);
+    const glm::vec3 face = glm::vec3(0, 1, 0) + outwards * place.along + strewn * faces_.direction(address);
     Organ leaf = on(place, (1 - near_tip) * (turns - std::floor(turns)));
     leaf.tag = place.falls ? falling_tag : leaf_tag;
     leaf.rotation = habit_.needles

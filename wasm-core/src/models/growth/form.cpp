@@ -155,8 +155,8 @@ class Maker {
         (population_.shoots[static_cast<std::size_t>(shoot.parent)].trunk ? habit_.trunk_angle : habit_.branch_angle) *
         (1 + spread * (2 * angles_.unit(q) - 1));
     const SinCos off = sincos_degrees(angle);
-    const SinCos about = sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) +
-                                        stray * (2 * turns_.unit(q) - 1));
+    const SinCos about =
+        sincos_degrees(habit_.turn * static_cast<float>(ordinals_[q]) + stray * (2 * turns_.unit(q) - 1));
     ahead_of = unit(off.cosine * along + off.sine * (about.cosine * one + about.sine * other), along);
     if (shoot.order > 1) ahead_of = unit({ahead_of.x, ahead_of.y * (1 - habit_.flat), ahead_of.z}, along);
     if (shoot.order == 1 && habit_.cordon > 0)
